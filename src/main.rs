@@ -1,2 +1,5 @@
-//! x
-fn main(){}
+//! The `moreau` command: a thin shell around [`moreau::cli`].
+
+fn main() -> std::process::ExitCode {
+    moreau::cli::run()
+}

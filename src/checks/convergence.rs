@@ -1,0 +1,1 @@
+//! Family 6: convergence as h → 0.

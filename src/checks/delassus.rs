@@ -1,0 +1,1 @@
+//! Family 1: the Delassus operator is symmetric positive semidefinite.

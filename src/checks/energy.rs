@@ -1,0 +1,1 @@
+//! Family 5: the energy ratio e² of an impact.

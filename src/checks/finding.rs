@@ -1,0 +1,137 @@
+//! A finding: one measured number held against one expectation.
+
+use crate::scalar::Rational;
+use serde::Serialize;
+
+/// How a measured number is held against the expected one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Relation {
+    /// |measured − expected| ≤ tolerance.
+    Equal,
+    /// measured ≤ expected + tolerance.
+    AtMost,
+    /// measured ≥ expected − tolerance.
+    AtLeast,
+}
+
+/// One measured number, what was expected of it and how far it may differ.
+#[derive(Clone, Debug, Serialize)]
+pub struct Finding {
+    /// What was measured.
+    pub name: String,
+    /// The measured value (the nearest `f64` if it is exact).
+    pub measured: f64,
+    /// The expected value or bound.
+    pub expected: f64,
+    /// How far the measured value may lie on the wrong side.
+    pub tolerance: f64,
+    /// Unit, `1` for pure numbers.
+    pub unit: &'static str,
+    /// How the two are compared.
+    pub relation: Relation,
+    /// Measured and expected value as exact rationals, where the comparison was exact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exact: Option<[String; 2]>,
+    holds: bool,
+}
+
+impl Finding {
+    fn compare(name: impl Into<String>, measured: f64, expected: f64, tolerance: f64, unit: &'static str, relation: Relation) -> Self {
+        let difference = measured - expected;
+        let holds = measured.is_finite()
+            && expected.is_finite()
+            && match relation {
+                Relation::Equal => difference.abs() <= tolerance,
+                Relation::AtMost => difference <= tolerance,
+                Relation::AtLeast => difference >= -tolerance,
+            };
+        Finding { name: name.into(), measured, expected, tolerance, unit, relation, exact: None, holds }
+    }
+
+    /// |measured − expected| ≤ tolerance.
+    pub fn equal(name: impl Into<String>, measured: f64, expected: f64, tolerance: f64, unit: &'static str) -> Self {
+        Self::compare(name, measured, expected, tolerance, unit, Relation::Equal)
+    }
+
+    /// measured ≤ bound.
+    pub fn at_most(name: impl Into<String>, measured: f64, bound: f64, unit: &'static str) -> Self {
+        Self::compare(name, measured, bound, 0.0, unit, Relation::AtMost)
+    }
+
+    /// measured ≥ bound.
+    pub fn at_least(name: impl Into<String>, measured: f64, bound: f64, unit: &'static str) -> Self {
+        Self::compare(name, measured, bound, 0.0, unit, Relation::AtLeast)
+    }
+
+    /// Exact equality of rationals, tolerance zero.
+    pub fn exact(name: impl Into<String>, measured: &Rational, expected: &Rational, unit: &'static str) -> Self {
+        let mut finding = Self::compare(name, measured.to_f64().value(), expected.to_f64().value(), 0.0, unit, Relation::Equal);
+        finding.holds = measured == expected;
+        finding.exact = Some([measured.to_string(), expected.to_string()]);
+        finding
+    }
+
+    /// A count that must be the expected one.
+    pub fn count(name: impl Into<String>, measured: usize, expected: usize) -> Self {
+        Self::exact(name, &Rational::from(measured), &Rational::from(expected), "1")
+    }
+
+    /// A decision that must come out as expected (1 true, 0 false).
+    pub fn decision(name: impl Into<String>, measured: bool, expected: bool) -> Self {
+        Self::count(name, usize::from(measured), usize::from(expected))
+    }
+
+    /// Whether the measured value is as expected.
+    pub fn holds(&self) -> bool {
+        self.holds
+    }
+}
+
+impl std::fmt::Display for Finding {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let sign = match self.relation {
+            Relation::Equal => "=",
+            Relation::AtMost => "≤",
+            Relation::AtLeast => "≥",
+        };
+        let unit = if self.unit == "1" { String::new() } else { format!(" {}", self.unit) };
+        match &self.exact {
+            Some([measured, expected]) => write!(f, "{}: {measured}{unit} (expected {sign} {expected}, exact)", self.name),
+            None if self.relation == Relation::Equal => {
+                write!(f, "{}: {:.10e}{unit} (expected {sign} {:.10e} ± {:.1e})", self.name, self.measured, self.expected, self.tolerance)
+            }
+            None => write!(f, "{}: {:.10e}{unit} (expected {sign} {:.10e})", self.name, self.measured, self.expected),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::ratio;
+
+    #[test]
+    fn both_sides_of_each_boundary() {
+        assert!(Finding::equal("x", 1.5, 1.0, 0.5, "m").holds());
+        assert!(!Finding::equal("x", 1.75, 1.0, 0.5, "m").holds());
+        assert!(!Finding::equal("x", 0.25, 1.0, 0.5, "m").holds());
+        assert!(Finding::at_most("x", 1.0, 1.0, "m").holds());
+        assert!(!Finding::at_most("x", 1.0 + 1e-15, 1.0, "m").holds());
+        assert!(Finding::at_least("x", 1.0, 1.0, "m").holds());
+        assert!(!Finding::at_least("x", 1.0 - 1e-15, 1.0, "m").holds());
+    }
+
+    #[test]
+    fn nan_never_holds() {
+        assert!(!Finding::equal("x", f64::NAN, 1.0, 1.0, "m").holds());
+        assert!(!Finding::at_most("x", f64::NAN, 1.0, "m").holds());
+        assert!(!Finding::at_least("x", f64::INFINITY, 1.0, "m").holds());
+    }
+
+    #[test]
+    fn exact_findings_see_differences_below_the_spacing_of_floats() {
+        let tiny = ratio(1, 1_000_000_000_000_000_000) / ratio(1_000_000_000, 1);
+        assert!(!Finding::exact("x", &(ratio(1, 1) + tiny), &ratio(1, 1), "1").holds());
+    }
+}

@@ -1,0 +1,13 @@
+//! Checks: functions that take a subject (our reference, a planted defect, a claim's reading) and return [`Finding`]s.
+//!
+//! A check derives its expected value from a closed form, exact arithmetic or a proven bound – never from the subject.
+
+pub mod cone_projection;
+pub mod convergence;
+pub mod delassus;
+pub mod energy;
+mod finding;
+pub mod stewart_trinkle;
+pub mod zeno;
+
+pub use finding::{Finding, Relation};

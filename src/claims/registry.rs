@@ -1,0 +1,107 @@
+//! All claims in the chapter's order, and how one is judged.
+
+use super::{Claim, Reading};
+use crate::checks::Finding;
+use serde::Serialize;
+use std::time::Instant;
+
+/// Whether the evidence supports the recorded verdict.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Status {
+    /// Every finding holds, and the control was contradicted.
+    Supported,
+    /// A finding fails: the evidence speaks against the recorded verdict.
+    Contradicted,
+    /// The control passed as well: the check cannot tell the verdict from its opposite.
+    ControlPassed,
+    /// The check could not be carried out.
+    Failed(String),
+}
+
+/// The judgement of one claim.
+pub struct Outcome {
+    /// The claim.
+    pub claim: &'static Claim,
+    /// Findings of the recorded reading.
+    pub findings: Vec<Finding>,
+    /// Findings of the control.
+    pub control: Vec<Finding>,
+    /// The conclusion.
+    pub status: Status,
+    /// Wall-clock time \[s\].
+    pub seconds: f64,
+}
+
+/// Every registered claim, in the chapter's order.
+pub fn all() -> impl Iterator<Item = &'static Claim> {
+    let sections: [&[&[Claim]]; 7] = [
+        super::front::CLAIMS,
+        super::s0::CLAIMS,
+        super::s2::CLAIMS,
+        super::s3::CLAIMS,
+        super::s4::CLAIMS,
+        super::s5::CLAIMS,
+        super::s12::CLAIMS,
+    ];
+    sections.into_iter().flatten().copied().flatten()
+}
+
+/// The claim with this id.
+pub fn find(id: &str) -> Option<&'static Claim> {
+    all().find(|claim| claim.id == id)
+}
+
+/// Whether an id lies in a group given by dot-separated parts: `S4` holds `S4.sigma` but not `S40.x`.
+pub fn matches_group(id: &str, group: &str) -> bool {
+    let mut parts = id.split('.');
+    group.split('.').all(|wanted| parts.next() == Some(wanted))
+}
+
+/// Runs the check of a claim on the recorded reading and on its control.
+pub fn judge(claim: &'static Claim) -> Outcome {
+    let start = Instant::now();
+    let recorded = (claim.check)(Reading::Recorded);
+    let control = (claim.check)(Reading::Control);
+    let status = match (&recorded, &control) {
+        (Err(error), _) => Status::Failed(error.to_string()),
+        (_, Err(error)) => Status::Failed(format!("control: {error}")),
+        (Ok(findings), _) if findings.is_empty() => Status::Failed("the check found nothing".into()),
+        (Ok(findings), _) if !findings.iter().all(Finding::holds) => Status::Contradicted,
+        (_, Ok(control)) if control.iter().all(Finding::holds) => Status::ControlPassed,
+        _ => Status::Supported,
+    };
+    Outcome {
+        claim,
+        findings: recorded.unwrap_or_default(),
+        control: control.unwrap_or_default(),
+        status,
+        seconds: start.elapsed().as_secs_f64(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+
+    #[test]
+    fn groups_match_whole_parts_only() {
+        assert!(matches_group("S1.weakstar", "S1"));
+        assert!(!matches_group("S12.step", "S1"));
+        assert!(matches_group("S12.step", "S12.step"));
+        assert!(!matches_group("S12.step", "S12.step.more"));
+        assert!(!matches_group("S12.step", "S12.st"));
+    }
+
+    #[test]
+    fn ids_are_unique_and_texts_are_present() {
+        let mut seen = HashSet::new();
+        for claim in all() {
+            assert!(seen.insert(claim.id), "{} is registered twice", claim.id);
+            let texts = [claim.statement, claim.correct_statement, claim.argument, claim.control];
+            assert!(texts.iter().all(|text| text.len() > 3), "{} lacks a text", claim.id);
+            assert!(!claim.sources.is_empty(), "{} lacks a source", claim.id);
+        }
+    }
+}

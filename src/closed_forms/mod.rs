@@ -1,0 +1,1 @@
+//! Exact solutions of mechanical problems; nothing here imports what it verifies.

@@ -1,0 +1,1 @@
+//! Convex cones of contact: second-order, polyhedral, orthant; and the de Saxcé map.

@@ -1,0 +1,1 @@
+//! The Delassus operator W = H M⁻¹ Hᵀ.

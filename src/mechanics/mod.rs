@@ -1,0 +1,75 @@
+//! Mechanisms: M(q) v̇ = F(q, v) + Hᵀ(q) λ with unilateral contacts φ(q) ≥ 0.
+
+use crate::contact::Contact;
+use nalgebra::{DMatrix, DVector};
+
+/// Configuration and velocity of a mechanism.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// Time \[s\].
+    pub time: f64,
+    /// q.
+    pub position: DVector<f64>,
+    /// v.
+    pub velocity: DVector<f64>,
+}
+
+/// Position, orientation and velocities of one body in the world frame, for files and pictures.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyState {
+    /// Name of the body.
+    pub name: String,
+    /// Centre of mass \[m\].
+    pub position: [f64; 3],
+    /// Unit quaternion \[w, x, y, z\].
+    pub orientation: [f64; 4],
+    /// \[m/s\].
+    pub linear_velocity: [f64; 3],
+    /// \[rad/s\], world frame.
+    pub angular_velocity: [f64; 3],
+}
+
+/// A mechanical system with contacts: everything a scheme may know of it.
+pub trait Mechanism: Send + Sync {
+    /// A short name.
+    fn name(&self) -> &str;
+    /// nv, the number of velocities.
+    fn degrees_of_freedom(&self) -> usize;
+    /// Rows of each contact: 1 (normal), 2 (planar) or 3.
+    fn rows_per_contact(&self) -> usize;
+    /// M(q), symmetric positive definite, nv × nv.
+    fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64>;
+    /// F(q, v) \[N, N·m\]: applied forces and velocity-dependent terms, without contact.
+    fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64>;
+    /// Every contact candidate at q, always in the same order.
+    fn contacts(&self, position: &DVector<f64>) -> Vec<Contact>;
+    /// Potential energy V(q) \[J\].
+    fn potential_energy(&self, position: &DVector<f64>) -> f64;
+    /// Linear stiffness K and damping C of F = −K q − C v + …, treated θ-implicitly if present.
+    fn linear_force(&self) -> Option<LinearForce> {
+        None
+    }
+    /// q advanced by the velocity v over a time h; q + h v unless the configuration space is curved.
+    fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
+        position + velocity * h
+    }
+    /// The bodies of the mechanism in the world frame.
+    fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState>;
+    /// Kinetic energy ½ vᵀM(q)v \[J\].
+    fn kinetic_energy(&self, state: &State) -> f64 {
+        0.5 * state.velocity.dot(&(self.mass_matrix(&state.position) * &state.velocity))
+    }
+    /// T + V \[J\].
+    fn energy(&self, state: &State) -> f64 {
+        self.kinetic_energy(state) + self.potential_energy(&state.position)
+    }
+}
+
+/// The linear part −K q − C v of a generalised force.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinearForce {
+    /// K \[N/m\], nv × nv.
+    pub stiffness: DMatrix<f64>,
+    /// C \[N·s/m\], nv × nv.
+    pub damping: DMatrix<f64>,
+}

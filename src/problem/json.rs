@@ -1,0 +1,1 @@
+//! Files `contact-problem/1` and `solution/1`.

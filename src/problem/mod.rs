@@ -1,0 +1,15 @@
+//! The narrow waist: what every scheme builds, every solver solves and every certificate judges.
+//!
+//! This module imports no solver and no scheme.
+
+mod contact_problem;
+mod json;
+mod law;
+mod lcp;
+mod solution;
+mod stewart_trinkle;
+
+pub use contact_problem::{Compliance, ContactProblem, Coordinates, Dynamics};
+pub use law::Law;
+pub use lcp::Lcp;
+pub use solution::Solution;

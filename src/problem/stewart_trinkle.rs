@@ -1,0 +1,1 @@
+//! The Stewart–Trinkle LCP of a polyhedral Coulomb problem.

@@ -1,0 +1,1 @@
+//! Named scenes and `scene/1` files, turned into mechanisms.

@@ -1,0 +1,98 @@
+//! Time-stepping schemes, one per file: each turns one step into a [`ContactProblem`] and its answer into a state.
+
+use crate::Result;
+use crate::contact::ContactImpulse;
+use crate::mechanics::{Mechanism, State};
+use crate::problem::{ContactProblem, Solution};
+use crate::solvers::ContactSolver;
+use crate::trajectory::Recording;
+use nalgebra::{DMatrix, DVector};
+
+/// What a scheme assembled for one step: the problem of the active contacts, and what turns impulses into velocities.
+#[derive(Clone, Debug)]
+pub struct StepProblem {
+    /// The contact problem of the active contacts; `None` if no contact is active.
+    pub problem: Option<ContactProblem>,
+    /// Indices of the active contacts into [`Mechanism::contacts`].
+    pub active: Vec<usize>,
+    /// M̂, effective mass of the step.
+    pub effective_mass: DMatrix<f64>,
+    /// v_free = v + h M̂⁻¹F.
+    pub free_velocity: DVector<f64>,
+    /// H of the active contacts.
+    pub jacobian: DMatrix<f64>,
+}
+
+/// One time-stepping scheme.
+pub trait Scheme: Send + Sync {
+    /// The name used on the command line and in files.
+    fn name(&self) -> String;
+    /// Assembles the step of size h from a state.
+    ///
+    /// # Errors
+    /// If the mass matrix is not positive definite or the mechanism is outside the scheme's scope.
+    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem>;
+    /// The next configuration from the velocities before and after the step.
+    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64>;
+}
+
+/// The outcome of one step.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// The state after the step.
+    pub state: State,
+    /// Impulses of the active contacts.
+    pub impulses: Vec<ContactImpulse>,
+    /// What was assembled.
+    pub assembled: StepProblem,
+    /// The answer, if any contact was active.
+    pub solution: Option<Solution>,
+}
+
+/// One step: v⁺ = v_free + M̂⁻¹Hᵀr, then the scheme's position update.
+///
+/// # Errors
+/// Those of [`Scheme::assemble`] and [`ContactSolver::solve`].
+pub fn step(scheme: &dyn Scheme, solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Step> {
+    let assembled = scheme.assemble(mechanism, state, h)?;
+    let solution = assembled.problem.as_ref().map(|problem| solver.solve(problem, None)).transpose()?;
+    let mut velocity = assembled.free_velocity.clone();
+    let mut impulses = Vec::new();
+    if let Some(solution) = &solution {
+        let cholesky = assembled.effective_mass.clone().cholesky();
+        let cholesky = cholesky.ok_or_else(|| crate::Error::invalid("mass", "is not positive definite", "every velocity needs inertia"))?;
+        velocity += cholesky.solve(&(assembled.jacobian.transpose() * &solution.impulse));
+        let rows = mechanism.rows_per_contact();
+        impulses = assembled
+            .active
+            .iter()
+            .enumerate()
+            .map(|(k, &contact)| ContactImpulse { contact, impulse: solution.impulse.as_slice()[k * rows..(k + 1) * rows].to_vec() })
+            .collect();
+    }
+    let position = scheme.advance(mechanism, state, &velocity, h);
+    let state = State { time: state.time + h, position, velocity };
+    Ok(Step { state, impulses, assembled, solution })
+}
+
+/// `steps` steps of size h from `initial`, every sample recorded; sample k lies at time initial.time + k h.
+///
+/// # Errors
+/// Those of [`step`].
+pub fn simulate(
+    scheme: &dyn Scheme,
+    solver: &dyn ContactSolver,
+    mechanism: &dyn Mechanism,
+    initial: State,
+    h: f64,
+    steps: usize,
+) -> Result<Recording> {
+    let mut recording = Recording::new(mechanism.name(), scheme.name(), h, initial.clone());
+    let mut state = initial.clone();
+    for k in 1..=steps {
+        let Step { state: next, impulses, .. } = step(scheme, solver, mechanism, &state, h)?;
+        state = State { time: initial.time + k as f64 * h, ..next };
+        recording.push(state.clone(), impulses);
+    }
+    Ok(recording)
+}

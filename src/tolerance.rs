@@ -1,0 +1,47 @@
+//! Every tolerance of the crate, each with the reason it has the value it has.
+//!
+//! A tolerance here is one of: a rounding bound (a constant times the unit roundoff times the size of the data), a
+//! proven bound of a scheme (a constant times a power of h), or an engine's documented stopping tolerance propagated
+//! through the conditioning of the problem. None was fitted to an outcome. One submodule per part of the crate.
+
+/// Unit roundoff of `f64` times two, 2⁻⁵² (the spacing at 1).
+pub const EPSILON: f64 = f64::EPSILON;
+
+/// Bound on the rounding error of a sum of `terms` products whose absolute values sum to `magnitude`:
+/// γ_n·Σ|aᵢbᵢ| ≤ 2 n ε Σ|aᵢbᵢ| (Higham, *Accuracy and Stability*, §3.1; n ε < ½ holds for all sizes used here).
+pub fn rounding(terms: usize, magnitude: f64) -> f64 {
+    2.0 * terms as f64 * EPSILON * magnitude
+}
+
+/// Tolerances of [`crate::cones`].
+pub mod cones {}
+
+/// Tolerances of [`crate::contact`] and [`crate::mechanics`].
+pub mod mechanics {}
+
+/// Tolerances of [`crate::certificate`].
+pub mod certificate {}
+
+/// Tolerances of [`crate::solvers`].
+pub mod solvers {}
+
+/// Tolerances of [`crate::schemes`].
+pub mod schemes {}
+
+/// Tolerances of [`crate::closed_forms`].
+pub mod closed_forms {}
+
+/// Tolerances of [`crate::trajectory`].
+pub mod trajectory {}
+
+/// Tolerances of [`crate::checks`].
+pub mod checks {}
+
+/// Tolerances of [`crate::claims`].
+pub mod claims {}
+
+/// Tolerances of the comparison with stored engine runs.
+pub mod references {}
+
+/// Tolerances of [`crate::cli`].
+pub mod cli {}

@@ -1,0 +1,5 @@
+//! Recorded motions: samples, metrics, convergence, files.
+
+mod recording;
+
+pub use recording::Recording;

@@ -1,0 +1,37 @@
+//! A recorded motion: the states at t_k = t_0 + k h and the impulses between them.
+
+use crate::contact::ContactImpulse;
+use crate::mechanics::State;
+
+/// States of a mechanism at equidistant times, and the contact impulses of each step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recording {
+    /// Name of the mechanism.
+    pub mechanism: String,
+    /// Name of the scheme.
+    pub scheme: String,
+    /// h \[s\].
+    pub time_step: f64,
+    /// Sample 0 is the initial state.
+    pub samples: Vec<State>,
+    /// `impulses[k]` acts over (t_k, t_{k+1}].
+    pub impulses: Vec<Vec<ContactImpulse>>,
+}
+
+impl Recording {
+    /// A recording that holds the initial state only.
+    pub fn new(mechanism: &str, scheme: String, time_step: f64, initial: State) -> Self {
+        Recording { mechanism: mechanism.into(), scheme, time_step, samples: vec![initial], impulses: Vec::new() }
+    }
+
+    /// Appends the state after a step and the impulses that acted during it.
+    pub fn push(&mut self, state: State, impulses: Vec<ContactImpulse>) {
+        self.samples.push(state);
+        self.impulses.push(impulses);
+    }
+
+    /// The last state.
+    pub fn last(&self) -> &State {
+        self.samples.last().expect("a recording holds its initial state")
+    }
+}

@@ -1,0 +1,1 @@
+//! Property family `delassus`.
