@@ -29,7 +29,11 @@ pub mod solvers {}
 pub mod schemes {}
 
 /// Tolerances of [`crate::closed_forms`].
-pub mod closed_forms {}
+pub mod closed_forms {
+    /// Relative rounding of the bouncing ball's formulas: fewer than 32 operations, each with relative error at most ε
+    /// (`exp_m1`, `ln_1p` and `powf` within 2 ε), whose arguments are at most 60 logarithms long: 2·32·60 ε.
+    pub const BALL_ROUNDING: f64 = 2.0 * 32.0 * 60.0 * super::EPSILON;
+}
 
 /// Tolerances of [`crate::trajectory`].
 pub mod trajectory {}
