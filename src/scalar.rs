@@ -26,6 +26,8 @@ pub trait Scalar:
     fn ratio(numerator: i64, denominator: i64) -> Self;
     /// The nearest `f64`.
     fn to_f64(&self) -> f64;
+    /// The spacing of the numbers at 1: ε = 2⁻⁵² for `f64`, 0 for exact rationals.
+    fn spacing() -> Self;
     /// |x|.
     fn magnitude(&self) -> Self {
         if *self < Self::zero() { -self.clone() } else { self.clone() }
@@ -39,6 +41,9 @@ impl Scalar for f64 {
     fn to_f64(&self) -> f64 {
         *self
     }
+    fn spacing() -> Self {
+        f64::EPSILON
+    }
 }
 
 impl Scalar for Rational {
@@ -48,6 +53,9 @@ impl Scalar for Rational {
     }
     fn to_f64(&self) -> f64 {
         RBig::to_f64(self).value()
+    }
+    fn spacing() -> Self {
+        Self::zero()
     }
 }
 

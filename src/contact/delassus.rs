@@ -1,1 +1,207 @@
 //! The Delassus operator W = H M⁻¹ Hᵀ.
+//!
+//! Column j of W is the change of the contact velocities u = H v caused by a unit impulse at row j. With M = L D Lᵀ
+//! and L Y = Hᵀ it is W = Yᵀ D⁻¹ Y: symmetric and positive semidefinite by construction, and free of square roots, so
+//! the same code serves `f64` and exact rationals.
+
+use crate::scalar::Scalar;
+use crate::{Error, Result};
+use nalgebra::{DMatrix, DVector};
+
+/// W = H M⁻¹ Hᵀ \[1/kg\], exactly symmetric: one triangle is computed, the other is its mirror image.
+///
+/// `mass` is M, nv × nv, symmetric positive definite; `jacobian` is H, rows × nv.
+///
+/// # Errors
+/// [`Error::Invalid`] if the shapes do not fit, a number is not finite, or M is not symmetric positive definite.
+///
+/// # Source
+/// Chapter §3 (the Delassus operator); Golub and Van Loan, *Matrix Computations*, §4.1 (LDLᵀ).
+pub fn delassus<T: Scalar>(mass: &DMatrix<T>, jacobian: &DMatrix<T>) -> Result<DMatrix<T>> {
+    let factor = MassFactor::new(mass)?;
+    if jacobian.ncols() != mass.ncols() {
+        let problem = format!("has {} columns", jacobian.ncols());
+        return Err(Error::invalid("jacobian", problem, format!("this mass matrix needs {}", mass.ncols())));
+    }
+    finite("jacobian", jacobian)?;
+    let mut half = jacobian.transpose();
+    for mut column in half.column_iter_mut() {
+        factor.forward(column.as_mut_slice());
+    }
+    let rows = jacobian.nrows();
+    let mut delassus = DMatrix::zeros(rows, rows);
+    for i in 0..rows {
+        for j in 0..=i {
+            let terms = factor.pivots.iter().enumerate();
+            let entry = terms.fold(T::zero(), |sum, (k, d)| sum + half[(k, i)].clone() * half[(k, j)].clone() / d.clone());
+            delassus[(i, j)] = entry.clone();
+            delassus[(j, i)] = entry;
+        }
+    }
+    Ok(delassus)
+}
+
+/// The factorisation M = L D Lᵀ of a mass matrix, L unit lower triangular, D diagonal and positive.
+#[derive(Clone, Debug)]
+pub struct MassFactor<T: Scalar> {
+    lower: DMatrix<T>,
+    pivots: Vec<T>,
+}
+
+impl<T: Scalar> MassFactor<T> {
+    /// Factors M.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if M is not square, not finite, not symmetric or not positive definite – for `f64` beyond
+    /// rounding, for rationals exactly.
+    pub fn new(mass: &DMatrix<T>) -> Result<Self> {
+        if !mass.is_square() {
+            return Err(Error::invalid("mass", format!("has shape {}×{}", mass.nrows(), mass.ncols()), "the mass matrix is square"));
+        }
+        finite("mass", mass)?;
+        symmetric(mass)?;
+        let n = mass.nrows();
+        let mut lower = DMatrix::<T>::identity(n, n);
+        let mut pivots: Vec<T> = Vec::with_capacity(n);
+        for j in 0..n {
+            let known = |lower: &DMatrix<T>, i: usize| {
+                let terms = pivots.iter().enumerate();
+                terms.fold(T::zero(), |sum, (k, d)| sum + lower[(i, k)].clone() * lower[(j, k)].clone() * d.clone())
+            };
+            let pivot = mass[(j, j)].clone() - known(&lower, j);
+            let definite = pivot > rounding::<T>(n) * mass[(j, j)].magnitude();
+            if !definite {
+                let problem = format!("is not positive definite (pivot {j} is {})", pivot.to_f64());
+                return Err(Error::invalid("mass", problem, "every velocity needs a positive inertia"));
+            }
+            for i in j + 1..n {
+                lower[(i, j)] = (mass[(i, j)].clone() - known(&lower, i)) / pivot.clone();
+            }
+            pivots.push(pivot);
+        }
+        Ok(MassFactor { lower, pivots })
+    }
+
+    /// M⁻¹ p: the velocity change caused by the generalised impulse p.
+    ///
+    /// # Panics
+    /// If p has another size than M.
+    pub fn solve(&self, impulse: &DVector<T>) -> DVector<T> {
+        let n = self.pivots.len();
+        assert_eq!(impulse.len(), n, "a generalised impulse has one entry per velocity");
+        let mut x = impulse.clone();
+        self.forward(x.as_mut_slice());
+        for (k, d) in self.pivots.iter().enumerate() {
+            x[k] /= d.clone();
+        }
+        for i in (0..n).rev() {
+            for k in i + 1..n {
+                let known = self.lower[(k, i)].clone() * x[k].clone();
+                x[i] -= known;
+            }
+        }
+        x
+    }
+
+    /// Overwrites x by L⁻¹x.
+    fn forward(&self, x: &mut [T]) {
+        for i in 0..x.len() {
+            for k in 0..i {
+                let known = self.lower[(i, k)].clone() * x[k].clone();
+                x[i] -= known;
+            }
+        }
+    }
+}
+
+/// The relative rounding error of a pivot: (n + 1) terms, each with a product and a sum; 0 for rationals.
+fn rounding<T: Scalar>(n: usize) -> T {
+    T::ratio(2 * (n as i64 + 1), 1) * T::spacing()
+}
+
+fn finite<T: Scalar>(field: &str, matrix: &DMatrix<T>) -> Result<()> {
+    match matrix.iter().find(|x| !((*x).clone() - (*x).clone()).is_zero()) {
+        None => Ok(()),
+        Some(x) => Err(Error::invalid(field, format!("holds {}", x.to_f64()), "use finite numbers")),
+    }
+}
+
+fn symmetric<T: Scalar>(mass: &DMatrix<T>) -> Result<()> {
+    let n = mass.nrows();
+    for i in 0..n {
+        for j in 0..i {
+            let difference = (mass[(i, j)].clone() - mass[(j, i)].clone()).magnitude();
+            let size = mass[(i, i)].magnitude() + mass[(j, j)].magnitude();
+            if difference > rounding::<T>(n) * size {
+                let problem = format!("is not symmetric at ({i}, {j})");
+                return Err(Error::invalid("mass", problem, "a mass matrix equals its transpose"));
+            }
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{Rational, ratio};
+    use nalgebra::dmatrix;
+
+    fn two_by_two() -> (DMatrix<Rational>, DMatrix<Rational>) {
+        let r = |x: i64| ratio(x, 1);
+        (dmatrix![r(2), r(1); r(1), r(3)], dmatrix![r(1), r(0); r(1), r(1); r(2), r(-1)])
+    }
+
+    #[test]
+    fn equals_the_hand_computed_inverse_formula() {
+        let (mass, jacobian) = two_by_two();
+        let inverse = dmatrix![ratio(3, 5), ratio(-1, 5); ratio(-1, 5), ratio(2, 5)];
+        let expected = &jacobian * inverse * jacobian.transpose();
+        assert_eq!(delassus(&mass, &jacobian).expect("M is SPD"), expected);
+    }
+
+    #[test]
+    fn column_j_is_the_velocity_change_of_a_unit_impulse_at_row_j() {
+        let (mass, jacobian) = two_by_two();
+        let w = delassus(&mass, &jacobian).expect("M is SPD");
+        let factor = MassFactor::new(&mass).expect("M is SPD");
+        for j in 0..jacobian.nrows() {
+            let velocity_change = factor.solve(&jacobian.row(j).transpose());
+            assert_eq!(&mass * &velocity_change, jacobian.row(j).transpose(), "M Δv = Hᵀ e_j");
+            assert_eq!(w.column(j).clone_owned(), &jacobian * velocity_change);
+        }
+    }
+
+    #[test]
+    fn floating_point_result_is_symmetric_to_the_last_bit() {
+        let mass = dmatrix![2.0, 0.3; 0.3, 0.7];
+        let jacobian = dmatrix![0.1, 0.2; 0.3, 1.1; -0.7, 0.9];
+        let w = delassus(&mass, &jacobian).expect("M is SPD");
+        assert_eq!(w, w.transpose());
+    }
+
+    #[test]
+    fn refuses_a_mass_that_is_singular_indefinite_asymmetric_or_not_a_number() {
+        let jacobian = dmatrix![1.0, 0.0];
+        for mass in [
+            dmatrix![1.0, 1.0; 1.0, 1.0],
+            dmatrix![1.0, 2.0; 2.0, 1.0],
+            dmatrix![1.0, 0.5; 0.25, 1.0],
+            dmatrix![f64::NAN, 0.0; 0.0, 1.0],
+            dmatrix![f64::INFINITY, 0.0; 0.0, 1.0],
+        ] {
+            let message = delassus(&mass, &jacobian).expect_err("not SPD").to_string();
+            assert!(message.contains("`mass`"), "{message}");
+        }
+        assert!(delassus(&dmatrix![1.0], &jacobian).is_err(), "sizes must fit");
+        assert!(delassus(&dmatrix![1.0], &dmatrix![f64::NAN]).is_err());
+    }
+
+    #[test]
+    fn both_sides_of_definiteness_are_decided_exactly_for_rationals() {
+        let tiny = ratio(1, i64::MAX);
+        let near = |shift: Rational| dmatrix![ratio(1, 1), ratio(1, 1); ratio(1, 1), ratio(1, 1) + shift];
+        assert!(MassFactor::new(&near(tiny.clone())).is_ok());
+        assert!(MassFactor::new(&near(-tiny)).is_err());
+    }
+}

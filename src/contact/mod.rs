@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 
 pub mod delassus;
+pub mod frame;
 
 /// One contact candidate of a mechanism at a configuration q.
 #[derive(Clone, Debug, PartialEq)]

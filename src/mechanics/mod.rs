@@ -3,6 +3,12 @@
 use crate::contact::Contact;
 use nalgebra::{DMatrix, DVector};
 
+mod point_mass;
+#[cfg(test)]
+mod testing;
+
+pub use point_mass::{Plane, PointMass};
+
 /// Configuration and velocity of a mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
