@@ -31,6 +31,7 @@ pub mod cones;
 pub mod contact;
 pub mod conventions;
 pub mod defects;
+pub mod elimination;
 pub mod error;
 pub mod mechanics;
 pub mod problem;

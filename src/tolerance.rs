@@ -57,7 +57,26 @@ pub mod mechanics {
 pub mod certificate {}
 
 /// Tolerances of [`crate::solvers`].
-pub mod solvers {}
+pub mod solvers {
+    use crate::scalar::Scalar;
+
+    /// A difference a − b of tableau entries with |a| + |b| = `magnitude` is rounding, hence zero, up to this size.
+    ///
+    /// An entry of a tableau with n rows is an entry of B⁻¹A for a basis B, a sum of n products; its two parts carry
+    /// relative errors of up to 2 n ε each ([`super::rounding`]). Zero for exact rationals, where only 0 is 0.
+    pub fn cancellation<T: Scalar>(rows: usize, magnitude: T) -> T {
+        T::ratio(2 * rows as i64, 1) * T::spacing() * magnitude
+    }
+
+    /// Pivots after which Lemke's method on rounded numbers is declared to cycle.
+    ///
+    /// Lexicographic pivoting repeats no basis in exact arithmetic, so exact runs have no limit. On contact problems
+    /// the count is a small multiple of n; 100 times n pivots can only mean that rounding has broken the order. The
+    /// limit never decides about a solution: it turns an endless loop into an error.
+    pub fn lemke_pivot_limit<T: Scalar>(size: usize) -> usize {
+        if T::spacing().is_zero() { usize::MAX } else { 100 * (size + 1) }
+    }
+}
 
 /// Tolerances of [`crate::schemes`].
 pub mod schemes {}

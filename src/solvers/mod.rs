@@ -1,5 +1,7 @@
 //! Contact solvers, one per file. None of them judges itself: [`crate::certificate`] does.
 
+pub mod lemke;
+
 use crate::Result;
 use crate::problem::{ContactProblem, Solution};
 use nalgebra::DVector;

@@ -1,0 +1,83 @@
+//! Gaussian elimination A x = b over an ordered field, exact over rationals.
+
+use crate::scalar::Scalar;
+use nalgebra::{DMatrix, DVector};
+
+/// The x with A x = b, or `None` if A is singular (for `f64`: if a pivot is exactly zero or not a number).
+///
+/// # Panics
+/// If A is not square or b has another size.
+pub fn solve<T: Scalar>(matrix: &DMatrix<T>, right_side: &DVector<T>) -> Option<DVector<T>> {
+    let size = right_side.len();
+    assert!(matrix.is_square() && matrix.nrows() == size, "elimination needs a square matrix and a vector of its size");
+    let mut a = matrix.clone();
+    let mut x = right_side.clone();
+    for k in 0..size {
+        let pivot = largest_below(&a, k)?;
+        a.swap_rows(k, pivot);
+        x.swap_rows(k, pivot);
+        for i in k + 1..size {
+            if a[(i, k)].is_zero() {
+                continue;
+            }
+            let factor = a[(i, k)].clone() / a[(k, k)].clone();
+            for j in k + 1..size {
+                let change = factor.clone() * a[(k, j)].clone();
+                a[(i, j)] -= change;
+            }
+            let change = factor * x[k].clone();
+            x[i] -= change;
+        }
+    }
+    for k in (0..size).rev() {
+        for j in k + 1..size {
+            let change = a[(k, j)].clone() * x[j].clone();
+            x[k] -= change;
+        }
+        x[k] /= a[(k, k)].clone();
+    }
+    Some(x)
+}
+
+/// Row of the largest entry on or below the diagonal of column k, if one is non-zero.
+fn largest_below<T: Scalar>(a: &DMatrix<T>, k: usize) -> Option<usize> {
+    let mut best = k;
+    for i in k + 1..a.nrows() {
+        if a[(i, k)].magnitude() > a[(best, k)].magnitude() {
+            best = i;
+        }
+    }
+    (a[(best, k)].magnitude() > T::zero()).then_some(best)
+}
+
+/// The principal submatrix with these rows and columns.
+pub fn principal<T: Scalar>(matrix: &DMatrix<T>, indices: &[usize]) -> DMatrix<T> {
+    DMatrix::from_fn(indices.len(), indices.len(), |i, j| matrix[(indices[i], indices[j])].clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{Rational, ratio};
+
+    #[test]
+    fn a_hilbert_system_is_solved_exactly_by_rationals() {
+        let hilbert = DMatrix::from_fn(8, 8, |i, j| ratio(1, (i + j + 1) as i64));
+        let x = DVector::from_fn(8, |i, _| ratio(i as i64 - 3, 7));
+        let right_side = &hilbert * &x;
+        assert_eq!(solve(&hilbert, &right_side), Some(x));
+    }
+
+    #[test]
+    fn a_zero_leading_entry_needs_a_row_exchange_and_gets_it() {
+        let a = DMatrix::from_row_slice(2, 2, &[0.0, 2.0, 4.0, 0.0]);
+        assert_eq!(solve(&a, &DVector::from_vec(vec![2.0, 8.0])), Some(DVector::from_vec(vec![2.0, 1.0])));
+    }
+
+    #[test]
+    fn singular_and_nan_matrices_have_no_solution() {
+        let singular = DMatrix::from_element(2, 2, ratio(1, 3));
+        assert_eq!(solve(&singular, &DVector::<Rational>::from_element(2, ratio(1, 1))), None);
+        assert_eq!(solve(&DMatrix::from_element(1, 1, f64::NAN), &DVector::from_element(1, 1.0)), None);
+    }
+}

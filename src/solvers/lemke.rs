@@ -1,0 +1,297 @@
+//! Lemke's method: follow the path of I w − M z − d z₀ = q, w, z, z₀ ≥ 0, wᵀz = 0 from z₀ = ∞ down to z₀ = 0.
+//!
+//! Ties in the ratio test are broken lexicographically on the rows of (q, B⁻¹), so in exact arithmetic no basis is
+//! visited twice and the path ends: at a solution of 0 ≤ z ⟂ M z + q ≥ 0, or on a secondary ray.
+
+use crate::elimination;
+use crate::problem::Lcp;
+use crate::scalar::Scalar;
+use crate::tolerance::solvers::{cancellation, lemke_pivot_limit};
+use crate::{Error, Result};
+use nalgebra::{DMatrix, DVector};
+use std::cmp::Ordering;
+
+/// How the path of Lemke's method ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LemkeOutcome<T: Scalar> {
+    /// 0 ≤ z ⟂ M z + q ≥ 0.
+    Solution {
+        /// z.
+        z: DVector<T>,
+        /// Number of pivots.
+        pivots: usize,
+    },
+    /// A secondary ray: (z, z₀) + t (ẑ, ẑ₀) stays on the path for all t ≥ 0. For a matrix without suitable structure
+    /// this says nothing about solvability.
+    Ray {
+        /// z at the start of the ray.
+        point: DVector<T>,
+        /// z₀ at the start of the ray, positive.
+        artificial: T,
+        /// ẑ ≥ 0.
+        direction: DVector<T>,
+        /// ẑ₀ ≥ 0.
+        artificial_direction: T,
+        /// Number of pivots.
+        pivots: usize,
+    },
+}
+
+/// Runs lexicographic Lemke on 0 ≤ z ⟂ M z + q ≥ 0 with the covering vector d > 0.
+///
+/// # Errors
+/// [`Error::Invalid`] if d has the wrong size or an entry that is not positive, or if M or q is not finite;
+/// [`Error::Solver`] if rounding makes the path cycle or its last basis singular (never over exact rationals).
+///
+/// # Source
+/// Cottle, Pang, Stone, *The Linear Complementarity Problem*, chapter 4 (Lemke's method, lexicographic degeneracy resolution).
+pub fn lemke<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>) -> Result<LemkeOutcome<T>> {
+    check(lcp, covering)?;
+    let size = lcp.size();
+    if lcp.vector.iter().all(|q| *q >= T::zero()) {
+        return Ok(LemkeOutcome::Solution { z: DVector::from_element(size, T::zero()), pivots: 0 });
+    }
+    let mut tableau = Tableau::new(lcp, covering);
+    let mut row = tableau.first_row(covering);
+    let mut entering = tableau.artificial();
+    for pivots in 1..=lemke_pivot_limit::<T>(size) {
+        let leaving = tableau.pivot(row, entering);
+        if tableau.artificial_is_zero() {
+            return Ok(LemkeOutcome::Solution { z: tableau.solution(lcp)?, pivots });
+        }
+        entering = tableau.complement(leaving);
+        match tableau.ratio_test(entering) {
+            Some(next) => row = next,
+            None => return Ok(tableau.ray(entering, pivots)),
+        }
+    }
+    Err(Error::solver("lemke", "rounding makes the pivots cycle; scale the problem or use exact rationals"))
+}
+
+fn check<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>) -> Result<()> {
+    if covering.len() != lcp.size() || covering.iter().any(|d| !(*d > T::zero() && is_finite(d))) {
+        let problem = format!("is not a positive finite vector of size {}", lcp.size());
+        return Err(Error::invalid("covering", problem, "use all ones"));
+    }
+    if !lcp.matrix.iter().chain(lcp.vector.iter()).all(is_finite) {
+        return Err(Error::invalid("lcp", "holds a number that is not finite", "use finite numbers"));
+    }
+    Ok(())
+}
+
+/// x − x = 0 fails for NaN and for infinities.
+fn is_finite<T: Scalar>(x: &T) -> bool {
+    (x.clone() - x.clone()).is_zero()
+}
+
+/// B⁻¹ (I, −M, −d, q) with the names of its basic variables: w is 0..n, z is n..2n, z₀ is 2n.
+struct Tableau<T: Scalar> {
+    entries: DMatrix<T>,
+    basis: Vec<usize>,
+}
+
+impl<T: Scalar> Tableau<T> {
+    fn new(lcp: &Lcp<T>, covering: &DVector<T>) -> Self {
+        let size = lcp.size();
+        let entries = DMatrix::from_fn(size, 2 * size + 2, |i, j| match j {
+            j if j < size => T::ratio(i64::from(i == j), 1),
+            j if j < 2 * size => -lcp.matrix[(i, j - size)].clone(),
+            j if j == 2 * size => -covering[i].clone(),
+            _ => lcp.vector[i].clone(),
+        });
+        Tableau { entries, basis: (0..size).collect() }
+    }
+
+    fn size(&self) -> usize {
+        self.basis.len()
+    }
+
+    fn artificial(&self) -> usize {
+        2 * self.size()
+    }
+
+    fn complement(&self, variable: usize) -> usize {
+        if variable < self.size() { variable + self.size() } else { variable - self.size() }
+    }
+
+    fn right_side(&self, row: usize) -> &T {
+        &self.entries[(row, 2 * self.size() + 1)]
+    }
+
+    /// The row whose w leaves when z₀ enters: lexicographic minimum of (q, I)ᵢ / dᵢ, after which every row is positive.
+    fn first_row(&self, covering: &DVector<T>) -> usize {
+        let rows = 0..self.size();
+        rows.min_by(|&i, &k| self.compare(i, &covering[i], k, &covering[k])).expect("a problem with a negative q has a row")
+    }
+
+    /// Row of the lexicographically smallest ratio (q, B⁻¹)ᵢ / aᵢ over the positive entries a of a column.
+    fn ratio_test(&self, column: usize) -> Option<usize> {
+        let rows = (0..self.size()).filter(|&i| self.entries[(i, column)] > T::zero());
+        rows.min_by(|&i, &k| self.compare(i, &self.entries[(i, column)], k, &self.entries[(k, column)]))
+    }
+
+    /// Lexicographic order of (q, B⁻¹)ᵢ / aᵢ and (q, B⁻¹)ₖ / aₖ for positive aᵢ, aₖ.
+    fn compare(&self, i: usize, a_i: &T, k: usize, a_k: &T) -> Ordering {
+        let columns = std::iter::once(2 * self.size() + 1).chain(0..self.size());
+        for j in columns {
+            let (left, right) = (self.entries[(i, j)].clone() * a_k.clone(), self.entries[(k, j)].clone() * a_i.clone());
+            match left.partial_cmp(&right) {
+                Some(Ordering::Equal) | None => {}
+                Some(order) => return order,
+            }
+        }
+        Ordering::Equal
+    }
+
+    /// Brings a variable into the basis in place of the one in this row, and names the one that left.
+    fn pivot(&mut self, row: usize, entering: usize) -> usize {
+        let pivot = self.entries[(row, entering)].clone();
+        for j in 0..self.entries.ncols() {
+            self.entries[(row, j)] /= pivot.clone();
+        }
+        for i in (0..self.size()).filter(|&i| i != row) {
+            let factor = self.entries[(i, entering)].clone();
+            if factor.is_zero() {
+                continue;
+            }
+            for j in 0..self.entries.ncols() {
+                let change = factor.clone() * self.entries[(row, j)].clone();
+                let old = self.entries[(i, j)].clone();
+                self.entries[(i, j)] = difference(old, change, self.basis.len());
+            }
+        }
+        std::mem::replace(&mut self.basis[row], entering)
+    }
+
+    /// Whether z₀ = 0: it left the basis, or sits in it at zero.
+    fn artificial_is_zero(&self) -> bool {
+        self.basis.iter().position(|&variable| variable == self.artificial()).is_none_or(|row| *self.right_side(row) <= T::zero())
+    }
+
+    /// z of the last basis, computed afresh from the data: M_αα z_α = −q_α.
+    fn solution(&self, lcp: &Lcp<T>) -> Result<DVector<T>> {
+        let size = self.size();
+        let mut z = self.values(|row| self.right_side(row).clone());
+        let support: Vec<usize> = (0..size).filter(|j| self.basis.contains(&(size + j))).collect();
+        let matrix = elimination::principal(&lcp.matrix, &support);
+        let right_side = DVector::from_fn(support.len(), |i, _| -lcp.vector[support[i]].clone());
+        // With z₀ still basic at zero M_αα may be singular; then the tableau's own values stand.
+        if let Some(fresh) = elimination::solve(&matrix, &right_side) {
+            for (&j, value) in support.iter().zip(fresh.iter()) {
+                z[j] = value.clone();
+            }
+        }
+        if z.iter().all(is_finite) {
+            // Rounding may leave a basic variable just below zero; the certificate judges what that does.
+            Ok(z.map(|value| if value < T::zero() { T::zero() } else { value }))
+        } else {
+            Err(Error::solver("lemke", "the last basis is singular in rounded arithmetic; use exact rationals"))
+        }
+    }
+
+    fn ray(&self, entering: usize, pivots: usize) -> LemkeOutcome<T> {
+        let mut direction = self.values(|row| -self.entries[(row, entering)].clone());
+        if entering >= self.size() {
+            direction[entering - self.size()] = T::one();
+        }
+        let row = self.basis.iter().position(|&variable| variable == self.artificial()).expect("z₀ is basic until the path ends");
+        LemkeOutcome::Ray {
+            point: self.values(|row| self.right_side(row).clone()),
+            artificial: self.right_side(row).clone(),
+            direction,
+            artificial_direction: -self.entries[(row, entering)].clone(),
+            pivots,
+        }
+    }
+
+    /// A vector over z with the given value where zⱼ is basic and zero elsewhere.
+    fn values(&self, value: impl Fn(usize) -> T) -> DVector<T> {
+        let size = self.size();
+        let mut z = DVector::from_element(size, T::zero());
+        for (row, &variable) in self.basis.iter().enumerate() {
+            if (size..2 * size).contains(&variable) {
+                z[variable - size] = value(row);
+            }
+        }
+        z
+    }
+}
+
+/// a − b, read as zero where only rounding is left.
+fn difference<T: Scalar>(a: T, b: T, rows: usize) -> T {
+    let rounding = cancellation(rows, a.magnitude() + b.magnitude());
+    let result = a - b;
+    if result.magnitude() <= rounding { T::zero() } else { result }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{Rational, ratio};
+
+    fn ones<T: Scalar>(size: usize) -> DVector<T> {
+        DVector::from_element(size, T::one())
+    }
+
+    fn rationals(size: usize, matrix: &[i64], vector: &[i64]) -> Lcp<Rational> {
+        let numbers = |slice: &[i64]| slice.iter().map(|&x| ratio(x, 1)).collect::<Vec<_>>();
+        Lcp::new(DMatrix::from_row_slice(size, size, &numbers(matrix)), DVector::from_vec(numbers(vector)))
+    }
+
+    #[test]
+    fn a_diagonal_problem_is_solved_component_by_component() {
+        let lcp = rationals(3, &[2, 0, 0, 0, 1, 0, 0, 0, 5], &[-4, 3, -1]);
+        match lemke(&lcp, &ones(3)).unwrap() {
+            LemkeOutcome::Solution { z, .. } => assert_eq!(z, DVector::from_vec(vec![ratio(2, 1), ratio(0, 1), ratio(1, 5)])),
+            ray => panic!("{ray:?}"),
+        }
+    }
+
+    #[test]
+    fn an_asymmetric_problem_agrees_in_floats_and_rationals() {
+        let exact = rationals(3, &[4, -1, 2, 3, 5, -1, -2, 1, 6], &[-3, -7, 2]);
+        let rounded = Lcp::new(exact.matrix.map(|x| Scalar::to_f64(&x)), exact.vector.map(|x| Scalar::to_f64(&x)));
+        let (LemkeOutcome::Solution { z, .. }, LemkeOutcome::Solution { z: approximate, .. }) =
+            (lemke(&exact, &ones(3)).unwrap(), lemke(&rounded, &ones(3)).unwrap())
+        else {
+            panic!("both solve")
+        };
+        let difference = (z.map(|x| Scalar::to_f64(&x)) - approximate).amax();
+        assert!(difference <= crate::tolerance::rounding(9, 10.0), "{difference}");
+        assert!(exact.slack(&z).iter().all(|w| *w >= ratio(0, 1)));
+        assert!(z.iter().zip(exact.slack(&z).iter()).all(|(z, w)| (z * w) == ratio(0, 1)));
+    }
+
+    #[test]
+    fn degenerate_ties_do_not_cycle() {
+        // M = identity with equal negative q: every ratio ties in the first step.
+        let size = 6;
+        let lcp = Lcp::new(DMatrix::<Rational>::identity(size, size), DVector::from_element(size, ratio(-1, 1)));
+        match lemke(&lcp, &ones(size)).unwrap() {
+            LemkeOutcome::Solution { z, .. } => assert_eq!(z, ones(size)),
+            ray => panic!("{ray:?}"),
+        }
+    }
+
+    #[test]
+    fn an_infeasible_problem_ends_on_a_ray_whose_direction_satisfies_its_equations() {
+        let lcp = rationals(2, &[0, 0, 0, 0], &[-1, -2]);
+        let LemkeOutcome::Ray { artificial, direction, artificial_direction, .. } = lemke(&lcp, &ones(2)).unwrap() else {
+            panic!("w = q < 0 has no solution")
+        };
+        assert!(artificial > ratio(0, 1));
+        let slack = &lcp.matrix * &direction + ones::<Rational>(2) * artificial_direction;
+        assert!(slack.iter().all(|w| *w >= ratio(0, 1)));
+        assert_eq!(direction.dot(&slack), ratio(0, 1));
+        assert!(direction.iter().any(|z| *z > ratio(0, 1)));
+    }
+
+    #[test]
+    fn nan_and_a_zero_covering_vector_are_refused() {
+        let nan = Lcp::new(DMatrix::from_element(1, 1, f64::NAN), DVector::from_element(1, -1.0));
+        assert!(lemke(&nan, &ones(1)).is_err());
+        let fine = Lcp::new(DMatrix::from_element(1, 1, 1.0), DVector::from_element(1, -1.0));
+        assert!(lemke(&fine, &DVector::from_element(1, 0.0)).is_err());
+        assert!(lemke(&fine, &ones(2)).is_err());
+    }
+}
