@@ -14,8 +14,10 @@ pub mod s2;
 pub mod s3;
 pub mod s4;
 pub mod s5;
+mod section;
 
 pub use registry::{Outcome, Status, all, find, judge, matches_group};
+pub use section::{SECTIONS, Section, place};
 
 /// What became of a claim of the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

@@ -1,1 +1,5 @@
-//! Reports: text, JSON and pictures of what was found.
+//! Reports: text, JSON and pictures of what was found. Nothing here computes; nothing here prints.
+
+pub mod json;
+pub mod number;
+pub mod text;

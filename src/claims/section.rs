@@ -1,0 +1,52 @@
+//! The sections of the chapter, in the order in which claims are registered and reported.
+
+/// A section of the chapter: the group its claim ids start with, and its title.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Section {
+    /// The first part of the ids, `S4` for `S4.copos-plus`.
+    pub group: &'static str,
+    /// What the section is about.
+    pub title: &'static str,
+}
+
+const fn section(group: &'static str, title: &'static str) -> Section {
+    Section { group, title }
+}
+
+/// Every section that claims may belong to: front matter and summary tables first, then §0 to §12.
+pub const SECTIONS: [Section; 16] = [
+    section("P", "Preface and project"),
+    section("M", "Table of misconceptions"),
+    section("T", "Tables of theorems and symbols"),
+    section("S0", "§0 Why time discretisation is a problem of its own"),
+    section("S1", "§1 Event-driven methods and time-stepping"),
+    section("S2", "§2 The sweeping process and the measure differential inclusion"),
+    section("S3", "§3 The Moreau–Jean θ-scheme"),
+    section("S4", "§4 Stewart–Trinkle time-stepping"),
+    section("S5", "§5 Anitescu's convex relaxation"),
+    section("S6", "§6 The soft contact of MuJoCo"),
+    section("S7", "§7 Impact laws"),
+    section("S8", "§8 Semi-implicit and implicit integration, symplecticity"),
+    section("S9", "§9 Penetration, energy and drift"),
+    section("S10", "§10 Simulators compared"),
+    section("S11", "§11 Convergence proofs"),
+    section("S12", "§12 A worked example"),
+];
+
+/// The place of a group in the chapter's order, `None` if no section has it.
+pub fn place(group: &str) -> Option<usize> {
+    SECTIONS.iter().position(|section| section.group == group)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn section_ten_comes_after_section_nine_and_unknown_groups_have_no_place() {
+        assert!(place("S10") > place("S9"));
+        assert!(place("S9") > place("S1"));
+        assert_eq!(place("S13"), None);
+        assert_eq!(place("s4"), None);
+    }
+}

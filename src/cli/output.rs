@@ -1,0 +1,24 @@
+//! Writing results: standard output that survives a closed pipe, and files that are written whole or not at all.
+
+use crate::report::text::Style;
+use crate::{Error, Result};
+use std::io::{ErrorKind, IsTerminal, Write};
+use std::path::Path;
+
+/// Writes to standard output. A reader that stops early (`| head`) is not an error.
+///
+/// # Errors
+/// [`Error::Write`] for any other failure, such as a full disk.
+pub fn print(text: &str) -> Result<()> {
+    let mut output = std::io::stdout().lock();
+    match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
+        Err(source) if source.kind() != ErrorKind::BrokenPipe => Err(Error::Write { file: Path::new("standard output").into(), source }),
+        _ => Ok(()),
+    }
+}
+
+/// Colours for a terminal, unless `NO_COLOR` is set to anything.
+pub fn style() -> Style {
+    let refused = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+    Style { colour: !refused && std::io::stdout().is_terminal() }
+}

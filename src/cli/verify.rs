@@ -1,0 +1,156 @@
+//! `moreau verify`: runs the checks of the registered claims and reports what they found.
+
+use super::near::suggestion;
+use super::output::{print, style};
+use super::{Answer, Format};
+use crate::claims::{self, Claim, Outcome, Status, matches_group};
+use crate::report::json::{ClaimEntry, ExplanationEntry, OutcomeEntry, pretty};
+use crate::report::text;
+use crate::{Error, Result};
+use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
+use std::panic::catch_unwind;
+
+/// Verify the claims of the chapter: verdict, evidence and the decisive number of each.
+///
+/// Every claim carries a check that computes: the findings must support the recorded verdict, and a control (the
+/// rejected verdict or a perturbed statement, fed through the same check) must come out contradicted. Exit code 0
+/// means that both hold for every claim that was run.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// Run only this group or claim; groups are whole parts of the id, so S1 is not S12.
+    #[arg(long, value_name = "GROUP")]
+    filter: Option<String>,
+    /// Explain one claim: proof or counterexample, findings, corrected statement, control, sources.
+    #[arg(long, value_name = "ID", conflicts_with = "filter")]
+    explain: Option<String>,
+    /// List the claims without running them.
+    #[arg(long, conflicts_with = "explain")]
+    list: bool,
+    /// How to write the result.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  moreau verify                           run every claim
+  moreau verify --filter S4               only the claims of section 4
+  moreau verify --explain S4.copos-plus   one claim in full
+  moreau verify --list                    the claims, without running them
+  moreau verify --format json             an array of {id, section, statement, verdict, evidence,
+                                          correct_statement, findings, status, seconds}
+
+Verdicts: true, conditional (holds under conditions the text omits), false as stated, inconsistent
+(the text says two things that exclude each other), ambiguous (readings differ in truth).
+Evidence: exact (rational arithmetic), certified (residual below a derived bound), measured, cited,
+not decidable.";
+
+/// Runs the subcommand.
+pub fn run(arguments: &Arguments) -> Result<Answer> {
+    if let Some(id) = &arguments.explain {
+        return explain(id, arguments.format);
+    }
+    let claims = select(arguments.filter.as_deref())?;
+    if arguments.list {
+        print(&match arguments.format {
+            Format::Text => text::list(&claims, style()),
+            Format::Json => pretty(&claims.iter().map(|&claim| ClaimEntry::from(claim)).collect::<Vec<_>>())?,
+        })?;
+        return Ok(Answer::Yes);
+    }
+    let outcomes = judge_all(&claims);
+    print(&match arguments.format {
+        Format::Text => text::outcomes(&outcomes, style()),
+        Format::Json => pretty(&outcomes.iter().map(OutcomeEntry::from).collect::<Vec<_>>())?,
+    })?;
+    Ok(conclusion(&outcomes))
+}
+
+fn explain(id: &str, format: Format) -> Result<Answer> {
+    let claim = claims::find(id).ok_or_else(|| {
+        let cure = suggestion(id, claims::all().map(|claim| claim.id), "`moreau verify --list` shows every id");
+        Error::Unsupported(format!("no claim `{id}`; {cure}"))
+    })?;
+    let outcome = judge(claim);
+    print(&match format {
+        Format::Text => text::explanation(&outcome, style()),
+        Format::Json => pretty(&ExplanationEntry::from(&outcome))?,
+    })?;
+    Ok(conclusion(&[outcome]))
+}
+
+/// The claims of a group in the registry's order.
+fn select(group: Option<&str>) -> Result<Vec<&'static Claim>> {
+    let Some(group) = group else { return Ok(claims::all().collect()) };
+    let claims: Vec<_> = claims::all().filter(|claim| matches_group(claim.id, group)).collect();
+    if claims.is_empty() {
+        let names = claims::all().flat_map(|claim| [claim.section(), claim.id]);
+        let cure = suggestion(group, names, "`moreau verify --list` shows every id");
+        return Err(Error::Unsupported(format!("--filter {group}: no claim in this group; {cure}")));
+    }
+    Ok(claims)
+}
+
+/// Judges claims in parallel; the answer is in the order of the question.
+fn judge_all(claims: &[&'static Claim]) -> Vec<Outcome> {
+    let bar = ProgressBar::new(claims.len() as u64); // hidden unless standard error is a terminal
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} claims  {elapsed}") {
+        bar.set_style(style);
+    }
+    let outcomes = claims.par_iter().map(|claim| judge(claim)).inspect(|_| bar.inc(1)).collect();
+    bar.finish_and_clear();
+    outcomes
+}
+
+/// Judges one claim; a check that panics fails alone instead of taking the others with it.
+fn judge(claim: &'static Claim) -> Outcome {
+    catch_unwind(|| claims::judge(claim)).unwrap_or_else(|_| Outcome {
+        claim,
+        findings: Vec::new(),
+        control: Vec::new(),
+        status: Status::Failed("the check panicked".into()),
+        seconds: 0.0,
+    })
+}
+
+/// Yes if every outcome is supported; a run that judged nothing has shown nothing.
+fn conclusion(outcomes: &[Outcome]) -> Answer {
+    let shown = !outcomes.is_empty() && outcomes.iter().all(|outcome| outcome.status == Status::Supported);
+    shown.into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::text::tests::{CLAIM, outcome};
+
+    #[test]
+    fn one_unsupported_claim_makes_the_answer_no() {
+        assert_eq!(conclusion(&[outcome(Status::Supported)]), Answer::Yes);
+        assert_eq!(conclusion(&[]), Answer::No);
+        for status in [Status::Contradicted, Status::ControlPassed, Status::Failed("x".into())] {
+            assert_eq!(conclusion(&[outcome(Status::Supported), outcome(status)]), Answer::No);
+        }
+    }
+
+    #[test]
+    fn outcomes_keep_the_order_of_the_claims() {
+        static SLOW: Claim = Claim { id: "S4.slow", check: slow, ..CLAIM };
+        fn slow(reading: claims::Reading) -> Result<Vec<crate::checks::Finding>> {
+            std::thread::sleep(std::time::Duration::from_millis(20));
+            (CLAIM.check)(reading)
+        }
+        let ids: Vec<_> = judge_all(&[&SLOW, &CLAIM]).iter().map(|outcome| outcome.claim.id).collect();
+        assert_eq!(ids, ["S4.slow", "S4.example"]);
+    }
+
+    #[test]
+    fn a_panicking_check_fails_alone() {
+        static BROKEN: Claim = Claim { id: "S4.broken", check: |_| panic!("on purpose"), ..CLAIM };
+        let outcomes = judge_all(&[&BROKEN, &CLAIM]);
+        assert!(matches!(outcomes[0].status, Status::Failed(_)));
+        assert_eq!(outcomes[1].status, Status::Supported);
+    }
+}

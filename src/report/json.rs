@@ -1,0 +1,129 @@
+//! What `verify` writes as JSON: one flat object per claim.
+//!
+//! Numbers that are not finite become `null`, never `NaN`.
+
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Outcome, Status, Verdict};
+use crate::{Error, Result};
+use serde::Serialize;
+
+/// A claim as it stands in the registry, without running its check.
+#[derive(Serialize)]
+pub struct ClaimEntry {
+    id: &'static str,
+    section: &'static str,
+    statement: &'static str,
+    verdict: Verdict,
+    evidence: Evidence,
+    correct_statement: &'static str,
+}
+
+impl From<&Claim> for ClaimEntry {
+    fn from(claim: &Claim) -> Self {
+        ClaimEntry {
+            id: claim.id,
+            section: claim.section(),
+            statement: claim.statement,
+            verdict: claim.verdict,
+            evidence: claim.evidence,
+            correct_statement: claim.correct_statement,
+        }
+    }
+}
+
+/// A claim with what its check found.
+#[derive(Serialize)]
+pub struct OutcomeEntry<'a> {
+    #[serde(flatten)]
+    claim: ClaimEntry,
+    findings: &'a [Finding],
+    status: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    failure: Option<&'a str>,
+    seconds: f64,
+}
+
+impl<'a> From<&'a Outcome> for OutcomeEntry<'a> {
+    fn from(outcome: &'a Outcome) -> Self {
+        let (status, failure) = match &outcome.status {
+            Status::Supported => ("supported", None),
+            Status::Contradicted => ("contradicted", None),
+            Status::ControlPassed => ("control-passed", None),
+            Status::Failed(reason) => ("failed", Some(reason.as_str())),
+        };
+        OutcomeEntry { claim: outcome.claim.into(), findings: &outcome.findings, status, failure, seconds: outcome.seconds }
+    }
+}
+
+/// A claim with its argument, its control and its sources: what `verify --explain` writes.
+#[derive(Serialize)]
+pub struct ExplanationEntry<'a> {
+    #[serde(flatten)]
+    outcome: OutcomeEntry<'a>,
+    argument: &'static str,
+    control: &'static str,
+    control_findings: &'a [Finding],
+    sources: &'static [&'static str],
+}
+
+impl<'a> From<&'a Outcome> for ExplanationEntry<'a> {
+    fn from(outcome: &'a Outcome) -> Self {
+        ExplanationEntry {
+            argument: outcome.claim.argument,
+            control: outcome.claim.control,
+            control_findings: &outcome.control,
+            sources: outcome.claim.sources,
+            outcome: outcome.into(),
+        }
+    }
+}
+
+/// Indented JSON with a final newline.
+///
+/// # Errors
+/// [`Error::Json`] if the value cannot be written as JSON.
+pub fn pretty<T: Serialize + ?Sized>(value: &T) -> Result<String> {
+    serde_json::to_string_pretty(value).map(|text| text + "\n").map_err(Error::Json)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::text::tests::{CLAIM, outcome};
+    use serde_json::Value;
+
+    fn value<T: Serialize>(entry: &T) -> Value {
+        serde_json::from_str(&pretty(entry).expect("plain data serialises")).expect("what was written parses")
+    }
+
+    #[test]
+    fn an_outcome_is_one_flat_object() {
+        let outcome = outcome(Status::Supported);
+        let object = value(&OutcomeEntry::from(&outcome));
+        assert_eq!(object["id"], CLAIM.id);
+        assert_eq!(object["section"], "S4");
+        assert_eq!(object["verdict"], "FALSE AS STATED");
+        assert_eq!(object["status"], "supported");
+        assert_eq!(object["findings"][0]["unit"], "m");
+        assert_eq!(object.get("failure"), None);
+    }
+
+    #[test]
+    fn a_failed_check_says_why_and_nan_becomes_null() {
+        let mut outcome = outcome(Status::Failed("no convergence".into()));
+        outcome.findings = vec![Finding::equal("x", f64::NAN, 1.0, 0.0, "m")];
+        let object = value(&OutcomeEntry::from(&outcome));
+        assert_eq!(object["status"], "failed");
+        assert_eq!(object["failure"], "no convergence");
+        assert!(object["findings"][0]["measured"].is_null());
+    }
+
+    #[test]
+    fn an_explanation_adds_argument_control_and_sources() {
+        let outcome = outcome(Status::Supported);
+        let object = value(&ExplanationEntry::from(&outcome));
+        assert_eq!(object["argument"], CLAIM.argument);
+        assert_eq!(object["control_findings"][0]["holds"], false);
+        assert_eq!(object["sources"][0], CLAIM.sources[0]);
+    }
+}

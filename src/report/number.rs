@@ -1,0 +1,54 @@
+//! Numbers for readers: six significant digits, plain where that is short, scientific otherwise.
+
+/// A number with at most six significant digits and no trailing zeros.
+pub fn significant(value: f64) -> String {
+    let size = value.abs();
+    if value == 0.0 {
+        return "0".into();
+    }
+    if !value.is_finite() {
+        return value.to_string();
+    }
+    if (1e-3..1e6).contains(&size) {
+        let decimals = (5 - size.log10().floor() as i32).max(0) as usize;
+        return trimmed(&format!("{value:.decimals$}")).into();
+    }
+    let scientific = format!("{value:.5e}");
+    match scientific.split_once('e') {
+        Some((mantissa, exponent)) => format!("{}e{exponent}", trimmed(mantissa)),
+        None => scientific,
+    }
+}
+
+/// A number followed by its unit; pure numbers have the unit `1` and show none.
+pub fn with_unit(number: &str, unit: &str) -> String {
+    if unit == "1" { number.into() } else { format!("{number} {unit}") }
+}
+
+fn trimmed(digits: &str) -> &str {
+    if digits.contains('.') { digits.trim_end_matches('0').trim_end_matches('.') } else { digits }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn six_digits_survive_and_zeros_do_not() {
+        assert_eq!(significant(0.25), "0.25");
+        assert_eq!(significant(1.0), "1");
+        assert_eq!(significant(-3.0e-17), "-3e-17");
+        assert_eq!(significant(std::f64::consts::PI), "3.14159");
+        assert_eq!(significant(123_456.7), "123457");
+        assert_eq!(significant(200.0), "200");
+        assert_eq!(significant(1.5e6), "1.5e6");
+        assert_eq!(significant(-0.0), "0");
+        assert_eq!(significant(f64::NAN), "NaN");
+    }
+
+    #[test]
+    fn pure_numbers_show_no_unit() {
+        assert_eq!(with_unit("2", "1"), "2");
+        assert_eq!(with_unit("2", "m/s"), "2 m/s");
+    }
+}

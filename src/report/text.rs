@@ -1,0 +1,270 @@
+//! What `verify` prints: one line per claim grouped by section, a count at the end, and the explanation of one claim.
+
+use super::number::{significant, with_unit};
+use crate::checks::Finding;
+use crate::claims::{Claim, Outcome, SECTIONS, Section, Status, Verdict, place};
+use std::fmt::Write;
+
+/// Columns of wrapped prose.
+const WIDTH: usize = 100;
+
+/// Whether to mark headings and alarms with terminal colours.
+#[derive(Clone, Copy)]
+pub struct Style {
+    /// False for pipes, files and `NO_COLOR`.
+    pub colour: bool,
+}
+
+impl Style {
+    fn paint(self, code: &str, text: &str) -> String {
+        if self.colour { format!("\u{1b}[{code}m{text}\u{1b}[0m") } else { text.into() }
+    }
+
+    fn heading(self, text: &str) -> String {
+        self.paint("1", text)
+    }
+
+    fn alarm(self, text: &str) -> String {
+        self.paint("1;31", text)
+    }
+}
+
+/// The report of a run: claims by section, what is wrong, and the count as the last line.
+pub fn outcomes(outcomes: &[Outcome], style: Style) -> String {
+    let width = id_width(outcomes.iter().map(|outcome| outcome.claim));
+    let mut text = String::new();
+    let mut group = "";
+    for outcome in outcomes {
+        open_section(&mut text, &mut group, outcome.claim, style);
+        let number = outcome.findings.first().map(decisive_number).unwrap_or_default();
+        let alarm = alarm_word(&outcome.status).map(|word| format!("  {}", style.alarm(word))).unwrap_or_default();
+        line(&mut text, &format!("  {}  {number}{alarm}", columns(outcome.claim, width)));
+    }
+    line(&mut text, "");
+    for outcome in outcomes {
+        complain(&mut text, outcome, style);
+    }
+    line(&mut text, &count(outcomes));
+    text
+}
+
+/// The claims by section, without running anything.
+pub fn list(claims: &[&'static Claim], style: Style) -> String {
+    let width = id_width(claims.iter().copied());
+    let mut text = String::new();
+    let mut group = "";
+    for claim in claims {
+        open_section(&mut text, &mut group, claim, style);
+        line(&mut text, &format!("  {}  {}", columns(claim, width), claim.statement.split_whitespace().collect::<Vec<_>>().join(" ")));
+    }
+    text
+}
+
+/// One claim in full: statement, verdict, argument, findings, corrected statement, control and sources.
+pub fn explanation(outcome: &Outcome, style: Style) -> String {
+    let claim = outcome.claim;
+    let title = section_of(claim).map_or(claim.section(), |section| section.title);
+    let mut text = String::new();
+    line(&mut text, &style.heading(&format!("{} – {title}", claim.id)));
+    line(&mut text, &format!("verdict: {} (evidence: {})", claim.verdict.words(), claim.evidence.word()));
+    let mut part = |name: &str, body: &[String]| {
+        line(&mut text, &format!("\n{}", style.heading(name)));
+        body.iter().for_each(|paragraph| line(&mut text, paragraph));
+    };
+    part("The chapter says", &[wrap(claim.statement)]);
+    part(if claim.verdict == Verdict::True { "Proof" } else { "Proof or counterexample" }, &[wrap(claim.argument)]);
+    part("What this run found", &outcome.findings.iter().map(judged).collect::<Vec<_>>());
+    part("Correct statement", &[wrap(claim.correct_statement)]);
+    let mut control = vec![wrap(claim.control)];
+    control.extend(outcome.control.iter().map(judged));
+    control.push(if outcome.control.iter().all(Finding::holds) {
+        format!("  {}", style.alarm("the control was NOT contradicted"))
+    } else {
+        "  the control was contradicted, as it must be".into()
+    });
+    part("Control", &control);
+    part("Sources", &claim.sources.iter().map(|source| wrap(source)).collect::<Vec<_>>());
+    line(&mut text, "");
+    complain(&mut text, outcome, style);
+    if outcome.status == Status::Supported {
+        line(&mut text, "the evidence supports the verdict");
+    }
+    text
+}
+
+/// The last line of `verify`.
+fn count(outcomes: &[Outcome]) -> String {
+    let with = |verdict| outcomes.iter().filter(|outcome| outcome.claim.verdict == verdict).count();
+    let contradicted = outcomes.iter().filter(|outcome| outcome.status != Status::Supported).count();
+    format!(
+        "{} claims: {} true, {} conditional, {} false as stated, {} inconsistent, {} ambiguous; {contradicted} contradicted",
+        outcomes.len(),
+        with(Verdict::True),
+        with(Verdict::Conditional),
+        with(Verdict::False),
+        with(Verdict::Inconsistent),
+        with(Verdict::Ambiguous),
+    )
+}
+
+fn open_section(text: &mut String, group: &mut &'static str, claim: &'static Claim, style: Style) {
+    if claim.section() != *group {
+        if !group.is_empty() {
+            line(text, "");
+        }
+        *group = claim.section();
+        line(text, &style.heading(section_of(claim).map_or(*group, |section| section.title)));
+    }
+}
+
+fn section_of(claim: &Claim) -> Option<&'static Section> {
+    place(claim.section()).map(|place| &SECTIONS[place])
+}
+
+fn columns(claim: &Claim, width: usize) -> String {
+    format!("{:width$}  {:15}  {:13}", claim.id, claim.verdict.words(), claim.evidence.word())
+}
+
+fn id_width<'a>(claims: impl Iterator<Item = &'a Claim>) -> usize {
+    claims.map(|claim| claim.id.chars().count()).max().unwrap_or(0)
+}
+
+/// The first finding in short: its name and the measured value.
+fn decisive_number(finding: &Finding) -> String {
+    let number = match &finding.exact {
+        Some([measured, _]) => measured.clone(),
+        None => significant(finding.measured),
+    };
+    format!("{}: {}", finding.name, with_unit(&number, finding.unit))
+}
+
+fn alarm_word(status: &Status) -> Option<&'static str> {
+    match status {
+        Status::Supported => None,
+        Status::Contradicted => Some("CONTRADICTED"),
+        Status::ControlPassed => Some("CONTROL PASSED"),
+        Status::Failed(_) => Some("FAILED"),
+    }
+}
+
+/// Says in full what keeps an outcome from being supported.
+fn complain(text: &mut String, outcome: &Outcome, style: Style) {
+    let Some(word) = alarm_word(&outcome.status) else { return };
+    let reason = match &outcome.status {
+        Status::Failed(reason) => format!("the check could not be carried out: {reason}"),
+        Status::ControlPassed => "the control passed too, so the check cannot tell the verdict from its opposite".into(),
+        Status::Contradicted | Status::Supported => "the evidence speaks against the recorded verdict".into(),
+    };
+    line(text, &format!("{} {}: {reason}", style.alarm(word), outcome.claim.id));
+    outcome.findings.iter().filter(|finding| !finding.holds()).for_each(|finding| line(text, &judged(finding)));
+}
+
+fn judged(finding: &Finding) -> String {
+    format!("  [{}] {finding}", if finding.holds() { "holds" } else { "FAILS" })
+}
+
+fn line(text: &mut String, content: &str) {
+    writeln!(text, "{}", content.trim_end()).expect("writing to a String cannot fail");
+}
+
+/// Breaks prose at spaces into indented lines; its own line breaks stay.
+fn wrap(prose: &str) -> String {
+    let mut lines = Vec::new();
+    for paragraph in prose.lines() {
+        let mut current = String::new();
+        for word in paragraph.split_whitespace() {
+            if !current.is_empty() && current.chars().count() + 1 + word.chars().count() > WIDTH {
+                lines.push(std::mem::take(&mut current));
+            }
+            if !current.is_empty() {
+                current.push(' ');
+            }
+            current.push_str(word);
+        }
+        lines.push(current);
+    }
+    lines.iter().map(|line| format!("  {line}")).collect::<Vec<_>>().join("\n")
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use crate::claims::{Evidence, Reading};
+
+    pub(crate) const CLAIM: Claim = Claim {
+        id: "S4.example",
+        statement: "one is two",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "one is one",
+        argument: "1 ≠ 2",
+        control: "two is fed through",
+        sources: &["chapter §4"],
+        check: |reading| Ok(vec![Finding::equal("length", reading.pick(1.0, 2.0), 1.0, 0.0, "m")]),
+    };
+
+    pub(crate) fn outcome(status: Status) -> Outcome {
+        let findings = |reading| (CLAIM.check)(reading).expect("the example cannot fail");
+        Outcome { claim: &CLAIM, findings: findings(Reading::Recorded), control: findings(Reading::Control), status, seconds: 0.0 }
+    }
+
+    const PLAIN: Style = Style { colour: false };
+
+    #[test]
+    fn a_supported_claim_is_one_line_under_its_section_and_the_count_is_last() {
+        let text = outcomes(&[outcome(Status::Supported)], PLAIN);
+        let lines: Vec<_> = text.lines().collect();
+        assert_eq!(lines[0], "§4 Stewart–Trinkle time-stepping");
+        assert_eq!(lines[1], "  S4.example  false as stated  exact          length: 1 m");
+        assert_eq!(lines.last(), Some(&"1 claims: 0 true, 0 conditional, 1 false as stated, 0 inconsistent, 0 ambiguous; 0 contradicted"));
+    }
+
+    #[test]
+    fn whatever_is_not_supported_counts_as_contradicted_and_is_explained_before_the_count() {
+        let all = [outcome(Status::Contradicted), outcome(Status::ControlPassed), outcome(Status::Failed("no answer".into()))];
+        let text = outcomes(&all, PLAIN);
+        assert!(text.ends_with("; 3 contradicted\n"));
+        for words in
+            ["CONTRADICTED S4.example", "CONTROL PASSED S4.example", "FAILED S4.example: the check could not be carried out: no answer"]
+        {
+            assert!(text.contains(words), "{words:?} is missing in\n{text}");
+        }
+    }
+
+    #[test]
+    fn colour_appears_only_when_asked_for() {
+        assert!(!outcomes(&[outcome(Status::Contradicted)], PLAIN).contains('\u{1b}'));
+        assert!(outcomes(&[outcome(Status::Contradicted)], Style { colour: true }).contains("\u{1b}[1;31mCONTRADICTED"));
+    }
+
+    #[test]
+    fn an_explanation_shows_verdict_argument_numbers_correction_control_and_sources() {
+        let text = explanation(&outcome(Status::Supported), PLAIN);
+        for words in [
+            "false as stated",
+            "one is two",
+            "1 ≠ 2",
+            "[holds] length",
+            "one is one",
+            "[FAILS] length",
+            "contradicted, as it must be",
+            "chapter §4",
+        ] {
+            assert!(text.contains(words), "{words:?} is missing in\n{text}");
+        }
+    }
+
+    #[test]
+    fn a_control_that_passes_is_called_out() {
+        let mut outcome = outcome(Status::ControlPassed);
+        outcome.control = outcome.findings.clone();
+        assert!(explanation(&outcome, PLAIN).contains("NOT contradicted"));
+    }
+
+    #[test]
+    fn prose_is_wrapped_at_spaces_and_keeps_its_line_breaks() {
+        let long = "word ".repeat(50);
+        assert!(wrap(&long).lines().all(|line| line.chars().count() <= WIDTH + 2));
+        assert_eq!(wrap("a\nb"), "  a\n  b");
+    }
+}
