@@ -8,6 +8,17 @@ use crate::solvers::ContactSolver;
 use crate::trajectory::Recording;
 use nalgebra::{DMatrix, DVector};
 
+pub mod anitescu;
+pub(crate) mod assembly;
+pub mod moreau_jean;
+mod names;
+pub mod stewart_trinkle;
+
+pub use anitescu::Anitescu;
+pub use moreau_jean::{Activation, MoreauJean, RestitutionRule};
+pub use names::{NAMES, Parameters, by_name};
+pub use stewart_trinkle::StewartTrinkle;
+
 /// What a scheme assembled for one step: the problem of the active contacts, and what turns impulses into velocities.
 #[derive(Clone, Debug)]
 pub struct StepProblem {

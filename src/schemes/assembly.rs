@@ -1,0 +1,125 @@
+//! The assembly every scheme shares: M̂, v_free, H of the active contacts and the problem W, u_free, shift.
+//!
+//! ```text
+//!     M̂ = M(q) + h θ C + h² θ² K ,      v_free = v + h M̂⁻¹ (F(q, v) − h θ K v) .
+//! ```
+//! # Which force
+//! M, H and φ are taken at the start of the step, and so is F: a nonlinear force is explicit, which costs nothing in
+//! the order of a scheme that is first order through impacts anyway and keeps the step a contact problem with a
+//! constant matrix. A linear part −K q − C v may be stiff, so it is evaluated at the step's own intermediate point,
+//! ```text
+//!     v_θ = θ v⁺ + (1−θ) v ,   q_θ = q + h θ v_θ ,   F_θ = F(q, v) − C (v_θ − v) − K (q_θ − q) ;
+//! ```
+//! collecting v⁺ − v on the left gives M̂ and the term −hθKv above. With θ = ½ and no contact this is the implicit
+//! midpoint rule in v_θ and trapezoidal to second order in q_θ; with θ = 0 everything is explicit.
+
+use super::StepProblem;
+use crate::contact::Contact;
+use crate::contact::delassus::delassus;
+use crate::mechanics::{Mechanism, State};
+use crate::problem::{ContactProblem, Dynamics, Law};
+use crate::{Error, Result};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+
+/// One contact candidate with the velocities a scheme may decide by.
+pub(crate) struct Candidate<'a> {
+    /// φ, H, μ and e at the start of the step.
+    pub contact: &'a Contact,
+    /// u = H v at the start of the step \[m/s\].
+    pub velocity: DVector<f64>,
+    /// H v_free \[m/s\].
+    pub free_velocity: DVector<f64>,
+}
+
+/// What distinguishes one scheme from another in the assembly.
+pub(crate) trait Rules {
+    /// θ of the linear forces.
+    fn theta(&self) -> f64;
+    /// Whether the step holds this contact.
+    fn is_active(&self, candidate: &Candidate, h: f64) -> bool;
+    /// What the law adds to u, one entry per row \[m/s\].
+    fn shift(&self, candidate: &Candidate, h: f64) -> DVector<f64>;
+    /// The contact law for contacts with this many rows.
+    fn law(&self, rows_per_contact: usize) -> Law;
+}
+
+/// Assembles the step of size h from a state by the rules of a scheme.
+///
+/// # Errors
+/// If h is not positive, the state does not fit the mechanism or M̂ is not positive definite.
+pub(crate) fn assemble(name: &str, rules: &dyn Rules, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
+    check_input(mechanism, state, h)?;
+    let (effective_mass, free_velocity) = free_motion(rules.theta(), mechanism, state, h)?;
+    let contacts = mechanism.contacts(&state.position);
+    let candidates = contacts.iter().map(|contact| Candidate {
+        contact,
+        velocity: &contact.jacobian * &state.velocity,
+        free_velocity: &contact.jacobian * &free_velocity,
+    });
+    let active: Vec<(usize, Candidate)> = candidates.enumerate().filter(|(_, candidate)| rules.is_active(candidate, h)).collect();
+    let rows = mechanism.rows_per_contact();
+    let jacobian = stack(active.iter().map(|(_, candidate)| &candidate.contact.jacobian), rows, mechanism.degrees_of_freedom());
+    let problem = if active.is_empty() {
+        None
+    } else {
+        let shifts: Vec<DVector<f64>> = active.iter().map(|(_, candidate)| rules.shift(candidate, h)).collect();
+        Some(ContactProblem {
+            name: format!("{} {name} t={}", mechanism.name(), state.time),
+            rows_per_contact: rows,
+            law: rules.law(rows),
+            friction: active.iter().map(|(_, candidate)| candidate.contact.friction).collect(),
+            free_velocity: &jacobian * &free_velocity,
+            shift: DVector::from_iterator(rows * active.len(), shifts.iter().flat_map(|shift| shift.iter().copied())),
+            delassus: delassus(&effective_mass, &jacobian)?,
+            compliance: None,
+            dynamics: Some(Dynamics { mass: effective_mass.clone(), jacobian: jacobian.clone() }),
+        })
+    };
+    Ok(StepProblem { problem, active: active.iter().map(|(index, _)| *index).collect(), effective_mass, free_velocity, jacobian })
+}
+
+/// M̂ and v_free of the module's equation.
+fn free_motion(theta: f64, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<(DMatrix<f64>, DVector<f64>)> {
+    let mut mass = mechanism.mass_matrix(&state.position);
+    let mut force = mechanism.force(&state.position, &state.velocity);
+    if let Some(linear) = mechanism.linear_force() {
+        mass += &linear.damping * (h * theta) + &linear.stiffness * (h * h * theta * theta);
+        force -= &linear.stiffness * &state.velocity * (h * theta);
+    }
+    let velocity = &state.velocity + factor(&mass)?.solve(&force) * h;
+    if velocity.iter().any(|x| !x.is_finite()) {
+        return Err(Error::invalid("force", "is not finite", "every force and velocity must be a finite number"));
+    }
+    Ok((mass, velocity))
+}
+
+fn factor(mass: &DMatrix<f64>) -> Result<Cholesky<f64, Dyn>> {
+    mass.clone().cholesky().ok_or_else(|| Error::invalid("mass", "is not positive definite", "every velocity needs inertia"))
+}
+
+fn check_input(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<()> {
+    if !(h.is_finite() && h > 0.0) {
+        return Err(Error::invalid("time_step", format!("is {h}"), "use a positive number of seconds"));
+    }
+    if state.velocity.len() != mechanism.degrees_of_freedom() {
+        let problem = format!("has {} entries", state.velocity.len());
+        return Err(Error::invalid("velocity", problem, format!("{} has {}", mechanism.name(), mechanism.degrees_of_freedom())));
+    }
+    Ok(())
+}
+
+/// The rows of all contacts, one contact below the other.
+fn stack<'a>(blocks: impl ExactSizeIterator<Item = &'a DMatrix<f64>>, rows: usize, columns: usize) -> DMatrix<f64> {
+    let mut stacked = DMatrix::zeros(rows * blocks.len(), columns);
+    for (k, block) in blocks.enumerate() {
+        stacked.rows_mut(k * rows, rows).copy_from(block);
+    }
+    stacked
+}
+
+/// A vector with the given normal entry and zero tangential entries.
+pub(crate) fn normal_only(normal: f64, rows: usize) -> DVector<f64> {
+    let mut vector = DVector::zeros(rows);
+    vector[0] = normal;
+    vector
+}

@@ -1,0 +1,107 @@
+//! Schemes by name, for the command line.
+
+use super::{Activation, Anitescu, MoreauJean, RestitutionRule, Scheme, StewartTrinkle};
+use crate::{Error, Result};
+
+/// The names [`by_name`] knows.
+pub const NAMES: [&str; 3] = ["moreau-jean", "stewart-trinkle", "anitescu"];
+
+/// The parameters of all schemes; each scheme takes those it has.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters {
+    /// θ of Moreau–Jean.
+    pub theta: f64,
+    /// Activation rule of Moreau–Jean.
+    pub activation: Activation,
+    /// Restitution rule of Moreau–Jean.
+    pub restitution: RestitutionRule,
+    /// Friction directions of Stewart–Trinkle at spatial contacts.
+    pub directions: usize,
+}
+
+impl Default for Parameters {
+    fn default() -> Self {
+        let MoreauJean { theta, activation, restitution } = MoreauJean::default();
+        Parameters { theta, activation, restitution, directions: StewartTrinkle::default().directions }
+    }
+}
+
+/// The scheme with this name.
+///
+/// # Errors
+/// An unknown name (the message lists the known ones), θ outside \[0, 1\] or fewer than three directions.
+pub fn by_name(name: &str, parameters: Parameters) -> Result<Box<dyn Scheme>> {
+    let Parameters { theta, activation, restitution, directions } = parameters;
+    match name {
+        "moreau-jean" => {
+            let scheme = MoreauJean { theta, activation, restitution };
+            scheme.validate()?;
+            Ok(Box::new(scheme))
+        }
+        "stewart-trinkle" => {
+            let scheme = StewartTrinkle { directions };
+            scheme.validate()?;
+            Ok(Box::new(scheme))
+        }
+        "anitescu" => Ok(Box::new(Anitescu)),
+        _ => Err(unknown("scheme", name, &NAMES)),
+    }
+}
+
+impl Activation {
+    /// The rule with this name.
+    ///
+    /// # Errors
+    /// An unknown name; the message lists the known ones.
+    pub fn by_name(name: &str) -> Result<Self> {
+        let names = Self::ALL.map(Self::name);
+        Self::ALL.into_iter().find(|rule| rule.name() == name).ok_or_else(|| unknown("activation", name, &names))
+    }
+}
+
+impl RestitutionRule {
+    /// The rule with this name.
+    ///
+    /// # Errors
+    /// An unknown name; the message lists the known ones.
+    pub fn by_name(name: &str) -> Result<Self> {
+        let names = Self::ALL.map(Self::name);
+        Self::ALL.into_iter().find(|rule| rule.name() == name).ok_or_else(|| unknown("restitution rule", name, &names))
+    }
+}
+
+fn unknown(field: &str, name: &str, known: &[&str]) -> Error {
+    Error::invalid(field, format!("`{name}` is unknown"), format!("use one of {}", known.join(", ")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_listed_name_is_a_scheme_and_starts_its_own_description() {
+        for name in NAMES {
+            let scheme = by_name(name, Parameters::default()).expect("a listed name");
+            assert!(scheme.name().starts_with(name));
+        }
+    }
+
+    #[test]
+    fn every_rule_is_found_by_its_name() {
+        for rule in Activation::ALL {
+            assert_eq!(Activation::by_name(rule.name()).expect("a listed name"), rule);
+        }
+        for rule in RestitutionRule::ALL {
+            assert_eq!(RestitutionRule::by_name(rule.name()).expect("a listed name"), rule);
+        }
+    }
+
+    #[test]
+    fn unknown_names_are_answered_with_the_known_ones() {
+        let message = |result: Result<Box<dyn Scheme>>| result.err().expect("must be refused").to_string();
+        assert!(message(by_name("euler", Parameters::default())).contains("moreau-jean, stewart-trinkle, anitescu"));
+        assert!(Activation::by_name("c").expect_err("refused").to_string().contains("free-velocity-forecast"));
+        assert!(message(by_name("moreau-jean", Parameters { theta: f64::NAN, ..Parameters::default() })).contains("theta"));
+        assert!(message(by_name("stewart-trinkle", Parameters { directions: 2, ..Parameters::default() })).contains("directions"));
+    }
+}
