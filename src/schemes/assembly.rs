@@ -15,11 +15,11 @@
 
 use super::StepProblem;
 use crate::contact::Contact;
-use crate::contact::delassus::delassus;
+use crate::contact::delassus::{MassFactor, delassus};
 use crate::mechanics::{Mechanism, State};
 use crate::problem::{ContactProblem, Dynamics, Law};
 use crate::{Error, Result};
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use nalgebra::{DMatrix, DVector};
 
 /// One contact candidate with the velocities a scheme may decide by.
 pub(crate) struct Candidate<'a> {
@@ -86,15 +86,11 @@ fn free_motion(theta: f64, mechanism: &dyn Mechanism, state: &State, h: f64) -> 
         mass += &linear.damping * (h * theta) + &linear.stiffness * (h * h * theta * theta);
         force -= &linear.stiffness * &state.velocity * (h * theta);
     }
-    let velocity = &state.velocity + factor(&mass)?.solve(&force) * h;
+    let velocity = &state.velocity + MassFactor::new(&mass)?.solve(&force) * h;
     if velocity.iter().any(|x| !x.is_finite()) {
         return Err(Error::invalid("force", "is not finite", "every force and velocity must be a finite number"));
     }
     Ok((mass, velocity))
-}
-
-fn factor(mass: &DMatrix<f64>) -> Result<Cholesky<f64, Dyn>> {
-    mass.clone().cholesky().ok_or_else(|| Error::invalid("mass", "is not positive definite", "every velocity needs inertia"))
 }
 
 fn check_input(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<()> {
