@@ -1,10 +1,16 @@
 //! Contact solvers, one per file. None of them judges itself: [`crate::certificate`] does.
 
-pub mod lemke;
-
-use crate::Result;
-use crate::problem::{ContactProblem, Solution};
+use crate::problem::{Compliance, ContactProblem, Coordinates, Solution};
+use crate::{Error, Result};
 use nalgebra::DVector;
+
+pub mod lemke;
+mod one_contact;
+mod projected_gauss_seidel;
+mod reference;
+
+pub use projected_gauss_seidel::ProjectedGaussSeidel;
+pub use reference::{NAMES, Reference, by_name};
 
 /// An algorithm that proposes a solution of a contact problem.
 pub trait ContactSolver: Send + Sync {
@@ -17,4 +23,24 @@ pub trait ContactSolver: Send + Sync {
     /// ends without an answer (a ray, a breakdown). An answer that is merely not converged is returned and left to
     /// the certificate.
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution>;
+}
+
+/// The impulses an iteration starts from: the given ones, or zero.
+fn start(problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<DVector<f64>> {
+    match warm_start {
+        None => Ok(DVector::zeros(problem.rows())),
+        Some(impulse) if impulse.len() == problem.rows() && impulse.iter().all(|r| r.is_finite()) => Ok(impulse.clone()),
+        Some(impulse) => {
+            let cure = format!("give {} finite impulses", problem.rows());
+            Err(Error::invalid("warm_start", format!("has {} entries, or some not finite", impulse.len()), cure))
+        }
+    }
+}
+
+/// R of one contact row \[1/kg\], zero if the problem is hard or its compliance acts on edges.
+fn compliance(problem: &ContactProblem, row: usize) -> f64 {
+    match &problem.compliance {
+        Some(Compliance { coordinates: Coordinates::Contact, diagonal }) => diagonal[row],
+        _ => 0.0,
+    }
 }

@@ -1,0 +1,207 @@
+//! Block projected Gauss–Seidel: contact after contact,
+//! ```text
+//!     r_k ← the answer of contact k alone with q_k = (u_free + shift)_k + Σ_{j≠k} W_kj r_j .
+//! ```
+//! Each contact is solved to rounding (`one_contact`). For symmetric positive semidefinite W and a convex law the
+//! sweeps descend on ½rᵀ(W+R)r + (u_free+shift)ᵀr and converge; for Coulomb's law they usually do, and the certificate tells.
+
+use super::ContactSolver;
+use super::one_contact::OneContact;
+use crate::certificate::natural_map;
+use crate::problem::{ContactProblem, Law, Solution};
+use crate::tolerance::solvers as tolerance;
+use crate::{Error, Result};
+use nalgebra::{DVector, Matrix3, Vector3};
+
+/// Block projected Gauss–Seidel for the frictionless, Coulomb and associated laws; W may be asymmetric and rank deficient.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ProjectedGaussSeidel {
+    /// Sweep limit.
+    pub sweeps: usize,
+    /// Stops when the natural map of every contact is at most this times max(‖r‖, ρ‖u_free + shift‖).
+    pub tolerance: f64,
+}
+
+impl Default for ProjectedGaussSeidel {
+    fn default() -> Self {
+        ProjectedGaussSeidel { sweeps: tolerance::SWEEPS, tolerance: tolerance::STOP }
+    }
+}
+
+/// What a sweep works on: no sweep allocates.
+struct Sweeper<'a> {
+    problem: &'a ContactProblem,
+    contacts: Vec<OneContact>,
+    rho: Vec<f64>,
+    /// r \[N·s\].
+    impulse: DVector<f64>,
+    /// y = u_free + shift + (W + R) r \[m/s\], updated column by column.
+    law_velocity: DVector<f64>,
+}
+
+impl ContactSolver for ProjectedGaussSeidel {
+    fn name(&self) -> &'static str {
+        "pgs"
+    }
+
+    fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+        problem.validate()?;
+        if problem.law.directions().is_some() {
+            let reason = format!("does not solve the law `{}`; use `lemke` or `clarabel`", problem.law.name());
+            return Err(Error::solver(self.name(), reason));
+        }
+        let impulse = super::start(problem, warm_start)?;
+        let law_velocity = problem.law_velocity(&impulse);
+        let rho = natural_map::scales(problem);
+        let contacts = (0..problem.contacts()).map(|k| prepare(problem, k)).collect::<Result<_>>()?;
+        let mut sweeper = Sweeper { problem, contacts, rho, impulse, law_velocity };
+        let mut sweeps = 0;
+        while !sweeper.converged(self.tolerance) && sweeps < self.sweeps {
+            let moved = sweeper.sweep();
+            sweeps += 1;
+            if !moved {
+                break;
+            }
+        }
+        let velocity = problem.velocity(&sweeper.impulse);
+        let impulse = sweeper.impulse;
+        Ok(Solution { impulse, velocity, beta: None, sigma: None, solver: self.name().into(), iterations: sweeps })
+    }
+}
+
+impl Sweeper<'_> {
+    /// Solves every contact once; returns whether any impulse changed.
+    fn sweep(&mut self) -> bool {
+        let rows = self.problem.rows_per_contact;
+        let mut moved = false;
+        for (k, contact) in self.contacts.iter().enumerate() {
+            let first = k * rows;
+            let old = padded(&self.impulse.as_slice()[first..first + rows]);
+            let y = padded(&self.law_velocity.as_slice()[first..first + rows]);
+            let new = contact.solve(&(y - contact.block * old));
+            for row in 0..rows {
+                let change = new[row] - old[row];
+                if change != 0.0 {
+                    moved = true;
+                    let column = self.problem.delassus.column(first + row);
+                    self.law_velocity.axpy(change, &column, 1.0);
+                    self.law_velocity[first + row] += super::compliance(self.problem, first + row) * change;
+                    self.impulse[first + row] = new[row];
+                }
+            }
+        }
+        moved
+    }
+
+    /// Whether the natural map is small at every contact; decided on a freshly computed y, since the updated one carries old rounding.
+    fn converged(&mut self, relative: f64) -> bool {
+        if !self.small(relative) {
+            return false;
+        }
+        self.law_velocity = self.problem.law_velocity(&self.impulse);
+        self.small(relative)
+    }
+
+    fn small(&self, relative: f64) -> bool {
+        let (rows, problem) = (self.problem.rows_per_contact, self.problem);
+        let data = problem.free_velocity.iter().zip(problem.shift.iter()).map(|(u, s)| (u + s).abs()).fold(0.0, f64::max);
+        let rho = self.rho.iter().copied().fold(0.0, f64::max);
+        let scale = self.impulse.norm().max(rho * data);
+        (0..self.contacts.len()).all(|k| {
+            let range = k * rows..(k + 1) * rows;
+            let (r, y) = (&self.impulse.as_slice()[range.clone()], &self.law_velocity.as_slice()[range]);
+            natural_map::natural_map(problem.law, problem.friction[k], r, y, self.rho[k]) <= relative * scale
+        })
+    }
+}
+
+/// The padded block of contact k, made definite and symmetric where its law needs it. What the block differs from W_kk + R_kk is multiplied by
+/// the previous impulse (a proximal step), so the fixed points stay those of the given problem.
+fn prepare(problem: &ContactProblem, k: usize) -> Result<OneContact> {
+    let rows = problem.rows_per_contact;
+    let mut block = Matrix3::identity();
+    for (i, j) in (0..rows).flat_map(|i| (0..rows).map(move |j| (i, j))) {
+        block[(i, j)] = problem.delassus[(k * rows + i, k * rows + j)];
+    }
+    for i in 0..rows {
+        block[(i, i)] += super::compliance(problem, k * rows + i);
+    }
+    let trace: f64 = (0..rows).map(|i| block[(i, i)]).sum();
+    for i in rows..3 {
+        block[(i, i)] = trace / rows as f64;
+    }
+    if problem.law != Law::Coulomb {
+        block = (block + block.transpose()) * 0.5;
+    }
+    let symmetric = (block + block.transpose()) * 0.5;
+    let smallest = symmetric.symmetric_eigenvalues().min();
+    if smallest < tolerance::PROXIMAL * trace {
+        block += Matrix3::identity() * (tolerance::PROXIMAL * trace);
+    }
+    let friction = problem.friction[k];
+    let contact = match problem.law {
+        Law::Coulomb if friction > 0.0 => OneContact::coulomb(block, friction),
+        Law::Associated if friction > 0.0 => OneContact::associated(block, friction),
+        _ => OneContact::frictionless(block),
+    };
+    contact.ok_or_else(|| {
+        let reason = format!(
+            "contact {k} has no positive definite diagonal block W_kk + R_kk, so it cannot be solved alone; remove it or give it compliance"
+        );
+        Error::solver("pgs", reason)
+    })
+}
+
+fn padded(values: &[f64]) -> Vector3<f64> {
+    Vector3::from_fn(|k, _| values.get(k).copied().unwrap_or(0.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::DMatrix;
+
+    /// One contact of a unit mass on an incline of slope tan α at rest, step h: u_free = h g (−cos α, sin α).
+    fn block(law: Law, friction: f64, slope: f64) -> ContactProblem {
+        let (cos, sin) = (1.0 / slope.hypot(1.0), slope / slope.hypot(1.0));
+        ContactProblem {
+            name: "block".into(),
+            rows_per_contact: 2,
+            law,
+            friction: vec![friction],
+            free_velocity: DVector::from_vec(vec![-cos, sin]),
+            shift: DVector::zeros(2),
+            delassus: DMatrix::identity(2, 2),
+            compliance: None,
+            dynamics: None,
+        }
+    }
+
+    #[test]
+    fn a_block_sticks_up_to_the_friction_angle_and_slides_beyond_under_both_laws() {
+        for law in [Law::Coulomb, Law::Associated] {
+            let stuck = ProjectedGaussSeidel::default().solve(&block(law, 0.76, 0.75), None).unwrap();
+            assert!(stuck.velocity.amax() <= f64::EPSILON, "{law:?}");
+            assert_eq!(stuck.iterations, 1);
+        }
+        let sliding = ProjectedGaussSeidel::default().solve(&block(Law::Coulomb, 0.5, 0.75), None).unwrap();
+        // u_t = sin − μ cos = 0.6 − 0.4, u_n = 0
+        assert!((sliding.velocity[1] - 0.2).abs() <= 4.0 * f64::EPSILON && sliding.velocity[0].abs() <= f64::EPSILON);
+    }
+
+    #[test]
+    fn the_associated_law_lifts_a_sliding_contact_by_mu_times_its_slip() {
+        let sliding = ProjectedGaussSeidel::default().solve(&block(Law::Associated, 0.5, 0.75), None).unwrap();
+        // r = r_n (1, −½), r·u = 0: r_n = (0.8 + 0.3)/1.25 = 0.88, u = (0.08, 0.16)
+        assert!((sliding.impulse[0] - 0.88).abs() <= 4.0 * f64::EPSILON);
+        assert!((sliding.velocity[0] - 0.5 * sliding.velocity[1]).abs() <= 4.0 * f64::EPSILON);
+    }
+
+    #[test]
+    fn a_contact_that_touches_nothing_is_refused_by_name() {
+        let mut problem = block(Law::Coulomb, 0.5, 0.75);
+        problem.delassus.fill(0.0);
+        let message = ProjectedGaussSeidel::default().solve(&problem, None).unwrap_err().to_string();
+        assert!(message.contains("`pgs`") && message.contains("contact 0"), "{message}");
+    }
+}
