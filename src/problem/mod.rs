@@ -7,7 +7,7 @@ mod json;
 mod law;
 mod lcp;
 mod solution;
-mod stewart_trinkle;
+pub mod stewart_trinkle;
 
 pub use contact_problem::{Compliance, ContactProblem, Coordinates, Dynamics};
 pub use law::Law;

@@ -5,10 +5,12 @@ use crate::{Error, Result};
 use nalgebra::DVector;
 
 pub mod lemke;
+mod lemke_pivoting;
 mod one_contact;
 mod projected_gauss_seidel;
 mod reference;
 
+pub use lemke_pivoting::LemkePivoting;
 pub use projected_gauss_seidel::ProjectedGaussSeidel;
 pub use reference::{NAMES, Reference, by_name};
 
