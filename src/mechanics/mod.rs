@@ -3,10 +3,20 @@
 use crate::contact::Contact;
 use nalgebra::{DMatrix, DVector};
 
+mod ball_chain;
+mod bead_in_circle;
+mod oscillator;
+mod painleve_rod;
+pub mod planar;
 mod point_mass;
 #[cfg(test)]
 mod testing;
 
+pub use ball_chain::BallChain;
+pub use bead_in_circle::BeadInCircle;
+pub use oscillator::OscillatorWithStop;
+pub use painleve_rod::PainleveRod;
+pub use planar::PlanarBodies;
 pub use point_mass::{Plane, PointMass};
 
 /// Configuration and velocity of a mechanism.
