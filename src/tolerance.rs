@@ -106,7 +106,11 @@ pub mod closed_forms {
 }
 
 /// Tolerances of [`crate::trajectory`].
-pub mod trajectory {}
+pub mod trajectory {
+    /// Rounding of a slope fitted over at least a decade of steps: |ln error|, |ln h| < 64, fewer than 32 operations, and a
+    /// denominator Σ(x − x̄)² > 1: 2·32·64 ε.
+    pub const ORDER_ROUNDING: f64 = 2.0 * 32.0 * 64.0 * super::EPSILON;
+}
 
 /// Tolerances of [`crate::checks`].
 pub mod checks {}
