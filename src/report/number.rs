@@ -9,7 +9,7 @@ pub fn significant(value: f64) -> String {
     if !value.is_finite() {
         return value.to_string();
     }
-    if (1e-3..1e6).contains(&size) {
+    if (0.001..1e6).contains(&size) {
         let decimals = (5 - size.log10().floor() as i32).max(0) as usize;
         return trimmed(&format!("{value:.decimals$}")).into();
     }

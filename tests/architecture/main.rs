@@ -1,0 +1,121 @@
+//! The invariants of the architecture, read off the source: who may import whom, and where tolerances live.
+
+mod source;
+
+use source::{imports, small_literals, strip, without_tests};
+use std::path::{Path, PathBuf};
+
+/// A file of `src/` without comments, texts and test code.
+struct File {
+    /// Path below `src/`.
+    path: PathBuf,
+    code: String,
+}
+
+impl File {
+    /// The top-level module the file belongs to.
+    fn module(&self) -> String {
+        let first = self.path.iter().next().expect("a path below src/ has a first part");
+        first.to_string_lossy().trim_end_matches(".rs").into()
+    }
+
+    fn imports(&self) -> Vec<String> {
+        let folders = self.path.iter().count() - 1;
+        let own = usize::from(!self.path.ends_with("mod.rs"));
+        imports(&self.code, folders + own)
+    }
+}
+
+/// Every file of `src/` that is compiled outside tests.
+fn library() -> Vec<File> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut test_only = Vec::new();
+    let mut files = Vec::new();
+    for path in rust_files(&root) {
+        let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let (code, modules) = without_tests(&strip(&text));
+        let folder = path.parent().expect("a file lies in a folder");
+        test_only.extend(modules.iter().map(|name| folder.join(format!("{name}.rs"))));
+        files.push((path, code));
+    }
+    files.retain(|(path, _)| !test_only.contains(path));
+    let below = |path: PathBuf| path.strip_prefix(&root).expect("found below the root").to_path_buf();
+    files.into_iter().map(|(path, code)| File { path: below(path), code }).collect()
+}
+
+fn rust_files(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let mut paths: Vec<_> = entries.map(|entry| entry.expect("a readable entry").path()).collect();
+    paths.sort();
+    let mut files = Vec::new();
+    for path in paths {
+        if path.is_dir() {
+            files.extend(rust_files(&path));
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.push(path);
+        }
+    }
+    files
+}
+
+/// Files of a module that import a name outside `allowed`, as `file: name`.
+fn strangers(files: &[File], module: &str, allowed: &[&str]) -> Vec<String> {
+    let of_module = files.iter().filter(|file| file.module() == module);
+    let pairs = of_module.flat_map(|file| file.imports().into_iter().map(move |name| (file, name)));
+    let strange = pairs.filter(|(_, name)| name != module && !allowed.contains(&name.as_str()));
+    strange.map(|(file, name)| format!("src/{}: crate::{name}", file.path.display())).collect()
+}
+
+/// What every module may use: errors and numbers.
+const GROUND: [&str; 5] = ["Error", "Result", "error", "scalar", "tolerance"];
+
+#[track_caller]
+fn assert_imports_only(module: &str, others: &[&str]) {
+    let files = library();
+    assert!(files.iter().any(|file| file.module() == module), "src/{module} has no file: the test looks at nothing");
+    let allowed: Vec<_> = GROUND.iter().chain(others).copied().collect();
+    assert_eq!(strangers(&files, module, &allowed), Vec::<String>::new(), "{module} imports what it may not know");
+}
+
+#[test]
+fn problems_know_no_solver_and_no_scheme() {
+    assert_imports_only("problem", &["cones", "Law", "ContactProblem", "Solution"]);
+}
+
+#[test]
+fn certificates_know_no_solver_and_no_scheme() {
+    assert_imports_only("certificate", &["problem", "cones", "elimination", "Law", "ContactProblem", "Solution"]);
+}
+
+#[test]
+fn closed_forms_know_nothing_they_verify() {
+    assert_imports_only("closed_forms", &[]);
+}
+
+#[test]
+fn cones_know_numbers_only() {
+    assert_imports_only("cones", &[]);
+}
+
+#[test]
+fn small_numbers_stand_in_the_table_of_tolerances_or_in_a_planted_defect() {
+    let files = library();
+    let elsewhere = files.iter().filter(|file| file.module() != "tolerance" && file.module() != "defects");
+    let found: Vec<_> = elsewhere
+        .flat_map(|file| small_literals(&file.code).into_iter().map(|number| format!("src/{}: {number}", file.path.display())))
+        .collect();
+    assert_eq!(found, Vec::<String>::new(), "a small number needs a name and a derivation in src/tolerance.rs");
+}
+
+#[test]
+fn the_rules_can_fail() {
+    let planted = |path: &str, code: &str| File { path: path.into(), code: strip(code) };
+    let files = [
+        planted("closed_forms/ball.rs", "use crate::schemes::step;"),
+        planted("closed_forms/mod.rs", "use super::mechanics::State; use crate::closed_forms::x;"),
+        planted("cones/orthant.rs", "use crate::problem::Law;"),
+    ];
+    let expected = ["src/closed_forms/ball.rs: crate::schemes", "src/closed_forms/mod.rs: crate::mechanics"];
+    assert_eq!(strangers(&files, "closed_forms", &GROUND), expected);
+    assert_eq!(strangers(&files, "cones", &GROUND), ["src/cones/orthant.rs: crate::problem"]);
+}
