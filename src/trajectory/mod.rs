@@ -1,7 +1,11 @@
 //! Recorded motions: samples, metrics, convergence, files.
 
+mod graph;
+pub mod metrics;
 pub mod order;
 mod recording;
+mod segment_tree;
 
+pub use graph::Graph;
 pub use order::{OrderEstimate, estimate_order, fit_order, shifted_steps};
 pub use recording::Recording;
