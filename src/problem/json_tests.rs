@@ -1,0 +1,81 @@
+//! Tests of the readers: what goes out comes back bit for bit, and every mistake is named.
+
+use super::*;
+
+const BLOCK: &str = r#"{"schema":"contact-problem/1","name":"block","dimension":2,"law":"coulomb","friction":[0.5],
+    "free_velocity":[-0.1,0.30000000000000004],"delassus":{"shape":[2,2],"rows":[[1,0.25],[0.25,3]]},
+    "compliance":{"coordinates":"contact","diagonal":[0.125,0]},"provenance":{"by":"hand"}}"#;
+
+fn refused(text: &str, words: &[&str]) {
+    let message = ContactProblem::from_json(text).expect_err(text).to_string();
+    for word in words {
+        assert!(message.contains(word), "`{word}` not in: {message}");
+    }
+}
+
+#[test]
+fn a_problem_comes_back_bit_for_bit() {
+    let problem = ContactProblem::from_json(BLOCK).unwrap();
+    assert_eq!(problem.shift, DVector::zeros(2));
+    assert_eq!(problem.free_velocity[1].to_bits(), (0.1f64 + 0.2).to_bits());
+    assert_eq!(ContactProblem::from_json(&problem.to_json()).unwrap(), problem);
+}
+
+#[test]
+fn mass_and_jacobian_make_the_delassus_operator_and_are_kept() {
+    let text = r#"{"schema":"contact-problem/1","name":"two balls","dimension":1,"law":"frictionless","friction":[0,0],"free_velocity":[-1,0],
+        "mass":{"shape":[2,2],"triplets":{"row":[0,1],"column":[0,1],"value":[2,4]}},"jacobian":{"shape":[2,2],"rows":[[1,0],[-1,1]]}}"#;
+    let problem = ContactProblem::from_json(text).unwrap();
+    assert_eq!(problem.delassus, DMatrix::from_row_slice(2, 2, &[0.5, -0.5, -0.5, 0.75]));
+    assert_eq!(ContactProblem::from_json(&problem.to_json()).unwrap(), problem);
+    refused(&text.replace("[2,4]", "[2,-4]"), &["mass", "positive"]);
+    refused(&text.replace(r#""row":[0,1],"column":[0,1],"value":[2,4]"#, r#""row":[0,1,0],"column":[0,1,1],"value":[2,4,1]"#), &["mass"]);
+    refused(&text.replace("\"shape\":[2,2],\"trip", "\"shape\":[9999999999,9999999999],\"trip"), &["mass"]);
+    refused(&text.replace("\"row\":[0,1],", "\"row\":[0,2],"), &["mass.triplets.row[1]", "is 2"]);
+    refused(&text.replace("\"column\":[0,1],", "\"column\":[0],"), &["mass.triplets", "as many"]);
+    refused(&text.replace("\"row\":[0,1],\"column\":[0,1]", "\"row\":[0,0],\"column\":[1,1]"), &["mass.triplets", "(0, 1)"]);
+}
+
+#[test]
+fn every_mistake_is_named() {
+    refused(&BLOCK.replace("0.30000000000000004", "1e999"), &["free_velocity", "finite"]);
+    refused(&BLOCK.replace("[0.5]", "[-0.5]"), &["friction[0]", "negative"]);
+    refused(&BLOCK.replace("\"coulomb\"", "\"culomb\""), &["law", "culomb", "associated"]);
+    refused(&BLOCK.replace("\"coulomb\"", "\"polyhedral-coulomb\""), &["directions", "missing"]);
+    refused(&BLOCK.replace("\"dimension\":2", "\"dimension\":2,\"directions\":4"), &["directions", "coulomb"]);
+    refused(&BLOCK.replace("\"dimension\":2", "\"dimension\":4"), &["dimension", "is 4"]);
+    refused(&BLOCK.replace("\"dimension\":2", "\"dimension\":3"), &["delassus", "3×3"]);
+    refused(&BLOCK.replace("\"name\"", "\"nome\""), &["nome"]);
+    refused(&BLOCK.replace("[0.25,3]", "[0.25]"), &["delassus.rows[1]", "1 entries"]);
+    refused(&BLOCK.replace("\"shape\":[2,2]", "\"shape\":[2,3]"), &["delassus", "2×3"]);
+    refused(&BLOCK.replace("[0.125,0]", "[0.125]"), &["compliance.diagonal", "needs 2"]);
+    refused(&BLOCK.replace("[0.125,0]", "[-1,0]"), &["compliance.diagonal[0]"]);
+    refused(&BLOCK.replace("\"contact\"", "\"edge\""), &["compliance.coordinates"]);
+    refused(&BLOCK.replace("contact-problem/1", "contact-problem/2"), &["schema", "contact-problem/1"]);
+    refused(&BLOCK.replace("[-0.1,", "[NaN,"), &["not valid JSON"]);
+    refused(&BLOCK.replace("[-0.1,", "[\"-0.1\","), &["free_velocity"]);
+    refused(&BLOCK[..BLOCK.len() - 40], &["EOF"]);
+    refused(&BLOCK.replace("\"friction\":[0.5],", ""), &["friction"]);
+}
+
+#[test]
+fn a_solution_comes_back_bit_for_bit() {
+    let solution = Solution {
+        impulse: DVector::from_vec(vec![0.1 + 0.2, -1.0 / 3.0]),
+        velocity: DVector::from_vec(vec![0.0, 5e-324]),
+        beta: Some(DVector::from_vec(vec![0.0, 1.0])),
+        sigma: None,
+        solver: "pgs".into(),
+        iterations: 7,
+    };
+    let text = solution.to_json(Some("block"), Some(serde_json::json!({"primal": 0})));
+    assert_eq!(Solution::from_json(&text).unwrap(), solution);
+    let message = Solution::from_json(&text.replace("\"velocity\"", "\"velocities\"")).unwrap_err().to_string();
+    assert!(message.contains("velocities"), "{message}");
+}
+
+#[test]
+fn files_name_themselves_in_errors() {
+    let missing = std::env::temp_dir().join("moreau-no-such-problem.json");
+    assert!(ContactProblem::read(&missing).unwrap_err().to_string().contains("moreau-no-such-problem.json"));
+}

@@ -1,0 +1,79 @@
+//! JSON in: errors that name the field, and files with a schema name.
+
+use crate::{Error, Result};
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+
+/// Reads a value from JSON text whose `schema` entry must be `schema`.
+///
+/// # Errors
+/// [`Error::Json`] if the text is not JSON; [`Error::Invalid`] names the field where it is not what the schema says.
+pub fn read_schema<T: DeserializeOwned>(text: &str, schema: &str) -> Result<T> {
+    #[derive(Deserialize)]
+    struct Probe {
+        schema: Option<serde_json::Value>,
+    }
+    let probe: Probe = serde_json::from_str(text).map_err(|error| name_field(text, schema, error))?;
+    match probe.schema {
+        Some(serde_json::Value::String(name)) if name == schema => {}
+        Some(other) => return Err(Error::invalid("schema", format!("is {other}"), format!("this reader takes \"{schema}\""))),
+        None => return Err(Error::invalid("schema", "is missing", format!("add \"schema\": \"{schema}\""))),
+    }
+    serde_json::from_str(text).map_err(|error| name_field(text, schema, error))
+}
+
+/// The error with the last key before the place where reading stopped.
+fn name_field(text: &str, schema: &str, error: serde_json::Error) -> Error {
+    use serde_json::error::Category;
+    let out_of_range = error.to_string().starts_with("number out of range");
+    if matches!(error.classify(), Category::Io | Category::Eof) || (error.classify() == Category::Syntax && !out_of_range) {
+        return Error::Json(error);
+    }
+    let cure = if out_of_range { "use a finite number".to_string() } else { format!("see the schema {schema}") };
+    match last_key(text, error.line(), error.column()) {
+        Some(field) => Error::invalid(field, error.to_string(), cure),
+        None => Error::invalid("schema", error.to_string(), cure),
+    }
+}
+
+/// The last `"key":` that starts before a line and column (both counted from 1, the column in bytes).
+fn last_key(text: &str, line: usize, column: usize) -> Option<String> {
+    let before: usize = text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
+    let head = text.as_bytes().get(..(before + column).min(text.len()))?;
+    let colon = (0..head.len())
+        .rev()
+        .find(|&k| head[k] == b':' && head[..k].iter().rev().find(|byte| !byte.is_ascii_whitespace()) == Some(&b'"'))?;
+    let close = head[..colon].iter().rposition(|&byte| byte == b'"')?;
+    let open = head[..close].iter().rposition(|&byte| byte == b'"')?;
+    Some(String::from_utf8_lossy(&head[open + 1..close]).into_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[derive(Debug, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    #[allow(dead_code)]
+    struct Pair {
+        schema: String,
+        first: Vec<f64>,
+        second: f64,
+    }
+
+    fn message(text: &str) -> String {
+        read_schema::<Pair>(text, "pair/1").unwrap_err().to_string()
+    }
+
+    #[test]
+    fn errors_name_the_field() {
+        assert!(message(r#"{"schema":"pair/1","first":[1,"x"],"second":2}"#).contains("`first`"));
+        assert!(message("{\"schema\":\"pair/1\",\n\"first\":[1],\n\"second\": 1e999}").contains("`second`"));
+        assert!(message(r#"{"schema":"pair/1","first":[1],"secnd":2}"#).contains("secnd"));
+        assert!(message(r#"{"schema":"pair/1","first":[1]}"#).contains("missing field `second`"));
+        assert!(message(r#"{"schema":"pair/2"}"#).contains("pair/1"));
+        assert!(message(r#"{"first":[1]}"#).contains("`schema`"));
+        assert!(message(r#"{"schema":"pair/1","first":[1"#).contains("EOF"));
+        assert!(message(r#"{"schema":"pair/1","first":[NaN],"second":2}"#).contains("not valid JSON"));
+    }
+}
