@@ -1,1 +1,9 @@
-//! Named scenes and `scene/1` files, turned into mechanisms.
+//! Scenes: files `scene/1` that describe bodies to any simulator, named ones, and the mechanisms they stand for.
+
+mod named;
+mod planar;
+mod scene;
+mod validation;
+
+pub use named::{NAMES, named};
+pub use scene::{Body, Cuboid, Ground, Material, PairOverride, Scene, Sphere};
