@@ -2,4 +2,13 @@
 //!
 //! This module imports no solver and no scheme.
 
+pub mod copositivity;
+mod decision;
+pub mod definiteness;
+pub mod existence;
+pub mod feasibility;
+pub mod lcp;
 pub mod natural_map;
+pub mod p_matrix;
+
+pub use decision::Decision;

@@ -4,6 +4,7 @@ use crate::problem::{Compliance, ContactProblem, Coordinates, Solution};
 use crate::{Error, Result};
 use nalgebra::DVector;
 
+pub mod enumeration;
 pub mod lemke;
 mod lemke_pivoting;
 mod one_contact;
