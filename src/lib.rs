@@ -33,6 +33,7 @@ pub mod conventions;
 pub mod defects;
 pub mod elimination;
 pub mod error;
+pub mod files;
 pub mod mechanics;
 pub mod problem;
 pub mod report;

@@ -10,7 +10,7 @@
 
 use super::{Compliance, ContactProblem, Coordinates, Dynamics, Law, Solution};
 use crate::contact::delassus::delassus;
-use crate::report::{atomic::write_atomically, schema::read_schema};
+use crate::files::{read_schema, write_atomically};
 use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};

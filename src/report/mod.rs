@@ -1,7 +1,6 @@
 //! Reports: text, JSON and pictures of what was found. Nothing here computes; nothing here prints.
 
-pub mod atomic;
 pub mod json;
 pub mod number;
-pub mod schema;
+pub mod plot;
 pub mod text;
