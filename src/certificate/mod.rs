@@ -10,5 +10,8 @@ pub mod feasibility;
 pub mod lcp;
 pub mod natural_map;
 pub mod p_matrix;
+mod polyhedral;
+pub mod residuals;
 
 pub use decision::Decision;
+pub use residuals::{Residuals, residuals};

@@ -1,0 +1,154 @@
+//! Tests of the residuals: both sides of every condition, units, and an error a single relative number hides.
+
+use super::*;
+use crate::problem::{Compliance, Coordinates};
+
+/// Decoupled planar contacts of unit mass with μ = ½.
+fn planar(law: Law, free_velocity: &[f64]) -> ContactProblem {
+    let rows = free_velocity.len();
+    ContactProblem {
+        name: "planar".into(),
+        rows_per_contact: 2,
+        law,
+        friction: vec![0.5; rows / 2],
+        free_velocity: DVector::from_row_slice(free_velocity),
+        shift: DVector::zeros(rows),
+        delassus: DMatrix::identity(rows, rows),
+        compliance: None,
+        dynamics: None,
+    }
+}
+
+fn answer(problem: &ContactProblem, impulse: &[f64]) -> Solution {
+    let impulse = DVector::from_row_slice(impulse);
+    let velocity = problem.velocity(&impulse);
+    Solution { impulse, velocity, beta: None, sigma: None, solver: "hand".into(), iterations: 0 }
+}
+
+fn judged(problem: &ContactProblem, impulse: &[f64]) -> Residuals {
+    residuals(problem, &answer(problem, impulse)).unwrap()
+}
+
+/// u_free = (−1, 2), μ = ½. Coulomb: r = (1, −½). Associated: r = r_n(1, −½) with r·u = 0, r_n = 8/5.
+const SLIDING: [f64; 2] = [-1.0, 2.0];
+
+#[test]
+fn the_exact_answer_has_no_residual_and_each_mistake_shows_in_its_own_unit() {
+    let problem = planar(Law::Coulomb, &SLIDING);
+    let exact = judged(&problem, &[1.0, -0.5]);
+    assert_eq!((exact.primal, exact.dual, exact.complementarity, exact.natural_map), (0.0, 0.0, 0.0, 0.0));
+    assert!(exact.is_solution(0.0));
+    // outside the cone: distance (0.6 − 0.5)/√1.25
+    let outside = judged(&problem, &[1.0, -0.6]);
+    assert!((outside.primal - 0.1 / 1.25f64.sqrt()).abs() <= f64::EPSILON && !outside.is_solution(1e-8));
+    // penetrating: y_n = −½, ŷ = y + μ‖y_t‖n is ½ below the dual cone, at distance ½/√1.25
+    let penetrating = judged(&problem, &[0.5, -0.25]);
+    assert!((penetrating.dual - 0.5 / 1.25f64.sqrt()).abs() <= 2.0 * f64::EPSILON && !penetrating.is_solution(1e-8));
+    // friction too weak: r·ŷ = μ‖y_t‖ r_n − 0.4·1.6 = 0.16 J
+    let weak = judged(&problem, &[1.0, -0.4]);
+    assert!((weak.complementarity - 0.16).abs() <= 4.0 * f64::EPSILON && !weak.is_solution(1e-8));
+}
+
+#[test]
+fn the_two_laws_do_not_accept_each_others_sliding() {
+    let associated = planar(Law::Associated, &SLIDING);
+    assert!(judged(&associated, &[1.6, -0.8]).is_solution(4.0 * f64::EPSILON));
+    assert!(!judged(&associated, &[1.0, -0.5]).is_solution(1e-2));
+    assert!(!judged(&planar(Law::Coulomb, &SLIDING), &[1.6, -0.8]).is_solution(1e-2));
+}
+
+#[test]
+fn a_stored_velocity_that_does_not_belong_to_the_impulse_is_refused() {
+    let problem = planar(Law::Coulomb, &SLIDING);
+    let mut solution = answer(&problem, &[1.0, -0.5]);
+    solution.velocity[1] += 1e-3;
+    let found = residuals(&problem, &solution).unwrap();
+    assert!((found.velocity - 1e-3).abs() <= 2.0 * f64::EPSILON && !found.is_solution(1e-8));
+}
+
+#[test]
+fn one_relative_number_hides_an_error_that_the_components_show() {
+    // contact 0 separates at 1e13 m/s, contact 1 should carry 1 N·s and carries 1e-4 less
+    let problem = planar(Law::Coulomb, &[1e13, 0.0, -1.0, 0.0]);
+    let found = judged(&problem, &[0.0, 0.0, 1.0 - 1e-4, 0.0]);
+    assert!(found.siconos < 1e-16);
+    assert!(found.complementarity > 0.9e-4 && found.natural_map > 0.9e-4);
+    assert!(!found.is_solution(1e-8));
+    assert!(judged(&problem, &[0.0, 0.0, 1.0, 0.0]).is_solution(1e-15));
+}
+
+#[test]
+fn the_natural_map_does_not_depend_on_the_units() {
+    // m → mm and kg → g: velocities ×10³, W ×10⁻³, impulses ×10⁶
+    let si = planar(Law::Coulomb, &SLIDING);
+    let mut small = si.clone();
+    small.free_velocity *= 1e3;
+    small.delassus *= 1e-3;
+    let (a, b) = (judged(&si, &[1.0, -0.4]), judged(&small, &[1e6, -0.4e6]));
+    let relative = |r: &Residuals| r.natural_map / r.natural_map_scale;
+    assert!((relative(&a) - relative(&b)).abs() <= 16.0 * f64::EPSILON * relative(&a));
+    assert!((a.siconos - b.siconos).abs() > 0.1 * a.siconos, "Siconos's number does depend on them");
+}
+
+#[test]
+fn stewart_trinkle_is_judged_through_its_pairs_given_or_recovered() {
+    let problem = planar(Law::PolyhedralCoulomb { directions: 2 }, &SLIDING);
+    assert!(judged(&problem, &[1.0, -0.5]).is_solution(0.0));
+    let mut given = answer(&problem, &[1.0, -0.5]);
+    given.beta = Some(DVector::from_vec(vec![0.0, 0.5]));
+    given.sigma = Some(DVector::from_vec(vec![1.5]));
+    assert!(residuals(&problem, &given).unwrap().is_solution(0.0));
+    given.sigma = Some(DVector::from_vec(vec![1.0]));
+    assert_eq!(residuals(&problem, &given).unwrap().dual, 0.5);
+    given.beta = Some(DVector::from_vec(vec![0.25, 0.5]));
+    assert!(residuals(&problem, &given).unwrap().primal >= 0.25);
+    assert!(!judged(&problem, &[1.0, -0.4]).is_solution(1e-2), "friction that is too weak");
+    assert!(!judged(&problem, &[1.0, -0.6]).is_solution(1e-2), "friction that is too strong");
+}
+
+#[test]
+fn edge_impulses_follow_from_the_impulse_unless_their_compliance_is_asked_for() {
+    let mut problem = planar(Law::PolyhedralAssociated { directions: 2 }, &SLIDING);
+    assert!(judged(&problem, &[1.6, -0.8]).is_solution(4.0 * f64::EPSILON));
+    assert!(!judged(&problem, &[1.0, -0.5]).is_solution(1e-2));
+    // edge 1 alone carries: f(1.25 + R) = 2 with R = 0.35
+    problem.compliance = Some(Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(2, 0.35) });
+    assert!(judged(&problem, &[1.25, -0.625]).is_solution(4.0 * f64::EPSILON));
+    let mut spatial = problem.clone();
+    spatial.rows_per_contact = 3;
+    spatial.law = Law::PolyhedralAssociated { directions: 4 };
+    spatial.free_velocity = DVector::from_vec(vec![-1.0, 2.0, 0.0]);
+    spatial.shift = DVector::zeros(3);
+    spatial.delassus = DMatrix::identity(3, 3);
+    spatial.compliance = Some(Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(4, 0.35) });
+    let message = residuals(&spatial, &answer(&spatial, &[1.25, -0.625, 0.0])).unwrap_err().to_string();
+    assert!(message.contains("beta"), "{message}");
+    spatial.compliance = None;
+    assert!(judged(&spatial, &[1.6, -0.8, 0.0]).is_solution(8.0 * f64::EPSILON));
+}
+
+#[test]
+fn sizes_are_checked_and_nan_is_no_solution() {
+    let problem = planar(Law::Coulomb, &SLIDING);
+    let mut solution = answer(&problem, &[1.0, -0.5]);
+    solution.impulse[0] = f64::NAN;
+    assert!(!residuals(&problem, &solution).unwrap().is_solution(f64::INFINITY));
+    solution.impulse = DVector::zeros(3);
+    assert!(residuals(&problem, &solution).unwrap_err().to_string().contains("impulse"));
+}
+
+#[test]
+fn residuals_are_written_with_units() {
+    let found = judged(&planar(Law::Coulomb, &SLIDING), &[1.0, -0.5]);
+    let json = serde_json::to_value(found).unwrap();
+    assert_eq!(json["dual"], serde_json::json!({"value": 0.0, "unit": "m/s"}));
+    assert_eq!(json["complementarity"]["unit"], "J");
+}
+
+#[test]
+fn momentum_sees_a_missing_impulse() {
+    let one = DMatrix::identity(1, 1);
+    let v = |x: f64| DVector::from_element(1, x);
+    assert_eq!(momentum(&(one.clone() * 2.0), &v(1.5), &v(-1.0), &one, &v(4.0)), 0.0);
+    assert_eq!(momentum(&(one.clone() * 2.0), &v(1.5), &v(-1.0), &one, &v(3.0)), 1.0);
+}
