@@ -110,6 +110,13 @@ pub mod closed_forms {
     /// Relative rounding of the bouncing ball's formulas: fewer than 32 operations, each with relative error at most ε
     /// (`exp_m1`, `ln_1p` and `powf` within 2 ε), whose arguments are at most 60 logarithms long: 2·32·60 ε.
     pub const BALL_ROUNDING: f64 = 2.0 * 32.0 * 60.0 * super::EPSILON;
+
+    /// Rounding of the incline block's state, whose intermediate values stay below 128 (9.81 m/s² over at most 4 s and their
+    /// squares) with fewer than 16 operations: 2·16·128 ε. A difference quotient over δ divides it by δ.
+    pub const SLOPE_ROUNDING: f64 = 2.0 * 16.0 * 128.0 * super::EPSILON;
+
+    /// Half a unit in the seventh printed digit, relative: numbers quoted with seven digits.
+    pub const PRINTED_DIGITS: f64 = 5e-7;
 }
 
 /// Tolerances of [`crate::trajectory`].

@@ -131,6 +131,29 @@ impl BouncingBall {
         self.gravity * time.min(self.accumulation_time()) + (1.0 + self.restitution) * scale * jumps
     }
 
+    /// The corner points (t, v) of the velocity on \[0, `until`\], two per impact: v⁻ and v⁺.
+    ///
+    /// Impacts slower than ε times the first are left out: they move no point of the graph by more than the rounding of
+    /// the first impact's speed.
+    pub fn velocity_corners(&self, until: f64) -> Vec<[f64; 2]> {
+        let mut corners = vec![[0.0, 0.0]];
+        for impact in 1.. {
+            let (time, speed) = (self.impact_time(impact), self.impact_speed(impact));
+            if time >= until || speed <= f64::EPSILON * self.impact_speed(1) {
+                break;
+            }
+            corners.extend([[time, -speed], [time, self.restitution * speed]]);
+        }
+        let [time, velocity] = corners[corners.len() - 1];
+        let end = self.accumulation_time().min(until);
+        if end < until || velocity == 0.0 && time > 0.0 {
+            corners.extend([[end.max(time), 0.0], [until, 0.0]]);
+        } else {
+            corners.push([until, self.state(until).1]);
+        }
+        corners
+    }
+
     /// T + V per unit mass, ½v² + g q \[J/kg\], at a time t.
     pub fn specific_energy(&self, time: f64) -> f64 {
         let (height, velocity) = self.state(time);
@@ -286,6 +309,24 @@ mod tests {
         let limit = 2.0 * 9.81 * ball.first_impact_time() * 9.0;
         close(ball.velocity_variation(10.0), limit, limit);
         assert!((limit - 79.730).abs() < 0.5e-3);
+    }
+
+    #[test]
+    fn the_velocity_corners_have_the_total_variation_of_the_velocity() {
+        for e in [0.0, 0.3, 0.8, 1.0] {
+            let ball = ball(e);
+            for until in [0.3, 1.0, 2.5, 6.0] {
+                let corners = ball.velocity_corners(until);
+                let variation: f64 = corners.windows(2).map(|pair| (pair[1][1] - pair[0][1]).abs()).sum();
+                close(variation, ball.velocity_variation(until), 100.0);
+                assert!(corners.windows(2).all(|pair| pair[0][0] <= pair[1][0]));
+                assert_eq!(corners[corners.len() - 1][0], until);
+                for pair in corners.windows(2).filter(|pair| pair[1][0] - pair[0][0] > 1e-6) {
+                    let middle = 0.5 * (pair[0][0] + pair[1][0]);
+                    close(ball.state(middle).1, 0.5 * (pair[0][1] + pair[1][1]), 100.0);
+                }
+            }
+        }
     }
 
     #[test]
