@@ -103,7 +103,22 @@ pub mod solvers {
 }
 
 /// Tolerances of [`crate::schemes`].
-pub mod schemes {}
+pub mod schemes {
+    use super::rounding;
+
+    /// Rounding of one Moreau–Jean step of a ball: v⁺ = v − (m g/m) h + r/m with r = −m (v_free + e v) passes through
+    /// fewer than eight operations on numbers of at most |v| + g h + e|v|.
+    pub fn ball_velocity(speed: f64, fall: f64) -> f64 {
+        rounding(8, 2.0 * speed + fall)
+    }
+
+    /// Rounding of q + h (θ v⁺ + (1−θ) v): five operations, and the error of v⁺ times h.
+    pub fn ball_position(position: f64, speed: f64, fall: f64, h: f64) -> f64 {
+        rounding(8, position + h * (2.0 * speed + fall)) + h * ball_velocity(speed, fall)
+    }
+}
+
+pub mod zeno;
 
 /// Tolerances of [`crate::closed_forms`].
 pub mod closed_forms {

@@ -1,6 +1,83 @@
-//! Planted defects of the family `energy`.
+//! Planted defects of the family `energy`: the assembled problem of Moreau–Jean, altered.
 
 use super::Defect;
+use crate::Result;
+use crate::checks::Finding;
+use crate::checks::energy::impact;
+use crate::checks::zeno::DroppedBall;
+use crate::mechanics::{Mechanism, State};
+use crate::problem::ContactProblem;
+use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepProblem};
+use nalgebra::DVector;
 
 /// The defects of this family.
-pub const DEFECTS: &[Defect] = &[];
+pub const DEFECTS: &[Defect] = &[
+    Defect {
+        name: "energy/restitution-on-the-wrong-side",
+        mistake: "0 ≤ e v⁺ + v⁻ ⟂ r ≥ 0: the ball leaves with v⁻/e and gains the factor 1/e² of energy",
+        defective: || family(&Misassembled(restitution_on_the_wrong_side)),
+        reference: || family(&SCHEME),
+    },
+    Defect {
+        name: "energy/delassus-with-mass",
+        mistake: "W = H M Hᵀ instead of H M⁻¹ Hᵀ: right only for m = 1",
+        defective: || family(&Misassembled(delassus_with_mass)),
+        reference: || family(&SCHEME),
+    },
+    Defect {
+        name: "energy/restitution-of-the-free-velocity",
+        mistake: "e multiplies v_free instead of v: each bounce gains e g h of speed",
+        defective: || family(&Misassembled(restitution_of_the_free_velocity)),
+        reference: || family(&SCHEME),
+    },
+    Defect {
+        name: "energy/restitution-forgotten",
+        mistake: "the shift e v is left out: every impact is plastic",
+        defective: || family(&Misassembled(|problem| problem.shift.fill(0.0))),
+        reference: || family(&SCHEME),
+    },
+];
+
+const RESTITUTION: f64 = 0.5;
+const SCHEME: MoreauJean = MoreauJean { theta: 0.5, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
+
+fn family(subject: &dyn Scheme) -> Result<Vec<Finding>> {
+    let ball = DroppedBall { mass: 2.0, gravity: 9.81, height: 1.0, restitution: RESTITUTION };
+    impact(subject, &SCHEME, &ball, 0.01)
+}
+
+/// y = e u⁺ + u⁻ has the zeros of y = u⁺ + u⁻/e, and u⁻ = shift/e.
+fn restitution_on_the_wrong_side(problem: &mut ContactProblem) {
+    problem.shift /= RESTITUTION * RESTITUTION;
+}
+
+fn delassus_with_mass(problem: &mut ContactProblem) {
+    if let Some(dynamics) = &problem.dynamics {
+        problem.delassus = &dynamics.jacobian * &dynamics.mass * dynamics.jacobian.transpose();
+    }
+}
+
+fn restitution_of_the_free_velocity(problem: &mut ContactProblem) {
+    problem.shift = &problem.free_velocity * RESTITUTION;
+}
+
+/// Moreau–Jean whose contact problem is altered before it is solved.
+struct Misassembled(fn(&mut ContactProblem));
+
+impl Scheme for Misassembled {
+    fn name(&self) -> String {
+        format!("{}, altered", SCHEME.name())
+    }
+
+    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
+        let mut assembled = SCHEME.assemble(mechanism, state, h)?;
+        if let Some(problem) = &mut assembled.problem {
+            (self.0)(problem);
+        }
+        Ok(assembled)
+    }
+
+    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
+        SCHEME.advance(mechanism, state, velocity_post, h)
+    }
+}

@@ -1,6 +1,95 @@
 //! Planted defects of the family `zeno`.
 
 use super::Defect;
+use crate::Result;
+use crate::checks::Finding;
+use crate::checks::zeno::{DroppedBall, absorption};
+use crate::mechanics::{Mechanism, State};
+use crate::problem::Law;
+use crate::schemes::assembly::{self, Candidate, Rules, normal_only};
+use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepProblem};
+use nalgebra::DVector;
 
 /// The defects of this family.
-pub const DEFECTS: &[Defect] = &[];
+pub const DEFECTS: &[Defect] = &[
+    Defect {
+        name: "zeno/rule-c",
+        mistake: "contacts are active when φ + h v ≤ 0 and v ≤ 0: at rest every second step is free and the ball sinks",
+        defective: || family(&Altered { base: JUDGED, mistake: Mistake::ApproachingOnly }),
+        reference: || family(&JUDGED),
+    },
+    Defect {
+        name: "zeno/restitution-of-the-free-velocity",
+        mistake: "e multiplies v_free instead of v: gravity's g h per step is reflected and the ball never rests",
+        defective: || family(&Altered { base: JUDGED, mistake: Mistake::FreeVelocity }),
+        reference: || family(&JUDGED),
+    },
+];
+
+const JUDGED: MoreauJean =
+    MoreauJean { theta: 1.0, activation: Activation::FreeVelocityForecast, restitution: RestitutionRule::NormalOnly };
+
+fn family(subject: &dyn Scheme) -> Result<Vec<Finding>> {
+    let ball = DroppedBall { mass: 1.0, gravity: 9.81, height: 1.0, restitution: 0.5 };
+    absorption(subject, &JUDGED, &ball, 0.01, 100)
+}
+
+/// What is wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Mistake {
+    /// Rule C: active when φ + h v ≤ 0 and v ≤ 0.
+    ApproachingOnly,
+    /// Shift e v_free instead of e v.
+    FreeVelocity,
+}
+
+/// Moreau–Jean with one mistake.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Altered {
+    /// The scheme without the mistake.
+    pub base: MoreauJean,
+    /// The mistake.
+    pub mistake: Mistake,
+}
+
+impl Rules for Altered {
+    fn theta(&self) -> f64 {
+        self.base.theta
+    }
+
+    fn is_active(&self, candidate: &Candidate, h: f64) -> bool {
+        let (gap, speed) = (candidate.contact.gap, candidate.velocity[0]);
+        match self.mistake {
+            Mistake::ApproachingOnly => gap + h * speed <= 0.0 && speed <= 0.0,
+            Mistake::FreeVelocity => self.base.is_active(candidate, h),
+        }
+    }
+
+    fn shift(&self, candidate: &Candidate, h: f64) -> DVector<f64> {
+        match self.mistake {
+            Mistake::ApproachingOnly => self.base.shift(candidate, h),
+            Mistake::FreeVelocity => {
+                let reversed = candidate.contact.restitution * candidate.free_velocity[0];
+                normal_only(reversed, candidate.velocity.len())
+            }
+        }
+    }
+
+    fn law(&self, rows_per_contact: usize) -> Law {
+        self.base.law(rows_per_contact)
+    }
+}
+
+impl Scheme for Altered {
+    fn name(&self) -> String {
+        format!("{} with {:?}", self.base.name(), self.mistake)
+    }
+
+    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
+        assembly::assemble("altered moreau-jean", self, mechanism, state, h)
+    }
+
+    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
+        self.base.advance(mechanism, state, velocity_post, h)
+    }
+}

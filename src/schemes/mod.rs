@@ -10,6 +10,7 @@ use nalgebra::{DMatrix, DVector};
 
 pub mod anitescu;
 pub(crate) mod assembly;
+pub mod exact_particle;
 pub mod moreau_jean;
 mod names;
 pub mod stewart_trinkle;
