@@ -1,0 +1,190 @@
+"""Drake behind the engine protocol: `python scripts/engines/drake.py` reads requests on stdin.
+
+A discrete `MultibodyPlant` with point contact makes steps q⁺ = q + h N v⁺, where v⁺ solves
+
+    M (v⁺ − v) = h τ + Jᵀ r(v⁺)
+
+and the approximation (`sap`, `similar`, `lagged`, `tamsi`) is the model of the impulse r.
+Boxes touch through spheres at their eight corners, because a box–box pair has one point only.
+The contact results of the state at t_k are those of the step from t_k to t_{k+1}.
+"""
+
+import itertools
+import sys
+from importlib.metadata import version
+
+import numpy as np
+
+_here = sys.path.pop(0)  # not to look for the engine's own modules in this folder
+from pydrake.geometry import (AddContactMaterial, Box, CollisionFilterDeclaration,  # noqa: E402
+                              GeometrySet, HalfSpace, ProximityProperties, Sphere)
+from pydrake.math import RigidTransform  # noqa: E402
+from pydrake.common.eigen_geometry import Quaternion  # noqa: E402
+from pydrake.multibody.math import SpatialVelocity  # noqa: E402
+from pydrake.multibody.plant import (AddMultibodyPlantSceneGraph, CoulombFriction,  # noqa: E402
+                                     DiscreteContactApproximation)
+from pydrake.multibody.tree import RotationalInertia, SpatialInertia  # noqa: E402
+from pydrake.systems.framework import DiagramBuilder  # noqa: E402
+sys.path.insert(0, _here)
+
+import _drake_dump  # noqa: E402
+from _protocol import Unsupported, serve  # noqa: E402
+from _scene import (GROUND, Recorder, engine_options, initial_state, solid_inertia,  # noqa: E402
+                    step_count)
+
+VERSION = version("drake")
+
+APPROXIMATIONS = {
+    "sap": DiscreteContactApproximation.kSap, "similar": DiscreteContactApproximation.kSimilar,
+    "lagged": DiscreteContactApproximation.kLagged, "tamsi": DiscreteContactApproximation.kTamsi,
+}
+DEFAULTS = {
+    "approximation": "lagged",
+    "stiffness": 1e5,  # N/m of the pair
+    "dissipation": 0.0,  # s/m, Hunt–Crossley; every approximation but sap
+    "relaxation_time": 0.0,  # s of the pair; sap only
+    "stiction_tolerance": 1e-3,  # m/s; every approximation but sap
+    "corner_radius": 5e-3,  # m
+}
+
+
+def describe(_request):
+    """Name, version and contact model."""
+    return {
+        "name": "drake", "version": VERSION,
+        "contact_model": {"kind": "compliant", "parameters": DEFAULTS},
+        "restitution": False, "friction": ["cone"], "levels": ["simulate", "dump"],
+    }
+
+
+class Model:
+    """A diagram with its plant, and one context that `advance` steps."""
+
+    def __init__(self, scene, time_step, options):
+        if any("friction" in pair for pair in scene["material"].get("pairs", [])):
+            raise Unsupported("Drake mixes friction from the two bodies, not per pair")
+        builder = DiagramBuilder()
+        self.plant, self.graph = AddMultibodyPlantSceneGraph(builder, time_step)
+        self.plant.SetUseSampledOutputPorts(False)  # contact results of the current state
+        self.plant.set_discrete_contact_approximation(APPROXIMATIONS[options["approximation"]])
+        self.plant.mutable_gravity_field().set_gravity_vector(np.array(scene["gravity"]))
+        self.scene, self.time_step, self.options = scene, time_step, options
+        self._register()
+        self.plant.Finalize()
+        self.plant.set_stiction_tolerance(options["stiction_tolerance"])
+        self.diagram = builder.Build()
+        self.root = self.diagram.CreateDefaultContext()
+        self.context = self.plant.GetMyMutableContextFromRoot(self.root)
+        self.next_state = self.diagram.AllocateDiscreteVariables()
+        self._set_initial_state()
+        self.steps = 0
+
+    def _material(self):
+        """Properties of one geometry: two in series have the pair's stiffness and damping."""
+        properties, mu = ProximityProperties(), self.scene["material"]["friction"]
+        AddContactMaterial(dissipation=self.options["dissipation"],
+                           point_stiffness=2 * self.options["stiffness"],
+                           friction=CoulombFriction(mu, mu), properties=properties)
+        properties.AddProperty("material", "relaxation_time", self.options["relaxation_time"] / 2)
+        return properties
+
+    def _register(self):
+        corners, faces, self.bodies = [], [], []
+        if self.scene.get("ground") is not None:
+            normal = np.array(self.scene["ground"]["normal"])
+            pose = HalfSpace.MakePose(normal, self.scene["ground"]["offset"] * normal)
+            faces.append(self.plant.RegisterCollisionGeometry(
+                self.plant.world_body(), pose, HalfSpace(), GROUND, self._material()))
+        for body in self.scene["bodies"]:
+            inertia = SpatialInertia.MakeFromCentralInertia(
+                body["mass"], [0, 0, 0], RotationalInertia(*solid_inertia(body)))
+            link = self.plant.AddRigidBody(body["name"], inertia)
+            self.bodies.append(link)
+
+            def register(shape, position, name):
+                return self.plant.RegisterCollisionGeometry(
+                    link, RigidTransform(np.array(position)), shape, name, self._material())
+
+            if "sphere" in body:
+                register(Sphere(body["sphere"]["radius"]), [0, 0, 0], "sphere")
+                continue
+            half, radius = np.array(body["box"]["half_extents"]), self.options["corner_radius"]
+            faces.append(register(Box(*(2 * half)), [0, 0, 0], "box"))
+            for k, signs in enumerate(itertools.product((-1, 1), repeat=3)):
+                corners.append(register(Sphere(radius), signs * (half - radius), f"corner{k}"))
+        manager = self.graph.collision_filter_manager()
+        for group in (corners, faces):  # corners meet faces, never each other
+            manager.Apply(CollisionFilterDeclaration().ExcludeWithin(GeometrySet(group)))
+
+    def _set_initial_state(self):
+        for body, link in zip(self.scene["bodies"], self.bodies):
+            position, orientation, linear, angular = initial_state(body)
+            quaternion = np.array(orientation) / np.linalg.norm(orientation)
+            self.plant.SetFreeBodyPose(self.context, link,
+                                       RigidTransform(Quaternion(quaternion), position))
+            self.plant.SetFreeBodySpatialVelocity(
+                self.context, link, SpatialVelocity(w=np.array(angular, dtype=float),
+                                                    v=np.array(linear, dtype=float)))
+
+    def states(self):
+        """(x, q, v, w) of every body."""
+        for link in self.bodies:
+            pose = self.plant.EvalBodyPoseInWorld(self.context, link)
+            velocity = self.plant.EvalBodySpatialVelocityInWorld(self.context, link)
+            yield (pose.translation(), pose.rotation().ToQuaternion().wxyz(),
+                   velocity.translational(), velocity.rotational())
+
+    def contacts(self):
+        """The point contacts of the step that starts at the current state."""
+        results = self.plant.get_contact_results_output_port().Eval(self.context)
+        return [results.point_pair_contact_info(i)
+                for i in range(results.num_point_pair_contacts())]
+
+    def name_of(self, index):
+        """The scene's name of a body."""
+        body = self.plant.get_body(index)
+        return GROUND if body.index() == self.plant.world_body().index() else body.name()
+
+    def advance(self):
+        """One step."""
+        self.diagram.CalcForcedDiscreteVariableUpdate(self.root, self.next_state)
+        self.root.get_mutable_discrete_state().SetFrom(self.next_state)
+        self.steps += 1
+        self.root.SetTime(self.steps * self.time_step)
+
+
+def simulate(request):
+    """{scene, time_step, sample_every, options} → trajectory/1."""
+    scene, time_step = request["scene"], request["time_step"]
+    options = engine_options("drake", DEFAULTS, scene, request)
+    model = Model(scene, time_step, options)
+    engine = {"name": "drake", "version": VERSION, "options": options}
+    recorder = Recorder(scene, engine, time_step, request["sample_every"])
+    recorder.sample(0, model.states())
+    for step in range(1, step_count(scene, time_step) + 1):
+        for info in model.contacts():
+            # The force is reported on B; the impulse on A has the other sign.
+            recorder.contact(model.name_of(info.bodyA_index()), model.name_of(info.bodyB_index()),
+                             info.point_pair().nhat_BA_W, -time_step * info.contact_force())
+        model.advance()
+        if recorder.due(step):
+            recorder.sample(step, model.states())
+    return recorder.trajectory
+
+
+def dump(request):
+    """{scene, time_step, step, options} → dump/1 of the step from t = step·h to (step+1)·h."""
+    scene = request["scene"]
+    options = engine_options("drake", DEFAULTS, scene, request)
+    if options["approximation"] != "sap":
+        raise Unsupported("only sap has a step problem with a fixed cone and compliance")
+    if len(scene["bodies"]) != 1:
+        raise Unsupported("the step problem is rebuilt for a single body only")
+    model = Model(scene, request["time_step"], options)
+    for _ in range(request["step"]):
+        model.advance()
+    return _drake_dump.dump_of(model, request["step"], VERSION)
+
+
+if __name__ == "__main__":
+    serve({"describe": describe, "simulate": simulate, "dump": dump})

@@ -1,0 +1,1 @@
+"""How the files under `references/` are made and compared; standard library only."""

@@ -1,0 +1,95 @@
+"""Which files exist: scene × engine configuration × time step, and which steps are dumped.
+
+Trajectories are called `<scene>__<config>__h<step>.json`; a dump of the step from t = k h to
+(k+1) h is called `<scene>__<config>__h<step>__step<k>.dump.json`.
+"""
+
+from dataclasses import dataclass, field
+
+STEPS = (1e-2, 5e-3, 2e-3, 1e-3)
+
+
+@dataclass(frozen=True)
+class Job:
+    """One reference file."""
+
+    engine: str
+    scene: str
+    config: str
+    time_step: float
+    sample_every: int = 0
+    step: int = -1
+    options: dict = field(default_factory=dict)
+
+    @property
+    def is_dump(self):
+        """Whether the file holds one step instead of a motion."""
+        return self.step >= 0
+
+    @property
+    def path(self):
+        """Path below `references/`."""
+        name = f"{self.scene}__{self.config}__h{self.time_step:g}"
+        if self.is_dump:
+            name += f"__step{self.step}.dump"
+        return f"{self.engine}/{name}.json"
+
+
+MUJOCO_SOLVERS = {
+    f"{solver.lower()}-{cone}": {"solver": solver, "cone": cone}
+    for solver in ("Newton", "CG", "PGS") for cone in ("elliptic", "pyramidal")
+}
+MUJOCO_NEWTON = ("newton-elliptic", "newton-pyramidal")
+DRAKE = {name: {"approximation": name} for name in ("sap", "similar", "lagged", "tamsi")}
+SAMPLE_INTERVAL = {"ball_drop": 1e-2, "ball_drop_elastic": 1e-2, "ball_rest": 2e-2,
+                   "block_stick": 1e-2, "block_slide": 1e-2, "five_box_stack": 5e-2}
+
+
+def _motion(engine, scene, config, options, time_step):
+    every = round(SAMPLE_INTERVAL[scene] / time_step)
+    return Job(engine, scene, config, time_step, sample_every=every, options=options)
+
+
+def _mujoco():
+    for scene in ("ball_drop", "ball_drop_elastic", "ball_rest"):
+        for config in MUJOCO_NEWTON:
+            for h in STEPS:
+                yield _motion("mujoco", scene, config, MUJOCO_SOLVERS[config], h)
+    for scene in ("block_stick", "block_slide", "five_box_stack"):
+        for config, options in MUJOCO_SOLVERS.items():
+            for h in STEPS:
+                yield _motion("mujoco", scene, config, options, h)
+    elliptic = MUJOCO_SOLVERS["newton-elliptic"]
+    for h in STEPS:
+        yield _motion("mujoco", "block_stick", "newton-elliptic-impratio100",
+                      {**elliptic, "impratio": 100.0}, h)
+        yield _motion("mujoco", "block_stick", "newton-elliptic-solref2h",
+                      {**elliptic, "solref": [2 * h, 1.0]}, h)
+    for scene, step in (("block_stick", 20), ("block_slide", 100), ("five_box_stack", 8)):
+        for config, options in MUJOCO_SOLVERS.items():
+            yield Job("mujoco", scene, config, 2e-3, step=step, options=options)
+    for cone in ("elliptic", "pyramidal"):
+        config = f"pgs-{cone}"
+        yield Job("mujoco", "five_box_stack", f"{config}-10sweeps", 2e-3, step=8,
+                  options={**MUJOCO_SOLVERS[config], "iterations": 10})
+    for config in MUJOCO_NEWTON:
+        yield Job("mujoco", "ball_rest", config, 1e-3, step=900, options=MUJOCO_SOLVERS[config])
+
+
+def _drake():
+    for scene in ("ball_drop", "ball_rest", "block_stick", "block_slide", "five_box_stack"):
+        for config, options in DRAKE.items():
+            for h in STEPS:
+                yield _motion("drake", scene, config, options, h)
+    for h in STEPS[1:]:
+        yield _motion("drake", "ball_drop_elastic", "lagged", DRAKE["lagged"], h)
+    for scene, h, step in (("ball_rest", 1e-3, 20), ("ball_rest", 1e-3, 900),
+                           ("block_stick", 1e-3, 20), ("block_stick", 1e-3, 900),
+                           ("block_stick", 1e-2, 90), ("block_slide", 1e-3, 300),
+                           ("block_slide", 2e-3, 150)):
+        yield Job("drake", scene, "sap", h, step=step, options=DRAKE["sap"])
+
+
+def all_jobs():
+    """Every reference file, engine by engine."""
+    return [*_mujoco(), *_drake()]

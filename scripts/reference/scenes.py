@@ -1,0 +1,80 @@
+"""The scenes of the reference files, as `scene/1` objects.
+
+Bodies start 1 µm above what carries them, not in touch with it: a gap of exactly zero would be
+decided by rounding, and the first step with it.
+"""
+
+import math
+
+START_GAP = 1e-6
+INCLINE = math.radians(20.0)
+LEVEL = {"normal": [0.0, 0.0, 1.0], "offset": 0.0}
+TILTED = {"normal": [math.sin(INCLINE), 0.0, math.cos(INCLINE)], "offset": 0.0}
+
+
+def _scene(name, description, ground, bodies, friction, duration, engines, restitution=0.0):
+    return {
+        "schema": "scene/1", "name": name, "description": description,
+        "gravity": [0.0, 0.0, -9.81], "ground": ground, "bodies": bodies,
+        "material": {"friction": friction, "restitution": restitution},
+        "duration": duration, "engines": engines,
+    }
+
+
+def _ball(gap):
+    return {"name": "ball", "sphere": {"radius": 0.1}, "mass": 1.0,
+            "position": [0.0, 0.0, 0.1 + gap], "orientation": [1.0, 0.0, 0.0, 0.0],
+            "linear_velocity": [0.0] * 3, "angular_velocity": [0.0] * 3}
+
+
+def _box(name, half_extents, position, orientation=(1.0, 0.0, 0.0, 0.0)):
+    return {"name": name, "box": {"half_extents": half_extents}, "mass": 1.0,
+            "position": position, "orientation": list(orientation),
+            "linear_velocity": [0.0] * 3, "angular_velocity": [0.0] * 3}
+
+
+def _block_on_incline(name, description, friction):
+    half_height = 0.05
+    position = [x * (half_height + START_GAP) for x in TILTED["normal"]]
+    tilt = (math.cos(INCLINE / 2), 0.0, math.sin(INCLINE / 2), 0.0)
+    block = _box("block", [0.1, 0.1, half_height], position, tilt)
+    drake = {"stiffness": 2e3, "dissipation": 10.0, "relaxation_time": 0.0,
+             "stiction_tolerance": 1e-4}
+    return _scene(name, description, TILTED, [block], friction, 1.0, {"drake": drake})
+
+
+def _five_boxes():
+    """Each box 5 mm narrower on every side than the one below.
+
+    With equal boxes the corners of one lie on the edges of the next, and rounding decides how
+    many contact points there are.
+    """
+    half_height = 0.1
+    return [_box(f"box{i + 1}", [0.1 - 0.005 * i, 0.1 - 0.005 * i, half_height],
+                 [0.0, 0.0, (2 * i + 1) * half_height + (i + 1) * START_GAP]) for i in range(5)]
+
+
+def all_scenes():
+    """name → scene."""
+    scenes = [
+        _scene("ball_drop", "A 1 kg sphere falls 1 m onto the ground.", LEVEL, [_ball(1.0)],
+               0.5, 2.0,
+               {"drake": {"stiffness": 1e5, "dissipation": 0.324, "relaxation_time": 0.002}}),
+        _scene("ball_drop_elastic",
+               "A 1 kg sphere falls 1 m onto a spring of 10 kN/m without damping.", LEVEL,
+               [_ball(1.0)], 0.5, 2.0,
+               {"mujoco": {"solref": [-1e4, 0.0]},
+                "drake": {"stiffness": 1e4, "dissipation": 0.0, "relaxation_time": 0.0}},
+               restitution=1.0),
+        _scene("ball_rest", "A 1 kg sphere settles on the ground: one contact.", LEVEL,
+               [_ball(START_GAP)], 0.5, 1.0,
+               {"drake": {"stiffness": 1e5, "dissipation": 50.0, "relaxation_time": 0.005}}),
+        _block_on_incline("block_stick", "A 1 kg block on a 20 degree incline; 0.5 > tan 20: "
+                          "it must not move.", 0.5),
+        _block_on_incline("block_slide", "A 1 kg block on a 20 degree incline; 0.3 < tan 20: "
+                          "it slides with g (sin - 0.3 cos) = 0.58970 m/s2.", 0.3),
+        _scene("five_box_stack", "Five 1 kg boxes, each a little narrower, stand on each other.", LEVEL,
+               _five_boxes(), 0.5, 1.0,
+               {"drake": {"stiffness": 1e5, "dissipation": 20.0, "relaxation_time": 0.005}}),
+    ]
+    return {scene["name"]: scene for scene in scenes}
