@@ -150,7 +150,42 @@ pub mod trajectory {
 }
 
 /// Tolerances of [`crate::checks`].
-pub mod checks {}
+pub mod checks {
+    /// Family 3, projection on the friction cone.
+    pub mod cone_projection {
+        use super::super::{EPSILON, rounding};
+
+        /// Stopping tolerance given to Clarabel, for gap and feasibility, relative to the data.
+        pub const CLARABEL_STOPPING: f64 = 1.0 / (1u64 << 40) as f64;
+
+        /// Rounding error of a projected point of size `size`: the closed form is a dozen rounded operations on terms
+        /// that are at most ‖z‖ (the half-angle's cosine and sine are at most 1), and evaluating a membership adds four.
+        pub fn position(size: f64) -> f64 {
+            rounding(16, size) + f64::MIN_POSITIVE
+        }
+
+        /// Rounding error of a product of two differences of sizes up to `left` and `right`, each with the error of
+        /// [`position`], plus the three products of the scalar product itself.
+        pub fn product(left: f64, right: f64) -> f64 {
+            2.0 * (left + right) * position(left + right) + rounding(4, left * right)
+        }
+
+        /// Distance of Clarabel's minimiser x̂ of ½‖x − z‖² from the minimiser x*, when gap and both residuals are at
+        /// most the stopping tolerance ε relative to the data.
+        ///
+        /// With slack ŝ, multiplier ŷ, dual residual ρ_d and primal residual ρ_p, strong convexity at x̂ and at x* gives
+        /// ```text
+        ///     δ² ≤ ‖ρ_d‖ δ + ŷ·ŝ + (‖ŷ‖ + ‖y*‖)‖ρ_p‖ ,     ŷ·ŝ ≤ gap + ‖x̂‖‖ρ_d‖ + ‖ŷ‖‖ρ_p‖ ,     δ = ‖x̂ − x*‖ .
+        /// ```
+        /// All points are at most S = max(1, ‖z‖), the constraint rows (μ, 1) make ‖ŷ‖ ≤ 2S·max(1, 1/μ) and Clarabel
+        /// scales its residuals by at most (2 + μ)S; the seven terms add up to at most 16 (1 + μ)(1 + 1/μ) ε S².
+        /// Without friction the rows are unit vectors, and the factor is that of μ = 1.
+        pub fn clarabel(size: f64, mu: f64) -> f64 {
+            let rows = if mu > 0.0 { (1.0 + mu) * (1.0 + 1.0 / mu) } else { 4.0 };
+            (16.0 * rows * CLARABEL_STOPPING).sqrt() * size.max(1.0) + EPSILON
+        }
+    }
+}
 
 /// Tolerances of [`crate::claims`].
 pub mod claims {}
