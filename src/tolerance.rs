@@ -147,6 +147,10 @@ pub mod trajectory {
     /// Rounding of a distance between points with coordinates up to 1: a projection and a norm, fewer than 16 operations
     /// on differences that are off by ε each: 2·16 ε, and the same for the bound it is compared with.
     pub const GRAPH_ROUNDING: f64 = 4.0 * 16.0 * super::EPSILON;
+
+    /// How far a stored unit vector may be from length 1: engines in single precision (ε = 2⁻²³) that renormalise within
+    /// 16 operations, 2·16·2⁻²³.
+    pub const UNIT_LENGTH: f64 = 32.0 / 8_388_608.0;
 }
 
 /// Tolerances of [`crate::checks`].

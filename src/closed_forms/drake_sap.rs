@@ -31,7 +31,7 @@ pub struct SapContact {
 }
 
 /// σ in Drake.
-pub const TANGENTIAL_RATIO: f64 = 1e-3;
+pub const TANGENTIAL_RATIO: f64 = 0.001;
 
 impl SapContact {
     /// R_n = max(w/4π², 1/(h k (h + τ))) \[1/kg\]: a contact is never stiffer than its step resolves.

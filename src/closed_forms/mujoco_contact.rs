@@ -30,7 +30,7 @@ impl Default for ContactParameters {
 }
 
 /// Smallest and largest impedance MuJoCo allows (`mjMINIMP`, `mjMAXIMP`).
-const IMPEDANCE_LIMITS: [f64; 2] = [1e-4, 0.9999];
+const IMPEDANCE_LIMITS: [f64; 2] = [0.0001, 0.9999];
 
 impl ContactParameters {
     /// d(δ) at a depth δ ≥ 0 below the margin.

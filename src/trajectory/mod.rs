@@ -1,11 +1,14 @@
 //! Recorded motions: samples, metrics, convergence, files.
 
+mod file;
 mod graph;
 pub mod metrics;
 pub mod order;
 mod recording;
 mod segment_tree;
+mod validation;
 
+pub use file::{BodyTrack, ContactRecord, Engine, SCHEMA, Trajectory};
 pub use graph::Graph;
 pub use order::{OrderEstimate, estimate_order, fit_order, shifted_steps};
 pub use recording::Recording;
