@@ -1,1 +1,180 @@
-//! Property family `stewart_trinkle`.
+//! Property family `stewart_trinkle`: exact rationals, 1–3 contacts, d = 2 (planar), 4 and 8 directions.
+
+use crate::cases;
+use moreau::certificate::copositivity::{NotPlus, copositive_plus};
+use moreau::certificate::lcp::residuals;
+use moreau::certificate::{Decision, existence};
+use moreau::checks::Finding;
+use moreau::checks::stewart_trinkle::{
+    System, decisions, identity, rational_directions, reduced, reference, solvability, theorem_applies, wedge,
+};
+use moreau::problem::Lcp;
+use moreau::scalar::{Rational, ratio};
+use moreau::solvers::enumeration::all_solutions;
+use moreau::solvers::lemke::{LemkeOutcome, lemke};
+use nalgebra::{DMatrix, DVector};
+use proptest::prelude::*;
+
+/// (contacts, directions) by number of unknowns k(2 + d).
+const UP_TO_8: [(usize, usize); 3] = [(1, 2), (2, 2), (1, 4)];
+const FROM_9_TO_12: [(usize, usize); 3] = [(3, 2), (2, 4), (1, 8)];
+const LARGER: [(usize, usize); 3] = [(3, 4), (2, 8), (3, 8)];
+
+/// `default` cases, or twenty times as many in a campaign.
+fn campaign(default: u32) -> ProptestConfig {
+    let deeper = std::env::var("MOREAU_CAMPAIGN").is_ok_and(|value| value == "1");
+    cases(if deeper { 20 * default } else { default })
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Relation {
+    Independent,
+    Redundant,
+    Opposed,
+}
+
+/// A system of this shape: up to 4 velocities, contacts that may repeat or oppose the first, μ from 0 to 3.
+fn system(shapes: &'static [(usize, usize)], gaps: std::ops::RangeInclusive<i64>) -> impl Strategy<Value = System> {
+    (prop::sample::select(shapes), 1..=4usize).prop_flat_map(move |((contacts, d), velocities)| {
+        let rows_per_contact = if d == 2 { 2 } else { 3 };
+        let relation = prop_oneof![3 => Just(Relation::Independent), 1 => Just(Relation::Redundant), 1 => Just(Relation::Opposed)];
+        (
+            prop::collection::vec(-3..=3i64, rows_per_contact * contacts * velocities),
+            prop::collection::vec(relation, contacts),
+            prop::collection::vec((1..=4i64, 1..=3i64), velocities),
+            prop_oneof![1 => Just(vec![(0, 1); contacts]), 9 => prop::collection::vec((0..=3i64, 1..=4i64), contacts)],
+            prop::collection::vec(gaps.clone(), contacts),
+            prop::collection::vec(-5..=5i64, velocities),
+        )
+            .prop_map(move |(entries, relations, masses, friction, gaps, free)| System {
+                mass: DVector::from_iterator(velocities, masses.iter().map(|&(p, q)| ratio(p, q))),
+                jacobian: related(rows_per_contact, velocities, &entries, &relations),
+                rows_per_contact,
+                directions: rational_directions(d),
+                friction: friction.iter().map(|&(p, q)| ratio(p, q)).collect(),
+                gap: gaps.iter().map(|&gap| ratio(gap, 100)).collect(),
+                step: ratio(1, 10),
+                free_velocity: DVector::from_iterator(velocities, free.iter().map(|&v| ratio(v, 2))),
+            })
+    })
+}
+
+/// The Jacobian with repeated contacts, and contacts whose normal opposes the first.
+fn related(rows_per_contact: usize, velocities: usize, entries: &[i64], relations: &[Relation]) -> DMatrix<Rational> {
+    DMatrix::from_fn(entries.len() / velocities, velocities, |i, j| {
+        let (contact, row) = (i / rows_per_contact, i % rows_per_contact);
+        let own = entries[i * velocities + j];
+        let first = entries[row * velocities + j];
+        let value = match relations[contact] {
+            _ if contact == 0 => own,
+            Relation::Independent => own,
+            Relation::Opposed if row == 0 => -first,
+            Relation::Redundant | Relation::Opposed => first,
+        };
+        ratio(value, 1)
+    })
+}
+
+fn assert_holds(system: &System, findings: &[Finding]) -> std::result::Result<(), TestCaseError> {
+    for finding in findings {
+        prop_assert!(finding.holds(), "{finding}\n{system:?}");
+    }
+    Ok(())
+}
+
+/// Three points x ≥ 0 of a system: two pseudo-random, one with equal entries.
+fn points(system: &System, seeds: &[i64]) -> Vec<DVector<Rational>> {
+    let size = system.unknowns();
+    let strided = |stride: usize| DVector::from_fn(size, |i, _| ratio(seeds[stride * i % seeds.len()], 3));
+    vec![strided(1), strided(5), DVector::from_element(size, ratio(1, 1))]
+}
+
+proptest! {
+    #![proptest_config(cases(1000))]
+
+    #[test]
+    fn the_quadratic_form_is_the_kinetic_term_plus_mu_lambda_sigma(
+        system in prop_oneof![2 => system(&UP_TO_8, -3..=3), 1 => system(&FROM_9_TO_12, -3..=3), 1 => system(&LARGER, -3..=3)],
+        seeds in prop::collection::vec(0..=9i64, 31),
+    ) {
+        assert_holds(&system, &identity(&system, reference, &points(&system, &seeds)).unwrap())?;
+    }
+
+    #[test]
+    fn up_to_8_unknowns_it_is_copositive_and_plus_only_without_friction(system in system(&UP_TO_8, 0..=0)) {
+        assert_holds(&system, &decisions(&system, reference).unwrap())?;
+    }
+
+    #[test]
+    fn lemke_solves_every_step_with_gaps_that_are_not_negative(
+        system in prop_oneof![6 => system(&UP_TO_8, 0..=3), 2 => system(&FROM_9_TO_12, 0..=3), 1 => system(&LARGER, 0..=3)],
+    ) {
+        prop_assert!(theorem_applies(&system).unwrap());
+        assert_holds(&system, &solvability(&system, reference).unwrap())?;
+    }
+
+    #[test]
+    fn lemke_solves_every_step_with_a_pointed_cone(
+        system in prop_oneof![6 => system(&UP_TO_8, -3..=-1), 2 => system(&FROM_9_TO_12, -3..=-1), 1 => system(&LARGER, -3..=-1)]
+            .prop_filter("the cone is not pointed", |system| {
+                existence::pointed(&reduced(system).unwrap().0, &system.friction).holds()
+            }),
+    ) {
+        assert_holds(&system, &solvability(&system, reference).unwrap())?;
+    }
+}
+
+proptest! {
+    #![proptest_config(campaign(60))]
+
+    #[test]
+    fn with_9_to_12_unknowns_it_is_copositive_and_plus_only_without_friction(system in system(&FROM_9_TO_12, 0..=0)) {
+        assert_holds(&system, &decisions(&system, reference).unwrap())?;
+    }
+
+    #[test]
+    fn enumeration_and_lemke_agree_on_solvability_of_small_steps(system in system(&UP_TO_8, -3..=3)) {
+        let lcp = reference(&system).unwrap();
+        let set = all_solutions(&lcp).unwrap();
+        for point in &set.points {
+            prop_assert!(residuals(&lcp, point).vanish());
+        }
+        match lemke(&lcp, &ones(lcp.size())).unwrap() {
+            LemkeOutcome::Solution { .. } => prop_assert!(!set.is_empty()),
+            LemkeOutcome::Ray { .. } => prop_assert!(!theorem_applies(&system).unwrap()),
+        }
+    }
+}
+
+fn ones(size: usize) -> DVector<Rational> {
+    DVector::from_element(size, ratio(1, 1))
+}
+
+/// M = \[\[9, 12, −12, 0\], \[12, 16, −16, 25\], \[−12, −16, 16, 25\], \[25, −25, −25, 0\]\]/25, q = (−1, 0, 0, 0).
+fn feasible_but_unsolvable() -> Lcp<Rational> {
+    let entries = [9, 12, -12, 0, 12, 16, -16, 25, -12, -16, 16, 25, 25, -25, -25, 0].map(|x| ratio(x, 25));
+    Lcp::new(DMatrix::from_row_slice(4, 4, &entries), DVector::from_vec([-1, 0, 0, 0].map(|x| ratio(x, 1)).to_vec()))
+}
+
+#[test]
+fn the_feasible_but_unsolvable_step_ends_on_a_ray_and_enumeration_proves_that_nothing_solves_it() {
+    let lcp = feasible_but_unsolvable();
+    let feasible = DVector::from_vec(vec![ratio(3, 1), ratio(0, 1), ratio(0, 1), ratio(2, 1)]);
+    assert!(lcp.slack(&feasible).iter().all(|w| *w >= ratio(0, 1)), "z = (3, 0, 0, 2) ≥ 0 has M z + q ≥ 0");
+    assert!(matches!(lemke(&lcp, &ones(4)).unwrap(), LemkeOutcome::Ray { .. }));
+    assert!(all_solutions(&lcp).unwrap().is_empty());
+    assert!(matches!(copositive_plus(&lcp.matrix).unwrap(), Decision::Fails(NotPlus::Zero(_))));
+}
+
+#[test]
+fn a_penetrating_wedge_is_solvable_up_to_mu_7_10_and_not_from_3_4_on() {
+    for (friction, solvable) in
+        [(ratio(1, 2), true), (ratio(7, 10), true), (ratio(3, 4), false), (ratio(4, 5), false), (ratio(1, 1), false)]
+    {
+        let system = wedge(friction.clone());
+        let lcp = reference(&system).unwrap();
+        assert_eq!(!all_solutions(&lcp).unwrap().is_empty(), solvable, "μ = {friction}");
+        assert_eq!(theorem_applies(&system).unwrap(), solvable, "μ = {friction}");
+        assert_eq!(matches!(lemke(&lcp, &ones(8)).unwrap(), LemkeOutcome::Solution { .. }), solvable, "μ = {friction}");
+    }
+}
