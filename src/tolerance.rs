@@ -93,6 +93,33 @@ pub mod solvers {
     /// sweeps reach [`STOP`] = e⁻²⁸ for n ≤ 180.
     pub const SWEEPS: usize = 100_000;
 
+    /// Steps of the accelerated projected gradient: its bound 2LR²/(k+1)² reaches the relative objective error 2⁻³⁴ at k = 2¹⁷·√2; what
+    /// needs more is ill conditioned and left to the other solvers.
+    pub const GRADIENT_STEPS: usize = 200_000;
+
+    /// Relative asymmetry max|W − Wᵀ|/max|W| up to which W counts as symmetric: the rounding of sums of 1000 products, 2000 ε ≈ 4e-13.
+    pub const SYMMETRY: f64 = 2000.0 * EPSILON;
+
+    /// Stopping tolerances asked of Clarabel. Its default 1e-8 leaves natural maps up to 2e-5, and near 1e-14 it breaks down;
+    /// the answer is polished and judged in any case.
+    pub const CLARABEL: f64 = 1e-10;
+
+    /// How far the velocities y of two answers to one convex problem may differ \[m/s\], when their natural maps are e₁ and e₂ and
+    /// `residual` = ‖e₁‖ + ‖e₂‖, `impulses` = ‖r₁ − r₂‖ + ‖e₁‖ + ‖e₂‖, `norm` ≥ ‖W + R‖, `rho` = smallest ρ.
+    ///
+    /// p_i = r_i − e_i is the projection of r_i − ρy_i, so ⟨e_i − ρy_i, p_j − p_i⟩ ≤ 0; the sum of the two is
+    /// ρ⟨Δy, Δp⟩ ≤ ⟨Δe, Δp⟩. With Δy = (W + R)Δr: ‖Δy‖² ≤ norm·ΔrᵀΔy ≤ norm·residual·(impulses/ρ + ‖Δy‖), a quadratic
+    /// inequality for ‖Δy‖ whose larger root is at most `b + √c`, b = norm·residual, c = b·impulses/ρ. A ρ that varies between contacts weighs
+    /// them, which the smallest one covers.
+    pub fn agreement(norm: f64, residual: f64, impulses: f64, rho: f64) -> f64 {
+        let linear = norm * residual;
+        linear + (linear * impulses / rho).sqrt()
+    }
+
+    /// Sweeps that polish an interior-point answer. It identifies which contacts stick, slide and open; where that is right a few sweeps
+    /// finish, and 2000 are worth what one interior-point solve costs.
+    pub const POLISHING_SWEEPS: usize = 2000;
+
     /// Relative weight 2⁻²⁰ of the proximal term of a rank-deficient diagonal block: the factorised block keeps 52 − 20 bits, and every
     /// sweep reduces the error of the stiff directions by 2⁻²⁰.
     pub const PROXIMAL: f64 = 1.0 / 1_048_576.0;

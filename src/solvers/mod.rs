@@ -4,13 +4,18 @@ use crate::problem::{Compliance, ContactProblem, Coordinates, Solution};
 use crate::{Error, Result};
 use nalgebra::DVector;
 
+mod accelerated_projected_gradient;
+mod clarabel;
 pub mod enumeration;
 pub mod lemke;
 mod lemke_pivoting;
 mod one_contact;
 mod projected_gauss_seidel;
 mod reference;
+mod stopping;
 
+pub use accelerated_projected_gradient::{AcceleratedProjectedGradient, Momentum, largest_eigenvalue_bound, objective};
+pub use clarabel::{ClarabelPolished, Polished};
 pub use lemke_pivoting::LemkePivoting;
 pub use projected_gauss_seidel::ProjectedGaussSeidel;
 pub use reference::{NAMES, Reference, by_name};
@@ -47,3 +52,15 @@ fn compliance(problem: &ContactProblem, row: usize) -> f64 {
         _ => 0.0,
     }
 }
+
+/// Refuses an asymmetric W in the name of a solver that minimises ½rᵀWr, whose gradient is W r only if W is symmetric.
+fn require_symmetry(solver: &str, problem: &ContactProblem) -> Result<()> {
+    let asymmetry = problem.asymmetry();
+    if asymmetry <= crate::tolerance::solvers::SYMMETRY {
+        return Ok(());
+    }
+    Err(Error::solver(solver, format!("needs a symmetric W, and this one has relative asymmetry {asymmetry:.1e}; use `pgs` or `lemke`")))
+}
+
+#[cfg(test)]
+mod agreement_tests;

@@ -7,7 +7,7 @@
 
 use super::ContactSolver;
 use super::one_contact::OneContact;
-use crate::certificate::natural_map;
+use super::stopping::Stopping;
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::solvers as tolerance;
 use crate::{Error, Result};
@@ -32,7 +32,7 @@ impl Default for ProjectedGaussSeidel {
 struct Sweeper<'a> {
     problem: &'a ContactProblem,
     contacts: Vec<OneContact>,
-    rho: Vec<f64>,
+    stopping: Stopping<'a>,
     /// r \[N·s\].
     impulse: DVector<f64>,
     /// y = u_free + shift + (W + R) r \[m/s\], updated column by column.
@@ -52,11 +52,11 @@ impl ContactSolver for ProjectedGaussSeidel {
         }
         let impulse = super::start(problem, warm_start)?;
         let law_velocity = problem.law_velocity(&impulse);
-        let rho = natural_map::scales(problem);
+        let stopping = Stopping::new(problem, self.tolerance);
         let contacts = (0..problem.contacts()).map(|k| prepare(problem, k)).collect::<Result<_>>()?;
-        let mut sweeper = Sweeper { problem, contacts, rho, impulse, law_velocity };
+        let mut sweeper = Sweeper { problem, contacts, stopping, impulse, law_velocity };
         let mut sweeps = 0;
-        while !sweeper.converged(self.tolerance) && sweeps < self.sweeps {
+        while !sweeper.converged() && sweeps < self.sweeps {
             let moved = sweeper.sweep();
             sweeps += 1;
             if !moved {
@@ -94,24 +94,12 @@ impl Sweeper<'_> {
     }
 
     /// Whether the natural map is small at every contact; decided on a freshly computed y, since the updated one carries old rounding.
-    fn converged(&mut self, relative: f64) -> bool {
-        if !self.small(relative) {
+    fn converged(&mut self) -> bool {
+        if !self.stopping.holds(&self.impulse, &self.law_velocity) {
             return false;
         }
         self.law_velocity = self.problem.law_velocity(&self.impulse);
-        self.small(relative)
-    }
-
-    fn small(&self, relative: f64) -> bool {
-        let (rows, problem) = (self.problem.rows_per_contact, self.problem);
-        let data = problem.free_velocity.iter().zip(problem.shift.iter()).map(|(u, s)| (u + s).abs()).fold(0.0, f64::max);
-        let rho = self.rho.iter().copied().fold(0.0, f64::max);
-        let scale = self.impulse.norm().max(rho * data);
-        (0..self.contacts.len()).all(|k| {
-            let range = k * rows..(k + 1) * rows;
-            let (r, y) = (&self.impulse.as_slice()[range.clone()], &self.law_velocity.as_slice()[range]);
-            natural_map::natural_map(problem.law, problem.friction[k], r, y, self.rho[k]) <= relative * scale
-        })
+        self.stopping.holds(&self.impulse, &self.law_velocity)
     }
 }
 

@@ -1,12 +1,12 @@
 //! The solver to use when nothing is said, and solvers by name.
 
-use super::{ContactSolver, LemkePivoting, ProjectedGaussSeidel};
+use super::{AcceleratedProjectedGradient, ClarabelPolished, ContactSolver, LemkePivoting, ProjectedGaussSeidel};
 use crate::problem::{ContactProblem, Solution};
 use crate::{Error, Result};
 use nalgebra::DVector;
 
 /// The names [`by_name`] knows.
-pub const NAMES: [&str; 3] = ["auto", "lemke", "pgs"];
+pub const NAMES: [&str; 5] = ["auto", "lemke", "pgs", "apgd", "clarabel"];
 
 /// The default choice: Lemke for the polyhedral laws, block projected Gauss–Seidel for the others.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -33,7 +33,23 @@ pub fn by_name(name: &str) -> Result<Box<dyn ContactSolver>> {
     match name {
         "auto" => Ok(Box::new(Reference)),
         "lemke" => Ok(Box::new(LemkePivoting)),
+        "apgd" => Ok(Box::new(AcceleratedProjectedGradient::default())),
+        "clarabel" => Ok(Box::new(ClarabelPolished)),
         "pgs" => Ok(Box::new(ProjectedGaussSeidel::default())),
         _ => Err(Error::Unsupported(format!("there is no solver `{name}`; use one of {}", NAMES.join(", ")))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_listed_name_is_a_solver_of_that_name_and_others_get_the_list() {
+        for name in NAMES {
+            assert_eq!(by_name(name).unwrap().name(), name);
+        }
+        let message = by_name("gauss").err().unwrap().to_string();
+        assert!(NAMES.iter().all(|name| message.contains(name)), "{message}");
     }
 }
