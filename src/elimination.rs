@@ -39,6 +39,25 @@ pub fn solve<T: Scalar>(matrix: &DMatrix<T>, right_side: &DVector<T>) -> Option<
     Some(x)
 }
 
+/// The rank of A, exact over rationals (for `f64`: the number of pivots that are not exactly zero).
+pub fn rank<T: Scalar>(matrix: &DMatrix<T>) -> usize {
+    let mut a = matrix.clone();
+    let mut rank = 0;
+    for column in 0..a.ncols() {
+        let Some(pivot) = (rank..a.nrows()).find(|&i| !a[(i, column)].is_zero()) else { continue };
+        a.swap_rows(rank, pivot);
+        for i in rank + 1..a.nrows() {
+            let factor = a[(i, column)].clone() / a[(rank, column)].clone();
+            for j in column..a.ncols() {
+                let change = factor.clone() * a[(rank, j)].clone();
+                a[(i, j)] -= change;
+            }
+        }
+        rank += 1;
+    }
+    rank
+}
+
 /// Row of the largest entry on or below the diagonal of column k, if one is non-zero.
 fn largest_below<T: Scalar>(a: &DMatrix<T>, k: usize) -> Option<usize> {
     let mut best = k;
@@ -79,5 +98,13 @@ mod tests {
         let singular = DMatrix::from_element(2, 2, ratio(1, 3));
         assert_eq!(solve(&singular, &DVector::<Rational>::from_element(2, ratio(1, 1))), None);
         assert_eq!(solve(&DMatrix::from_element(1, 1, f64::NAN), &DVector::from_element(1, 1.0)), None);
+    }
+
+    #[test]
+    fn dependent_rows_are_recognised_and_independent_ones_too() {
+        let matrix = |entries: [i64; 6]| DMatrix::from_row_slice(3, 2, &entries.map(|x| ratio(x, 1)));
+        assert_eq!(rank(&matrix([1, 2, 2, 4, 3, 6])), 1);
+        assert_eq!(rank(&matrix([0, 2, 2, 4, 3, 6])), 2);
+        assert_eq!(rank(&matrix([0; 6])), 0);
     }
 }

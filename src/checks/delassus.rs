@@ -1,1 +1,111 @@
-//! Family 1: the Delassus operator is symmetric positive semidefinite.
+//! Family 1: W = H M⁻¹ Hᵀ is symmetric and positive semidefinite, and definite iff the rows of H are independent.
+//!
+//! The reference is not the factorisation under test: M X = Hᵀ is solved by exact elimination with row exchanges, and
+//! W = H X. Column j of X is the velocity change of a unit impulse at row j, so this is the physical meaning of W.
+
+use super::Finding;
+use crate::certificate::definiteness::{Definiteness, definiteness, quadratic_form};
+use crate::elimination::{rank, solve};
+use crate::scalar::{Rational, Scalar, exact};
+use crate::tolerance::checks::delassus::gram_matrix;
+use crate::{Error, Result};
+use nalgebra::{DMatrix, SymmetricEigen};
+use num_traits::Zero;
+
+/// A way to compute the Delassus operator, over any numbers: the library's, or one with a planted mistake.
+pub trait DelassusRule {
+    /// W from M (nv × nv) and H (rows × nv).
+    ///
+    /// # Errors
+    /// If the rule cannot be carried out.
+    fn delassus<T: Scalar>(&self, mass: &DMatrix<T>, jacobian: &DMatrix<T>) -> Result<DMatrix<T>>;
+}
+
+/// The library's [`crate::contact::delassus::delassus`].
+pub struct Library;
+
+impl DelassusRule for Library {
+    fn delassus<T: Scalar>(&self, mass: &DMatrix<T>, jacobian: &DMatrix<T>) -> Result<DMatrix<T>> {
+        crate::contact::delassus::delassus(mass, jacobian)
+    }
+}
+
+/// The findings of the family for one mechanism, given by its mass matrix and contact Jacobian.
+///
+/// # Errors
+/// Those of the rule, and [`Error::Invalid`] if M is singular.
+pub fn check(rule: &impl DelassusRule, mass: &DMatrix<Rational>, jacobian: &DMatrix<Rational>) -> Result<Vec<Finding>> {
+    let w = rule.delassus(mass, jacobian)?;
+    let rank = rank(jacobian);
+    let decided = definiteness(&w);
+    let mut findings = vec![
+        Finding::exact("largest |W − Wᵀ|", &largest(&(&w - w.transpose())), &Rational::zero(), "1/kg"),
+        Finding::exact(
+            "largest |W − H (velocity changes of unit impulses)|",
+            &largest(&(&w - unit_responses(mass, jacobian)?)),
+            &Rational::zero(),
+            "1/kg",
+        ),
+        Finding::decision("W is positive semidefinite", !matches!(decided, Definiteness::Indefinite { .. }), true),
+        Finding::decision("W is positive definite iff H has full row rank", decided == Definiteness::Definite, rank == jacobian.nrows()),
+    ];
+    if let Definiteness::Semidefinite { rank: found, .. } = decided {
+        findings.push(Finding::count("rank of W is the rank of H", found, rank));
+    }
+    let rounded = rule.delassus(&mass.map(|x| Scalar::to_f64(&x)), &jacobian.map(|x| Scalar::to_f64(&x)))?;
+    findings.push(smallest_rayleigh_quotient(&rounded, mass.nrows()));
+    Ok(findings)
+}
+
+/// The floating-point W is positive semidefinite up to the rounding of its own last step.
+///
+/// The smallest eigenvector is only a suggestion: its Rayleigh quotient is evaluated exactly, so the measured number is
+/// an upper bound of λ_min whatever the eigenvalue solver does.
+pub fn smallest_rayleigh_quotient(delassus: &DMatrix<f64>, velocities: usize) -> Finding {
+    let name = "smallest Rayleigh quotient of the rounded W";
+    if delassus.is_empty() || delassus.iter().any(|x| !x.is_finite()) {
+        return Finding::at_least(name, f64::NAN, 0.0, "1/kg");
+    }
+    let eigen = SymmetricEigen::new(delassus.clone());
+    let direction = eigen.eigenvectors.column(eigen.eigenvalues.imin()).map(exact);
+    let quotient = quadratic_form(&delassus.map(exact), &direction) / direction.dot(&direction);
+    Finding::at_least(name, Scalar::to_f64(&quotient), -gram_matrix(velocities, delassus.trace()), "1/kg")
+}
+
+/// H X with M X = Hᵀ, by Gaussian elimination.
+fn unit_responses(mass: &DMatrix<Rational>, jacobian: &DMatrix<Rational>) -> Result<DMatrix<Rational>> {
+    let response = |row: usize| solve(mass, &jacobian.row(row).transpose());
+    let changes: Option<Vec<_>> = (0..jacobian.nrows()).map(response).collect();
+    let changes = changes.ok_or_else(|| Error::invalid("mass", "is singular", "every velocity needs inertia"))?;
+    Ok(DMatrix::from_fn(jacobian.nrows(), jacobian.nrows(), |i, j| jacobian.row(i).transpose().dot(&changes[j])))
+}
+
+fn largest(matrix: &DMatrix<Rational>) -> Rational {
+    matrix.iter().map(Scalar::magnitude).fold(Rational::zero(), |a, b| if b > a { b } else { a })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::ratio;
+
+    fn matrix(rows: usize, columns: usize, entries: &[i64]) -> DMatrix<Rational> {
+        DMatrix::from_row_slice(rows, columns, &entries.iter().map(|&x| ratio(x, 1)).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn the_library_passes_with_and_without_redundant_rows() {
+        let mass = matrix(2, 2, &[2, 1, 1, 3]);
+        for jacobian in [matrix(2, 2, &[1, 0, 1, 1]), matrix(3, 2, &[1, 0, 1, 1, 2, 1]), matrix(1, 2, &[0, 0])] {
+            let findings = check(&Library, &mass, &jacobian).unwrap();
+            assert!(findings.iter().all(Finding::holds), "{findings:?}");
+        }
+    }
+
+    #[test]
+    fn an_indefinite_or_broken_matrix_fails_the_rounded_check() {
+        assert!(!smallest_rayleigh_quotient(&nalgebra::dmatrix![1.0, 1.0 + 1e-9; 1.0 + 1e-9, 1.0], 2).holds());
+        assert!(smallest_rayleigh_quotient(&nalgebra::dmatrix![1.0, 1.0; 1.0, 1.0], 2).holds());
+        assert!(!smallest_rayleigh_quotient(&nalgebra::dmatrix![f64::NAN], 1).holds());
+    }
+}

@@ -7,6 +7,7 @@
 //!   "material": { "friction": 0.5, "restitution": 0 }, "duration": 2 }
 //! ```
 
+use crate::files::read_schema;
 use crate::{Error, Result};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -130,23 +131,13 @@ fn upright() -> [f64; 4] {
     [1.0, 0.0, 0.0, 0.0]
 }
 
-/// Only the field every format has, so that another version is named before its fields are found unknown.
-#[derive(Deserialize)]
-struct Header {
-    schema: String,
-}
-
 impl Scene {
     /// Parses and validates the text of a `scene/1` file.
     ///
     /// # Errors
-    /// [`Error::Json`] with line and column, or [`Error::Invalid`] naming the field and the cure.
+    /// [`Error::Json`] if the text is not JSON, otherwise [`Error::Invalid`] naming the field and the cure.
     pub fn from_json(text: &str) -> Result<Self> {
-        let Header { schema } = serde_json::from_str(text)?;
-        if schema != SCHEMA {
-            return Err(Error::invalid("schema", format!("is `{schema}`"), format!("this program reads `{SCHEMA}`")));
-        }
-        let scene: Scene = serde_json::from_str(text)?;
+        let scene: Scene = read_schema(text, SCHEMA)?;
         scene.validate()?;
         Ok(scene)
     }
