@@ -245,4 +245,10 @@ pub mod claims {}
 pub mod references {}
 
 /// Tolerances of [`crate::cli`].
-pub mod cli {}
+pub mod cli {
+    /// Default of `certify --tolerance`, relative to the scale of each residual's unit.
+    ///
+    /// Energies are quadratic in velocities, so a relative error of √ε = 1.5e-8 in the velocities is what rounding of an
+    /// energy cannot tell from zero; 1e-8 is the next power of ten below it.
+    pub const CERTIFY: f64 = 1e-8;
+}

@@ -2,18 +2,19 @@
 //!
 //! Exit codes: 0 the answer is yes, 1 the answer is no, 2 the question could not be understood (and nothing was written).
 
+mod certify;
 mod near;
 mod output;
+mod solve;
 mod verify;
 
 use crate::{Error, Result};
 use clap::{Parser, Subcommand, ValueEnum};
-use std::io::Write;
 use std::process::ExitCode;
 
 /// Proofs-as-tests for contact time-stepping.
 ///
-/// Verifies the claims of a textbook chapter on nonsmooth contact dynamics.
+/// Verifies the claims of a textbook chapter on nonsmooth contact dynamics, solves and certifies contact problems.
 #[derive(Parser)]
 #[command(name = "moreau", version, after_help = EXAMPLES, arg_required_else_help = true)]
 struct Arguments {
@@ -25,15 +26,19 @@ const EXAMPLES: &str = "\
 Examples:
   moreau verify                              every claim, with verdict and decisive number
   moreau verify --explain S4.copos-plus      one claim: witness, corrected theorem, sources
+  moreau solve problem.json --out answer.json
+  moreau certify problem.json answer.json    residuals with units: is it a solution?
 
 Exit codes:
-  0  the answer is yes: every verdict is supported
+  0  the answer is yes: every verdict is supported, the answer is a solution
   1  the answer is no
   2  bad input: one message names the file and the field, and nothing is written";
 
 #[derive(Subcommand)]
 enum Command {
     Verify(verify::Arguments),
+    Solve(solve::Arguments),
+    Certify(certify::Arguments),
 }
 
 /// How to write the result.
@@ -73,6 +78,8 @@ pub fn run() -> ExitCode {
     };
     let answer = match arguments.command {
         Command::Verify(arguments) => verify::run(&arguments),
+        Command::Solve(arguments) => solve::run(&arguments),
+        Command::Certify(arguments) => certify::run(&arguments),
     };
     exit_code(answer)
 }
@@ -82,9 +89,18 @@ fn exit_code(answer: Result<Answer>) -> ExitCode {
         Ok(Answer::Yes) => ExitCode::SUCCESS,
         Ok(Answer::No) => ExitCode::from(1),
         Err(error) => {
-            let _ = writeln!(std::io::stderr(), "error: {error}");
-            ExitCode::from(if matches!(error, Error::Solver { .. }) { 1 } else { 2 })
+            output::print_aside(&format!("error: {error}\n"));
+            ExitCode::from(if is_no_answer(&error) { 1 } else { 2 })
         }
+    }
+}
+
+/// Whether a solver gave no answer to a question that was well posed.
+fn is_no_answer(error: &Error) -> bool {
+    match error {
+        Error::Solver { .. } => true,
+        Error::InFile { inner, .. } => is_no_answer(inner),
+        _ => false,
     }
 }
 

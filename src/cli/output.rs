@@ -1,4 +1,4 @@
-//! Writing results: standard output that survives a closed pipe, and files that are written whole or not at all.
+//! Writing results: standard output that survives a closed pipe, notes on standard error, colours.
 
 use crate::report::text::Style;
 use crate::{Error, Result};
@@ -15,6 +15,11 @@ pub fn print(text: &str) -> Result<()> {
         Err(source) if source.kind() != ErrorKind::BrokenPipe => Err(Error::Write { file: Path::new("standard output").into(), source }),
         _ => Ok(()),
     }
+}
+
+/// Writes to standard error what accompanies a result on standard output; nobody need be listening.
+pub fn print_aside(text: &str) {
+    let _ = std::io::stderr().write_all(text.as_bytes());
 }
 
 /// Colours for a terminal, unless `NO_COLOR` is set to anything.

@@ -22,17 +22,22 @@ pub fn read_schema<T: DeserializeOwned>(text: &str, schema: &str) -> Result<T> {
     serde_json::from_str(text).map_err(|error| name_field(text, schema, error))
 }
 
-/// The error with the last key before the place where reading stopped.
+/// The error with the last key before the place where reading stopped; a text that ends too early has no such place.
 fn name_field(text: &str, schema: &str, error: serde_json::Error) -> Error {
     use serde_json::error::Category;
-    let out_of_range = error.to_string().starts_with("number out of range");
-    if matches!(error.classify(), Category::Io | Category::Eof) || (error.classify() == Category::Syntax && !out_of_range) {
+    if matches!(error.classify(), Category::Io | Category::Eof) {
         return Error::Json(error);
     }
-    let cure = if out_of_range { "use a finite number".to_string() } else { format!("see the schema {schema}") };
+    let (problem, cure) = if error.to_string().starts_with("number out of range") {
+        (error.to_string(), "use a finite number".to_string())
+    } else if error.classify() == Category::Syntax {
+        (format!("not valid JSON: {error}"), "JSON knows finite numbers only, no NaN and no Infinity".to_string())
+    } else {
+        (error.to_string(), format!("see the schema {schema}"))
+    };
     match last_key(text, error.line(), error.column()) {
-        Some(field) => Error::invalid(field, error.to_string(), cure),
-        None => Error::invalid("schema", error.to_string(), cure),
+        Some(field) => Error::invalid(field, problem, cure),
+        None => Error::Json(error),
     }
 }
 
@@ -74,6 +79,8 @@ mod tests {
         assert!(message(r#"{"schema":"pair/2"}"#).contains("pair/1"));
         assert!(message(r#"{"first":[1]}"#).contains("`schema`"));
         assert!(message(r#"{"schema":"pair/1","first":[1"#).contains("EOF"));
-        assert!(message(r#"{"schema":"pair/1","first":[NaN],"second":2}"#).contains("not valid JSON"));
+        assert!(message(r#"{"schema":"pair/1","first":[NaN],"second":2}"#).contains("`first`: not valid JSON"));
+        assert!(message(r#"{"schema":"pair/1","first":[1],"second":-Infinity}"#).contains("`second`: not valid JSON"));
+        assert!(message("no JSON at all").contains("not valid JSON"));
     }
 }

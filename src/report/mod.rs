@@ -1,5 +1,6 @@
 //! Reports: text, JSON and pictures of what was found. Nothing here computes; nothing here prints.
 
+pub mod certificate;
 pub mod json;
 pub mod number;
 pub mod plot;

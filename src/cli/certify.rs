@@ -1,0 +1,55 @@
+//! `moreau certify`: judges an answer to a contact problem without knowing where it came from.
+
+use super::output::print;
+use super::{Answer, Format};
+use crate::certificate::residuals;
+use crate::problem::{ContactProblem, Solution};
+use crate::report::certificate::Certificate;
+use crate::report::json::pretty;
+use crate::tolerance::cli::CERTIFY;
+use crate::{Error, Result};
+use std::path::PathBuf;
+
+/// Certify an answer to a contact problem: residuals with units, and whether they are small enough.
+///
+/// The residuals are computed from the impulses alone; residuals stored in the solution are not read, and its
+/// velocities are only compared. Each residual is held against the scale of its own unit: impulses against ‖r‖,
+/// velocities against ‖free_velocity + shift‖, energies against their product.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// The problem, a file contact-problem/1.
+    problem: PathBuf,
+    /// The answer, a file solution/1.
+    solution: PathBuf,
+    /// Largest residual accepted, relative to the scale of its unit.
+    #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
+    tolerance: f64,
+    /// How to write the certificate.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  moreau certify problem.json solution.json
+  moreau certify problem.json solution.json --tolerance 1e-12 --format json
+
+Exit code 0: a solution; 1: not a solution; 2: the files cannot be read or do not fit each other.";
+
+/// Runs the subcommand.
+pub fn run(arguments: &Arguments) -> Result<Answer> {
+    let tolerance = arguments.tolerance;
+    if !(tolerance.is_finite() && tolerance >= 0.0) {
+        return Err(Error::invalid("--tolerance", format!("is {tolerance}"), "use a finite number ≥ 0"));
+    }
+    let problem = ContactProblem::read(&arguments.problem)?;
+    let solution = Solution::read(&arguments.solution)?;
+    let residuals = residuals(&problem, &solution).map_err(|error| error.in_file(&arguments.solution))?;
+    let certificate = Certificate::new(&problem, &solution, &residuals, tolerance);
+    print(&match arguments.format {
+        Format::Text => certificate.text(),
+        Format::Json => pretty(&certificate)?,
+    })?;
+    Ok(certificate.accepts().into())
+}

@@ -1,0 +1,76 @@
+//! `moreau solve`: solves a contact problem and certifies its own answer.
+
+use super::output::{print, print_aside};
+use super::{Answer, Format};
+use crate::certificate::residuals;
+use crate::files::write_atomically;
+use crate::problem::ContactProblem;
+use crate::report::certificate::Certificate;
+use crate::report::json::pretty;
+use crate::solvers;
+use crate::tolerance::cli::CERTIFY;
+use crate::{Error, Result};
+use std::path::PathBuf;
+
+/// Solve a contact problem and certify the answer.
+///
+/// Reads a file contact-problem/1, writes a solution/1 with its residuals, and prints the certificate: on standard
+/// error if the solution goes to standard output, on standard output if it goes to a file.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// The problem, a file contact-problem/1.
+    problem: PathBuf,
+    /// Which algorithm proposes the answer.
+    #[arg(long, default_value = "auto", value_name = "NAME", help = solver_help())]
+    solver: String,
+    /// Write the solution to this file, completely or not at all, instead of standard output.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// How to write the certificate.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  moreau solve problem.json                              solution/1 on standard output
+  moreau solve problem.json --solver pgs --out answer.json
+  moreau solve problem.json | moreau certify problem.json /dev/stdin
+
+Exit code 1 means that the solver gave no answer, or one that its certificate rejects; a rejected
+answer is written all the same, with its residuals.
+
+The smallest problem, a block of 1 kg that slides and arrives at 1 m/s:
+  {\"schema\": \"contact-problem/1\", \"name\": \"block\", \"dimension\": 2, \"law\": \"coulomb\",
+   \"friction\": [0.5], \"free_velocity\": [-1, 2], \"delassus\": {\"shape\": [2, 2], \"rows\": [[1, 0], [0, 1]]}}";
+
+/// The solvers there are, for `--help`.
+pub fn solver_help() -> String {
+    format!("Which algorithm proposes the answer: {}", solvers::NAMES.join(", "))
+}
+
+/// Runs the subcommand.
+pub fn run(arguments: &Arguments) -> Result<Answer> {
+    let solver = solvers::by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
+    let problem = ContactProblem::read(&arguments.problem)?;
+    let solution = solver.solve(&problem, None).map_err(|error| error.in_file(&arguments.problem))?;
+    let residuals = residuals(&problem, &solution)?;
+    let certificate = Certificate::new(&problem, &solution, &residuals, CERTIFY);
+    let report = match arguments.format {
+        Format::Text => certificate.text(),
+        Format::Json => pretty(&certificate)?,
+    };
+    let answer = solution.to_json(Some(&problem.name), Some(serde_json::to_value(residuals)?));
+    match &arguments.out {
+        Some(file) => {
+            write_atomically(file, answer.as_bytes())?;
+            print(&report)?;
+        }
+        None => {
+            print(&answer)?;
+            print_aside(&report);
+        }
+    }
+    Ok(certificate.accepts().into())
+}

@@ -1,0 +1,97 @@
+//! How good an answer to a contact problem is: residuals with units, and whether they are small enough.
+
+use super::number::{significant, with_unit};
+use crate::certificate::Residuals;
+use crate::problem::{ContactProblem, Solution};
+use serde::Serialize;
+use std::fmt::Write;
+
+/// The certificate of one answer.
+#[derive(Serialize)]
+pub struct Certificate<'a> {
+    problem: &'a str,
+    law: &'static str,
+    contacts: usize,
+    solver: &'a str,
+    iterations: usize,
+    residuals: &'a Residuals,
+    tolerance: f64,
+    solution: bool,
+}
+
+impl<'a> Certificate<'a> {
+    /// Holds the residuals against a tolerance relative to the scales of their units.
+    pub fn new(problem: &'a ContactProblem, solution: &'a Solution, residuals: &'a Residuals, tolerance: f64) -> Self {
+        Certificate {
+            problem: &problem.name,
+            law: problem.law.name(),
+            contacts: problem.contacts(),
+            solver: &solution.solver,
+            iterations: solution.iterations,
+            residuals,
+            tolerance,
+            solution: residuals.is_solution(tolerance),
+        }
+    }
+
+    /// Whether the answer is a solution.
+    pub fn accepts(&self) -> bool {
+        self.solution
+    }
+
+    /// The certificate for readers.
+    pub fn text(&self) -> String {
+        let solver = if self.solver.is_empty() { "not named" } else { self.solver };
+        let mut text = format!("problem `{}`, law {}, contacts: {}\n", self.problem, self.law, self.contacts);
+        let mut line = |content: String| writeln!(text, "{content}").expect("writing to a String cannot fail");
+        line(format!("solver {solver}, iterations: {}", self.iterations));
+        for (name, value, unit) in self.residuals.entries() {
+            line(format!("  {name:18} {}", with_unit(&significant(value), unit)));
+        }
+        let verdict = if self.solution { "a solution" } else { "NOT a solution" };
+        line(format!("{verdict} to the relative tolerance {}", significant(self.tolerance)));
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certificate::residuals;
+    use crate::problem::Law;
+    use nalgebra::{dmatrix, dvector};
+
+    /// A mass of 1 kg that arrives at 1 m/s; the impulse 1 N·s stops it.
+    fn certificate(impulse: f64) -> (String, bool) {
+        let problem = ContactProblem {
+            name: "stop".into(),
+            rows_per_contact: 1,
+            law: Law::Frictionless,
+            friction: vec![0.0],
+            free_velocity: dvector![-1.0],
+            shift: dvector![0.0],
+            delassus: dmatrix![1.0],
+            compliance: None,
+            dynamics: None,
+        };
+        let impulse = dvector![impulse];
+        let velocity = problem.velocity(&impulse);
+        let solution = Solution { impulse, velocity, beta: None, sigma: None, solver: String::new(), iterations: 0 };
+        let residuals = residuals(&problem, &solution).expect("sizes fit");
+        let certificate = Certificate::new(&problem, &solution, &residuals, 0.25);
+        (certificate.text(), certificate.accepts())
+    }
+
+    #[test]
+    fn residuals_carry_units_and_the_verdict_is_the_last_line() {
+        let (text, accepted) = certificate(1.0);
+        assert!(accepted && text.ends_with("\na solution to the relative tolerance 0.25\n"), "{text}");
+        assert!(text.contains("primal             0 N·s") && text.contains("complementarity    0 J"), "{text}");
+    }
+
+    #[test]
+    fn a_pull_is_no_solution() {
+        let (text, accepted) = certificate(-1.0);
+        assert!(!accepted && text.ends_with("NOT a solution to the relative tolerance 0.25\n"), "{text}");
+    }
+}
