@@ -161,3 +161,30 @@ pub fn events_grow(ball: &DroppedBall, halvings: u32) -> Vec<Finding> {
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::schemes::RestitutionRule;
+
+    const BALL: DroppedBall = DroppedBall { mass: 1.0, gravity: 9.81, height: 1.0, restitution: 0.8 };
+
+    fn scheme(activation: Activation, theta: f64) -> MoreauJean {
+        MoreauJean { theta, activation, restitution: RestitutionRule::NormalOnly }
+    }
+
+    #[test]
+    fn a_step_1024_times_smaller_costs_31_or_32_more_bounces_of_error() {
+        for activation in Activation::ALL {
+            let [coarse, fine] = [0.01, 0.01 / 1024.0].map(|h| BALL.drop(&scheme(activation, 0.5), h).bounds());
+            // ln 1024/ln 1.25 = 31.06; the bounds `early` and `late` are affine in the number of bounces.
+            assert!((31..=32).contains(&(fine.bounces - coarse.bounces)), "{activation:?}");
+        }
+    }
+
+    #[test]
+    fn an_event_driven_integrator_has_a_landing_left_whatever_its_budget() {
+        let counts: Vec<usize> = (1..30).map(|k| events_until(&BALL, BALL.accumulation_time() / f64::from(1u32 << k))).collect();
+        assert!(counts.windows(2).all(|pair| pair[1] > pair[0]), "{counts:?}");
+    }
+}

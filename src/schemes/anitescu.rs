@@ -51,3 +51,46 @@ impl Scheme for Anitescu {
         mechanism.integrate(&state.position, velocity_post, h)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanics::PointMass;
+    use crate::schemes::{StewartTrinkle, step};
+    use crate::solvers::{ContactSolver, LemkePivoting, ProjectedGaussSeidel};
+    use crate::tolerance::{rounding, solvers};
+    use nalgebra::dvector;
+
+    /// Gap after 40 steps of a block sliding down a slope of 20° with μ = 0.2, and the gap μ h v_t it should have.
+    fn slide(scheme: &dyn Scheme, solver: &dyn ContactSolver) -> (f64, f64) {
+        let (mu, h) = (0.2, 0.005);
+        let mechanism = PointMass::block_on_incline(1.0, 9.81, 20f64.to_radians(), mu, 0.0);
+        let mut state = State { time: 0.0, position: dvector![0.0, 0.0], velocity: dvector![0.0, 0.0] };
+        for _ in 0..40 {
+            state = step(scheme, solver, &mechanism, &state, h).expect("one contact").state;
+        }
+        (state.position[1], mu * h * state.velocity[0].abs())
+    }
+
+    #[test]
+    fn anitescu_sliding_block_lifts_off_by_mu_h_v() {
+        let (gap, predicted) = slide(&Anitescu, &ProjectedGaussSeidel::default());
+        // The solver stops at a relative natural map of STOP; φ⁺ = h(φ/h + u_n⁺) inherits it once per step.
+        assert!(predicted > 0.0 && (gap - predicted).abs() <= 40.0 * solvers::STOP * predicted.max(gap), "{gap} against {predicted}");
+    }
+
+    #[test]
+    fn stewart_trinkle_sliding_block_stays_on_the_slope() {
+        let (gap, predicted) = slide(&StewartTrinkle::default(), &LemkePivoting);
+        assert!(predicted > 0.0 && gap.abs() <= rounding(40 * 64, predicted), "{gap}");
+    }
+
+    #[test]
+    fn a_distant_contact_takes_part_without_impulse() {
+        let ball = PointMass::ball_on_floor(1.0, 9.81, 0.0);
+        let state = State { time: 0.0, position: dvector![1.0], velocity: dvector![0.0] };
+        let next = step(&Anitescu, &ProjectedGaussSeidel::default(), &ball, &state, 0.01).expect("one contact");
+        assert_eq!(next.impulses.len(), 1);
+        assert_eq!(next.impulses[0].impulse, vec![0.0]);
+    }
+}

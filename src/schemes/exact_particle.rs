@@ -104,3 +104,63 @@ impl<T: Scalar> Ball<T> {
         Outcome { motion: Motion { position, velocity }, impulse, free_velocity, forecast, active }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanics::{PointMass, State};
+    use crate::scalar::{Rational, exact};
+    use crate::schemes::{MoreauJean, RestitutionRule, Scheme, StewartTrinkle, step};
+    use crate::solvers::ProjectedGaussSeidel;
+    use crate::tolerance::schemes::{ball_position, ball_velocity};
+    use nalgebra::dvector;
+
+    const MASS: f64 = 0.7;
+    const GRAVITY: f64 = 9.81;
+    const RESTITUTION: f64 = 0.6;
+
+    /// Steps the f64 scheme and, from each of its states, the exact ball; both must agree within one step's rounding.
+    fn agree(scheme: &dyn Scheme, reference: impl Fn(&Ball<Rational>, &Motion<Rational>, &Rational) -> Outcome<Rational>) {
+        let h = 0.013;
+        let mechanism = PointMass::ball_on_floor(MASS, GRAVITY, RESTITUTION);
+        let ball = Ball { mass: exact(MASS), gravity: exact(GRAVITY), restitution: exact(RESTITUTION) };
+        let mut state = State { time: 0.0, position: dvector![0.8], velocity: dvector![0.1] };
+        for _ in 0..150 {
+            let (q, v) = (state.position[0], state.velocity[0]);
+            let next = step(scheme, &ProjectedGaussSeidel::default(), &mechanism, &state, h).expect("a ball can be stepped");
+            let outcome = reference(&ball, &Motion { position: exact(q), velocity: exact(v) }, &exact(h));
+            assert_eq!(outcome.active, !next.assembled.active.is_empty(), "{} at q = {q}, v = {v}", scheme.name());
+            let fall = GRAVITY * h;
+            // Stewart–Trinkle forms φ/h, whose size is that of a speed.
+            let speed = v.abs() + if outcome.active { q.abs() / h } else { 0.0 };
+            let velocity_error = next.state.velocity[0] - outcome.motion.velocity.to_f64().value();
+            let position_error = next.state.position[0] - outcome.motion.position.to_f64().value();
+            assert!(velocity_error.abs() <= ball_velocity(speed, fall), "{}: v off by {velocity_error}", scheme.name());
+            assert!(position_error.abs() <= ball_position(q.abs(), speed, fall, h), "{}: q off by {position_error}", scheme.name());
+            state = next.state;
+        }
+    }
+
+    #[test]
+    fn moreau_jean_in_floats_agrees_with_the_exact_step() {
+        for activation in Activation::ALL {
+            for theta in [0.0, 0.3, 0.5, 1.0] {
+                let scheme = MoreauJean { theta, activation, restitution: RestitutionRule::NormalOnly };
+                agree(&scheme, |ball, now, h| ball.moreau_jean(now, &exact(theta), activation, h));
+            }
+        }
+    }
+
+    #[test]
+    fn stewart_trinkle_in_floats_agrees_with_the_exact_step() {
+        agree(&StewartTrinkle::default(), |ball, now, h| ball.stewart_trinkle(now, h));
+    }
+
+    #[test]
+    fn stewart_trinkle_lands_exactly_on_the_floor() {
+        let ball = Ball { mass: Rational::ratio(1, 1), gravity: Rational::ratio(10, 1), restitution: Rational::ratio(1, 2) };
+        let start = Motion { position: Rational::ratio(1, 20), velocity: Rational::ratio(0, 1) };
+        let landed = ball.stewart_trinkle(&start, &Rational::ratio(1, 10));
+        assert_eq!(landed.motion, Motion { position: Rational::ratio(0, 1), velocity: Rational::ratio(-1, 2) });
+    }
+}

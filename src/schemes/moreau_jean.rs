@@ -138,3 +138,81 @@ impl Scheme for MoreauJean {
         mechanism.integrate(&state.position, &mean, h)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanics::{OscillatorWithStop, PointMass};
+    use crate::schemes::step;
+    use crate::solvers::ProjectedGaussSeidel;
+    use crate::tolerance::rounding;
+    use nalgebra::dvector;
+
+    fn scheme(theta: f64, restitution: RestitutionRule) -> MoreauJean {
+        MoreauJean { theta, activation: Activation::Gap, restitution }
+    }
+
+    fn at(position: DVector<f64>, velocity: DVector<f64>) -> State {
+        State { time: 0.0, position, velocity }
+    }
+
+    #[test]
+    fn the_midpoint_oscillator_conserves_its_energy_at_any_step() {
+        let free = OscillatorWithStop::new(2.0, 50.0, 0.0, -10.0, 0.5).expect("valid");
+        let mut state = at(dvector![1.0], dvector![0.0]);
+        let energy = free.energy(&state);
+        for h in [0.01, 0.3, 5.0] {
+            let next = step(&scheme(0.5, RestitutionRule::NormalOnly), &ProjectedGaussSeidel::default(), &free, &state, h);
+            state = next.expect("no contact").state;
+            let lost = free.energy(&state) - energy;
+            // ½v² and ½kq² have condition number two in v and q, each the result of fewer than 32 operations.
+            assert!(lost.abs() <= rounding(3 * 2 * 32, energy), "h = {h}: energy changed by {lost}");
+        }
+    }
+
+    #[test]
+    fn a_stiff_damper_needs_no_small_step_when_theta_is_one() {
+        let (mass, damping, h) = (1.0, 1e6, 0.1);
+        let damped = OscillatorWithStop::new(mass, 0.0, damping, -10.0, 0.0).expect("valid");
+        let next = step(
+            &scheme(1.0, RestitutionRule::NormalOnly),
+            &ProjectedGaussSeidel::default(),
+            &damped,
+            &at(dvector![0.0], dvector![1.0]),
+            h,
+        );
+        let velocity = next.expect("no contact").state.velocity[0];
+        assert!((velocity - mass / (mass + h * damping)).abs() <= rounding(8, 1.0), "v = {velocity}");
+    }
+
+    #[test]
+    fn full_vector_restitution_reverses_the_tangential_velocity_too() {
+        let wall = PointMass::block_on_incline(1.0, 0.0, 0.0, 10.0, 0.5);
+        let before = at(dvector![0.0, 0.0], dvector![1.0, -1.0]);
+        let after = |rule| {
+            let next = step(&scheme(0.5, rule), &ProjectedGaussSeidel::default(), &wall, &before, 0.1);
+            next.expect("one contact").state.velocity
+        };
+        // μ = 10 sticks: the tangential velocity becomes 0 with the normal rule and −e v_t with Moreau's.
+        assert!((after(RestitutionRule::NormalOnly) - dvector![0.0, 0.5]).amax() <= rounding(64, 1.0));
+        assert!((after(RestitutionRule::FullVector) - dvector![-0.5, 0.5]).amax() <= rounding(64, 1.0));
+    }
+
+    #[test]
+    fn each_rule_activates_on_its_side_of_its_own_boundary() {
+        let (v, free, h) = (-1.0, -3.0, 0.5);
+        for (rule, edge) in [(Activation::Gap, 0.0), (Activation::HalfStepForecast, 0.25), (Activation::FreeVelocityForecast, 1.5)] {
+            assert!(rule.is_active(edge, v, free, h));
+            assert!(!rule.is_active(edge.next_up(), v, free, h));
+        }
+    }
+
+    #[test]
+    fn a_theta_outside_the_unit_interval_is_refused() {
+        let ball = PointMass::ball_on_floor(1.0, 9.81, 0.5);
+        for theta in [-0.1, 1.1, f64::NAN] {
+            let refused = scheme(theta, RestitutionRule::NormalOnly).assemble(&ball, &at(dvector![1.0], dvector![0.0]), 0.1);
+            assert!(refused.expect_err("refused").to_string().contains("theta"));
+        }
+    }
+}
