@@ -6,7 +6,7 @@ use moreau::certificate::lcp::residuals;
 use moreau::certificate::{Decision, existence};
 use moreau::checks::Finding;
 use moreau::checks::stewart_trinkle::{
-    System, decisions, identity, rational_directions, reduced, reference, solvability, theorem_applies, wedge,
+    System, chapter_example, decisions, identity, rational_directions, reduced, reference, solvability, theorem_applies, wedge,
 };
 use moreau::problem::Lcp;
 use moreau::scalar::{Rational, ratio};
@@ -177,4 +177,22 @@ fn a_penetrating_wedge_is_solvable_up_to_mu_7_10_and_not_from_3_4_on() {
         assert_eq!(theorem_applies(&system).unwrap(), solvable, "μ = {friction}");
         assert_eq!(matches!(lemke(&lcp, &ones(8)).unwrap(), LemkeOutcome::Solution { .. }), solvable, "μ = {friction}");
     }
+}
+#[test]
+fn the_textbooks_theorem_and_the_corrected_one() {
+    let claim = moreau::claims::find("S4.copos-plus").expect("the claim is registered");
+    let matrix = reference(&chapter_example(ratio(0, 1), [ratio(0, 1), ratio(0, 1)])).unwrap().matrix;
+    let Some(NotPlus::Zero(x)) = copositive_plus(&matrix).unwrap().witness() else { panic!("μ = 1/2 > 0") };
+    let image = (&matrix + matrix.transpose()) * &x;
+    let list = |x: &DVector<Rational>| x.iter().map(Rational::to_string).collect::<Vec<_>>().join(", ");
+    let text = format!(
+        "The chapter's theorem: {}\nWitness: x = ({}) ≥ 0, xᵀMx = 0, (M + Mᵀ)x = ({})\nThe corrected theorem: {}\n",
+        claim.statement,
+        list(&x),
+        list(&image),
+        claim.correct_statement
+    );
+    // Past the capture of the test harness: the two theorems belong into the output of `cargo test`.
+    std::io::Write::write_all(&mut std::io::stdout(), text.as_bytes()).unwrap();
+    assert_eq!((list(&x).as_str(), list(&image).as_str()), ("0, 0, 0, 1", "1/2, 0, 0, 0"));
 }

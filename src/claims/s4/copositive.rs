@@ -1,0 +1,175 @@
+//! Copositive, and copositive-plus only without friction.
+
+use super::{chapter_matrix, integers, jamming_matrix};
+use crate::Result;
+use crate::certificate::copositivity::{copositive, copositive_plus};
+use crate::certificate::definiteness::quadratic_form;
+use crate::certificate::feasibility::nonnegative_solution;
+use crate::checks::Finding;
+use crate::checks::stewart_trinkle::{System, chapter_example, reference, wedge};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::problem::Lcp;
+use crate::scalar::{Rational, ratio};
+use crate::solvers::enumeration::all_solutions;
+use nalgebra::{DMatrix, DVector};
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S4.cp-def",
+        statement: "N is copositive-plus if (i) x ≥ 0 implies xᵀNx ≥ 0 and (ii) x ≥ 0 with xᵀNx = 0 implies (N + Nᵀ)x = 0.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "This is the standard definition.",
+        argument: "[[0, 1], [0, 0]] is copositive (form x₁x₂) but x = (1, 0) has form 0 and (N + Nᵀ)x = (0, 1): part (ii) excludes it. [[1, −1], [−1, 1]] and [[0, 1], [−1, 0]] satisfy both parts.",
+        control: "Part (i) alone.",
+        sources: &["chapter §4, definition before the theorem on M_LCP", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.8"],
+        check: definition,
+    },
+    Claim {
+        id: "S4.copos",
+        statement: "M_LCP is copositive (part (i) of the theorem).",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "M_LCP is copositive for every μ ≥ 0, any number of contacts and any redundancy.",
+        argument: "xᵀM x = x₁ᵀW̃x₁ + Σμᵢλᵢσᵢ is a sum of two terms that are ≥ 0 for x ≥ 0 (x₁ = (λ, β)). Decided exactly here for the chapter's contact, a wedge of two contacts and the jamming 4×4 matrix; on a thousand random systems in the property family.",
+        control: "The last row with reversed sign, (−μ, Eᵀ).",
+        sources: &["chapter §4, theorem on M_LCP, part (i)"],
+        check: copositivity,
+    },
+    Claim {
+        id: "S4.copos-plus",
+        statement: "Theorem (the chapter attributes it to Anitescu and Potra 1997): the Stewart–Trinkle matrix M_LCP is copositive-plus.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "M_LCP is copositive; it is copositive-plus if and only if every μ is 0. Solvability rests on something else: with q = (nᵀv + b, Dᵀv, 0), if bᵀλ ≥ 0 for all λ, β ≥ 0 with nλ + Dβ = 0 and Eᵀβ ≤ μλ – true if all gaps are ≥ 0, or if the friction cone is pointed – the LCP has a solution and lexicographic Lemke with any covering vector d > 0 finds one.",
+        argument: "Witness in the chapter's own 4×4 example (μ = 1/2): x = (0, 0, 0, 1) ≥ 0 has xᵀMx = 0 but (M + Mᵀ)x = (1/2, 0, 0, 0) ≠ 0. In general x = (0, 0, σ) gives (M + Mᵀ)x = (μσ, 0, 0). No scaling or sign convention removes it. If every μ is 0 then xᵀMx = x₁ᵀW̃x₁ with W̃ ⪰ 0, and M is copositive-plus. Proof of the corrected theorem: on a secondary ray the direction x̂ = (λ, β, σ) satisfies x̂ᵀMx̂ = 0 and Mx̂ ≥ 0, hence nλ + Dβ = 0, and x̂ᵀq < 0; but x̂ᵀq = vᵀ(nλ + Dβ) + bᵀλ = bᵀλ ≥ 0. This refutes the chapter's theorem, not the paper, which was not read.",
+        control: "The matrix whose quadratic form is the one the chapter's proof computes (μ missing from the last row): it is copositive-plus.",
+        sources: &["chapter §4, theorem on M_LCP", "proof: module certificate::existence"],
+        check: not_plus,
+    },
+    Claim {
+        id: "S4.quadratic-general",
+        statement: "Proof and exercise 2: xᵀM_LCP x = x₁ᵀW̃x₁, because the friction row and the tangential column cancel; and xᵀMx = 0 implies (M + Mᵀ)x = 0.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "xᵀM_LCP x = x₁ᵀW̃x₁ + Σμᵢλᵢσᵢ: only +E against −Eᵀ cancels, μ has no partner. Copositivity follows all the same, the second implication does not.",
+        argument: "In the wedge of two contacts with μ = 1/2 and x = (1, …, 1) the form exceeds x₁ᵀW̃x₁ by μ₁ + μ₂ = 1. At x = (0, 0, σ) it vanishes with (M + Mᵀ)x = (μσ, 0, 0).",
+        control: "The printed identity without Σμλσ.",
+        sources: &["chapter §4, proof of the theorem on M_LCP, and exercise 2"],
+        check: general_form,
+    },
+    Claim {
+        id: "S4.cps-thm",
+        statement: "By a theorem of Cottle, Pang and Stone, an LCP with a copositive-plus matrix that is feasible has a solution.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "True; but it does not apply to the Stewart–Trinkle LCP with friction, whose matrix is not copositive-plus.",
+        argument: "A secondary ray of Lemke's method would give x ≥ 0 with xᵀMx = 0, Mx ≥ 0 and xᵀq < 0; (ii) turns Mx ≥ 0 into Mᵀx ≤ 0, so xᵀ(Mz + q) < 0 for every z ≥ 0, against feasibility. Here: three copositive-plus matrices with all q from {−2, …, 2}², every feasible one solved. The merely copositive 4×4 matrix of a jammed contact has a feasible q without solution.",
+        control: "The merely copositive 4×4 matrix with q = (−1, 0, 0, 0).",
+        sources: &["chapter §4, corollary “every step is solvable”", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.8"],
+        check: feasible_is_solvable,
+    },
+];
+
+fn square(entries: [i64; 4]) -> DMatrix<Rational> {
+    DMatrix::from_row_slice(2, 2, &entries.map(|x| ratio(x, 1)))
+}
+
+fn definition(reading: Reading) -> Result<Vec<Finding>> {
+    let accepts = |matrix: DMatrix<Rational>| -> Result<bool> {
+        Ok(match reading {
+            Reading::Recorded => copositive_plus(&matrix)?.holds(),
+            Reading::Control => copositive(&matrix)?.holds(),
+        })
+    };
+    Ok(vec![
+        Finding::decision("[[0, 1], [0, 0]] is accepted", accepts(square([0, 1, 0, 0]))?, false),
+        Finding::decision("[[1, −1], [−1, 1]] is accepted", accepts(square([1, -1, -1, 1]))?, true),
+        Finding::decision("[[0, 1], [−1, 0]] is accepted", accepts(square([0, 1, -1, 0]))?, true),
+        Finding::decision("[[1, −2], [−2, 1]] is accepted", accepts(square([1, -2, -2, 1]))?, false),
+    ])
+}
+
+fn copositivity(reading: Reading) -> Result<Vec<Finding>> {
+    let matrices = [
+        ("one contact", chapter_matrix()?, 1),
+        ("a wedge", reference(&wedge(ratio(1, 2)))?.matrix, 2),
+        ("a jamming contact", jamming_matrix(), 1),
+    ];
+    let mut findings = Vec::new();
+    for (name, mut matrix, contacts) in matrices {
+        let sigma = matrix.nrows() - contacts;
+        if reading == Reading::Control {
+            matrix.rows_mut(sigma, contacts).iter_mut().for_each(|x| *x = -x.clone());
+        }
+        findings.push(Finding::decision(format!("copositive: {name}"), copositive(&matrix)?.holds(), true));
+    }
+    Ok(findings)
+}
+
+fn not_plus(reading: Reading) -> Result<Vec<Finding>> {
+    let mut matrix = chapter_matrix()?;
+    let mut without_friction = matrix.clone();
+    without_friction[(3, 0)] = ratio(0, 1);
+    if reading == Reading::Control {
+        matrix = without_friction.clone();
+    }
+    let witness = integers(&[0, 0, 0, 1]);
+    let image = (&matrix + matrix.transpose()) * &witness;
+    Ok(vec![
+        Finding::exact("first entry of (M + Mᵀ)x at x = (0, 0, 0, 1)", &image[0], &ratio(1, 2), "1"),
+        Finding::exact("xᵀMx there", &quadratic_form(&matrix, &witness), &ratio(0, 1), "J"),
+        Finding::decision("copositive-plus, μ = 1/2", copositive_plus(&matrix)?.holds(), false),
+        Finding::decision("copositive, μ = 1/2", copositive(&matrix)?.holds(), true),
+        Finding::decision("copositive-plus, μ = 0", copositive_plus(&without_friction)?.holds(), true),
+    ])
+}
+
+fn general_form(reading: Reading) -> Result<Vec<Finding>> {
+    let systems: [System; 2] = [wedge(ratio(1, 2)), chapter_example(ratio(0, 1), [ratio(0, 1), ratio(0, 1)])];
+    let mut findings = Vec::new();
+    for system in &systems {
+        let matrix = reference(system)?.matrix;
+        let impulses = system.sigma(0);
+        let block = matrix.view((0, 0), (impulses, impulses)).into_owned();
+        for x in [DVector::from_element(system.unknowns(), ratio(1, 1)), DVector::from_fn(system.unknowns(), |i, _| ratio(i as i64 + 1, 2))]
+        {
+            let cross = (0..system.contacts()).fold(ratio(0, 1), |sum, i| sum + &system.friction[i] * &x[i] * &x[system.sigma(i)]);
+            let rest = quadratic_form(&matrix, &x) - quadratic_form(&block, &x.rows(0, impulses).into_owned());
+            findings.push(Finding::exact("xᵀMx − x₁ᵀW̃x₁", &rest, &reading.pick(cross, ratio(0, 1)), "J"));
+        }
+    }
+    Ok(findings)
+}
+
+fn feasible_is_solvable(reading: Reading) -> Result<Vec<Finding>> {
+    let problems: Vec<Lcp<Rational>> = match reading {
+        Reading::Recorded => {
+            let matrices = [[1, -1, -1, 1], [0, 1, -1, 0], [1, 4, 0, 1]].map(square);
+            let vectors = (-2..=2).flat_map(|a| (-2..=2).map(move |b| integers(&[a, b])));
+            let pairs = vectors.flat_map(|q| matrices.clone().map(|matrix| (matrix, q.clone())));
+            pairs.map(|(matrix, vector)| Lcp::new(matrix, vector)).collect()
+        }
+        Reading::Control => vec![Lcp::new(jamming_matrix(), integers(&[-1, 0, 0, 0]))],
+    };
+    let (mut feasible, mut unsolved) = (0, 0);
+    for lcp in &problems {
+        if is_feasible(lcp) {
+            feasible += 1;
+            unsolved += usize::from(all_solutions(lcp)?.is_empty());
+        }
+    }
+    Ok(vec![
+        Finding::count("feasible problems without a solution", unsolved, 0),
+        Finding::decision("there are feasible problems among them", feasible > 0, true),
+    ])
+}
+
+/// Whether z ≥ 0 with M z + q ≥ 0 exists.
+pub(super) fn is_feasible(lcp: &Lcp<Rational>) -> bool {
+    let size = lcp.size();
+    // M z − w = −q with z, w ≥ 0.
+    let system =
+        DMatrix::from_fn(size, 2 * size, |i, j| if j < size { lcp.matrix[(i, j)].clone() } else { ratio(-i64::from(i == j - size), 1) });
+    nonnegative_solution(&system, &-&lcp.vector).point().is_some()
+}

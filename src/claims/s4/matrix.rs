@@ -1,0 +1,221 @@
+//! The Stewart–Trinkle matrix of the chapter and its 4×4 example.
+
+use super::{chapter_matrix, integers};
+use crate::Result;
+use crate::certificate::definiteness::{Definiteness, definiteness, positive_semidefinite, quadratic_form};
+use crate::checks::Finding;
+use crate::checks::stewart_trinkle::{chapter_example, reference};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::contact::delassus::delassus;
+use crate::problem::stewart_trinkle::generators;
+use crate::scalar::{Rational, ratio};
+use crate::solvers::enumeration::all_solutions;
+use nalgebra::{DMatrix, DVector};
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S4.groups",
+        statement: "The LCP has three complementarity groups: 0 ≤ λ_n ⟂ normal separation velocity ≥ 0; 0 ≤ β ⟂ λE + Dᵀv⁺ ≥ 0, “where σ is the slip rate”; 0 ≤ σ ⟂ μλ_n − Eᵀβ ≥ 0.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "The three groups hold with σE in the second: 0 ≤ β ⟂ σE + Dᵀv⁺ ≥ 0. The printed λ is undefined there; the clause about σ shows what is meant.",
+        argument: "Unit point mass, μ = 1/2, φ = 0, free velocity (2, −1): λ = 1, β = (0, 1/2), v⁺ = (3/2, 0), σ = 3/2. The second group with σ is (3, 0) ≥ 0 and complementary to β; with λ in its place it is (5/2, −1/2).",
+        control: "The second group as printed, with λ in place of σ.",
+        sources: &["chapter §4, step 3 of the construction"],
+        check: groups,
+    },
+    Claim {
+        id: "S4.Wtilde",
+        statement: "The upper left block over (λ, β) is symmetric positive semidefinite.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "W̃ = CᵀM⁻¹C with C = (n D) is symmetric positive semidefinite because M ≻ 0; with opposite directions in D it is singular.",
+        argument: "xᵀW̃x = (Cx)ᵀM⁻¹(Cx) ≥ 0. In the chapter's example x = (0, 1, 1) has Cx = 0, so W̃ is not definite: rank 2 of 3.",
+        control: "An indefinite “mass” diag(1, −1) in place of M: the block must then stop being semidefinite.",
+        sources: &["chapter §4, reading of the matrix block by block"],
+        check: reduced_block,
+    },
+    Claim {
+        id: "S4.ex-jacobian",
+        statement: "Example: a block with m = 1, I = 1 touches the ground with a corner straight below its centre of mass; for simplicity the contact Jacobian then has no rotational coupling.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "A contact point at distance r straight below the centre of mass has the tangential row (1, 0, r): W_nt = 0, but W_tt = 1/m + r²/I. The matrix of the example is that of a point mass (r = 0), a declared simplification.",
+        argument: "The velocity of the point (0, −r) is (vₓ + rω, v_y). With m = I = r = 1: W_tt = 2, not 1; the square with m = I = 1 on its corner has r² = 3 and W_tt = 4. Only the normal-tangential block vanishes.",
+        control: "The lever arm r = 0 that the example's row (1, 0, 0) stands for.",
+        sources: &["chapter §4, example “2D block on the ground”"],
+        check: lever_arm,
+    },
+    Claim {
+        id: "S4.ex-W",
+        statement: "Example: W = [[1, 0, 0], [0, 1, −1], [0, −1, 1]]; the tangential block has rank 1 because d₁ = −d₂.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "With rows n = (0, 1, 0), ±t = (±1, 0, 0) and m = 1, W is as printed and its tangential block has rank 1.",
+        argument: "W = H M⁻¹Hᵀ entry by entry; the tangential block has the kernel (1, 1) and the entry 1.",
+        control: "Two directions that are not opposite, d₁ = d₂.",
+        sources: &["chapter §4, example “2D block on the ground”"],
+        check: example_delassus,
+    },
+    Claim {
+        id: "S4.ex-asym",
+        statement: "The 4×4 matrix is not symmetric: M₁₄ = 0 but M₄₁ = 0.5, M₂₄ = 1 but M₄₂ = −1.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "M₁₄ = 0, M₄₁ = 1/2, M₂₄ = 1, M₄₂ = −1.",
+        argument: "Read off M = [[W̃, (0; E)], [(μ, −Eᵀ), 0]] with μ = 1/2.",
+        control: "The symmetric matrix [[W̃, b], [bᵀ, 0]] of the proof's first line.",
+        sources: &["chapter §4, example “2D block on the ground”"],
+        check: asymmetry,
+    },
+    Claim {
+        id: "S4.ex-quadratic",
+        statement: "Example: the cross terms with σ cancel and xᵀMx = λ² + (β₁ − β₂)² ≥ 0 remains.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "xᵀMx = λ² + (β₁ − β₂)² + ½λσ: the terms σ(β₁ + β₂) cancel, μλσ remains. It is ≥ 0 for x ≥ 0, so the conclusion drawn there survives, but M is not positive semidefinite.",
+        argument: "x = (1, 0, 0, 1): xᵀMx = 3/2, the printed formula gives 1. x = (−1/10, 0, 0, 1): xᵀMx = 1/100 − 1/20 = −1/25 < 0.",
+        control: "The printed formula without ½λσ.",
+        sources: &["chapter §4, example “2D block on the ground”"],
+        check: example_form,
+    },
+    Claim {
+        id: "S4.block-form",
+        statement: "Proof: partition M_LCP as [[W̃, b], [bᵀ, 0]], where the last row and column hold [μ, −Eᵀ] and [0; E].",
+        verdict: Verdict::Inconsistent,
+        evidence: Evidence::Exact,
+        correct_statement: "M_LCP = [[W̃, b], [cᵀ, 0]] with b = (0; E) and c = (μ; −E) ≠ b; the same sentence names both correctly, so this is a slip of notation.",
+        argument: "With cᵀ in the last row every entry of the example's row [1/2, −1, −1, 0] and column (0, 1, 1, 0) is met; with bᵀ the three entries 0, 1, 1 replace 1/2, −1, −1.",
+        control: "bᵀ in the last row, as displayed.",
+        sources: &["chapter §4, proof of the theorem on M_LCP"],
+        check: block_form,
+    },
+    Claim {
+        id: "S4.ex1-size",
+        statement: "Exercise: for one planar contact with d₁ = −d₂, write down the 3×3 Stewart–Trinkle matrix entry by entry.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::Exact,
+        correct_statement: "The matrix is 3×3 in blocks (λ, β, σ) and 4×4 in scalars (λ, β₁, β₂, σ), as in the section's own example.",
+        argument: "Unknowns: 1 normal impulse, 2 direction impulses, 1 slip speed – four scalars in three blocks. The text does not say which size is meant; leaving σ out would lose the row of the friction cone the exercise asks for.",
+        control: "Three scalar unknowns.",
+        sources: &["chapter §4, exercise 1"],
+        check: example_size,
+    },
+];
+
+fn groups(reading: Reading) -> Result<Vec<Finding>> {
+    let system = chapter_example(ratio(0, 1), [ratio(2, 1), ratio(-1, 1)]);
+    let set = all_solutions(&reference(&system)?)?;
+    let z = &set.points[0];
+    let velocity = &system.free_velocity + system.impulse(z).component_div(&system.mass);
+    let slip = reading.pick(&z[3], &z[0]);
+    let second = [0, 1].map(|j| slip + system.direction(0, j).dot(&velocity));
+    Ok(vec![
+        Finding::exact("second entry of the second group", &second[1], &ratio(0, 1), "m/s"),
+        Finding::exact("first entry of the second group", &second[0], &ratio(3, 1), "m/s"),
+        Finding::exact("sliding speed after the step", &velocity[0], &ratio(3, 2), "m/s"),
+        Finding::decision("the step has one solution", set.is_unique(), true),
+    ])
+}
+
+fn reduced_block(reading: Reading) -> Result<Vec<Finding>> {
+    let columns = DMatrix::from_row_slice(2, 3, &[0, 1, -1, 1, 0, 0].map(|x| ratio(x, 1)));
+    let inverse_mass = DMatrix::from_diagonal(&integers(reading.pick(&[1, 1], &[1, -1])));
+    let block = columns.transpose() * inverse_mass * &columns;
+    let rank = match definiteness(&block) {
+        Definiteness::Semidefinite { rank, .. } => rank,
+        _ => 0,
+    };
+    Ok(vec![
+        Finding::decision("positive semidefinite", positive_semidefinite(&block).holds(), true),
+        Finding::decision("symmetric", block == block.transpose(), true),
+        Finding::count("rank", rank, 2),
+    ])
+}
+
+fn lever_arm(reading: Reading) -> Result<Vec<Finding>> {
+    // Velocity of the material point (0, −r): (vₓ + rω, v_y).
+    let delassus_at = |arm: Rational| {
+        let jacobian = DMatrix::from_row_slice(2, 3, &[ratio(0, 1), ratio(1, 1), ratio(0, 1), ratio(1, 1), ratio(0, 1), arm]);
+        delassus(&DMatrix::identity(3, 3), &jacobian)
+    };
+    let block = delassus_at(reading.pick(ratio(1, 1), ratio(0, 1)))?;
+    Ok(vec![
+        Finding::exact("W_tt at r = 1, m = I = 1", &block[(1, 1)], &ratio(2, 1), "1/kg"),
+        Finding::exact("W_nt", &block[(0, 1)], &ratio(0, 1), "1/kg"),
+    ])
+}
+
+fn example_delassus(reading: Reading) -> Result<Vec<Finding>> {
+    let second = reading.pick(ratio(-1, 1), ratio(1, 1));
+    let generators = generators(1, 2, &[[ratio(1, 1), ratio(0, 1)], [second, ratio(0, 1)]]);
+    let jacobian = generators.transpose() * DMatrix::from_row_slice(2, 3, &[0, 1, 0, 1, 0, 0].map(|x| ratio(x, 1)));
+    let block = delassus(&DMatrix::identity(3, 3), &jacobian)?;
+    let printed = DMatrix::from_row_slice(3, 3, &[1, 0, 0, 0, 1, -1, 0, -1, 1].map(|x| ratio(x, 1)));
+    let differing = block.iter().zip(printed.iter()).filter(|(ours, theirs)| ours != theirs).count();
+    let tangential = block.view((1, 1), (2, 2)).into_owned();
+    let singular = matches!(definiteness(&tangential), Definiteness::Semidefinite { rank: 1, .. });
+    Ok(vec![
+        Finding::count("entries that differ from the printed W", differing, 0),
+        Finding::decision("the tangential block has rank 1", singular, true),
+    ])
+}
+
+/// M assembled from the blocks W̃, b and c of the example.
+fn from_blocks(column: &[i64; 3], row: &[Rational; 3]) -> Result<DMatrix<Rational>> {
+    let mut matrix = chapter_matrix()?;
+    for k in 0..3 {
+        matrix[(k, 3)] = ratio(column[k], 1);
+        matrix[(3, k)] = row[k].clone();
+    }
+    Ok(matrix)
+}
+
+/// The last row: (μ, −Eᵀ), or bᵀ as the display of the proof has it.
+fn last_row(reading: Reading) -> [Rational; 3] {
+    reading.pick([ratio(1, 2), ratio(-1, 1), ratio(-1, 1)], [0, 1, 1].map(|x| ratio(x, 1)))
+}
+
+fn asymmetry(reading: Reading) -> Result<Vec<Finding>> {
+    let matrix = reading.pick(chapter_matrix()?, from_blocks(&[0, 1, 1], &last_row(Reading::Control))?);
+    let entry = |i: usize, j: usize, expected| Finding::exact(format!("M_{i}{j}"), &matrix[(i - 1, j - 1)], &expected, "1");
+    Ok(vec![entry(4, 1, ratio(1, 2)), entry(1, 4, ratio(0, 1)), entry(2, 4, ratio(1, 1)), entry(4, 2, ratio(-1, 1))])
+}
+
+fn example_form(reading: Reading) -> Result<Vec<Finding>> {
+    let matrix = chapter_matrix()?;
+    let cross = reading.pick(ratio(1, 2), ratio(0, 1));
+    let formula = |x: &DVector<Rational>| {
+        let difference = &x[1] - &x[2];
+        &x[0] * &x[0] + &difference * &difference + &cross * &x[0] * &x[3]
+    };
+    let negative = DVector::from_vec(vec![ratio(-1, 10), ratio(0, 1), ratio(0, 1), ratio(1, 1)]);
+    let points = [integers(&[1, 0, 0, 1]), negative, integers(&[2, 3, 1, 5]), integers(&[0, 1, 4, 2]), integers(&[-3, 1, 1, 7])];
+    let compare = |x: &DVector<Rational>| {
+        let name = format!("xᵀMx at ({}, {}, {}, {})", x[0], x[1], x[2], x[3]);
+        Finding::exact(name, &quadratic_form(&matrix, x), &formula(x), "J")
+    };
+    let mut findings: Vec<Finding> = points.iter().map(compare).collect();
+    findings.push(Finding::decision("positive semidefinite", positive_semidefinite(&matrix).holds(), false));
+    Ok(findings)
+}
+
+fn block_form(reading: Reading) -> Result<Vec<Finding>> {
+    let matrix = from_blocks(&[0, 1, 1], &last_row(reading))?;
+    // The numbers the chapter itself lists: row 4 and column 4 of the example.
+    let row = [ratio(1, 2), ratio(-1, 1), ratio(-1, 1), ratio(0, 1)];
+    let column = integers(&[0, 1, 1, 0]);
+    let differing = (0..4).filter(|&k| matrix[(3, k)] != row[k]).count() + (0..4).filter(|&k| matrix[(k, 3)] != column[k]).count();
+    Ok(vec![
+        Finding::count("entries that differ from the chapter's own row and column", differing, 0),
+        Finding::decision("the matrix is symmetric", matrix == matrix.transpose(), false),
+    ])
+}
+
+fn example_size(reading: Reading) -> Result<Vec<Finding>> {
+    let system = chapter_example(ratio(0, 1), [ratio(0, 1), ratio(0, 1)]);
+    Ok(vec![
+        Finding::count("scalar unknowns of the LCP", reference(&system)?.size(), reading.pick(4, 3)),
+        Finding::count("unknowns λ, βⱼ, σ of one contact with d = 2", 1 + system.directions.len() + 1, 4),
+    ])
+}
