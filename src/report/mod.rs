@@ -2,6 +2,7 @@
 
 pub mod certificate;
 pub mod json;
+pub mod motion;
 pub mod number;
 pub mod plot;
 pub mod text;

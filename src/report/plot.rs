@@ -39,6 +39,7 @@ const WIDTH: u32 = 960;
 const PANEL_HEIGHT: u32 = 260;
 const TITLE_HEIGHT: u32 = 44;
 const LEGEND_WIDTH: u32 = 190;
+const LEGEND_ROWS: usize = 11;
 /// Points per curve that a picture of this width can show.
 const POINTS: usize = 2 * WIDTH as usize;
 /// Colours that stay apart for colour-blind readers (Okabe and Ito).
@@ -106,9 +107,13 @@ fn draw_curves(area: &Area, panel: &Panel, times: Range<f64>, last: bool) -> Dra
     Ok(())
 }
 
+/// One row per computed curve and one for all closed forms, as many as there is room for.
 fn draw_legend(area: &Area, panel: &Panel) -> Drawn {
-    for (k, (curve, style)) in panel.curves.iter().zip(styles(panel)).enumerate() {
-        let y = 20 + 22 * k as i32;
+    let first_exact = panel.curves.iter().position(|curve| curve.role == Role::ClosedForm);
+    let rows = panel.curves.iter().zip(styles(panel)).enumerate();
+    let rows = rows.filter(|(k, (curve, _))| curve.role == Role::Computed || Some(*k) == first_exact);
+    for (row, (_, (curve, style))) in rows.take(LEGEND_ROWS).enumerate() {
+        let y = 20 + 22 * row as i32;
         area.draw(&PathElement::new(vec![(4, y), (32, y)], style))?;
         area.draw(&Text::new(curve.label.clone(), (40, y - 8), ("sans-serif", 14)))?;
     }

@@ -1,9 +1,11 @@
 //! Scenes: files `scene/1` that describe bodies to any simulator, named ones, and the mechanisms they stand for.
 
+mod exact;
 mod named;
 mod planar;
 mod scene;
 mod validation;
 
+pub use exact::ExactMotion;
 pub use named::{NAMES, named};
 pub use scene::{Body, Cuboid, Ground, Material, PairOverride, Scene, Sphere};

@@ -1,0 +1,226 @@
+//! What a simulated scene shows: numbers with units, and panels of position, velocity and energy over time.
+
+use super::number::{significant, with_unit};
+use super::plot::{Curve, Panel, Role};
+use crate::mechanics::{Mechanism, State};
+use crate::scenes::ExactMotion;
+use crate::trajectory::Recording;
+use crate::trajectory::metrics::{creep_speed, effective_restitutions, energy_balance, penetration, settling_time};
+use serde::Serialize;
+use std::fmt::Write;
+
+/// A recorded motion with what it is held against.
+pub struct Motion<'a> {
+    /// The mechanism that moved; its configuration is (x, z, angle) per body.
+    pub mechanism: &'a dyn Mechanism,
+    /// Its motion.
+    pub recording: &'a Recording,
+    /// The closed form, where there is one.
+    pub exact: Option<&'a ExactMotion>,
+    /// Gravity \[m/s²\].
+    pub gravity: f64,
+}
+
+/// One number of the summary; no value where it is not defined for this motion.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Quantity {
+    /// What it is.
+    pub name: &'static str,
+    /// Its value.
+    pub value: Option<f64>,
+    /// Its unit.
+    pub unit: &'static str,
+}
+
+/// Samples of a closed form in a picture.
+const EXACT_SAMPLES: usize = 1500;
+
+impl Motion<'_> {
+    /// Penetration, energy, restitution, rest and the distance from the closed form.
+    pub fn summary(&self) -> Vec<Quantity> {
+        let balance = energy_balance(self.recording, |state| self.mechanism.energy(state));
+        let last = self.mechanism.energy(self.recording.last());
+        let ratios = self.normal_velocities().map(|u| effective_restitutions(&u, self.resting_speed()));
+        let settled = settling_time(&self.times(), &self.speeds(), self.resting_speed());
+        let quantity = |name, value, unit| Quantity { name, value, unit };
+        vec![
+            quantity("time step", Some(self.recording.time_step), "s"),
+            quantity("steps", Some(self.recording.impulses.len() as f64), "1"),
+            quantity("deepest penetration", Some(penetration(&self.smallest_gaps())), "m"),
+            quantity("initial energy", Some(balance.initial), "J"),
+            quantity("energy change", Some(last - balance.initial), "J"),
+            quantity("largest energy gain in a step", Some(balance.largest_gain).filter(|gain| gain.is_finite()), "J"),
+            quantity("impacts", ratios.as_ref().map(|ratios| ratios.len() as f64), "1"),
+            quantity("effective restitution of the first impact", ratios.and_then(|ratios| ratios.first().copied()), "1"),
+            quantity("settling time", settled, "s"),
+            quantity("creep speed at rest", settled.and_then(|settled| self.creep(settled)), "m/s"),
+            quantity("largest position error", self.exact.map(|exact| self.position_error(exact)), "m"),
+        ]
+    }
+
+    /// Position, velocity and energy; only coordinates that move appreciably, or all heights if none does.
+    pub fn panels(&self) -> Vec<Panel> {
+        let coordinates = self.moving();
+        let panel = |axis: &str, part: &dyn Fn(&State, usize) -> f64| {
+            let exact = coordinates.iter().filter_map(|(_, index)| self.exact_curve(&|state| part(state, *index)));
+            let computed = coordinates.iter().map(|(label, index)| self.curve(label, &|state| part(state, *index)));
+            Panel { axis: axis.into(), curves: exact.chain(computed).collect() }
+        };
+        let energy = |state: &State| self.mechanism.energy(state);
+        let total = self.exact_curve(&energy).into_iter().chain([self.curve("kinetic + potential", &energy)]);
+        vec![
+            panel("position [m]", &|state, index| state.position[index]),
+            panel("velocity [m/s]", &|state, index| state.velocity[index]),
+            Panel { axis: "energy [J]".into(), curves: total.collect() },
+        ]
+    }
+
+    fn curve(&self, label: &str, value: &dyn Fn(&State) -> f64) -> Curve {
+        let points = self.recording.samples.iter().map(|state| (state.time, value(state)));
+        Curve { label: label.into(), role: Role::Computed, points: points.collect() }
+    }
+
+    fn exact_curve(&self, value: &dyn Fn(&State) -> f64) -> Option<Curve> {
+        let end = self.recording.last().time;
+        let states =
+            (0..=EXACT_SAMPLES).map(|k| end * k as f64 / EXACT_SAMPLES as f64).map(|time| self.exact.map(|exact| exact.state(time)));
+        let points = states.map(|state| state.map(|state| (state.time, value(&state)))).collect::<Option<_>>()?;
+        Some(Curve { label: "closed form".into(), role: Role::ClosedForm, points })
+    }
+
+    /// Labels and indices of the coordinates x and z that vary by more than a hundredth of the largest variation.
+    fn moving(&self) -> Vec<(String, usize)> {
+        let start = &self.recording.samples[0];
+        let names = self.mechanism.bodies(&start.position, &start.velocity).into_iter().map(|body| body.name);
+        let all: Vec<_> =
+            names.enumerate().flat_map(|(k, name)| [(format!("{name} x"), 3 * k), (format!("{name} z"), 3 * k + 1)]).collect();
+        let range = |index: usize| {
+            let values = || self.recording.samples.iter().map(|state| state.position[index]);
+            values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
+        };
+        let largest = all.iter().map(|(_, index)| range(*index)).fold(0.0, f64::max);
+        let moving: Vec<_> = all.iter().filter(|(_, index)| range(*index) > 0.01 * largest).cloned().collect();
+        if moving.is_empty() { all.into_iter().filter(|(_, index)| index % 3 == 1).collect() } else { moving }
+    }
+
+    fn times(&self) -> Vec<f64> {
+        self.recording.samples.iter().map(|state| state.time).collect()
+    }
+
+    /// Largest speed of a centre of mass at each sample \[m/s\].
+    fn speeds(&self) -> Vec<f64> {
+        let fastest = |state: &State| {
+            let bodies = (0..state.velocity.len() / 3).map(|k| state.velocity[3 * k].hypot(state.velocity[3 * k + 1]));
+            bodies.fold(0.0, |worst: f64, speed| if speed.is_nan() || speed > worst { speed } else { worst })
+        };
+        self.recording.samples.iter().map(fastest).collect()
+    }
+
+    fn smallest_gaps(&self) -> Vec<f64> {
+        let gaps = |state: &State| self.mechanism.contacts(&state.position).iter().map(|contact| contact.gap).fold(f64::INFINITY, f64::min);
+        self.recording.samples.iter().map(gaps).collect()
+    }
+
+    /// u_n at each sample, for a mechanism with a single contact.
+    fn normal_velocities(&self) -> Option<Vec<f64>> {
+        let normal = |state: &State| match self.mechanism.contacts(&state.position).as_slice() {
+            [contact] => Some((&contact.jacobian * &state.velocity)[0]),
+            _ => None,
+        };
+        self.recording.samples.iter().map(normal).collect()
+    }
+
+    /// 2 g h: a resting body falls freely for at most one step and rebounds with at most what it fell with.
+    fn resting_speed(&self) -> f64 {
+        2.0 * self.gravity * self.recording.time_step
+    }
+
+    /// Largest mean speed of a body over the second half of the motion, if it rested by then.
+    fn creep(&self, settled: f64) -> Option<f64> {
+        let (times, half) = (self.times(), 0.5 * self.recording.last().time);
+        let mean = |index: usize| {
+            let places: Vec<f64> = self.recording.samples.iter().map(|state| state.position[index]).collect();
+            creep_speed(&times, &places, half)
+        };
+        let bodies = (0..self.recording.last().position.len() / 3).map(|k| Some(mean(3 * k)?.hypot(mean(3 * k + 1)?)));
+        let fastest = bodies.collect::<Option<Vec<_>>>()?.into_iter().fold(0.0, f64::max);
+        (settled <= half).then_some(fastest)
+    }
+
+    /// max ‖x(t_k) − x_exact(t_k)‖ over bodies and samples \[m\].
+    fn position_error(&self, exact: &ExactMotion) -> f64 {
+        let error = |state: &State| {
+            let difference = &state.position - exact.state(state.time).position;
+            (0..difference.len() / 3).map(|k| difference[3 * k].hypot(difference[3 * k + 1])).fold(0.0, f64::max)
+        };
+        self.recording.samples.iter().map(error).fold(0.0, f64::max)
+    }
+}
+
+/// The defined quantities, one per line.
+pub fn lines(quantities: &[Quantity]) -> String {
+    let mut text = String::new();
+    for Quantity { name, value, unit } in quantities {
+        if let Some(value) = value {
+            writeln!(text, "  {name:42} {}", with_unit(&significant(*value), unit)).expect("writing to a String cannot fail");
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenes::named;
+    use crate::schemes::{Anitescu, MoreauJean, Scheme, simulate};
+    use crate::solvers::Reference;
+    use crate::tolerance::rounding;
+
+    fn with_motion(scene: &str, scheme: &dyn Scheme, check: impl Fn(&Motion, &dyn Fn(&str) -> Option<f64>)) {
+        let scene = named(scene).expect("a built-in scene");
+        let (mechanism, start) = scene.mechanism().expect("planar");
+        let exact = scene.exact_motion(&start);
+        let recording = simulate(scheme, &Reference, mechanism.as_ref(), start, 0.01, 200).expect("a solvable scene");
+        let motion = Motion { mechanism: mechanism.as_ref(), recording: &recording, exact: exact.as_ref(), gravity: 9.81 };
+        let summary = motion.summary();
+        check(&motion, &|name| summary.iter().find(|quantity| quantity.name == name).expect("a known name").value);
+    }
+
+    #[test]
+    fn the_first_bounce_shows_the_restitution_and_the_ball_comes_to_rest() {
+        with_motion("bouncing-ball", &MoreauJean::default(), |motion, value| {
+            assert!((value("effective restitution of the first impact").expect("one contact") - 0.5).abs() <= rounding(64, 1.0));
+            assert!(value("settling time").expect("it rests") < 2.0);
+            assert!(value("largest position error").expect("a closed form") < 0.1);
+            let panels = motion.panels();
+            assert_eq!(panels.iter().map(|panel| panel.curves.len()).collect::<Vec<_>>(), [2, 2, 2]);
+            assert_eq!(panels[0].curves[1].label, "ball z");
+        });
+    }
+
+    #[test]
+    fn a_sticking_block_does_not_creep_and_a_sliding_one_never_rests() {
+        with_motion("incline-stick", &Anitescu, |_, value| {
+            assert!(value("creep speed at rest").expect("it rests") <= rounding(10_000, 1.0));
+        });
+        with_motion("incline-slide", &MoreauJean::default(), |_, value| {
+            assert_eq!((value("settling time"), value("creep speed at rest")), (None, None));
+            assert_eq!(value("impacts"), None);
+        });
+    }
+
+    #[test]
+    fn a_stack_at_rest_shows_its_heights() {
+        with_motion("box-stack", &MoreauJean::default(), |motion, _| {
+            let labels: Vec<_> = motion.panels()[0].curves.iter().map(|curve| curve.label.clone()).collect();
+            assert!(labels.contains(&"box5 z".to_string()), "{labels:?}");
+        });
+    }
+
+    #[test]
+    fn undefined_quantities_have_no_line() {
+        let quantity = |value| Quantity { name: "creep", value, unit: "m/s" };
+        assert_eq!(lines(&[quantity(None)]), "");
+        assert!(lines(&[quantity(Some(0.5))]).ends_with(" 0.5 m/s\n"));
+    }
+}
