@@ -49,16 +49,16 @@ def perturbed(scene):
 
 
 def sensitivity(engine, job, scene, base):
-    """{kind: [amplification, change when the stopping tolerance is halved]}."""
+    """{kind: [A, D]} of `reference.tolerance`."""
     def measure(other_scene, options):
         other = ask(engine, job, other_scene, options)
         return largest_changes(comparable(base), comparable(other))
 
-    amplification = measure(perturbed(scene), job.options)
-    stopping = {}
+    change = measure(perturbed(scene), job.options)
+    stopping = change
     if job.engine == "mujoco":
         tolerance = job.options.get("tolerance", 1e-8)
         stopping = measure(scene, {**job.options, "tolerance": tolerance / 2})
-    return {kind: [float(f"{amplification.get(kind, 0.0) / PERTURBATION:.2e}"),
+    return {kind: [float(f"{change.get(kind, 0.0) / PERTURBATION:.2e}"),
                    float(f"{stopping.get(kind, 0.0):.2e}")]
-            for kind in sorted(set(amplification) | set(stopping))}
+            for kind in sorted(set(change) | set(stopping))}

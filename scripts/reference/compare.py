@@ -74,16 +74,21 @@ def largest_changes(base, other):
     return result
 
 
-def check(stored, fresh, engine, config):
+def tolerances_of(document, table):
+    """{kind: tolerance} from the sensitivity stored in the document."""
+    provenance = document.get("provenance", {})
+    return tolerances(numbers_by_kind(table), provenance.get("sensitivity", {}),
+                      provenance.get("steps", 0))
+
+
+def check(stored, fresh):
     """Compare two documents.
 
     Returns (messages, blind): the differences, and the kinds whose control failed.  The control
     moves one stored number of every kind by ten times its tolerance, which must be reported.
     """
     old, new = comparable(stored), comparable(fresh)
-    provenance = stored.get("provenance", {})
-    allowed = tolerances(numbers_by_kind(old), provenance.get("sensitivity", {}),
-                         provenance.get("steps", 0), engine, config)
+    allowed = tolerances_of(stored, old)
     messages = differences(old, new, allowed)
     blind, tried = [], set()
     for place, (kind, value) in old.items():

@@ -73,7 +73,8 @@ def _mujoco():
         yield Job("mujoco", "five_box_stack", f"{config}-10sweeps", 2e-3, step=8,
                   options={**MUJOCO_SOLVERS[config], "iterations": 10})
     for config in MUJOCO_NEWTON:
-        yield Job("mujoco", "ball_rest", config, 1e-3, step=900, options=MUJOCO_SOLVERS[config])
+        for scene, h, step in (("ball_rest", 1e-3, 900), ("block_stick", 2e-3, 400)):
+            yield Job("mujoco", scene, config, h, step=step, options=MUJOCO_SOLVERS[config])
 
 
 def _drake():
@@ -90,6 +91,19 @@ def _drake():
         yield Job("drake", scene, "sap", h, step=step, options=DRAKE["sap"])
 
 
+# Motions that the engine itself does not reproduce when its stopping tolerance or the initial
+# state changes by next to nothing (`tolerance.MEANINGFUL`); they would check nothing.
+NOT_REPRODUCIBLE = {
+    # The sliding block hops, and the solver's stopping error decides when.
+    ("mujoco", "block_slide", "cg-elliptic", 1e-3),
+    ("mujoco", "block_slide", "cg-pyramidal", 2e-3),
+    ("mujoco", "block_slide", "pgs-elliptic", 1e-3),
+    # The top of the stack tumbles at this step.
+    *(("drake", "five_box_stack", config, 1e-2) for config in DRAKE),
+}
+
+
 def all_jobs():
     """Every reference file, engine by engine."""
-    return [*_mujoco(), *_drake()]
+    return [job for job in (*_mujoco(), *_drake()) if job.is_dump or
+            (job.engine, job.scene, job.config, job.time_step) not in NOT_REPRODUCIBLE]

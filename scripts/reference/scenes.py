@@ -38,7 +38,7 @@ def _block_on_incline(name, description, friction):
     position = [x * (half_height + START_GAP) for x in TILTED["normal"]]
     tilt = (math.cos(INCLINE / 2), 0.0, math.sin(INCLINE / 2), 0.0)
     block = _box("block", [0.1, 0.1, half_height], position, tilt)
-    drake = {"stiffness": 2e3, "dissipation": 10.0, "relaxation_time": 0.0,
+    drake = {"stiffness": 2e3, "dissipation": 10.0, "relaxation_time": 0.005,
              "stiction_tolerance": 1e-4}
     return _scene(name, description, TILTED, [block], friction, 1.0, {"drake": drake})
 
