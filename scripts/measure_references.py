@@ -167,16 +167,17 @@ def print_drake_creep():
 
 def print_drake_dumps():
     print("\n**Drake SAP: closed forms and the rebuilt step**\n")
-    print("| dump | w [1/kg] | σ w h m g sin α/n_c [m/s] | Δ law velocity | Δ impulse | λ_min |"
+    print("| dump | w [1/kg] | σ h m g sin α / Σ 1/w [m/s] | Δ law velocity | Δ impulse | λ_min |"
           "\n|---|---|---|---|---|---|")
     for job in all_jobs():
         if job.is_dump and job.engine == "drake":
             document = read(REFERENCES / job.path)
             native, checks = document["native"], document["checks"]
-            count, w = len(native["w"]), native["w"][0]
-            predicted = (1e-3 * w * job.time_step * GRAVITY * math.sin(math.radians(20)) / count
+            force = GRAVITY * math.sin(math.radians(20))
+            predicted = (1e-3 * job.time_step * force / sum(1 / w for w in native["w"])
                          if job.scene == "block_stick" else None)
-            print(f"| {job.path.split('/')[1]} | {w:.6f} | "
+            print(f"| {job.path.split('/')[1]} | "
+                  f"{', '.join(sorted({format(w, '.6f') for w in native['w']}))} | "
                   f"{'–' if predicted is None else format(predicted, '.5e')} | "
                   f"{checks['law_velocity_relative_difference']:.1e} | "
                   f"{checks['impulse_relative_difference']:.1e} | "
