@@ -36,6 +36,9 @@ pub fn first_impact(subject: &dyn Scheme, ball: &DroppedBall, h: f64) -> Result<
     Err(Error::Unsupported(format!("{}: no impact within twice the time of the fall", subject.name())))
 }
 
+/// Name of the finding that compares the energy after the first impact with that of the fall.
+pub const ENERGY_OF_BOUNCE: &str = "energy of the bounce over energy of the fall";
+
 /// Velocity, kinetic energy and scheme energy over the first impact of a dropped ball, held against what is proved for
 /// Moreau–Jean with the parameters `proved`.
 ///
@@ -54,7 +57,7 @@ pub fn impact(subject: &dyn Scheme, proved: &MoreauJean, ball: &DroppedBall, h: 
     let energy_rounding = energy_rounding(ball, &before, h);
     Ok(vec![
         Finding::equal("velocity ratio of the impact", -w / v, e, rounded / v.abs(), "1"),
-        Finding::equal("energy of the bounce over energy of the fall", (w / exact_speed).powi(2), e * e, bound + rounding(8, 1.0), "1"),
+        Finding::equal(ENERGY_OF_BOUNCE, (w / exact_speed).powi(2), e * e, bound + rounding(8, 1.0), "1"),
         Finding::equal("scheme energy lost", lost, expected, energy_rounding, "J"),
     ])
 }

@@ -15,25 +15,25 @@ pub const DEFECTS: &[Defect] = &[
     Defect {
         name: "energy/restitution-on-the-wrong-side",
         mistake: "0 ≤ e v⁺ + v⁻ ⟂ r ≥ 0: the ball leaves with v⁻/e and gains the factor 1/e² of energy",
-        defective: || family(&Misassembled(restitution_on_the_wrong_side)),
+        defective: || family(&Misassembled { base: SCHEME, alter: restitution_on_the_wrong_side }),
         reference: || family(&SCHEME),
     },
     Defect {
         name: "energy/delassus-with-mass",
         mistake: "W = H M Hᵀ instead of H M⁻¹ Hᵀ: right only for m = 1",
-        defective: || family(&Misassembled(delassus_with_mass)),
+        defective: || family(&Misassembled { base: SCHEME, alter: delassus_with_mass }),
         reference: || family(&SCHEME),
     },
     Defect {
         name: "energy/restitution-of-the-free-velocity",
         mistake: "e multiplies v_free instead of v: each bounce gains e g h of speed",
-        defective: || family(&Misassembled(restitution_of_the_free_velocity)),
+        defective: || family(&Misassembled { base: SCHEME, alter: restitution_of_the_free_velocity }),
         reference: || family(&SCHEME),
     },
     Defect {
         name: "energy/restitution-forgotten",
         mistake: "the shift e v is left out: every impact is plastic",
-        defective: || family(&Misassembled(|problem| problem.shift.fill(0.0))),
+        defective: || family(&Misassembled { base: SCHEME, alter: restitution_forgotten }),
         reference: || family(&SCHEME),
     },
 ];
@@ -46,8 +46,8 @@ fn family(subject: &dyn Scheme) -> Result<Vec<Finding>> {
     impact(subject, &SCHEME, &ball, 0.01)
 }
 
-/// y = e u⁺ + u⁻ has the zeros of y = u⁺ + u⁻/e, and u⁻ = shift/e.
-fn restitution_on_the_wrong_side(problem: &mut ContactProblem) {
+/// y = e u⁺ + u⁻ has the zeros of y = u⁺ + u⁻/e, and u⁻ = shift/e; for e = ½.
+pub(crate) fn restitution_on_the_wrong_side(problem: &mut ContactProblem) {
     problem.shift /= RESTITUTION * RESTITUTION;
 }
 
@@ -61,23 +61,32 @@ fn restitution_of_the_free_velocity(problem: &mut ContactProblem) {
     problem.shift = &problem.free_velocity * RESTITUTION;
 }
 
+pub(crate) fn restitution_forgotten(problem: &mut ContactProblem) {
+    problem.shift.fill(0.0);
+}
+
 /// Moreau–Jean whose contact problem is altered before it is solved.
-struct Misassembled(fn(&mut ContactProblem));
+pub(crate) struct Misassembled {
+    /// The scheme that assembles it correctly.
+    pub base: MoreauJean,
+    /// What is done to the problem.
+    pub alter: fn(&mut ContactProblem),
+}
 
 impl Scheme for Misassembled {
     fn name(&self) -> String {
-        format!("{}, altered", SCHEME.name())
+        format!("{}, altered", self.base.name())
     }
 
     fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        let mut assembled = SCHEME.assemble(mechanism, state, h)?;
+        let mut assembled = self.base.assemble(mechanism, state, h)?;
         if let Some(problem) = &mut assembled.problem {
-            (self.0)(problem);
+            (self.alter)(problem);
         }
         Ok(assembled)
     }
 
     fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        SCHEME.advance(mechanism, state, velocity_post, h)
+        self.base.advance(mechanism, state, velocity_post, h)
     }
 }

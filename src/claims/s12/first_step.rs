@@ -1,0 +1,176 @@
+//! §12, the setting, the first step with h = 0.1 and h = 0.01, and the state before the contact step.
+
+use super::{before_contact, start};
+use crate::Result;
+use crate::checks::Finding;
+use crate::checks::energy::worked_ball;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::contact::delassus::delassus;
+use crate::mechanics::{PointMass, State};
+use crate::scalar::{Rational, ratio};
+use crate::schemes::exact_particle::{Motion, Outcome};
+use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme};
+use nalgebra::{DMatrix, dvector};
+
+/// The claims of this file.
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S12.setup",
+        statement: "A point mass m = 1 kg under g = 10 m/s² above the floor q = 0 with gap φ(q) = q has H = ∇φ = 1 and \
+                    the Delassus operator W = H M⁻¹ Hᵀ = 1.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated; W has the unit 1/kg.",
+        argument: "H is the derivative of q by q, 1, and W = 1 · (1/1 kg) · 1 = 1/kg: once in rationals, once as the \
+                   problem that the scheme assembles.",
+        control: "The same ball with m = 2 kg, for which W = 1/2.",
+        sources: &["chapter §12, setting"],
+        check: setup,
+    },
+    Claim {
+        id: "S12.h01",
+        statement: "With h = 0.1 the first step forecasts q₀ + h v_free = −0.05 < 0, so the contact is active and \
+                    P₁ = 1 N·s, v₁ = 0, although the ball is still at 0.05 m; the chapter itself calls this a degenerate case.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated; moreover the state repeats: the ball hovers at 0.05 m with P = 1 N·s in every step.",
+        argument: "v_free = 0 − 10 · 1/10 = −1, forecast 1/20 − 1/10 = −1/20 < 0, U = P − 1 + ½ · 0 = 0 gives P = 1 and \
+                   v₁ = 0, q₁ = 1/20. The state after the step equals the state before it, hence so do all that follow.",
+        control: "The rule φ + ½ h v ≤ 0 of the Siconos code instead of the forecast with v_free: not active, the ball falls.",
+        sources: &["chapter §12, step 1"],
+        check: coarse_first_step,
+    },
+    Claim {
+        id: "S12.cause",
+        statement: "The early activation exposes a problem of purely velocity-level schemes with a large step: they judge by \
+                    extrapolated penetration; use a smaller h, or the position level (Stewart–Trinkle's φ/h judges better).",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "The cause is the forecast φ + h v_free of the activation rule, not the velocity level: under \
+                            φ + ½ h v ≤ 0 the same velocity-level step does not activate. A smaller h does not remove \
+                            the effect but scales it: with the forecast by v_free the ball comes to rest within g h² of \
+                            the floor, in general above it. Stewart–Trinkle lands exactly.",
+        argument: "h = 1/10, q = 1/20, v = 0: φ + h v_free = −1/20 ≤ 0 is active, φ + ½ h v = 1/20 is not. \
+                   Stewart–Trinkle: φ/h + v⁺ ≥ 0 gives v⁺ = −1/2 and q⁺ = 0. With h = 1/100, 1/200, 1/400 the ball has \
+                   come to rest after the 3 V/(g h) steps to T∞ and as many again, at heights in [0, g h²].",
+        control: "The reading that blames the velocity level: the velocity-level step with the half-step forecast is \
+                  expected to activate as well.",
+        sources: &["chapter §12, step 1 and the lesson after it"],
+        check: cause,
+    },
+    Claim {
+        id: "S12.h001",
+        statement: "With h = 0.01 the forecast is 0.049 > 0, the contact is not active, P₁ = 0, v₁ = −0.1 m/s, q₁ = 0.049 m.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated.",
+        argument: "v_free = −1/10, forecast 1/20 − 1/1000 = 49/1000 > 0, hence P₁ = 0, v₁ = −1/10, q₁ = 49/1000.",
+        control: "θ = ½ instead of 1, which moves the ball by 1/2000 m only.",
+        sources: &["chapter §12, step 1 repeated with h = 0.01"],
+        check: fine_first_step,
+    },
+    Claim {
+        id: "S12.state",
+        statement: "Jump to a step just before landing: q = 0.005 m, v = −0.99 m/s (the speed accumulated by free fall), h = 0.01.",
+        verdict: Verdict::Inconsistent,
+        evidence: Evidence::Exact,
+        correct_statement: "Free fall from 0.05 m reaches 0.005 m with v = −0.9 m/s after nine such steps (−0.9487 m/s in \
+                            continuous time). The contact step from there has P = 1.45 N·s, v⁺ = 0.45 m/s, q⁺ = 0.0095 m.",
+        argument: "Free steps with θ = 1 conserve Ẽ = ½v² + g q − ½ g h v per unit mass: 1/2 at the start, but 11791/20000 at \
+                   (0.005, −0.99); also ½·0.99² + 10·0.005 = 0.54005 J exceeds the 0.5 J of the start. The state is \
+                   therefore not reachable from the start of the example; as an assumed state it serves the computation.",
+        control: "The state (0.005, −0.9), which is reachable.",
+        sources: &["chapter §12, contact step"],
+        check: state_before_contact,
+    },
+];
+
+fn setup(reading: Reading) -> Result<Vec<Finding>> {
+    let mass = reading.pick(1, 2);
+    let one = DMatrix::from_element(1, 1, ratio(1, 1));
+    let exact = delassus(&DMatrix::from_element(1, 1, ratio(mass, 1)), &one)?;
+    let ball = PointMass::ball_on_floor(mass as f64, 10.0, 0.5);
+    let scheme = MoreauJean { theta: 1.0, activation: Activation::FreeVelocityForecast, restitution: RestitutionRule::NormalOnly };
+    let at_floor = State { time: 0.0, position: dvector![0.0], velocity: dvector![-1.0] };
+    let assembled = scheme.assemble(&ball, &at_floor, 0.1)?;
+    let of_scheme = assembled.problem.map_or(f64::NAN, |problem| problem.delassus[(0, 0)]);
+    Ok(vec![
+        Finding::exact("W", &exact[(0, 0)], &ratio(1, 1), "1/kg"),
+        Finding::equal("W assembled by the scheme", of_scheme, 1.0, 0.0, "1/kg"),
+        Finding::equal("H", assembled.jacobian[(0, 0)], 1.0, 0.0, "1"),
+    ])
+}
+
+/// A step of the example with θ = 1.
+fn step(now: &Motion<Rational>, activation: Activation, h: &Rational) -> Outcome<Rational> {
+    worked_ball().moreau_jean(now, &ratio(1, 1), activation, h)
+}
+
+fn coarse_first_step(reading: Reading) -> Result<Vec<Finding>> {
+    let activation = reading.pick(Activation::FreeVelocityForecast, Activation::HalfStepForecast);
+    let h = ratio(1, 10);
+    let first = step(&start(), activation, &h);
+    let later = (0..50).fold(first.motion.clone(), |now, _| step(&now, activation, &h).motion);
+    Ok(vec![
+        Finding::exact("P₁", &first.impulse, &ratio(1, 1), "N·s"),
+        Finding::exact("v_free", &first.free_velocity, &ratio(-1, 1), "m/s"),
+        Finding::exact("forecast", &first.forecast, &ratio(-1, 20), "m"),
+        Finding::exact("v₁", &first.motion.velocity, &ratio(0, 1), "m/s"),
+        Finding::exact("q after 51 steps", &later.position, &ratio(1, 20), "m"),
+    ])
+}
+
+fn cause(reading: Reading) -> Result<Vec<Finding>> {
+    let h = ratio(1, 10);
+    let blamed = reading.pick(Activation::FreeVelocityForecast, Activation::HalfStepForecast);
+    let landed = worked_ball().stewart_trinkle(&start(), &h);
+    let mut findings = vec![
+        Finding::decision("the blamed rule activates at 0.05 m with h = 0.1", step(&start(), blamed, &h).active, true),
+        Finding::decision("the half-step forecast activates", step(&start(), Activation::HalfStepForecast, &h).active, false),
+        Finding::exact("Stewart–Trinkle: v₁", &landed.motion.velocity, &ratio(-1, 2), "m/s"),
+        Finding::exact("Stewart–Trinkle: q₁", &landed.motion.position, &ratio(0, 1), "m"),
+    ];
+    for inverse in [100, 200, 400] {
+        let h = ratio(1, inverse);
+        // V = 1 m/s, so T∞ = 0.3 s is 3·inverse/10 steps.
+        let rest = (0..6 * inverse / 10).fold(start(), |now, _| step(&now, Activation::FreeVelocityForecast, &h).motion);
+        let height = rest.position / (ratio(10, 1) * &h * &h);
+        findings.push(Finding::at_most(format!("height at rest, h = 1/{inverse}"), height.to_f64().value(), 1.0, "g h²"));
+        findings.push(Finding::at_least(format!("height at rest, h = 1/{inverse}"), height.to_f64().value(), 0.0, "g h²"));
+    }
+    Ok(findings)
+}
+
+fn fine_first_step(reading: Reading) -> Result<Vec<Finding>> {
+    let theta = reading.pick(ratio(1, 1), ratio(1, 2));
+    let first = worked_ball().moreau_jean(&start(), &theta, Activation::FreeVelocityForecast, &ratio(1, 100));
+    Ok(vec![
+        Finding::exact("q₁", &first.motion.position, &ratio(49, 1000), "m"),
+        Finding::exact("v₁", &first.motion.velocity, &ratio(-1, 10), "m/s"),
+        Finding::exact("P₁", &first.impulse, &ratio(0, 1), "N·s"),
+        Finding::exact("forecast", &first.forecast, &ratio(49, 1000), "m"),
+    ])
+}
+
+fn state_before_contact(reading: Reading) -> Result<Vec<Finding>> {
+    let (h, ball) = (ratio(1, 100), worked_ball());
+    let claimed = Motion { velocity: reading.pick(ratio(-99, 100), ratio(-9, 10)), ..before_contact() };
+    let mut now = start();
+    let mut steps = 0usize;
+    while now.position > claimed.position {
+        now = step(&now, Activation::FreeVelocityForecast, &h).motion;
+        steps += 1;
+    }
+    let contact = step(&now, Activation::FreeVelocityForecast, &h);
+    let energy = |motion: &Motion<Rational>| ball.scheme_energy(motion, &ratio(1, 1), &h);
+    Ok(vec![
+        Finding::decision("the state is reached by free fall from the start", now == claimed, false),
+        Finding::exact("Ẽ of the state", &energy(&claimed), &ratio(11791, 20000), "J"),
+        Finding::exact("Ẽ of the start", &energy(&start()), &ratio(1, 2), "J"),
+        Finding::count("steps of free fall to 0.005 m", steps, 9),
+        Finding::exact("v there", &now.velocity, &ratio(-9, 10), "m/s"),
+        Finding::exact("P of the contact step from there", &contact.impulse, &ratio(29, 20), "N·s"),
+        Finding::exact("v⁺ from there", &contact.motion.velocity, &ratio(9, 20), "m/s"),
+        Finding::exact("q⁺ from there", &contact.motion.position, &ratio(19, 2000), "m"),
+    ])
+}
