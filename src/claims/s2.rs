@@ -1,6 +1,0 @@
-//! Claims of §2.
-
-use super::Claim;
-
-/// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[];

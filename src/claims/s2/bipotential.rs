@@ -1,0 +1,141 @@
+//! De Saxcé's bipotential and Coulomb's law as a complementarity of cones, on a grid of exact pairs.
+
+use super::half_space::{pairs, whole};
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::scalar::{Rational, ratio};
+
+/// Claims on the bipotential.
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S2.bipotential",
+        statement: "De Saxcé's bipotential is b(v, r) = μ‖v_t‖ r_n + ⟨v, r⟩.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "b(−u, r) = μ r_n‖u_t‖ plus the indicators of u_n ≥ 0 and r ∈ K_μ. The printed expression is its residual b(−u, r) + ⟨u, r⟩ without the indicators, zero exactly on the contact law.",
+        argument: "A bipotential satisfies b(−u, r) ≥ −⟨u, r⟩ with equality on the law. Sliding with u = (0, 1, 0), r = (1, −μ, 0), μ = 7/10: −⟨u, r⟩ = 7/10 = μ r_n‖u_t‖, but the printed expression is 0 with v = u (against ⟨u, r⟩ = −7/10) and 7/5 with v = −u. \
+            The formula is right under another name: as the residual it is ≥ 0 for r ∈ K_μ, u_n ≥ 0, and it vanishes on all stick, slip and open pairs of the grid and on no other.",
+        control: "the printed expression, with v = −u, as the bipotential",
+        sources: &["chapter §2, friction by the bipotential", "de Saxcé and Feng, The bipotential method (1998)"],
+        check: bipotential,
+    },
+    Claim {
+        id: "S2.desaxce-incl",
+        statement: "With the bipotential, contact with friction becomes one implicit inclusion that unites normal complementarity and maximal dissipation.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "K_μ ∋ r ⟂ u + μ‖u_t‖ n ∈ K_μ*.",
+        argument: "û_n = u_n + μ‖u_t‖, so û ∈ K* iff u_n ≥ 0, and r·û = r_n u_n + (μ r_n‖u_t‖ + r_t·u_t) is a sum of two terms that are ≥ 0 on r ∈ K: it vanishes iff Signorini's and Coulomb's laws hold. \
+            On a grid of rational pairs with rational norms the two formulations agree everywhere; stick, slip and separation all occur.",
+        control: "the inclusion without the term μ‖u_t‖ n",
+        sources: &["chapter §2, friction by the bipotential", "de Saxcé and Feng, The bipotential method (1998)"],
+        check: inclusion,
+    },
+];
+
+/// A vector (n, t) whose tangential part `size · unit` has a rational norm.
+struct Vector {
+    normal: Rational,
+    size: Rational,
+    unit: [Rational; 2],
+}
+
+impl Vector {
+    fn tangent(&self) -> [Rational; 2] {
+        self.unit.clone().map(|entry| entry * self.size.clone())
+    }
+
+    /// ⟨self, other⟩.
+    fn dot(&self, other: &Vector) -> Rational {
+        let ([a, b], [c, d]) = (self.tangent(), other.tangent());
+        self.normal.clone() * other.normal.clone() + a * c + b * d
+    }
+}
+
+const MU: [i64; 2] = [7, 10];
+
+fn mu() -> Rational {
+    ratio(MU[0], MU[1])
+}
+
+/// Normal entries times tangents of four directions and several lengths.
+fn vectors(normals: &[Rational], sizes: &[Rational]) -> Vec<Vector> {
+    let units = [
+        [ratio(3, 5), ratio(4, 5)],
+        [ratio(-3, 5), ratio(-4, 5)],
+        [ratio(4, 5), ratio(-3, 5)],
+        [whole(1), whole(0)],
+        [whole(-1), whole(0)],
+    ];
+    let lengths_and_units: Vec<_> = pairs(sizes, &units).collect();
+    pairs(normals, &lengths_and_units)
+        .map(|(normal, (size, unit))| Vector { normal: normal.clone(), size: (*size).clone(), unit: (*unit).clone() })
+        .collect()
+}
+
+/// Velocities and impulses of all kinds, inside, on and outside their cones.
+fn pairs_of_the_grid() -> (Vec<Vector>, Vec<Vector>) {
+    let velocities = vectors(&[whole(-1), whole(0), ratio(1, 2)], &[whole(0), whole(1), whole(2)]);
+    let impulses = vectors(&[whole(0), whole(1), whole(3)], &[whole(0), ratio(1, 2), ratio(7, 10), ratio(21, 10), whole(3)]);
+    (velocities, impulses)
+}
+
+fn in_cone(r: &Vector) -> bool {
+    r.normal >= whole(0) && r.size <= mu() * r.normal.clone()
+}
+
+/// Signorini's and Coulomb's laws, case by case.
+fn law_holds(u: &Vector, r: &Vector) -> bool {
+    let signorini = u.normal >= whole(0) && r.normal >= whole(0) && u.normal.clone() * r.normal.clone() == whole(0);
+    let coulomb = if u.size == whole(0) {
+        r.size <= mu() * r.normal.clone()
+    } else {
+        let bound = mu() * r.normal.clone();
+        r.tangent() == u.unit.clone().map(|entry| -(bound.clone() * entry))
+    };
+    signorini && coulomb
+}
+
+fn bipotential(reading: Reading) -> Result<Vec<Finding>> {
+    let dissipation = |u: &Vector, r: &Vector| mu() * r.normal.clone() * u.size.clone();
+    // b(−u, r): the printed expression with v = −u adds ⟨v, r⟩.
+    let potential = |u: &Vector, r: &Vector| dissipation(u, r) - reading.pick(whole(0), u.dot(r));
+    let slip = Vector { normal: whole(0), size: whole(1), unit: [whole(1), whole(0)] };
+    let opposed = Vector { normal: whole(1), size: mu(), unit: [whole(-1), whole(0)] };
+    let (velocities, impulses) = pairs_of_the_grid();
+    let admissible = |u: &Vector, r: &Vector| u.normal >= whole(0) && in_cone(r);
+    let residual = |u: &Vector, r: &Vector| potential(u, r) + u.dot(r);
+    let (mut negative, mut mismatches) = (0, 0);
+    for (u, r) in pairs(&velocities, &impulses).filter(|(u, r)| admissible(u, r)) {
+        negative += usize::from(residual(u, r) < whole(0));
+        mismatches += usize::from((residual(u, r) == whole(0)) != law_holds(u, r));
+    }
+    let printed = dissipation(&slip, &opposed) + slip.dot(&opposed);
+    Ok(vec![
+        Finding::exact("b(−u, r) of a sliding pair", &potential(&slip, &opposed), &-slip.dot(&opposed), "J"),
+        Finding::exact("printed expression minus ⟨u, r⟩ on that pair", &(printed - slip.dot(&opposed)), &mu(), "J"),
+        Finding::count("admissible pairs with b(−u, r) < −⟨u, r⟩", negative, 0),
+        Finding::count("admissible pairs where equality and the law differ", mismatches, 0),
+    ])
+}
+
+fn inclusion(reading: Reading) -> Result<Vec<Finding>> {
+    let (velocities, impulses) = pairs_of_the_grid();
+    let (mut mismatches, mut stick, mut slip, mut open) = (0, 0, 0, 0);
+    for (u, r) in pairs(&velocities, &impulses) {
+        let correction = reading.pick(mu() * u.size.clone(), whole(0));
+        let corrected = u.normal.clone() + correction.clone();
+        let dual = corrected >= mu() * u.size.clone();
+        let complementary = u.dot(r) + r.normal.clone() * correction == whole(0);
+        let law = law_holds(u, r);
+        mismatches += usize::from((in_cone(r) && dual && complementary) != law);
+        stick += usize::from(law && r.normal > whole(0) && u.size == whole(0));
+        slip += usize::from(law && r.normal > whole(0) && u.size > whole(0));
+        open += usize::from(law && u.normal > whole(0));
+    }
+    Ok(vec![
+        Finding::count("pairs where inclusion and Coulomb–Signorini differ", mismatches, 0),
+        Finding::decision("stick, slip and separation all occur", stick > 0 && slip > 0 && open > 0, true),
+    ])
+}

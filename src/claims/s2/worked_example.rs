@@ -1,0 +1,184 @@
+//! The worked example of §2 – a point on the line and a wall at 0 – and the exercises on it.
+
+use super::half_space::{Impact, TangentCone, grid, line_normal_cone_contains, pairs, whole};
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::problem::stewart_trinkle;
+use crate::scalar::{Rational, ratio};
+use crate::solvers::enumeration::all_solutions;
+use nalgebra::{DMatrix, DVector};
+
+/// Claims of the worked example and the exercises.
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S2.case2",
+        statement: "Case two of the example: from −M dv ∈ N_{T_C(0)}(v⁺), with v⁻ < 0, the impulse makes v⁺ = 0 (plastic, e = 0) or v⁺ = −e v⁻ = e|v⁻| > 0 (rebound).",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "−M dv ∈ N_{T_C(0)}(v⁺) has the one solution v⁺ = 0. A rebound needs the argument v⁺ + e v⁻ of §3, whose one solution is v⁺ = −e v⁻.",
+        argument: "If v⁺ > 0, then v⁺ is interior to T_C(0) = {u ≥ 0}, N = {0}, and v⁺ = v⁻ < 0: a contradiction. From v⁻ = −1 the solutions of the printed inclusion are {0}; v⁺ = 1/2 is none of them. \
+            The text means the two impact laws and labels them by e; only the replacement of the argument is missing.",
+        control: "the inclusion with the argument v⁺ + v⁻/2, as if the printed one had the rebound among its solutions",
+        sources: &["chapter §2, worked example, case two"],
+        check: case_two,
+    },
+    Claim {
+        id: "S2.cone-direction",
+        statement: "In case two the normal cone N_{T_C(0)}(0) = {g ≤ 0} is the normal pointing into the set.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "The set {g ≤ 0} is right; for C = {q ≥ 0} it points out of C. The force −g is what points in.",
+        argument: "0 + t g = −t ∉ C for g = −1 and every t > 0. Only the words in parentheses are wrong; three lines on, the text has the wall push along the inward normal, which is right.",
+        control: "the inward normal g = +1 as the member of the cone",
+        sources: &["chapter §2, worked example, case two"],
+        check: cone_direction,
+    },
+    Claim {
+        id: "S2.case13",
+        statement: "Cases one and three: inside (q > 0), or at the wall and leaving (q = 0, v > 0), there is no force and v does not change.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated: the normal cone is {0}.",
+        argument: "Inside T_C = ℝ, at the wall with v > 0 the velocity is interior to T_C = {u ≥ 0}; in both N = {0}, hence P = m(v⁺ − v⁻) = 0. The solution sets for v⁻ = 1/3, 2 are {v⁻}, and of all g = −2 … 2 only 0 is in the cone.",
+        control: "case two, v⁻ < 0 at the wall",
+        sources: &["chapter §2, worked example, cases one and three"],
+        check: cases_one_and_three,
+    },
+    Claim {
+        id: "S2.branches",
+        statement: "The three cases are the three branches of 0 ≤ φ ⟂ λ ≥ 0: (φ > 0, λ = 0), (φ = 0, λ > 0), (φ = 0, λ = 0).",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated; these are all branches.",
+        argument: "Of the nine pairs of signs of φ and λ, 0 ≤ φ, 0 ≤ λ and φλ = 0 leave exactly these three.",
+        control: "the two inequalities without φλ = 0",
+        sources: &["chapter §2, insight after the worked example"],
+        check: branches,
+    },
+    Claim {
+        id: "S2.ex1",
+        statement: "Exercise 1: with Newton's law the impulse at the wall is P = −2 m v⁻ for e = 1 and P = −m v⁻ for e = 0.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "P = m(v⁺ − v⁻) = −(1 + e) m v⁻.",
+        argument: "Integrating the inclusion over the atom gives P = m(v⁺ − v⁻); v⁺ = −e v⁻ is the only solution with argument v⁺ + e v⁻. For m = 3/2 and v⁻ = −2: P = 3, 9/2, 6 N·s for e = 0, 1/2, 1.",
+        control: "the argument v⁺ instead of v⁺ + e v⁻",
+        sources: &["chapter §2, exercise 1"],
+        check: exercise_one,
+    },
+    Claim {
+        id: "S2.ex3",
+        statement: "Exercise 3: on a smooth phase the inclusion is equivalent to 0 ≤ λ ⟂ ∇φ·v⁺ ≥ 0; with the friction cone this becomes a nonlinear complementarity problem instead of an LCP.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "The equivalence holds on φ = 0. Friction leaves an LCP in the plane and for polyhedral cones; the nonlinear problem comes with the circular cone of a spatial contact.",
+        argument: "At φ > 0 the inclusion admits every v⁺ with λ = 0, the complementarity only those with ∇φ·v⁺ ≥ 0. In the plane the Stewart–Trinkle LCP with ±t has for W = I, u_free = (−1, 1), μ = 1/2 the one solution r = (1, −1/2), \
+            on the cone and opposed to u = (0, 1/2): Coulomb's law, exactly. In space, four directions and u_free = (−1, 1, 1), the same LCP gives ‖r_t‖²/(μ r_n)² = 1/2 instead of 1. \
+            No rational LCP with one solution can do better there: Coulomb's r_t = −(1,1)/(2√2) is irrational.",
+        control: "the spatial contact with four directions as if its LCP were Coulomb's law",
+        sources: &["chapter §2, exercise 3"],
+        check: exercise_three,
+    },
+];
+
+fn case_two(reading: Reading) -> Result<Vec<Finding>> {
+    let inclusion = Impact::moreau(whole(1), reading.pick(whole(0), ratio(1, 2)));
+    let pre = whole(-1);
+    Ok(vec![
+        Finding::count("solutions of the inclusion from v⁻ = −1", inclusion.solutions(&pre).len(), 1),
+        Finding::decision("v⁺ = 0 is a solution", inclusion.admits(&pre, &whole(0)), true),
+        Finding::decision("the rebound v⁺ = 1/2 is a solution", inclusion.admits(&pre, &ratio(1, 2)), false),
+    ])
+}
+
+fn cone_direction(reading: Reading) -> Result<Vec<Finding>> {
+    let g = reading.pick(whole(-1), whole(1));
+    let inside = |q: Rational| q >= whole(0);
+    Ok(vec![
+        Finding::decision(format!("g = {g} is in N(0)"), line_normal_cone_contains(true, &whole(0), &g), true),
+        Finding::decision(format!("a small step along g = {g} stays in C"), inside(g * ratio(1, 1000)), false),
+    ])
+}
+
+fn cases_one_and_three(reading: Reading) -> Result<Vec<Finding>> {
+    let sign = reading.pick(whole(1), whole(-1));
+    let mut findings = Vec::new();
+    for speed in [ratio(1, 3), whole(2)] {
+        let pre = sign.clone() * speed;
+        for post in Impact::moreau(whole(1), whole(0)).solutions(&pre) {
+            findings.push(Finding::exact(format!("impulse at the wall, v⁻ = {pre}"), &(post - pre.clone()), &whole(0), "N·s"));
+        }
+        let members = |contact| (-2..=2).filter(|g| line_normal_cone_contains(contact, &pre, &whole(*g))).count();
+        findings.push(Finding::count(format!("members of the cone inside, v = {pre}"), members(false), 1));
+        findings.push(Finding::count(format!("members of the cone at the wall, v = {pre}"), members(true), 1));
+    }
+    Ok(findings)
+}
+
+fn branches(reading: Reading) -> Result<Vec<Finding>> {
+    let signs = [-1, 0, 1];
+    let solves = |gap: i64, force: i64| gap >= 0 && force >= 0 && reading.pick(gap * force == 0, true);
+    let found: Vec<(i64, i64)> = pairs(&signs, &signs).map(|(a, b)| (*a, *b)).filter(|(gap, force)| solves(*gap, *force)).collect();
+    let named = [(1, 0), (0, 1), (0, 0)];
+    Ok(vec![
+        Finding::count("branches of the complementarity", found.len(), 3),
+        Finding::decision("they are the three named ones", named.iter().all(|branch| found.contains(branch)), true),
+    ])
+}
+
+fn exercise_one(reading: Reading) -> Result<Vec<Finding>> {
+    let (mass, pre) = (ratio(3, 2), whole(-2));
+    let mut findings = Vec::new();
+    for (e, expected) in [(whole(1), whole(6)), (whole(0), whole(3)), (ratio(1, 2), ratio(9, 2))] {
+        let solutions = Impact::moreau(mass.clone(), reading.pick(e.clone(), whole(0))).solutions(&pre);
+        findings.push(Finding::count(format!("solutions for e = {e}"), solutions.len(), 1));
+        let impulse = |post: &Rational| mass.clone() * (post.clone() - pre.clone());
+        findings.extend(solutions.iter().map(|post| Finding::exact(format!("P for e = {e}"), &impulse(post), &expected, "N·s")));
+    }
+    Ok(findings)
+}
+
+/// How many grid pairs (v, λ) satisfy one of inclusion and complementarity, but not both.
+fn disagreements(in_contact: bool) -> usize {
+    let cone = TangentCone::new([1, 2], in_contact);
+    let forces: Vec<i64> = (-2..=2).collect();
+    let velocities = grid(2);
+    let differs = |v, force: i64| {
+        let inclusion = cone.normal_cone_contains(v, &[whole(-force), whole(-2 * force)]);
+        let rate = cone.rate(v);
+        let complementarity = force >= 0 && rate >= whole(0) && whole(force) * rate == whole(0);
+        inclusion != complementarity
+    };
+    pairs(&velocities, &forces).filter(|(v, force)| differs(*v, **force)).count()
+}
+
+/// (‖r_t‖/(μ r_n))² and the number of solutions of the LCP of one sliding contact with W = I, μ = 1/2, u_free = (−1, 1, …).
+fn strength_of_lcp_solution(rows: usize) -> Result<(Rational, usize)> {
+    let [one, none] = [whole(1), whole(0)];
+    let axes = [[one.clone(), none.clone()], [none.clone(), one.clone()], [whole(-1), none.clone()], [none, whole(-1)]];
+    let directions: Vec<_> = if rows == 2 { vec![axes[0].clone(), axes[2].clone()] } else { axes.to_vec() };
+    let map = stewart_trinkle::generators(1, rows, &directions);
+    let free = DVector::from_fn(rows, |row, _| if row == 0 { whole(-1) } else { one.clone() });
+    let reduced: DMatrix<Rational> = map.transpose() * &map;
+    let mu = ratio(1, 2);
+    let lcp = stewart_trinkle::lcp(&reduced, &[mu.clone()], &(map.transpose() * free));
+    let set = all_solutions(&lcp)?;
+    let Some(z) = set.points.first() else { return Ok((whole(0), 0)) };
+    let impulse = &map * z.rows(0, map.ncols());
+    let tangential = impulse.iter().skip(1).fold(whole(0), |sum, entry| sum + entry.clone() * entry.clone());
+    let bound = mu * impulse[0].clone();
+    Ok((tangential / (bound.clone() * bound), set.points.len()))
+}
+
+fn exercise_three(reading: Reading) -> Result<Vec<Finding>> {
+    let (ratio_squared, solutions) = strength_of_lcp_solution(reading.pick(2, 3))?;
+    let (spatial, _) = strength_of_lcp_solution(3)?;
+    Ok(vec![
+        Finding::exact("(‖r_t‖/(μ r_n))² of the sliding LCP solution", &ratio_squared, &whole(1), "1"),
+        Finding::count("solutions of the LCP", solutions, 1),
+        Finding::exact("the same in space with four directions", &spatial, &ratio(1, 2), "1"),
+        Finding::count("differences of inclusion and complementarity in contact", disagreements(true), 0),
+        Finding::decision("they differ out of contact", disagreements(false) > 0, true),
+    ])
+}
