@@ -2,5 +2,10 @@
 
 use super::Claim;
 
+mod gliding;
+mod nonconvexity;
+mod planar_step;
+mod program;
+
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[];
+pub const CLAIMS: &[&[Claim]] = &[program::CLAIMS, gliding::CLAIMS, nonconvexity::CLAIMS];

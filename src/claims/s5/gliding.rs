@@ -1,0 +1,176 @@
+//! Claims of §5 on the price of the relaxation: creep where a block should stick, and what really happens.
+
+use super::planar_step::Block;
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::problem::Law;
+use crate::scalar::{Rational, ratio};
+
+/// The claims of this file.
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S5.gliding-creep",
+        statement: "Anitescu's relaxation produces a visible artefact: an object that should stick, for instance a block at rest on an incline, \
+                    slips slowly with a speed of order h.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "The hard relaxation sticks exactly: for tan α ≤ μ its step keeps v = 0. Its artefact belongs to sliding contacts, which \
+                            hover at the gap φ = μ h |v_t|. Creep of order h in stick belongs to schemes that also regularise friction, such as \
+                            Drake's SAP with its tangential softness R_t.",
+        argument: "At φ = 0, v = 0 the impulse r = h m g (cos α, −sin α) lies in K_μ for tan α ≤ μ and makes u = 0 ∈ K_μ*; r·u = 0, so this is the \
+                   step, and v⁺ is unique. 200 exact steps with tan α = 3/4, μ = 751/1000 and h = 1/10, 1/100, 1/1000 give v_t = 0 and φ = 0. \
+                   Sliding (μ = 1/2, started at φ = μ h v_t): complementarity puts u + (φ/h) n on the boundary of K*, φ + h v_n = μ h |v_t|, and \
+                   φ/(μ h v_t) = 1 after every step.",
+        control: "The same block with the tangential softness R_t = 1/1000 kg⁻¹ of a regularised scheme, which does creep.",
+        sources: &["chapter §5, the price of convexity", "KKT conditions of the convex step"],
+        check: no_creep,
+    },
+    Claim {
+        id: "S5.gliding-normal",
+        statement: "When the normal force is large the body slips with a speed proportional to the normal force, although it should stick.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "The hard relaxation does not creep at all. With a tangential softness R_t the creep is v = R_t r_t, proportional to the \
+                            tangential impulse and independent of the normal load.",
+        argument: "In stick the law velocity y_t = u_t + R_t r_t vanishes, so u_t = −R_t r_t whatever r_n is, as long as |r_t| ≤ μ r_n. In 20 exact steps \
+                   from rest with R_t = 1/1000: pressing twice as hard (g_n 8 → 16 m/s²) changes the speed by the factor 1, pulling twice as hard along the slope \
+                   (g_t 3 → 6 m/s²) by the factor 2.",
+        control: "A block beyond its friction angle (μ = 1/2 < tan α = 3/4): the speed of a real slide does depend on the normal load.",
+        sources: &["chapter §5, the price of convexity"],
+        check: creep_follows_the_tangential_load,
+    },
+    Claim {
+        id: "S5.gliding-mechanism",
+        statement: "The slip arises because the relaxed constraint μ(n·v) + |Dᵀv| ≤ 0 couples the two velocities: through the gap term and softening a small \
+                    penetration velocity along the normal leaks into tangential slip.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "The constraint is n·v + φ/h ≥ μ|v_t|. It lets tangential motion force normal lift, u_n = μ|u_t|; a normal approach or a penetration forces no \
+                            tangential motion.",
+        argument: "A block with μ = 1 that arrives with v_n = −1/10 under the tangential load of the 3-4-5 slope stops: v⁺ = (0, 0). A block \
+                   that lies 1/1000 deep on level ground leaves with v⁺ = (1/10, 0) for h = 1/100: no slip. Conversely a tangential velocity of 1 m/s \
+                   with μ = 1/2 on level ground without gravity becomes v_t = 1/(1+μ²) = 4/5 and v_n = μ/(1+μ²) = 2/5. The leak needs the sign as printed: the set \
+                   μ n·v + |v_t| ≤ 0 contains the velocity (−9/50, 3/50) of free fall into the slope and lets it pass. (One mistake, counted at S5.relaxed-constraint.)",
+        control: "The printed set: the velocity it leaves to the arriving block is its free one, because the set contains it.",
+        sources: &["chapter §5, the price of convexity and exercise 2"],
+        check: no_leak,
+    },
+    Claim {
+        id: "S5.glide-h-not-mu",
+        statement: "The slip is inherent to the scheme and proportional to h, not to the friction coefficient; raising μ only treats the symptom.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "True of the creep of a block at rest under a regularised convex scheme (R_t independent of h, as in Drake's SAP): v = R_t r_t is proportional to h and \
+                            independent of μ. The hard relaxation has no creep; its sliding gap μ h |v_t| is proportional to h and to μ.",
+        argument: "R_t = 1/1000, 20 exact steps from rest on the 3-4-5 slope: the creep with h/10 is 1/10 of that with h, and μ = 1 and μ = 2 give the same creep, \
+                   because u_t⁺ = (u_t + h g_t)·R_t/(1 + R_t) contains no μ. The gap of a hard slide is φ = μ h v_t: 1/2 and 1/4 of h v_t for μ = 1/2 and μ = 1/4.",
+        control: "The gap of the hard slide in place of the creep, whose ratio between the two friction coefficients is 2.",
+        sources: &["chapter §5, pitfalls and exercise 2"],
+        check: proportional_to_h,
+    },
+];
+
+/// R_t \[1/kg\] of the regularised block.
+fn softness() -> Rational {
+    ratio(1, 1000)
+}
+
+fn no_creep(reading: Reading) -> Result<Vec<Finding>> {
+    let mut findings = Vec::new();
+    for denominator in [10, 100, 1000] {
+        let h = ratio(1, denominator);
+        let mut block = Block::at_rest(ratio(751, 1000));
+        // rationals of the creeping control grow with every step
+        let steps = reading.pick(200, 10);
+        block.tangential_softness = reading.pick(ratio(0, 1), softness());
+        block.steps(steps, &h)?;
+        findings.push(Finding::exact(format!("v_t in stick, h = 1/{denominator}"), &block.velocity[1], &ratio(0, 1), "m/s"));
+        findings.push(Finding::exact(format!("φ in stick, h = 1/{denominator}"), &block.gap, &ratio(0, 1), "m"));
+    }
+    let (h, mu) = (ratio(1, 100), ratio(1, 2));
+    let block = slide(&mu, &h)?;
+    findings.push(Finding::exact("φ/(μ h v_t) in a slide", &(block.gap / (mu * h * block.velocity[1].clone())), &ratio(1, 1), "1"));
+    Ok(findings)
+}
+
+/// 30 exact steps of a slide that starts at v_t = 1 m/s with its own gap μ h v_t, under the hard relaxation.
+fn slide(friction: &Rational, h: &Rational) -> Result<Block> {
+    let mut block = Block::at_rest(friction.clone());
+    block.velocity = [ratio(0, 1), ratio(1, 1)];
+    block.gap = friction.clone() * h.clone();
+    block.steps(30, h)?;
+    Ok(block)
+}
+
+/// Speed after 20 exact steps from rest with h = 1/100 under the given loads.
+fn creep(friction: Rational, normal_gravity: Rational, tangential_gravity: Rational, h: &Rational) -> Result<Rational> {
+    let mut block = Block { normal_gravity, tangential_gravity, tangential_softness: softness(), ..Block::at_rest(friction) };
+    block.steps(20, h)?;
+    Ok(block.velocity[1].clone())
+}
+
+fn creep_follows_the_tangential_load(reading: Reading) -> Result<Vec<Finding>> {
+    let friction = || reading.pick(ratio(1, 1), ratio(1, 2));
+    let h = ratio(1, 100);
+    let speed = |normal: i64, tangential: i64| creep(friction(), ratio(normal, 1), ratio(tangential, 1), &h);
+    Ok(vec![
+        Finding::exact("creep with twice the normal load, relative", &(speed(16, 6)? / speed(8, 6)?), &ratio(1, 1), "1"),
+        Finding::exact("creep with twice the tangential load, relative", &(speed(8, 6)? / speed(8, 3)?), &ratio(2, 1), "1"),
+    ])
+}
+
+fn no_leak(reading: Reading) -> Result<Vec<Finding>> {
+    let h = ratio(1, 100);
+    let mut arriving = Block { velocity: [ratio(-1, 10), ratio(0, 1)], ..Block::at_rest(ratio(1, 1)) };
+    match reading {
+        Reading::Recorded => arriving.step(&h).map(|_| ())?,
+        Reading::Control => {
+            let free = [ratio(-18, 100), ratio(6, 100)];
+            let in_printed_set = arriving.friction.clone() * free[0].clone() + free[1].clone() <= ratio(0, 1);
+            if in_printed_set {
+                arriving.velocity = free;
+            }
+        }
+    }
+    let level = |gap: Rational, velocity: [Rational; 2], gravity: Rational| Block {
+        tangential_gravity: ratio(0, 1),
+        normal_gravity: gravity,
+        gap,
+        velocity,
+        ..Block::at_rest(ratio(1, 2))
+    };
+    let mut deep = level(ratio(-1, 1000), [ratio(0, 1), ratio(0, 1)], ratio(10, 1));
+    deep.step(&h)?;
+    let mut shoved = level(ratio(0, 1), [ratio(0, 1), ratio(1, 1)], ratio(0, 1));
+    shoved.step(&h)?;
+    Ok(vec![
+        Finding::exact("v_t after a normal approach", &arriving.velocity[1], &ratio(0, 1), "m/s"),
+        Finding::exact("v_n after a normal approach", &arriving.velocity[0], &ratio(0, 1), "m/s"),
+        Finding::exact("v_t out of a penetration", &deep.velocity[1], &ratio(0, 1), "m/s"),
+        Finding::exact("v_n out of a penetration", &deep.velocity[0], &ratio(1, 10), "m/s"),
+        Finding::exact("v_n forced by 1 m/s of tangential velocity", &shoved.velocity[0], &ratio(2, 5), "m/s"),
+    ])
+}
+
+fn proportional_to_h(reading: Reading) -> Result<Vec<Finding>> {
+    let h = ratio(1, 100);
+    let of_h = |h: &Rational| creep(ratio(1, 1), ratio(8, 1), ratio(6, 1), h);
+    let between = match reading {
+        Reading::Recorded => of_h(&h)? / creep(ratio(2, 1), ratio(8, 1), ratio(6, 1), &h)?,
+        Reading::Control => relative_gap(ratio(1, 2), &h)? / relative_gap(ratio(1, 4), &h)?,
+    };
+    Ok(vec![
+        Finding::exact("ratio between the friction coefficients", &between, &ratio(1, 1), "1"),
+        Finding::exact("creep with h/10 over creep with h", &(of_h(&ratio(1, 1000))? / of_h(&h)?), &ratio(1, 10), "1"),
+        Finding::exact("sliding gap φ/(h v_t) for μ = 1/2", &relative_gap(ratio(1, 2), &h)?, &ratio(1, 2), "1"),
+        Finding::exact("sliding gap φ/(h v_t) for μ = 1/4", &relative_gap(ratio(1, 4), &h)?, &ratio(1, 4), "1"),
+    ])
+}
+
+/// φ/(h v_t) of a hard slide.
+fn relative_gap(friction: Rational, h: &Rational) -> Result<Rational> {
+    let block = slide(&friction, h)?;
+    debug_assert_eq!(block.law, Law::Associated);
+    Ok(block.gap / (h.clone() * block.velocity[1].clone()))
+}

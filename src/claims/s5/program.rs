@@ -1,0 +1,264 @@
+//! Claims of §5 on the convex program of one step: its form, its optimality conditions and the uniqueness of its solution.
+
+use super::planar_step::{PlanarStep, box_on_two_corners};
+use crate::Result;
+use crate::certificate::definiteness::{Definiteness, definiteness};
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::problem::Law;
+use crate::scalar::{Rational, ratio};
+use nalgebra::{DMatrix, DVector};
+
+/// The claims of this file.
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S5.strict-qp",
+        statement: "Every step solves a strictly convex quadratic program in the contact impulses γ, whose Hessian is the Delassus operator N = DᵀM⁻¹D.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "The program is strictly convex in the velocity, so v⁺ and Nγ are unique. In γ it is convex, and strictly convex only if D has full column rank.",
+        argument: "N = DᵀM⁻¹D is positive semidefinite, and xᵀNx = 0 exactly for Dx = 0. A box on two corners has 4 contact rows and 3 velocities: LDLᵀ over the rationals gives rank \
+                   3 and a kernel vector k with Nk = 0. A single corner has N positive definite.",
+        control: "One corner instead of two, for which N is positive definite.",
+        sources: &["chapter §5, steps 3 and 5 of the construction"],
+        check: strictness,
+    },
+    Claim {
+        id: "S5.D-rank",
+        statement: "D_i = [d_1, …, d_d] collects tangential direction vectors (§4 takes them in pairs ±d); when D has full column rank (no redundant contact) N is positive definite, so the solution is unique.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "The implication holds, but its hypothesis needs columns (n, t₁, t₂) per contact and independent contacts. With direction pairs ±d the columns are \
+                            dependent for every single contact, and N is singular.",
+        argument: "A point of unit mass with columns (n, t): N = I, definite. With columns (n, d, −d): N = (1,0,0; 0,1,−1; 0,−1,1), which has the kernel (0,1,1): adding the same amount to both \
+                   opposite impulses changes nothing.",
+        control: "Columns (n, t) fed in place of the symmetric direction set.",
+        sources: &["chapter §4, construction of the polyhedral cone", "chapter §5, steps 1 and 5"],
+        check: symmetric_directions_are_dependent,
+    },
+    Claim {
+        id: "S5.psd-unique",
+        statement: "Even if N is only positive semidefinite, the solution is usually still unique once the friction cone is added.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "If N is singular, v⁺ and Nγ stay unique, but the impulses are in general not: a box that sticks on two corners has a segment of optimal impulses for every load inside the cones.",
+        argument: "Both corners of a box have the same tangential row, so k = (0,1,0,−1) has Nk = 0. If γ is optimal with both corners strictly inside their cones, γ + s k is feasible with the same objective, \
+                   hence optimal, for all small s; and being strictly inside is an open condition on the load. Checked exactly for three loads: γ, γ ± k/20 all satisfy K ∋ γ ⟂ y ∈ K* and give the same v⁺. The text says \
+                   “usually”; this is the usual case of a box at rest.",
+        control: "A single contact, where the same shift of the tangential impulse is no longer a solution.",
+        sources: &["chapter §5, step 5"],
+        check: many_optimal_impulses,
+    },
+    Claim {
+        id: "S5.gap-term",
+        statement: "The relaxed non-penetration constraint is written on velocities with a gap term, n·v + φ/h ≥ 0.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "n·v⁺ + φ/h ≥ 0: for a gap that is linear in q the gap after the step, φ + h n·v⁺, is non-negative, and zero where the contact pushes without sliding.",
+        argument: "φ⁺ = φ + h n·v⁺ = h (n·v⁺ + φ/h). A ball 1/250 m above the ground falling at 1 m/s (h = 1/100) lands at φ⁺ = 0 exactly, with n·v⁺ = −2/5.",
+        control: "The constraint without the gap term, n·v ≥ 0, which stops the ball in the air.",
+        sources: &["chapter §5, step 2 of the construction"],
+        check: gap_term,
+    },
+    Claim {
+        id: "S5.qp-form",
+        statement: "Eliminating the velocity, each step is min ½γᵀNγ + rᵀγ over the friction cones, where r contains the free velocity and the gap term φ/h.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "With v⁺ = v_free + M⁻¹Dγ: ½‖v⁺‖²_M − ½‖v_free‖²_M + (φ/h)·γ_n = ½γᵀNγ + rᵀγ, r = Dᵀv_free + φ/h on the normal rows.",
+        argument: "Expand ½(v_free + M⁻¹Dγ)ᵀM(v_free + M⁻¹Dγ). Checked as an identity of rationals on 12 impulses of a box on two corners with gaps 1/7 and 2/7 m/s.",
+        control: "r without the gap term.",
+        sources: &["chapter §5, step 3 and exercise 1"],
+        check: elimination,
+    },
+    Claim {
+        id: "S5.ccp",
+        statement: "The optimality conditions of the program are the cone complementarity problem K ∋ γ ⟂ Nγ + r ∈ K*, K* the dual of the friction cone.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "γ minimises ½γᵀNγ + rᵀγ over K if and only if K ∋ γ ⟂ Nγ + r ∈ K*, with K* = {u_n ≥ μ‖u_t‖}.",
+        argument: "f is convex with gradient y = Nγ + r, so γ is optimal iff y·(x − γ) ≥ 0 for all x ∈ K; x = 0 and x = 2γ give y·γ = 0, and then y·x ≥ 0 on K is y ∈ K*. Conversely \
+                   f(x) − f(γ) = y·(x−γ) + ½‖x−γ‖²_N ≥ 0. Checked exactly for a sliding box: the answer is cone complementary, and none of the 81 cone points of a grid around it has a smaller objective.",
+        control: "Coulomb's answer to the same step: it satisfies another complementarity and is not optimal.",
+        sources: &["chapter §5, step 4", "first-order optimality over a convex cone"],
+        check: optimality,
+    },
+    Claim {
+        id: "S5.continuous",
+        statement: "The global optimum is unique and depends continuously on the parameters.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "v⁺ is unique and depends on v_free with Lipschitz constant 1 in the M-norm. Continuity in the geometry and in μ needs a pointed cone of generalised impulses (Slater's condition); γ need not be unique.",
+        argument: "v⁺ is the M-projection of v_free on the convex set {v : Dᵀv + φ/h ∈ K*}, and projections do not expand: 64 random pairs of loads on a box, ‖Δv⁺‖²_M ≤ ‖Δv_free‖²_M exactly. Without Slater continuity fails: \
+                   constraints v_y ≥ 0 and εv_x − v_y ≥ 0 and v_free = (−1, 0) give v⁺ = (−1, 0) at ε = 0 but v⁺ = (0, 0) for every ε > 0 (ε = 10⁻³, 10⁻⁶, 10⁻⁹: distance 1).",
+        control: "The second constraint as εv_x + v_y ≥ 0, which leaves the cone pointed: the solution moves by O(ε) only.",
+        sources: &["chapter §5, motivation", "non-expansiveness of projections on convex sets"],
+        check: continuity,
+    },
+];
+
+/// A load that two corners with μ = ½ carry strictly inside their cones.
+fn resting(tangential: Rational) -> PlanarStep {
+    box_on_two_corners([tangential, ratio(-1, 1), ratio(0, 1)], ratio(1, 2))
+}
+
+/// The step with its first contact only.
+fn first_contact(mut step: PlanarStep) -> PlanarStep {
+    step.jacobian = step.jacobian.rows(0, 2).into_owned();
+    step.shift = step.shift.rows(0, 2).into_owned();
+    step.softness = step.softness.rows(0, 2).into_owned();
+    step.friction.truncate(1);
+    step
+}
+
+fn strictness(reading: Reading) -> Result<Vec<Finding>> {
+    let both = resting(ratio(0, 1));
+    let step = reading.pick(both.clone(), first_contact(both));
+    let operator = step.delassus();
+    let (rank, image) = match definiteness(&operator) {
+        Definiteness::Semidefinite { kernel, rank } => {
+            (rank, (&operator * kernel).iter().cloned().fold(ratio(0, 1), |sum, x| sum + x.clone() * x))
+        }
+        _ => (operator.nrows(), ratio(0, 1)),
+    };
+    Ok(vec![
+        Finding::decision("N is singular", rank < operator.nrows(), true),
+        Finding::count("rank of N", rank, 3),
+        Finding::exact("|N k|² of the kernel vector", &image, &ratio(0, 1), "m²/s²"),
+    ])
+}
+
+fn symmetric_directions_are_dependent(reading: Reading) -> Result<Vec<Finding>> {
+    let of = |columns: &[[i64; 2]]| {
+        let d = DMatrix::from_fn(2, columns.len(), |i, j| ratio(columns[j][i], 1));
+        definiteness(&(d.transpose() * d))
+    };
+    let basis: &[[i64; 2]] = &[[1, 0], [0, 1]];
+    let symmetric = of(reading.pick(&[[1, 0], [0, 1], [0, -1]], basis));
+    Ok(vec![
+        Finding::decision("N of (n, d, −d) is positive definite", symmetric == Definiteness::Definite, false),
+        Finding::decision("N of (n, t) is positive definite", of(basis) == Definiteness::Definite, true),
+    ])
+}
+
+fn many_optimal_impulses(reading: Reading) -> Result<Vec<Finding>> {
+    let mut findings = Vec::new();
+    for (k, tangential) in [ratio(0, 1), ratio(1, 10), ratio(-1, 7)].into_iter().enumerate() {
+        let both = resting(tangential);
+        let step = reading.pick(both.clone(), first_contact(both));
+        // start from the answer with equal tangential impulses, which is strictly inside for these loads
+        let mut answer = step.solve(Law::Associated)?;
+        let rows = step.jacobian.nrows();
+        if rows == 4 {
+            let mean = (answer.impulse[1].clone() + answer.impulse[3].clone()) * ratio(1, 2);
+            (answer.impulse[1], answer.impulse[3]) = (mean.clone(), mean);
+        }
+        let mut shift = DVector::from_element(rows, ratio(0, 1));
+        shift[1] = ratio(1, 20);
+        if rows == 4 {
+            shift[3] = ratio(-1, 20);
+        }
+        let candidates = [answer.impulse.clone(), &answer.impulse + &shift, &answer.impulse - &shift];
+        let optimal: Vec<_> = candidates.iter().filter(|impulse| step.is_cone_complementary(impulse)).collect();
+        findings.push(Finding::count(format!("optimal impulses among three, load {k}"), optimal.len(), 3));
+        let same = optimal.iter().all(|impulse| step.velocity(impulse) == answer.velocity);
+        findings.push(Finding::decision(format!("all give the same v⁺, load {k}"), same, true));
+    }
+    Ok(findings)
+}
+
+fn gap_term(reading: Reading) -> Result<Vec<Finding>> {
+    let (h, gap) = (ratio(1, 100), ratio(1, 250));
+    let gap_rate = reading.pick(gap.clone() / h.clone(), ratio(0, 1));
+    let step = PlanarStep::point([ratio(-1, 1), ratio(0, 1)], gap_rate, ratio(1, 2));
+    let velocity = step.solve(Law::Associated)?.velocity;
+    Ok(vec![
+        Finding::exact("gap after the step", &(gap + h * velocity[0].clone()), &ratio(0, 1), "m"),
+        Finding::exact("n·v⁺", &velocity[0], &ratio(-2, 5), "m/s"),
+    ])
+}
+
+fn elimination(reading: Reading) -> Result<Vec<Finding>> {
+    let mut step = box_on_two_corners([ratio(1, 3), ratio(-1, 1), ratio(1, 5)], ratio(1, 2));
+    let gap_rate = DVector::from_vec(vec![ratio(1, 7), ratio(0, 1), ratio(2, 7), ratio(0, 1)]);
+    step.shift = reading.pick(gap_rate.clone(), DVector::from_element(4, ratio(0, 1)));
+    let kinetic = |v: &DVector<Rational>| {
+        v.iter().zip(&step.mass).fold(ratio(0, 1), |sum, (v, m)| sum + ratio(1, 2) * m.clone() * v.clone() * v.clone())
+    };
+    let mut largest = ratio(0, 1);
+    for k in 0..12i64 {
+        let impulse = DVector::from_fn(4, |i, _| ratio((7 * k + 3 * i as i64) % 11 - 5, 4 + i as i64));
+        let primal = kinetic(&step.velocity(&impulse)) - kinetic(&step.free_velocity) + gap_rate.dot(&impulse);
+        let difference = super::planar_step::magnitude(&(primal - step.objective(&impulse)));
+        largest = if difference > largest { difference } else { largest };
+    }
+    Ok(vec![Finding::exact("largest difference of the two objectives", &largest, &ratio(0, 1), "J")])
+}
+
+fn optimality(reading: Reading) -> Result<Vec<Finding>> {
+    let step = box_on_two_corners([ratio(2, 1), ratio(-1, 1), ratio(0, 1)], ratio(1, 2));
+    let answer = step.solve(reading.pick(Law::Associated, Law::Coulomb))?;
+    let best = step.objective(&answer.impulse);
+    let mut better = 0;
+    for k in 0..81i64 {
+        let place = |power: u32| ratio(k / 3i64.pow(power) % 3 - 1, 10);
+        let mut trial = &answer.impulse + DVector::from_fn(4, |i, _| place(i as u32));
+        for contact in 0..2 {
+            // into the cone: r_n ≥ 0, then r_t within ±μ r_n
+            let normal = if trial[2 * contact] < ratio(0, 1) { ratio(0, 1) } else { trial[2 * contact].clone() };
+            let bound = step.friction[contact].clone() * normal.clone();
+            let tangential = trial[2 * contact + 1].clone();
+            let clipped = if tangential > bound {
+                bound
+            } else if tangential < -bound.clone() {
+                -bound
+            } else {
+                tangential
+            };
+            (trial[2 * contact], trial[2 * contact + 1]) = (normal, clipped);
+        }
+        better += usize::from(step.objective(&trial) < best);
+    }
+    Ok(vec![
+        Finding::decision("K ∋ γ ⟂ Nγ + r ∈ K*", step.is_cone_complementary(&answer.impulse), true),
+        Finding::count("cone points with a smaller objective", better, 0),
+    ])
+}
+
+fn continuity(reading: Reading) -> Result<Vec<Finding>> {
+    let load = |k: i64| [ratio(k * 37 % 41 - 20, 10), ratio(k * 17 % 23 - 18, 10), ratio(k * 29 % 31 - 15, 10)];
+    let energy = |v: &DVector<Rational>, mass: &[Rational]| {
+        v.iter().zip(mass).fold(ratio(0, 1), |sum, (v, m)| sum + m.clone() * v.clone() * v.clone())
+    };
+    let mut expansions = 0;
+    for k in 0..64 {
+        let (one, other) = (box_on_two_corners(load(k), ratio(1, 2)), box_on_two_corners(load(k + 101), ratio(1, 2)));
+        let after = one.solve(Law::Associated)?.velocity - other.solve(Law::Associated)?.velocity;
+        let before = &one.free_velocity - &other.free_velocity;
+        expansions += usize::from(energy(&after, &one.mass) > energy(&before, &one.mass));
+    }
+    let mut findings = Vec::new();
+    let sign = reading.pick(-1, 1);
+    let zero = squeezed(ratio(0, 1), sign)?;
+    for exponent in [3, 6, 9] {
+        let step = squeezed(ratio(1, 10i64.pow(exponent)), sign)? - &zero;
+        findings.push(Finding::exact(format!("|Δv⁺|² between ε = 0 and ε = 1e-{exponent}"), &step.dot(&step), &ratio(1, 1), "m²/s²"));
+    }
+    findings.push(Finding::count("pairs of loads whose distance grows", expansions, 0));
+    Ok(findings)
+}
+
+/// v⁺ for v_free = (−1, 0) under v_y ≥ 0 and εv_x ± v_y ≥ 0, without friction.
+fn squeezed(epsilon: Rational, sign: i64) -> Result<DVector<Rational>> {
+    let zero = || ratio(0, 1);
+    let step = PlanarStep {
+        mass: vec![ratio(1, 1); 2],
+        // tangential rows without effect: there is no friction
+        jacobian: DMatrix::from_row_slice(4, 2, &[zero(), ratio(1, 1), zero(), zero(), epsilon, ratio(sign, 1), zero(), zero()]),
+        free_velocity: DVector::from_vec(vec![ratio(-1, 1), zero()]),
+        shift: DVector::from_element(4, zero()),
+        friction: vec![zero(); 2],
+        softness: DVector::from_element(4, zero()),
+    };
+    Ok(step.solve(Law::Associated)?.velocity)
+}
