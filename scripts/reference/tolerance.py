@@ -4,7 +4,7 @@ Another processor rounds differently, and an iterative solver may then stop one 
 later.  For every kind of number x of a file (positions, impulses, one array of a dump, …) with N
 steps made,
 
-    tolerance = 8 (A N ε s + D) + 64 ε max|x|.
+    tolerance = 8 (A N ε s + D) + 64 ε max(s, max|x|).
 
 A       amplification, measured when the file was made: the largest change of the kind when the
         initial position and velocity of every body change by δ = 1e-9 m and m/s, divided by δ.
@@ -14,9 +14,11 @@ D       the engine's stopping tolerance.  MuJoCo: the largest change of the kind
         tolerances Python cannot change: the whole change under δ, which is ten million times
         rounding and so changes the number of iterations in more steps than rounding can.
 8       headroom: A and D are measured on one perturbation each.
-64 ε    forming and storing the number itself.
+64 ε    forming the number itself, out of terms of size s: a velocity at rest, 1e-17 m/s, is the
+        difference of two that are not.
 
 Numbers of the scene, the options and the times are not computed by the engine: tolerance 0.
+`checks` of a dump are residuals that the adapter holds to its own limits: tolerance 1e-5.
 Iteration counts may differ by 2 or by what was measured with D.
 A and D are stored in each file under `provenance.sensitivity` as {kind: [A, D]}.
 """
@@ -26,7 +28,8 @@ PERTURBATION = 1e-9
 HEADROOM = 8.0
 
 COMPUTED = ("bodies", "contacts", "problem", "answer", "native", "checks")
-COUNTS = ("answer/iterations", "native/iterations", "native/rebuilt_sweeps")
+COUNTS = ("answer/iterations", "native/iterations")
+CHECKS_TOLERANCE = 1e-5
 
 
 def is_computed(kind):
@@ -39,9 +42,11 @@ def tolerances(values, sensitivity, steps):
     result = {}
     for kind, numbers in values.items():
         amplification, stopping = sensitivity.get(kind, (0.0, 0.0))
-        size = max((abs(x) for x in numbers), default=0.0)
+        size = max(1.0, *map(abs, numbers))
         if not is_computed(kind):
             result[kind] = 0.0
+        elif kind.startswith("checks/"):
+            result[kind] = CHECKS_TOLERANCE
         elif kind in COUNTS:
             result[kind] = 2.0 + stopping
         else:
