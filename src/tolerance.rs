@@ -251,4 +251,8 @@ pub mod cli {
     /// Energies are quadratic in velocities, so a relative error of √ε = 1.5e-8 in the velocities is what rounding of an
     /// energy cannot tell from zero; 1e-8 is the next power of ten below it.
     pub const CERTIFY: f64 = 1e-8;
+
+    /// Most steps `simulate` records: a body takes about 200 bytes per step in memory and 300 in a file, so that a scene
+    /// of a few bodies stays near a gigabyte.
+    pub const STEP_LIMIT: usize = 1_000_000;
 }

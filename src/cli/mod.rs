@@ -5,6 +5,7 @@
 mod certify;
 mod near;
 mod output;
+mod simulate;
 mod solve;
 mod verify;
 
@@ -14,7 +15,8 @@ use std::process::ExitCode;
 
 /// Proofs-as-tests for contact time-stepping.
 ///
-/// Verifies the claims of a textbook chapter on nonsmooth contact dynamics, solves and certifies contact problems.
+/// Verifies the claims of a textbook chapter on nonsmooth contact dynamics, solves and certifies contact problems, and
+/// simulates scenes with Moreau–Jean, Stewart–Trinkle and Anitescu time-stepping.
 #[derive(Parser)]
 #[command(name = "moreau", version, after_help = EXAMPLES, arg_required_else_help = true)]
 struct Arguments {
@@ -28,6 +30,7 @@ Examples:
   moreau verify --explain S4.copos-plus      one claim: witness, corrected theorem, sources
   moreau solve problem.json --out answer.json
   moreau certify problem.json answer.json    residuals with units: is it a solution?
+  moreau simulate --scene bouncing-ball --step 0.01 --plot ball.svg
 
 Exit codes:
   0  the answer is yes: every verdict is supported, the answer is a solution
@@ -39,6 +42,7 @@ enum Command {
     Verify(verify::Arguments),
     Solve(solve::Arguments),
     Certify(certify::Arguments),
+    Simulate(Box<simulate::Arguments>),
 }
 
 /// How to write the result.
@@ -80,6 +84,7 @@ pub fn run() -> ExitCode {
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Certify(arguments) => certify::run(&arguments),
+        Command::Simulate(arguments) => simulate::run(&arguments),
     };
     exit_code(answer)
 }

@@ -88,7 +88,7 @@ impl Motion<'_> {
         Some(Curve { label: "closed form".into(), role: Role::ClosedForm, points })
     }
 
-    /// Labels and indices of the coordinates x and z that vary by more than a hundredth of the largest variation.
+    /// Labels and indices of the coordinates x and z that vary by more than a twentieth of the largest variation.
     fn moving(&self) -> Vec<(String, usize)> {
         let start = &self.recording.samples[0];
         let names = self.mechanism.bodies(&start.position, &start.velocity).into_iter().map(|body| body.name);
@@ -99,7 +99,7 @@ impl Motion<'_> {
             values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
         };
         let largest = all.iter().map(|(_, index)| range(*index)).fold(0.0, f64::max);
-        let moving: Vec<_> = all.iter().filter(|(_, index)| range(*index) > 0.01 * largest).cloned().collect();
+        let moving: Vec<_> = all.iter().filter(|(_, index)| range(*index) > 0.05 * largest).cloned().collect();
         if moving.is_empty() { all.into_iter().filter(|(_, index)| index % 3 == 1).collect() } else { moving }
     }
 

@@ -1,6 +1,7 @@
 //! Pictures: panels of curves over time as SVG, legends beside the panels so that they cover nothing.
 
 use super::number::significant;
+use crate::tolerance::EPSILON;
 use crate::{Error, Result};
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -35,22 +36,26 @@ pub struct Panel {
     pub curves: Vec<Curve>,
 }
 
-const WIDTH: u32 = 960;
-const PANEL_HEIGHT: u32 = 260;
-const TITLE_HEIGHT: u32 = 44;
-const LEGEND_WIDTH: u32 = 190;
+/// Lengths below are in screen points times this: the backend rounds to whole units, which would show as steps.
+const FINE: u32 = 8;
+const WIDTH: u32 = 960 * FINE;
+const PANEL_HEIGHT: u32 = 260 * FINE;
+const TITLE_HEIGHT: u32 = 44 * FINE;
+const LEGEND_WIDTH: u32 = 190 * FINE;
 const LEGEND_ROWS: usize = 11;
 /// Points per curve that a picture of this width can show.
-const POINTS: usize = 2 * WIDTH as usize;
-/// Colours that stay apart for colour-blind readers (Okabe and Ito).
-const COLOURS: [RGBColor; 6] = [
+const POINTS: usize = 2 * 960;
+/// Colours that stay apart for colour-blind readers (Okabe and Ito, with their black lightened).
+const COLOURS: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
     RGBColor(204, 121, 167),
     RGBColor(230, 159, 0),
     RGBColor(86, 180, 233),
+    RGBColor(70, 70, 70),
 ];
+const GRID: RGBColor = RGBColor(225, 225, 225);
 const EXACT_COLOUR: RGBColor = RGBColor(190, 190, 190);
 
 /// Panels below each other with a common time axis, as the text of an SVG file.
@@ -65,7 +70,17 @@ pub fn svg(title: &str, panels: &[Panel]) -> Result<String> {
     let times = span(points().map(|point| point.0), 0.0);
     let mut text = String::new();
     draw(&mut text, title, panels, times).map_err(|error| Error::Unsupported(format!("cannot draw the picture: {error}")))?;
-    Ok(text)
+    Ok(on_screen(&text, TITLE_HEIGHT + PANEL_HEIGHT * panels.len() as u32))
+}
+
+/// The picture at its size in screen points; its view box stays fine.
+fn on_screen(text: &str, height: u32) -> String {
+    let size = |width: u32, height: u32| format!("<svg width=\"{width}\" height=\"{height}\"");
+    text.replacen(&size(WIDTH, height), &size(WIDTH / FINE, height / FINE), 1)
+}
+
+fn font(points: u32) -> (&'static str, u32) {
+    ("sans-serif", points * FINE)
 }
 
 type Drawn = std::result::Result<(), Box<dyn std::error::Error>>;
@@ -76,7 +91,7 @@ fn draw(text: &mut String, title: &str, panels: &[Panel], times: Range<f64>) -> 
     let root = SVGBackend::with_string(text, (WIDTH, height)).into_drawing_area();
     root.fill(&WHITE)?;
     let (head, body) = root.split_vertically(TITLE_HEIGHT);
-    head.draw(&Text::new(title.to_string(), (16, 12), ("sans-serif", 20)))?;
+    head.draw(&Text::new(title.to_string(), (16 * FINE as i32, 12 * FINE as i32), font(20)))?;
     for (k, (area, panel)) in body.split_evenly((panels.len(), 1)).iter().zip(panels).enumerate() {
         let (chart, legend) = area.split_horizontally(WIDTH - LEGEND_WIDTH);
         draw_curves(&chart, panel, times.clone(), k + 1 == panels.len())?;
@@ -89,13 +104,15 @@ fn draw(text: &mut String, title: &str, panels: &[Panel], times: Range<f64>) -> 
 fn draw_curves(area: &Area, panel: &Panel, times: Range<f64>, last: bool) -> Drawn {
     let values = span(panel.curves.iter().flat_map(|curve| &curve.points).map(|point| point.1), 0.05);
     let mut chart = ChartBuilder::on(area)
-        .margin(8)
-        .set_label_area_size(LabelAreaPosition::Left, 84)
-        .set_label_area_size(LabelAreaPosition::Bottom, 44)
-        .build_cartesian_2d(times, values)?;
-    let number = |value: &f64| significant(*value);
+        .margin(8 * FINE)
+        .set_label_area_size(LabelAreaPosition::Left, 84 * FINE)
+        .set_label_area_size(LabelAreaPosition::Bottom, 44 * FINE)
+        .build_cartesian_2d(times, values.clone())?;
+    let negligible = EPSILON * 16.0 * (values.end - values.start); // what is left where the axis crosses zero
+    let number = |value: &f64| significant(if value.abs() <= negligible { 0.0 } else { *value });
     let mut mesh = chart.configure_mesh();
-    mesh.label_style(("sans-serif", 14)).axis_desc_style(("sans-serif", 16)).light_line_style(WHITE);
+    mesh.label_style(font(14)).axis_desc_style(font(16)).light_line_style(WHITE).set_all_tick_mark_size(5 * FINE);
+    mesh.bold_line_style(GRID.stroke_width(FINE)).axis_style(BLACK.stroke_width(FINE));
     mesh.x_label_formatter(&number).y_label_formatter(&number).y_labels(6).y_desc(panel.axis.as_str());
     if last {
         mesh.x_desc("time [s]");
@@ -113,9 +130,9 @@ fn draw_legend(area: &Area, panel: &Panel) -> Drawn {
     let rows = panel.curves.iter().zip(styles(panel)).enumerate();
     let rows = rows.filter(|(k, (curve, _))| curve.role == Role::Computed || Some(*k) == first_exact);
     for (row, (_, (curve, style))) in rows.take(LEGEND_ROWS).enumerate() {
-        let y = 20 + 22 * row as i32;
-        area.draw(&PathElement::new(vec![(4, y), (32, y)], style))?;
-        area.draw(&Text::new(curve.label.clone(), (40, y - 8), ("sans-serif", 14)))?;
+        let place = |x: i32, y: i32| (x * FINE as i32, (20 + 22 * row as i32 + y) * FINE as i32);
+        area.draw(&PathElement::new(vec![place(4, 0), place(32, 0)], style))?;
+        area.draw(&Text::new(curve.label.clone(), place(40, -8), font(14)))?;
     }
     Ok(())
 }
@@ -123,10 +140,10 @@ fn draw_legend(area: &Area, panel: &Panel) -> Drawn {
 fn styles(panel: &Panel) -> impl Iterator<Item = ShapeStyle> {
     let mut computed = 0;
     panel.curves.iter().map(move |curve| match curve.role {
-        Role::ClosedForm => EXACT_COLOUR.stroke_width(5),
+        Role::ClosedForm => EXACT_COLOUR.stroke_width(5 * FINE),
         Role::Computed => {
             computed += 1;
-            COLOURS[(computed - 1) % COLOURS.len()].stroke_width(1)
+            COLOURS[(computed - 1) % COLOURS.len()].stroke_width(FINE + FINE / 4)
         }
     })
 }
@@ -176,7 +193,7 @@ mod tests {
     fn a_picture_names_its_axes_and_curves_and_is_the_same_twice() {
         let draw = || svg("a ball", &[panel(vec![(0.0, 1.0), (1.0, 0.0)])]).expect("two finite points");
         let text = draw();
-        for words in ["<svg", "a ball", "height [m]", "time [s]", "closed form", "computed", "</svg>"] {
+        for words in ["<svg width=\"960\" height=\"304\"", "a ball", "height [m]", "time [s]", "closed form", "computed", "</svg>"] {
             assert!(text.contains(words), "{words} is missing");
         }
         assert_eq!(text, draw());

@@ -1,0 +1,286 @@
+//! `moreau simulate`: a scene through a scheme, with numbers, a file and a picture.
+
+use super::near::suggestion;
+use super::output::print;
+use super::{Answer, Format};
+use crate::files::write_together;
+use crate::mechanics::State;
+use crate::report::json::pretty;
+use crate::report::motion::{Motion, Quantity, lines};
+use crate::report::plot;
+use crate::scenes::{self, ExactMotion, Scene};
+use crate::schemes::{self, Activation, Parameters, RestitutionRule, Scheme};
+use crate::tolerance::cli::STEP_LIMIT;
+use crate::trajectory::{Engine, Recording, Trajectory};
+use crate::{Error, Result, solvers};
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+
+/// Simulate a scene with a scheme: summary, trajectory/1 and a picture.
+///
+/// The summary tells penetration, energy, restitution, rest and creep with units, and the distance from the closed
+/// form where the scene has one. The picture shows position, velocity and energy over time, with the closed form
+/// beneath.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// A built-in scene or a file scene/1.
+    #[arg(long, value_name = "NAME|FILE", required_unless_present = "list")]
+    scene: Option<String>,
+    /// The time-stepping scheme: moreau-jean, stewart-trinkle or anitescu.
+    #[arg(long, value_name = "NAME", default_value = "moreau-jean")]
+    scheme: String,
+    /// Time step h [s].
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.001, allow_hyphen_values = true)]
+    step: f64,
+    /// Simulated time [s]; the scene's own if absent.
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
+    duration: Option<f64>,
+    /// θ of moreau-jean, from 0 (explicit) over 1/2 (default) to 1 (implicit).
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    theta: Option<f64>,
+    /// Restitution e of every pair for moreau-jean, in place of the scene's.
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    restitution: Option<f64>,
+    /// Whether e reverses the normal velocity only (normal-only, default) or the whole contact velocity (full-vector).
+    #[arg(long, value_name = "RULE")]
+    restitution_rule: Option<String>,
+    /// Which contacts of moreau-jean are active: A (gap), B (half-step-forecast, default) or D (free-velocity-forecast).
+    #[arg(long, value_name = "RULE")]
+    activation: Option<String>,
+    /// Friction directions of stewart-trinkle at spatial contacts.
+    #[arg(long, value_name = "NUMBER")]
+    friction_directions: Option<usize>,
+    /// Who solves the contact problems.
+    #[arg(long, value_name = "NAME", default_value = "auto", help = super::solve::solver_help())]
+    solver: String,
+    /// Write the motion to this file, a trajectory/1.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Draw position, velocity and energy into this SVG file.
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+    /// List the scenes, schemes and solvers there are.
+    #[arg(long)]
+    list: bool,
+    /// How to write the summary.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  moreau simulate --list
+  moreau simulate --scene bouncing-ball --step 0.01 --plot ball.svg
+  moreau simulate --scene bouncing-ball --theta 1 --activation D --restitution 0.8 --duration 5
+  moreau simulate --scene incline-slide --scheme anitescu --out slide.json --format json
+  moreau simulate --scene my-scene.json --scheme stewart-trinkle";
+
+/// What was simulated, for the summary.
+#[derive(Serialize)]
+struct Summary<'a> {
+    scene: &'a str,
+    scheme: &'a str,
+    solver: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    note: Option<&'static str>,
+    closed_form: Option<&'static str>,
+    quantities: Vec<Quantity>,
+}
+
+/// Runs the subcommand.
+pub fn run(arguments: &Arguments) -> Result<Answer> {
+    match &arguments.scene {
+        Some(scene) if !arguments.list => simulate(arguments, scene)?,
+        _ => list(arguments.format)?,
+    }
+    Ok(Answer::Yes)
+}
+
+fn simulate(arguments: &Arguments, scene: &str) -> Result<()> {
+    let scheme = arguments.scheme()?;
+    let solver = solvers::by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
+    let (scene, note) = arguments.scene(scene)?;
+    let steps = arguments.steps(&scene)?;
+    let (mechanism, start) = scene.mechanism()?;
+    let exact = scene.exact_motion(&start);
+    let recording = schemes::simulate(scheme.as_ref(), solver.as_ref(), mechanism.as_ref(), start, arguments.step, steps)?;
+    finite(&recording)?;
+    let gravity = scene.gravity.iter().map(|part| part * part).sum::<f64>().sqrt();
+    let motion = Motion { mechanism: mechanism.as_ref(), recording: &recording, exact: exact.as_ref(), gravity };
+    write(arguments, &motion, &scene, solver.name())?;
+    let summary = Summary {
+        scene: &scene.name,
+        scheme: &recording.scheme,
+        solver: solver.name(),
+        note,
+        closed_form: exact.as_ref().map(ExactMotion::law),
+        quantities: motion.summary(),
+    };
+    print(&match arguments.format {
+        Format::Text => summary.text(),
+        Format::Json => pretty(&summary)?,
+    })
+}
+
+/// Writes the trajectory and the picture, both or none.
+fn write(arguments: &Arguments, motion: &Motion, scene: &Scene, solver: &str) -> Result<()> {
+    if arguments.out.is_some() && arguments.out == arguments.plot {
+        return Err(Error::invalid("--plot", "is the file of --out", "give each its own file"));
+    }
+    let title = format!("{}, {}, h = {} s", motion.recording.mechanism, motion.recording.scheme, motion.recording.time_step);
+    let mut files: Vec<(&Path, String)> = Vec::new();
+    if let Some(file) = &arguments.plot {
+        files.push((file, plot::svg(&title, &motion.panels())?));
+    }
+    if let Some(file) = &arguments.out {
+        let engine = Engine::ours(&motion.recording.scheme, solver);
+        files.push((file, Trajectory::from_recording(motion.recording, motion.mechanism, scene, engine)?.to_json()?));
+    }
+    let files: Vec<(&Path, &[u8])> = files.iter().map(|(file, text)| (*file, text.as_bytes())).collect();
+    write_together(&files)
+}
+
+impl Arguments {
+    fn scheme(&self) -> Result<Box<dyn Scheme>> {
+        let own = [
+            ("--theta", self.theta.is_some(), "moreau-jean"),
+            ("--restitution", self.restitution.is_some(), "moreau-jean"),
+            ("--restitution-rule", self.restitution_rule.is_some(), "moreau-jean"),
+            ("--activation", self.activation.is_some(), "moreau-jean"),
+            ("--friction-directions", self.friction_directions.is_some(), "stewart-trinkle"),
+        ];
+        if !schemes::NAMES.contains(&self.scheme.as_str()) {
+            let known = format!("use one of {}", schemes::NAMES.join(", "));
+            return Err(Error::invalid(
+                "--scheme",
+                format!("`{}` is unknown", self.scheme),
+                suggestion(&self.scheme, schemes::NAMES, &known),
+            ));
+        }
+        if let Some((option, _, owner)) = own.into_iter().find(|(_, given, owner)| *given && *owner != self.scheme) {
+            return Err(Error::invalid(option, format!("does nothing in {}", self.scheme), format!("it belongs to {owner}")));
+        }
+        let default = Parameters::default();
+        let parameters = Parameters {
+            theta: self.theta.unwrap_or(default.theta),
+            activation: self.activation.as_deref().map_or(Ok(default.activation), activation)?,
+            restitution: self.restitution_rule.as_deref().map_or(Ok(default.restitution), RestitutionRule::by_name).map_err(option)?,
+            directions: self.friction_directions.unwrap_or(default.directions),
+        };
+        schemes::by_name(&self.scheme, parameters).map_err(option)
+    }
+
+    /// The scene with the options applied, and what has to be said about it.
+    fn scene(&self, name: &str) -> Result<(Scene, Option<&'static str>)> {
+        let mut scene = find_scene(name)?;
+        if let Some(duration) = self.duration {
+            scene.duration = positive("--duration", duration)?;
+        }
+        if let Some(value) = self.restitution.filter(|e| !(0.0..=1.0).contains(e)) {
+            return Err(Error::invalid("--restitution", format!("is {value}"), "use a number from 0 to 1"));
+        }
+        let bounces =
+            scene.material.restitution != 0.0 || scene.material.pairs.iter().any(|pair| pair.restitution.is_some_and(|e| e != 0.0));
+        let plastic = self.scheme != "moreau-jean" && bounces;
+        if let Some(restitution) = if plastic { Some(0.0) } else { self.restitution } {
+            scene.material.restitution = restitution;
+            scene.material.pairs.iter_mut().for_each(|pair| pair.restitution = None);
+        }
+        Ok((scene, plastic.then_some("this scheme has no restitution: every impact is plastic, e = 0 in place of the scene's")))
+    }
+
+    fn steps(&self, scene: &Scene) -> Result<usize> {
+        let step = positive("--step", self.step)?;
+        let steps = (scene.duration / step).round();
+        if steps < 1.0 {
+            return Err(Error::invalid("--step", format!("is {step} s"), format!("the motion lasts {} s", scene.duration)));
+        }
+        if steps > STEP_LIMIT as f64 {
+            let problem = format!("is {step} s, {steps} steps over {} s", scene.duration);
+            return Err(Error::invalid("--step", problem, format!("at most {STEP_LIMIT} steps are recorded")));
+        }
+        Ok(steps as usize)
+    }
+}
+
+/// A built-in scene by name, anything else as a file.
+fn find_scene(name: &str) -> Result<Scene> {
+    if scenes::NAMES.contains(&name) {
+        return scenes::named(name);
+    }
+    let file = Path::new(name);
+    let looks_like_file = file.extension().is_some() || file.components().count() > 1;
+    if !looks_like_file && !file.exists() {
+        let known = format!("use one of {}, or a file", scenes::NAMES.join(", "));
+        return Err(Error::invalid(
+            "--scene",
+            format!("`{name}` is neither a built-in scene nor a file"),
+            suggestion(name, scenes::NAMES, &known),
+        ));
+    }
+    Scene::read(file)
+}
+
+/// A rule by its letter or its name.
+fn activation(name: &str) -> Result<Activation> {
+    match name {
+        "A" => Ok(Activation::Gap),
+        "B" => Ok(Activation::HalfStepForecast),
+        "D" => Ok(Activation::FreeVelocityForecast),
+        "C" => Err(Error::invalid("--activation", "is C, under which a resting body sinks", "use A, B or D")),
+        _ => Activation::by_name(name).map_err(option),
+    }
+}
+
+/// The error with the field spelt as the option it came from.
+fn option(error: Error) -> Error {
+    match error {
+        Error::Invalid { field, problem, cure } if field == "directions" => {
+            Error::Invalid { field: "--friction-directions".into(), problem, cure }
+        }
+        Error::Invalid { field, problem, cure } => Error::Invalid { field: format!("--{}", field.replace(' ', "-")), problem, cure },
+        other => other,
+    }
+}
+
+fn positive(field: &str, value: f64) -> Result<f64> {
+    if value.is_finite() && value > 0.0 {
+        return Ok(value);
+    }
+    Err(Error::invalid(field, format!("is {value}"), "use a positive number of seconds"))
+}
+
+/// Refuses a motion that left the numbers: nothing sensible can be said or written about it.
+fn finite(recording: &Recording) -> Result<()> {
+    let lost = |state: &&State| !state.position.iter().chain(&state.velocity).all(|x| x.is_finite());
+    match recording.samples.iter().find(lost) {
+        None => Ok(()),
+        Some(state) => Err(Error::solver(&recording.scheme, format!("the motion is not finite from t = {} s on", state.time))),
+    }
+}
+
+impl Summary<'_> {
+    fn text(&self) -> String {
+        let note = self.note.map(|note| format!("note: {note}\n")).unwrap_or_default();
+        let form = self.closed_form.unwrap_or("none for this scene");
+        format!(
+            "scene {}\nscheme {}, solver {}\nclosed form: {form}\n{note}{}",
+            self.scene,
+            self.scheme,
+            self.solver,
+            lines(&self.quantities)
+        )
+    }
+}
+
+fn list(format: Format) -> Result<()> {
+    let scenes = scenes::NAMES.into_iter().map(scenes::named).collect::<Result<Vec<_>>>()?;
+    if format == Format::Json {
+        let described: Vec<_> =
+            scenes.iter().map(|scene| serde_json::json!({"name": scene.name, "description": scene.description})).collect();
+        return print(&pretty(&serde_json::json!({"scenes": described, "schemes": schemes::NAMES, "solvers": solvers::NAMES}))?);
+    }
+    let described: String = scenes.iter().map(|scene| format!("  {:16} {}\n", scene.name, scene.description)).collect();
+    print(&format!("scenes\n{described}schemes\n  {}\nsolvers\n  {}\n", schemes::NAMES.join("\n  "), solvers::NAMES.join("\n  ")))
+}
