@@ -239,7 +239,17 @@ pub mod checks {
 }
 
 /// Tolerances of [`crate::claims`].
-pub mod claims {}
+pub mod claims {
+    /// Step of the slide in `S4.d8` \[s\], about 1/1700 of its duration.
+    pub const SLIDE_STEP: f64 = 1.0 / 8192.0;
+
+    /// Error of the sideways drift, over the stopping distance v²/(2a), of a slide from v = 1 m/s at the deceleration a:
+    /// the position update is off by at most h v, the turn to the bisector by one step, that is 2 a h in velocity over the
+    /// duration v/a, and the slide is cut one step before its end (h v): in all 4 h v, over v²/(2a).
+    pub fn slide_drift(deceleration: f64) -> f64 {
+        8.0 * deceleration * SLIDE_STEP
+    }
+}
 
 /// Tolerances of the comparison with stored engine runs.
 pub mod references {}

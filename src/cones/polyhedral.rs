@@ -61,7 +61,7 @@ pub fn force_error(d: usize) -> f64 {
 /// for d ≥ 3 the sides of the polygon are tested: `z_t·m ≤ μ z_n cos(π/d)` for the side normals m at the odd multiples of π/d.
 pub fn contains(z: &[f64], mu: f64, d: usize) -> bool {
     let bound = mu * z[0];
-    if !(z[0] >= 0.0) {
+    if z[0].is_nan() || z[0] < 0.0 {
         return false;
     }
     match *z {

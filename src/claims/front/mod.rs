@@ -2,5 +2,7 @@
 
 use super::Claim;
 
+mod cone;
+
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[];
+pub const CLAIMS: &[&[Claim]] = &[cone::PREFACE, cone::MISCONCEPTIONS];

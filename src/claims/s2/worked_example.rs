@@ -162,7 +162,7 @@ fn strength_of_lcp_solution(rows: usize) -> Result<(Rational, usize)> {
     let free = DVector::from_fn(rows, |row, _| if row == 0 { whole(-1) } else { one.clone() });
     let reduced: DMatrix<Rational> = map.transpose() * &map;
     let mu = ratio(1, 2);
-    let lcp = stewart_trinkle::lcp(&reduced, &[mu.clone()], &(map.transpose() * free));
+    let lcp = stewart_trinkle::lcp(&reduced, std::slice::from_ref(&mu), &(map.transpose() * free));
     let set = all_solutions(&lcp)?;
     let Some(z) = set.points.first() else { return Ok((whole(0), 0)) };
     let impulse = &map * z.rows(0, map.ncols());

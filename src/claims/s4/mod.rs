@@ -8,9 +8,10 @@ use nalgebra::{DMatrix, DVector};
 
 mod copositive;
 mod matrix;
+pub(in crate::claims) mod polyhedral;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[matrix::CLAIMS, copositive::CLAIMS];
+pub const CLAIMS: &[&[Claim]] = &[matrix::CLAIMS, copositive::CLAIMS, polyhedral::CLAIMS];
 
 /// The chapter's 4×4 matrix: unit point mass, d = ±x, μ = 1/2, unknowns (λ, β₁, β₂, σ).
 fn chapter_matrix() -> Result<DMatrix<Rational>> {

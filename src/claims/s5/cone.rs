@@ -1,0 +1,232 @@
+//! The projection on the friction cone, its dual, and derivatives of solutions – in the plane, where all of it is rational.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::checks::cone_projection::{Projection, moreau_decomposition};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::cones::second_order::project;
+use crate::cones::{Case, decide};
+use crate::scalar::{Rational, ratio};
+
+/// Claims on the cone and its projection.
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S5.relaxed-constraint",
+        statement: "The relaxed friction constraint is μ(n·v) + ‖Dᵀv‖ ≤ 0.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "n·v + φ/h ≥ μ‖Dᵀv‖: the law velocity lies in the dual cone K_μ*.",
+        argument: "The printed set is −K_μ. It demands n·v ≤ 0, so it excludes separation, and steady sliding: with μ = 1/2 and n·v = μ‖v_t‖ = 1/2, which is in K_μ* and orthogonal to r = (1, −1/2), it reads 1/4 + 1 ≤ 0. \
+            Reversing n gives K_μ, not K_μ*: μ stands on the wrong factor unless μ = 1. As the polar cone it fails too: (−1, 19/10) is in K_μ° but not in the printed set.",
+        control: "the printed set as the constraint",
+        sources: &["chapter §5, section on creep", "Anitescu, Optimization-based simulation of nonsmooth rigid multibody dynamics (2006)"],
+        check: relaxed_constraint,
+    },
+    Claim {
+        id: "S5.proj",
+        statement: "The projection on K has three cases: inside, unchanged; the force points along the negative normal (it would pull), zero; outside, the cone's surface. (The formula is not legible in the source; these are its words.)",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::Exact,
+        correct_statement: "Zero iff z is in the polar cone, μ‖z_t‖ ≤ −z_n; on the surface r_n = (z_n + μ‖z_t‖)/(1 + μ²), r_t = μ r_n z_t/‖z_t‖.",
+        argument: "Taken as the rule \"z_n < 0 gives 0\" the words are wrong: for μ = 1 and z = (−1/10, 1) the nearest point is (9/20, 9/20), at distance 0.778, while 0 is at distance 1.005. \
+            Taken as the gloss on the standard result the text refers to, they are right: what is sent to 0 has z_n < 0 or is 0.",
+        control: "the words as the rule: every z with z_n < 0 goes to 0",
+        sources: &["chapter §5, analytic cone projection"],
+        check: projection,
+    },
+    Claim {
+        id: "S5.proj-states",
+        statement: "The three cases of the projection are the three states stick, separation and slip.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "At a fixed point r = P_K(r − η y) of the cone complementarity problem, with y ≠ 0 unless it sticks; for an arbitrary iterate the case says nothing about the state.",
+        argument: "At solutions: y = 0 gives z = r ∈ K; y ∈ int K* gives r = 0 and z = −η y ∈ K°; y ≠ 0 on ∂K* orthogonal to r ≠ 0 gives z outside both. Away from them: W = I, u_free = (−1, −2), μ = 1/2 slips, r = (8/5, 4/5), \
+            but the iterate r = (4, 0) with η = 1/2 has z = (5/2, 1), inside the cone – \"stick\".",
+        control: "that iterate as if it were a fixed point",
+        sources: &["chapter §5, physical meaning of the three cases"],
+        check: projection_states,
+    },
+    Claim {
+        id: "S5.sap-inner",
+        statement: "The analytic projection on the cone is the inner operation of every iteration of the convex primal methods, Chrono's APGD and Drake's SAP.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "Of APGD, yes. SAP projects in the norm of the regularisation R, with μ̂ = μ R_t/R_n in the case conditions, inside a Newton method on velocities; the two projections agree for R_t = R_n only.",
+        argument: "argmin over K of ½(γ − y)ᵀR(γ − y), R = diag(R_n, R_t), is characterised by γ ∈ K, R(y − γ) ∈ K°, γ·R(y − γ) = 0; in the third case γ_n = (y_n + μ̂‖y_t‖)/(1 + μ μ̂). With R_t/R_n = 1/1000, μ = 1/2, y = (1, 2): \
+            γ_n = 1.00075 against 8/5 of the Euclidean projection, which violates the characterisation.",
+        control: "the Euclidean projection as the minimiser in the R-norm",
+        sources: &[
+            "chapter §5, analytic cone projection",
+            "Castro, Permenter and Han, An unconstrained convex formulation of compliant contact (2022)",
+        ],
+        check: weighted_projection,
+    },
+    Claim {
+        id: "S5.diff",
+        statement: "The solution of the convex QP is, if strictly convex and unique, continuously differentiable in its parameters, with gradients from the implicit function theorem on the KKT conditions.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "It is Lipschitz and piecewise smooth. It is continuously differentiable where strict complementarity and nondegeneracy hold, not across a change of the active set.",
+        argument: "min ½(x − θ)² over x ≥ 0 is strictly convex; x = max(0, θ) has the one-sided derivatives 0 and 1 at θ = 0. With friction, min ½‖γ‖² + r·γ over K_{1/2} (W = I): at the change from stick to slip, r = (−2, 1), \
+            ∂(γ_n, γ_t)/∂r_t jumps from (0, −1) to (2/5, −1/5).",
+        control: "a parameter inside the sticking region, where strict complementarity holds",
+        sources: &[
+            "chapter §5, differentiability of the relaxed problem",
+            "Fiacco, Introduction to Sensitivity and Stability Analysis (1983)",
+        ],
+        check: differentiability,
+    },
+];
+
+type Plane = [Rational; 2];
+
+fn plane(normal: [i64; 2], tangent: [i64; 2]) -> Plane {
+    [ratio(normal[0], normal[1]), ratio(tangent[0], tangent[1])]
+}
+
+fn dot(left: &Plane, right: &Plane) -> Rational {
+    left[0].clone() * right[0].clone() + left[1].clone() * right[1].clone()
+}
+
+fn magnitude(number: &Rational) -> Rational {
+    if *number < ratio(0, 1) { -number.clone() } else { number.clone() }
+}
+
+fn in_cone(z: &Plane, mu: &Rational) -> bool {
+    z[0] >= ratio(0, 1) && magnitude(&z[1]) <= mu.clone() * z[0].clone()
+}
+
+fn in_dual(u: &Plane, mu: &Rational) -> bool {
+    u[0] >= mu.clone() * magnitude(&u[1])
+}
+
+fn in_polar(z: &Plane, mu: &Rational) -> bool {
+    in_dual(&[-z[0].clone(), -z[1].clone()], mu)
+}
+
+/// The minimiser of ½(γ − z)ᵀ diag(1, weight)(γ − z) over K_μ: μ̂ = μ·weight, weight 1 is the Euclidean projection.
+fn project_weighted(z: &Plane, mu: &Rational, weight: &Rational) -> Plane {
+    let hat = mu.clone() * weight.clone();
+    let zero = ratio(0, 1);
+    if in_cone(z, mu) {
+        return z.clone();
+    }
+    let along = z[0].clone() + hat.clone() * magnitude(&z[1]);
+    if along <= zero {
+        return [zero.clone(), zero];
+    }
+    let normal = along / (ratio(1, 1) + mu.clone() * hat);
+    let tangent = mu.clone() * normal.clone();
+    [normal, if z[1] < zero { -tangent } else { tangent }]
+}
+
+fn euclidean(z: &Plane, mu: &Rational) -> Plane {
+    project_weighted(z, mu, &ratio(1, 1))
+}
+
+fn relaxed_constraint(reading: Reading) -> Result<Vec<Finding>> {
+    let mu = ratio(1, 2);
+    let printed = |u: &Plane| mu.clone() * u[0].clone() + magnitude(&u[1]) <= ratio(0, 1);
+    let allowed = |u: &Plane| reading.pick(in_dual(u, &mu), printed(u));
+    let (sliding, impulse) = (plane([1, 2], [1, 1]), plane([1, 1], [-1, 2]));
+    let beside = plane([-1, 1], [19, 10]);
+    Ok(vec![
+        Finding::decision("steady sliding, u = (1/2, 1), is allowed", allowed(&sliding), true),
+        Finding::exact("power of r = (1, −1/2) on it", &dot(&impulse, &sliding), &ratio(0, 1), "J"),
+        Finding::decision("separation, u = (1, 0), is allowed", allowed(&plane([1, 1], [0, 1])), true),
+        Finding::decision("approach, u = (−1, 0), is excluded", !allowed(&plane([-1, 1], [0, 1])), true),
+        Finding::decision("(−1, 19/10) is in the polar cone", in_polar(&beside, &mu), true),
+        Finding::decision("(−1, 19/10) is in the printed set", printed(&beside), false),
+    ])
+}
+
+fn negative_normal_is_open(z: &mut [f64], mu: f64) {
+    if z[0] < 0.0 { z.fill(0.0) } else { project(z, mu) }
+}
+
+fn projection(reading: Reading) -> Result<Vec<Finding>> {
+    let rule: Projection = reading.pick(project, negative_normal_is_open);
+    let (z, mu) = (plane([-1, 10], [1, 1]), ratio(1, 1));
+    let nearest = euclidean(&z, &mu);
+    let rest = [z[0].clone() - nearest[0].clone(), z[1].clone() - nearest[1].clone()];
+    let mut findings = vec![
+        Finding::exact("r_n of the projection of (−1/10, 1), μ = 1", &nearest[0], &ratio(9, 20), "N·s"),
+        Finding::decision("the projection lies in the cone", in_cone(&nearest, &mu), true),
+        Finding::decision("the remainder lies in the polar cone", in_polar(&rest, &mu), true),
+        Finding::exact("projection orthogonal to remainder", &dot(&nearest, &rest), &ratio(0, 1), "N²·s²"),
+    ];
+    for z in [[-0.1, 1.0], [-2.0, 1.0], [2.0, 1.0], [0.5, 1.0]] {
+        findings.extend(moreau_decomposition(rule, &z, 1.0));
+    }
+    Ok(findings)
+}
+
+/// z = r − η y for W = I.
+fn argument(impulse: &Plane, free: &Plane, step: &Rational) -> (Plane, Plane) {
+    let velocity = [impulse[0].clone() + free[0].clone(), impulse[1].clone() + free[1].clone()];
+    let z = [impulse[0].clone() - step.clone() * velocity[0].clone(), impulse[1].clone() - step.clone() * velocity[1].clone()];
+    (z, velocity)
+}
+
+fn projection_states(reading: Reading) -> Result<Vec<Finding>> {
+    let (mu, step) = (ratio(1, 2), ratio(1, 2));
+    let slipping = plane([-1, 1], [-2, 1]);
+    let slip = reading.pick(plane([8, 5], [4, 5]), plane([4, 1], [0, 1]));
+    let points = [
+        ("stick", plane([2, 1], [1, 2]), plane([-2, 1], [-1, 2]), Case::Stays),
+        ("separation", plane([0, 1], [0, 1]), plane([2, 1], [1, 1]), Case::Apex),
+        ("slip", slip, slipping.clone(), Case::Boundary),
+    ];
+    let mut findings = Vec::new();
+    for (state, impulse, free, case) in points {
+        let (z, _) = argument(&impulse, &free, &step);
+        findings.push(Finding::decision(format!("{state}: r = P_K(r − ηy)"), euclidean(&z, &mu) == impulse, true));
+        findings.push(Finding::decision(format!("{state}: the projection is in the case {case:?}"), decide(&z, &mu) == case, true));
+    }
+    let (z, velocity) = argument(&plane([4, 1], [0, 1]), &slipping, &step);
+    findings.push(Finding::decision("the iterate (4, 0) is in the case Stays", decide(&z, &mu) == Case::Stays, true));
+    findings.push(Finding::decision("its tangential velocity vanishes", velocity[1] == ratio(0, 1), false));
+    Ok(findings)
+}
+
+fn weighted_projection(reading: Reading) -> Result<Vec<Finding>> {
+    let (mu, weight) = (ratio(1, 2), ratio(1, 1000));
+    let mut findings = Vec::new();
+    for y in [plane([1, 1], [2, 1]), plane([-1, 10_000], [1, 1]), plane([0, 1], [-3, 1])] {
+        let gamma = project_weighted(&y, &mu, &reading.pick(weight.clone(), ratio(1, 1)));
+        let rest = [y[0].clone() - gamma[0].clone(), weight.clone() * (y[1].clone() - gamma[1].clone())];
+        let name = format!("y = ({}, {})", y[0], y[1]);
+        findings.push(Finding::exact(format!("γ·R(y − γ), {name}"), &dot(&gamma, &rest), &ratio(0, 1), "J"));
+        findings.push(Finding::decision(format!("γ ∈ K, {name}"), in_cone(&gamma, &mu), true));
+        findings.push(Finding::decision(format!("R(y − γ) ∈ K°, {name}"), in_polar(&rest, &mu), true));
+        let differs = project_weighted(&y, &mu, &weight) != euclidean(&y, &mu);
+        findings.push(Finding::decision(format!("it differs from the Euclidean projection, {name}"), differs, true));
+    }
+    Ok(findings)
+}
+
+/// One-sided difference quotients in the last parameter; exact, as the solutions are piecewise linear.
+fn one_sided<const N: usize>(solution: impl Fn(Rational) -> [Rational; N], at: &Rational) -> [[Rational; N]; 2] {
+    [ratio(-1, 100), ratio(1, 100)].map(|step| {
+        let (here, there) = (solution(at.clone()), solution(at.clone() + step.clone()));
+        std::array::from_fn(|i| (there[i].clone() - here[i].clone()) / step.clone())
+    })
+}
+
+fn differentiability(reading: Reading) -> Result<Vec<Finding>> {
+    let zero = ratio(0, 1);
+    let positive_part = |theta: Rational| [if theta > zero { theta } else { ratio(0, 1) }];
+    let [[left], [right]] = one_sided(positive_part, &reading.pick(ratio(0, 1), ratio(1, 1)));
+    let mu = ratio(1, 2);
+    // minimiser of ½‖γ‖² + r·γ over K is the projection of −r
+    let contact = |tangent: Rational| euclidean(&[ratio(2, 1), -tangent], &mu);
+    let [stick, slip] = one_sided(contact, &reading.pick(ratio(1, 1), ratio(1, 2)));
+    Ok(vec![
+        Finding::exact("left derivative of max(0, θ)", &left, &ratio(0, 1), "1"),
+        Finding::exact("right derivative of max(0, θ)", &right, &ratio(1, 1), "1"),
+        Finding::exact("∂γ_n/∂r_t on the side of stick", &stick[0], &ratio(0, 1), "1"),
+        Finding::exact("∂γ_t/∂r_t on the side of stick", &stick[1], &ratio(-1, 1), "1"),
+        Finding::exact("∂γ_n/∂r_t on the side of slip", &slip[0], &ratio(2, 5), "1"),
+        Finding::exact("∂γ_t/∂r_t on the side of slip", &slip[1], &ratio(-1, 5), "1"),
+    ])
+}
