@@ -178,3 +178,14 @@ fn bounces_above(sigma: f64, e: f64, threshold: f64) -> i32 {
 pub fn sinking_speed(restitution: f64) -> f64 {
     (1.0 - restitution) / (2.0 * (1.0 + restitution))
 }
+
+/// Rounding of a sinking speed \[m/s\] measured over two steps: the difference of two places, each the result of fewer
+/// than 16 operations on lengths of at most |q| + g h², divided by 2h.
+pub fn sinking_rounding(position: f64, gravity: f64, h: f64) -> f64 {
+    rounding(2 * 16, position + gravity * h * h) / (2.0 * h)
+}
+
+/// What is left of a deviation after `steps` contractions by e, and the rounding of a number of size 1.
+pub fn contraction(restitution: f64, steps: i32, deviation: f64) -> f64 {
+    restitution.powi(steps) * deviation + rounding(4, 1.0)
+}

@@ -2,5 +2,8 @@
 
 use super::Claim;
 
+pub mod one_step;
+pub mod zeno;
+
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[];
+pub const CLAIMS: &[&[Claim]] = &[zeno::CLAIMS, one_step::CLAIMS];

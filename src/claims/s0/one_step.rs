@@ -1,0 +1,134 @@
+//! §0, one step across an impact: a Runge–Kutta step, and a velocity flipped after penetration.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::scalar::{Rational, ratio};
+use crate::schemes::exact_particle::{Ball, Motion};
+
+/// The claims of this file.
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S0.rk4-local",
+        statement: "If the impact lies within a step, the local truncation error of RK4 collapses from O(h⁵) to O(h) or even O(1).",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "With the velocity reversed at the end of the step, position and velocity are wrong by O(h); with the \
+                            impact ignored in the step, the position by O(h) and the velocity by O(1).",
+        argument: "Impact with speed u, a time τ before the end of the step. Free flight is a parabola, which RK4 integrates exactly. \
+                   Reversed at the end: v is wrong by (1+e)gτ, q by −(1+e)uτ. Ignored: v is wrong by −(1+e)u, −7.974 m/s for \
+                   e = 0.8, u = 4.43 m/s.",
+        control: "An impact one step later: the step does not straddle it and the error formulas must fail.",
+        sources: &["chapter §0, the thought experiment with RK4"],
+        check: runge_kutta,
+    },
+    Claim {
+        id: "S0.flip-inconsistent",
+        statement: "Checking each step for penetration and flipping the velocity is a bad version of event detection: it fails \
+                    completely when the ball settles, and every flip breaks the consistency of momentum and energy.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "For e < 1 every flip costs (1−e²) m g |q| of energy too much, which is O(h) and vanishes with the step; for \
+                            e = 1 it costs nothing. The failure at the accumulation point is qualitative: the ball sinks through \
+                            the floor at g h (1−e)/(2(1+e)), even if only approaching velocities are flipped.",
+        argument: "Exact flight to depth |q| has v² = V² + 2g|q|. After v → −e v the energy is ½e²V² − (1−e²) g |q| per unit mass, \
+                   instead of ½e²V²; |q| ≤ h(V + g h). Resting below the floor, each step does v → −e(v − g h), with the fixed \
+                   point v = e g h/(1+e), and moves by h(v − ½ g h) = −(1−e) g h²/(2(1+e)).",
+        control: "An elastic ball, whose flips leave the energy unchanged.",
+        sources: &["chapter §0, common pitfall"],
+        check: flipping,
+    },
+];
+
+/// One step of the classical Runge–Kutta method for q̇ = v, v̇ = −g.
+fn runge_kutta_step(now: &Motion<Rational>, gravity: &Rational, h: &Rational) -> Motion<Rational> {
+    let slope = |motion: &Motion<Rational>| Motion { position: motion.velocity.clone(), velocity: -gravity.clone() };
+    let ahead = |slope: &Motion<Rational>, share: Rational| Motion {
+        position: now.position.clone() + share.clone() * h * &slope.position,
+        velocity: now.velocity.clone() + share * h * &slope.velocity,
+    };
+    let first = slope(now);
+    let second = slope(&ahead(&first, ratio(1, 2)));
+    let third = slope(&ahead(&second, ratio(1, 2)));
+    let fourth = slope(&ahead(&third, ratio(1, 1)));
+    let mean = |component: fn(&Motion<Rational>) -> &Rational| {
+        let middle = component(&second).clone() + component(&third);
+        (component(&first).clone() + ratio(2, 1) * middle + component(&fourth)) / ratio(6, 1)
+    };
+    let slope = Motion { position: mean(|motion| &motion.position), velocity: mean(|motion| &motion.velocity) };
+    ahead(&slope, ratio(1, 1))
+}
+
+/// Free flight for a time t.
+fn fly(now: &Motion<Rational>, gravity: &Rational, time: &Rational) -> Motion<Rational> {
+    let fall = gravity.clone() * time;
+    Motion {
+        position: now.position.clone() + time * (now.velocity.clone() - fall.clone() / ratio(2, 1)),
+        velocity: now.velocity.clone() - fall,
+    }
+}
+
+fn runge_kutta(reading: Reading) -> Result<Vec<Finding>> {
+    let (g, e, u) = (ratio(981, 100), ratio(4, 5), ratio(443, 100));
+    let mut findings = Vec::new();
+    for inverse in [100, 1000] {
+        let h = ratio(1, inverse);
+        let tau = ratio(1, 4) * &h;
+        // Back in time from the impact: 3/4 of the step, or 3/4 and another whole one for the control.
+        let before = ratio(3, 4) * &h + reading.pick(ratio(0, 1), h.clone());
+        let impact = Motion { position: ratio(0, 1), velocity: -u.clone() };
+        let start = fly(&impact, &g, &-before.clone());
+        let end =
+            if before < h { fly(&Motion { velocity: e.clone() * &u, ..impact }, &g, &(h.clone() - before)) } else { fly(&start, &g, &h) };
+        let ignored = runge_kutta_step(&start, &g, &h);
+        let flipped = if ignored.position < ratio(0, 1) { -e.clone() * &ignored.velocity } else { ignored.velocity.clone() };
+        let sum = ratio(1, 1) + &e;
+        let named = |what: &str| format!("{what}, h = 1/{inverse}");
+        findings.push(Finding::exact(named("velocity error, ignored"), &(ignored.velocity - &end.velocity), &(-sum.clone() * &u), "m/s"));
+        findings.push(Finding::exact(named("velocity error, flipped"), &(flipped - &end.velocity), &(sum.clone() * &g * &tau), "m/s"));
+        findings.push(Finding::exact(named("position error"), &(ignored.position - &end.position), &(-sum * &u * &tau), "m"));
+    }
+    Ok(findings)
+}
+
+/// Exact flight for one step; a ball found below the floor and approaching has its velocity reversed by e.
+fn flip_step(ball: &Ball<Rational>, now: &Motion<Rational>, h: &Rational) -> (Motion<Rational>, bool) {
+    let flown = fly(now, &ball.gravity, h);
+    let flips = flown.position < ratio(0, 1) && flown.velocity < ratio(0, 1);
+    let velocity = if flips { -ball.restitution.clone() * &flown.velocity } else { flown.velocity };
+    (Motion { position: flown.position, velocity }, flips)
+}
+
+fn flipping(reading: Reading) -> Result<Vec<Finding>> {
+    let e = reading.pick(ratio(1, 2), ratio(1, 1));
+    let ball = Ball { mass: ratio(1, 1), gravity: ratio(10, 1), restitution: e.clone() };
+    // V² = 2 g q₀ = 1.
+    let start = Motion { position: ratio(1, 20), velocity: ratio(0, 1) };
+    let lost = ratio(1, 1) - e.clone() * &e;
+    let mut findings = Vec::new();
+    for inverse in [7000, 700, 70] {
+        let h = ratio(1, inverse);
+        let (mut now, mut flipped) = flip_step(&ball, &start, &h);
+        while !flipped {
+            (now, flipped) = flip_step(&ball, &now, &h);
+        }
+        let defect = ball.energy(&now) - e.clone() * &e * ball.energy(&start);
+        let depth = -now.position;
+        let named = |what: &str| format!("{what}, h = 1/{inverse}");
+        findings.push(Finding::decision(named("the flip changes the energy"), defect != ratio(0, 1), true));
+        findings.push(Finding::exact(named("its defect"), &defect, &(-lost.clone() * ratio(10, 1) * &depth), "J"));
+        let bound = h.clone() * (ratio(1, 1) + ratio(10, 1) * &h);
+        findings.push(Finding::at_most(named("depth of the flip"), depth.to_f64().value(), bound.to_f64().value(), "m"));
+    }
+    let h = ratio(1, 70);
+    let steps = 200;
+    let before = (0..steps).fold(start, |now, _| flip_step(&ball, &now, &h).0);
+    let after = flip_step(&ball, &flip_step(&ball, &before, &h).0, &h).0;
+    let sinking = (before.position.clone() - after.position) / (ratio(20, 1) * &h * &h);
+    let predicted = (ratio(1, 1) - &e) / (ratio(2, 1) * (ratio(1, 1) + &e));
+    // The velocity approaches its fixed point by the factor e per step, from at most V + g h = 8 g h.
+    let settled = crate::tolerance::zeno::contraction(e.to_f64().value(), steps, 8.0);
+    findings.push(Finding::decision("the ball ends below the floor", before.position < ratio(0, 1), true));
+    findings.push(Finding::equal("sinking speed", sinking.to_f64().value(), predicted.to_f64().value(), settled, "g h"));
+    Ok(findings)
+}

@@ -1,0 +1,200 @@
+//! §0, the Zeno phenomenon: event-driven methods before T∞, time-stepping through it.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::checks::zeno::{DroppedBall, absorption};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::bouncing_ball::BouncingBall;
+use crate::defects::zeno::{Altered, Mistake};
+use crate::scalar::{Rational, Scalar, ratio};
+use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, simulate};
+use crate::solvers::ProjectedGaussSeidel;
+use crate::tolerance::{rounding, zeno};
+
+/// The claims of this file.
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S0.event-stuck",
+        statement: "An event-driven method must detect and process every bounce; near T∞ the intervals tend to zero, the root \
+                    finding never stops and the simulation is stuck before T∞.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "True of exact arithmetic. In floating point the loop ends: once a flight is shorter than half the \
+                            spacing of floats at T∞ the clock stands still, and a minimum interval ends it after \
+                            ⌈ln(δ/2t₁)/ln e⌉ landings. The infinitely many bounces can also be summed in closed form.",
+        argument: "With t₁ = 1 the k-th flight lasts 2eᵏ and T∞ = (1+e)/(1−e). For e = 4/5, rationals: after 400 flights \
+                   T∞ − t = 10·(4/5)⁴⁰¹ > 0 and every landing advanced the clock. Floats: 2·0.8ᵏ falls below half the spacing \
+                   2⁻⁴⁹ of the floats near 9 at k = 159, and the clock stops.",
+        control: "Exact rationals instead of floats in the loop that is expected to end.",
+        sources: &["chapter §0, Zeno phenomenon"],
+        check: event_loop,
+    },
+    Claim {
+        id: "S0.adhoc",
+        statement: "In practice one patches the event-driven method (“slower than a threshold counts as at rest”), which is ad hoc \
+                    and destroys physical consistency.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::NotDecidable,
+        correct_statement: "Whether a patch is ad hoc is a judgement. Its error is bounded and vanishes with the threshold: stopping \
+                            at take-off speeds below v_thr skips less than 2 v_thr/(g(1−e)) of time, v_thr²/(2g) of height and \
+                            ½ m v_thr² of energy.",
+        argument: "The flights left from take-off speed u < v_thr last 2u/g · (1 + e + e² + …) = 2u/(g(1−e)), and none rises above \
+                   u²/(2g). Checked in rationals for e = 4/5 and thresholds of 1/10, 1/100 and 1/1000 of the impact speed.",
+        control: "The bound without the factor 1/(1−e), as if one flight were left.",
+        sources: &["chapter §0, Zeno phenomenon"],
+        check: threshold,
+    },
+    Claim {
+        id: "S0.zeno-absorb",
+        statement: "Time-stepping does not detect events: when the steps pass T∞ the ball has long been at rest, the micro-bounces \
+                    are absorbed automatically, without any special treatment.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "True of Moreau–Jean with the activation rules φ ≤ 0, φ + ½hv ≤ 0 and φ + h v_free ≤ 0 (0 < e < 1, \
+                            θ ∈ {½, 1}): the ball is absorbed at a time that differs from T∞ by O(h log 1/h), early or late, rests \
+                            within O(g h²) of the floor and keeps |v| → 0 geometrically. Under φ + hv ≤ 0 with v ≤ 0 it is not: \
+                            the ball sinks through the floor at g h (1−e)/(2(1+e)).",
+        argument: "Two consecutive active states with |v| ≤ g h/(1+e) contract by e for ever; the discrete energy decides when they \
+                   must occur (proof at the bounds in the source). The rule with v ≤ 0 alternates between v = −g h/(1+e) and \
+                   v = e g h/(1+e) and loses (1−e) g h²/(1+e) of height every two steps: 0.01635 m/s for e = ½, h = 0.01, \
+                   g = 9.81.",
+        control: "The unconditional reading: the rule φ + hv ≤ 0 with v ≤ 0 put through the same check.",
+        sources: &["chapter §0, Zeno phenomenon; chapter §12 for the rule with v_free"],
+        check: absorbs,
+    },
+    Claim {
+        id: "S0.ex1",
+        statement: "Exercise: derive t_k, show t_k → T∞ < ∞, compute T∞ for e = 0.8, q₀ = 1 m, g = 9.81 m/s²; near which time does \
+                    an event-driven method with step 10⁻³ s get stuck?",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "T∞ = 9 √(2/9.81) s = 4.0637 s; a method that cannot resolve flights shorter than 10⁻³ s makes 31 landings \
+                            and stops 4.47·10⁻³ s before T∞.",
+        argument: "t_k = t₁(1 + 2(e + … + e^{k−1})), t₁ = √(2q₀/g). Flights of 2 t₁ eᵏ ≥ δ need k ≤ 30, so landing 31 is the last; \
+                   δ e/(1−e) ≤ T∞ − t < δ/(1−e) since the next flight lasts between eδ and δ.",
+        control: "Flights of t₁ eᵏ, which forgets that the ball goes up and comes down.",
+        sources: &["chapter §0, exercise 1"],
+        check: accumulation_time,
+    },
+];
+
+/// The landings of t ← t + 2eᵏ, t = 1 at first, until the clock no longer advances; and the clock.
+fn landings<T: Scalar>(restitution: &T, budget: usize) -> (Option<usize>, T) {
+    let (mut time, mut flight) = (T::one(), T::ratio(2, 1));
+    for count in 1..=budget {
+        flight *= restitution.clone();
+        let landing = time.clone() + flight.clone();
+        if landing <= time {
+            return (Some(count), time);
+        }
+        time = landing;
+    }
+    (None, time)
+}
+
+fn event_loop(reading: Reading) -> Result<Vec<Finding>> {
+    const BUDGET: usize = 400;
+    let (in_floats, stopped) = landings(&0.8, BUDGET);
+    let (in_rationals, reached) = landings(&ratio(4, 5), BUDGET);
+    let ended = reading.pick(in_floats, in_rationals);
+    // 2eᵏ at most half the spacing of floats at T∞ = 9; one landing more for the rounding of eᵏ.
+    let spacing = 9f64.next_up() - 9.0;
+    let longest = ((spacing / 4.0).ln() / 0.8f64.ln()).ceil() + 1.0;
+    let remaining = ratio(9, 1) - reached;
+    let expected = (0..=BUDGET).fold(ratio(10, 1), |product, _| product * ratio(4, 5));
+    Ok(vec![
+        Finding::at_most("landings until the clock stands still", ended.map_or(f64::INFINITY, |count| count as f64), longest, "1"),
+        Finding::at_most("clock short of T∞ (in t₁)", (9.0 - stopped).abs(), rounding(2 * BUDGET, 9.0), "1"),
+        Finding::decision("the exact loop has not ended after 400 flights", in_rationals.is_none(), true),
+        Finding::decision("the exact clock is still before T∞", remaining > ratio(0, 1), true),
+        Finding::exact("(T∞ − t)/(10·(4/5)^401) in t₁", &(remaining / expected), &ratio(1, 1), "1"),
+    ])
+}
+
+fn threshold(reading: Reading) -> Result<Vec<Finding>> {
+    // Units V = g = 1.
+    let e = ratio(4, 5);
+    let flights = reading.pick(ratio(1, 1) / (ratio(1, 1) - e.clone()), ratio(1, 1));
+    let mut findings = Vec::new();
+    for inverse in [10, 100, 1000] {
+        let limit = ratio(1, inverse);
+        let mut speed = e.clone();
+        let mut skipped_before = ratio(0, 1);
+        while speed >= limit {
+            skipped_before += ratio(2, 1) * speed.clone();
+            speed *= e.clone();
+        }
+        let total = ratio(2, 1) * e.clone() / (ratio(1, 1) - e.clone());
+        let time = total - skipped_before;
+        let bound = ratio(2, 1) * limit.clone() * flights.clone();
+        findings.push(Finding::at_most(format!("time skipped, v_thr = V/{inverse}"), Scalar::to_f64(&time), Scalar::to_f64(&bound), "V/g"));
+        let height = speed.clone() * speed / ratio(2, 1);
+        let bound: Rational = limit.clone() * limit / ratio(2, 1);
+        findings.push(Finding::at_most(
+            format!("height skipped, v_thr = V/{inverse}"),
+            Scalar::to_f64(&height),
+            Scalar::to_f64(&bound),
+            "V²/g",
+        ));
+    }
+    Ok(findings)
+}
+
+fn absorbs(reading: Reading) -> Result<Vec<Finding>> {
+    let ball = DroppedBall { mass: 1.0, gravity: 9.81, height: 1.0, restitution: 0.8 };
+    let scheme = |activation, theta| MoreauJean { theta, activation, restitution: RestitutionRule::NormalOnly };
+    let mut findings = vec![sinking()?];
+    for activation in Activation::ALL {
+        for theta in [0.5, 1.0] {
+            let proved = scheme(activation, theta);
+            let unconditional = Altered { base: proved, mistake: Mistake::ApproachingOnly };
+            let subject: &dyn Scheme = reading.pick(&proved, &unconditional);
+            for mut finding in absorption(subject, &proved, &ball, 0.01, 50)? {
+                finding.name = format!("{}, {}, θ = {theta}", finding.name, activation.name());
+                findings.push(finding);
+            }
+        }
+    }
+    Ok(findings)
+}
+
+/// Mean speed over the last two of 300 steps under φ + hv ≤ 0 with v ≤ 0, e = ½, h = 0.01.
+fn sinking() -> Result<Finding> {
+    let ball = DroppedBall { mass: 1.0, gravity: 9.81, height: 0.1, restitution: 0.5 };
+    let base = MoreauJean { theta: 1.0, activation: Activation::FreeVelocityForecast, restitution: RestitutionRule::NormalOnly };
+    let rule = Altered { base, mistake: Mistake::ApproachingOnly };
+    let (mechanism, initial) = ball.at_rest();
+    let (h, steps) = (0.01, 300);
+    let recording = simulate(&rule, &ProjectedGaussSeidel::default(), &mechanism, initial, h, steps)?;
+    let position = |k: usize| recording.samples[k].position[0];
+    let speed = (position(steps - 2) - position(steps)) / (2.0 * h);
+    let predicted = ball.gravity * h * zeno::sinking_speed(ball.restitution);
+    let tolerance = zeno::sinking_rounding(position(steps).abs(), ball.gravity, h);
+    Ok(Finding::equal("sinking speed under φ + hv ≤ 0, v ≤ 0", speed, predicted, tolerance, "m/s"))
+}
+
+fn accumulation_time(reading: Reading) -> Result<Vec<Finding>> {
+    let (e, shortest) = (0.8, 1e-3);
+    let ball = BouncingBall::new(9.81, 1.0, e)?;
+    let first = ball.first_impact_time();
+    let mut flight = reading.pick(2.0, 1.0) * first * e;
+    let (mut time, mut landings) = (first, 1usize);
+    let mut stuck = None;
+    while time + flight > time {
+        if flight < shortest && stuck.is_none() {
+            stuck = Some((landings, time));
+        }
+        time += flight;
+        flight *= e;
+        landings += 1;
+    }
+    let (count, clock) = stuck.unwrap_or((landings, time));
+    let remaining = ball.accumulation_time() - clock;
+    Ok(vec![
+        Finding::equal("T∞, closed form against the sum of flights", ball.accumulation_time(), time, rounding(2 * landings, time), "s"),
+        Finding::equal("T∞/t₁", ball.accumulation_time() / first, 9.0, rounding(8, 9.0), "1"),
+        Finding::count("landings before flights become shorter than 10⁻³ s", count, 31),
+        Finding::at_most("time left then", remaining, shortest / (1.0 - e), "s"),
+        Finding::at_least("time left then", remaining, shortest * e / (1.0 - e), "s"),
+    ])
+}
