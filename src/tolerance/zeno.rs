@@ -149,6 +149,19 @@ impl Drop {
         e.powf(steps as f64) / (1.0 + e) + rounding(8, 2.0) / (1.0 - e)
     }
 
+    /// sup |q_h − q| \[g h²\] on the steps up to the second apex, t = (1+e)σ₀.
+    ///
+    /// Up to the bounce both velocities fall alike, up to 1 for the step function; after it they differ by
+    /// |e(s₀ − σ₀) + n₀ + 1 − σ₀| ≤ (1+e)δ₀ + 1 and again 1. In the at most δ₀ + 1 steps between the two impacts they
+    /// differ by at most (1+e)(σ₀ + δ₀) + δ₀ + 2. The rule θ v⁺ + (1−θ) v adds θ times the variation of v_h,
+    /// which is one per step and (1+e)(σ₀ + δ₀) at the bounce.
+    pub fn position_error(&self) -> f64 {
+        let (e, error) = (self.restitution, self.first_impact());
+        let steps = (1.0 + e) * self.impact_speed;
+        let jump = (1.0 + e) * (self.impact_speed + error);
+        steps * ((1.0 + e) * error + 2.0) + (error + 1.0) * (jump + error + 2.0) + self.theta * (steps + jump)
+    }
+
     /// Rounding of a place \[g h²\] after n steps: one addition of size max|x| each.
     pub fn place_rounding(&self, steps: usize) -> f64 {
         rounding(2 * steps, self.impact_speed * self.impact_speed)

@@ -1,8 +1,9 @@
-//! Claims of the front matter: P (preface and project), M (map of methods) and T (theorems and tables).
+//! Claims of the front matter: P (preface and project), M (table of misconceptions) and T (tables of theorems and symbols).
 
 use super::Claim;
 
 mod cone;
+mod schemes;
 
-/// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[cone::PREFACE, cone::MISCONCEPTIONS];
+/// The claims, one slice per group and file.
+pub const CLAIMS: &[&[Claim]] = &[cone::PREFACE, schemes::PREFACE, cone::MISCONCEPTIONS, schemes::MISCONCEPTIONS, schemes::TABLES];
