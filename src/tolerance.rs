@@ -157,6 +157,9 @@ pub mod schemes {
 
 pub mod zeno;
 
+/// Leading errors of [`crate::checks::convergence`].
+pub mod convergence;
+
 /// Tolerances of [`crate::closed_forms`].
 pub mod closed_forms {
     /// Relative rounding of the bouncing ball's formulas: fewer than 32 operations, each with relative error at most ε

@@ -1,6 +1,116 @@
 //! Planted defects of the family `convergence`.
 
 use super::Defect;
+use crate::Result;
+use crate::checks::Finding;
+use crate::checks::convergence::{Horizon, Stop, bouncing_ball, plastic_ball};
+use crate::mechanics::{Mechanism, State};
+use crate::problem::Law;
+use crate::schemes::assembly::{self, Candidate, Rules, normal_only};
+use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepProblem, StewartTrinkle};
+use nalgebra::DVector;
 
 /// The defects of this family.
-pub const DEFECTS: &[Defect] = &[];
+pub const DEFECTS: &[Defect] = &[
+    Defect {
+        name: "convergence/gap-times-step",
+        mistake: "the constraint reads φ·h + u⁺ ≥ 0 instead of φ/h + u⁺ ≥ 0: far above the floor it already brakes the ball",
+        defective: || plastic_ball(&Altered(Mistake::GapTimesStep), Stop::On),
+        reference: || plastic_ball(&StewartTrinkle::default(), Stop::On),
+    },
+    Defect {
+        name: "convergence/trapezoidal-position",
+        mistake: "the constraint holds for q + h v⁺ but the position moves by ½h(v + v⁺): the ball sinks and is thrown out, at every h",
+        defective: || plastic_ball(&Altered(Mistake::TrapezoidalPosition), Stop::On),
+        reference: || plastic_ball(&StewartTrinkle::default(), Stop::On),
+    },
+    Defect {
+        name: "convergence/fixed-margin",
+        mistake: "contacts are active at φ ≤ 1 cm instead of φ ≤ 0: the ball bounces above the floor by a length that does not shrink with h",
+        defective: || one_impact(&Altered(Mistake::FixedMargin)),
+        reference: || one_impact(&JUDGED),
+    },
+];
+
+const JUDGED: MoreauJean = MoreauJean { theta: 0.5, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
+
+fn one_impact(subject: &dyn Scheme) -> Result<Vec<Finding>> {
+    bouncing_ball(subject, &JUDGED, 0.8, Horizon::OneImpact)
+}
+
+/// What is wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Mistake {
+    /// Stewart–Trinkle with φ·h.
+    GapTimesStep,
+    /// Stewart–Trinkle with q⁺ = q + ½h(v + v⁺).
+    TrapezoidalPosition,
+    /// Moreau–Jean with rule A at φ ≤ 1 cm.
+    FixedMargin,
+}
+
+/// A scheme with one mistake.
+struct Altered(Mistake);
+
+impl Rules for Altered {
+    fn theta(&self) -> f64 {
+        0.5
+    }
+
+    fn is_active(&self, candidate: &Candidate, _h: f64) -> bool {
+        self.0 != Mistake::FixedMargin || candidate.contact.gap <= 0.01
+    }
+
+    fn shift(&self, candidate: &Candidate, h: f64) -> DVector<f64> {
+        let rows = candidate.velocity.len();
+        match self.0 {
+            Mistake::GapTimesStep => normal_only(candidate.contact.gap * h, rows),
+            Mistake::TrapezoidalPosition => normal_only(candidate.contact.gap / h, rows),
+            Mistake::FixedMargin => normal_only(candidate.contact.restitution * candidate.velocity[0], rows),
+        }
+    }
+
+    fn law(&self, _rows_per_contact: usize) -> Law {
+        Law::Frictionless
+    }
+}
+
+impl Scheme for Altered {
+    fn name(&self) -> String {
+        format!("{:?}", self.0)
+    }
+
+    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
+        assembly::assemble("altered", self, mechanism, state, h)
+    }
+
+    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
+        let used = match self.0 {
+            Mistake::GapTimesStep => velocity_post.clone(),
+            Mistake::TrapezoidalPosition | Mistake::FixedMargin => (velocity_post + &state.velocity) * 0.5,
+        };
+        mechanism.integrate(&state.position, &used, h)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanics::PointMass;
+    use crate::schemes::simulate;
+    use crate::solvers::Reference;
+    use nalgebra::dvector;
+
+    /// With θ=½ positions a step that reaches −δ is followed by v⁺ = δ/h: the trapezoid keeps half the landing speed.
+    #[test]
+    fn the_trapezoidal_ball_is_thrown_out_at_a_speed_that_does_not_shrink_with_h() {
+        for steps in [100, 1000, 10_000] {
+            let ball = PointMass::ball_on_floor(1.0, 9.81, 0.0);
+            let initial = State { time: 0.0, position: dvector![1.0], velocity: dvector![0.0] };
+            let scheme = Altered(Mistake::TrapezoidalPosition);
+            let recording = simulate(&scheme, &Reference, &ball, initial, 1.0 / steps as f64, steps).expect("runs");
+            let fastest = recording.samples.iter().map(|sample| sample.velocity[0]).fold(0.0, f64::max);
+            assert!(fastest > 0.5, "{fastest}");
+        }
+    }
+}

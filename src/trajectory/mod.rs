@@ -10,5 +10,5 @@ mod validation;
 
 pub use file::{BodyTrack, ContactRecord, Engine, SCHEMA, Trajectory};
 pub use graph::Graph;
-pub use order::{OrderEstimate, estimate_order, fit_order, shifted_steps};
+pub use order::{Level, OrderEstimate, estimate_order, fit_order, shifted_steps};
 pub use recording::Recording;

@@ -93,6 +93,33 @@ impl OrderEstimate {
         slope_interval(&steps, ratio)
     }
 
+    /// How far the fitted slope may lie from p if the error at level i is in \[lower_i, upper_i\]·hᵖ.
+    ///
+    /// The slope is Σ w_i ln(error_i) with w_i = (x_i − x̄)/Σ(x − x̄)², and Σ w_i x_i = 1: each ln(constant_i) pushes it by
+    /// its own weight, upwards or downwards.
+    pub fn slope_deviation(&self, bounds: &[[f64; 2]]) -> f64 {
+        let logs: Vec<f64> = self.levels.iter().map(|level| level.time_step.ln()).collect();
+        let centre = mean(logs.iter().copied());
+        let variance: f64 = logs.iter().map(|x| (x - centre) * (x - centre)).sum();
+        let push = |up: bool| -> f64 {
+            let terms = logs.iter().zip(bounds).map(|(x, [lower, upper])| {
+                let weight = (x - centre) / variance;
+                weight * if (weight > 0.0) == up { upper.ln() } else { lower.ln() }
+            });
+            terms.sum()
+        };
+        push(true).abs().max(push(false).abs())
+    }
+
+    /// How large the spread may be under the same condition: each local slope is off by at most ln(ratio)/ln(h_i/h_{i+1}).
+    pub fn spread_deviation(&self, bounds: &[[f64; 2]]) -> f64 {
+        let local = self.levels.windows(2).zip(bounds.windows(2)).map(|(pair, bounds)| {
+            let width = (pair[0].time_step / pair[1].time_step).ln().abs();
+            (bounds[0][1] / bounds[1][0]).ln().abs().max((bounds[1][1] / bounds[0][0]).ln().abs()) / width
+        });
+        2.0 * local.fold(0.0, f64::max)
+    }
+
     /// max error/hᵖ over the levels: the smallest constant C with error ≤ C hᵖ at every level.
     pub fn largest_constant(&self, order: f64) -> f64 {
         self.levels.iter().map(|level| level.error / level.time_step.powf(order)).fold(f64::NEG_INFINITY, f64::max)
@@ -172,6 +199,16 @@ mod tests {
             .collect();
         let slope = fit_order(extreme).expect("positive").slope;
         assert!((slope - 1.0 - slope_interval(&steps, ratio)).abs() <= ORDER_ROUNDING);
+    }
+
+    #[test]
+    fn level_by_level_bounds_reach_the_slope_deviation() {
+        let bounds = [[1.0, 3.0], [1.0, 1.5], [1.0, 1.25]];
+        let levels: Vec<Level> = [(1e-1, 3.0), (1e-2, 1.0), (1e-3, 1.0)].map(|(h, c)| Level { time_step: h, error: c * h }).to_vec();
+        let estimate = fit_order(levels).expect("positive");
+        // The middle level has no weight, the outer ones pull in opposite senses.
+        assert!((estimate.slope - 1.0 - estimate.slope_deviation(&bounds)).abs() <= ORDER_ROUNDING);
+        assert!(estimate.spread <= estimate.spread_deviation(&bounds));
     }
 
     #[test]

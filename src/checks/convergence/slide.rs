@@ -1,0 +1,162 @@
+//! A block on an incline that sticks or slides, against Coulomb's law in closed form.
+//!
+//! ```text
+//!     sliding, Stewart–Trinkle or Moreau–Jean θ=1:   v_k = v(t_k) ,   x_k − x(t_k) = ½ a h t_k ,
+//!     sliding, Anitescu from φ = μ h v₀:             φ_k = μ h v_k ,  v_k − v(t_k) → −a h μ² ,
+//!     sliding, Anitescu from φ = 0:                  hop to (μ v₀)²/(2 g cos α (1+μ²)²), for every h.
+//! ```
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::closed_forms::InclineBlock;
+use crate::mechanics::{PointMass, State};
+use crate::schemes::{Scheme, simulate};
+use crate::solvers::Reference;
+use crate::tolerance::convergence::{slide_rounding, slide_second_order};
+use crate::trajectory::metrics::{creep_speed, largest_gap, position_sup, velocity_l1, velocity_sup};
+use crate::trajectory::{Graph, Level, Recording, fit_order};
+use nalgebra::dvector;
+
+/// A block of 1 kg on a slope.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Incline {
+    /// g \[m/s²\].
+    pub gravity: f64,
+    /// α \[rad\].
+    pub angle: f64,
+    /// μ.
+    pub friction: f64,
+    /// v₀ down the slope \[m/s\].
+    pub velocity: f64,
+    /// Simulated time \[s\].
+    pub duration: f64,
+}
+
+/// Steps per run, level by level.
+const STEPS: [usize; 4] = [16, 64, 256, 1024];
+
+impl Incline {
+    fn run(&self, scheme: &dyn Scheme, gap: f64, steps: usize) -> Result<(Recording, f64)> {
+        let h = self.duration / steps as f64;
+        let block = PointMass::block_on_incline(1.0, self.gravity, self.angle, self.friction, 0.0);
+        let initial = State { time: 0.0, position: dvector![0.0, gap], velocity: dvector![self.velocity, 0.0] };
+        Ok((simulate(scheme, &Reference, &block, initial, h, steps)?, h))
+    }
+
+    fn exact(&self) -> Result<InclineBlock> {
+        InclineBlock::new(self.gravity, self.angle, self.friction, self.velocity)
+    }
+
+    /// Position, L¹ and sup error of the motion along the slope.
+    fn errors(&self, recording: &Recording) -> Result<[f64; 3]> {
+        let exact = self.exact()?;
+        let (times, along) = (times(recording), component(recording, 0));
+        let speeds: Vec<f64> = recording.samples.iter().map(|sample| sample.velocity[0]).collect();
+        let discrete = Graph::steps(&times, &speeds)?;
+        let reference = Graph::new(exact.velocity_corners(times[times.len() - 1]))?;
+        let position = position_sup(&times, &along, |t| exact.state(t).0);
+        Ok([position, velocity_l1(&discrete, &reference), velocity_sup(&discrete, &reference)])
+    }
+}
+
+fn times(recording: &Recording) -> Vec<f64> {
+    recording.samples.iter().map(|sample| sample.time).collect()
+}
+
+fn component(recording: &Recording, index: usize) -> Vec<f64> {
+    recording.samples.iter().map(|sample| sample.position[index]).collect()
+}
+
+/// A block that Coulomb's law holds stays where it is, to rounding, at every step size.
+///
+/// # Errors
+/// Those of the scheme.
+pub fn sticking(subject: &dyn Scheme, incline: &Incline) -> Result<Vec<Finding>> {
+    let mut findings = Vec::new();
+    for steps in STEPS {
+        let (recording, h) = incline.run(subject, 0.0, steps)?;
+        let creep = creep_speed(&times(&recording), &component(&recording, 0), 0.0).unwrap_or(f64::NAN);
+        let bound = slide_rounding(steps);
+        findings.push(Finding::equal(format!("creep of a sticking block at h = {h:.3e}"), creep, 0.0, bound, "m/s"));
+        let hop = largest_gap(&component(&recording, 1));
+        findings.push(Finding::equal(format!("gap of a sticking block at h = {h:.3e}"), hop, 0.0, bound, "m"));
+    }
+    Ok(findings)
+}
+
+/// Sliding under Coulomb's law: exact velocities at the nodes, so every error has its constant in closed form.
+///
+/// # Errors
+/// Those of the scheme.
+pub fn coulomb_slide(subject: &dyn Scheme, incline: &Incline) -> Result<Vec<Finding>> {
+    let a = incline.exact()?.acceleration(1.0);
+    slide(subject, incline, |_| 0.0, [0.5 * a * incline.duration, 0.5 * a * incline.duration, a])
+}
+
+/// Anitescu's slide from the gap it keeps: φ = μ h |v|, velocity deficit a h μ².
+///
+/// The velocity error runs from a h(1−μ²) to −a h μ² in each step, so ∫|·| = ½ a h \[(1−μ²)² + μ⁴\] per unit of time.
+///
+/// # Errors
+/// Those of the scheme.
+pub fn anitescu_slide(subject: &dyn Scheme, incline: &Incline) -> Result<Vec<Finding>> {
+    let (a, duration) = (incline.exact()?.acceleration(1.0), incline.duration);
+    let squared = incline.friction * incline.friction;
+    let mean = 0.5 * ((1.0 - squared).powi(2) + squared * squared);
+    let constants = [a * duration * (0.5 - squared).abs(), a * duration * mean, a / (1.0 + squared)];
+    let start = |h: f64| incline.friction * h * incline.velocity.abs();
+    let mut findings = slide(subject, incline, start, constants)?;
+    for steps in STEPS {
+        let (recording, h) = incline.run(subject, start(incline.duration / steps as f64), steps)?;
+        let excess = recording.samples.iter().map(|s| (s.position[1] - incline.friction * h * s.velocity[0].abs()).abs());
+        let worst = excess.fold(0.0, f64::max);
+        findings.push(Finding::equal(format!("|φ − μ h |v|| at h = {h:.3e}"), worst, 0.0, slide_rounding(steps), "m"));
+    }
+    Ok(findings)
+}
+
+/// Anitescu's slide from φ = 0 hops, by a height that does not vanish with h.
+///
+/// First step: r on the boundary of K and y of K*, so v_n⁺ = μ v_t⁺ with v_t⁺ = v₀ − μ r: v_n⁺ = μv₀/(1+μ²) + O(h), and from
+/// there a free flight under g cos α.
+///
+/// # Errors
+/// Those of the scheme.
+pub fn anitescu_hop(subject: &dyn Scheme, incline: &Incline) -> Result<Vec<Finding>> {
+    let (mu, normal_gravity) = (incline.friction, incline.gravity * incline.angle.cos());
+    let launch = mu * incline.velocity / (1.0 + mu * mu);
+    let height = launch * launch / (2.0 * normal_gravity);
+    let mut findings = Vec::new();
+    for steps in STEPS {
+        let (recording, h) = incline.run(subject, 0.0, steps)?;
+        let hop = largest_gap(&component(&recording, 1));
+        // The launch is off by at most 2 g h and the apex is sampled: 2 launch/g_n · 2 g h/… + ½ launch h.
+        let tolerance = 3.0 * launch.abs() * h * incline.gravity / normal_gravity + 2.0 * incline.gravity * h * h;
+        findings.push(Finding::equal(format!("hop at h = {h:.3e}"), hop, height, tolerance, "m"));
+    }
+    Ok(findings)
+}
+
+/// Orders and constants of the three errors: constant·h up to a relative remainder.
+fn slide(subject: &dyn Scheme, incline: &Incline, gap: impl Fn(f64) -> f64, constants: [f64; 3]) -> Result<Vec<Finding>> {
+    let mut levels: [Vec<Level>; 3] = Default::default();
+    for steps in STEPS {
+        let (recording, time_step) = incline.run(subject, gap(incline.duration / steps as f64), steps)?;
+        for (levels, error) in levels.iter_mut().zip(incline.errors(&recording)?) {
+            levels.push(Level { time_step, error });
+        }
+    }
+    let mut findings = Vec::new();
+    for ((name, levels), constant) in ["position sup", "velocity L1", "velocity sup"].into_iter().zip(levels).zip(constants) {
+        let estimate = fit_order(levels)?;
+        let remainders: Vec<f64> = STEPS.iter().map(|&steps| slide_second_order(incline.friction, steps)).collect();
+        let ratio = (1.0 + remainders[0]) / (1.0 - remainders[0]);
+        findings.push(Finding::equal(format!("slide, {name}: order"), estimate.slope, 1.0, estimate.slope_interval(ratio), "1"));
+        for (level, remainder) in estimate.levels.iter().zip(remainders) {
+            let title = format!("slide, {name} at h = {:.3e}", level.time_step);
+            let expected = constant * level.time_step;
+            findings.push(Finding::equal(title, level.error, expected, expected * remainder, "SI"));
+        }
+    }
+    Ok(findings)
+}
