@@ -262,6 +262,34 @@ pub mod claims {
     pub fn slide_drift(deceleration: f64) -> f64 {
         8.0 * deceleration * SLIDE_STEP
     }
+
+    /// Claims on the θ scheme (§3).
+    pub mod theta_scheme {
+        use super::super::{EPSILON, mechanics::DIFFERENCE_STEP};
+
+        /// Largest over smallest constant C in error = C hᵖ for q̈ = −q at t = 2 and h ≤ 1/32.
+        ///
+        /// θ = ½ turns by 2 atan(h/2) instead of h: phase error t h²/12·(1 − 3h²/20…). θ = 1 has
+        /// n(−ln(1−z) − z) = n z²/2·(1 + 2z/3 + …), |z| = h, so C lies within (1 ± 0.022)(1 ± 0.032) of t/2.
+        pub const METHOD_CONSTANTS: f64 = 1.15;
+
+        /// Error of a determinant of two central differences of one step of the pendulum: each entry has truncation
+        /// d²/6·|f‴| ≤ d² and rounding of 32 operations of size 1 over 2d; the determinant doubles it.
+        pub fn central_difference_of_step() -> f64 {
+            2.0 * (DIFFERENCE_STEP * DIFFERENCE_STEP + 16.0 * EPSILON / DIFFERENCE_STEP)
+        }
+
+        /// Rounding of the energy of a pendulum before and after a step: 16 operations on terms of size at most 2,
+        /// and a step solved to relative ε with ∂E at most 1 in both coordinates.
+        pub fn pendulum_energy() -> f64 {
+            super::super::rounding(16, 2.0)
+        }
+
+        /// Error of r/R − 1 = y/2 for r² = R²(1 + y(1 − x)) with 0 ≤ x ≤ y: y²/2 from x and y²/8 from the root.
+        pub fn bead_sagitta(growth: f64) -> f64 {
+            growth * growth
+        }
+    }
 }
 
 /// Tolerances of the comparison with stored engine runs.

@@ -1,6 +1,17 @@
-//! Claims of §3.
+//! Claims of §3: the Moreau–Jean θ scheme, its Delassus operator, its energy.
 
 use super::Claim;
 
+mod contact_energy;
+mod delassus;
+mod drift;
+mod elastic;
+mod order;
+pub(super) mod pendulum;
+mod smooth_energy;
+mod step;
+pub(super) mod theta_step;
+
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[];
+pub const CLAIMS: &[&[Claim]] =
+    &[step::CLAIMS, order::CLAIMS, delassus::CLAIMS, smooth_energy::CLAIMS, elastic::CLAIMS, contact_energy::CLAIMS, drift::CLAIMS];

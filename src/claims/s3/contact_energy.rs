@@ -1,0 +1,162 @@
+//! Energy over an impact, M(v⁺ − v⁻) = HᵀP with P ≥ 0 acting on the bodies.
+//!
+//! ```text
+//!     ΔT = ½ Pᵀ(U⁺ + U⁻) ,        uniform e:  ΔT = PᵀŪ/(1+e) − ½(1−e)/(1+e) PᵀWP ,   Ū = U⁺ + e U⁻ .
+//! ```
+//! Without friction PᵀŪ = 0. With friction PᵀŪ ≤ 0 if the law holds for all components of Ū.
+
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::problem::{Lcp, stewart_trinkle};
+use crate::scalar::{Rational, ratio};
+use crate::solvers::lemke::{LemkeOutcome, lemke};
+use crate::{Error, Result};
+use nalgebra::{DMatrix, DVector};
+use num_traits::{One, Zero};
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S3.contact-work-sign",
+        statement: "ΔE_contact = −½Pᵀ(U⁺ + U⁻) (the chapter adds: the sign depends on the convention).",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "With P ≥ 0 and M(v⁺ − v⁻) = HᵀP, the convention of the scheme in §3, ΔT = +½Pᵀ(U⁺ + U⁻). The minus sign belongs to P = ∫dR with M(v⁺ − v⁻) = −HᵀP, the convention of §0.",
+        argument: "ΔT = ½(v⁺ + v⁻)ᵀM(v⁺ − v⁻) = ±½Pᵀ(U⁺ + U⁻). Two unit masses in line at 1 and 0 m/s, e = 0: P = 1/2, U⁻ = −1, U⁺ = 0, ΔT = −1/4 = +½·½·(−1).",
+        control: "The minus sign together with the convention of §3.",
+        sources: &["chapter §3, energy change in the contact phase", "chapter §0 for the sign of dR"],
+        check: work_sign,
+    },
+    Claim {
+        id: "S3.contact-diss",
+        statement: "In the Moreau–Jean frame Pᵀ(v⁺ + e v⁻)/2 ≥ 0 guarantees that the contact dissipates in addition (e < 1 loses energy, e = 1 keeps it).",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "For one common e, a pure impact, and the law on every component if there is friction: ΔT ≤ −½(1−e)/(1+e) PᵀWP ≤ 0, with equality without friction.",
+        argument: "Ū = U⁺ + eU⁻ and U⁺ − U⁻ = WP give U⁺ + U⁻ = 2Ū/(1+e) − (1−e)/(1+e) WP; complementarity makes PᵀŪ = 0 in the convention P ≥ 0 (and the sign of the chapter's inequality is right in the convention P = ∫dR). Checked in rationals on a chain of balls for e = 0, 1/3, 1. With e = (1, 0) at the two ends of a rod, W = [[1, −1/2], [−1/2, 1]], U⁻ = (−1, 1/2), the kinetic energy grows by 1/6.",
+        control: "The rod with two different coefficients of restitution.",
+        sources: &["chapter §3, energy change in the contact phase"],
+        check: dissipation,
+    },
+    Claim {
+        id: "S3.moreau-diss",
+        statement: "Moreau's impact law: e < 1 dissipates, e = 1 conserves (and friction dissipates by itself).",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "For one common e without friction, and with friction if v⁺ + e v⁻ is taken in normal and tangential components. Newton's law on the normal component alone, combined with Coulomb friction, can gain energy.",
+        argument: "W = [[2, 4], [4, 9]], μ = 7/4, e = 1, U⁻ = (−1, −2): with the full vector P = (1, 0) lies in the cone, U⁺ = −U⁻ and the energy is kept; with the normal component alone ½UᵀW⁻¹U grows from 1/4 J to 9/4 J.",
+        control: "Restitution of the normal component alone.",
+        sources: &["chapter §3 and §7", "Kane and Levinson, Dynamics: Theory and Applications, 1985, for energy gain with friction"],
+        check: moreau_law,
+    },
+];
+
+/// An impact in contact coordinates: W, U⁻, U⁺ and P.
+struct Impact {
+    delassus: DMatrix<Rational>,
+    before: DVector<Rational>,
+    after: DVector<Rational>,
+    impulse: DVector<Rational>,
+}
+
+impl Impact {
+    /// Solves 0 ≤ U⁺ + diag(e) U⁻ ⟂ P ≥ 0 with U⁺ = U⁻ + W P.
+    fn frictionless(delassus: DMatrix<Rational>, before: DVector<Rational>, restitution: &[Rational]) -> Result<Self> {
+        let shifted = DVector::from_fn(before.len(), |i, _| &before[i] * (Rational::one() + &restitution[i]));
+        let impulse = solved(&Lcp::new(delassus.clone(), shifted))?;
+        Ok(Impact::new(delassus, before, impulse))
+    }
+
+    fn new(delassus: DMatrix<Rational>, before: DVector<Rational>, impulse: DVector<Rational>) -> Self {
+        let after = &before + &delassus * &impulse;
+        Impact { delassus, before, after, impulse }
+    }
+
+    /// ½ Pᵀ(U⁺ + U⁻).
+    fn work(&self) -> Rational {
+        self.impulse.dot(&(&self.after + &self.before)) * ratio(1, 2)
+    }
+
+    /// −½ (1−e)/(1+e) PᵀWP.
+    fn predicted_loss(&self, restitution: &Rational) -> Rational {
+        let factor = (Rational::one() - restitution) / (Rational::one() + restitution);
+        -(self.impulse.dot(&(&self.delassus * &self.impulse)) * factor * ratio(1, 2))
+    }
+}
+
+fn solved(lcp: &Lcp<Rational>) -> Result<DVector<Rational>> {
+    match lemke(lcp, &DVector::from_element(lcp.size(), Rational::one()))? {
+        LemkeOutcome::Solution { z, .. } => Ok(z),
+        LemkeOutcome::Ray { .. } => Err(Error::solver("lemke", "ended on a ray")),
+    }
+}
+
+fn integers(rows: usize, columns: usize, entries: &[i64]) -> DMatrix<Rational> {
+    DMatrix::from_row_slice(rows, columns, &entries.iter().map(|&x| ratio(x, 1)).collect::<Vec<_>>())
+}
+
+fn vector(entries: &[Rational]) -> DVector<Rational> {
+    DVector::from_vec(entries.to_vec())
+}
+
+fn work_sign(reading: Reading) -> Result<Vec<Finding>> {
+    // unit masses at 1 and 0 m/s, H = (−1, 1), e = 0: P = 1/2
+    let impact = Impact::frictionless(integers(1, 1, &[2]), vector(&[ratio(-1, 1)]), &[ratio(0, 1)])?;
+    let kinetic = |velocities: [Rational; 2]| velocities.iter().map(|v| v * v * ratio(1, 2)).fold(Rational::zero(), |a, b| a + b);
+    let push = impact.impulse[0].clone();
+    let change = kinetic([ratio(1, 1) - &push, push.clone()]) - kinetic([ratio(1, 1), ratio(0, 1)]);
+    // P = ∫dR is minus the impulse on the bodies
+    let in_convention = reading.pick(-push, impact.impulse[0].clone());
+    let printed = -(in_convention * (&impact.after[0] + &impact.before[0])) * ratio(1, 2);
+    Ok(vec![
+        Finding::exact("−½P(U⁺ + U⁻) against the change of kinetic energy", &printed, &change, "J"),
+        Finding::exact("+½P(U⁺ + U⁻) with P ≥ 0 on the bodies", &impact.work(), &change, "J"),
+    ])
+}
+
+fn dissipation(reading: Reading) -> Result<Vec<Finding>> {
+    let rod = DMatrix::from_row_slice(2, 2, &[ratio(1, 1), ratio(-1, 2), ratio(-1, 2), ratio(1, 1)]);
+    let ends = vector(&[ratio(-1, 1), ratio(1, 2)]);
+    let different = Impact::frictionless(rod.clone(), ends.clone(), &[ratio(1, 1), ratio(0, 1)])?;
+    let uniform = Impact::frictionless(rod, ends, &[ratio(1, 2), ratio(1, 2)])?;
+    let subject = reading.pick(&uniform, &different);
+    let mut findings = vec![
+        Finding::decision("the impact does not gain energy", subject.work() <= Rational::zero(), true),
+        Finding::exact("gain of the rod with e = (1, 0)", &different.work(), &ratio(1, 6), "J"),
+    ];
+    // chain of balls of 1, 1/2 and 1/3 kg: W has 1/m sums on the diagonal and −1/m between neighbours
+    let chain = integers(2, 2, &[3, -2, -2, 5]);
+    for e in [ratio(0, 1), ratio(1, 3), ratio(1, 1)] {
+        let impact = Impact::frictionless(chain.clone(), vector(&[ratio(-3, 1), ratio(1, 2)]), &[e.clone(), e.clone()])?;
+        findings.push(Finding::exact(format!("ΔT, e = {e}, against −½(1−e)/(1+e) PᵀWP"), &impact.work(), &impact.predicted_loss(&e), "J"));
+    }
+    Ok(findings)
+}
+
+/// Planar Coulomb impact with restitution e on the components given by `reversed`, as a Stewart–Trinkle LCP with d = 2.
+fn frictional(delassus: &DMatrix<Rational>, before: &DVector<Rational>, mu: &Rational, shift: &DVector<Rational>) -> Result<Impact> {
+    let directions = [[ratio(1, 1), ratio(0, 1)], [ratio(-1, 1), ratio(0, 1)]];
+    let generators = stewart_trinkle::generators(1, 2, &directions);
+    let reduced = generators.transpose() * delassus * &generators;
+    let velocity = generators.transpose() * (before + shift);
+    let z = solved(&stewart_trinkle::lcp(&reduced, std::slice::from_ref(mu), &velocity))?;
+    let impulse = &generators * z.rows(0, generators.ncols());
+    Ok(Impact::new(delassus.clone(), before.clone(), impulse))
+}
+
+fn moreau_law(reading: Reading) -> Result<Vec<Finding>> {
+    let delassus = integers(2, 2, &[2, 4, 4, 9]);
+    let (before, mu) = (vector(&[ratio(-1, 1), ratio(-2, 1)]), ratio(7, 4));
+    let normal_only = vector(&[before[0].clone(), Rational::zero()]);
+    let gaining = frictional(&delassus, &before, &mu, &normal_only)?;
+    let full = frictional(&delassus, &before, &mu, &before)?;
+    let subject = reading.pick(&full, &gaining);
+    // T in contact coordinates: ½UᵀW⁻¹U with W⁻¹ = [[9, −4], [−4, 2]]/2
+    let inverse = integers(2, 2, &[9, -4, -4, 2]) * ratio(1, 2);
+    let energy = |u: &DVector<Rational>| u.dot(&(&inverse * u)) * ratio(1, 2);
+    Ok(vec![
+        Finding::exact("energy gained in the frictional impact with e = 1", &subject.work(), &Rational::zero(), "J"),
+        Finding::exact("kinetic energy before the impact", &energy(&before), &ratio(1, 4), "J"),
+        Finding::exact("after it, restitution of the normal component alone", &energy(&gaining.after), &ratio(9, 4), "J"),
+        Finding::exact("½Pᵀ(U⁺ + U⁻) of that impact", &gaining.work(), &ratio(2, 1), "J"),
+    ])
+}

@@ -1,0 +1,84 @@
+//! The Delassus operator W = H M⁻¹Hᵀ: semidefinite, a compliance, and badly conditioned where expected.
+
+use crate::Result;
+use crate::certificate::definiteness::{Definiteness, definiteness};
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::contact::delassus::delassus;
+use crate::elimination::{rank, solve};
+use crate::scalar::{Rational, ratio};
+use nalgebra::{DMatrix, DVector};
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S3.delassus-psd",
+        statement: "M ≻ 0, hence W = H M⁻¹Hᵀ ⪰ 0.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "W is positive semidefinite, and positive definite iff the rows of H are independent.",
+        argument: "xᵀWx = (Hᵀx)ᵀM⁻¹(Hᵀx) ≥ 0, zero iff Hᵀx = 0. Decided exactly here for H with independent and dependent rows, and on a thousand random systems in the property family.",
+        control: "A symmetric invertible M that is not positive definite.",
+        sources: &["chapter §3, step 5; table of theorems"],
+        check: semidefinite,
+    },
+    Claim {
+        id: "S3.delassus-phys",
+        statement: "W is the contact's effective compliance: ΔU = W P; one contact and one velocity: 1/m; off-diagonal entries couple contacts; nearly parallel contact directions or extreme masses make W ill-conditioned.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated. Two contacts of a point at the angle α have condition number cot²(α/2); two contacts of a chain of masses 1, 1/ρ, 1 have 1 + 2ρ.",
+        argument: "With tan(α/2) = t the two normals have cosine (1−t²)/(1+t²), and W = (1/m)[[1, c], [c, 1]] has eigenvalues 1 ± c, ratio 1/t²: 10⁶ at t = 1/1000. The chain's W = [[1+ρ, −ρ], [−ρ, 1+ρ]] has eigenvalues 1 (vector (1, 1)) and 1 + 2ρ (vector (1, −1)).",
+        control: "Perpendicular normals and equal masses, where the condition numbers are 1 and 3.",
+        sources: &["chapter §3, “what the Delassus operator is”"],
+        check: compliance,
+    },
+];
+
+fn matrix(rows: usize, columns: usize, entries: &[i64]) -> DMatrix<Rational> {
+    DMatrix::from_row_slice(rows, columns, &entries.iter().map(|&x| ratio(x, 1)).collect::<Vec<_>>())
+}
+
+fn semidefinite(reading: Reading) -> Result<Vec<Finding>> {
+    let mass = reading.pick(matrix(2, 2, &[2, 1, 1, 3]), matrix(2, 2, &[1, 2, 2, 1]));
+    let mut findings = Vec::new();
+    for (name, jacobian) in [("independent rows", matrix(2, 2, &[1, -1, 1, 1])), ("dependent rows", matrix(3, 2, &[1, -1, 1, 1, 2, 0]))] {
+        let rows = jacobian.nrows();
+        let responses: Option<Vec<DVector<Rational>>> = (0..rows).map(|row| solve(&mass, &jacobian.row(row).transpose())).collect();
+        let responses = responses.ok_or_else(|| crate::Error::invalid("mass", "is singular", "use an invertible one"))?;
+        let w = DMatrix::from_fn(rows, rows, |i, j| jacobian.row(i).transpose().dot(&responses[j]));
+        let decided = definiteness(&w);
+        let semidefinite = !matches!(decided, Definiteness::Indefinite { .. });
+        findings.push(Finding::decision(format!("W ⪰ 0, {name}"), semidefinite, true));
+        let definite = decided == Definiteness::Definite;
+        findings.push(Finding::decision(format!("W ≻ 0, {name}"), definite, rank(&jacobian) == rows));
+        let agrees = delassus(&mass, &jacobian).is_ok_and(|computed| computed == w);
+        findings.push(Finding::decision(format!("the library computes this W, {name}"), agrees, true));
+    }
+    Ok(findings)
+}
+
+fn compliance(reading: Reading) -> Result<Vec<Finding>> {
+    let t = reading.pick(ratio(1, 1000), ratio(1, 1));
+    let light = reading.pick(ratio(1, 1_000_000), ratio(1, 1));
+    let one = || ratio(1, 1);
+    // a point of mass 1 between two planes, normals (0, 1) and (sin α, cos α)
+    let (sine, cosine) = (ratio(2, 1) * &t / (one() + &t * &t), (one() - &t * &t) / (one() + &t * &t));
+    let normals = DMatrix::from_row_slice(2, 2, &[ratio(0, 1), one(), sine, cosine]);
+    let wedge = delassus(&DMatrix::identity(2, 2), &normals)?;
+    let chain_mass = DMatrix::from_diagonal(&DVector::from_vec(vec![one(), light, one()]));
+    let chain = delassus(&chain_mass, &matrix(2, 3, &[-1, 1, 0, 0, -1, 1]))?;
+    let single = delassus(&DMatrix::from_element(1, 1, ratio(5, 2)), &matrix(1, 1, &[1]))?;
+    Ok(vec![
+        Finding::exact("condition number of two contacts at a small angle", &condition(&wedge), &ratio(1_000_000, 1), "1"),
+        Finding::exact("condition number of a chain with a light middle", &condition(&chain), &ratio(2_000_001, 1), "1"),
+        Finding::exact("coupling of neighbours, −1/m of the ball between", &(chain[(0, 1)].clone() * ratio(-1, 1_000_000)), &one(), "1"),
+        Finding::exact("one contact, one velocity of 5/2 kg", &single[(0, 0)], &ratio(2, 5), "1/kg"),
+    ])
+}
+
+/// Condition number of a 2×2 matrix with equal diagonal entries a and off-diagonal b: (a + |b|)/(a − |b|).
+fn condition(w: &DMatrix<Rational>) -> Rational {
+    let (a, b) = (w[(0, 0)].clone(), w[(0, 1)].clone());
+    let b = if b < ratio(0, 1) { -b } else { b };
+    (&a + &b) / (&a - &b)
+}

@@ -1,0 +1,92 @@
+//! Does a body sink into the table under a velocity-level scheme?
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::mechanics::{BeadInCircle, Mechanism, State};
+use crate::scalar::{Rational, Scalar, ratio};
+use crate::schemes::exact_particle::{Ball, Motion};
+use crate::schemes::{Activation, MoreauJean, RestitutionRule, simulate};
+use crate::solvers::LemkePivoting;
+use crate::tolerance::claims::theta_scheme::bead_sagitta;
+use nalgebra::dvector;
+
+pub const CLAIMS: &[Claim] = &[Claim {
+    id: "S3.drift",
+    statement: "Without projection, pure Moreau–Jean lets a body sink slowly into the table over long runs.",
+    verdict: Verdict::Conditional,
+    evidence: Evidence::Certified,
+    correct_statement: "A body on a plane does not drift under the activation rules A, B or D: only the offset of the landing remains. It sinks under rule C (φ + h u ≤ 0 and u ≤ 0) with 0 < e < 1, at g h (1−e)/(2(1+e)); along curved constraints, at h v²κ/2; and with unconverged solvers.",
+    argument: "Ball dropped from 1/10 m, e = 1/2, h = 1/100 s, 1000 steps: under A, B and D the height over the last 500 steps does not change by a bit, and a ball placed on the floor stays there exactly, in rationals; under rule C the dropped ball sinks at 0.01635 m/s. A bead sliding on a circle of radius 1 m at 1 m/s, h = 1/1024 s: angular momentum r v is conserved and r² grows by h²v² per step, so it leaves at h v²/(2R) = 4.9e-4 m/s.",
+    control: "Activation rule C.",
+    sources: &["chapter §3, common pitfalls (drift)", "chapter §3, exercise 3 (block at rest for 1000 steps)"],
+    check: sinking,
+}];
+
+/// Mean velocity over the last 500 of 1000 steps of a ball dropped from 1/10 m with e = 1/2.
+fn settled_velocity(step: impl Fn(&Ball<f64>, &Motion<f64>) -> Motion<f64>) -> f64 {
+    let ball = Ball { mass: 1.0, gravity: 9.81, restitution: 0.5 };
+    let mut now = Motion { position: 0.1, velocity: 0.0 };
+    let mut halfway = 0.0;
+    for count in 0..1000 {
+        if count == 500 {
+            halfway = now.position;
+        }
+        now = step(&ball, &now);
+    }
+    (now.position - halfway) / (500.0 * STEP)
+}
+
+const STEP: f64 = 0.01;
+
+/// Rule C: the contact takes part if q + h v ≤ 0 and v ≤ 0.
+fn rule_c(ball: &Ball<f64>, now: &Motion<f64>) -> Motion<f64> {
+    let free = now.velocity - ball.gravity * STEP;
+    let active = now.position + STEP * now.velocity <= 0.0 && now.velocity <= 0.0;
+    let velocity = if active { free.max(-ball.restitution * now.velocity) } else { free };
+    Motion { position: now.position + STEP * 0.5 * (velocity + now.velocity), velocity }
+}
+
+fn sinking(reading: Reading) -> Result<Vec<Finding>> {
+    let rule = |activation: Activation| move |ball: &Ball<f64>, now: &Motion<f64>| ball.moreau_jean(now, &0.5, activation, &STEP).motion;
+    let sink = settled_velocity(rule_c);
+    let first = reading.pick(settled_velocity(rule(Activation::Gap)), sink);
+    let mut findings = vec![Finding::equal("velocity after landing", first, 0.0, f64::EPSILON, "m/s")];
+    for activation in Activation::ALL {
+        let velocity = settled_velocity(rule(activation));
+        findings.push(Finding::equal(format!("velocity after landing, rule {}", activation.name()), velocity, 0.0, f64::EPSILON, "m/s"));
+        let drift = resting_drift(activation);
+        findings.push(Finding::exact(
+            format!("drift of a ball at rest, 1000 steps, rule {}", activation.name()),
+            &drift,
+            &ratio(0, 1),
+            "m",
+        ));
+    }
+    let predicted = -9.81 * STEP * 0.5 / (2.0 * 1.5);
+    // over a finite window the sink differs from its mean by at most one cycle of two steps of free fall
+    findings.push(Finding::equal("velocity after landing, rule C", sink, predicted, 4.0 * 9.81 * STEP * STEP / (500.0 * STEP), "m/s"));
+    findings.push(bead(100)?);
+    Ok(findings)
+}
+
+fn resting_drift(activation: Activation) -> Rational {
+    let ball = Ball { mass: ratio(1, 1), gravity: ratio(981, 100), restitution: ratio(1, 2) };
+    let mut now = Motion { position: ratio(0, 1), velocity: ratio(0, 1) };
+    for _ in 0..1000 {
+        now = ball.moreau_jean(&now, &ratio(1, 2), activation, &ratio(1, 100)).motion;
+    }
+    now.position.magnitude()
+}
+
+/// Penetration of a bead after sliding `steps` steps along a circle, against steps · h²v²/(2R).
+fn bead(steps: usize) -> Result<Finding> {
+    let (radius, speed, h) = (1.0, 1.0, 1.0 / 1024.0);
+    let circle = BeadInCircle::new(1.0, radius, 0.0, 0.0, 0.0)?;
+    let scheme = MoreauJean { theta: 1.0, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
+    let start = State { time: 0.0, position: dvector![radius, 0.0], velocity: dvector![0.0, speed] };
+    let recording = simulate(&scheme, &LemkePivoting, &circle, start, h, steps)?;
+    let gap = circle.contacts(&recording.last().position)[0].gap;
+    let growth = steps as f64 * h * h * speed * speed / (radius * radius);
+    Ok(Finding::equal("gap of a bead after 100 steps along a circle", gap, -radius * growth / 2.0, radius * bead_sagitta(growth), "m"))
+}

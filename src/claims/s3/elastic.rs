@@ -1,0 +1,101 @@
+//! Does θ = 1 bring everything to rest? Pendulum, satellite, elastic collisions.
+
+use super::theta_step::{LinearSystem, phase};
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::mechanics::{BallChain, Mechanism, State};
+use crate::scalar::{Rational, Scalar, ratio};
+use crate::schemes::exact_particle::{Ball, Motion};
+use crate::schemes::{Activation, MoreauJean, RestitutionRule, simulate};
+use crate::solvers::LemkePivoting;
+use crate::{Result, tolerance::rounding};
+use nalgebra::dvector;
+use std::collections::BTreeSet;
+
+pub const CLAIMS: &[Claim] = &[Claim {
+    id: "S3.energy-runs-down",
+    statement: "θ = 1 draws energy off artificially; where long-term conservation matters (satellite, pendulum, chains of elastic collisions) the simulation runs ever slower until it stands still.",
+    verdict: Verdict::False,
+    evidence: Evidence::Exact,
+    correct_statement: "True for the pendulum and other oscillators. Elastic collisions do not run down: without forces θ has no effect on the energy, and under gravity E − (θ−½) m g h v is conserved exactly across flights and impacts, so E only oscillates by O(h). A satellite loses energy, but by falling to a lower and faster orbit.",
+    argument: "Elastic ball, θ = 1, dropped from 1/2 m, 500 steps of h = 1/100 s and eight bounces in rationals: the invariant takes one value, for rules A, B and D. Three equal balls with e = 1: one value of the kinetic energy through two collisions. Satellite from a circular orbit of radius 1, speed 1, 250 steps of h = 1/50 by backward Euler: energy falls from −1/2, the radius shrinks to 0.74 and the speed grows to 1.17 (energy −0.673). Oscillator with ω = 1: E falls by (1 + h²)^{-N}.",
+    control: "An oscillator, for which the statement is right, in place of the elastic ball.",
+    sources: &["chapter §3, common pitfalls (“the larger θ the better”)"],
+    check: runs_down,
+}];
+
+/// E of the elastic ball under θ = 1: number of distinct values of the invariant, bounces, and E(end)/E(0).
+fn elastic_ball(activation: Activation, steps: usize) -> (usize, usize, Rational) {
+    let ball = Ball { mass: ratio(1, 1), gravity: ratio(981, 100), restitution: ratio(1, 1) };
+    let (theta, h) = (ratio(1, 1), ratio(1, 100));
+    let mut now = Motion { position: ratio(1, 2), velocity: ratio(0, 1) };
+    let start = ball.energy(&now);
+    let mut values = BTreeSet::from([ball.scheme_energy(&now, &theta, &h)]);
+    let mut bounces = 0;
+    for _ in 0..steps {
+        let outcome = ball.moreau_jean(&now, &theta, activation, &h);
+        bounces += usize::from(outcome.impulse > ratio(0, 1));
+        now = outcome.motion;
+        values.insert(ball.scheme_energy(&now, &theta, &h));
+    }
+    (values.len(), bounces, ball.energy(&now) / start)
+}
+
+/// E(end)/E(0) of q̈ = −q under θ = 1.
+pub fn oscillator_energy_ratio(steps: usize) -> f64 {
+    let oscillator = LinearSystem::scalar(ratio(1, 1), ratio(1, 1), ratio(0, 1));
+    let start = phase(ratio(1, 1), ratio(0, 1));
+    let next = oscillator.step(&start, &ratio(1, 1), &ratio(1, 100)).0;
+    let factor = Scalar::to_f64(&(oscillator.energy(&next) / oscillator.energy(&start)));
+    factor.powi(steps as i32)
+}
+
+/// Number of distinct kinetic energies of three equal balls in line, the first at 1 m/s, e = 1.
+pub fn chain_energies(theta: f64) -> Result<usize> {
+    let chain = BallChain::new(vec![1.0; 3], vec![0.125; 3], 1.0)?;
+    let scheme = MoreauJean { theta, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
+    let start = State { time: 0.0, position: dvector![0.0, 0.5, 1.0], velocity: dvector![1.0, 0.0, 0.0] };
+    let recording = simulate(&scheme, &LemkePivoting, &chain, start, 0.03125, 64)?;
+    let moved = recording.last().velocity == dvector![0.0, 0.0, 1.0];
+    let values: BTreeSet<u64> = recording.samples.iter().map(|state| chain.kinetic_energy(state).to_bits()).collect();
+    if moved { Ok(values.len()) } else { Err(crate::Error::Unsupported("the last ball should carry the motion away".into())) }
+}
+
+/// (energy, radius, speed) of a satellite after backward Euler steps from a circular orbit of radius and speed 1.
+fn satellite(steps: usize, h: f64) -> [f64; 3] {
+    let (mut q, mut v) = (dvector![1.0, 0.0], dvector![0.0, 1.0]);
+    for _ in 0..steps {
+        let mut next = &q + &v * h;
+        loop {
+            let velocity = &v - &next * (h / next.norm().powi(3));
+            let improved = &q + &velocity * h;
+            let moved = (&improved - &next).norm();
+            next = improved;
+            if moved <= rounding(2, 1.0) {
+                (q, v) = (next, velocity);
+                break;
+            }
+        }
+    }
+    [0.5 * v.norm_squared() - 1.0 / q.norm(), q.norm(), v.norm()]
+}
+
+fn runs_down(reading: Reading) -> Result<Vec<Finding>> {
+    let steps = 500;
+    // |E − E₀| ≤ ½ m g h (|v₀| + max|v|) with v₀ = 0, max|v| ≤ √(2 g q₀) + g h, E₀ = m g q₀
+    let swing = 0.5 * 0.01 * ((9.81f64).sqrt() + 9.81 * 0.01) / 0.5;
+    let ball = Scalar::to_f64(&elastic_ball(Activation::Gap, steps).2);
+    let ratio = reading.pick(ball, oscillator_energy_ratio(steps));
+    let mut findings = vec![Finding::at_least("E(end)/E(start) under θ = 1", ratio, 1.0 - swing, "1")];
+    for activation in Activation::ALL {
+        let (values, bounces, _) = elastic_ball(activation, steps);
+        findings.push(Finding::count(format!("distinct values of E − (θ−½) m g h v, rule {}", activation.name()), values, 1));
+        findings.push(Finding::at_least(format!("bounces, rule {}", activation.name()), bounces as f64, 7.0, "1"));
+    }
+    findings.push(Finding::count("distinct kinetic energies of three colliding balls", chain_energies(1.0)?, 1));
+    let [energy, radius, speed] = satellite(250, 0.02);
+    findings.push(Finding::at_most("energy of the satellite, −1/2 at the start", energy, -0.5, "J/kg"));
+    findings.push(Finding::at_most("radius of its orbit, 1 at the start", radius, 0.75, "m"));
+    findings.push(Finding::at_least("its speed, 1 at the start", speed, 1.15, "m/s"));
+    Ok(findings)
+}

@@ -1,0 +1,130 @@
+//! Orders of the θ scheme: two and one where the motion is smooth, one through impacts.
+
+use super::pendulum::Swing;
+use super::theta_step::{LinearSystem, phase};
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::bouncing_ball::BouncingBall;
+use crate::mechanics::{OscillatorWithStop, PointMass, State};
+use crate::scalar::{Rational, Scalar, ratio};
+use crate::schemes::{Activation, MoreauJean, RestitutionRule, simulate};
+use crate::solvers::LemkePivoting;
+use crate::tolerance::claims::theta_scheme::{METHOD_CONSTANTS, central_difference_of_step};
+use crate::tolerance::rounding;
+use crate::trajectory::order::{Level, OrderEstimate, fit_order};
+use nalgebra::dvector;
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S3.theta-order",
+        statement: "θ = 1/2 is the second-order trapezoidal rule, θ = 1 is backward Euler.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Measured,
+        correct_statement: "Orders 2 and 1 while the motion is smooth; through an impact every θ has order 1 in the position.",
+        argument: "q̈ = −q to t = 2: the one-step factor is R = (1 + (1−θ)z)/(1 − θz) = 1 + z + θz² + …, z = ±ih, so the order is 2 iff θ = 1/2. The fitted slopes are those of C hᵖ(1 + O(h)) with constants within 15 % on these steps.",
+        control: "The same oscillator with an elastic stop at q = 0, hit at t = π/2, for θ = 1/2.",
+        sources: &["chapter §3, history and step 2", "Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I"],
+        check: smooth_orders,
+    },
+    Claim {
+        id: "S3.table-2nd-order",
+        statement: "Table, overall behaviour of θ = 1/2: second order and energy neutral; for elastic collisions and long conservative motions.",
+        verdict: Verdict::False,
+        evidence: Evidence::Certified,
+        correct_statement: "θ = 1/2 is energy neutral for constant and linear forces; its order is 2 on smooth pieces and 1 through impacts, like that of every θ.",
+        argument: "Elastic ball, rule A, θ = 1/2: a step that starts δ ∈ [0, h) after the true impact turns v into −v without moving, so the ball goes on exactly, but late by h + 2δ. With v* = √(2 g q₀) the position error is at least v*h − (3/2) g h² and at most 3 v*h + g h². For g = 9.81 m/s², q₀ = 1 m the error divided by h stays above 4.4 m/s minus O(h): order one.",
+        control: "The run ended before the first impact, where θ = 1/2 is exact.",
+        sources: &["chapter §3, table of θ"],
+        check: order_through_an_impact,
+    },
+    Claim {
+        id: "S3.symplectic-like",
+        statement: "θ = 1/2 behaves like a symplectic integrator: no long-term drift of the energy.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "For smooth motions: on linear systems the θ = 1/2 step preserves area, on nonlinear ones it does not but is conjugate to the midpoint rule, which does. No such statement holds across impacts.",
+        argument: "The step is (I − hf/2)⁻¹∘(I + hf/2), so its Jacobian determinant is (1 + h²V''(q)/4)/(1 + h²V''(q⁺)/4) for q̈ = −V'(q): exactly 1 for the oscillator, 1.00016 for the pendulum at (1.3, 0.7), h = 0.1. Conjugating with half a step swaps the factors and gives the midpoint rule.",
+        control: "The pendulum, taken as if its step preserved area.",
+        sources: &["chapter §3, essential insight on θ", "Hairer, Lubich, Wanner, Geometric Numerical Integration, VI.8"],
+        check: area,
+    },
+];
+
+/// Errors at t = 2 of q̈ = −q from (1, 0), with an elastic stop at `stop`, for h = 2/N.
+fn oscillator_order(theta: f64, stop: f64) -> Result<OrderEstimate> {
+    let oscillator = OscillatorWithStop::new(1.0, 1.0, 0.0, stop, 1.0)?;
+    let scheme = MoreauJean { theta, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
+    let level = |steps: usize| -> Result<Level> {
+        let (h, start) = (2.0 / steps as f64, State { time: 0.0, position: dvector![1.0], velocity: dvector![0.0] });
+        let end = simulate(&scheme, &LemkePivoting, &oscillator, start, h, steps)?.last().clone();
+        let sign = if stop < 0.0 { 1.0 } else { -1.0 };
+        let error = (end.position[0] - sign * 2f64.cos()).hypot(end.velocity[0] + sign * 2f64.sin());
+        Ok(Level { time_step: h, error })
+    };
+    fit_order([64, 128, 256, 512].map(level).into_iter().collect::<Result<Vec<_>>>()?)
+}
+
+fn smooth_orders(reading: Reading) -> Result<Vec<Finding>> {
+    let stop = reading.pick(-10.0, 0.0);
+    let half = oscillator_order(0.5, stop)?;
+    let one = oscillator_order(1.0, -10.0)?;
+    let width = half.slope_interval(METHOD_CONSTANTS);
+    Ok(vec![Finding::equal("order of θ = 1/2", half.slope, 2.0, width, "1"), Finding::equal("order of θ = 1", one.slope, 1.0, width, "1")])
+}
+
+fn order_through_an_impact(reading: Reading) -> Result<Vec<Finding>> {
+    let (gravity, height) = (9.81, 1.0);
+    let reference = BouncingBall::new(gravity, height, 1.0)?;
+    let until = reading.pick(2.0, 0.75) * reference.first_impact_time();
+    let speed = (2.0 * gravity * height).sqrt();
+    let scheme = MoreauJean { theta: 0.5, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
+    let ball = PointMass::ball_on_floor(1.0, gravity, 1.0);
+    let mut findings = Vec::new();
+    for steps in [64, 256, 1024] {
+        let h = until / f64::from(steps);
+        let start = State { time: 0.0, position: dvector![height], velocity: dvector![0.0] };
+        let recording = simulate(&scheme, &LemkePivoting, &ball, start, h, steps as usize)?;
+        let errors = recording.samples.iter().map(|state| (state.position[0] - reference.state(state.time).0).abs());
+        let error = errors.fold(0.0, f64::max);
+        let (lower, upper) = (speed - 1.5 * gravity * h, 3.0 * speed + gravity * h);
+        findings.push(Finding::at_least(format!("largest position error / h at h = {h:.2e} s"), error / h, lower, "m/s"));
+        findings.push(Finding::at_most(format!("largest position error / h at h = {h:.2e} s"), error / h, upper, "m/s"));
+    }
+    Ok(findings)
+}
+
+fn area(reading: Reading) -> Result<Vec<Finding>> {
+    let h = 0.1;
+    let swing = Swing { angle: 1.3, rate: 0.7 };
+    let predicted = (1.0 + h * h * swing.angle.cos() / 4.0) / (1.0 + h * h * swing.step(h).angle.cos() / 4.0);
+    let measured = pendulum_determinant(swing, h);
+    let oscillator = Scalar::to_f64(&oscillator_determinant());
+    let subject = reading.pick(oscillator, measured);
+    let bound = central_difference_of_step();
+    Ok(vec![
+        Finding::equal("determinant of the step", subject, 1.0, bound, "1"),
+        Finding::exact("determinant of the oscillator's step", &oscillator_determinant(), &ratio(1, 1), "1"),
+        Finding::equal("determinant of the pendulum's step", measured, predicted, bound, "1"),
+        Finding::at_least("distance of the pendulum's determinant from 1", (measured - 1.0).abs(), 2.0 * bound + rounding(1, 1.0), "1"),
+    ])
+}
+
+/// det ∂(q⁺, v⁺)/∂(q, v) of a linear step without constant force: its images of the unit vectors.
+fn oscillator_determinant() -> Rational {
+    let oscillator = LinearSystem::scalar(ratio(2, 1), ratio(7, 1), ratio(0, 1));
+    let image = |q: i64, v: i64| oscillator.step(&phase(ratio(q, 1), ratio(v, 1)), &ratio(1, 2), &ratio(1, 10)).0;
+    let (first, second) = (image(1, 0), image(0, 1));
+    &first.position[0] * &second.velocity[0] - &second.position[0] * &first.velocity[0]
+}
+
+fn pendulum_determinant(swing: Swing, h: f64) -> f64 {
+    let d = crate::tolerance::mechanics::DIFFERENCE_STEP;
+    let difference = |angle: f64, rate: f64| {
+        let plus = Swing { angle: swing.angle + angle, rate: swing.rate + rate }.step(h);
+        let minus = Swing { angle: swing.angle - angle, rate: swing.rate - rate }.step(h);
+        [(plus.angle - minus.angle) / (2.0 * d), (plus.rate - minus.rate) / (2.0 * d)]
+    };
+    let (along_angle, along_rate) = (difference(d, 0.0), difference(0.0, d));
+    along_angle[0] * along_rate[1] - along_rate[0] * along_angle[1]
+}

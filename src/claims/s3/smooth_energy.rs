@@ -1,0 +1,176 @@
+//! Energy of the θ scheme without contact: work of the mean force, and what θ adds.
+//!
+//! ```text
+//!     ΔT = h · ½(v⁺ + v)·F_θ = h v_θ·F_θ − (θ − ½) h² F_θᵀM⁻¹F_θ         (every θ, every force)
+//!     constant force:   Δ(T + V) = −(θ − ½) h² FᵀM⁻¹F
+//!     linear spring:    E⁺/E = (1 + (1−θ)²h²ω²)/(1 + θ²h²ω²)
+//! ```
+
+use super::pendulum::Swing;
+use super::theta_step::{LinearSystem, Phase, coupled_pair, phase};
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::scalar::{Rational, Scalar, ratio};
+use crate::tolerance::claims::theta_scheme::pendulum_energy;
+use num_traits::Zero;
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S3.energy-half",
+        statement: "θ = 1/2, no contact: ΔE_kin = h v_{1/2}ᵀF, exactly the work of the force.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated; with the mean velocity ½(v⁺ + v) and the scheme's own force F_θ the identity holds for every θ.",
+        argument: "ΔT = ½(v⁺ + v)ᵀM(v⁺ − v) = ½(v⁺ + v)ᵀ h F_θ, and v_{1/2} = ½(v⁺ + v). Residual zero in rationals for two coupled masses on springs under a constant force, θ = 0, 1/4, 1/2, 1.",
+        control: "v_θ at θ = 1 in place of v_{1/2}.",
+        sources: &["chapter §3, energy estimate, and exercise 2"],
+        check: work_of_the_force,
+    },
+    Claim {
+        id: "S3.energy-neutral",
+        statement: "θ = 1/2 is energy neutral: no numerical dissipation and no injection.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "Kinetic plus potential energy is conserved exactly for constant and linear forces. For a nonlinear force the error per step is O(h³), of either sign.",
+        argument: "Gravity and springs: change exactly 0 over 100 steps in rationals. For the pendulum the trapezoidal rule changes E by the error of trapezoidal quadrature, (q⁺ − q)³ sin(ξ)/12 with ξ between q and q⁺: from (1.3, 0.7) 2.2e-5, 3.1e-6, 4.1e-7 at h = 0.1, 0.05, 0.025 – small, and not zero.",
+        control: "The pendulum in place of the linear system.",
+        sources: &["chapter §3, energy estimate and table of θ"],
+        check: neutral,
+    },
+    Claim {
+        id: "S3.energy-one",
+        statement: "θ = 1 adds −(h²/2)‖F‖²_{M⁻¹} < 0: numerical dissipation O(h²).",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "The term is a loss of total energy, −(θ − ½)h²FᵀM⁻¹F, for a constant force; it is per step, so O(h) over a fixed time. A linear spring has E⁺/E = (1 + (1−θ)²h²ω²)/(1 + θ²h²ω²) instead; θ < 1/2 injects.",
+        argument: "Free fall of 1 kg for 1 s at h = 1/1000 s: −½ m g² h T = −(981/100)²/2000 = −0.04811805 J exactly. On a spring the energy lost in a step is not h²F²/(2m).",
+        control: "The spring, whose loss is compared with the constant-force formula.",
+        sources: &["chapter §3, energy estimate, and exercise 2"],
+        check: backward_euler,
+    },
+    Claim {
+        id: "S3.theta-mid",
+        statement: "θ in (1/2, 1): intermediate dissipation.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "The loss carries the factor 2θ − 1 between 0 at θ = 1/2 and 1 at θ = 1, for a constant force; a spring loses a fraction that grows with θ.",
+        argument: "Free fall: loss at θ = 3/4 over loss at θ = 1 is exactly 1/2. Spring with hω = 1/2: E⁺/E = 65/73 at 3/4, between 1 and 4/5.",
+        control: "θ = 1/4, outside the interval: it gains energy.",
+        sources: &["chapter §3, table of θ"],
+        check: between,
+    },
+];
+
+fn work_of_the_force(reading: Reading) -> Result<Vec<Finding>> {
+    let (system, start) = coupled_pair();
+    let h = ratio(1, 10);
+    let residual = |theta: &Rational, weight: &Rational| {
+        let (next, force) = system.step(&start, theta, &h);
+        let mean = &start.velocity + (&next.velocity - &start.velocity) * weight.clone();
+        system.kinetic_energy(&next) - system.kinetic_energy(&start) - mean.dot(&force) * &h
+    };
+    let theta = reading.pick(ratio(1, 2), ratio(1, 1));
+    let mut findings = vec![Finding::exact("ΔT − h v_θ·F_θ", &residual(&theta, &theta), &Rational::zero(), "J")];
+    for theta in [ratio(0, 1), ratio(1, 4), ratio(1, 1)] {
+        let left = residual(&theta, &ratio(1, 2));
+        findings.push(Finding::exact(format!("ΔT − h ½(v⁺ + v)·F_θ, θ = {theta}"), &left, &Rational::zero(), "J"));
+    }
+    Ok(findings)
+}
+
+/// Change of energy of the gravity-and-springs system over 100 steps with θ = 1/2.
+pub fn linear_energy_change() -> Rational {
+    let (system, start) = coupled_pair();
+    let mut now = start.clone();
+    for _ in 0..3 {
+        now = system.step(&now, &ratio(1, 2), &ratio(1, 10)).0;
+    }
+    let gravity_only = LinearSystem::scalar(ratio(1, 1), ratio(0, 1), ratio(-981, 100));
+    let mut falling = phase(ratio(1, 1), ratio(0, 1));
+    let before = gravity_only.energy(&falling);
+    for _ in 0..100 {
+        falling = gravity_only.step(&falling, &ratio(1, 2), &ratio(1, 100)).0;
+    }
+    let springs = system.energy(&now) - system.energy(&start);
+    let fall = gravity_only.energy(&falling) - before;
+    springs.magnitude() + fall.magnitude()
+}
+
+/// Change of energy of the pendulum over one step from (1.3, 0.7).
+pub fn pendulum_energy_change(h: f64) -> f64 {
+    let swing = Swing { angle: 1.3, rate: 0.7 };
+    swing.step(h).energy() - swing.energy()
+}
+
+fn neutral(reading: Reading) -> Result<Vec<Finding>> {
+    let change = reading.pick(Scalar::to_f64(&linear_energy_change()), pendulum_energy_change(0.1));
+    let mut findings = vec![Finding::equal("energy change of θ = 1/2", change, 0.0, 0.0, "J")];
+    findings.push(Finding::exact("gravity and springs", &linear_energy_change(), &Rational::zero(), "J"));
+    for h in [0.1, 0.05, 0.025] {
+        let swing = Swing { angle: 1.3, rate: 0.7 };
+        let next = swing.step(h);
+        let cube = (next.angle - swing.angle).powi(3) / 12.0;
+        let (change, bound) = (pendulum_energy_change(h), pendulum_energy());
+        let centre = 0.5 * cube * (swing.angle.sin() + next.angle.sin());
+        let half_width = 0.5 * cube * (next.angle.sin() - swing.angle.sin()).abs();
+        findings.push(Finding::equal(format!("pendulum, h = {h}"), change, centre, half_width + bound, "J"));
+        findings.push(Finding::at_least(format!("pendulum, h = {h}, not zero"), change, bound, "J"));
+    }
+    Ok(findings)
+}
+
+/// Energy change of one step.
+fn step_change(system: &LinearSystem, start: &Phase, theta: &Rational, h: &Rational) -> (Rational, Rational) {
+    let (next, force) = system.step(start, theta, h);
+    (system.energy(&next) - system.energy(start), system.inverse_mass_norm(&force))
+}
+
+fn fall() -> LinearSystem {
+    LinearSystem::scalar(ratio(1, 1), ratio(0, 1), ratio(-981, 100))
+}
+
+/// hω = 1/2 at h = 1/4.
+fn spring() -> LinearSystem {
+    LinearSystem::scalar(ratio(1, 1), ratio(4, 1), ratio(0, 1))
+}
+
+fn backward_euler(reading: Reading) -> Result<Vec<Finding>> {
+    let (one, h) = (ratio(1, 1), ratio(1, 4));
+    let start = phase(ratio(1, 1), ratio(1, 3));
+    let subject = reading.pick(fall(), spring());
+    let (change, square) = step_change(&subject, &start, &one, &h);
+    let formula = -(&h * &h * square) / ratio(2, 1);
+    let mut now = phase(ratio(1, 1), ratio(0, 1));
+    let before = fall().energy(&now);
+    for _ in 0..1000 {
+        now = fall().step(&now, &one, &ratio(1, 1000)).0;
+    }
+    Ok(vec![
+        Finding::exact("energy change of a step, θ = 1, against −½h²F·M⁻¹F", &change, &formula, "J"),
+        Finding::exact("energy change of a fall of 1 s, h = 1/1000 s", &(fall().energy(&now) - before), &ratio(-962_361, 20_000_000), "J"),
+        Finding::exact("E⁺/E on a spring, θ = 1, hω = 1/2", &spring_ratio(&one), &ratio(4, 5), "1"),
+    ])
+}
+
+fn spring_ratio(theta: &Rational) -> Rational {
+    let start = phase(ratio(1, 1), ratio(1, 3));
+    let next = spring().step(&start, theta, &ratio(1, 4)).0;
+    spring().energy(&next) / spring().energy(&start)
+}
+
+fn between(reading: Reading) -> Result<Vec<Finding>> {
+    let theta = reading.pick(ratio(3, 4), ratio(1, 4));
+    let start = phase(ratio(1, 1), ratio(0, 1));
+    let loss = |theta: &Rational| step_change(&fall(), &start, theta, &ratio(1, 4)).0;
+    let spring = spring_ratio(&theta);
+    Ok(vec![
+        Finding::exact("loss in free fall over that of θ = 1", &(loss(&theta) / loss(&ratio(1, 1))), &ratio(1, 2), "1"),
+        Finding::decision(
+            "E⁺/E on a spring lies between that of θ = 1 and 1",
+            spring > spring_ratio(&ratio(1, 1)) && spring < ratio(1, 1),
+            true,
+        ),
+        Finding::exact("E⁺/E on a spring at θ = 3/4, hω = 1/2", &spring_ratio(&ratio(3, 4)), &ratio(65, 73), "1"),
+    ])
+}

@@ -1,0 +1,178 @@
+//! One step: which velocity moves the body, where restitution enters, and what the unknown is.
+
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::contact::delassus::{MassFactor, delassus};
+use crate::mechanics::{Mechanism, OscillatorWithStop, PointMass, State};
+use crate::problem::Lcp;
+use crate::scalar::{Rational, Scalar, ratio};
+use crate::schemes::exact_particle::{Ball, Motion};
+use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, step};
+use crate::solvers::LemkePivoting;
+use crate::solvers::lemke::{LemkeOutcome, lemke};
+use crate::tolerance::rounding;
+use crate::{Error, Result};
+use nalgebra::{DMatrix, DVector, dvector};
+use num_traits::{One, Zero};
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S3.explicit-bad",
+        statement: "Naive explicit Euler: with q⁺ = q + h v and the old velocity v, the contact force acts too late and the body has already penetrated.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "With θ = 0 the impulse of a step cannot change the position at its end; penetration follows whenever q + h v < 0.",
+        argument: "q = 1/100 m, v = −2 m/s, h = 1/50 s: q⁺ = 1/100 − 2/50 = −3/100 m although the step's impulse r = 2 N·s stops the ball (v⁺ = 0). With θ = 1 the same impulse gives q⁺ = 1/100 m.",
+        control: "The same step with the new velocity, θ = 1.",
+        sources: &["chapter §3, “what goes wrong with a naive discretisation”"],
+        check: explicit_position,
+    },
+    Claim {
+        id: "S3.mj-condition",
+        statement: "At every active contact 0 ≤ U = H(v⁺ + e v) ⟂ P ≥ 0.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "This is the definition of the scheme's contact law; U⁺ = H v⁺ itself need not be complementary to P.",
+        argument: "Three balls of 1, 2 and 4 kg in line at velocities 3, 0, −1 m/s, both contacts closed, e = 1/2: Lemke in rationals gives P, and U = H(v⁺ + e v) is zero where P > 0.",
+        control: "Restitution on the wrong side, the complementarity of H(v⁺ − e v).",
+        sources: &["chapter §3, step 3 of the θ scheme"],
+        check: complementarity,
+    },
+    Claim {
+        id: "S3.newton-embedded",
+        statement: "The argument v⁺ + e v embeds Newton's impact law v⁺ = −e v⁻.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "U_n⁺ = −e U_n holds exactly at contacts with P > 0, and U_n is the velocity at the start of the step, which differs from the velocity at the impact by at most g h in free fall. A closed contact with P = 0 separates by its own velocity.",
+        argument: "e = 1/2, h = 1/100 s, q = 1/200 m, v = −1 m/s: v⁺ = 1/2 exactly, while the ball reaches the floor with 1.047 m/s, so that v⁺ differs from e times that by 0.024 ≤ e g h = 0.049 m/s. At q = 0, v = +1 m/s the contact is closed, P = 0 and v⁺ = 1 − g h, not −e v.",
+        control: "The law claimed at a closed contact that separates.",
+        sources: &["chapter §3, step 3 of the θ scheme"],
+        check: newton_law,
+    },
+    Claim {
+        id: "S3.ufree",
+        statement: "With v_free = v + h M⁻¹F: U = W P + U_free, U_free = H(v_free + e v) = (1+e) H v + h H M⁻¹F, W = H M⁻¹Hᵀ (F explicit or linearised).",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "Exact for an explicit force. For a linearised implicit force −Kq − Cv, M is replaced by M̂ = M + hθC + h²θ²K, in W and in v_free alike.",
+        argument: "m = 1 kg, k = 100 N/m, h = 1/10 s, θ = 1/2: a unit impulse changes v⁺ of the implicit step by 1/(1 + h²θ²k) = 4/5 m/s, not by 1/m = 1 m/s.",
+        control: "W = H M⁻¹Hᵀ for the implicit step.",
+        sources: &["chapter §3, step 4 and exercise 1"],
+        check: free_velocity,
+    },
+    Claim {
+        id: "S3.P-force",
+        statement: "The unknown P is an impulse in N·s; taking it for a force is off by the factor 1/h.",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "A resting body has P = m g h; P/h = m g is the force.",
+        argument: "Resting 2 kg block at h = 1/64 and 1/128 s: P halves with h while P/h stays m g = 19.62 N.",
+        control: "The force P/h, which does not halve.",
+        sources: &["chapter §3, common pitfalls"],
+        check: impulse_scales_with_the_step,
+    },
+];
+
+/// Gravity of the exact examples, 9.81 m/s².
+fn gravity() -> Rational {
+    ratio(981, 100)
+}
+
+fn explicit_position(reading: Reading) -> Result<Vec<Finding>> {
+    let theta = reading.pick(ratio(0, 1), ratio(1, 1));
+    let ball = Ball { mass: ratio(1, 1), gravity: ratio(0, 1), restitution: ratio(0, 1) };
+    let start = Motion { position: ratio(1, 100), velocity: ratio(-2, 1) };
+    let outcome = ball.moreau_jean(&start, &theta, Activation::FreeVelocityForecast, &ratio(1, 50));
+    Ok(vec![
+        Finding::exact("position at the end of the step", &outcome.motion.position, &ratio(-3, 100), "m"),
+        Finding::exact("impulse of the step", &outcome.impulse, &ratio(2, 1), "N·s"),
+    ])
+}
+
+fn complementarity(reading: Reading) -> Result<Vec<Finding>> {
+    let r = |x: i64| ratio(x, 1);
+    let mass = DMatrix::from_diagonal(&DVector::from_vec(vec![r(1), r(2), r(4)]));
+    let jacobian = DMatrix::from_row_slice(2, 3, &[r(-1), r(1), r(0), r(0), r(-1), r(1)]);
+    let before = DVector::from_vec(vec![r(3), r(0), r(-1)]);
+    let restitution = ratio(1, 2);
+    let imposed = reading.pick(restitution.clone(), -restitution.clone());
+    let lcp = Lcp::new(delassus(&mass, &jacobian)?, &jacobian * &before * (Rational::one() + imposed));
+    let LemkeOutcome::Solution { z: impulse, .. } = lemke(&lcp, &DVector::from_element(2, r(1)))? else {
+        return Err(Error::solver("lemke", "a positive definite problem has a solution"));
+    };
+    let after = &before + MassFactor::new(&mass)?.solve(&(jacobian.transpose() * &impulse));
+    let law = &jacobian * (&after + &before * restitution);
+    let smallest = |x: &DVector<Rational>| x.iter().min().cloned().unwrap_or_else(Rational::zero);
+    Ok(vec![
+        Finding::exact("P · H(v⁺ + e v)", &impulse.dot(&law), &Rational::zero(), "J"),
+        Finding::decision("U ≥ 0 and P ≥ 0", smallest(&law) >= Rational::zero() && smallest(&impulse) >= Rational::zero(), true),
+        Finding::decision("an impulse acts", impulse.iter().any(|p| *p > Rational::zero()), true),
+    ])
+}
+
+fn newton_law(reading: Reading) -> Result<Vec<Finding>> {
+    let (e, h) = (ratio(1, 2), ratio(1, 100));
+    let ball = Ball { mass: ratio(1, 1), gravity: gravity(), restitution: e.clone() };
+    let falling = Motion { position: ratio(1, 200), velocity: ratio(-1, 1) };
+    let separating = Motion { position: ratio(0, 1), velocity: ratio(1, 1) };
+    let claimed = reading.pick(&falling, &separating);
+    let step = |start: &Motion<Rational>| {
+        let rule = if start.position.is_zero() { Activation::Gap } else { Activation::FreeVelocityForecast };
+        ball.moreau_jean(start, &ratio(1, 1), rule, &h)
+    };
+    let outcome = step(claimed);
+    let (impact, release) = (step(&falling), step(&separating));
+    let speed = (1.0 + 2.0 * 9.81 / 200.0f64).sqrt();
+    let late = (Scalar::to_f64(&impact.motion.velocity) - 0.5 * speed).abs();
+    Ok(vec![
+        Finding::exact("v⁺ against −e v", &outcome.motion.velocity, &-(e * claimed.velocity.clone()), "m/s"),
+        Finding::at_most("distance from −e times the velocity at the impact", late, 0.5 * 9.81 / 100.0, "m/s"),
+        Finding::exact("impulse of a closed contact that separates", &release.impulse, &Rational::zero(), "N·s"),
+        Finding::decision("that contact is active", release.active, true),
+    ])
+}
+
+/// The library's assembly against the θ step solved by hand for v⁺(P).
+fn free_velocity(reading: Reading) -> Result<Vec<Finding>> {
+    let (h, theta) = (ratio(1, 10), ratio(1, 2));
+    let (mass, stiffness) = (ratio(1, 1), ratio(100, 1));
+    // m (v⁺ − v) = −h k (q + hθ(θ v⁺ + (1−θ) v)) + P is linear in v⁺ with slope 1/(m + h²θ²k) in P
+    let response = mass.clone() / (mass.clone() + &h * &h * &theta * &theta * &stiffness);
+    let oscillator = OscillatorWithStop::new(1.0, 100.0, 0.0, 0.0, 0.5)?;
+    let implicit = assembled(&oscillator, 0.5, dvector![0.0], dvector![-1.0])?;
+    let explicit = assembled(&oscillator, 0.0, dvector![0.0], dvector![-1.0])?;
+    let operator = reading.pick(implicit.0, explicit.0);
+    let (falling_operator, law_velocity) = assembled(&PointMass::ball_on_floor(2.0, 9.81, 0.5), 0.5, dvector![0.0], dvector![-1.0])?;
+    let bound = |size: f64| rounding(8, size);
+    Ok(vec![
+        Finding::equal("velocity change of a unit impulse, implicit spring", operator, Scalar::to_f64(&response), bound(1.0), "1/kg"),
+        Finding::equal("W for the explicit force", falling_operator, 0.5, bound(0.5), "1/kg"),
+        Finding::equal("U_free = (1+e) v + h F/m for the explicit force", law_velocity, -1.5 - 0.981, bound(3.0), "m/s"),
+    ])
+}
+
+/// W and U_free = u_free + shift of the only contact, at h = 1/10 s.
+fn assembled(mechanism: &dyn Mechanism, theta: f64, position: DVector<f64>, velocity: DVector<f64>) -> Result<(f64, f64)> {
+    let scheme = MoreauJean { theta, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
+    let problem = scheme.assemble(mechanism, &State { time: 0.0, position, velocity }, 0.1)?.problem;
+    let problem = problem.ok_or_else(|| Error::Unsupported("the contact is closed, so the step has a problem".into()))?;
+    Ok((problem.delassus[(0, 0)], problem.free_velocity[0] + problem.shift[0]))
+}
+
+fn impulse_scales_with_the_step(reading: Reading) -> Result<Vec<Finding>> {
+    let (coarse, fine) = (1.0 / 64.0, 1.0 / 128.0);
+    let unknown = |h: f64| Ok::<f64, Error>(resting_impulse(h)? * reading.pick(1.0, 1.0 / h));
+    let bound = rounding(8, 2.0);
+    Ok(vec![
+        Finding::equal("unknown at h over unknown at h/2", unknown(coarse)? / unknown(fine)?, 2.0, bound, "1"),
+        Finding::equal("P / (m g h)", resting_impulse(coarse)? / (2.0 * 9.81 * coarse), 1.0, bound, "1"),
+    ])
+}
+
+/// The normal impulse of a 2 kg block at rest on a level floor.
+fn resting_impulse(h: f64) -> Result<f64> {
+    let block = PointMass::block_on_incline(2.0, 9.81, 0.0, 0.5, 0.0);
+    let state = State { time: 0.0, position: dvector![0.0, 0.0], velocity: dvector![0.0, 0.0] };
+    let taken = step(&MoreauJean::default(), &LemkePivoting, &block, &state, h)?;
+    taken.impulses.first().map(|impulse| impulse.impulse[0]).ok_or_else(|| Error::Unsupported("the block touches the floor".into()))
+}
