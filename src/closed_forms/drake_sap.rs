@@ -1,7 +1,7 @@
 //! Steady contact under Drake's SAP: K ∋ r ⟂ y ∈ K*, y = u + (φ/(h + τ)) n + R r, with R > 0.
 //!
 //! ```text
-//!     R_n = max( w/(4π²), 1/(h k (h + τ)) ) ,   R_t = σ w ,   w = ‖W_ii‖_F/3 ,
+//!     R_n = max( w/(4π²), 1/(h k (h + τ)) ) ,   R_t = σ w ,   w = ‖J_i diag(M)⁻¹ J_iᵀ‖_F/3 ,
 //!     at rest     φ   = −(h + τ) R_n r_n ,
 //!     sticking    v_t = R_t r_t = σ w h f_t/n_c ,
 //!     sliding     φ   = (h + τ) [ μ |v_t| − (R_n + μ² R_t) r_n ]     while φ < 0 .
@@ -22,7 +22,8 @@ pub struct SapContact {
     pub stiffness: f64,
     /// τ \[s\], relaxation time of the dissipation.
     pub relaxation_time: f64,
-    /// w = ‖W_ii‖_F/3 \[1/kg\], from the contact's 3 × 3 block of the Delassus operator.
+    /// w = ‖J_i diag(M)⁻¹ J_iᵀ‖_F/3 \[1/kg\] of the contact's three rows: Drake takes the diagonal of M, so w is the Delassus block's only where M is
+    /// diagonal (stored steps of a tilted block tell the two apart, see `tests/references`).
     pub diagonal_mean: f64,
     /// σ, ratio of R_t to w (1e-3 in Drake).
     pub tangential_ratio: f64,

@@ -66,6 +66,11 @@ impl ContactParameters {
         (1.0 - d) / d * diagonal
     }
 
+    /// Â of one edge of a four-edge pyramid, 2 μ² (1 + μ²) Â_n/impratio \[1/kg\], from the Â_n of the normal row.
+    pub fn pyramid_diagonal(&self, diagonal: f64, friction: f64) -> f64 {
+        2.0 * friction * friction * (1.0 + friction * friction) * diagonal / self.impedance_ratio
+    }
+
     /// The depth δ \[m\] below the margin at which k d² δ = (1 − d) Â f_n for a normal force f_n \[N\].
     ///
     /// The left side rises and the right side falls with δ (d does not decrease), so the root is unique; bisection down

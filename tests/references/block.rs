@@ -1,0 +1,196 @@
+//! The block on a 20° incline: creep of every engine in closed form where Coulomb's block sticks, and the momentum law of a slide.
+//!
+//! # Creep, where Coulomb says 0 (tan α < μ); four corners, Σ f_t = m g sin α
+//! ```text
+//!     MuJoCo, elliptic    b v = R_t,i f_t,i                     v = m g sin α / (b Σ 1/R_t,i)
+//!     MuJoCo, pyramidal   R_i f_i± = (k d_i δ_i ± μ b v)₊       Σ μ (f_i⁺ − f_i⁻) = m g sin α determines v
+//!     SAP                 v = σ w_i r_t,i                       v = σ h m g sin α / Σ 1/w_i ,  w_i = ‖J_i diag(M)⁻¹ J_iᵀ‖_F/3
+//!     Similar, Lagged     tan α = μ s/√(1 + s²)                 v = v_s s
+//!     TAMSI               tan α = μ s (2 − s)                   v = v_s s
+//! ```
+//! # Slide (tan α > μ)
+//! Friction on the cone's boundary and opposed to slip gives v_t(T) + μ v_n(T) = g (sin α − μ cos α) T whatever the normal impulses do.
+
+use crate::document::Document;
+use crate::dumps_native::parameters;
+use crate::momentum;
+use libtest_mimic::Failed;
+use moreau::checks::Finding;
+use moreau::closed_forms::drake_sap::TANGENTIAL_RATIO;
+use moreau::closed_forms::mujoco_contact::ContactParameters;
+use moreau::tolerance::references as tolerance;
+use moreau::trajectory::Trajectory;
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use serde_json::Value;
+
+/// The block in the frame of its incline at one sample.
+struct Block {
+    normal: Vector3<f64>,
+    /// Down the slope.
+    slope: Vector3<f64>,
+    position: Vector3<f64>,
+    velocity: Vector3<f64>,
+    rotation: Matrix3<f64>,
+    half: Vector3<f64>,
+    mass: f64,
+    /// g sin α and g cos α \[m/s²\].
+    pull: f64,
+    press: f64,
+}
+
+impl Block {
+    fn at(trajectory: &Trajectory, sample: usize) -> Result<Self, Failed> {
+        let (scene, track) = (&trajectory.scene, &trajectory.bodies[0]);
+        let normal = Vector3::from(scene.ground.ok_or("the scene has a ground")?.normal);
+        let gravity = Vector3::from(scene.gravity);
+        let tangential = gravity - normal * gravity.dot(&normal);
+        let [w, x, y, z] = track.orientation[sample];
+        Ok(Block {
+            normal,
+            slope: tangential.normalize(),
+            position: Vector3::from(track.position[sample]),
+            velocity: Vector3::from(track.linear_velocity[sample]),
+            rotation: UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z)).to_rotation_matrix().into_inner(),
+            half: Vector3::from(scene.bodies[0].cuboid.ok_or("the block is a box")?.half_extents),
+            mass: scene.bodies[0].mass,
+            pull: tangential.norm(),
+            press: -gravity.dot(&normal),
+        })
+    }
+
+    /// Levers \[m\] of the four lower corners, each coordinate shortened by `inset` sideways.
+    fn corners(&self, inset: f64) -> [Vector3<f64>; 4] {
+        [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]]
+            .map(|[x, y]| self.rotation * Vector3::new(x * (self.half.x - inset), y * (self.half.y - inset), -self.half.z))
+    }
+
+    fn depth(&self, lever: &Vector3<f64>) -> f64 {
+        -(self.position + lever).dot(&self.normal)
+    }
+}
+
+/// The last sample's creep against the closed form; Coulomb's block does not move, so the creep is the difference.
+pub fn stick(document: &Document, trajectory: &Trajectory) -> Result<Vec<Finding>, Failed> {
+    let last = trajectory.times.len() - 1;
+    let block = Block::at(trajectory, last)?;
+    let friction = trajectory.scene.material.friction;
+    let expected = match (document.engine(), document.config()) {
+        ("mujoco", config) => mujoco_creep(trajectory, &block, friction, config.contains("pyramidal"))?,
+        (_, "sap") => sap_creep(trajectory, &block),
+        (_, "tamsi") => stiction_tolerance(trajectory)? * (1.0 - (1.0 - block.pull / (friction * block.press)).sqrt()),
+        _ => {
+            let ratio = block.pull / (friction * block.press);
+            stiction_tolerance(trajectory)? * ratio / (1.0 - ratio * ratio).sqrt()
+        }
+    };
+    let creep = block.velocity.dot(&block.slope);
+    let before = Block::at(trajectory, last - 1)?;
+    let unsteady = (creep - before.velocity.dot(&before.slope)).abs();
+    let own = document.accuracy("bodies/linear_velocity", creep)? + unsteady + tolerance::CREEP_GEOMETRY * expected;
+    let middle = Block::at(trajectory, last / 2)?;
+    let moved = (block.position - middle.position).dot(&block.slope);
+    let seconds = trajectory.times[last] - trajectory.times[last / 2];
+    let drift = document.accuracy("bodies/position", block.position.norm())? + (own + unsteady) * seconds;
+    Ok(vec![
+        Finding::equal("creep speed (Coulomb: 0) against its own model", creep, expected, own, "m/s"),
+        Finding::equal("displacement over the second half (Coulomb: 0) is that creep", moved, expected * seconds, drift, "m"),
+    ])
+}
+
+fn mujoco_creep(trajectory: &Trajectory, block: &Block, friction: f64, pyramidal: bool) -> Result<f64, Failed> {
+    let parameters: ContactParameters = parameters(&Value::Object(trajectory.engine.options.clone()))?;
+    let (stiffness, damping) = parameters.stiffness_and_damping(trajectory.time_step);
+    let diagonal = 1.0 / block.mass;
+    let depths = block.corners(0.0).map(|lever| block.depth(&lever));
+    let load = block.mass * block.pull;
+    if !pyramidal {
+        let admittance: f64 =
+            depths.iter().map(|&depth| parameters.impedance_ratio / parameters.normal_regularisation(depth, diagonal)).sum();
+        return Ok(load / (damping * admittance));
+    }
+    let edge = parameters.pyramid_diagonal(diagonal, friction);
+    let force = |speed: f64| -> f64 {
+        depths
+            .iter()
+            .map(|&depth| {
+                let spring = stiffness * parameters.impedance_at(depth) * depth;
+                let push = |sign: f64| (spring + sign * friction * damping * speed).max(0.0);
+                friction * (push(1.0) - push(-1.0)) / parameters.normal_regularisation(depth, edge)
+            })
+            .sum()
+    };
+    // The force grows with the speed: double until it suffices, then bisect down to neighbouring floats.
+    let mut high = f64::MIN_POSITIVE.sqrt();
+    while force(high) < load {
+        high *= 2.0;
+    }
+    let mut low = 0.0;
+    loop {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            return Ok(middle);
+        }
+        if force(middle) < load { low = middle } else { high = middle }
+    }
+}
+
+/// σ h m g sin α / Σ 1/w_i, with the mass matrix of the tilted block in world axes and corner spheres of the stored radius.
+fn sap_creep(trajectory: &Trajectory, block: &Block) -> f64 {
+    let radius = trajectory.engine.options.get("corner_radius").and_then(Value::as_f64).unwrap_or(0.0);
+    let square = block.half.map(|half| half * half);
+    let inertia = Vector3::new(square.y + square.z, square.x + square.z, square.x + square.y) * (block.mass / 3.0);
+    let world = block.rotation * Matrix3::from_diagonal(&inertia) * block.rotation.transpose();
+    let side = block.normal.cross(&block.slope);
+    let frame = Matrix3::from_rows(&[block.normal.transpose(), block.slope.transpose(), side.transpose()]);
+    let admittance: f64 = block
+        .corners(radius)
+        .iter()
+        .map(|lever| {
+            let turning = frame * -lever.cross_matrix();
+            let weighted = turning * Matrix3::from_diagonal(&world.diagonal().map(|i| 1.0 / i)) * turning.transpose();
+            3.0 / (weighted + Matrix3::identity() / block.mass).norm()
+        })
+        .sum();
+    TANGENTIAL_RATIO * trajectory.time_step * block.mass * block.pull / admittance
+}
+
+fn stiction_tolerance(trajectory: &Trajectory) -> Result<f64, Failed> {
+    trajectory.engine.options.get("stiction_tolerance").and_then(Value::as_f64).ok_or_else(|| "no stiction tolerance stored".into())
+}
+
+/// The momentum law of the slide, and the acceleration of the engines that do not hop.
+pub fn slide(document: &Document, trajectory: &Trajectory) -> Result<Vec<Finding>, Failed> {
+    let last = trajectory.times.len() - 1;
+    let (block, friction) = (Block::at(trajectory, last)?, trajectory.scene.material.friction);
+    let (along, away) = (block.velocity.dot(&block.slope), block.velocity.dot(&block.normal));
+    let exact = block.pull - friction * block.press;
+    let time = trajectory.times[last];
+    let mut findings = Vec::new();
+    let accuracy = document.accuracy("bodies/linear_velocity", along)?;
+    let lagged = document.config() == "lagged";
+    if !lagged {
+        let steps = document.number(&["provenance", "steps"])?;
+        let unbalanced = (1.0 + friction) * momentum::unbalanced(document, trajectory, steps)? / block.mass;
+        let slack = accuracy + unbalanced + regularisation(document, trajectory, &block, exact)?;
+        findings.push(Finding::equal("v_t + μ v_n against g (sin α − μ cos α) T", along + friction * away, exact * time, slack, "m/s"));
+    }
+    if lagged || document.config() == "tamsi" {
+        let before = Block::at(trajectory, last - 1)?;
+        let interval = time - trajectory.times[last - 1];
+        let slip = stiction_tolerance(trajectory)? / before.velocity.dot(&block.slope);
+        let slack = 2.0 * accuracy / interval + 0.5 * friction * block.press * slip * slip;
+        let acceleration = (along - before.velocity.dot(&block.slope)) / interval;
+        findings.push(Finding::equal("sliding acceleration against Coulomb's", acceleration, exact, slack, "m/s²"));
+        findings.push(Finding::equal("no lift-off: normal velocity", away, 0.0, accuracy, "m/s"));
+    }
+    Ok(findings)
+}
+
+/// Friction missing while the slip is too small to saturate it: v_s grows to the full force over slips of a few v_s, so the lost impulse per mass is at
+/// most μ g cos α ∫ (1 − s/√(1+s²)) dt ≤ μ g cos α v_s/a for Drake's regularised laws and nothing for hard cones.
+fn regularisation(document: &Document, trajectory: &Trajectory, block: &Block, acceleration: f64) -> Result<f64, Failed> {
+    if ["similar", "tamsi"].contains(&document.config()) {
+        return Ok(trajectory.scene.material.friction * block.press * stiction_tolerance(trajectory)? / acceleration);
+    }
+    Ok(0.0)
+}

@@ -1,0 +1,65 @@
+//! One named trial per stored engine run: `cargo test --test references mujoco/block_stick` runs some of them.
+//!
+//! A trajectory is held against the closed form of the engine's own contact model and against Signorini–Coulomb with the difference
+//! derived; a step problem is solved again by our solvers and the engine's answer judged by our certificate.
+//! `MOREAU_FINDINGS=1` prints every finding, not only those that fail.
+
+mod ball;
+mod block;
+mod convexity;
+mod document;
+mod dumps;
+mod dumps_native;
+mod momentum;
+mod stack;
+mod trajectories;
+
+use document::Document;
+use libtest_mimic::{Arguments, Failed, Trial};
+use moreau::checks::Finding;
+use std::path::{Path, PathBuf};
+
+fn main() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("references");
+    let mut trials = Vec::new();
+    for engine in ["mujoco", "drake"] {
+        for file in stored(&root.join(engine)) {
+            let stem = file.file_name().map(|name| name.to_string_lossy().replace(".json", "")).unwrap_or_default();
+            trials.push(Trial::test(format!("{engine}/{stem}"), move || judge(&file)));
+        }
+    }
+    assert!(!trials.is_empty(), "no stored reference under {}", root.display());
+    let folder = root.join("mujoco");
+    for solver in ["pgs", "cg"] {
+        let folder = folder.clone();
+        let name = format!("mujoco_{solver}_leaves_some_step_unconverged_and_the_certificate_says_so");
+        trials.push(Trial::test(name, move || dumps::some_unconverged(&folder, solver)));
+    }
+    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}
+
+/// The stored files of one engine, in alphabetical order.
+fn stored(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let mut files: Vec<PathBuf> = entries.map(|entry| entry.expect("a readable folder").path()).collect();
+    files.sort();
+    files
+}
+
+fn judge(file: &Path) -> Result<(), Failed> {
+    let document = Document::read(file)?;
+    let mut findings = document.provenance()?;
+    findings.extend(match document.schema() {
+        "dump/1" => dumps::check(&document)?,
+        "trajectory/1" => trajectories::check(&document)?,
+        other => return Err(format!("{}: unknown schema `{other}`", file.display()).into()),
+    });
+    let (held, failed): (Vec<&Finding>, Vec<&Finding>) = findings.iter().partition(|finding| finding.holds());
+    if std::env::var_os("MOREAU_FINDINGS").is_some() {
+        held.iter().for_each(|finding| println!("  {finding}"));
+    }
+    if failed.is_empty() {
+        return Ok(());
+    }
+    Err(failed.iter().map(|finding| format!("\n  FAILS {finding}")).collect::<String>().into())
+}
