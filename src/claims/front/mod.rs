@@ -3,7 +3,16 @@
 use super::Claim;
 
 mod cone;
+mod convex;
 mod schemes;
 
 /// The claims, one slice per group and file.
-pub const CLAIMS: &[&[Claim]] = &[cone::PREFACE, schemes::PREFACE, cone::MISCONCEPTIONS, schemes::MISCONCEPTIONS, schemes::TABLES];
+pub const CLAIMS: &[&[Claim]] = &[
+    cone::PREFACE,
+    schemes::PREFACE,
+    convex::PREFACE,
+    cone::MISCONCEPTIONS,
+    schemes::MISCONCEPTIONS,
+    convex::MISCONCEPTIONS,
+    schemes::TABLES,
+];

@@ -5,11 +5,12 @@ use crate::scalar::{Rational, ratio};
 use crate::schemes::exact_particle::Motion;
 
 pub mod contact_step;
+pub mod convex;
 pub mod energy;
 pub mod first_step;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[first_step::CLAIMS, contact_step::CLAIMS, energy::CLAIMS];
+pub const CLAIMS: &[&[Claim]] = &[first_step::CLAIMS, contact_step::CLAIMS, energy::CLAIMS, convex::CLAIMS];
 
 /// q₀ = 0.05 m, v₀ = 0.
 fn start() -> Motion<Rational> {

@@ -9,9 +9,18 @@ mod elastic;
 mod order;
 pub(super) mod pendulum;
 mod smooth_energy;
+mod solvers;
 mod step;
 pub(super) mod theta_step;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] =
-    &[step::CLAIMS, order::CLAIMS, delassus::CLAIMS, smooth_energy::CLAIMS, elastic::CLAIMS, contact_energy::CLAIMS, drift::CLAIMS];
+pub const CLAIMS: &[&[Claim]] = &[
+    step::CLAIMS,
+    order::CLAIMS,
+    delassus::CLAIMS,
+    solvers::CLAIMS,
+    smooth_energy::CLAIMS,
+    elastic::CLAIMS,
+    contact_energy::CLAIMS,
+    drift::CLAIMS,
+];

@@ -4,9 +4,12 @@ use super::Claim;
 
 mod cone;
 mod gliding;
+mod gradient;
 mod nonconvexity;
-mod planar_step;
+pub(in crate::claims) mod planar_step;
 mod program;
+mod vanishing;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[program::CLAIMS, gliding::CLAIMS, nonconvexity::CLAIMS, cone::CLAIMS];
+pub const CLAIMS: &[&[Claim]] =
+    &[program::CLAIMS, cone::CLAIMS, gradient::CLAIMS, gliding::CLAIMS, nonconvexity::CLAIMS, vanishing::CLAIMS];

@@ -1,0 +1,165 @@
+//! Claims of the front matter on the convex relaxation: the project's module B and its scenes, the table of misconceptions.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::s5::planar_step::Block;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::bouncing_ball::BouncingBall;
+use crate::mechanics::{Mechanism, PointMass, State};
+use crate::problem::{Compliance, Coordinates, Law, Lcp};
+use crate::scalar::{Rational, ratio};
+use crate::schemes::{Anitescu, MoreauJean, Scheme, StepProblem, simulate};
+use crate::solvers::lemke::{LemkeOutcome, lemke};
+use crate::solvers::{AcceleratedProjectedGradient, Reference};
+use crate::tolerance;
+use nalgebra::{DMatrix, DVector, dvector};
+
+/// Claims on the cumulative project.
+pub(super) const PREFACE: &[Claim] = &[
+    Claim {
+        id: "P.modB",
+        statement: "Module B: implement Anitescu's convex step with APGD and a second-order cone; measure and verify the O(h) gliding, the speed of a block at rest on an incline being proportional to h.",
+        verdict: Verdict::False,
+        evidence: Evidence::Measured,
+        correct_statement: "The hard convex step keeps a block with tan α < μ at rest for every h. What is proportional to h is the gap μh|v_t| of a sliding block. (A regularised convex step, as Drake's SAP, does creep proportionally to h.)",
+        argument: "v = 0 satisfies the optimality conditions of the step, see S5.gliding-creep. Measured with the scheme and the solver the module asks for: block of 1 kg at 20°, μ = 0.5, one second with h = 0.02, 0.01, 0.005: distance 0 to rounding.",
+        control: "The same scheme with the tangential softness R_t = 1/1000 kg⁻¹: it creeps.",
+        sources: &["chapter, cumulative project, module B"],
+        check: block_at_rest,
+    },
+    Claim {
+        id: "P.scenes",
+        statement: "Reference scenes: (a) the bouncing ball shows robustness to Zeno, (b) a stack shows stability, penetration and jitter, (c) a block on an incline verifies the gliding.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "(a) and (b) do what they are for. (c) shows the artefact of the hard relaxation only if the block slides, tan α > μ; a block that sticks shows nothing.",
+        argument: "(a) e = 1/2 from 1 m: past the accumulation time the Moreau–Jean ball moves at no more than g h. (b) three blocks of 1, 2, 3 kg on each other, exact step: all velocities 0, the ground carries h g·6 kg. (c) on the 3-4-5 slope the block with \
+                   μ = 1/2 slides with φ = μ h v_t exactly; with μ = 1 it neither moves nor lifts off.",
+        control: "Scene (c) with μ = 1 > tan α in the place of the sliding block.",
+        sources: &["chapter, cumulative project, reference scenes"],
+        check: scenes,
+    },
+];
+
+/// Claims of the table of misconceptions.
+pub(super) const MISCONCEPTIONS: &[Claim] = &[Claim {
+    id: "M.convex-Oh",
+    statement: "Misconception: the convex relaxation loses physics. Correct: its error is O(h) and vanishes with the step (convergence to the MDI).",
+    verdict: Verdict::Conditional,
+    evidence: Evidence::Exact,
+    correct_statement: "The error is O(h) for motions that meet the contact compatibly; a tangential shock in closed contact leaves an O(1) hop (S5.Oh-vanish).",
+    argument: "Slide from rest on the 3-4-5 slope, μ = 1/2, g = 10 m/s²: Coulomb accelerates by a = 2 m/s², the relaxed step number l by a(1 − ϱˡ), ϱ = μ²/(1+μ²) = 1/5. At t = 1 s the velocity error is (h/2)(1 − 5⁻ᴺ) exactly, N = 1/h, and the gap μ h v_t: both halve with h.",
+    control: "The height of the hop after a tangential shock in place of the velocity error: it does not halve.",
+    sources: &["chapter, table of misconceptions, §5"],
+    check: error_of_a_slide,
+}];
+
+/// Anitescu's step with a tangential softness.
+struct Regularised;
+
+impl Scheme for Regularised {
+    fn name(&self) -> String {
+        "anitescu with tangential softness".into()
+    }
+    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
+        let mut step = Anitescu.assemble(mechanism, state, h)?;
+        if let Some(problem) = &mut step.problem {
+            let rows = problem.rows_per_contact;
+            let diagonal = DVector::from_fn(problem.rows(), |row, _| if row % rows == 0 { 0.0 } else { 1.0 / 1000.0 });
+            problem.compliance = Some(Compliance { coordinates: Coordinates::Contact, diagonal });
+        }
+        Ok(step)
+    }
+    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
+        Anitescu.advance(mechanism, state, velocity_post, h)
+    }
+}
+
+fn block_at_rest(reading: Reading) -> Result<Vec<Finding>> {
+    let gravity = 9.81;
+    let block = PointMass::block_on_incline(1.0, gravity, 20f64.to_radians(), 0.5, 0.0);
+    let start = || State { time: 0.0, position: dvector![0.0, 0.0], velocity: dvector![0.0, 0.0] };
+    let scheme = reading.pick(&Anitescu as &dyn Scheme, &Regularised);
+    let solver = AcceleratedProjectedGradient::default();
+    let mut findings = Vec::new();
+    for steps in [50, 100, 200] {
+        let h = 1.0 / steps as f64;
+        let recording = simulate(scheme, &solver, &block, start(), h, steps)?;
+        // each step leaves at most the rounding of four operations on h g and what the solver's stop allows; the sum over one second
+        let bound = steps as f64 * (tolerance::rounding(4, h * gravity) + tolerance::solvers::STOP * h * gravity);
+        findings.push(Finding::equal(format!("distance in 1 s, h = {h}"), recording.last().position[0], 0.0, bound, "m"));
+    }
+    Ok(findings)
+}
+
+fn scenes(reading: Reading) -> Result<Vec<Finding>> {
+    let (gravity, h) = (9.81, 1.0 / 200.0);
+    let form = BouncingBall::new(gravity, 1.0, 0.5)?;
+    let steps = ((form.accumulation_time() + 0.25) / h).ceil() as usize;
+    let ball = PointMass::ball_on_floor(1.0, gravity, 0.5);
+    let start = State { time: 0.0, position: dvector![1.0], velocity: dvector![0.0] };
+    let speed = simulate(&MoreauJean::default(), &Reference, &ball, start, h, steps)?.last().velocity[0].abs();
+    let (velocities, ground) = stack(&ratio(1, 100))?;
+    let h = ratio(1, 100);
+    let mut block = Block::at_rest(reading.pick(ratio(1, 2), ratio(1, 1)));
+    block.steps(30, &h)?;
+    let own_gap = block.friction.clone() * h * block.velocity[1].clone();
+    Ok(vec![
+        Finding::decision("(c) the block moves", block.velocity[1] > ratio(0, 1), true),
+        Finding::exact("(c) φ − μ h v_t", &(block.gap - own_gap), &ratio(0, 1), "m"),
+        Finding::at_most("(a) speed after the accumulation time", speed, gravity / 200.0, "m/s"),
+        Finding::decision("(b) the stack stays at rest", velocities.iter().all(|v| *v == ratio(0, 1)), true),
+        Finding::exact("(b) impulse of the ground", &ground, &ratio(6, 10), "N·s"),
+    ])
+}
+
+/// Velocities and ground impulse of one step of three blocks of 1, 2 and 3 kg on each other, g = 10 m/s².
+fn stack(h: &Rational) -> Result<(DVector<Rational>, Rational)> {
+    let one = |k: i64| ratio(k, 1);
+    let jacobian = DMatrix::from_row_slice(3, 3, &[one(1), one(0), one(0), one(-1), one(1), one(0), one(0), one(-1), one(1)]);
+    let inverse_mass = DMatrix::from_diagonal(&DVector::from_vec(vec![ratio(1, 1), ratio(1, 2), ratio(1, 3)]));
+    let free = DVector::from_element(3, -(h.clone() * ratio(10, 1)));
+    let lcp = Lcp::new(&jacobian * &inverse_mass * jacobian.transpose(), &jacobian * &free);
+    match lemke(&lcp, &DVector::from_element(3, one(1)))? {
+        LemkeOutcome::Solution { z, .. } => Ok((free + inverse_mass * jacobian.transpose() * &z, z[0].clone())),
+        LemkeOutcome::Ray { .. } => Err(crate::Error::solver("lemke", "ended on a ray")),
+    }
+}
+
+/// Velocity error against Coulomb and gap over μ h v_t, one second into a slide from rest with 1/h steps.
+fn slide(steps: i64) -> Result<(Rational, Rational)> {
+    let h = ratio(1, steps);
+    let mut block = Block::at_rest(ratio(1, 2));
+    block.steps(steps as usize, &h)?;
+    let relative_gap = block.gap.clone() / (ratio(1, 2) * h * block.velocity[1].clone());
+    Ok((ratio(2, 1) - block.velocity[1].clone(), relative_gap))
+}
+
+/// Gap 1/25 s after a block on level ground was given 1 m/s.
+fn height_of_hop(steps: i64) -> Result<Rational> {
+    let mut block = Block {
+        law: Law::Associated,
+        normal_gravity: ratio(10, 1),
+        tangential_gravity: ratio(0, 1),
+        velocity: [ratio(0, 1), ratio(1, 1)],
+        ..Block::at_rest(ratio(1, 2))
+    };
+    block.steps(steps as usize / 25, &ratio(1, steps))?;
+    Ok(block.gap)
+}
+
+fn error_of_a_slide(reading: Reading) -> Result<Vec<Finding>> {
+    let error = |steps: i64| match reading {
+        Reading::Recorded => slide(steps).map(|(error, _)| error),
+        Reading::Control => height_of_hop(steps),
+    };
+    let (coarse, fine) = (error(25)?, error(50)?);
+    let power = (0..25).fold(ratio(1, 1), |power, _| power * ratio(1, 5));
+    let ratio_of_errors = (fine / coarse.clone()).to_f64().value();
+    Ok(vec![
+        // (1 − 5⁻⁵⁰)/(1 − 5⁻²⁵)/2 differs from ½ by less than 5⁻²⁵, below rounding
+        Finding::equal("error with h/2 over error with h", ratio_of_errors, 0.5, tolerance::EPSILON, "1"),
+        Finding::exact("velocity error at h = 1/25", &coarse, &(ratio(1, 50) * (ratio(1, 1) - power)), "m/s"),
+        Finding::exact("gap over μ h v_t", &slide(25)?.1, &ratio(1, 1), "1"),
+    ])
+}

@@ -1,0 +1,175 @@
+//! Claims of §5 on the projected gradient iterations.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::cones::second_order;
+use crate::problem::{ContactProblem, Law};
+use crate::scalar::{Rational, ratio};
+use crate::solvers::{AcceleratedProjectedGradient, ContactSolver, LemkePivoting, Momentum, largest_eigenvalue_bound, objective};
+use crate::tolerance;
+use nalgebra::{DMatrix, DVector};
+
+/// The claims of this file.
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S5.step",
+        statement: "The projected gradient iteration uses a step η ≤ 1/‖N‖, the spectral norm of the Delassus operator.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "η ≤ 1/‖N‖ suffices (and Nesterov's bound needs it); the plain iteration converges for every η < 2/‖N‖ and not beyond.",
+        argument: "Inside the cone the error is multiplied by I − ηN, whose factor along the largest eigenvalue L = ‖N‖ is 1 − ηL. N = (2, −1; −1, 2), L = 3, r = (−1, −1), solution (1, 1): an error of 1/100 along (1, −1) is after ten exact steps 0 for \
+                   η = 1/L, (9/10)¹⁰ of itself for η = 1.9/L and (11/10)¹⁰ for η = 2.1/L.",
+        control: "η = 2.1/‖N‖ in place of 1/‖N‖.",
+        sources: &["chapter §5, APGD iteration"],
+        check: step_length,
+    },
+    Claim {
+        id: "S5.rates",
+        statement: "Nesterov's acceleration improves the convergence rate of projected gradient from O(1/k) to O(1/k²).",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "f(r_k) − f* ≤ L R²/(2k) for the plain and ≤ 2 L R²/(k+1)² for the accelerated iteration, R = ‖r₀ − r*‖. These are upper bounds for step 1/L, not rates to be measured: a well-conditioned problem converges far faster.",
+        argument: "Beck and Teboulle's bounds, asserted at each of the first 300 iterations of a row of 40 pressed masses (N tridiagonal 2, −1, condition number about 680, R² ≈ 13, r* from Lemke). With N = I both end after one iteration, so no exponent describes them.",
+        control: "The plain iteration held against the accelerated bound, which it breaks.",
+        sources: &[
+            "chapter §5, APGD",
+            "Beck and Teboulle, A fast iterative shrinkage-thresholding algorithm (2009), bounds of both methods",
+        ],
+        check: rates,
+    },
+    Claim {
+        id: "S5.one-matvec",
+        statement: "Each iteration needs one product N y (possibly without forming N) and one projection, so that its cost is linear in the number of contacts.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "One product and one projection per iteration suffice for the iteration with a fixed step; a backtracking step or a residual test needs more. The cost is linear in the contacts if N is applied as Dᵀ(M⁻¹(Dγ)): assembled, N has k² blocks \
+                            for k contacts on one body.",
+        argument: "A fixed-step implementation that counts its products uses 50 in 50 iterations and reproduces the iterates of the library's solver; with a backtracking test it uses 100. Doubling the contacts from 32 to 64 multiplies the non-zeros of D by 2; of the assembled N \
+                   by 4 if all contacts touch one body.",
+        control: "The iteration with a backtracking test.",
+        sources: &["chapter §5, APGD iteration"],
+        check: products,
+    },
+];
+
+fn step_length(reading: Reading) -> Result<Vec<Finding>> {
+    let allowed = reading.pick(ratio(1, 3), ratio(21, 30));
+    let power = |x: Rational| (0..10).fold(ratio(1, 1), |product, _| product * x.clone());
+    Ok(vec![
+        Finding::exact("error after 10 steps with η = 1/‖N‖, relative", &error_after_ten_steps(&allowed), &ratio(0, 1), "1"),
+        Finding::exact("the same with η = 1.9/‖N‖", &error_after_ten_steps(&ratio(19, 30)), &power(ratio(9, 10)), "1"),
+        Finding::exact("the same with η = 2.1/‖N‖", &error_after_ten_steps(&ratio(21, 30)), &power(ratio(11, 10)), "1"),
+    ])
+}
+
+/// Ten exact projected gradient steps for N = (2, −1; −1, 2), r = (−1, −1) over γ ≥ 0, from (1.01, 0.99): the error along (1, −1), relative.
+fn error_after_ten_steps(eta: &Rational) -> Rational {
+    let start = ratio(1, 100);
+    let mut gamma = [ratio(1, 1) + start.clone(), ratio(1, 1) - start.clone()];
+    for _ in 0..10 {
+        let gradient = |one: &Rational, other: &Rational| ratio(2, 1) * one.clone() - other.clone() - ratio(1, 1);
+        let (first, second) = (gradient(&gamma[0], &gamma[1]), gradient(&gamma[1], &gamma[0]));
+        for (entry, slope) in gamma.iter_mut().zip([first, second]) {
+            let next = entry.clone() - eta.clone() * slope;
+            *entry = if next > ratio(0, 1) { next } else { ratio(0, 1) };
+        }
+    }
+    (gamma[0].clone() - gamma[1].clone()) * ratio(1, 2) / start
+}
+
+/// Masses in a row, the first pressed against the others: N tridiagonal with 2 and −1.
+fn pressed_row(contacts: usize) -> ContactProblem {
+    ContactProblem {
+        name: "pressed row".into(),
+        rows_per_contact: 1,
+        law: Law::Frictionless,
+        friction: vec![0.0; contacts],
+        free_velocity: DVector::from_fn(contacts, |k, _| if k == 0 { -1.0 } else { 0.0 }),
+        shift: DVector::zeros(contacts),
+        delassus: DMatrix::from_fn(contacts, contacts, |i, j| match i.abs_diff(j) {
+            0 => 2.0,
+            1 => -1.0,
+            _ => 0.0,
+        }),
+        compliance: None,
+        dynamics: None,
+    }
+}
+
+/// max over k ≤ 300 of (f(r_k) − f*)/bound(L, R, k).
+fn largest_ratio(momentum: Momentum, bound: fn(f64, f64, f64) -> f64) -> Result<f64> {
+    let problem = pressed_row(40);
+    let exact = LemkePivoting.solve(&problem, None)?.impulse;
+    let (best, radius, size) = (objective(&problem, &exact), exact.norm(), largest_eigenvalue_bound(&problem.delassus));
+    // rounding of two objectives of size ‖N‖‖r‖²
+    let rounding = tolerance::rounding(problem.rows(), size * radius * radius);
+    let mut largest: f64 = 0.0;
+    AcceleratedProjectedGradient { momentum, iterations: 300, ..Default::default() }.solve_observed(&problem, None, |k, impulse| {
+        largest = largest.max((objective(&problem, impulse) - best - rounding) / bound(size, radius, k as f64));
+    })?;
+    Ok(largest)
+}
+
+fn rates(reading: Reading) -> Result<Vec<Finding>> {
+    let plain_bound: fn(f64, f64, f64) -> f64 = |l, r, k| l * r * r / (2.0 * k);
+    let fast_bound: fn(f64, f64, f64) -> f64 = |l, r, k| 2.0 * l * r * r / (k + 1.0).powi(2);
+    let fast = largest_ratio(reading.pick(Momentum::Nesterov, Momentum::Plain), fast_bound)?;
+    let mut easy = pressed_row(40);
+    easy.delassus.fill_with_identity();
+    let at_once = AcceleratedProjectedGradient::default().solve(&easy, None)?.iterations;
+    Ok(vec![
+        Finding::at_most("largest (f − f*)/(2LR²/(k+1)²), accelerated", fast, 1.0, "1"),
+        Finding::at_most("largest (f − f*)/(LR²/2k), plain", largest_ratio(Momentum::Plain, plain_bound)?, 1.0, "1"),
+        Finding::count("iterations for N = I", at_once, 1),
+    ])
+}
+
+/// The chapter's iteration, counting its products; a backtracking test would need f at the new point, one product more.
+fn counted(problem: &ContactProblem, iterations: usize, backtracking: bool) -> (DVector<f64>, usize) {
+    let mut products = 0;
+    let mut apply = |vector: &DVector<f64>| {
+        products += 1;
+        &problem.delassus * vector
+    };
+    let step = 1.0 / largest_eigenvalue_bound(&problem.delassus);
+    let mut gamma = DVector::zeros(problem.rows());
+    let mut point = gamma.clone();
+    let mut t: f64 = 1.0;
+    for _ in 0..iterations {
+        let mut next = &point - (apply(&point) + &problem.free_velocity) * step;
+        next.as_mut_slice().iter_mut().for_each(|entry| second_order::project(std::slice::from_mut(entry), 0.0));
+        if backtracking {
+            apply(&next);
+        }
+        let longer = 0.5 * (1.0 + (1.0 + 4.0 * t * t).sqrt());
+        point = &next + (&next - &gamma) * ((t - 1.0) / longer);
+        (gamma, t) = (next, longer);
+    }
+    (gamma, products)
+}
+
+fn products(reading: Reading) -> Result<Vec<Finding>> {
+    const ITERATIONS: usize = 50;
+    let problem = pressed_row(40);
+    let (gamma, products) = counted(&problem, ITERATIONS, reading.pick(false, true));
+    let solver = AcceleratedProjectedGradient { momentum: Momentum::Nesterov, iterations: ITERATIONS, tolerance: 0.0 };
+    let difference = (solver.solve(&problem, None)?.impulse - &gamma).norm();
+    // every iteration adds the rounding of one product and one step; momentum carries at most ITERATIONS of them along
+    let bound = tolerance::rounding(problem.rows(), gamma.norm()) * (ITERATIONS * ITERATIONS) as f64;
+    let nonzero = |matrix: &DMatrix<Rational>| matrix.iter().filter(|x| **x != ratio(0, 1)).count() as i64;
+    let one_body =
+        |contacts: usize| DMatrix::from_fn(contacts, 3, |k, j| [ratio(1, 1), ratio(k as i64 + 1, 1), ratio(1, k as i64 + 2)][j].clone());
+    let growth = |of: &dyn Fn(usize) -> i64| ratio(of(64), of(32));
+    Ok(vec![
+        Finding::count("products in 50 iterations", products, ITERATIONS),
+        Finding::equal("distance to the library's iterate", difference, 0.0, bound, "N·s"),
+        Finding::exact("growth of D's non-zeros from 32 to 64 contacts", &growth(&|k| nonzero(&one_body(k))), &ratio(2, 1), "1"),
+        Finding::exact(
+            "growth of the assembled N's, one body",
+            &growth(&|k| nonzero(&(one_body(k) * one_body(k).transpose()))),
+            &ratio(4, 1),
+            "1",
+        ),
+    ])
+}

@@ -1,0 +1,104 @@
+//! Claims of §5 on h → 0: what vanishes, what does not, and what the relaxation converges to.
+
+use super::planar_step::Block;
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::problem::Law;
+use crate::scalar::{Rational, ratio};
+use nalgebra::DVector;
+
+/// The claims of this file.
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S5.Oh-vanish",
+        statement: "The price of the relaxation is an artefact of order h that vanishes with h; it is not a permanent deviation.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "For motions that meet the contact compatibly (free landing, sliding that grows from stick, a slide started at φ = μh|v_t|) the error is O(h). A tangential velocity imposed in closed contact (φ = 0, v_t = V: a shock, a moving belt) makes the body hop by \
+                            (μV)²/(2g(1+μ²)²), whatever h.",
+        argument: "From φ = 0, v = (0, V) the step projects on u_n ≥ μ|u_t|: v_n = (μV − μ²hg)/(1+μ²), v_t = (V − μhg)/(1+μ²), and flight follows. With μ = 1/2, V = 1 m/s, g = 10 m/s² the gap rises to at least 1/125 m = 8 mm for h = 1/100 and for h = 1/1000 \
+                   (exact steps; the limit is exactly 8 mm), while Coulomb's step stays at φ = 0. Started at φ = μhV the gap never exceeds μhV.",
+        control: "The compatible start φ = μhV in place of φ = 0.",
+        sources: &["chapter §5, convergence theorem and pitfalls", "exact steps of the convex program"],
+        check: hop,
+    },
+    Claim {
+        id: "S5.conv2006",
+        statement: "Convergence theorem (Anitescu 2006): as h → 0, and the relaxation parameter with it, the solutions of the convex step converge to solutions of the differential variational inequality, that is of the MDI.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "The limit satisfies the weak measure differential inclusion: no penetration, impulses in the friction cone. It need not satisfy Signorini–Coulomb with e = 0: where a tangential velocity meets a closed contact, the limit separates with v_n = μV/(1+μ²).",
+        argument: "After one step from φ = 0, v_t = V = 1 m/s (μ = 1/2, g = 10 m/s²) v_n = 2/5 − 2h: the sequence converges, to 2/5 m/s. All gaps are non-negative and all impulses in the cone, which is what the weak inclusion asks. Coulomb's law with e = 0 asks v_n = 0. The paper itself was not read; \
+                   the statement is judged as printed here.",
+        control: "Coulomb's step in place of the relaxed one: its limit is v_n = 0.",
+        sources: &["chapter §5, convergence theorem"],
+        check: weak_limit,
+    },
+];
+
+/// A block on level ground, μ = ½, moving at 1 m/s from the given gap.
+fn shoved(law: Law, gap: Rational) -> Block {
+    Block {
+        law,
+        gap,
+        normal_gravity: ratio(10, 1),
+        tangential_gravity: ratio(0, 1),
+        velocity: [ratio(0, 1), ratio(1, 1)],
+        ..Block::at_rest(ratio(1, 2))
+    }
+}
+
+/// The largest gap in the first 9/100 s, longer than the flight of 2v_n/g = 8/100 s.
+fn largest_gap(mut block: Block, denominator: i64) -> Result<f64> {
+    let h = ratio(1, denominator);
+    let mut largest = block.gap.clone();
+    for _ in 0..9 * denominator / 100 {
+        block.step(&h)?;
+        largest = if block.gap > largest { block.gap.clone() } else { largest };
+    }
+    Ok(crate::scalar::Scalar::to_f64(&largest))
+}
+
+fn hop(reading: Reading) -> Result<Vec<Finding>> {
+    let compatible = |denominator: i64| ratio(1, 2 * denominator);
+    let mut findings = Vec::new();
+    for denominator in [1000, 100] {
+        let start = reading.pick(ratio(0, 1), compatible(denominator));
+        let gap = largest_gap(shoved(Law::Associated, start), denominator)?;
+        findings.push(Finding::at_least(format!("largest gap after a shock, h = 1/{denominator}"), gap, 1.0 / 125.0, "m"));
+        let slide = largest_gap(shoved(Law::Associated, compatible(denominator)), denominator)?;
+        findings.push(Finding::at_most(
+            format!("largest gap of a compatible slide, h = 1/{denominator}"),
+            slide,
+            0.5 / denominator as f64,
+            "m",
+        ));
+        let coulomb = largest_gap(shoved(Law::Coulomb, ratio(0, 1)), denominator)?;
+        findings.push(Finding::at_most(format!("largest gap of Coulomb's step, h = 1/{denominator}"), coulomb, 0.0, "m"));
+    }
+    Ok(findings)
+}
+
+/// v_n after one step of size h, and whether gap and impulse are admissible.
+fn first_step(law: Law, h: &Rational) -> Result<(Rational, bool)> {
+    let mut block = shoved(law, ratio(0, 1));
+    let impulse: DVector<Rational> = block.step(h)?;
+    let friction = crate::scalar::Scalar::magnitude(&impulse[1]);
+    let admissible = block.gap >= ratio(0, 1) && friction <= ratio(1, 2) * impulse[0].clone();
+    Ok((block.velocity[0].clone(), admissible))
+}
+
+fn weak_limit(reading: Reading) -> Result<Vec<Finding>> {
+    let law = reading.pick(Law::Associated, Law::Coulomb);
+    let (coarse, one) = first_step(law, &ratio(1, 100))?;
+    let (fine, other) = first_step(law, &ratio(1, 200))?;
+    let (finest, third) = first_step(law, &ratio(1, 400))?;
+    Ok(vec![
+        // v_n is linear in h, so extrapolation gives the limit exactly
+        Finding::exact("limit of v_n as h → 0", &(ratio(2, 1) * fine.clone() - coarse.clone()), &ratio(2, 5), "m/s"),
+        Finding::exact("Cauchy ratio of the differences", &((coarse - fine.clone()) - ratio(2, 1) * (fine - finest)), &ratio(0, 1), "m/s"),
+        Finding::decision("no penetration, impulses in the cone", one && other && third, true),
+        Finding::exact("limit of v_n under Coulomb's law", &first_step(Law::Coulomb, &ratio(1, 400))?.0, &ratio(0, 1), "m/s"),
+    ])
+}
