@@ -290,6 +290,38 @@ pub mod claims {
             growth * growth
         }
     }
+
+    /// Claims on the Stewart–Trinkle LCP and the normal LCP.
+    pub mod lcp {
+        use super::super::{EPSILON, rounding};
+
+        /// Impulse \[N·s\] of one Stewart–Trinkle step of Painlevé's rod against its closed form W⁻¹(g h, 1).
+        ///
+        /// The gap y − l sin θ of a touching rod is rounded by 4 operations at size 1, and φ/h by that over h; W has entries
+        /// up to 3 from some 16 products, and ‖W⁻¹‖ ≤ trace W / det W = 5/4 carries both into the impulse.
+        pub fn painleve_impulse(h: f64) -> f64 {
+            1.25 * (rounding(4, 1.0) / h + rounding(16, 3.0))
+        }
+
+        /// Gap after a tangential step h on the unit circle with unit speed, over h²: √(1 + h²) − 1 lies in (½h² − h⁴/8, ½h²),
+        /// and the gap 1 − |q| of size 1 is rounded by 4 operations.
+        pub fn circle_residual(h: f64) -> f64 {
+            h * h / 8.0 + rounding(4, 1.0) / (h * h)
+        }
+
+        /// Rounding of a linearised gap constraint of size 1, solved and evaluated in some 16 operations.
+        pub const LINEARISED_GAP: f64 = 32.0 * EPSILON;
+
+        /// Rounding of n steps of one contact with velocities up to 10 m/s: each step rounds some 20 operations at that size,
+        /// and the steps, being non-expansive, hand errors on without growth.
+        pub fn repeated_steps(steps: usize) -> f64 {
+            rounding(20 * steps, 10.0)
+        }
+
+        /// Velocity \[m/s\] of two answers of projected Gauss–Seidel to one problem with impulses up to 8 and diagonal up to 3: each
+        /// stops at a natural map of at most STOP·8, which bounds |u| at its pressed contacts by 3·8·STOP.
+        pub const SWEEP_VELOCITY: f64 = 48.0 * super::super::solvers::STOP;
+    }
 }
 
 /// Tolerances of the comparison with stored engine runs.

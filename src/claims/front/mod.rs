@@ -4,6 +4,7 @@ use super::Claim;
 
 mod cone;
 mod convex;
+mod lcp;
 mod schemes;
 
 /// The claims, one slice per group and file.
@@ -11,8 +12,11 @@ pub const CLAIMS: &[&[Claim]] = &[
     cone::PREFACE,
     schemes::PREFACE,
     convex::PREFACE,
+    lcp::PREFACE,
     cone::MISCONCEPTIONS,
     schemes::MISCONCEPTIONS,
     convex::MISCONCEPTIONS,
+    lcp::MISCONCEPTIONS,
     schemes::TABLES,
+    lcp::TABLES,
 ];

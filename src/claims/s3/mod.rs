@@ -6,6 +6,7 @@ mod contact_energy;
 mod delassus;
 mod drift;
 mod elastic;
+mod lcp;
 mod order;
 pub(super) mod pendulum;
 mod smooth_energy;
@@ -18,6 +19,7 @@ pub const CLAIMS: &[&[Claim]] = &[
     step::CLAIMS,
     order::CLAIMS,
     delassus::CLAIMS,
+    lcp::CLAIMS,
     solvers::CLAIMS,
     smooth_energy::CLAIMS,
     elastic::CLAIMS,

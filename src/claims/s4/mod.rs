@@ -8,10 +8,15 @@ use nalgebra::{DMatrix, DVector};
 
 mod copositive;
 mod matrix;
+mod painleve;
 pub(in crate::claims) mod polyhedral;
+mod solutions;
+mod solvability;
+mod stepping;
 
-/// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[matrix::CLAIMS, copositive::CLAIMS, polyhedral::CLAIMS];
+/// The claims, one slice per file, in the order of the section.
+pub const CLAIMS: &[&[Claim]] =
+    &[matrix::CLAIMS, copositive::CLAIMS, solvability::CLAIMS, painleve::CLAIMS, stepping::CLAIMS, polyhedral::CLAIMS, solutions::CLAIMS];
 
 /// The chapter's 4×4 matrix: unit point mass, d = ±x, μ = 1/2, unknowns (λ, β₁, β₂, σ).
 fn chapter_matrix() -> Result<DMatrix<Rational>> {

@@ -1,0 +1,182 @@
+//! The normal LCP of a step: semidefinite, feasible, a quadratic program, a projection.
+
+use crate::Result;
+use crate::certificate::copositivity::copositive_plus;
+use crate::certificate::feasibility::nonnegative_solution;
+use crate::certificate::lcp::residuals;
+use crate::checks::Finding;
+use crate::checks::stewart_trinkle::{chapter_example, reference, wedge};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::contact::delassus::delassus;
+use crate::problem::Lcp;
+use crate::scalar::{Rational, ratio};
+use crate::solvers::lemke::{LemkeOutcome, lemke};
+use nalgebra::{DMatrix, DVector};
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S3.psd-lcp",
+        statement: "The LCP of a positive semidefinite matrix has a solution if it is feasible, and Lemke's algorithm or PGS finds one.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "True, for symmetric and asymmetric semidefinite matrices; Lemke's method ends on a ray exactly when the LCP is infeasible.",
+        argument: "zᵀ(Mz + q) is a convex quadratic bounded below on the feasible set, so it attains its minimum, and the optimality conditions make the minimum 0. Here: three semidefinite matrices (singular, singular with a skew part, skew) and all q from {−3, …, 3}²: every feasible one solved, every infeasible one a ray.",
+        control: "The indefinite matrix [[−1, 1], [0, 1]], for which q = (−1, 0) is feasible and unsolvable.",
+        sources: &["chapter §3, step 5", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.1"],
+        check: semidefinite,
+    },
+    Claim {
+        id: "S3.normal-solvable",
+        statement: "W ⪰ 0 guarantees that the normal LCP of every Moreau–Jean step is solvable.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "Semidefinite is half of it, feasibility the other half. With one coefficient e for all contacts the LCP is always feasible, with any redundancy; with different eᵢ it need not be.",
+        argument: "Infeasible iff some y ≥ 0 has Hᵀy = 0 and yᵀ diag(e) H v < 0 (Farkas). With one e the second is e(Hᵀy)ᵀv = 0. Unit point between two walls moving at 1 into the first: W = [[1, −1], [−1, 1]], U⁻ = (−1, 1), e = (1, 0): q = (−2, 1), and the rows add up to 0 ≥ 1. With e = (1/2, 1/2) it is feasible and solvable.",
+        control: "The same step with e = (1/2, 1/2).",
+        sources: &["chapter §3, step 5"],
+        check: normal_lcp,
+    },
+    Claim {
+        id: "S3.friction-block",
+        statement: "With friction the block structure is more complicated; solvability then needs the copositive-plus argument of §4.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "With friction the matrix is not copositive-plus; solvability follows from copositivity together with bᵀλ ≥ 0 on the homogeneous solutions (see S4.copos-plus, on which this depends).",
+        argument: "Neither the chapter's contact with μ = 1/2 (witness x = (0, 0, 0, 1)) nor the wedge of two contacts with μ = 1 is copositive-plus; yet Lemke solves both with gaps 0.",
+        control: "The contact without friction, whose matrix is copositive-plus.",
+        sources: &["chapter §3, step 5, parenthesis", "chapter §4, theorem on M_LCP"],
+        check: friction_block,
+    },
+    Claim {
+        id: "S3.qp-equiv",
+        statement: "The LCP 0 ≤ P ⟂ WP + U_free ≥ 0 is the optimality condition of min ½PᵀWP + U_freeᵀP, P ≥ 0.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "True because W is symmetric and positive semidefinite.",
+        argument: "The gradient of the objective is ½(W + Wᵀ)P + U_free, which is WP + U_free only for symmetric W. For W = [[2, 1], [1, 2]] and U_free = (−3, −1) the LCP gives P = (3/2, 0) and the conditions of the program hold there. For the asymmetric [[2, 1], [−1, 2]] the LCP gives (1, 1), where the gradient is (−1, 1).",
+        control: "The asymmetric matrix [[2, 1], [−1, 2]].",
+        sources: &["chapter §3, the LCP as a quadratic program"],
+        check: quadratic_program,
+    },
+    Claim {
+        id: "S3.projection",
+        statement: "The solution is the projection of the unconstrained solution onto the cone.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "It is the projection in the metric of W, and only for positive definite W (otherwise there may be no unconstrained solution). The Euclidean projection is wrong as soon as W couples contacts.",
+        argument: "W = [[2, 1], [1, 2]], unconstrained P₀ = (1, −1), so U_free = (−1, 1). Minimising (P − P₀)ᵀW(P − P₀) over P ≥ 0 gives (1/2, 0), the solution of the LCP; clipping gives (1, 0), where WP + U_free = (1, 2) is not complementary.",
+        control: "The Euclidean projection (1, 0).",
+        sources: &["chapter §3, the LCP as a quadratic program"],
+        check: projection,
+    },
+];
+
+fn square(entries: [i64; 4]) -> DMatrix<Rational> {
+    DMatrix::from_row_slice(2, 2, &entries.map(|x| ratio(x, 1)))
+}
+
+fn vector(entries: [i64; 2]) -> DVector<Rational> {
+    DVector::from_row_slice(&entries.map(|x| ratio(x, 1)))
+}
+
+/// Lemke's answer with the covering vector of ones, `None` on a ray.
+fn solve(lcp: &Lcp<Rational>) -> Result<Option<DVector<Rational>>> {
+    Ok(match lemke(lcp, &DVector::from_element(lcp.size(), ratio(1, 1)))? {
+        LemkeOutcome::Solution { z, .. } => Some(z),
+        LemkeOutcome::Ray { .. } => None,
+    })
+}
+
+/// Whether z ≥ 0 with Mz + q ≥ 0 exists.
+fn is_feasible(lcp: &Lcp<Rational>) -> bool {
+    let size = lcp.size();
+    let slack = DMatrix::<Rational>::identity(size, size);
+    let system = DMatrix::from_fn(size, 2 * size, |i, j| if j < size { lcp.matrix[(i, j)].clone() } else { -&slack[(i, j - size)] });
+    nonnegative_solution(&system, &-&lcp.vector).point().is_some()
+}
+
+fn semidefinite(reading: Reading) -> Result<Vec<Finding>> {
+    let matrices = match reading {
+        Reading::Recorded => vec![square([1, -1, -1, 1]), square([1, 1, -3, 1]), square([0, 2, -2, 0])],
+        Reading::Control => vec![square([-1, 1, 0, 1])],
+    };
+    let (mut unsolved, mut infeasible_solved, mut feasible) = (0, 0, 0);
+    for matrix in &matrices {
+        for q in (-3..=3).flat_map(|a| (-3..=3).map(move |b| [a, b])) {
+            let lcp = Lcp::new(matrix.clone(), vector(q));
+            let solution = solve(&lcp)?.filter(|z| residuals(&lcp, z).vanish());
+            match (is_feasible(&lcp), solution.is_some()) {
+                (true, solved) => (feasible, unsolved) = (feasible + 1, unsolved + usize::from(!solved)),
+                (false, solved) => infeasible_solved += usize::from(solved),
+            }
+        }
+    }
+    Ok(vec![
+        Finding::count("feasible problems that Lemke does not solve", unsolved, 0),
+        Finding::count("infeasible problems with a “solution”", infeasible_solved, 0),
+        Finding::decision("both kinds occur", feasible > 0 && feasible < 49 * matrices.len(), true),
+    ])
+}
+
+fn normal_lcp(reading: Reading) -> Result<Vec<Finding>> {
+    let jacobian = DMatrix::from_row_slice(2, 1, &[ratio(1, 1), ratio(-1, 1)]);
+    let matrix = delassus(&DMatrix::identity(1, 1), &jacobian)?;
+    let before = jacobian * DVector::from_element(1, ratio(-1, 1));
+    let step = |restitution: [Rational; 2]| {
+        let vector = &before + before.component_mul(&DVector::from_row_slice(&restitution));
+        Lcp::new(matrix.clone(), vector)
+    };
+    let uniform = [ratio(1, 2), ratio(1, 2)];
+    let different = reading.pick([ratio(1, 1), ratio(0, 1)], uniform.clone());
+    Ok(vec![
+        Finding::decision("feasible with e = (1, 0)", is_feasible(&step(different)), false),
+        Finding::decision("solvable with e = (1/2, 1/2)", solve(&step(uniform))?.is_some(), true),
+    ])
+}
+
+fn friction_block(reading: Reading) -> Result<Vec<Finding>> {
+    let mut contact = chapter_example(ratio(0, 1), [ratio(2, 1), ratio(-1, 1)]);
+    contact.friction = vec![reading.pick(ratio(1, 2), ratio(0, 1))];
+    let mut jammed = wedge(ratio(1, 1));
+    jammed.gap = vec![ratio(0, 1), ratio(0, 1)];
+    jammed.free_velocity = vector([1, -2]);
+    let mut findings = Vec::new();
+    for (name, system) in [("one contact", &contact), ("a wedge", &jammed)] {
+        let lcp = reference(system)?;
+        findings.push(Finding::decision(format!("copositive-plus: {name}"), copositive_plus(&lcp.matrix)?.holds(), false));
+        findings.push(Finding::decision(format!("solved by Lemke: {name}"), solve(&lcp)?.is_some(), true));
+    }
+    Ok(findings)
+}
+
+fn quadratic_program(reading: Reading) -> Result<Vec<Finding>> {
+    let matrix = reading.pick(square([2, 1, 1, 2]), square([2, 1, -1, 2]));
+    let free = vector([-3, -1]);
+    let Some(impulse) = solve(&Lcp::new(matrix.clone(), free.clone()))? else {
+        return Ok(vec![Finding::decision("the LCP is solved", false, true)]);
+    };
+    let gradient = (&matrix + matrix.transpose()) * &impulse / ratio(2, 1) + free;
+    let program = |k: usize| if impulse[k].is_zero() { gradient[k].clone().min(ratio(0, 1)) } else { gradient[k].clone() };
+    Ok(vec![
+        Finding::exact("violated part of the gradient, entry 1", &program(0), &ratio(0, 1), "m/s"),
+        Finding::exact("violated part of the gradient, entry 2", &program(1), &ratio(0, 1), "m/s"),
+        Finding::exact("P₁ of the LCP", &impulse[0], &ratio(3, 2), "N·s"),
+    ])
+}
+
+fn projection(reading: Reading) -> Result<Vec<Finding>> {
+    let matrix = square([2, 1, 1, 2]);
+    let unconstrained = vector([1, -1]);
+    let lcp = Lcp::new(matrix.clone(), -(&matrix * &unconstrained));
+    // Along the face P₂ = 0 the W-distance (P − P₀)ᵀW(P − P₀) has its minimum where the first row of W(P − P₀) vanishes.
+    let face = &unconstrained[0] + &matrix[(0, 1)] * &unconstrained[1] / &matrix[(0, 0)];
+    let metric = DVector::from_vec(vec![face, ratio(0, 1)]);
+    let euclidean = unconstrained.map(|x| x.max(ratio(0, 1)));
+    let projected = reading.pick(metric, euclidean);
+    let residual = residuals(&lcp, &projected);
+    Ok(vec![
+        Finding::exact("complementarity of the projected point", &residual.complementarity, &ratio(0, 1), "J"),
+        Finding::exact("its dual violation", &residual.dual, &ratio(0, 1), "m/s"),
+        Finding::exact("its first entry", &projected[0], &ratio(1, 2), "N·s"),
+    ])
+}

@@ -1,0 +1,151 @@
+//! Painlevé's rod: no sliding force or two, and the impulse that resolves it.
+//!
+//! Rod of mass 1 and half-length 1 (I = 1/3) at the angle with cos = 3/5, sin = 4/5, its lower end on the floor and sliding
+//! with v_t = −1: W_nn = 52/25, W_nt = −36/25, W_tt = 73/25, det W = 4.
+
+use super::integers;
+use crate::Result;
+use crate::checks::Finding;
+use crate::checks::stewart_trinkle::{System, rational_directions, reference};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::contact::delassus::delassus;
+use crate::mechanics::{PainleveRod, State};
+use crate::problem::Lcp;
+use crate::scalar::{Rational, ratio};
+use crate::schemes::{self, StewartTrinkle};
+use crate::solvers::LemkePivoting;
+use crate::solvers::enumeration::{SolutionSet, all_solutions};
+use crate::tolerance::claims::lcp::painleve_impulse;
+use nalgebra::{DMatrix, DVector, dvector};
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S4.painleve",
+        statement: "Painlevé 1895: for some rigid bodies with Coulomb friction (a rod sliding on the ground with large μ) the equations of motion have no solution or several.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "For the uniform rod this happens for μ > μ_P = W_nn/|W_nt| = (4 + tan²)/(3 tan) ≥ 4/3 when it slides towards the side it leans to.",
+        argument: "Sliding force λ with friction μλ: 0 ≤ λ ⟂ Aλ + b ≥ 0, A = W_nn − μ|W_nt|. At cos = 3/5: μ_P = 13/9. With μ = 2: A = −4/5; b = −1 has no solution, b = 1 has two (0 and 5/4). (4 + t²)/(3t) − 4/3 = (t − 2)²/(3t) ≥ 0, so μ_P is least at tan = 2.",
+        control: "μ = 1 < μ_P: exactly one solution for either sign of b.",
+        sources: &["chapter §4, resolution of Painlevé's paradox", "Painlevé 1895; Génot and Brogliato 1999"],
+        check: paradox,
+    },
+    Claim {
+        id: "S4.painleve-atom",
+        statement: "The limit h → 0 of Stewart–Trinkle solutions exists and contains an impulsive atom, “impact without collision”; time stepping delivers it automatically.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "Where no sliding force exists the step has one solution, whose impulse does not vanish with h: P_n = |W_nt||v_t|/det W, P_t = W_nn|v_t|/det W, and the end sticks. Where two forces exist the step has three solutions, and the solver's pivoting rule decides whether there is an atom.",
+        argument: "cos = 3/5, μ = 2, v_t = −1, gravity 9.81, h = 10⁻¹ … 10⁻⁶: one solution each, P = W⁻¹(g h, 1) → (9/25, 13/25). At h = 10⁻⁶ P = (0.3600071…, 0.5200035…). With an upward normal free velocity: 3 solutions (open, sliding, impact).",
+        control: "μ = 1 < μ_P: the impulse is of order h and there is no atom.",
+        sources: &["chapter §4, resolution of Painlevé's paradox", "Stewart 1998 (not read)"],
+        check: atom,
+    },
+    Claim {
+        id: "S4.ex3-energy",
+        statement: "Exercise 3: is the impulse of Painlevé's rod dissipative in energy, or does it inject energy?",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "It dissipates: ΔT = ½Pᵀ(u⁺ + u⁻) = −½ W_nn v_t²/det W = −(1 + 3cos²)/8 · m v_t².",
+        argument: "u⁻ = (0, −1), P = (9/25, 13/25), u⁺ = 0: ΔT = ½·(13/25)·(−1) = −13/50 with m = 1, cos = 3/5; the same from ½vᵀMv before and after.",
+        control: "The tangential impulse reversed, along the sliding.",
+        sources: &["chapter §4, exercise 3"],
+        check: dissipation,
+    },
+];
+
+/// The rod sliding with v_t = −1, with this friction and normal free velocity, φ = 0.
+pub(super) fn rod(friction: Rational, normal_velocity: Rational) -> System {
+    let zero = || ratio(0, 1);
+    System {
+        mass: DVector::from_vec(vec![ratio(1, 1), ratio(1, 1), ratio(1, 3)]),
+        jacobian: DMatrix::from_row_slice(2, 3, &[zero(), ratio(1, 1), ratio(-3, 5), ratio(1, 1), zero(), ratio(4, 5)]),
+        rows_per_contact: 2,
+        directions: rational_directions(2),
+        friction: vec![friction],
+        gap: vec![zero()],
+        step: ratio(1, 1),
+        free_velocity: DVector::from_vec(vec![ratio(-1, 1), normal_velocity, zero()]),
+    }
+}
+
+/// The different velocities after the step among these solutions.
+pub(super) fn velocities(system: &System, set: &SolutionSet) -> Vec<DVector<Rational>> {
+    let mut velocities: Vec<DVector<Rational>> = Vec::new();
+    for z in &set.points {
+        let velocity = &system.free_velocity + system.impulse(z).component_div(&system.mass);
+        if !velocities.contains(&velocity) {
+            velocities.push(velocity);
+        }
+    }
+    velocities
+}
+
+fn rod_delassus() -> Result<DMatrix<Rational>> {
+    let system = rod(ratio(0, 1), ratio(0, 1));
+    delassus(&DMatrix::from_diagonal(&system.mass), &system.jacobian)
+}
+
+fn paradox(reading: Reading) -> Result<Vec<Finding>> {
+    let friction = reading.pick(ratio(2, 1), ratio(1, 1));
+    let block = rod_delassus()?;
+    let slope = &block[(0, 0)] + &friction * &block[(0, 1)];
+    let solutions = |b: i64| all_solutions(&Lcp::new(DMatrix::from_element(1, 1, slope.clone()), integers(&[b])));
+    let threshold = -&block[(0, 0)] / &block[(0, 1)];
+    let tangent = ratio(4, 3);
+    let closed_form = (ratio(4, 1) + &tangent * &tangent) / (ratio(3, 1) * tangent);
+    Ok(vec![
+        Finding::count("sliding forces for b = −1", solutions(-1)?.points.len(), 0),
+        Finding::count("sliding forces for b = +1", solutions(1)?.points.len(), 2),
+        Finding::exact("μ_P = W_nn/|W_nt|", &threshold, &ratio(13, 9), "1"),
+        Finding::exact("(4 + tan²)/(3 tan)", &closed_form, &ratio(13, 9), "1"),
+    ])
+}
+
+fn atom(reading: Reading) -> Result<Vec<Finding>> {
+    let friction = reading.pick(ratio(2, 1), ratio(1, 1));
+    let block = rod_delassus()?;
+    let determinant = &block[(0, 0)] * &block[(1, 1)] - &block[(0, 1)] * &block[(0, 1)];
+    let mut findings = Vec::new();
+    for exponent in [6, 5, 4, 3, 2, 1] {
+        let fall = ratio(981, 100) / ratio(10i64.pow(exponent), 1);
+        let set = all_solutions(&reference(&rod(friction.clone(), -fall.clone()))?)?;
+        let normal = (&block[(1, 1)] * &fall - &block[(0, 1)]) / &determinant;
+        let tangential = (&block[(0, 0)] - &block[(0, 1)] * &fall) / &determinant;
+        findings.push(Finding::exact(format!("P_n at h = 1e-{exponent}"), &set.points[0][0], &normal, "N·s"));
+        findings.push(Finding::exact(format!("P_t at h = 1e-{exponent}"), &(&set.points[0][1] - &set.points[0][2]), &tangential, "N·s"));
+    }
+    let indeterminate = rod(friction, ratio(1, 1000));
+    let velocities = velocities(&indeterminate, &all_solutions(&reference(&indeterminate)?)?);
+    findings.push(Finding::count("different answers where two sliding forces exist", velocities.len(), 3));
+    findings.extend(scheme_step(reading.pick(2.0, 1.0))?);
+    Ok(findings)
+}
+
+/// The same step by the scheme, in floating point, at h = 2⁻¹⁰.
+fn scheme_step(friction: f64) -> Result<Vec<Finding>> {
+    let (gravity, h) = (9.81, 1.0 / 1024.0);
+    let rod = PainleveRod::new(1.0, 1.0, gravity, friction, 0.0)?;
+    let state = State { time: 0.0, position: dvector![0.0, 0.8, 0.8f64.atan2(0.6)], velocity: dvector![-1.0, 0.0, 0.0] };
+    let step = schemes::step(&StewartTrinkle::default(), &LemkePivoting, &rod, &state, h)?;
+    let impulse = &step.impulses[0].impulse;
+    let expected = [(73.0 * gravity * h + 36.0) / 100.0, (52.0 + 36.0 * gravity * h) / 100.0];
+    let compare = |name, k: usize| Finding::equal(name, impulse[k], expected[k], painleve_impulse(h), "N·s");
+    Ok(vec![compare("P_n of the scheme at h = 1/1024", 0), compare("P_t of the scheme at h = 1/1024", 1)])
+}
+
+fn dissipation(reading: Reading) -> Result<Vec<Finding>> {
+    let system = rod(ratio(2, 1), ratio(0, 1));
+    let impulse = DVector::from_vec(vec![ratio(9, 25), reading.pick(ratio(13, 25), ratio(-13, 25))]);
+    let change = (system.jacobian.transpose() * &impulse).component_div(&system.mass);
+    let after = &system.free_velocity + change;
+    let kinetic = |v: &DVector<Rational>| v.component_mul(&system.mass).dot(v) / ratio(2, 1);
+    let difference = kinetic(&after) - kinetic(&system.free_velocity);
+    let solution = all_solutions(&reference(&system)?)?;
+    let tangential = &solution.points[0][1] - &solution.points[0][2];
+    Ok(vec![
+        Finding::exact("ΔT", &difference, &ratio(-13, 50), "J"),
+        Finding::exact("P_t of the step's solution", &tangential, &impulse[1], "N·s"),
+        Finding::decision("the end sticks", (&system.jacobian * after).iter().all(|u| u.is_zero()), true),
+    ])
+}

@@ -1,0 +1,142 @@
+//! How many solutions a step has, what σ is, and where solutions have kinks.
+
+use super::painleve::{rod, velocities};
+use super::{chapter_matrix, integers};
+use crate::Result;
+use crate::certificate::p_matrix::p_matrix;
+use crate::checks::Finding;
+use crate::checks::stewart_trinkle::{chapter_example, reference};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::contact::delassus::delassus;
+use crate::problem::Lcp;
+use crate::scalar::{Rational, ratio};
+use crate::solvers::enumeration::{SolutionSet, all_solutions};
+use nalgebra::{DMatrix, DVector};
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S4.sigma",
+        statement: "σ is the slip rate: σ = 0 when sticking (inside the friction cone), σ > 0 when sliding (on its boundary, friction at its maximum).",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "Where λ_n > 0, σ ≥ max(−dⱼ·v⁺) with equality as soon as a βⱼ > 0; sticking has σ = 0 also on the boundary of the cone. At an open contact every σ ≥ max(−dⱼ·v⁺) is a solution, and σ says nothing.",
+        argument: "Unit point mass, μ = 1/2, all solutions enumerated. Free velocity (2, −1) at φ = 0: one solution, σ = 3/2 = |v_t⁺|. (1/4, −1): sticks, σ = 0 in every solution. (1/2, −1): sticks on the boundary, σ = 0. Open (φ/h = 10, free velocity (2, 0)): λ = β = 0 and the family σ ≥ 2.",
+        control: "The closed sliding contact in place of the open one: there σ is unique.",
+        sources: &["chapter §4, reading of the complementarity μλ_n − Eᵀβ ≥ 0 ⟂ σ ≥ 0"],
+        check: slip_speed,
+    },
+    Claim {
+        id: "S4.nonunique",
+        statement: "Existence is not uniqueness: in simultaneous contacts (three balls at once, the four corners of a block) the LCP may have several solutions, and solvers may differ.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "Several solutions arise with friction or redundant contacts: σ at an open contact, β when sticking, impulses (not velocities) of a block on four frictionless corners, and even velocities for Painlevé's rod. The frictionless three-ball chain has exactly one solution; its ambiguity lies in the impact law.",
+        argument: "Painlevé's rod (cos = 3/5, μ = 2, free normal velocity 1/10) has 3 solutions with 3 different velocities after the step. Four corners (1, ±1, ±1): W has rank 3, the impulses form a family, W·P is the same for all. Three equal balls in a row: W = [[2, −1], [−1, 2]] has minors 2, 2, 3 > 0, so one solution for every q.",
+        control: "The three-ball chain in place of the four corners.",
+        sources: &["chapter §4, pitfall “solvable means unique”"],
+        check: several_solutions,
+    },
+    Claim {
+        id: "S4.pmatrix",
+        statement: "Uniqueness needs a stronger condition, for instance that M_LCP is a P-matrix.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "A P-matrix makes the LCP uniquely solvable for every q, but a Stewart–Trinkle matrix is never one: its diagonal entry at σ is 0.",
+        argument: "Principal minor {σ} = 0, whatever μ and W̃. Uniqueness can only be had for velocities or in the absence of friction.",
+        control: "The frictionless W of three balls in a row, which is a P-matrix.",
+        sources: &["chapter §4, pitfall “solvable means unique”", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.3"],
+        check: never_p,
+    },
+    Claim {
+        id: "S4.lcp-kink",
+        statement: "LCP solutions are not differentiable where the active set changes.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As a function of q the solution is piecewise linear; its one-sided derivatives differ where the active set changes.",
+        argument: "W = 1: λ(q) = max(0, −q). At q = 0 the left slope is −1, the right slope 0; at q = −1, inside one active set, both are −1.",
+        control: "A point inside one active set, q = −1.",
+        sources: &["chapter §4, summary"],
+        check: kink,
+    },
+];
+
+fn slip_speed(reading: Reading) -> Result<Vec<Finding>> {
+    let step = |gap: Rational, velocity: [Rational; 2]| all_solutions(&reference(&chapter_example(gap, velocity))?);
+    let sliding = step(ratio(0, 1), [ratio(2, 1), ratio(-1, 1)])?;
+    let sticking = step(ratio(0, 1), [ratio(1, 4), ratio(-1, 1)])?;
+    let boundary = step(ratio(0, 1), [ratio(1, 2), ratio(-1, 1)])?;
+    let open = reading.pick(step(ratio(1, 1), [ratio(2, 1), ratio(0, 1)])?, sliding.clone());
+    Ok(vec![
+        Finding::decision("at the open contact σ is a family", moves(&open, 3), true),
+        Finding::exact("its least σ", &least_sigma(&open), &ratio(2, 1), "m/s"),
+        Finding::exact("σ when sliding at 3/2 m/s", &least_sigma(&sliding), &ratio(3, 2), "m/s"),
+        Finding::decision("σ is unique when sliding", moves(&sliding, 3), false),
+        Finding::decision("σ = 0 in every solution when sticking", vanishes(&sticking, 3), true),
+        Finding::decision("σ = 0 when sticking on the boundary", vanishes(&boundary, 3), true),
+    ])
+}
+
+fn least_sigma(set: &SolutionSet) -> Rational {
+    let all = set.points.iter().map(|z| z[3].clone());
+    all.reduce(|least, sigma| if sigma < least { sigma } else { least }).unwrap_or_else(|| ratio(-1, 1))
+}
+
+/// Whether a component varies within a family of solutions.
+fn moves(set: &SolutionSet, component: usize) -> bool {
+    set.families.iter().any(|family| !family.direction[component].is_zero())
+}
+
+fn vanishes(set: &SolutionSet, component: usize) -> bool {
+    !set.is_empty() && !moves(set, component) && set.points.iter().all(|z| z[component].is_zero())
+}
+
+/// W of three equal balls in a row, two contacts.
+fn three_balls() -> Result<DMatrix<Rational>> {
+    delassus(&DMatrix::identity(3, 3), &DMatrix::from_row_slice(2, 3, &[-1, 1, 0, 0, -1, 1].map(|x| ratio(x, 1))))
+}
+
+/// W of the four corners (1, ±1, ±1) of a block, unit mass and inertia, no friction.
+fn four_corners() -> Result<DMatrix<Rational>> {
+    delassus(&DMatrix::identity(3, 3), &DMatrix::from_row_slice(4, 3, &[1, 1, 1, 1, 1, -1, 1, -1, 1, 1, -1, -1].map(|x| ratio(x, 1))))
+}
+
+fn several_solutions(reading: Reading) -> Result<Vec<Finding>> {
+    let system = rod(ratio(2, 1), ratio(1, 10));
+    let velocities = velocities(&system, &all_solutions(&reference(&system)?)?);
+    let redundant = reading.pick(four_corners()?, three_balls()?);
+    let closing = DVector::from_element(redundant.nrows(), ratio(-1, 1));
+    let set = all_solutions(&Lcp::new(redundant.clone(), closing))?;
+    let same = set.points.windows(2).all(|pair| &redundant * &pair[0] == &redundant * &pair[1]);
+    Ok(vec![
+        Finding::count("different velocities of Painlevé's rod after the step", velocities.len(), 3),
+        Finding::decision("impulses of a block on four corners form a family", !set.families.is_empty(), true),
+        Finding::decision("their velocity W P is the same", same, true),
+        Finding::decision("three balls in a row: P-matrix, so unique for every q", p_matrix(&three_balls()?)?.holds(), true),
+    ])
+}
+
+fn never_p(reading: Reading) -> Result<Vec<Finding>> {
+    let matrix = reading.pick(chapter_matrix()?, three_balls()?);
+    let minor = p_matrix(&matrix)?.witness();
+    let at_sigma = &matrix[(matrix.nrows() - 1, matrix.nrows() - 1)];
+    Ok(vec![
+        Finding::exact("diagonal entry at σ", at_sigma, &ratio(0, 1), "1"),
+        Finding::decision("M_LCP is a P-matrix", minor.is_none(), false),
+    ])
+}
+
+fn kink(reading: Reading) -> Result<Vec<Finding>> {
+    let center = reading.pick(ratio(0, 1), ratio(-1, 1));
+    let offset = ratio(1, 1000);
+    let solution = |q: Rational| -> Result<Rational> {
+        let set = all_solutions(&Lcp::new(DMatrix::from_element(1, 1, ratio(1, 1)), DVector::from_element(1, q)))?;
+        Ok(set.points[0][0].clone())
+    };
+    let at = solution(center.clone())?;
+    let right = (solution(&center + &offset)? - &at) / &offset;
+    let left = (at - solution(&center - &offset)?) / &offset;
+    Ok(vec![
+        Finding::exact("slope to the left of the change", &left, &ratio(-1, 1), "1"),
+        Finding::exact("slope to the right of the change", &right, &integers(&[0])[0], "1"),
+    ])
+}

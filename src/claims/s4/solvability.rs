@@ -1,0 +1,101 @@
+//! Feasible and solvable: when a Stewart–Trinkle step has a solution.
+
+use super::copositive::is_feasible;
+use super::{integers, jamming_matrix};
+use crate::Result;
+use crate::certificate::existence;
+use crate::checks::Finding;
+use crate::checks::stewart_trinkle::{System, chapter_example, rational_directions, reduced, reference, wedge};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::problem::Lcp;
+use crate::scalar::{Rational, ratio};
+use crate::solvers::enumeration::all_solutions;
+use crate::solvers::lemke::{LemkeOutcome, lemke};
+use nalgebra::{DMatrix, DVector};
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S4.feasible",
+        statement: "The Stewart–Trinkle LCP is always feasible: β = 0, λ_n = 0, σ = 0 with free motion gives a feasible point (“the degenerate case can be constructed”).",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "Zero is infeasible at every closing contact, and the LCP itself can be infeasible. If every gap is ≥ 0 it is feasible, indeed solvable.",
+        argument: "At zero the normal slack is φ/h + n·v_free, negative whenever the free motion would penetrate. A point between two walls that both penetrate it (normals ±y, φ₁ = φ₂ = −1, h = 1): the two normal rows demand v_y ≥ 1 and −v_y ≥ 1; their sum is a Farkas certificate against any v_y, with any λ, β, σ. With φ₁ = φ₂ = 0 the same walls are feasible.",
+        control: "The same two walls with gaps 0.",
+        sources: &["chapter §4, corollary “every step is solvable”"],
+        check: feasible,
+    },
+    Claim {
+        id: "S4.solvable",
+        statement: "Every step of the Stewart–Trinkle scheme has a solution, because its matrix is copositive-plus and the LCP feasible.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "A step is solvable if bᵀλ ≥ 0 for all λ, β ≥ 0 with nλ + Dβ = 0 and Eᵀβ ≤ μλ (b = φ/h); in particular if all gaps are ≥ 0 (any μ, redundancy, jamming) or the friction cone is pointed (any gap). Otherwise it may be feasible and unsolvable.",
+        argument: "One contact with n = 3/5, d = ±4/5 on a unit mass with one velocity, μ = 1, φ/h = −1: M = [[9, 12, −12, 0], [12, 16, −16, 25], [−12, −16, 16, 25], [25, −25, −25, 0]]/25 and q = (−1, 0, 0, 0). z = (3, 0, 0, 2) is feasible, none of the 16 complementary cones contains q, and Lemke ends on a ray: to separate, friction must point against the motion, and β₂ = λ takes back 4/5 of every 3/5 that λ gives. A point in a wedge with normals (±4/5, 3/5) and φ = −h on both sides is solvable for μ = 7/10 and not for μ = 3/4. Newton's law on the normal alone (φ = 0, e = 1/2, v = −1, so q = (−9/10, −4/5, 4/5, 0)) is unsolvable with the same matrix; with e on the full vector it is solvable.",
+        control: "The frictionless matrix (μ = 0) in place of the jamming one: it is copositive-plus and the step has a solution.",
+        sources: &["chapter §4, corollary “every step is solvable”", "proof: module certificate::existence"],
+        check: solvable,
+    },
+];
+
+/// A unit point mass between two walls with normals ±y, both at this gap, h = 1, μ = 1/2.
+fn between_walls(gap: i64) -> System {
+    System {
+        mass: integers(&[1, 1]),
+        jacobian: DMatrix::from_row_slice(4, 2, &[0, 1, 1, 0, 0, -1, 1, 0].map(|x| ratio(x, 1))),
+        rows_per_contact: 2,
+        directions: rational_directions(2),
+        friction: vec![ratio(1, 2), ratio(1, 2)],
+        gap: vec![ratio(gap, 1), ratio(gap, 1)],
+        step: ratio(1, 1),
+        free_velocity: integers(&[0, 0]),
+    }
+}
+
+fn feasible(reading: Reading) -> Result<Vec<Finding>> {
+    let walls = reference(&between_walls(reading.pick(-1, 0)))?;
+    let closing = reference(&chapter_example(ratio(0, 1), [ratio(0, 1), ratio(-1, 1)]))?;
+    Ok(vec![
+        Finding::decision("the step between two penetrating walls is feasible", is_feasible(&walls), false),
+        Finding::decision("zero is feasible at a closing contact", closing.vector.iter().all(|q| *q >= ratio(0, 1)), false),
+        Finding::decision("the closing contact is feasible", is_feasible(&closing), true),
+        Finding::decision("the same walls with gaps 0 are solvable", solves(&reference(&between_walls(0))?)?, true),
+    ])
+}
+
+fn solvable(reading: Reading) -> Result<Vec<Finding>> {
+    let mut matrix = jamming_matrix();
+    if reading == Reading::Control {
+        matrix[(3, 0)] = ratio(0, 1);
+    }
+    let with = |vector: DVector<Rational>| Lcp::new(matrix.clone(), vector);
+    let jammed = with(integers(&[-1, 0, 0, 0]));
+    let newton = with(DVector::from_vec([-9, -8, 8, 0].map(|x| ratio(x, 10)).to_vec()));
+    let moreau = with(DVector::from_vec([-9, -12, 12, 0].map(|x| ratio(x, 10)).to_vec()));
+    let mut findings = vec![
+        Finding::count("solutions of the jammed step, all 16 cones", all_solutions(&jammed)?.points.len(), 0),
+        Finding::decision("it is feasible", is_feasible(&jammed), true),
+        Finding::decision("Lemke solves it", solves(&jammed)?, false),
+        Finding::count("solutions with Newton's law on the normal alone", all_solutions(&newton)?.points.len(), 0),
+        Finding::decision("Lemke solves it with restitution on the full vector", solves(&moreau)?, true),
+    ];
+    for (friction, expected) in [(ratio(7, 10), true), (ratio(3, 4), false)] {
+        let name = format!("wedge with μ = {friction}");
+        let system = wedge(friction);
+        let has_solution = !all_solutions(&reference(&system)?)?.is_empty();
+        findings.push(Finding::decision(format!("{name}: solvable"), has_solution, expected));
+        let pointed = existence::pointed(&reduced(&system)?.0, &system.friction).holds();
+        findings.push(Finding::decision(format!("{name}: pointed"), pointed, expected));
+    }
+    let mut open = wedge(ratio(1, 1));
+    open.gap = vec![ratio(0, 1), ratio(1, 100)];
+    open.free_velocity = integers(&[1, -2]);
+    findings.push(Finding::decision("wedge with μ = 1 and gaps ≥ 0: Lemke solves it", solves(&reference(&open)?)?, true));
+    Ok(findings)
+}
+
+/// Whether Lemke's method ends at a solution.
+fn solves(lcp: &Lcp<Rational>) -> Result<bool> {
+    let covering = DVector::from_element(lcp.size(), ratio(1, 1));
+    Ok(matches!(lemke(lcp, &covering)?, LemkeOutcome::Solution { .. }))
+}

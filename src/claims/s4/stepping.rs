@@ -1,0 +1,230 @@
+//! The gap in the complementarity: braking, pushing out, drift, and the comparison with Moreau–Jean.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::mechanics::{BeadInCircle, Mechanism, PointMass, State};
+use crate::scalar::{Rational, ratio};
+use crate::schemes::exact_particle::{Ball, Motion, Outcome};
+use crate::schemes::{self, Activation, MoreauJean, RestitutionRule, Scheme, StewartTrinkle};
+use crate::solvers::LemkePivoting;
+use crate::tolerance::claims::lcp as tolerance;
+use nalgebra::dvector;
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S4.linearised",
+        statement: "In practice the non-linear gap is linearised: φ + h∇φᵀv⁺ ≥ 0; against the velocity level of Moreau–Jean this adds the term φ/h.",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "φ/h + ∇φᵀv⁺ ≥ 0, with a residual of O(h²) per step, −½h²v²/R on a circle of radius R.",
+        argument: "A bead on the unit circle with unit tangential speed: the linearised constraint is met with 0 and the gap after the step is 1 − √(1 + h²) ∈ (−½h², −½h² + h⁴/8). A contact at φ = 1/4 with h = 1/64 enters the law with the shift φ/h = 16.",
+        control: "Moreau–Jean, whose shift e·u_n does not contain the gap.",
+        sources: &["chapter §4, step 1 of the construction"],
+        check: linearised,
+    },
+    Claim {
+        id: "S4.nonpen",
+        statement: "Stewart–Trinkle is strictly non-penetrating (after linearisation approximately) and does not drift.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "The gap stays ≥ −½h²·max v²/R and does not accumulate, provided the position update is the one of the constraint, q⁺ = q + hv⁺. With a trapezoidal update the plastic ball rebounds at (1 − c)/2 of its speed for every h, where c = φ/(h|v|) at the step of the impact.",
+        argument: "The constraint gives |q| + h q̂·v ≤ R, so |q + hv| ≤ √(R² + h²v²) ≤ R + h²v²/2R, whatever happened before. Bead, R = 1, v = 1, h = 1/100, 200 steps: gap ≥ −½h²v². Trapezoidal update, unit ball at φ = h/5 with v = −1: v⁺ = −1/5, q⁺ = −2h/5, then v⁺ = +2/5 at h = 1/100 as at h = 1/1000.",
+        control: "Moreau–Jean on the same circle, which drifts out by √(1 + nh²v²) − 1.",
+        sources: &["chapter §4, table Stewart–Trinkle versus Moreau–Jean"],
+        check: no_drift,
+    },
+    Claim {
+        id: "S4.brake",
+        statement: "Because of φ/h Stewart–Trinkle can brake before contact; Moreau–Jean waits until φ = 0.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "A ball that would pass the floor within the step gets v⁺ = −φ/h; the impact is spread over two steps, with the total impulse m|v|.",
+        argument: "m = 1, v = −1, h = 1/10, φ = 3/100, no gravity: v⁺ = −3/10 with impulse 7/10, then v⁺ = 0 with impulse 3/10.",
+        control: "Moreau–Jean with activation φ ≤ 0.",
+        sources: &["chapter §4, end of the comparison with Moreau–Jean"],
+        check: brake,
+    },
+    Claim {
+        id: "S4.pushout",
+        statement: "For φ < 0 the term φ/h actively pushes the body out, so Stewart–Trinkle needs no Baumgarte stabilisation.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "It corrects penetration within one step, v⁺ = |φ|/h, but injects the kinetic energy ½m(φ/h)², unbounded as h → 0 for a given penetration; and with penetration the LCP may lose its solution. Penetrations must be O(h²), as the scheme's own are.",
+        argument: "Penetration 1 mm, m = 1: v⁺ = 1/10, 1, 10 m/s at h = 10⁻², 10⁻³, 10⁻⁴, with the kinetic energies 1/200, 1/2, 50 J.",
+        control: "Moreau–Jean, which leaves the body where it is.",
+        sources: &["chapter §4, pitfall “position level versus velocity level”"],
+        check: push_out,
+    },
+    Claim {
+        id: "S4.mj-vs-st",
+        statement: "Stewart–Trinkle and Moreau–Jean are equivalent in persistent contact.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "They produce the same iterates in persistent contact if φ is linear, e·u_n = 0, and both update q⁺ = q + hv⁺. On a curved constraint Moreau–Jean drifts and Stewart–Trinkle does not.",
+        argument: "Block on a 20° incline, μ = 0.3 (slides) and 0.5 (sticks), 50 steps: the same to rounding. Bead on the unit circle, h = 1/100, 2 s: Moreau–Jean ends outside by √(1 + nh²v²) − 1 with v between 1 − nh²/2 and 1, about 9.9·10⁻³; Stewart–Trinkle by at most ½h²v² = 5·10⁻⁵.",
+        control: "The bead on the circle in place of the block on the incline.",
+        sources: &["chapter §4, end of the comparison with Moreau–Jean; §2, table of the two levels"],
+        check: persistent_contact,
+    },
+    Claim {
+        id: "S4.conv-chain",
+        statement: "Convergence proof: a uniform bound on the variation of v_h, Helly's selection theorem, weak* compactness of the impulses, and the limit satisfies the measure differential inclusion.",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "The chain is sound; its first link needs starting positions that do not penetrate (or only by O(h)).",
+        argument: "Plastic ball from height 1, T = 1: impulses are ≥ 0 and v ≤ 0, so TV(v_h) ≤ gT + Σr/m = 2gT + v_N − v_0 ≤ 2gT = 19.62 for every h = 2⁻⁴ … 2⁻¹². From a penetration of 1/64 the first step alone makes TV ≥ 1/(64h).",
+        control: "A start with penetration 1/64.",
+        sources: &["chapter §4, convergence; §11, four steps", "Stewart 1998 (not read)"],
+        check: bounded_variation,
+    },
+];
+
+const FINEST: i64 = 1000;
+
+/// A bead on the unit circle, without gravity and friction, with unit tangential speed.
+fn bead() -> Result<(BeadInCircle, State)> {
+    let state = State { time: 0.0, position: dvector![1.0, 0.0], velocity: dvector![0.0, 1.0] };
+    Ok((BeadInCircle::new(1.0, 1.0, 0.0, 0.0, 0.0)?, state))
+}
+
+fn moreau_jean() -> MoreauJean {
+    MoreauJean { theta: 1.0, activation: Activation::FreeVelocityForecast, restitution: RestitutionRule::NormalOnly }
+}
+
+fn scheme(reading: Reading) -> Box<dyn Scheme> {
+    reading.pick(Box::new(StewartTrinkle::default()) as Box<dyn Scheme>, Box::new(moreau_jean()))
+}
+
+fn linearised(reading: Reading) -> Result<Vec<Finding>> {
+    let (bead, start) = bead()?;
+    let mut findings = Vec::new();
+    let approaching = State { time: 0.0, position: dvector![0.75, 0.0], velocity: dvector![64.0, 0.0] };
+    let assembled = scheme(reading).assemble(&bead, &approaching, 1.0 / 64.0)?;
+    let shift = assembled.problem.map_or(0.0, |problem| problem.shift[0]);
+    findings.push(Finding::equal("shift of a contact at φ = 1/4, h = 1/64", shift, 16.0, 0.0, "m/s"));
+    for h in [1.0 / 16.0, 1.0 / 64.0, 1.0 / 256.0] {
+        let end = schemes::step(&*scheme(reading), &LemkePivoting, &bead, &start, h)?.state;
+        let gap = bead.contacts(&end.position)[0].gap;
+        findings.push(Finding::equal(format!("φ⁺/h² at h = {h}"), gap / (h * h), -0.5, tolerance::circle_residual(h), "1/m"));
+    }
+    Ok(findings)
+}
+
+/// Least gap over 200 steps of 1/100 along the circle.
+fn circle_track(scheme: &dyn Scheme) -> Result<(f64, f64)> {
+    let (bead, start) = bead()?;
+    let recording = schemes::simulate(scheme, &LemkePivoting, &bead, start, CIRCLE_STEP, CIRCLE_STEPS)?;
+    let gaps = recording.samples.iter().map(|state| bead.contacts(&state.position)[0].gap);
+    let speed = recording.samples.iter().map(|state| state.velocity.norm()).fold(0.0, f64::max);
+    Ok((gaps.fold(f64::INFINITY, f64::min), speed))
+}
+
+const CIRCLE_STEP: f64 = 0.01;
+const CIRCLE_STEPS: usize = 200;
+
+fn no_drift(reading: Reading) -> Result<Vec<Finding>> {
+    let (gap, speed) = circle_track(&*scheme(reading))?;
+    let bound = -0.5 * (CIRCLE_STEP * speed).powi(2) - tolerance::LINEARISED_GAP;
+    let mut findings = vec![Finding::at_least("least gap along the circle", gap, bound, "m")];
+    for denominator in [100, FINEST] {
+        let h = ratio(1, denominator);
+        let rebound = trapezoidal_rebound(&h);
+        findings.push(Finding::exact(format!("rebound with a trapezoidal update, h = 1/{denominator}"), &rebound, &ratio(2, 5), "m/s"));
+    }
+    Ok(findings)
+}
+
+fn plastic_ball(gravity: Rational) -> Ball<Rational> {
+    Ball { mass: ratio(1, 1), gravity, restitution: ratio(0, 1) }
+}
+
+/// Velocity after two steps from φ = h/5, v = −1, with the constraint φ + hv⁺ ≥ 0 but q⁺ = q + ½h(v + v⁺).
+fn trapezoidal_rebound(h: &Rational) -> Rational {
+    let ball = plastic_ball(ratio(0, 1));
+    let mut now = Motion { position: h / ratio(5, 1), velocity: ratio(-1, 1) };
+    for _ in 0..2 {
+        let velocity = ball.stewart_trinkle(&now, h).motion.velocity;
+        let position = &now.position + h * (&now.velocity + &velocity) / ratio(2, 1);
+        now = Motion { position, velocity };
+    }
+    now.velocity
+}
+
+/// One exact step of Stewart–Trinkle, or of Moreau–Jean with activation φ ≤ 0.
+fn particle_step(reading: Reading, now: &Motion<Rational>, h: &Rational) -> Outcome<Rational> {
+    let ball = plastic_ball(ratio(0, 1));
+    match reading {
+        Reading::Recorded => ball.stewart_trinkle(now, h),
+        Reading::Control => ball.moreau_jean(now, &ratio(1, 1), Activation::Gap, h),
+    }
+}
+
+fn brake(reading: Reading) -> Result<Vec<Finding>> {
+    let h = ratio(1, 10);
+    let first = particle_step(reading, &Motion { position: ratio(3, 100), velocity: ratio(-1, 1) }, &h);
+    let second = particle_step(reading, &first.motion, &h);
+    Ok(vec![
+        Finding::exact("v⁺ before touching, −φ/h", &first.motion.velocity, &ratio(-3, 10), "m/s"),
+        Finding::exact("impulse of that step", &first.impulse, &ratio(7, 10), "N·s"),
+        Finding::exact("velocity one step later", &second.motion.velocity, &ratio(0, 1), "m/s"),
+        Finding::exact("total impulse", &(first.impulse + second.impulse), &ratio(1, 1), "N·s"),
+    ])
+}
+
+fn push_out(reading: Reading) -> Result<Vec<Finding>> {
+    let resting = Motion { position: ratio(-1, 1000), velocity: ratio(0, 1) };
+    let cases = [(10_000, ratio(10, 1)), (1000, ratio(1, 1)), (100, ratio(1, 10))];
+    let findings = cases.into_iter().flat_map(|(denominator, speed)| {
+        let velocity = particle_step(reading, &resting, &ratio(1, denominator)).motion.velocity;
+        let energy = &velocity * &velocity / ratio(2, 1);
+        [
+            Finding::exact(format!("v⁺ from 1 mm of penetration, h = 1/{denominator}"), &velocity, &speed, "m/s"),
+            Finding::exact("kinetic energy injected", &energy, &(&speed * &speed / ratio(2, 1)), "J"),
+        ]
+    });
+    Ok(findings.collect())
+}
+
+fn persistent_contact(reading: Reading) -> Result<Vec<Finding>> {
+    let mut findings = Vec::new();
+    let steps = 50;
+    for friction in [0.3, 0.5] {
+        let block = PointMass::block_on_incline(1.0, 9.81, 20f64.to_radians(), friction, 0.0);
+        let at_rest = State { time: 0.0, position: dvector![0.0, 0.0], velocity: dvector![0.0, 0.0] };
+        let (bead, on_circle) = bead()?;
+        let (mechanism, start): (&dyn Mechanism, State) = reading.pick((&block, at_rest), (&bead, on_circle));
+        let run = |scheme: &dyn Scheme| schemes::simulate(scheme, &LemkePivoting, mechanism, start.clone(), CIRCLE_STEP, steps);
+        let (ours, theirs) = (run(&StewartTrinkle::default())?, run(&moreau_jean())?);
+        let pairs = ours.samples.iter().zip(&theirs.samples);
+        let difference = |(a, b): (&State, &State)| (&a.position - &b.position).amax().max((&a.velocity - &b.velocity).amax());
+        let largest = pairs.map(difference).fold(0.0, f64::max);
+        let name = format!("largest difference of the iterates, μ = {friction}");
+        findings.push(Finding::equal(name, largest, 0.0, tolerance::repeated_steps(steps), "m, m/s"));
+    }
+    let (drifted, _) = circle_track(&moreau_jean())?;
+    let angle_squared = CIRCLE_STEPS as f64 * CIRCLE_STEP * CIRCLE_STEP;
+    let slowest = 1.0 - 0.5 * angle_squared;
+    let drift = (1.0 + angle_squared * slowest * slowest).sqrt() - 1.0;
+    findings.push(Finding::at_most("gap of Moreau–Jean after 2 s on the circle", drifted, -drift, "m"));
+    Ok(findings)
+}
+
+fn bounded_variation(reading: Reading) -> Result<Vec<Finding>> {
+    let ball = Ball { mass: 1.0, gravity: 9.81, restitution: 0.0 };
+    let mut findings = Vec::new();
+    for exponent in [12, 10, 8, 6, 4] {
+        let steps = 1usize << exponent;
+        let h = 1.0 / steps as f64;
+        let mut now = Motion { position: reading.pick(1.0, -1.0 / 64.0), velocity: 0.0 };
+        let mut variation = 0.0;
+        for _ in 0..steps {
+            let next = ball.stewart_trinkle(&now, &h).motion;
+            variation += (next.velocity - now.velocity).abs();
+            now = next;
+        }
+        let bound = 2.0 * ball.gravity + tolerance::repeated_steps(steps);
+        findings.push(Finding::at_most(format!("variation of v_h, h = 2^-{exponent}"), variation, bound, "m/s"));
+    }
+    Ok(findings)
+}
