@@ -5,8 +5,11 @@ use super::Claim;
 mod bipotential;
 mod half_space;
 mod inclusion;
-
+mod levels;
+mod measures;
+mod soft_contact;
 mod worked_example;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[inclusion::CLAIMS, bipotential::CLAIMS, worked_example::CLAIMS];
+pub const CLAIMS: &[&[Claim]] =
+    &[inclusion::CLAIMS, measures::CLAIMS, levels::CLAIMS, bipotential::CLAIMS, worked_example::CLAIMS, soft_contact::CLAIMS];

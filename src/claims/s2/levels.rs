@@ -1,0 +1,211 @@
+//! Constraints on positions and on velocities: activation, drift, penetration.
+
+use super::half_space::TangentCone;
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::bouncing_ball::BouncingBall;
+use crate::mechanics::{BeadInCircle, Mechanism, PointMass, State};
+use crate::scalar::{Rational, ratio};
+use crate::schemes::exact_particle::{Ball, Motion};
+use crate::schemes::{Activation, MoreauJean, Scheme, StewartTrinkle, simulate};
+use crate::solvers::Reference;
+use crate::tolerance::rounding;
+use nalgebra::{DVector, dvector};
+
+/// Claims on the two levels.
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S2.NTC-robust",
+        statement: "Replacing N_C(q) by the velocity-level N_{T_C(q)}(v⁺) removes the 0/1 switch of the position level: it suffices to impose ∇φ·v⁺ ≥ 0 at the contacts with φ ≤ 0 (or about to be), so the scheme is naturally robust to activation.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "No event time is needed, but T_C(q) jumps from the whole space to a half-space at φ = 0 just as N_C does, and the discrete result depends on the activation rule.",
+        argument: "v = −1 is tangent at φ = 2⁻⁴⁰ and not at φ = 0. A plastic ball dropped from 1/10 m with h = 1/64 s comes to rest under the rules A (φ ≤ 0), B (half a step ahead) and D (free forecast) within h·|v| of the floor, \
+            without any event detected; but under A it rests below the floor and under D on or above it.",
+        control: "rule A compared with itself, as if every rule gave the same",
+        sources: &["chapter §2, from N_C to N_{T_C}"],
+        check: activation,
+    },
+    Claim {
+        id: "S2.pos-vel-equiv",
+        statement: "Position and velocity level are equivalent in persistent contact (φ ≡ 0); they differ when contact is about to be made.",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "As stated, in continuous time; for a linear gap it holds step by step.",
+        argument: "φ ≡ 0 on an interval gives φ̇ = 0; conversely ∇φ·v⁺ ≥ 0 with complementarity from φ = 0 keeps φ ≥ 0. For linear φ = 0 Stewart–Trinkle's condition φ/h + u_n ≥ 0 is Moreau–Jean's u_n ≥ 0: \
+            twenty steps of a block on an incline, sliding (μ = 0.3) and sticking (μ = 0.8), agree to rounding and leave φ = 0.",
+        control: "the same block started 1/64 m above the incline, about to make contact",
+        sources: &["chapter §2, table of levels", "chapter §4"],
+        check: equivalence,
+    },
+    Claim {
+        id: "S2.pos-strict",
+        statement: "The position level guarantees strict non-penetration (at the price of expanding a nonlinear gap).",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "Exact for linear φ. With φ linearised in each step there remains −½h² v·∇²φ v, which does not accumulate.",
+        argument: "A bead of unit speed on the inside of a unit circle: the linearised condition puts q⁺ on the tangent line, |q⁺|² = 1 + h²w² with the tangential speed w ≤ 1, whatever the gap before. \
+            So φ = 1 − √(1+h²) after the first step and never below −h²/2: −5.0e-5 and −5.0e-7 m for h = 1e-2 and 1e-3 s over two seconds.",
+        control: "the velocity level (Moreau–Jean, θ = 1, rule A)",
+        sources: &["chapter §2, table of levels"],
+        check: position_level,
+    },
+    Claim {
+        id: "S2.vel-drift",
+        statement: "The velocity level makes velocities admissible, but positions may drift.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "On curved constraints: the depth grows like h v² T/(2R). For linear φ in persistent contact there is none.",
+        argument: "The bead on the unit circle moves along the tangent, so |q⁺|² = |q|² + h²w², and |q| w is conserved: |q|² ≤ 1 + hT. The depth after T lies in [hT/((1+hT)(1+√(1+hT))), √(1+hT) − 1]; \
+            it is 9.85e-3 and 9.99e-4 m for h = 1e-2 and 1e-3 s at T = 2 s. A block sliding on a plane keeps φ = 0 exactly.",
+        control: "the position level (Stewart–Trinkle)",
+        sources: &["chapter §2, table of levels", "chapter §3, pitfall on drift"],
+        check: velocity_level,
+    },
+    Claim {
+        id: "S2.penetration-zero",
+        statement: "In the sweeping process penetration is strictly zero (or corrected as drift), in the penalty method it is intended.",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "The continuous motion satisfies φ ≥ 0 at all times by definition; discrete ones need the drift corrected.",
+        argument: "q(t) ∈ C is part of the problem. The exact bouncing ball (e = 1/2) is not below the floor at any of 4000 instants up to twice its last impact; its discretisation with rule A is, by up to h|v|.",
+        control: "the discrete motion of Moreau–Jean, rule A, without correction",
+        sources: &["chapter §2, sweeping process and penalty compared"],
+        check: penetration,
+    },
+];
+
+/// The rest of a plastic ball after 128 steps of 1/64 s from 1/10 m, and its largest speed.
+fn rest(rule: Activation) -> (Motion<Rational>, Rational) {
+    let ball = Ball { mass: ratio(1, 1), gravity: ratio(10, 1), restitution: ratio(0, 1) };
+    let mut motion = Motion { position: ratio(1, 10), velocity: ratio(0, 1) };
+    let mut fastest = ratio(0, 1);
+    for _ in 0..128 {
+        motion = ball.moreau_jean(&motion, &ratio(1, 1), rule, &ratio(1, 64)).motion;
+        fastest = fastest.max(-motion.velocity.clone());
+    }
+    (motion, fastest)
+}
+
+fn activation(reading: Reading) -> Result<Vec<Finding>> {
+    let approaching = [ratio(0, 1), ratio(-1, 1)];
+    let tangent = |active| TangentCone::new([0, 1], active).contains(&approaching);
+    let mut findings = vec![
+        Finding::decision(
+            "rules A and D rest at different heights",
+            rest(Activation::Gap).0 != rest(reading.pick(Activation::FreeVelocityForecast, Activation::Gap)).0,
+            true,
+        ),
+        Finding::decision("approaching is tangent at φ > 0", tangent(false), true),
+        Finding::decision("approaching is tangent at φ = 0", tangent(true), false),
+    ];
+    for rule in Activation::ALL {
+        let (motion, fastest) = rest(rule);
+        let slack = motion.position.clone().max(-motion.position.clone());
+        findings.push(Finding::exact(format!("velocity in the end, rule {}", rule.name()), &motion.velocity, &ratio(0, 1), "m/s"));
+        findings.push(Finding::decision(format!("within h|v| of the floor, rule {}", rule.name()), slack <= fastest * ratio(1, 64), true));
+    }
+    Ok(findings)
+}
+
+const VELOCITY_LEVEL: MoreauJean =
+    MoreauJean { theta: 1.0, activation: Activation::Gap, restitution: crate::schemes::RestitutionRule::NormalOnly };
+const POSITION_LEVEL: StewartTrinkle = StewartTrinkle { directions: 8 };
+
+fn equivalence(reading: Reading) -> Result<Vec<Finding>> {
+    const STEPS: usize = 20;
+    let mut findings = Vec::new();
+    for friction in [0.3, 0.8] {
+        let block = PointMass::block_on_incline(1.0, 10.0, 0.5, friction, 0.0);
+        let initial = State {
+            time: 0.0,
+            position: dvector![0.0, reading.pick(0.0, 1.0 / 64.0)],
+            velocity: dvector![reading.pick(1.0, 1.0), reading.pick(0.0, -1.0)],
+        };
+        let run = |scheme: &dyn Scheme| simulate(scheme, &Reference, &block, initial.clone(), 1.0 / 32.0, STEPS);
+        let (position_level, velocity_level) = (run(&POSITION_LEVEL)?, run(&VELOCITY_LEVEL)?);
+        let pairs = || position_level.samples.iter().zip(&velocity_level.samples);
+        let size = pairs().map(|(state, _)| state.position.amax() + state.velocity.amax()).fold(1.0, f64::max);
+        let apart = |difference: fn(&State, &State) -> f64| pairs().map(|(a, b)| difference(a, b)).fold(0.0, f64::max);
+        let bound = rounding(32 * STEPS, size);
+        let velocity = apart(|a, b| (&a.velocity - &b.velocity).amax());
+        let position = apart(|a, b| (&a.position - &b.position).amax());
+        findings.push(Finding::at_most(format!("velocities of the two levels differ, μ = {friction}"), velocity, bound, "m/s"));
+        findings.push(Finding::at_most(format!("positions of the two levels differ, μ = {friction}"), position, bound, "m"));
+    }
+    Ok(findings)
+}
+
+const DURATION: f64 = 2.0;
+
+/// Depths −φ of a unit-speed bead on the inside of the unit circle, after each step.
+fn depths(scheme: &dyn Scheme, h: f64) -> Result<Vec<f64>> {
+    let bead = BeadInCircle::new(1.0, 1.0, 0.0, 0.0, 0.0)?;
+    let initial = State { time: 0.0, position: dvector![0.0, -1.0], velocity: dvector![1.0, 0.0] };
+    let recording = simulate(scheme, &Reference, &bead, initial, h, (DURATION / h).round() as usize)?;
+    Ok(recording.samples.iter().skip(1).map(|state| -bead.contacts(&state.position)[0].gap).collect())
+}
+
+/// Largest |φ| of a block sliding down a plane in persistent contact.
+fn depth_on_a_plane(scheme: &dyn Scheme) -> Result<f64> {
+    let block = PointMass::block_on_incline(1.0, 10.0, 0.5, 0.3, 0.0);
+    let initial = State { time: 0.0, position: dvector![0.0, 0.0], velocity: dvector![1.0, 0.0] };
+    let recording = simulate(scheme, &Reference, &block, initial, 1.0 / 32.0, 32)?;
+    let gap = |position: &DVector<f64>| block.contacts(position)[0].gap.abs();
+    Ok(recording.samples.iter().map(|state| gap(&state.position)).fold(0.0, f64::max))
+}
+
+fn on_a_plane(scheme: &dyn Scheme) -> Result<Finding> {
+    Ok(Finding::at_most("largest |φ| on a plane", depth_on_a_plane(scheme)?, rounding(32, 1.0), "m"))
+}
+
+fn position_level(reading: Reading) -> Result<Vec<Finding>> {
+    let scheme: &dyn Scheme = reading.pick(&POSITION_LEVEL, &VELOCITY_LEVEL);
+    let mut findings = Vec::new();
+    for h in [1.0 / 100.0, 1.0 / 1000.0] {
+        let depths = depths(scheme, h)?;
+        let deepest = depths.iter().copied().fold(0.0, f64::max);
+        let bound = rounding(64, 1.0);
+        findings.push(Finding::at_most(format!("deepest point in 2 s, h = {h}"), deepest, 0.5 * h * h + bound, "m"));
+        findings.push(Finding::equal(format!("depth after one step, h = {h}"), depths[0], h.hypot(1.0) - 1.0, bound, "m"));
+    }
+    findings.push(on_a_plane(scheme)?);
+    Ok(findings)
+}
+
+fn velocity_level(reading: Reading) -> Result<Vec<Finding>> {
+    let scheme: &dyn Scheme = reading.pick(&VELOCITY_LEVEL, &POSITION_LEVEL);
+    let mut findings = Vec::new();
+    for h in [1.0 / 100.0, 1.0 / 1000.0] {
+        let depths = depths(scheme, h)?;
+        let last = depths[depths.len() - 1];
+        let (square, roundoff) = (1.0 + h * DURATION, rounding(16 * depths.len(), 1.0));
+        let least = h * DURATION / (square * (1.0 + square.sqrt()));
+        let recursion = depths.iter().fold(1.0f64, |radius_squared, _| radius_squared + h * h / radius_squared);
+        findings.push(Finding::at_least(format!("depth after 2 s, h = {h}"), last, least - roundoff, "m"));
+        findings.push(Finding::at_most(format!("depth after 2 s, h = {h}"), last, square.sqrt() - 1.0 + roundoff, "m"));
+        findings.push(Finding::equal(format!("depth by |q⁺|² = |q|² + h²/|q|², h = {h}"), last, recursion.sqrt() - 1.0, roundoff, "m"));
+    }
+    findings.push(on_a_plane(scheme)?);
+    Ok(findings)
+}
+
+fn penetration(reading: Reading) -> Result<Vec<Finding>> {
+    const SAMPLES: usize = 4000;
+    let (gravity, height, restitution) = (10.0, 1.0, 0.5);
+    let exact = BouncingBall::new(gravity, height, restitution)?;
+    let step = 2.0 * exact.accumulation_time() / SAMPLES as f64;
+    let lowest = match reading {
+        Reading::Recorded => (0..=SAMPLES).map(|k| exact.state(k as f64 * step).0).fold(f64::INFINITY, f64::min),
+        Reading::Control => {
+            let ball = Ball { mass: 1.0, gravity, restitution };
+            let mut motion = Motion { position: height, velocity: 0.0 };
+            (0..SAMPLES).fold(height, |lowest, _| {
+                motion = ball.moreau_jean(&motion, &1.0, Activation::Gap, &step).motion;
+                lowest.min(motion.position)
+            })
+        }
+    };
+    Ok(vec![Finding::at_least("lowest position", lowest, -rounding(32, height), "m")])
+}

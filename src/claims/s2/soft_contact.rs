@@ -1,0 +1,123 @@
+//! Penalty contact: its force at touchdown, and the hard contact it tends to.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::scalar::{Rational, ratio};
+use crate::tolerance::claims::{SOFT_STEP, soft_restitution};
+use std::f64::consts::PI;
+
+/// Claims on soft contact.
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S2.soft-diff",
+        statement: "Penalty or soft contact is a smooth function, differentiable everywhere, whereas hard contact is not differentiable where the active set changes.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "The clamped spring max(0, −kφ) is continuous with a kink at φ = 0; with damping the force jumps at touchdown. It is differentiable away from the change of the active set – as hard contact is.",
+        argument: "The difference quotients of max(0, −kφ) at 0 are −k from the left and 0 from the right, at every step size. With a dashpot, −kφ − c φ̇ for φ < 0, the force at touchdown with 2 m/s and c = 30 N·s/m is 60 N an instant after contact and 0 before it.",
+        control: "the spring without the clamp, −kφ, which is differentiable but holds the bodies together",
+        sources: &["chapter §2, sweeping process and penalty compared"],
+        check: differentiability,
+    },
+    Claim {
+        id: "S2.soft-limit",
+        statement: "Soft and hard contact are united for k → ∞: the stiff limit of soft contact is hard contact.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "Penetration vanishes like v√(m/k), and the limit is hard contact with the restitution that the damping ratio ζ fixes, independent of k: e = 1 without damping, \
+            exp(−πζ/√(1−ζ²)) if the dashpot acts until φ = 0, and a larger one if the force may not pull.",
+        argument: "In the time √(m/k) the impact is m x″ + 2ζ x′ + x = 0, without k. Integrated for k = 1e4 and 1e8 N/m: e = 0.5266 (ζ = 0.2) and 0.1630 (ζ = 0.5) for the dashpot until φ = 0; 0.5717 and 0.2984 when contact ends with the force; 1 for ζ = 0. \
+            So k → ∞ at fixed damping c instead of fixed ζ tends to the elastic law, whatever c was meant to model.",
+        control: "fixed damping c while k grows",
+        sources: &[
+            "chapter §2, sweeping process and penalty compared",
+            "Schwager and Pöschel, Coefficient of restitution and linear–dashpot model revisited (2007)",
+        ],
+        check: stiff_limit,
+    },
+];
+
+fn differentiability(reading: Reading) -> Result<Vec<Finding>> {
+    let (stiffness, zero) = (ratio(1000, 1), ratio(0, 1));
+    let spring = |gap: &Rational| {
+        let force = -(stiffness.clone() * gap.clone());
+        reading.pick(force.clone().max(zero.clone()), force)
+    };
+    let mut findings = Vec::new();
+    for step in [ratio(1, 1000), ratio(1, 1 << 40)] {
+        let left = (spring(&zero) - spring(&-step.clone())) / step.clone();
+        let right = (spring(&step) - spring(&zero)) / step.clone();
+        findings.push(Finding::exact(format!("kink of the force at φ = 0, quotients over {step}"), &(right - left), &stiffness, "N/m"));
+    }
+    let damped = |gap: &Rational| if *gap < zero { ratio(30, 1) * ratio(2, 1) - stiffness.clone() * gap.clone() } else { zero.clone() };
+    let hair = ratio(1, 1 << 60);
+    let jump = damped(&-hair.clone()) - damped(&hair) - stiffness * hair;
+    findings.push(Finding::exact("jump of the damped force at touchdown with 2 m/s", &jump, &ratio(60, 1), "N"));
+    Ok(findings)
+}
+
+/// When contact ends.
+#[derive(Clone, Copy, Debug)]
+enum End {
+    /// When the gap opens: the dashpot may pull.
+    Gap,
+    /// When the force vanishes: it may not.
+    Force,
+}
+
+/// Speed after an impact at 1 m/s of a unit mass on a spring and a dashpot, and the deepest penetration, by the
+/// classical Runge–Kutta method; the last step is shortened by bisection to end with the contact.
+fn impact(stiffness: f64, damping: f64, end: End) -> (f64, f64) {
+    let slope = |[x, v]: [f64; 2]| [v, -stiffness * x - damping * v];
+    let along = |[x, v]: [f64; 2], [a, b]: [f64; 2], h: f64| [x + h * a, v + h * b];
+    let step = |state: [f64; 2], h: f64| {
+        let first = slope(state);
+        let second = slope(along(state, first, h / 2.0));
+        let third = slope(along(state, second, h / 2.0));
+        let fourth = slope(along(state, third, h));
+        let mean = [0, 1].map(|i| (first[i] + 2.0 * second[i] + 2.0 * third[i] + fourth[i]) / 6.0);
+        along(state, mean, h)
+    };
+    let over = |[x, v]: [f64; 2]| match end {
+        End::Gap => x >= 0.0,
+        End::Force => -stiffness * x - damping * v <= 0.0,
+    };
+    let h = SOFT_STEP / stiffness.sqrt();
+    let (mut state, mut depth) = ([0.0, -1.0], 0.0f64);
+    state = step(state, h);
+    while !over(step(state, h)) {
+        state = step(state, h);
+        depth = depth.max(-state[0]);
+    }
+    let (mut during, mut after) = (0.0, h);
+    for _ in 0..60 {
+        let middle = 0.5 * (during + after);
+        if over(step(state, middle)) { after = middle } else { during = middle }
+    }
+    (step(state, after)[1], depth)
+}
+
+/// e of the damping ratio ζ.
+fn restitution(zeta: f64, end: End) -> f64 {
+    let root = (1.0 - zeta * zeta).sqrt();
+    match end {
+        End::Gap => (-PI * zeta / root).exp(),
+        End::Force => (-(zeta / root) * (2.0 * zeta * root).atan2(2.0 * zeta * zeta - 1.0)).exp(),
+    }
+}
+
+fn stiff_limit(reading: Reading) -> Result<Vec<Finding>> {
+    let soft = 1e4f64;
+    let mut findings = Vec::new();
+    for stiffness in [soft, 1e8] {
+        for (zeta, end) in [(0.2, End::Gap), (0.2, End::Force), (0.5, End::Gap), (0.5, End::Force), (0.0, End::Gap)] {
+            let damping = 2.0 * zeta * reading.pick(stiffness, soft).sqrt();
+            let (speed, depth) = impact(stiffness, damping, end);
+            let name = format!("ζ = {zeta}, contact until the {end:?} ends, k = {stiffness:e}");
+            findings.push(Finding::equal(format!("e, {name}"), speed, restitution(zeta, end), soft_restitution(), "1"));
+            findings.push(Finding::at_most(format!("depth × √k, {name}"), depth * stiffness.sqrt(), 1.0 + soft_restitution(), "m/s"));
+        }
+    }
+    Ok(findings)
+}
