@@ -113,7 +113,8 @@ fn second_order_contact(law: Law, friction: f64, impulse: &[f64], law_velocity: 
 }
 
 fn sizes(problem: &ContactProblem, solution: &Solution) -> Result<()> {
-    let d = problem.law.directions().unwrap_or(0);
+    // in the plane every cone is polyhedral, with the two senses of tangent₁ as directions
+    let d = problem.law.directions().unwrap_or(if problem.rows_per_contact == 2 { 2 } else { 0 });
     let given = [
         ("impulse", Some(solution.impulse.len()), problem.rows()),
         ("velocity", Some(solution.velocity.len()), problem.rows()),

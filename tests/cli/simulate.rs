@@ -1,0 +1,134 @@
+//! `moreau simulate`.
+
+use super::{Folder, Run, moreau};
+use moreau::scenes::{NAMES, named};
+use moreau::trajectory::Trajectory;
+
+#[track_caller]
+fn quantity(run: &Run, name: &str) -> Option<f64> {
+    let summary = run.json();
+    let quantities = summary["quantities"].as_array().expect("an array");
+    let found = quantities.iter().find(|quantity| quantity["name"] == name);
+    found.unwrap_or_else(|| panic!("no quantity {name}"))["value"].as_f64()
+}
+
+#[test]
+fn scenes_schemes_and_solvers_are_listed() {
+    let run = moreau(&["simulate", "--list"]);
+    assert_eq!(run.code, 0);
+    let names = NAMES.iter().chain(&moreau::schemes::NAMES).chain(&moreau::solvers::NAMES);
+    names.for_each(|name| assert!(run.output.contains(name), "{name}"));
+    assert_eq!(moreau(&["simulate", "--list", "--format", "json"]).json()["scenes"].as_array().map(Vec::len), Some(NAMES.len()));
+}
+
+#[test]
+fn a_bouncing_ball_leaves_a_summary_a_trajectory_and_a_picture() {
+    let folder = Folder::new("simulate-ball");
+    let (out, plot) = (folder.path("ball.json"), folder.path("ball.svg"));
+    let arguments = ["simulate", "--scene", "bouncing-ball", "--step", "0.01", "--out", &out, "--plot", &plot, "--format", "json"];
+    let run = moreau(&arguments);
+    assert_eq!((run.code, run.message.as_str()), (0, ""));
+    let restitution = quantity(&run, "effective restitution of the first impact").expect("one contact");
+    assert!((restitution - 0.5).abs() < 1e-12, "{restitution}");
+    // the ball of e = ½ rests from T∞ = 3 t₁ = 1.35 s on; the scheme may absorb the last bounces a few steps early
+    let settled = quantity(&run, "settling time").expect("it rests");
+    assert!((1.0..1.4).contains(&settled), "{settled}");
+    assert_eq!(folder.names(), ["ball.json", "ball.svg"]);
+    let trajectory = Trajectory::read(std::path::Path::new(&out)).expect("what was written can be read");
+    assert_eq!((trajectory.times.len(), trajectory.bodies.len(), trajectory.time_step), (201, 1, 0.01));
+    let picture = std::fs::read_to_string(&plot).expect("written");
+    for words in ["<svg", "position [m]", "velocity [m/s]", "energy [J]", "time [s]", "closed form", "</svg>"] {
+        assert!(picture.contains(words), "{words}");
+    }
+    let bytes = |name: &str| std::fs::read(folder.0.join(name)).expect("written");
+    let first = (bytes("ball.json"), bytes("ball.svg"), run.output);
+    let again = moreau(&arguments);
+    assert!(first == (bytes("ball.json"), bytes("ball.svg"), again.output), "the same input gives the same output, byte for byte");
+}
+
+#[test]
+fn options_of_a_scheme_change_the_motion() {
+    let restitution = |options: &[&str]| {
+        let arguments = [&["simulate", "--scene", "bouncing-ball", "--step", "0.01", "--format", "json"][..], options].concat();
+        quantity(&moreau(&arguments), "effective restitution of the first impact")
+    };
+    assert!(restitution(&["--restitution", "0.75"]).is_some_and(|e| (e - 0.75).abs() < 1e-12));
+    for rule in ["A", "D", "gap", "half-step-forecast"] {
+        assert!(restitution(&["--activation", rule, "--theta", "1"]).is_some_and(|e| (e - 0.5).abs() < 1e-12), "rule {rule}");
+    }
+}
+
+#[test]
+fn the_other_schemes_are_plastic_and_say_so() {
+    for scheme in ["stewart-trinkle", "anitescu"] {
+        let run = moreau(&["simulate", "--scene", "bouncing-ball", "--scheme", scheme, "--duration", "1"]);
+        assert_eq!(run.code, 0, "{}", run.message);
+        assert!(run.output.contains("no restitution") && run.output.contains("deepest penetration"), "{}", run.output);
+    }
+    // an impulse that its certificate accepts leaves at most 1e-8 of the velocity g h = 0.00981 m/s of one step
+    let run = moreau(&["simulate", "--scene", "incline-stick", "--scheme", "anitescu", "--format", "json"]);
+    assert!(quantity(&run, "creep speed at rest").is_some_and(|speed| speed <= 1e-8 * 0.00981), "hard Anitescu sticks without creep");
+}
+
+#[test]
+fn a_scene_comes_from_a_file_too() {
+    let folder = Folder::new("simulate-file");
+    let text = named("ball-drop").and_then(|scene| scene.to_json()).expect("built in");
+    let file = folder.file("drop.json", &text);
+    let run = moreau(&["simulate", "--scene", &file, "--step", "0.01"]);
+    assert_eq!(run.code, 0, "{}", run.message);
+    for (name, from, to, field) in [
+        ("mass.json", "\"mass\": 1.0", "\"mass\": -1.0", "bodies[0].mass"),
+        ("friction.json", "\"friction\": 0.5", "\"friction\": -0.5", "material.friction"),
+        ("nan.json", "\"mass\": 1.0", "\"mass\": NaN", "mass"),
+        ("broken.json", "\"duration\"", "", "JSON"),
+    ] {
+        assert!(text.contains(from));
+        let file = folder.file(name, &text.replace(from, to));
+        moreau(&["simulate", "--scene", &file, "--out", &folder.path("out")]).is_refused(&[name, field]);
+    }
+    moreau(&["simulate", "--scene", &folder.path("missing.json")]).is_refused(&["missing.json", "cannot read"]);
+    assert!(folder.names().iter().all(|name| name.ends_with(".json")));
+}
+
+#[test]
+fn bad_options_are_refused_by_name_and_nothing_is_written() {
+    let folder = Folder::new("simulate-bad");
+    let cases: [(&[&str], &[&str]); 18] = [
+        (&["--step", "0"], &["--step", "0"]),
+        (&["--step", "-0.01"], &["--step", "-0.01"]),
+        (&["--step", "NaN"], &["--step", "NaN"]),
+        (&["--step", "inf"], &["--step"]),
+        (&["--step", "1e-12"], &["--step", "1000000"]),
+        (&["--step", "100"], &["--step", "2 s"]),
+        (&["--duration", "0"], &["--duration"]),
+        (&["--theta", "1.5"], &["--theta", "1.5"]),
+        (&["--theta", "-0.1"], &["--theta"]),
+        (&["--theta", "NaN"], &["--theta"]),
+        (&["--restitution", "1.01"], &["--restitution", "1.01"]),
+        (&["--restitution", "-0.5"], &["--restitution"]),
+        (&["--scheme", "moreau-jeans"], &["--scheme", "did you mean `moreau-jean`"]),
+        (&["--solver", "magic"], &["--solver", "magic"]),
+        (&["--activation", "C"], &["--activation", "sinks"]),
+        (&["--restitution-rule", "poisson"], &["--restitution-rule", "normal-only"]),
+        (&["--scheme", "anitescu", "--theta", "0.5"], &["--theta", "belongs to moreau-jean"]),
+        (&["--scheme", "stewart-trinkle", "--friction-directions", "1"], &["--friction-directions"]),
+    ];
+    for (options, words) in cases {
+        let (out, plot) = (folder.path("out.json"), folder.path("out.svg"));
+        let arguments = [&["simulate", "--scene", "ball-drop", "--out", &out, "--plot", &plot][..], options].concat();
+        moreau(&arguments).is_refused(words);
+    }
+    moreau(&["simulate", "--scene", "bouncing-bal"]).is_refused(&["--scene", "did you mean `bouncing-ball`"]);
+    assert!(folder.names().is_empty(), "{:?}", folder.names());
+}
+
+#[test]
+fn trajectory_and_picture_are_written_together_or_not_at_all() {
+    let folder = Folder::new("simulate-together");
+    let (out, nowhere) = (folder.path("out.json"), folder.path("nowhere/out.svg"));
+    let run = moreau(&["simulate", "--scene", "ball-drop", "--step", "0.01", "--out", &out, "--plot", &nowhere]);
+    run.is_refused(&["nowhere", "cannot write"]);
+    moreau(&["simulate", "--scene", "ball-drop", "--step", "0.01", "--out", &out, "--plot", &out]).is_refused(&["--plot", "--out"]);
+    assert!(folder.names().is_empty(), "{:?}", folder.names());
+}

@@ -1,0 +1,89 @@
+//! `moreau solve`.
+
+use super::{Folder, PROBLEM, moreau};
+use serde_json::Value;
+
+#[test]
+fn the_solution_goes_to_standard_output_and_its_certificate_beside_it() {
+    let folder = Folder::new("solve-stdout");
+    let run = moreau(&["solve", &folder.file("problem.json", PROBLEM)]);
+    assert_eq!(run.code, 0, "{}", run.message);
+    let solution = run.json();
+    assert_eq!((&solution["schema"], &solution["problem"]), (&"solution/1".into(), &"block".into()));
+    for (field, expected) in [("impulse", [1.0, -0.5]), ("velocity", [0.0, 1.5])] {
+        for (k, value) in expected.into_iter().enumerate() {
+            assert!((solution[field][k].as_f64().expect("a number") - value).abs() <= 1e-12, "{field}: {}", solution[field]);
+        }
+    }
+    assert_eq!(solution["residuals"]["natural_map"]["unit"], "N·s");
+    assert!(run.message.contains("N·s") && run.message.contains("m/s") && run.message.contains("a solution"), "{}", run.message);
+}
+
+#[test]
+fn a_file_gets_the_solution_and_standard_output_the_certificate() {
+    let folder = Folder::new("solve-out");
+    let problem = folder.file("problem.json", PROBLEM);
+    let run = moreau(&["solve", &problem, "--solver", "pgs", "--out", &folder.path("answer.json"), "--format", "json"]);
+    assert_eq!((run.code, run.message.as_str()), (0, ""));
+    let certificate = run.json();
+    assert_eq!((&certificate["solution"], &certificate["solver"]), (&Value::Bool(true), &"pgs".into()));
+    assert_eq!(folder.names(), ["answer.json", "problem.json"]);
+    assert_eq!(moreau(&["certify", &problem, &folder.path("answer.json")]).code, 0);
+}
+
+#[test]
+fn every_solver_that_answers_passes_its_certificate_and_one_outside_its_scope_says_so() {
+    let folder = Folder::new("solve-all");
+    let problem = folder.file("problem.json", PROBLEM);
+    for solver in moreau::solvers::NAMES {
+        let run = moreau(&["solve", &problem, "--solver", solver]);
+        match run.code {
+            0 => assert_eq!(run.json()["schema"], "solution/1"),
+            1 => assert!(run.output.is_empty() && run.message.starts_with("error: ") && run.message.contains(solver), "{}", run.message),
+            code => panic!("{solver}: exit code {code}: {}", run.message),
+        }
+    }
+    // Coulomb's law is not convex: a solver for convex problems refuses it
+    assert_eq!(moreau(&["solve", &problem, "--solver", "apgd"]).code, 1);
+}
+
+#[test]
+fn a_problem_without_a_solution_has_none_and_nothing_is_written() {
+    let folder = Folder::new("solve-none");
+    // W = 0 cannot stop what arrives
+    let problem = folder.file("problem.json", &PROBLEM.replace("[[1, 0], [0, 1]]", "[[0, 0], [0, 0]]"));
+    for solver in ["lemke", "pgs"] {
+        let run = moreau(&["solve", &problem, "--solver", solver, "--out", &folder.path("answer.json")]);
+        assert_eq!(run.code, 1, "{solver}: {}{}", run.output, run.message);
+    }
+}
+
+#[test]
+fn bad_problems_are_refused_by_file_and_field_and_nothing_is_written() {
+    let folder = Folder::new("solve-bad");
+    let changes = [
+        ("negative.json", "[0.5]", "[-0.5]", "friction[0]"),
+        ("nan.json", "[-1, 2]", "[-1, NaN]", "free_velocity"),
+        ("infinite.json", "[-1, 2]", "[-1, 1e999]", "free_velocity"),
+        ("size.json", "[-1, 2]", "[-1, 2, 3]", "free_velocity"),
+        ("shape.json", "\"shape\": [2, 2]", "\"shape\": [3, 3]", "delassus"),
+        ("ragged.json", "[[1, 0], [0, 1]]", "[[1, 0], [0]]", "delassus.rows[1]"),
+        ("law.json", "coulomb", "newton", "law"),
+        ("schema.json", "contact-problem/1", "contact-problem/7", "schema"),
+        ("misspelt.json", "\"friction\"", "\"fricton\"", "fricton"),
+        ("broken.json", "]}}", "", "JSON"),
+    ];
+    for (name, from, to, field) in changes {
+        assert!(PROBLEM.contains(from), "{from}");
+        let file = folder.file(name, &PROBLEM.replace(from, to));
+        moreau(&["solve", &file, "--out", &folder.path("answer.out")]).is_refused(&[name, field]);
+    }
+    let mass = r#""mass": {"shape": [2, 2], "rows": [[-1, 0], [0, 1]]}, "jacobian": {"shape": [2, 2], "rows": [[1, 0], [0, 1]]}"#;
+    let file = folder.file("mass.json", &PROBLEM.replace(r#""delassus": {"shape": [2, 2], "rows": [[1, 0], [0, 1]]}"#, mass));
+    moreau(&["solve", &file, "--out", &folder.path("answer.out")]).is_refused(&["mass.json", "mass"]);
+    moreau(&["solve", &folder.path("missing.json")]).is_refused(&["missing.json", "cannot read"]);
+    let good = folder.file("good.json", PROBLEM);
+    moreau(&["solve", &good, "--solver", "magic"]).is_refused(&["--solver", "magic", "pgs"]);
+    moreau(&["solve", &good, "--out", &folder.path("nowhere/answer.out")]).is_refused(&["nowhere", "cannot write"]);
+    assert!(folder.names().iter().all(|name| name.ends_with(".json")), "{:?}", folder.names());
+}

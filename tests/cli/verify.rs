@@ -1,0 +1,106 @@
+//! `moreau verify`.
+
+use super::{command, moreau};
+use moreau::claims;
+use std::process::Stdio;
+
+/// A claim whose check takes no time.
+const CLAIM: &str = "S12.step";
+
+#[test]
+fn a_full_run_reports_every_claim_counts_them_last_and_repeats_itself() {
+    let run = moreau(&["verify"]);
+    assert_eq!((run.code, run.message.as_str()), (0, ""), "{}", run.output);
+    for claim in claims::all() {
+        let line = run.output.lines().find(|line| line.split_whitespace().next() == Some(claim.id));
+        let line = line.unwrap_or_else(|| panic!("{} has no line", claim.id));
+        assert!(line.contains(claim.verdict.words()) && line.contains(claim.evidence.word()), "{line}");
+    }
+    let count = |words: &str| claims::all().filter(|claim| claim.verdict.words() == words).count();
+    let words = ["true", "conditional", "false as stated", "inconsistent", "ambiguous"];
+    let counts = words.map(|words| format!("{} {words}", count(words))).join(", ");
+    assert_eq!(run.output.lines().last(), Some(format!("{} claims: {counts}; 0 contradicted", claims::all().count()).as_str()));
+    assert_eq!(run.output, moreau(&["verify"]).output);
+    assert!(!run.output.contains('\u{1b}'), "no colours in a pipe");
+}
+
+#[test]
+fn json_is_an_array_in_the_order_of_the_registry() {
+    let outcomes = moreau(&["verify", "--format", "json"]).json();
+    let outcomes = outcomes.as_array().expect("an array");
+    let ids: Vec<_> = outcomes.iter().map(|outcome| outcome["id"].as_str().expect("a text")).collect();
+    assert_eq!(ids, claims::all().map(|claim| claim.id).collect::<Vec<_>>());
+    for outcome in outcomes {
+        for field in ["section", "statement", "verdict", "evidence", "correct_statement", "status"] {
+            assert!(outcome[field].is_string(), "{}.{field}", outcome["id"]);
+        }
+        assert_eq!(outcome["status"], "supported");
+        assert!(outcome["seconds"].is_number());
+        let findings = outcome["findings"].as_array().expect("an array");
+        assert!(!findings.is_empty());
+        for finding in findings {
+            assert!(finding["name"].is_string() && finding["unit"].is_string(), "{finding}");
+            for number in ["measured", "expected", "tolerance"] {
+                assert!(finding[number].is_number(), "{}: {finding}", outcome["id"]);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_filter_takes_whole_parts_of_the_id() {
+    let ids = |filter: &str| {
+        let list = moreau(&["verify", "--list", "--format", "json", "--filter", filter]).json();
+        list.as_array().expect("an array").iter().map(|claim| claim["id"].as_str().expect("a text").to_string()).collect::<Vec<_>>()
+    };
+    assert!(ids("S12").iter().all(|id| id.starts_with("S12.")));
+    assert_eq!(ids(CLAIM), [CLAIM]);
+    let run = moreau(&["verify", "--filter", CLAIM]);
+    assert_eq!(run.code, 0);
+    assert!(run.output.ends_with("1 claims: 1 true, 0 conditional, 0 false as stated, 0 inconsistent, 0 ambiguous; 0 contradicted\n"));
+}
+
+#[test]
+fn unknown_groups_and_ids_are_answered_with_near_ones() {
+    moreau(&["verify", "--filter", "S44"]).is_refused(&["--filter", "S44", "did you mean `S4`"]);
+    moreau(&["verify", "--filter", "S1.ste"]).is_refused(&["S1.ste"]);
+    moreau(&["verify", "--explain", "S12.stp"]).is_refused(&["S12.stp", "did you mean `S12.step`"]);
+    moreau(&["verify", "--explain", "zzzzzzzzzzzz"]).is_refused(&["--list"]);
+}
+
+#[test]
+fn a_list_runs_nothing_and_names_every_claim() {
+    let run = moreau(&["verify", "--list"]);
+    assert_eq!(run.code, 0);
+    assert!(claims::all().all(|claim| run.output.contains(claim.id)));
+    let list = moreau(&["verify", "--list", "--format", "json"]).json();
+    assert_eq!(list.as_array().map(Vec::len), Some(claims::all().count()));
+    assert!(list[0]["statement"].is_string() && list[0].get("status").is_none());
+}
+
+#[test]
+fn an_explanation_holds_argument_findings_correction_control_and_sources() {
+    let claim = claims::find("S4.copos-plus").expect("registered");
+    let run = moreau(&["verify", "--explain", claim.id]);
+    assert_eq!(run.code, 0);
+    let squeezed = run.output.split_whitespace().collect::<Vec<_>>().join(" ");
+    for text in [claim.statement, claim.argument, claim.correct_statement, claim.control, claim.sources[0]] {
+        assert!(squeezed.contains(&text.split_whitespace().collect::<Vec<_>>().join(" ")), "{text:?} is missing in {}", run.output);
+    }
+    for words in ["[holds]", "[FAILS]", "the control was contradicted, as it must be"] {
+        assert!(run.output.contains(words), "{words}");
+    }
+    let explanation = moreau(&["verify", "--explain", claim.id, "--format", "json"]).json();
+    assert_eq!((&explanation["id"], &explanation["argument"]), (&claim.id.into(), &claim.argument.into()));
+    assert!(explanation["control_findings"].as_array().expect("an array").iter().any(|finding| finding["holds"] == false));
+}
+
+#[test]
+fn a_reader_that_stops_early_changes_neither_the_verdict_nor_the_peace() {
+    for arguments in [&["verify", "--list"][..], &["verify", "--filter", CLAIM], &["verify", "--help"]] {
+        let mut child = command(arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the built command starts");
+        drop(child.stdout.take());
+        let output = child.wait_with_output().expect("it ends");
+        assert_eq!((output.status.code(), String::from_utf8_lossy(&output.stderr).as_ref()), (Some(0), ""), "{arguments:?}");
+    }
+}
