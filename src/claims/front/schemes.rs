@@ -202,7 +202,7 @@ fn micro_bounces(reading: Reading) -> Result<Vec<Finding>> {
     ];
     let scheme = MoreauJean { theta: 1.0, activation: Activation::HalfStepForecast, restitution: RestitutionRule::NormalOnly };
     let ball = DroppedBall { mass: 1.0, gravity: 10.0, height: 0.05, restitution: 0.5 };
-    for h in [1e-2, 1e-3] {
+    for h in [0.01, 0.001] {
         let drop = ball.drop(&scheme, h);
         let limit = (drop.accumulation() + drop.bounds().late).ceil() as usize;
         let settling = settle(&scheme, &ball, h, limit, FURTHER)?;
@@ -223,7 +223,7 @@ fn converges_on_the_ball(reading: Reading) -> Result<Vec<Finding>> {
         let right = MoreauJean { theta, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
         let wrong = Misassembled { base: right, alter: restitution_forgotten };
         let subject: &dyn Scheme = reading.pick(&right, &wrong);
-        for h in [1e-4, 1e-3, 1e-2] {
+        for h in [0.0001, 0.001, 0.01] {
             let (mechanism, initial) = ball.at_rest();
             let steps = (second_apex / h) as usize;
             let recording = simulate(subject, &ProjectedGaussSeidel::default(), &mechanism, initial, h, steps)?;

@@ -174,7 +174,7 @@ fn sinking() -> Result<Finding> {
 }
 
 fn accumulation_time(reading: Reading) -> Result<Vec<Finding>> {
-    let (e, shortest) = (0.8, 1e-3);
+    let (e, shortest) = (0.8, 0.001);
     let ball = BouncingBall::new(9.81, 1.0, e)?;
     let first = ball.first_impact_time();
     let mut flight = reading.pick(2.0, 1.0) * first * e;
