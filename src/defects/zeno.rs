@@ -7,7 +7,9 @@ use crate::checks::zeno::{DroppedBall, absorption};
 use crate::mechanics::{Mechanism, State};
 use crate::problem::Law;
 use crate::schemes::assembly::{self, Candidate, Rules, normal_only};
-use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepProblem};
+use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepProblem, simulate};
+use crate::solvers::ProjectedGaussSeidel;
+use crate::tolerance::zeno;
 use nalgebra::DVector;
 
 /// The defects of this family.
@@ -32,6 +34,23 @@ const JUDGED: MoreauJean =
 fn family(subject: &dyn Scheme) -> Result<Vec<Finding>> {
     let ball = DroppedBall { mass: 1.0, gravity: 9.81, height: 1.0, restitution: 0.5 };
     absorption(subject, &JUDGED, &ball, 0.01, 100)
+}
+
+/// The speed at which a ball sinks under rule C, over the last two of [`zeno::SINKING_STEPS`] steps, against
+/// g h (1−e)/(2(1+e)).
+///
+/// # Errors
+/// Those of the scheme and the solver.
+pub fn sinking(ball: &DroppedBall, h: f64) -> Result<Finding> {
+    let rule = Altered { base: JUDGED, mistake: Mistake::ApproachingOnly };
+    let (mechanism, initial) = ball.at_rest();
+    let steps = zeno::SINKING_STEPS;
+    let recording = simulate(&rule, &ProjectedGaussSeidel::default(), &mechanism, initial, h, steps)?;
+    let position = |k: usize| recording.samples[k].position[0];
+    let fall = ball.gravity * h;
+    let speed = (position(steps - 2) - position(steps)) / (2.0 * h);
+    let tolerance = zeno::sinking_error(position(steps).abs(), ball.gravity, h, ball.restitution);
+    Ok(Finding::equal("sinking speed under φ + hv ≤ 0, v ≤ 0", speed, fall * zeno::sinking_speed(ball.restitution), tolerance, "m/s"))
 }
 
 /// What is wrong.

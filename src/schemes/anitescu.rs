@@ -4,7 +4,8 @@
 //!     M (v⁺ − v) = h F(q, v) + Hᵀ r ,   K_μ ∋ r ⟂ u⁺ + (φ/h) n ∈ K_μ* ,   q⁺ = q + h v⁺ .
 //! ```
 //! The dual cone asks φ/h + u_n⁺ ≥ μ‖u_t⁺‖: a sliding contact keeps the gap φ⁺ ≥ μ h ‖u_t⁺‖.
-//! Every contact candidate takes part, for the reason given in [`super::stewart_trinkle`]; no restitution.
+//! Every contact candidate takes part, for the reason given in [`super::stewart_trinkle`]; all forces are
+//! explicit; no restitution.
 
 use super::assembly::{self, Candidate, Rules, normal_only};
 use super::{Scheme, StepProblem};

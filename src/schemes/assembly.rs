@@ -3,15 +3,7 @@
 //! ```text
 //!     M̂ = M(q) + h θ C + h² θ² K ,      v_free = v + h M̂⁻¹ (F(q, v) − h θ K v) .
 //! ```
-//! # Which force
-//! M, H and φ are taken at the start of the step, and so is F: a nonlinear force is explicit, which costs nothing in
-//! the order of a scheme that is first order through impacts anyway and keeps the step a contact problem with a
-//! constant matrix. A linear part −K q − C v may be stiff, so it is evaluated at the step's own intermediate point,
-//! ```text
-//!     v_θ = θ v⁺ + (1−θ) v ,   q_θ = q + h θ v_θ ,   F_θ = F(q, v) − C (v_θ − v) − K (q_θ − q) ;
-//! ```
-//! collecting v⁺ − v on the left gives M̂ and the term −hθKv above. With θ = ½ and no contact this is the implicit
-//! midpoint rule in v_θ and trapezoidal to second order in q_θ; with θ = 0 everything is explicit.
+//! Why F is explicit and its linear part is not: [`super::moreau_jean`].
 
 use super::StepProblem;
 use crate::contact::Contact;

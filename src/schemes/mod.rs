@@ -29,7 +29,7 @@ pub struct StepProblem {
     pub active: Vec<usize>,
     /// M̂, effective mass of the step.
     pub effective_mass: DMatrix<f64>,
-    /// v_free = v + h M̂⁻¹F.
+    /// v_free = v + h M̂⁻¹F, with the linear part of F as in [`moreau_jean`].
     pub free_velocity: DVector<f64>,
     /// H of the active contacts.
     pub jacobian: DMatrix<f64>,

@@ -5,6 +5,19 @@
 //!     q⁺ = q + h (θ v⁺ + (1−θ) v) .
 //! ```
 //! The gap enters only through the choice of the active contacts, so that choice is part of the scheme.
+//!
+//! # Which force
+//! M, H and φ are taken at the start of the step, and so is F: a nonlinear force is explicit, which costs nothing in
+//! the order of a scheme that is of first order through impacts anyway and keeps the step a contact problem with a
+//! constant matrix. A linear part −K q − C v may be stiff, so it is evaluated at the step's own intermediate point,
+//! ```text
+//!     v_θ = θ v⁺ + (1−θ) v ,   q_θ = q + h θ v_θ ,   F_θ = F(q, v) − C (v_θ − v) − K (q_θ − q) .
+//! ```
+//! Collecting v⁺ − v on the left gives
+//! ```text
+//!     M̂ = M(q) + h θ C + h² θ² K ,      v_free = v + h M̂⁻¹ (F(q, v) − h θ K v) .
+//! ```
+//! Without contact θ = ½ is the implicit midpoint rule of a linear system, and θ = 0 is explicit.
 
 use super::assembly::{self, Candidate, Rules, normal_only};
 use super::{Scheme, StepProblem};

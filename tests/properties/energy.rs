@@ -13,7 +13,7 @@ fn positive_rational() -> impl Strategy<Value = Rational> {
 }
 
 proptest! {
-    #![proptest_config(cases(2000))]
+    #![proptest_config(cases(1200))]
 
     #[test]
     fn an_impact_keeps_e_of_the_velocity_and_e_squared_of_the_energy(
