@@ -264,6 +264,31 @@ pub mod claims {
         8.0 * 4.0 * 32.0 / 120.0 * SOFT_STEP.powi(4) + super::EPSILON * 4.0 / SOFT_STEP
     }
 
+    /// Half the distance between neighbouring orders of a one-step method: orders are integers, and the nearest one is meant.
+    /// Over the fitted ranges (a factor 8 or more in h) a constant would have to drift by 8^½ to cross it; the phases of
+    /// the impact are controlled, so it drifts by O(h).
+    pub const ORDER_GAP: f64 = 0.5;
+
+    /// Half a unit in the last printed digit of a time with twelve decimals \[s\].
+    pub const PRINTED_TIME: f64 = 0.5e-12;
+
+    /// How far the variation of the discrete velocity may be from the closed form: with the sums of
+    /// [`crate::tolerance::convergence`], p ≤ 3/2 and λ ≤ 1, the speed before an impact is off by at most
+    /// g h (½ + (1+e)/e · 3/2 + 1); the impacts up to speed g h count ln(t₁/h)/ln(1/e) + 1; each jump counts (1+e) times and
+    /// each flight twice its speed over g. After that both motions vary by at most 2 g h (1+e)/(1−e), and twice as much for
+    /// the discrete one.
+    pub fn variation(gravity: f64, restitution: f64, fall: f64, h: f64) -> f64 {
+        let e = restitution;
+        let speed = 1.5 + 1.5 * (1.0 + e) / e;
+        let impacts = (fall / h).ln() / (1.0 / e).ln() + 1.0;
+        gravity * h * ((3.0 + e) * speed * impacts + 6.0 * (1.0 + e) / (1.0 - e))
+    }
+
+    /// Bound on |q_{k+1} − q_k|/h: the impact speed g t₁, one step late under any rule and θ, 2 g h.
+    pub fn position_slope(gravity: f64, fall: f64, h: f64) -> f64 {
+        gravity * (fall + 2.0 * h)
+    }
+
     /// Step of the slide in `S4.d8` \[s\], about 1/1700 of its duration.
     pub const SLIDE_STEP: f64 = 1.0 / 8192.0;
 

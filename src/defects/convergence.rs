@@ -40,7 +40,7 @@ fn one_impact(subject: &dyn Scheme) -> Result<Vec<Finding>> {
 
 /// What is wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Mistake {
+pub(crate) enum Mistake {
     /// Stewart–Trinkle with φ·h.
     GapTimesStep,
     /// Stewart–Trinkle with q⁺ = q + ½h(v + v⁺).
@@ -50,7 +50,7 @@ enum Mistake {
 }
 
 /// A scheme with one mistake.
-struct Altered(Mistake);
+pub(crate) struct Altered(pub Mistake);
 
 impl Rules for Altered {
     fn theta(&self) -> f64 {

@@ -5,6 +5,7 @@ use super::Claim;
 mod cone;
 mod convex;
 mod lcp;
+mod orders;
 mod schemes;
 
 /// The claims, one slice per group and file.
@@ -13,10 +14,12 @@ pub const CLAIMS: &[&[Claim]] = &[
     schemes::PREFACE,
     convex::PREFACE,
     lcp::PREFACE,
+    orders::PREFACE,
     cone::MISCONCEPTIONS,
     schemes::MISCONCEPTIONS,
     convex::MISCONCEPTIONS,
     lcp::MISCONCEPTIONS,
+    orders::MISCONCEPTIONS,
     schemes::TABLES,
     lcp::TABLES,
 ];

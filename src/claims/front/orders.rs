@@ -1,0 +1,61 @@
+//! Front matter and table of misconceptions: the order of integrators at impacts.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::s0::runge_kutta::{Impacts, Norm, order};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::tolerance::claims::ORDER_GAP;
+
+/// Claims of the preface.
+pub const PREFACE: &[Claim] = &[Claim {
+    id: "P.order-zero",
+    statement: "Where the velocity jumps, the order of any high-order integrator (Runge–Kutta, Adams, Verlet) that rests on a smooth \
+                right-hand side collapses to zero.",
+    verdict: Verdict::Conditional,
+    evidence: Evidence::Measured,
+    correct_statement: "Order 0 in the maximum norm of the velocity, order 1 in the position, and only for integrators that do not locate \
+                        the impact. (§0 says \"at most O(h), first order\", which fits both.)",
+    argument: "RK4 on q̈ = −g − 4q with e = 0.8, the velocity flipped at the end of the step that penetrates, through one impact: between \
+               the impact and that node the velocities differ by the jump (1+e)V for every h; the position at the end is wrong by V(1+e) \
+               times the lag, O(h). Without any reaction the ball falls through the floor and the position is wrong by O(1).",
+    control: "The position error takes the place of the maximum norm of the velocity and is expected to have order 0.",
+    sources: &["chapter, preface: what you miss without §0–§1"],
+    check: order_zero,
+}];
+
+/// Claims of the table of misconceptions.
+pub const MISCONCEPTIONS: &[Claim] = &[Claim {
+    id: "M.high-order",
+    statement: "\"A high-order integrator (RK4) suits contact better\" is a misconception: at impacts all integrators collapse to O(h); \
+                convergence, energy and penetration are the criteria, not the order.",
+    verdict: Verdict::Conditional,
+    evidence: Evidence::Measured,
+    correct_statement: "True of integrators that step over the impact, whatever their order in smooth phases. With the impact located \
+                        RK4 keeps order 4 until impacts accumulate.",
+    argument: "The same RK4, the same ball on a spring: flipped after penetration the end position is of order 1; with the impact bisected, of \
+               order 4 through one, two and three impacts.",
+    control: "The integrator that locates the impact takes the place of the one that steps over it and is expected to have order 1.",
+    sources: &["chapter, table of misconceptions"],
+    check: high_order,
+}];
+
+fn order_zero(reading: Reading) -> Result<Vec<Finding>> {
+    let judged = order(Impacts::Flipped, reading.pick(Norm::VelocitySup, Norm::EndPosition), 1)?;
+    let position = order(Impacts::Flipped, Norm::EndPosition, 1)?;
+    let ignored = order(Impacts::Ignored, Norm::EndPosition, 1)?;
+    Ok(vec![
+        Finding::equal("order in sup|v|, flipped after penetration", judged.slope, 0.0, ORDER_GAP, "1"),
+        Finding::equal("order in q at the end, flipped after penetration", position.slope, 1.0, ORDER_GAP, "1"),
+        Finding::equal("order in q at the end, impact ignored", ignored.slope, 0.0, ORDER_GAP, "1"),
+    ])
+}
+
+fn high_order(reading: Reading) -> Result<Vec<Finding>> {
+    let blind = order(reading.pick(Impacts::Flipped, Impacts::Located), Norm::EndPosition, 1)?;
+    let mut findings = vec![Finding::equal("order of RK4 in q, impact stepped over", blind.slope, 1.0, ORDER_GAP, "1")];
+    for impacts in 1..=3 {
+        let located = order(Impacts::Located, Norm::EndPosition, impacts)?;
+        findings.push(Finding::equal(format!("order of RK4 in q, {impacts} impacts located"), located.slope, 4.0, ORDER_GAP, "1"));
+    }
+    Ok(findings)
+}

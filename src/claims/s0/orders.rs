@@ -1,0 +1,146 @@
+//! §0, orders of convergence on solutions of bounded variation.
+
+use super::runge_kutta::{Impacts, Norm, order, step};
+use crate::Result;
+use crate::checks::Finding;
+use crate::checks::convergence::{Horizon, Stop, ball_errors, bouncing_ball, plastic_ball};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::BouncingBall;
+use crate::defects::convergence::{Altered, Mistake};
+use crate::schemes::{Activation, Anitescu, MoreauJean, RestitutionRule, Scheme, StewartTrinkle};
+use crate::tolerance::claims::ORDER_GAP;
+use crate::trajectory::estimate_order;
+
+/// The claims of this file.
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S0.all-Oh",
+        statement: "At an impact the solution is of bounded variation, so all integrators degrade to at most O(h); high-order methods \
+                    have no advantage there, they are even worse because their stages straddle the jump.",
+        verdict: Verdict::False,
+        evidence: Evidence::Measured,
+        correct_statement: "Integrators that do not locate the impact degrade to O(h). One that locates it keeps its order up to any \
+                            time before the accumulation point: RK4 with root finding is of order 4 through impacts.",
+        argument: "A ball on a spring, q̈ = −g − 4q, e = 0.8, closed form by arcs of cosines, over three impacts. RK4 with the impact \
+                   bisected to neighbouring floats: the error of q at the end falls like h⁴. Between impacts the method is of order 4; \
+                   at a transversal impact the located time and state depend smoothly on the data, so each impact only multiplies the \
+                   error by a constant. The same RK4 with the velocity flipped at the end of the step is of order 1.",
+        control: "RK4 with the velocity flipped after penetration takes the place of the one that locates impacts.",
+        sources: &["chapter §0, the trap of judging contact integrators by their order"],
+        check: located,
+    },
+    Claim {
+        id: "S0.order-meaningless",
+        statement: "On solutions of bounded variation the notion of an order of accuracy loses its meaning.",
+        verdict: Verdict::False,
+        evidence: Evidence::Measured,
+        correct_statement: "Only the maximum norm of the velocity has no positive order. sup|q|, ∫|v| and the distance of filled-in \
+                            graphs have order 1 through isolated impacts. (The same section itself calls the error O(h).)",
+        argument: "Moreau–Jean, rule A, θ = ½, e = 0.8, 1 m drop to the apex after the impact. To leading order the errors are \
+                   sup|q| = V(1+e)(s + ½h), s the lag of the step that bounces behind the impact, and likewise in ∫|v| and in the \
+                   graphs: constants times h once s/h is fixed. sup|v| = (1+e)V − O(h) for every h: on the lag the velocities lie on \
+                   different sides of the jump.",
+        control: "The maximum norm of the velocity takes the place of the graph distance.",
+        sources: &["chapter §0, on solutions of bounded variation", "Moreau's filled-in graphs"],
+        check: weaker_norms,
+    },
+    Claim {
+        id: "S0.orders",
+        statement: "(Implicit in §0.) Time-stepping converges through impacts without locating them, and is robust.",
+        verdict: Verdict::True,
+        evidence: Evidence::Measured,
+        correct_statement: "sup|q| and ∫|v| are O(h) for Moreau–Jean with rules A, B, D and, for e = 0, for Stewart–Trinkle and Anitescu; \
+                            the graph distance is O(h), O(h ln 1/h) through a Zeno sequence, and O(√h) for e = 0 where the rule may \
+                            stop the ball above the floor (D, and B with θ = 1), because it falls once more from a height O(h).",
+        argument: "Each impact shifts the discrete flight by (1+e)/e·p in time and changes its speed by O(gh), with p between \
+                   (1−λ−θ)h and (2−λ−θ)h; sums over impacts give constants for every metric, and the measured envelopes lie between \
+                   them at every level. A plastic ball stopped at height V|p| reaches the speed √(2gV|p|): graphs √(2|p|h/t₁) apart.",
+        control: "Stewart–Trinkle with a trapezoidal position update, which throws the plastic ball out at every step size.",
+        sources: &["chapter §0, §1, §4"],
+        check: time_stepping,
+    },
+    Claim {
+        id: "S0.soft-smooth",
+        statement: "(Thought experiment.) Suppose contact forces were always finite smooth functions, every contact a stiff spring λ = −kφ.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::Measured,
+        correct_statement: "λ = −kφ is smooth but also pulls. The force of a contact that only pushes, max(0, −kφ), is Lipschitz with a \
+                            kink at φ = 0: RK4 across the moment of contact is of order 2, not 4.",
+        argument: "Ball of 1 kg, k = 10⁴ N/m, dropped from 1 m, error of q at 8 ms after touching, against the parabola followed by \
+                   the oscillation. λ grows like kV(t−t*) after touching, and a rule of any order integrates a kink inside a step with \
+                   error O(kV h²) in v. The same spring acting on both sides: order 4.",
+        control: "The one-sided force takes the place of the smooth one and is expected to have order 4.",
+        sources: &["chapter §0, exercise 3"],
+        check: soft_contact,
+    },
+];
+
+fn located(reading: Reading) -> Result<Vec<Finding>> {
+    let judged = order(reading.pick(Impacts::Located, Impacts::Flipped), Norm::EndPosition, 3)?;
+    let blind = order(Impacts::Flipped, Norm::EndPosition, 1)?;
+    Ok(vec![
+        Finding::equal("order of RK4 in q through three impacts, impacts located", judged.slope, 4.0, ORDER_GAP, "1"),
+        Finding::equal("order of RK4 in q through one impact, flipped after penetration", blind.slope, 1.0, ORDER_GAP, "1"),
+    ])
+}
+
+fn weaker_norms(reading: Reading) -> Result<Vec<Finding>> {
+    let scheme = MoreauJean { theta: 0.5, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
+    let fall = BouncingBall::new(9.81, 1.0, 0.8)?.first_impact_time();
+    let slope = |metric: fn(&crate::checks::convergence::BallErrors) -> f64| {
+        let errors = |h| ball_errors(&scheme, 0.8, 1.8, h).map(|errors| metric(&errors));
+        estimate_order(fall, &[32, 128, 512], 4, errors).map(|estimate| estimate.slope)
+    };
+    let graph = slope(reading.pick(|errors| errors.graph, |errors| errors.velocity_sup))?;
+    Ok(vec![
+        Finding::equal("order in the distance of filled-in graphs", graph, 1.0, ORDER_GAP, "1"),
+        Finding::equal("order in sup|q|", slope(|errors| errors.position)?, 1.0, ORDER_GAP, "1"),
+        Finding::equal("order in ∫|v|", slope(|errors| errors.velocity_l1)?, 1.0, ORDER_GAP, "1"),
+        Finding::equal("order in sup|v|", slope(|errors| errors.velocity_sup)?, 0.0, ORDER_GAP, "1"),
+    ])
+}
+
+fn time_stepping(reading: Reading) -> Result<Vec<Finding>> {
+    let (reference, wrong) = (StewartTrinkle::default(), Altered(Mistake::TrapezoidalPosition));
+    let subject: &dyn Scheme = reading.pick(&reference, &wrong);
+    let mut findings = plastic_ball(subject, Stop::On)?;
+    findings.extend(plastic_ball(&Anitescu, Stop::On)?);
+    let above = MoreauJean { theta: 1.0, activation: Activation::FreeVelocityForecast, restitution: RestitutionRule::NormalOnly };
+    findings.extend(plastic_ball(&above, Stop::Above { theta: 1.0, forecast: 1.0 })?);
+    findings.extend(bouncing_ball(&above, &above, 0.8, Horizon::OneImpact)?);
+    Ok(findings)
+}
+
+/// Order of RK4 in q at 8 ms after touching a spring of 10⁴ N/m per kg, which pulls (two-sided) or only pushes.
+fn spring_order(two_sided: bool) -> Result<f64> {
+    let (gravity, stiffness, height) = (9.81, 10_000.0f64, 1.0);
+    let ball = BouncingBall::new(gravity, height, 0.0)?;
+    let (touch, speed) = (ball.first_impact_time(), ball.impact_speed(1));
+    let end = touch + 0.008;
+    let frequency = stiffness.sqrt();
+    let centre = -gravity / stiffness;
+    // q − centre = A cos ωs + B sin ωs from the start (two-sided) or from the touch.
+    let exact = if two_sided {
+        centre + (height - centre) * (frequency * end).cos()
+    } else {
+        let angle = frequency * (end - touch);
+        centre - centre * angle.cos() - speed / frequency * angle.sin()
+    };
+    let acceleration = |q: f64| if two_sided || q < 0.0 { -gravity - stiffness * q } else { -gravity };
+    let estimate = estimate_order(touch, &[512, 1024, 2048, 4096], 4, |h| {
+        let (mut state, mut time) = ([height, 0.0], 0.0);
+        while time + h < end {
+            state = step(&acceleration, state, h);
+            time += h;
+        }
+        Ok((step(&acceleration, state, end - time)[0] - exact).abs())
+    })?;
+    Ok(estimate.slope)
+}
+
+fn soft_contact(reading: Reading) -> Result<Vec<Finding>> {
+    Ok(vec![
+        Finding::equal("order of RK4 with the force max(0, −kφ)", spring_order(false)?, 2.0, ORDER_GAP, "1"),
+        Finding::equal("order of RK4 with the force −kφ", spring_order(reading.pick(true, false))?, 4.0, ORDER_GAP, "1"),
+    ])
+}

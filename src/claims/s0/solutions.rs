@@ -1,0 +1,196 @@
+//! §0, the exact solution of the bouncing ball and the regularity of velocities and contact measures.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::BouncingBall;
+use crate::closed_forms::bouncing_ball::{accumulation_time_ratio, impact_time_ratio};
+use crate::defects::zeno::{Altered, Mistake};
+use crate::mechanics::{PointMass, State};
+use crate::scalar::{Rational, ratio};
+use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, simulate};
+use crate::solvers::Reference;
+use crate::tolerance::claims::{PRINTED_TIME, position_slope, variation};
+use crate::trajectory::metrics::total_variation;
+use nalgebra::dvector;
+
+/// The claims of this file.
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S0.height-e2",
+        statement: "For e < 1 the bouncing ball's heights shrink by e² and its flight times by e per bounce.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated.",
+        argument: "A launch at w lands after 2w/g (q = ws − ½gs² vanishes there), at the speed w, with apex w²/(2g) at w/g; the next \
+                   launch is e w. In rationals, for e = 16/25: heights 256/625, times 16/25.",
+        control: "A law that keeps the fraction e of the energy instead of the speed: the speed ratio is √e = 4/5.",
+        sources: &["chapter §0, bouncing ball"],
+        check: shrinking,
+    },
+    Claim {
+        id: "S0.tinf",
+        statement: "With t₀ the duration of the first flight after the first impact, the flights last e t₀, e² t₀, … and the total time \
+                    T∞ is finite.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "T∞ = t₁ + t₀/(1−e) with t₀ = 2e t₁, that is t₁(1+e)/(1−e); 4.063712768872 s for e = 0.8, q₀ = 1 m, g = 9.81.",
+        argument: "t_k/t₁ = 1 + 2(e + … + e^{k−1}); the remainder T∞ − t_k = 2 t₁ e^k/(1−e) holds exactly for k = 1 … 60 and falls below \
+                   every bound. For e = 4/5, T∞ = 9 t₁.",
+        control: "t₀ = 2 t₁, the first flight without its loss: T∞ = 11 t₁.",
+        sources: &["chapter §0, bouncing ball and exercise 1"],
+        check: total_time,
+    },
+    Claim {
+        id: "S0.bv-regularity",
+        statement: "With contact the velocity is only of bounded variation and the position only Lipschitz.",
+        verdict: Verdict::True,
+        evidence: Evidence::Measured,
+        correct_statement: "As stated; the bouncing ball's velocity has total variation 2 g t₁ (1+e)/(1−e) over [0, T∞], 79.730 m/s for \
+                            e = 0.8 and 1 m, and its position the Lipschitz constant g t₁.",
+        argument: "Flights contribute g T∞ and impacts Σ(1+e) g t₁ e^{k−1}, both g t₁(1+e)/(1−e). The discrete velocities of Moreau–Jean to \
+                   1.5 T∞ have the same variation up to O(h ln 1/h), so it is bounded uniformly in h, and their positions the same \
+                   slope up to O(h).",
+        control: "Rule C, under which the resting ball changes its velocity by g h in every step: the variation grows by g per second.",
+        sources: &["chapter §0, table and item (a)"],
+        check: bounded_variation,
+    },
+    Claim {
+        id: "S0.measure-split",
+        statement: "The contact measure dR splits into a Lebesgue-continuous part (lasting contact, λ dt) plus atoms (impacts, ΣP_i δ).",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "It splits into a density, atoms and a singular continuous part; the last is absent if the velocity is a special \
+                            function of bounded variation (no Cantor part), which is a hypothesis.",
+        argument: "A mass m resting on a floor that rises at the velocity c(t), c the Cantor function: c does not decrease, so contact lasts, \
+                   v = c, and dR = m g dt + m dc. At level n the whole rise 1 of c lies on 2ⁿ intervals of total length (2/3)ⁿ, with 2⁻ⁿ on \
+                   each: dc has no density (its support has length 0) and no atom (each is below 2⁻ⁿ), yet mass 1.",
+        control: "A floor whose velocity jumps by 1 once: its rise on one interval stays 1, an atom.",
+        sources: &["chapter §0, item (b), and §2, base measure dμ = dt + Σδ", "Lebesgue's decomposition of a measure"],
+        check: cantor_floor,
+    },
+];
+
+fn shrinking(reading: Reading) -> Result<Vec<Finding>> {
+    let (gravity, e) = (ratio(981, 100), ratio(16, 25));
+    let speed_ratio = reading.pick(e.clone(), ratio(4, 5));
+    let height = |w: &Rational, s: &Rational| w * s - ratio(1, 2) * &gravity * s * s;
+    let mut launch = ratio(7, 2);
+    let mut findings = Vec::new();
+    for bounce in 1..=3 {
+        let flight = ratio(2, 1) * &launch / &gravity;
+        let next = &speed_ratio * &launch;
+        let next_flight = ratio(2, 1) * &next / &gravity;
+        let [apex, next_apex] = [(&launch, &flight), (&next, &next_flight)].map(|(w, s)| height(w, &(s * ratio(1, 2))));
+        findings.push(Finding::exact(format!("ratio of heights at bounce {bounce}"), &(next_apex / apex), &(&e * &e), "1"));
+        findings.push(Finding::exact(format!("ratio of flight times at bounce {bounce}"), &(&next_flight / &flight), &e, "1"));
+        findings.push(Finding::exact(format!("height at landing {bounce}"), &height(&launch, &flight), &ratio(0, 1), "m"));
+        launch = next;
+    }
+    Ok(findings)
+}
+
+fn total_time(reading: Reading) -> Result<Vec<Finding>> {
+    let (e, one) = (ratio(4, 5), ratio(1, 1));
+    let first_flight = reading.pick(ratio(2, 1) * &e, ratio(2, 1));
+    let total = &one + &first_flight / (&one - &e);
+    let mut findings = vec![Finding::exact("T∞/t₁ for e = 4/5", &total, &accumulation_time_ratio(&e), "1")];
+    let mut power = one.clone();
+    for impact in 1..=60 {
+        power *= &e;
+        let remainder = &total - impact_time_ratio(&e, impact);
+        if impact % 20 == 0 {
+            let expected = ratio(2, 1) * &power / (&one - &e);
+            findings.push(Finding::exact(format!("(T∞ − t_{impact})/t₁"), &remainder, &expected, "1"));
+        }
+    }
+    let seconds = total.to_f64().value() * BouncingBall::new(9.81, 1.0, 0.8)?.first_impact_time();
+    findings.push(Finding::equal("T∞ for q₀ = 1 m, g = 9.81 m/s²", seconds, 4.063712768872, PRINTED_TIME, "s"));
+    Ok(findings)
+}
+
+fn bounded_variation(reading: Reading) -> Result<Vec<Finding>> {
+    let (gravity, height, e) = (9.81, 1.0, 0.8);
+    let ball = BouncingBall::new(gravity, height, e)?;
+    let base = MoreauJean { theta: 0.5, activation: Activation::FreeVelocityForecast, restitution: RestitutionRule::NormalOnly };
+    let sinking = Altered { base, mistake: Mistake::ApproachingOnly };
+    let subject: &dyn Scheme = reading.pick(&base, &sinking);
+    let (fall, limit) = (ball.first_impact_time(), ball.velocity_variation(2.0 * ball.accumulation_time()));
+    let mut findings = Vec::new();
+    for intervals in [256, 1024, 4096] {
+        let h = fall / (intervals as f64 + 0.5);
+        let initial = State { time: 0.0, position: dvector![height], velocity: dvector![0.0] };
+        let steps = (1.5 * ball.accumulation_time() / h) as usize;
+        let recording = simulate(subject, &Reference, &PointMass::ball_on_floor(1.0, gravity, e), initial, h, steps)?;
+        let velocities: Vec<f64> = recording.samples.iter().map(|sample| sample.velocity[0]).collect();
+        let slopes = recording.samples.windows(2).map(|pair| (pair[1].position[0] - pair[0].position[0]).abs() / h);
+        let title = format!("total variation of v_h at h = {h:.2e}");
+        findings.push(Finding::equal(title, total_variation(&velocities), limit, variation(gravity, e, fall, h), "m/s"));
+        let steepest = slopes.fold(0.0, f64::max);
+        let bound = position_slope(gravity, fall, h);
+        findings.push(Finding::at_most(format!("steepest position at h = {h:.2e}"), steepest, bound, "m/s"));
+    }
+    Ok(findings)
+}
+
+/// The Cantor function at a rational in \[0, 1\] whose ternary expansion ends: digits 0, 2 become 0, 1; the first 1 ends it.
+fn cantor(point: &Rational) -> Rational {
+    let (mut rest, mut value, mut weight) = (point.clone(), ratio(0, 1), ratio(1, 1));
+    while rest > ratio(0, 1) {
+        if rest >= ratio(1, 1) {
+            return value + weight;
+        }
+        rest *= ratio(3, 1);
+        weight *= ratio(1, 2);
+        if rest >= ratio(2, 1) {
+            value += &weight;
+            rest -= ratio(2, 1);
+        } else if rest >= ratio(1, 1) {
+            return value + weight;
+        }
+    }
+    value
+}
+
+fn cantor_floor(reading: Reading) -> Result<Vec<Finding>> {
+    let jump: fn(&Rational) -> Rational = |point| if *point >= ratio(1, 1) { ratio(1, 1) } else { ratio(0, 1) };
+    let velocity: fn(&Rational) -> Rational = reading.pick(cantor, jump);
+    let (mut intervals, mut length) = (vec![ratio(0, 1)], ratio(1, 1));
+    let mut findings = Vec::new();
+    for level in 1..=10 {
+        length *= ratio(1, 3);
+        intervals = intervals.iter().flat_map(|start| [start.clone(), start + ratio(2, 1) * &length]).collect();
+        let rises: Vec<Rational> = intervals.iter().map(|start| velocity(&(start + &length)) - velocity(start)).collect();
+        let largest = rises.iter().max().cloned().unwrap_or_default();
+        let total = rises.into_iter().fold(ratio(0, 1), |sum, rise| sum + rise);
+        if level % 5 == 0 {
+            let covered = ratio(intervals.len() as i64, 1) * &length;
+            let expected_length = ratio(2i64.pow(level), 3i64.pow(level));
+            findings.push(Finding::exact(
+                format!("largest rise on one interval of level {level}"),
+                &largest,
+                &ratio(1, 2i64.pow(level)),
+                "m/s",
+            ));
+            findings.push(Finding::exact(format!("total rise on the intervals of level {level}"), &total, &ratio(1, 1), "m/s"));
+            findings.push(Finding::exact(format!("length of the intervals of level {level}"), &covered, &expected_length, "s"));
+        }
+    }
+    Ok(findings)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_cantor_function_has_its_known_values_and_is_constant_on_the_middle_third() {
+        assert_eq!(cantor(&ratio(0, 1)), ratio(0, 1));
+        assert_eq!(cantor(&ratio(1, 1)), ratio(1, 1));
+        assert_eq!(cantor(&ratio(1, 3)), ratio(1, 2));
+        assert_eq!(cantor(&ratio(4, 9)), ratio(1, 2));
+        assert_eq!(cantor(&ratio(2, 3)), ratio(1, 2));
+        assert_eq!(cantor(&ratio(2, 9)), ratio(1, 4));
+        assert_eq!(cantor(&ratio(8, 9)), ratio(3, 4));
+    }
+}
