@@ -104,11 +104,9 @@ impl SegmentTree {
 impl BoundingBox {
     fn of(points: &[Point]) -> Self {
         let mut bounds = BoundingBox { low: points[0], high: points[0] };
-        for point in points {
-            for axis in 0..2 {
-                bounds.low[axis] = bounds.low[axis].min(point[axis]);
-                bounds.high[axis] = bounds.high[axis].max(point[axis]);
-            }
+        for [t, y] in points {
+            bounds.low = [bounds.low[0].min(*t), bounds.low[1].min(*y)];
+            bounds.high = [bounds.high[0].max(*t), bounds.high[1].max(*y)];
         }
         bounds
     }
