@@ -12,6 +12,6 @@ mod plastic;
 mod slide;
 
 pub use ball::{Horizon, bouncing_ball};
-pub use errors::{BallErrors, ball_errors};
+pub use errors::{BallErrors, Study, ball_errors, study};
 pub use plastic::{Stop, plastic_ball};
 pub use slide::{Incline, anitescu_hop, anitescu_slide, coulomb_slide, sticking};

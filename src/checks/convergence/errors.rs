@@ -52,15 +52,23 @@ pub fn ball_errors(scheme: &dyn Scheme, restitution: f64, horizon: f64, h: f64) 
 }
 
 /// Envelopes of the four errors over the shifted steps of each level, and their slopes.
-pub(super) struct Study {
+#[derive(Clone, Debug, PartialEq)]
+pub struct Study {
+    /// Of [`BallErrors::position`].
     pub position: OrderEstimate,
+    /// Of [`BallErrors::velocity_l1`].
     pub velocity_l1: OrderEstimate,
+    /// Of [`BallErrors::velocity_sup`].
     pub velocity_sup: OrderEstimate,
+    /// Of [`BallErrors::graph`].
     pub graph: OrderEstimate,
 }
 
 /// The study of one ball: every metric's envelope over `shifts` steps per level, from one run per step.
-pub(super) fn study(scheme: &dyn Scheme, restitution: f64, horizon: f64, intervals: &[usize], shifts: usize) -> Result<Study> {
+///
+/// # Errors
+/// Those of the scheme, and an error that is zero or not finite.
+pub fn study(scheme: &dyn Scheme, restitution: f64, horizon: f64, intervals: &[usize], shifts: usize) -> Result<Study> {
     let first_impact = BouncingBall::new(GRAVITY, HEIGHT, restitution)?.first_impact_time();
     let mut levels: [Vec<Level>; 4] = Default::default();
     for &count in intervals {

@@ -3,11 +3,11 @@
 use super::runge_kutta::{Impacts, Norm, order, step};
 use crate::Result;
 use crate::checks::Finding;
-use crate::checks::convergence::{Horizon, Stop, ball_errors, bouncing_ball, plastic_ball};
+use crate::checks::convergence::{Horizon, Stop, bouncing_ball, plastic_ball, study};
 use crate::claims::{Claim, Evidence, Reading, Verdict};
 use crate::closed_forms::BouncingBall;
 use crate::defects::convergence::{Altered, Mistake};
-use crate::schemes::{Activation, Anitescu, MoreauJean, RestitutionRule, Scheme, StewartTrinkle};
+use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StewartTrinkle};
 use crate::tolerance::claims::ORDER_GAP;
 use crate::trajectory::estimate_order;
 
@@ -86,17 +86,13 @@ fn located(reading: Reading) -> Result<Vec<Finding>> {
 
 fn weaker_norms(reading: Reading) -> Result<Vec<Finding>> {
     let scheme = MoreauJean { theta: 0.5, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
-    let fall = BouncingBall::new(9.81, 1.0, 0.8)?.first_impact_time();
-    let slope = |metric: fn(&crate::checks::convergence::BallErrors) -> f64| {
-        let errors = |h| ball_errors(&scheme, 0.8, 1.8, h).map(|errors| metric(&errors));
-        estimate_order(fall, &[32, 128, 512], 4, errors).map(|estimate| estimate.slope)
-    };
-    let graph = slope(reading.pick(|errors| errors.graph, |errors| errors.velocity_sup))?;
+    let found = study(&scheme, 0.8, 1.8, &[32, 128, 512], 4)?;
+    let graph = reading.pick(found.graph.slope, found.velocity_sup.slope);
     Ok(vec![
         Finding::equal("order in the distance of filled-in graphs", graph, 1.0, ORDER_GAP, "1"),
-        Finding::equal("order in sup|q|", slope(|errors| errors.position)?, 1.0, ORDER_GAP, "1"),
-        Finding::equal("order in ∫|v|", slope(|errors| errors.velocity_l1)?, 1.0, ORDER_GAP, "1"),
-        Finding::equal("order in sup|v|", slope(|errors| errors.velocity_sup)?, 0.0, ORDER_GAP, "1"),
+        Finding::equal("order in sup|q|", found.position.slope, 1.0, ORDER_GAP, "1"),
+        Finding::equal("order in ∫|v|", found.velocity_l1.slope, 1.0, ORDER_GAP, "1"),
+        Finding::equal("order in sup|v|", found.velocity_sup.slope, 0.0, ORDER_GAP, "1"),
     ])
 }
 
@@ -104,7 +100,6 @@ fn time_stepping(reading: Reading) -> Result<Vec<Finding>> {
     let (reference, wrong) = (StewartTrinkle::default(), Altered(Mistake::TrapezoidalPosition));
     let subject: &dyn Scheme = reading.pick(&reference, &wrong);
     let mut findings = plastic_ball(subject, Stop::On)?;
-    findings.extend(plastic_ball(&Anitescu, Stop::On)?);
     let above = MoreauJean { theta: 1.0, activation: Activation::FreeVelocityForecast, restitution: RestitutionRule::NormalOnly };
     findings.extend(plastic_ball(&above, Stop::Above { theta: 1.0, forecast: 1.0 })?);
     findings.extend(bouncing_ball(&above, &above, 0.8, Horizon::OneImpact)?);

@@ -117,7 +117,7 @@ fn bounded_variation(reading: Reading) -> Result<Vec<Finding>> {
     let subject: &dyn Scheme = reading.pick(&base, &sinking);
     let (fall, limit) = (ball.first_impact_time(), ball.velocity_variation(2.0 * ball.accumulation_time()));
     let mut findings = Vec::new();
-    for intervals in [256, 1024, 4096] {
+    for intervals in [256, 1024] {
         let h = fall / (intervals as f64 + 0.5);
         let initial = State { time: 0.0, position: dvector![height], velocity: dvector![0.0] };
         let steps = (1.5 * ball.accumulation_time() / h) as usize;
