@@ -67,13 +67,13 @@ pub fn residuals(problem: &ContactProblem, solution: &Solution) -> Result<Residu
     let data = &problem.free_velocity + &problem.shift;
     let mut total = AtContact::default();
     let mut weighted_data = 0.0;
-    for k in 0..problem.contacts() {
+    for (k, &rho) in rho.iter().enumerate() {
         let range = k * rows..(k + 1) * rows;
         let (r, y) = (&impulse.as_slice()[range.clone()], &law_velocity.as_slice()[range.clone()]);
         let here = match problem.law {
-            Law::PolyhedralCoulomb { directions } => polyhedral::stewart_trinkle(problem, solution, directions, k, r, y, rho[k]),
-            Law::PolyhedralAssociated { directions } => polyhedral::edges(problem, solution, directions, k, r, y, rho[k])?,
-            law => second_order_contact(law, problem.friction[k], r, y, rho[k]),
+            Law::PolyhedralCoulomb { directions } => polyhedral::stewart_trinkle(problem, solution, directions, k, r, y, rho),
+            Law::PolyhedralAssociated { directions } => polyhedral::edges(problem, solution, directions, k, r, y, rho)?,
+            law => second_order_contact(law, problem.friction[k], r, y, rho),
         };
         total.primal = worst(total.primal, here.primal);
         total.dual = worst(total.dual, here.dual);
@@ -81,7 +81,7 @@ pub fn residuals(problem: &ContactProblem, solution: &Solution) -> Result<Residu
         total.natural_map += here.natural_map.powi(2);
         total.natural_map_unit += here.natural_map_unit.powi(2);
         if here.natural_map != 0.0 || r.iter().any(|&r| r != 0.0) {
-            weighted_data += data.as_slice()[range].iter().map(|q| (rho[k] * q).powi(2)).sum::<f64>();
+            weighted_data += data.as_slice()[range].iter().map(|q| (rho * q).powi(2)).sum::<f64>();
         }
     }
     let velocity = problem.velocity(impulse);
@@ -148,8 +148,8 @@ pub fn momentum(
 }
 
 impl Residuals {
-    /// Whether every residual is at most `tolerance` times the scale of its unit: impulses ‖r‖, velocities ‖u_free + shift‖, energies their product,
-    /// the natural map its own scale. NaN is never a solution.
+    /// Whether every residual is at most `tolerance` times the scale of its unit: impulses ‖r‖, velocities ‖u_free + shift‖,
+    /// energies their product, the natural map its own scale. NaN is never a solution.
     pub fn is_solution(&self, tolerance: f64) -> bool {
         self.primal <= tolerance * self.impulse_scale
             && self.dual <= tolerance * self.velocity_scale

@@ -4,9 +4,10 @@
 //! {"schema": "contact-problem/1", "name": "block on the floor", "dimension": 2, "law": "coulomb", "friction": [0.5],
 //!  "free_velocity": [-0.1, 0.2], "shift": [0, 0], "delassus": {"shape": [2, 2], "rows": [[1, 0], [0, 1]]}}
 //! ```
-//! Numbers in SI. `dimension` is the number of rows per contact. A matrix is `rows`, or `triplets` {row, column, value} counted from 0,
-//! each place at most once. Instead of `delassus` a file may give `mass` and `jacobian`. Optional: `shift` (default 0), `directions` (polyhedral laws), `compliance`
-//! {coordinates: contact | edge, diagonal}, `provenance` (anything).
+//! Numbers in SI. `dimension` is the number of rows per contact. A matrix is `rows`, or `triplets` {row, column, value}
+//! counted from 0, each place at most once. Instead of `delassus` a file may give `mass` and `jacobian`. Optional:
+//! `shift` (default 0), `directions` (polyhedral laws), `compliance` {coordinates: contact | edge, diagonal},
+//! `provenance` (anything).
 
 use super::{Compliance, ContactProblem, Coordinates, Dynamics, Law, Solution};
 use crate::contact::delassus::delassus;

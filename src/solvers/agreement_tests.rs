@@ -107,6 +107,44 @@ fn one_contact_is_solved_to_rounding_whatever_the_friction_and_the_masses() {
 }
 
 #[test]
+fn mass_ratios_and_large_friction_are_solved_by_sweeps_and_by_the_interior_point() {
+    for seed in 0..10 {
+        for (ratio, friction) in [(1e6, 0.5), (1.0, 20.0), (1e4, 5.0)] {
+            let problem = random(Law::Associated, 3, 2, 8, ratio, friction, seed);
+            let sweeps = certified(&problem, &ProjectedGaussSeidel::default());
+            let interior = certified(&problem, &ClarabelPolished);
+            agree(&problem, &sweeps, &interior);
+        }
+    }
+}
+
+#[test]
+fn polishing_is_judged_and_carries_interior_point_answers_to_the_rounding_floor() {
+    let mut improved = 0;
+    for seed in 0..20 {
+        let problem = random(Law::Associated, 3, 2, 8, 10.0, 0.5, seed);
+        let polished = ClarabelPolished.solve_judged(&problem).unwrap();
+        let relative = |found: &crate::certificate::Residuals| found.natural_map / found.natural_map_scale.max(f64::MIN_POSITIVE);
+        assert!(relative(&polished.after) <= 2.0 * tolerance::STOP, "{polished:?}");
+        improved += usize::from(polished.improved() && relative(&polished.before) > tolerance::STOP);
+        let returned = residuals(&problem, &polished.solution).unwrap().natural_map;
+        assert_eq!(returned, polished.before.natural_map.min(polished.after.natural_map));
+    }
+    assert!(improved > 0, "the raw answers are above the floor, or there is nothing to polish");
+}
+
+#[test]
+fn an_unbounded_program_has_no_answer_and_says_so() {
+    // nothing resists the impulse along its own direction: W = 0 on that row
+    let mut problem = random(Law::Frictionless, 1, 2, 3, 1.0, 0.0, 1);
+    problem.delassus = DMatrix::from_row_slice(2, 2, &[0.0, 0.0, 0.0, 1.0]);
+    problem.free_velocity = DVector::from_vec(vec![-1.0, -1.0]);
+    for solver in [&ClarabelPolished as &dyn ContactSolver, &ProjectedGaussSeidel::default()] {
+        assert!(solver.solve(&problem, None).unwrap_err().to_string().contains(solver.name()));
+    }
+}
+
+#[test]
 fn four_legs_carry_a_table_in_more_ways_than_one_but_move_it_in_one() {
     // normals only, unit mass table: the rows are dependent, W has rank 3
     let jacobian = DMatrix::from_row_slice(4, 3, &[1., 1., 1., 1., 1., -1., 1., -1., 1., 1., -1., -1.]);

@@ -4,8 +4,9 @@
 //!     min ½ rᵀ(W + R)r + (u_free + shift)ᵀr     over (μ r_n, r_t) in the second-order cone of each contact .
 //! ```
 //! An interior-point answer is inside the cones by its tolerance, which a relative stopping test leaves at 1e-9 to 1e-5 of
-//! the natural map; projected Gauss–Seidel from there identifies stick, slip and separation exactly. Neither is believed: both are judged by the
-//! certificate, the better one is returned, and a polishing that did not help is named in the answer.
+//! the natural map; projected Gauss–Seidel from there identifies stick, slip and separation exactly. Neither is
+//! believed: both are judged by the certificate, the better one is returned, and a polishing that did not help is named
+//! in the answer.
 
 use super::{ContactSolver, ProjectedGaussSeidel};
 use crate::certificate::{Residuals, residuals};

@@ -103,8 +103,8 @@ impl Sweeper<'_> {
     }
 }
 
-/// The padded block of contact k, made definite and symmetric where its law needs it. What the block differs from W_kk + R_kk is multiplied by
-/// the previous impulse (a proximal step), so the fixed points stay those of the given problem.
+/// The padded block of contact k, made definite and symmetric where its law needs it. Its difference from W_kk + R_kk
+/// multiplies the previous impulse (a proximal step), so the fixed points stay those of the given problem.
 fn prepare(problem: &ContactProblem, k: usize) -> Result<OneContact> {
     let rows = problem.rows_per_contact;
     let mut block = Matrix3::identity();

@@ -63,7 +63,8 @@ fn step_length(reading: Reading) -> Result<Vec<Finding>> {
     ])
 }
 
-/// Ten exact projected gradient steps for N = (2, −1; −1, 2), r = (−1, −1) over γ ≥ 0, from (1.01, 0.99): the error along (1, −1), relative.
+/// Ten exact projected gradient steps for N = (2, −1; −1, 2), r = (−1, −1) over γ ≥ 0, from (1.01, 0.99): the error along
+/// (1, −1), relative.
 fn error_after_ten_steps(eta: &Rational) -> Rational {
     let start = ratio(1, 100);
     let mut gamma = [ratio(1, 1) + start.clone(), ratio(1, 1) - start.clone()];
