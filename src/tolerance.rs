@@ -299,6 +299,13 @@ pub mod claims {
         8.0 * deceleration * SLIDE_STEP
     }
 
+    /// Width at which Gilbert's distance enclosure stops \[m\]: both bounds are rounded to a few ε times 1 m, and the
+    /// distances and depths compared differ by 0.05 m, so any width far between serves; 2⁻³⁰.
+    pub const GILBERT_WIDTH: f64 = 1.0 / (1u64 << 30) as f64;
+
+    /// An order of a one-step method is an integer: half a unit decides which.
+    pub const INTEGER_ORDER: f64 = 0.5;
+
     /// Claims on the θ scheme (§3).
     pub mod theta_scheme {
         use super::super::{EPSILON, mechanics::DIFFERENCE_STEP};

@@ -4,6 +4,7 @@ use super::Claim;
 
 mod cone;
 mod convex;
+mod energy;
 mod lcp;
 mod orders;
 mod schemes;
@@ -12,14 +13,17 @@ mod schemes;
 pub const CLAIMS: &[&[Claim]] = &[
     cone::PREFACE,
     schemes::PREFACE,
+    energy::PREFACE,
     convex::PREFACE,
     lcp::PREFACE,
     orders::PREFACE,
     cone::MISCONCEPTIONS,
     schemes::MISCONCEPTIONS,
+    energy::MISCONCEPTIONS,
     convex::MISCONCEPTIONS,
     lcp::MISCONCEPTIONS,
     orders::MISCONCEPTIONS,
     schemes::TABLES,
+    energy::TABLES,
     lcp::TABLES,
 ];

@@ -2,11 +2,22 @@
 
 use super::Claim;
 
+mod geometry;
+mod mechanics;
 pub mod one_step;
 pub mod orders;
+mod rattle;
 pub(crate) mod runge_kutta;
 pub mod solutions;
 pub mod zeno;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[zeno::CLAIMS, one_step::CLAIMS, orders::CLAIMS, solutions::CLAIMS];
+pub const CLAIMS: &[&[Claim]] = &[
+    zeno::CLAIMS,
+    one_step::CLAIMS,
+    orders::CLAIMS,
+    solutions::CLAIMS,
+    mechanics::CLAIMS,
+    geometry::CLAIMS,
+    rattle::CLAIMS,
+];

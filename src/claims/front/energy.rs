@@ -1,0 +1,115 @@
+//! Energy of the θ scheme and the unknown impulse, as the front matter and the tables put them.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::s3::elastic::{chain_energies, distinct, oscillator_energy_ratio};
+use crate::claims::s3::smooth_energy::{linear_energy_change, pendulum_energy_change};
+use crate::claims::s3::theta_step::{LinearSystem, phase};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::ElasticBall;
+use crate::scalar::{Rational, Scalar, ratio};
+use crate::schemes::Activation;
+use crate::schemes::exact_particle::{Ball, Motion};
+use num_traits::Zero;
+
+pub const PREFACE: &[Claim] = &[Claim {
+    id: "P.modA",
+    statement: "Project, module A: θ = 0.5 conserves the energy of an elastic collision chain, θ = 1 dissipates it.",
+    verdict: Verdict::False,
+    evidence: Evidence::Exact,
+    correct_statement: "For elastic collisions under constant forces no θ drifts: without force the kinetic energy is constant, under gravity E − (θ−½) m g h v is. θ = 1 dissipates when springs (or other position-dependent forces) act.",
+    argument: "Three equal balls, e = 1, two collisions: the kinetic energy takes one value at θ = 1/2 and one at θ = 1. Elastic ball in rationals, θ = 1, rules A, B, D: the invariant of the closed form keeps its value over 300 steps. An oscillator loses 1 − (1 + h²)^{-N} of its energy.",
+    control: "An oscillator in place of the chain.",
+    sources: &["chapter, cumulative project, module A"],
+    check: elastic_chain,
+}];
+
+pub const MISCONCEPTIONS: &[Claim] = &[Claim {
+    id: "M.force-vs-impulse",
+    statement: "A lasting contact force is a finite function, an impact is an atom of impulse; the unknown of time-stepping is the impulse P throughout.",
+    verdict: Verdict::True,
+    evidence: Evidence::Exact,
+    correct_statement: "As stated.",
+    argument: "m = 2 kg, g = 981/100 m/s². Resting: P = m g h, so P/h = m g at every h. Impact at −3 m/s with e = 1/2 and no force: P = (1+e) m · 3 = 9 N·s at every h, so P/h grows like 1/h.",
+    control: "The impact's P/h, as if it were a force.",
+    sources: &["chapter, table of misconceptions"],
+    check: force_or_atom,
+}];
+
+pub const TABLES: &[Claim] = &[Claim {
+    id: "T.energy",
+    statement: "Table of theorems: θ = 1/2 is energy neutral, θ = 1 dissipates O(h²).",
+    verdict: Verdict::Conditional,
+    evidence: Evidence::Exact,
+    correct_statement: "θ = 1/2 is neutral exactly for constant and linear forces, O(h³) per step otherwise. θ = 1 loses ½h²FᵀM⁻¹F per step for a constant force – O(h²) per step, O(h) over a fixed time.",
+    argument: "Gravity and springs, θ = 1/2: change 0 in rationals; pendulum from (1.3, 0.7), h = 0.1: 2.2e-5. Free fall, θ = 1: halving h divides the loss of a step by 4 and that of a fixed time by 2.",
+    control: "The pendulum as a neutral case.",
+    sources: &["chapter, table of theorems", "chapter §3, energy estimate"],
+    check: theta_table,
+}];
+
+fn elastic_chain(reading: Reading) -> Result<Vec<Finding>> {
+    let (half, one) = (chain_energies(0.5)?, chain_energies(1.0)?);
+    let kept = one[one.len() - 1] / one[0];
+    let mut findings = vec![
+        Finding::equal("E(end)/E(start), θ = 1", reading.pick(kept, oscillator_energy_ratio(500)), 1.0, 0.0, "1"),
+        Finding::count("distinct kinetic energies of the chain, θ = 1/2", distinct(&half), 1),
+        Finding::count("distinct kinetic energies of the chain, θ = 1", distinct(&one), 1),
+    ];
+    let (theta, h) = (ratio(1, 1), ratio(1, 100));
+    let ball = Ball { mass: ratio(1, 1), gravity: ratio(981, 100), restitution: ratio(1, 1) };
+    let closed_form = ElasticBall { mass: ratio(1, 1), gravity: ratio(981, 100) };
+    for activation in Activation::ALL {
+        let mut now = Motion { position: ratio(1, 2), velocity: ratio(0, 1) };
+        for _ in 0..300 {
+            now = ball.moreau_jean(&now, &theta, activation, &h).motion;
+        }
+        let invariant = closed_form.discrete_invariant(&theta, &h, &now.position, &now.velocity);
+        findings.push(Finding::exact(
+            format!("E − ½ m g h v after 300 steps, rule {}", activation.name()),
+            &invariant,
+            &ratio(981, 200),
+            "J",
+        ));
+    }
+    Ok(findings)
+}
+
+fn force_or_atom(reading: Reading) -> Result<Vec<Finding>> {
+    let impulse = |gravity: Rational, velocity: Rational, h: &Rational| {
+        let ball = Ball { mass: ratio(2, 1), gravity, restitution: ratio(1, 2) };
+        ball.moreau_jean(&Motion { position: Rational::zero(), velocity }, &ratio(1, 1), Activation::Gap, h).impulse
+    };
+    let (coarse, fine) = (ratio(1, 100), ratio(1, 1000));
+    let impact = |h: &Rational| {
+        let p = impulse(ratio(0, 1), ratio(-3, 1), h);
+        reading.pick(p.clone(), p / h)
+    };
+    let rest = |h: &Rational| impulse(ratio(981, 100), ratio(0, 1), h) / h;
+    Ok(vec![
+        Finding::exact("quantity of the impact at h over that at h/10", &(impact(&coarse) / impact(&fine)), &ratio(1, 1), "1"),
+        Finding::exact("impulse of the impact", &impulse(ratio(0, 1), ratio(-3, 1), &fine), &ratio(9, 1), "N·s"),
+        Finding::exact("P/h at rest, h = 1/100 s", &rest(&coarse), &ratio(1962, 100), "N"),
+        Finding::exact("P/h at rest, h = 1/1000 s", &rest(&fine), &ratio(1962, 100), "N"),
+    ])
+}
+
+fn theta_table(reading: Reading) -> Result<Vec<Finding>> {
+    let neutral = Scalar::to_f64(&linear_energy_change());
+    let fall = LinearSystem::scalar(ratio(1, 1), ratio(0, 1), ratio(-981, 100));
+    let loss = |steps: i64, h: Rational| {
+        let mut now = phase(ratio(1, 1), ratio(0, 1));
+        let before = fall.energy(&now);
+        for _ in 0..steps {
+            now = fall.step(&now, &ratio(1, 1), &h).0;
+        }
+        before - fall.energy(&now)
+    };
+    let (one_step, half_step) = (loss(1, ratio(1, 10)), loss(1, ratio(1, 20)));
+    let (one_second, same_second) = (loss(10, ratio(1, 10)), loss(20, ratio(1, 20)));
+    Ok(vec![
+        Finding::equal("energy change, θ = 1/2", reading.pick(neutral, pendulum_energy_change(0.1)), 0.0, 0.0, "J"),
+        Finding::exact("θ = 1: loss of a step at h over h/2", &(one_step / half_step), &ratio(4, 1), "1"),
+        Finding::exact("θ = 1: loss of a second at h over h/2", &(one_second / same_second), &ratio(2, 1), "1"),
+    ])
+}

@@ -1,0 +1,105 @@
+//! The admissible set C = {φ ≥ 0}, and what a distance algorithm says of φ.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::mechanics::planar::{PlanarBody, Shape};
+use crate::mechanics::{Mechanism, PlanarBodies};
+use crate::scalar::{Rational, ratio};
+use crate::tolerance::claims::GILBERT_WIDTH;
+use nalgebra::{DVector, Vector2, dvector};
+use num_traits::Zero;
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S0.moving-convex",
+        statement: "Table of difficulties, (c): C(q) = {q : φ(q) ≥ 0} is a moving convex set.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "C is a fixed subset of configuration space, in general not convex (prox-regular if φ is smooth with ∇φ ≠ 0). What moves with q and is convex is the tangent cone T_C(q).",
+        argument: "Outside a disk, φ = |q|² − 1: (2, 0) and (−2, 0) are admissible with φ = 3, their midpoint has φ = −1. The tangent cones at (1, 0) and (0, 1) are the half-planes v₁ ≥ 0 and v₂ ≥ 0: each convex, and different. Inside the disk, φ = 1 − |q|², C happens to be convex.",
+        control: "The inside of the disk, where the midpoint is admissible.",
+        sources: &["chapter §0, table of the three difficulties", "chapter §2, step 1"],
+        check: convexity,
+    },
+    Claim {
+        id: "S0.gjk",
+        statement: "For convex bodies φ can be computed by GJK (signed distance, negative in penetration).",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "GJK computes the distance, which is φ only while the bodies are disjoint. In penetration the distance is 0 for every depth; the negative branch needs another algorithm (EPA, or a closed form).",
+        argument: "GJK and its ancestor, Gilbert's algorithm, find the point of the Minkowski difference nearest to the origin, with a lower bound from its support function. Disk of radius 0.2 m and a box of half extents 0.4 and 0.3 m: with the centre at (0.7, 0.7) the enclosure closes on φ = 0.3 m; at depths 0.05 and 0.1 m below the upper face it closes on 0 both times.",
+        control: "A penetrating pair, as if the distance were φ.",
+        sources: &["chapter §0, gap function", "Gilbert, Johnson, Keerthi, IEEE J. Robotics and Automation 4 (1988)"],
+        check: distance_is_not_depth,
+    },
+];
+
+fn convexity(reading: Reading) -> Result<Vec<Finding>> {
+    let sign = reading.pick(ratio(1, 1), ratio(-1, 1));
+    let gap = |q: &[Rational; 2]| &sign * (&q[0] * &q[0] + &q[1] * &q[1] - ratio(1, 1));
+    let edge = reading.pick(ratio(2, 1), ratio(1, 2));
+    let (right, left) = ([edge.clone(), ratio(0, 1)], [-edge, ratio(0, 1)]);
+    let middle = [(&right[0] + &left[0]) / ratio(2, 1), Rational::zero()];
+    let admissible = |q: &[Rational; 2]| gap(q) >= Rational::zero();
+    // T_C(q) = {v : ∇φ·v ≥ 0} with ∇φ = 2q on the boundary
+    let tangent = |q: [i64; 2], v: [i64; 2]| q[0] * v[0] + q[1] * v[1] >= 0;
+    Ok(vec![
+        Finding::exact("φ at the midpoint of two admissible points", &gap(&middle), &ratio(-1, 1), "m²"),
+        Finding::decision("both points are admissible", admissible(&right) && admissible(&left), true),
+        Finding::decision("(0, −1) is a tangent at (1, 0)", tangent([1, 0], [0, -1]), true),
+        Finding::decision("(0, −1) is a tangent at (0, 1)", tangent([0, 1], [0, -1]), false),
+    ])
+}
+
+const RADIUS: f64 = 0.2;
+const HALF_EXTENTS: [f64; 2] = [0.4, 0.3];
+
+/// Bounds of the distance between a disk centred at c and a box about the origin, by Gilbert's algorithm on A − B.
+fn distance_bounds(centre: Vector2<f64>) -> [f64; 2] {
+    // the point of A − B farthest against v: disk centre − r v/|v| minus the box corner along v
+    let support = |v: Vector2<f64>| {
+        let corner = Vector2::new(HALF_EXTENTS[0].copysign(v.x), HALF_EXTENTS[1].copysign(v.y));
+        centre - v.normalize() * RADIUS - corner
+    };
+    let (mut nearest, mut lower) = (centre, 0.0f64);
+    for _ in 0..10_000 {
+        let candidate = support(nearest);
+        lower = lower.max(nearest.dot(&candidate) / nearest.norm());
+        let edge = candidate - nearest;
+        let step = (-nearest.dot(&edge) / edge.norm_squared()).clamp(0.0, 1.0);
+        let improved = nearest + edge * step;
+        if improved.norm() - lower <= GILBERT_WIDTH || edge.norm_squared() == 0.0 {
+            return [lower, improved.norm()];
+        }
+        nearest = improved;
+    }
+    [lower, nearest.norm()]
+}
+
+/// φ of the same pair, by the closed form of the planar mechanism.
+fn gap(centre: Vector2<f64>) -> Result<f64> {
+    let [a, b] = HALF_EXTENTS;
+    let disk = PlanarBody::solid("disk", Shape::Disk { radius: RADIUS }, 1.0)?;
+    let cuboid = PlanarBody::solid("box", Shape::Box { half_extents: [a, b] }, 1.0)?;
+    let pair = PlanarBodies::without_ground("pair", vec![disk, cuboid], [0.0, 0.0], 0.0, 0.0)?;
+    let position: DVector<f64> = dvector![centre.x, centre.y, 0.0, 0.0, 0.0, 0.0];
+    Ok(pair.contacts(&position)[0].gap)
+}
+
+fn distance_is_not_depth(reading: Reading) -> Result<Vec<Finding>> {
+    let centre = reading.pick(Vector2::new(0.7, 0.7), Vector2::new(0.05, 0.45));
+    let [lower, upper] = distance_bounds(centre);
+    let phi = gap(centre)?;
+    let mut findings = vec![
+        Finding::equal("φ against the enclosed distance", 0.5 * (lower + upper), phi, GILBERT_WIDTH, "m"),
+        Finding::at_most("width of the enclosure", upper - lower, GILBERT_WIDTH, "m"),
+    ];
+    for depth in [0.05, 0.1] {
+        let centre = Vector2::new(0.05, RADIUS + HALF_EXTENTS[1] - depth);
+        let [lower, upper] = distance_bounds(centre);
+        findings.push(Finding::equal(format!("distance at depth {depth}"), 0.5 * (lower + upper), 0.0, GILBERT_WIDTH, "m"));
+        findings.push(Finding::equal(format!("φ at depth {depth}"), gap(centre)?, -depth, GILBERT_WIDTH, "m"));
+    }
+    Ok(findings)
+}

@@ -1,0 +1,182 @@
+//! Gap, contact Jacobian, generalised contact force, Delassus operator, impulses.
+
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::contact::delassus::delassus;
+use crate::elimination::solve;
+use crate::mechanics::planar::{PlanarBody, Shape};
+use crate::mechanics::{Mechanism, PlanarBodies, Plane, PointMass, State};
+use crate::scalar::{Rational, Scalar, ratio};
+use crate::schemes::exact_particle::{Ball, Motion};
+use crate::schemes::{Activation, MoreauJean, Scheme, StewartTrinkle, step};
+use crate::solvers::LemkePivoting;
+use crate::tolerance::{mechanics, rounding};
+use crate::{Error, Result};
+use nalgebra::{DMatrix, DVector, dvector};
+use num_traits::Zero;
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S0.signorini",
+        statement: "0 ≤ φ ⟂ λ_n ≥ 0: a positive distance means no force, a force means zero distance.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated. Of the discretisations, Stewart–Trinkle imposes it on the linearised gap at the end of a step; Moreau–Jean imposes a velocity-level law instead.",
+        argument: "φλ = 0 with both factors ≥ 0 leaves only these cases. A ball stepped by Stewart–Trinkle in rationals from 12 states satisfies φ⁺ r = 0 exactly.",
+        control: "A Moreau–Jean step with e = 1/2, which ends with φ⁺ > 0 and r > 0.",
+        sources: &["chapter §0, opening"],
+        check: signorini,
+    },
+    Claim {
+        id: "S0.phidot",
+        statement: "φ̇ = J v with J = ∇φ; J v > 0 means separation, J v < 0 approach.",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "As stated where v = q̇. With quaternions q̇ = N(q)v and J = ∇φ N(q).",
+        argument: "Chain rule. For the corner of a tilted box over the ground the central difference of the gap along the motion agrees with J v, rotation included.",
+        control: "J without its column for the rotation.",
+        sources: &["chapter §0, gap function and contact Jacobian"],
+        check: gap_rate,
+    },
+    Claim {
+        id: "S0.JT",
+        statement: "By virtual work a contact force λ acts as the generalised force Jᵀλ.",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "As stated.",
+        argument: "λ·(Jv) = (Jᵀλ)·v for all v. For a force at the corner of a tilted box, Jᵀλ is the force and its moment about the centre of mass, computed from the corner's place.",
+        control: "The pseudo-inverse Jᵀ(JJᵀ)⁻¹ in place of Jᵀ.",
+        sources: &["chapter §0, contact Jacobian"],
+        check: virtual_work,
+    },
+    Claim {
+        id: "S0.delassus-ij",
+        statement: "W = J M⁻¹Jᵀ: entry ij is the velocity change at contact j caused by a unit impulse at contact i.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated; W is symmetric, so the order of the indices does not matter.",
+        argument: "Three balls of 1, 2 and 4 kg in line: a unit impulse at the first contact changes u by (3/2, −1/2), one at the second by (−1/2, 3/4), in rationals, with M Δv = Jᵀe_i solved by elimination.",
+        control: "J M Jᵀ.",
+        sources: &["chapter §0, several contacts"],
+        check: unit_impulses,
+    },
+    Claim {
+        id: "S0.impulse-unit",
+        statement: "The unknowns of Moreau–Jean and of Stewart–Trinkle are impulses (N·s); in lasting contact P ≈ λ h.",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "As stated; for a body at rest P = m g h exactly.",
+        argument: "A 2 kg ball at rest under both schemes: P/(m g h) = 1, and halving h halves P.",
+        control: "The force P/h, which does not halve.",
+        sources: &["chapter §0 and §3"],
+        check: impulses,
+    },
+];
+
+fn signorini(reading: Reading) -> Result<Vec<Finding>> {
+    let ball = Ball { mass: ratio(1, 1), gravity: ratio(981, 100), restitution: reading.pick(ratio(0, 1), ratio(1, 2)) };
+    let h = ratio(1, 100);
+    let (mut product, mut smallest, mut held) = (Rational::zero(), Rational::zero(), 0usize);
+    for position in [ratio(0, 1), ratio(1, 200), ratio(1, 2)] {
+        for velocity in [ratio(-2, 1), ratio(-1, 10), ratio(0, 1), ratio(1, 1)] {
+            let now = Motion { position: position.clone(), velocity };
+            let outcome =
+                reading.pick(ball.stewart_trinkle(&now, &h), ball.moreau_jean(&now, &ratio(1, 1), Activation::FreeVelocityForecast, &h));
+            held += usize::from(outcome.impulse > Rational::zero());
+            product += (&outcome.motion.position * &outcome.impulse).magnitude();
+            smallest = smallest.min(outcome.impulse).min(outcome.motion.position);
+        }
+    }
+    Ok(vec![
+        Finding::exact("sum of φ⁺ r over 12 steps", &product, &Rational::zero(), "m·N·s"),
+        Finding::exact("smallest of all φ⁺ and r, or 0", &smallest, &Rational::zero(), "m, N·s"),
+        Finding::at_least("steps with an impulse", held as f64, 1.0, "1"),
+    ])
+}
+
+/// A box of half extents (0.3, 0.2) m and 1.5 kg, turned by 0.4 rad, over the ground; and its velocity.
+fn tilted_box() -> Result<(PlanarBodies, State)> {
+    let body = PlanarBody::solid("box", Shape::Box { half_extents: [0.3, 0.2] }, 1.5)?;
+    let ground = Plane::new(dvector![0.0, 1.0], 0.0, 0.5, 0.0)?;
+    let state = State { time: 0.0, position: dvector![0.1, 0.4, 0.4], velocity: dvector![0.3, -0.2, 1.1] };
+    Ok((PlanarBodies::new("tilted box", vec![body], [0.0, -9.81], ground)?, state))
+}
+
+fn gap_rate(reading: Reading) -> Result<Vec<Finding>> {
+    let (mechanism, State { position, velocity, .. }) = tilted_box()?;
+    let h = mechanics::DIFFERENCE_STEP;
+    let gaps = |time: f64| mechanism.contacts(&mechanism.integrate(&position, &velocity, time));
+    let bound = mechanics::central_difference(velocity.norm(), position.norm() + 1.0);
+    let mut findings = Vec::new();
+    for (k, contact) in mechanism.contacts(&position).iter().enumerate() {
+        let mut normal = contact.jacobian.row(0).clone_owned();
+        normal[2] *= reading.pick(1.0, 0.0);
+        let rate = (normal * &velocity)[0];
+        let measured = (gaps(h)[k].gap - gaps(-h)[k].gap) / (2.0 * h);
+        findings.push(Finding::equal(format!("dφ/dt of corner {k} against J v"), measured, rate, bound, "m/s"));
+        findings.push(Finding::decision(format!("corner {k} separates iff J v > 0"), gaps(h)[k].gap > contact.gap, rate > 0.0));
+    }
+    Ok(findings)
+}
+
+fn virtual_work(reading: Reading) -> Result<Vec<Finding>> {
+    let (mechanism, State { position, velocity, .. }) = tilted_box()?;
+    let jacobian = &mechanism.contacts(&position)[0].jacobian;
+    let (normal_force, friction_force) = (7.0, -2.0);
+    let reaction = dvector![normal_force, friction_force];
+    let square = jacobian * jacobian.transpose();
+    let weighted = square.lu().solve(&reaction).ok_or_else(|| Error::Unsupported("J has independent rows".into()))?;
+    let generalised = jacobian.transpose() * reading.pick(reaction, weighted);
+    // the corner (−0.3, −0.2) of the body, turned about ŷ by θ: (a cos θ + b sin θ, b cos θ − a sin θ)
+    let (s, c) = position[2].sin_cos();
+    let arm = [-0.3 * c - 0.2 * s, -0.2 * c + 0.3 * s];
+    let moment = arm[1] * friction_force - arm[0] * normal_force;
+    let corner_velocity = [velocity[0] + velocity[2] * arm[1], velocity[1] - velocity[2] * arm[0]];
+    let power = friction_force * corner_velocity[0] + normal_force * corner_velocity[1];
+    let bound = rounding(16, 10.0);
+    Ok(vec![
+        Finding::equal("moment about the centre of mass", generalised[2], moment, bound, "N·m"),
+        Finding::equal("force along the ground", generalised[0], friction_force, bound, "N"),
+        Finding::equal("force across the ground", generalised[1], normal_force, bound, "N"),
+        Finding::equal("power of the generalised force", generalised.dot(&velocity), power, bound, "W"),
+    ])
+}
+
+fn unit_impulses(reading: Reading) -> Result<Vec<Finding>> {
+    let r = |x: i64| ratio(x, 1);
+    let mass = DMatrix::from_diagonal(&DVector::from_vec(vec![r(1), r(2), r(4)]));
+    let jacobian = DMatrix::from_row_slice(2, 3, &[-1, 1, 0, 0, -1, 1].map(r));
+    let w = reading.pick(delassus(&mass, &jacobian)?, &jacobian * &mass * jacobian.transpose());
+    let mut findings = Vec::new();
+    for i in 0..2 {
+        let change = solve(&mass, &jacobian.row(i).transpose()).ok_or_else(|| Error::invalid("mass", "is singular", "use masses > 0"))?;
+        let response = &jacobian * change;
+        for j in 0..2 {
+            findings.push(Finding::exact(format!("W[{i}, {j}] against Δu_{j} of a unit impulse at {i}"), &w[(i, j)], &response[j], "1/kg"));
+        }
+    }
+    Ok(findings)
+}
+
+fn impulses(reading: Reading) -> Result<Vec<Finding>> {
+    let (coarse, fine) = (1.0 / 64.0, 1.0 / 128.0);
+    let schemes: [(&str, &dyn Scheme); 2] =
+        [("Moreau–Jean", &MoreauJean::default()), ("Stewart–Trinkle", &StewartTrinkle { directions: 4 })];
+    let bound = rounding(8, 2.0);
+    let mut findings = Vec::new();
+    for (name, scheme) in schemes {
+        let unknown = |h: f64| Ok::<f64, Error>(resting_impulse(scheme, h)? * reading.pick(1.0, 1.0 / h));
+        findings.push(Finding::equal(format!("{name}: unknown at h over that at h/2"), unknown(coarse)? / unknown(fine)?, 2.0, bound, "1"));
+        let scaled = resting_impulse(scheme, coarse)? / (2.0 * 9.81 * coarse);
+        findings.push(Finding::equal(format!("{name}: P/(m g h) at rest"), scaled, 1.0, bound, "1"));
+    }
+    Ok(findings)
+}
+
+/// The impulse of one step of a 2 kg ball at rest on the floor.
+fn resting_impulse(scheme: &dyn Scheme, h: f64) -> Result<f64> {
+    let ball = PointMass::ball_on_floor(2.0, 9.81, 0.5);
+    let rest = State { time: 0.0, position: dvector![0.0], velocity: dvector![0.0] };
+    let taken = step(scheme, &LemkePivoting, &ball, &rest, h)?;
+    taken.impulses.first().map(|impulse| impulse.impulse[0]).ok_or_else(|| Error::Unsupported("the ball touches the floor".into()))
+}
