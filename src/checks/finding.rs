@@ -30,7 +30,7 @@ pub struct Finding {
     pub unit: &'static str,
     /// How the two are compared.
     pub relation: Relation,
-    /// Measured and expected value as exact rationals, where the comparison was exact.
+    /// Measured and expected value as exact rationals or decisions, where the comparison was exact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exact: Option<[String; 2]>,
     holds: bool,
@@ -79,7 +79,9 @@ impl Finding {
 
     /// A decision that must come out as expected (1 true, 0 false).
     pub fn decision(name: impl Into<String>, measured: bool, expected: bool) -> Self {
-        Self::count(name, usize::from(measured), usize::from(expected))
+        let mut finding = Self::count(name, usize::from(measured), usize::from(expected));
+        finding.exact = Some([measured.to_string(), expected.to_string()]);
+        finding
     }
 
     /// Whether the measured value is as expected.
@@ -120,6 +122,13 @@ mod tests {
         assert!(!Finding::at_most("x", 1.0 + 1e-15, 1.0, "m").holds());
         assert!(Finding::at_least("x", 1.0, 1.0, "m").holds());
         assert!(!Finding::at_least("x", 1.0 - 1e-15, 1.0, "m").holds());
+    }
+
+    #[test]
+    fn a_decision_reads_as_one() {
+        let finding = Finding::decision("copositive", true, false);
+        assert!(!finding.holds() && finding.measured == 1.0);
+        assert_eq!(finding.to_string(), "copositive: true (expected = false, exact)");
     }
 
     #[test]

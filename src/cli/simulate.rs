@@ -98,10 +98,10 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
 }
 
 fn simulate(arguments: &Arguments, scene: &str) -> Result<()> {
-    let scheme = arguments.scheme()?;
+    let scheme = arguments.build_scheme()?;
     let solver = solvers::by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
-    let (scene, note) = arguments.scene(scene)?;
-    let steps = arguments.steps(&scene)?;
+    let (scene, note) = arguments.build_scene(scene)?;
+    let steps = arguments.count_steps(&scene)?;
     let (mechanism, start) = scene.mechanism()?;
     let exact = scene.exact_motion(&start);
     let recording = schemes::simulate(scheme.as_ref(), solver.as_ref(), mechanism.as_ref(), start, arguments.step, steps)?;
@@ -142,7 +142,7 @@ fn write(arguments: &Arguments, motion: &Motion, scene: &Scene, solver: &str) ->
 }
 
 impl Arguments {
-    fn scheme(&self) -> Result<Box<dyn Scheme>> {
+    fn build_scheme(&self) -> Result<Box<dyn Scheme>> {
         let own = [
             ("--theta", self.theta.is_some(), "moreau-jean"),
             ("--restitution", self.restitution.is_some(), "moreau-jean"),
@@ -172,7 +172,7 @@ impl Arguments {
     }
 
     /// The scene with the options applied, and what has to be said about it.
-    fn scene(&self, name: &str) -> Result<(Scene, Option<&'static str>)> {
+    fn build_scene(&self, name: &str) -> Result<(Scene, Option<&'static str>)> {
         let mut scene = find_scene(name)?;
         if let Some(duration) = self.duration {
             scene.duration = positive("--duration", duration)?;
@@ -190,7 +190,7 @@ impl Arguments {
         Ok((scene, plastic.then_some("this scheme has no restitution: every impact is plastic, e = 0 in place of the scene's")))
     }
 
-    fn steps(&self, scene: &Scene) -> Result<usize> {
+    fn count_steps(&self, scene: &Scene) -> Result<usize> {
         let step = positive("--step", self.step)?;
         let steps = (scene.duration / step).round();
         if steps < 1.0 {

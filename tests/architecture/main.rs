@@ -115,6 +115,14 @@ fn small_numbers_stand_in_the_table_of_tolerances_or_in_a_planted_defect() {
 }
 
 #[test]
+fn clocks_are_read_only_to_report_run_times() {
+    let files = library();
+    let reading = files.iter().filter(|file| file.code.contains("Instant") || file.code.contains("SystemTime"));
+    let paths: Vec<_> = reading.map(|file| file.path.to_string_lossy().into_owned()).collect();
+    assert_eq!(paths, ["claims/registry.rs"], "the same input gives the same output");
+}
+
+#[test]
 fn the_rules_can_fail() {
     let planted = |path: &str, code: &str| File { path: path.into(), code: strip(code) };
     let files = [
