@@ -66,12 +66,12 @@ fn complementary_slackness(reading: Reading) -> Result<Vec<Finding>> {
             let slack = lcp.slack(&z);
             z.iter().zip(slack.iter()).filter(|(z, w)| **z > zero && **w > zero).count()
         };
-        findings.push(Finding::decision(format!("LCP {} has a solution", index + 1), solutions.is_empty(), false));
         findings.push(Finding::count(
             format!("entries with z_i > 0 and w_i > 0, LCP {}", index + 1),
             solutions.iter().map(both_positive).sum(),
             0,
         ));
+        findings.push(Finding::decision(format!("LCP {} has a solution", index + 1), !solutions.is_empty(), true));
     }
     findings.extend([[-1, 1], [1, 3], [2, 1], [5, 1]].map(|[a, b]| proximal_point_is_normal(&ratio(a, b))));
     Ok(findings)

@@ -91,12 +91,10 @@ fn rest(rule: Activation) -> (Motion<Rational>, Rational) {
 fn activation(reading: Reading) -> Result<Vec<Finding>> {
     let approaching = [ratio(0, 1), ratio(-1, 1)];
     let tangent = |active| TangentCone::new([0, 1], active).contains(&approaching);
+    let other = reading.pick(Activation::FreeVelocityForecast, Activation::Gap);
+    let difference = rest(other).0.position - rest(Activation::Gap).0.position;
     let mut findings = vec![
-        Finding::decision(
-            "rules A and D rest at different heights",
-            rest(Activation::Gap).0 != rest(reading.pick(Activation::FreeVelocityForecast, Activation::Gap)).0,
-            true,
-        ),
+        Finding::at_least("rest height under rule D above that under rule A", difference.to_f64().value(), f64::MIN_POSITIVE, "m"),
         Finding::decision("approaching is tangent at φ > 0", tangent(false), true),
         Finding::decision("approaching is tangent at φ = 0", tangent(true), false),
     ];

@@ -50,9 +50,14 @@ fn base_measure(reading: Reading) -> Result<Vec<Finding>> {
     let mass = |count: usize| (0..count).map(|k| reading.pick(jump(k), whole(1))).fold(whole(0), |sum, weight| sum + weight);
     let total = (whole(1) + e.clone()) / (whole(1) - e.clone());
     let mut findings = Vec::new();
-    for count in [8, 16, 64] {
+    for count in [64, 16, 8] {
         let before = impact_time_ratio(&e, count) < accumulation_time_ratio(&e);
-        findings.push(Finding::decision(format!("mass of the first {count} atoms is at most 3"), mass(count) <= total, true));
+        findings.push(Finding::at_most(
+            format!("mass of the first {count} atoms"),
+            mass(count).to_f64().value(),
+            total.to_f64().value(),
+            "m/s",
+        ));
         findings.push(Finding::decision(format!("impact {count} comes before T∞"), before, true));
     }
     let remaining = total - (0..64).map(jump).fold(whole(0), |sum, weight| sum + weight);
@@ -115,7 +120,7 @@ fn sweeping_theory(reading: Reading) -> Result<Vec<Finding>> {
     let gaps: Vec<Rational> = left.iter().zip(&right).map(|(a, b)| b.clone() - a.clone()).collect();
     let separating = gaps.windows(2).filter(|pair| pair[1] > pair[0]).count();
     Ok(vec![
-        Finding::decision("the step of one planar contact has one solution", planar_contact(reading.pick(0, 2))?.len() == 1, true),
+        Finding::count("solutions of the step of one planar contact", planar_contact(reading.pick(0, 2))?.len(), 1),
         Finding::count("solutions of the contact that jams", planar_contact(2)?.len(), 3),
         Finding::count("steps in which two swept points separate", separating, 0),
         Finding::exact("their distance in the end", &gaps[24], &whole(0), "m"),

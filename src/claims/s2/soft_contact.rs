@@ -110,7 +110,7 @@ fn restitution(zeta: f64, end: End) -> f64 {
 fn stiff_limit(reading: Reading) -> Result<Vec<Finding>> {
     let soft = 1e4f64;
     let mut findings = Vec::new();
-    for stiffness in [soft, 1e8] {
+    for stiffness in [1e8, soft] {
         for (zeta, end) in [(0.2, End::Gap), (0.2, End::Force), (0.5, End::Gap), (0.5, End::Force), (0.0, End::Gap)] {
             let damping = 2.0 * zeta * reading.pick(stiffness, soft).sqrt();
             let (speed, depth) = impact(stiffness, damping, end);

@@ -86,9 +86,9 @@ fn case_two(reading: Reading) -> Result<Vec<Finding>> {
     let inclusion = Impact::moreau(whole(1), reading.pick(whole(0), ratio(1, 2)));
     let pre = whole(-1);
     Ok(vec![
-        Finding::count("solutions of the inclusion from v⁻ = −1", inclusion.solutions(&pre).len(), 1),
-        Finding::decision("v⁺ = 0 is a solution", inclusion.admits(&pre, &whole(0)), true),
         Finding::decision("the rebound v⁺ = 1/2 is a solution", inclusion.admits(&pre, &ratio(1, 2)), false),
+        Finding::decision("v⁺ = 0 is a solution", inclusion.admits(&pre, &whole(0)), true),
+        Finding::count("solutions of the inclusion from v⁻ = −1", inclusion.solutions(&pre).len(), 1),
     ])
 }
 
@@ -132,9 +132,9 @@ fn exercise_one(reading: Reading) -> Result<Vec<Finding>> {
     let mut findings = Vec::new();
     for (e, expected) in [(whole(1), whole(6)), (whole(0), whole(3)), (ratio(1, 2), ratio(9, 2))] {
         let solutions = Impact::moreau(mass.clone(), reading.pick(e.clone(), whole(0))).solutions(&pre);
-        findings.push(Finding::count(format!("solutions for e = {e}"), solutions.len(), 1));
         let impulse = |post: &Rational| mass.clone() * (post.clone() - pre.clone());
         findings.extend(solutions.iter().map(|post| Finding::exact(format!("P for e = {e}"), &impulse(post), &expected, "N·s")));
+        findings.push(Finding::count(format!("solutions for e = {e}"), solutions.len(), 1));
     }
     Ok(findings)
 }

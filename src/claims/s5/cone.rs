@@ -147,7 +147,7 @@ fn negative_normal_is_open(z: &mut [f64], mu: f64) {
 fn projection(reading: Reading) -> Result<Vec<Finding>> {
     let rule: Projection = reading.pick(project, negative_normal_is_open);
     let (z, mu) = (plane([-1, 10], [1, 1]), ratio(1, 1));
-    let nearest = euclidean(&z, &mu);
+    let nearest = reading.pick(euclidean(&z, &mu), plane([0, 1], [0, 1]));
     let rest = [z[0].clone() - nearest[0].clone(), z[1].clone() - nearest[1].clone()];
     let mut findings = vec![
         Finding::exact("r_n of the projection of (−1/10, 1), μ = 1", &nearest[0], &ratio(9, 20), "N·s"),
@@ -173,9 +173,9 @@ fn projection_states(reading: Reading) -> Result<Vec<Finding>> {
     let slipping = plane([-1, 1], [-2, 1]);
     let slip = reading.pick(plane([8, 5], [4, 5]), plane([4, 1], [0, 1]));
     let points = [
+        ("slip", slip, slipping.clone(), Case::Boundary),
         ("stick", plane([2, 1], [1, 2]), plane([-2, 1], [-1, 2]), Case::Stays),
         ("separation", plane([0, 1], [0, 1]), plane([2, 1], [1, 1]), Case::Apex),
-        ("slip", slip, slipping.clone(), Case::Boundary),
     ];
     let mut findings = Vec::new();
     for (state, impulse, free, case) in points {
