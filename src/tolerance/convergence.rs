@@ -221,11 +221,12 @@ pub fn slide_rounding(steps: usize) -> f64 {
     2.0 * super::rounding(16 * steps, 16.0)
 }
 
-/// Relative second-order part of the errors of a slide of `steps` steps from the velocity v₀.
+/// Relative second-order part of the errors of a slide of `steps` steps with 0 < μ² ≤ ¼.
 ///
-/// Under Coulomb's law the leading term is exact. Under the associated law the deficit a h μ²(1 − rˡ), r = μ²/(1+μ²), is
-/// reached geometrically: in a sum over n steps 1/(n(1−r)) of it is missing, at most 4(1+μ²) times as much relative to
-/// ½ − μ² ≥ ¼ of the position error. Rounding is far below.
+/// Under Coulomb's law the leading term is exact. Under the associated law the deficit a h μ² is reached as
+/// a h μ²(1 − rˡ), r = μ²/(1+μ²): over all steps μ² Σ rˡ ≤ μ²(1+μ²) steps' worth of a h is missing, relative to n steps of
+/// at least ¼ a h each (½ − μ² of the position, ½\[(1−μ²)² + μ⁴\] of ∫|v|). Rounding is far below.
 pub fn slide_second_order(friction: f64, steps: usize) -> f64 {
-    4.0 * (1.0 + friction * friction) / steps as f64
+    let squared = friction * friction;
+    4.0 * squared * (1.0 + squared) / steps as f64
 }

@@ -1,10 +1,14 @@
 //! Property family `convergence`: measured orders against derived ones.
 
+use crate::cases;
 use moreau::checks::Finding;
 use moreau::checks::convergence::{
-    Horizon, Incline, Stop, anitescu_hop, anitescu_slide, bouncing_ball, coulomb_slide, plastic_ball, sticking,
+    Horizon, Incline, Stop, anitescu_hop, anitescu_slide, ball_errors, bouncing_ball, coulomb_slide, plastic_ball, sticking,
 };
+use moreau::closed_forms::BouncingBall;
 use moreau::schemes::{Activation, Anitescu, MoreauJean, RestitutionRule, StewartTrinkle};
+use moreau::tolerance::convergence::Impacts;
+use proptest::prelude::*;
 
 fn all_hold(title: &str, findings: &[Finding]) {
     assert!(!findings.is_empty(), "{title}: nothing was measured");
@@ -85,4 +89,38 @@ fn a_sliding_block_has_order_one_with_the_constant_in_closed_form() {
 #[test]
 fn anitescu_hops_from_a_closed_gap_by_a_height_that_does_not_vanish_with_h() {
     all_hold("hop", &anitescu_hop(&Anitescu, &incline(0.3, 1.0)).expect("runs"));
+}
+
+proptest! {
+    #![proptest_config(cases(1000))]
+
+    /// The upper bounds hold for every step, whatever the phase of the impact.
+    #[test]
+    fn one_impact_stays_below_the_derived_constants_for_any_restitution_theta_and_phase(
+        restitution in 0.3..=1.0f64,
+        theta in 0.5..=1.0f64,
+        activation in prop::sample::select(&Activation::ALL),
+        intervals in 100.0..400.0f64,
+    ) {
+        let forecast = match activation {
+            Activation::Gap => 0.0,
+            Activation::HalfStepForecast => 0.5,
+            Activation::FreeVelocityForecast => 1.0,
+        };
+        let horizon = 1.0 + restitution;
+        let expected = Impacts { theta, forecast, restitution, shifts: 1, impacts: Some(1), horizon };
+        let scheme = MoreauJean { theta, activation, restitution: RestitutionRule::NormalOnly };
+        let ball = BouncingBall::new(9.81, 1.0, restitution).expect("valid");
+        let (fall, speed) = (ball.first_impact_time(), ball.impact_speed(1));
+        let h = fall / intervals;
+        let errors = ball_errors(&scheme, restitution, horizon, h).expect("the ball can be stepped");
+        for (name, constant, bounds) in [
+            ("position sup", errors.position / (speed * h), expected.position(intervals)),
+            ("velocity L1", errors.velocity_l1 / (speed * h), expected.velocity_l1(intervals)),
+            ("velocity sup", errors.velocity_sup / speed, expected.velocity_sup(intervals)),
+            ("graph distance", errors.graph * fall / h, expected.graph(intervals)),
+        ] {
+            prop_assert!(constant <= bounds.upper, "{name}: {constant} above {}", bounds.upper);
+        }
+    }
 }

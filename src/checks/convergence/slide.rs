@@ -117,8 +117,12 @@ pub fn anitescu_slide(subject: &dyn Scheme, incline: &Incline) -> Result<Vec<Fin
 
 /// Anitescu's slide from φ = 0 hops, by a height that does not vanish with h.
 ///
-/// First step: r on the boundary of K and y of K*, so v_n⁺ = μ v_t⁺ with v_t⁺ = v₀ − μ r: v_n⁺ = μv₀/(1+μ²) + O(h), and from
-/// there a free flight under g cos α.
+/// First step, with g_n = g cos α and g_s = g sin α: r on the boundary of K and y on that of K* give
+/// ```text
+///     v_n⁺ = \[μ (v₀ + h g_s) − μ² h g_n\]/(1+μ²) ,   within μ g h of w = μ v₀/(1+μ²) .
+/// ```
+/// From there the free flight q⁺ = q + h v⁺ rises to w²/(2g_n) + ½ w h, sampled to within g h²: in all the hop is within
+/// w h (½ + μ g/g_n) + g h² (1 + ½μ + ½μ² g/g_n) of w²/(2g_n).
 ///
 /// # Errors
 /// Those of the scheme.
@@ -130,8 +134,10 @@ pub fn anitescu_hop(subject: &dyn Scheme, incline: &Incline) -> Result<Vec<Findi
     for steps in STEPS {
         let (recording, h) = incline.run(subject, 0.0, steps)?;
         let hop = largest_gap(&component(&recording, 1));
-        // The launch is off by at most 2 g h and the apex is sampled: 2 launch/g_n · 2 g h/… + ½ launch h.
-        let tolerance = 3.0 * launch.abs() * h * incline.gravity / normal_gravity + 2.0 * incline.gravity * h * h;
+        let ratio = incline.gravity / normal_gravity;
+        let first = launch.abs() * h * (0.5 + mu * ratio);
+        let second = incline.gravity * h * h * (1.0 + 0.5 * mu + 0.5 * mu * mu * ratio);
+        let tolerance = first + second;
         findings.push(Finding::equal(format!("hop at h = {h:.3e}"), hop, height, tolerance, "m"));
     }
     Ok(findings)
