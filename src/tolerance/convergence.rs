@@ -91,7 +91,7 @@ impl Impacts {
     }
 
     /// ∫|v_h − v| dt in V h. In flight n the step function differs by c − u with u running through \[0, 1\] in each step,
-    /// so its mean is [`mean_distance`]\(c_n); the jump that ends it adds (1+e)eⁿ|b̂_n + s|.
+    /// so its mean is ∫₀¹|c_n − u| du; the jump that ends it adds (1+e)eⁿ|b̂_n + s|.
     pub fn velocity_l1(&self, intervals: f64) -> Bounds {
         let e = self.restitution;
         let second_order = |n: usize| (6.0 + 5.0 * self.shift(n).powi(2)) / intervals;
