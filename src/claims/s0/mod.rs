@@ -12,12 +12,5 @@ pub mod solutions;
 pub mod zeno;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[
-    zeno::CLAIMS,
-    one_step::CLAIMS,
-    orders::CLAIMS,
-    solutions::CLAIMS,
-    mechanics::CLAIMS,
-    geometry::CLAIMS,
-    rattle::CLAIMS,
-];
+pub const CLAIMS: &[&[Claim]] =
+    &[zeno::CLAIMS, one_step::CLAIMS, orders::CLAIMS, solutions::CLAIMS, mechanics::CLAIMS, geometry::CLAIMS, rattle::CLAIMS];
