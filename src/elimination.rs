@@ -8,10 +8,19 @@ use nalgebra::{DMatrix, DVector};
 /// # Panics
 /// If A is not square or b has another size.
 pub fn solve<T: Scalar>(matrix: &DMatrix<T>, right_side: &DVector<T>) -> Option<DVector<T>> {
-    let size = right_side.len();
-    assert!(matrix.is_square() && matrix.nrows() == size, "elimination needs a square matrix and a vector of its size");
+    let columns = DMatrix::from_column_slice(right_side.len(), 1, right_side.as_slice());
+    solve_columns(matrix, &columns).map(|solution| solution.column(0).into_owned())
+}
+
+/// The X with A X = B, column by column; `None` as for [`solve`].
+///
+/// # Panics
+/// If A is not square or B has another number of rows.
+pub fn solve_columns<T: Scalar>(matrix: &DMatrix<T>, right_sides: &DMatrix<T>) -> Option<DMatrix<T>> {
+    let size = right_sides.nrows();
+    assert!(matrix.is_square() && matrix.nrows() == size, "elimination needs a square matrix and right sides of its size");
     let mut a = matrix.clone();
-    let mut x = right_side.clone();
+    let mut x = right_sides.clone();
     for k in 0..size {
         let pivot = largest_below(&a, k)?;
         a.swap_rows(k, pivot);
@@ -25,18 +34,27 @@ pub fn solve<T: Scalar>(matrix: &DMatrix<T>, right_side: &DVector<T>) -> Option<
                 let change = factor.clone() * a[(k, j)].clone();
                 a[(i, j)] -= change;
             }
-            let change = factor * x[k].clone();
-            x[i] -= change;
+            for j in 0..x.ncols() {
+                let change = factor.clone() * x[(k, j)].clone();
+                x[(i, j)] -= change;
+            }
         }
     }
-    for k in (0..size).rev() {
-        for j in k + 1..size {
-            let change = a[(k, j)].clone() * x[j].clone();
-            x[k] -= change;
-        }
-        x[k] /= a[(k, k)].clone();
+    for mut column in x.column_iter_mut() {
+        substitute_back(&a, column.as_mut_slice());
     }
     Some(x)
+}
+
+/// Overwrites b by the x with U x = b for the upper triangle U.
+fn substitute_back<T: Scalar>(upper: &DMatrix<T>, x: &mut [T]) {
+    for k in (0..x.len()).rev() {
+        for j in k + 1..x.len() {
+            let change = upper[(k, j)].clone() * x[j].clone();
+            x[k] -= change;
+        }
+        x[k] /= upper[(k, k)].clone();
+    }
 }
 
 /// The rank of A, exact over rationals (for `f64`: the number of pivots that are not exactly zero).

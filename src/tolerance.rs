@@ -76,6 +76,21 @@ pub mod solvers {
         T::ratio(2 * rows as i64, 1) * T::spacing() * magnitude
     }
 
+    /// Smallest entry that may become a pivot in a tableau B⁻¹A scaled to entries of order one, √ε.
+    ///
+    /// A pivot p multiplies the condition of the basis by up to 1/p, and with it the relative error ε of the next tableau,
+    /// which is computed afresh from the data: at p = √ε half of the digits are left, below it an entry cannot be told from
+    /// the error ε/p of a basis whose last pivot was p. Zero for exact rationals.
+    pub fn smallest_pivot<T: Scalar>() -> T {
+        if T::spacing().is_zero() { T::zero() } else { T::ratio(1, 1 << 26) }
+    }
+
+    /// Size up to which an entry of such a tableau is zero, ε^¾: the error ε·cond(B) of a basis whose condition is the geometric
+    /// mean ε^(−¼) of the best (1) and the worst (ε^(−½)) that [`smallest_pivot`] admits. Zero for exact rationals.
+    pub fn tableau_zero<T: Scalar>() -> T {
+        if T::spacing().is_zero() { T::zero() } else { T::ratio(1, 1 << 39) }
+    }
+
     /// Pivots after which Lemke's method on rounded numbers is declared to cycle.
     ///
     /// Lexicographic pivoting repeats no basis in exact arithmetic, so exact runs have no limit. On contact problems

@@ -103,7 +103,7 @@ fn descent(symmetric: &DMatrix<Rational>, support: &[usize]) -> Option<DVector<R
     x.iter().all(|x| *x > RBig::ZERO).then_some(x)
 }
 
-/// x_α ≥ 0 with S_αα x_α = 0 and Σ_{j∉α} (S x)ⱼ = 1.
+/// x_α ≥ 0 with S_αα x_α = 0 and Σ_{j∉α} (S x)ⱼ > 0, scaled to Σx = 1.
 fn zero_outside_the_kernel(symmetric: &DMatrix<Rational>, support: &[usize]) -> Option<DVector<Rational>> {
     let size = support.len();
     let block = principal(symmetric, support);
@@ -119,7 +119,9 @@ fn zero_outside_the_kernel(symmetric: &DMatrix<Rational>, support: &[usize]) -> 
         }
     });
     let right_side = DVector::from_fn(size + 1, |i, _| ratio(i64::from(i == size), 1));
-    nonnegative_solution(&system, &right_side).point()
+    let zero = nonnegative_solution(&system, &right_side).point()?;
+    let sum = zero.iter().fold(RBig::ZERO, |sum, x| sum + x);
+    Some(zero / sum)
 }
 
 fn embed(size: usize, support: &[usize], values: &DVector<Rational>) -> DVector<Rational> {

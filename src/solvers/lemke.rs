@@ -2,11 +2,15 @@
 //!
 //! Ties in the ratio test are broken lexicographically on the rows of (q, B⁻¹), so in exact arithmetic no basis is
 //! visited twice and the path ends: at a solution of 0 ≤ z ⟂ M z + q ≥ 0, or on a secondary ray.
+//!
+//! With rounded numbers redundant contacts make bases that are singular up to rounding, and an updated tableau soon pivots on
+//! noise. There the tableau B⁻¹(I, −M, −d, q) is computed afresh from the data after every pivot, and entries below its
+//! error are zero. The problem should be scaled so that M and q have entries of order one.
 
 use crate::elimination;
 use crate::problem::Lcp;
 use crate::scalar::Scalar;
-use crate::tolerance::solvers::{cancellation, lemke_pivot_limit};
+use crate::tolerance::solvers::{cancellation, lemke_pivot_limit, smallest_pivot, tableau_zero};
 use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use std::cmp::Ordering;
@@ -55,7 +59,7 @@ pub fn lemke<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>) -> Result<LemkeOutc
     let mut row = tableau.first_row(covering);
     let mut entering = tableau.artificial();
     for pivots in 1..=lemke_pivot_limit::<T>(size) {
-        let leaving = tableau.pivot(row, entering);
+        let leaving = tableau.pivot(row, entering)?;
         if tableau.artificial_is_zero() {
             return Ok(LemkeOutcome::Solution { z: tableau.solution(lcp)?, pivots });
         }
@@ -86,6 +90,7 @@ fn is_finite<T: Scalar>(x: &T) -> bool {
 
 /// B⁻¹ (I, −M, −d, q) with the names of its basic variables: w is 0..n, z is n..2n, z₀ is 2n.
 struct Tableau<T: Scalar> {
+    data: DMatrix<T>,
     entries: DMatrix<T>,
     basis: Vec<usize>,
 }
@@ -93,13 +98,13 @@ struct Tableau<T: Scalar> {
 impl<T: Scalar> Tableau<T> {
     fn new(lcp: &Lcp<T>, covering: &DVector<T>) -> Self {
         let size = lcp.size();
-        let entries = DMatrix::from_fn(size, 2 * size + 2, |i, j| match j {
+        let data = DMatrix::from_fn(size, 2 * size + 2, |i, j| match j {
             j if j < size => T::ratio(i64::from(i == j), 1),
             j if j < 2 * size => -lcp.matrix[(i, j - size)].clone(),
             j if j == 2 * size => -covering[i].clone(),
             _ => lcp.vector[i].clone(),
         });
-        Tableau { entries, basis: (0..size).collect() }
+        Tableau { entries: data.clone(), data, basis: (0..size).collect() }
     }
 
     fn size(&self) -> usize {
@@ -126,7 +131,10 @@ impl<T: Scalar> Tableau<T> {
 
     /// Row of the lexicographically smallest ratio (q, B⁻¹)ᵢ / aᵢ over the positive entries a of a column.
     fn ratio_test(&self, column: usize) -> Option<usize> {
-        let rows = (0..self.size()).filter(|&i| self.entries[(i, column)] > T::zero());
+        let scale =
+            self.entries.column(column).iter().fold(T::one(), |largest, x| if x.magnitude() > largest { x.magnitude() } else { largest });
+        let floor = smallest_pivot::<T>() * scale;
+        let rows = (0..self.size()).filter(|&i| self.entries[(i, column)] > floor);
         rows.min_by(|&i, &k| self.compare(i, &self.entries[(i, column)], k, &self.entries[(k, column)]))
     }
 
@@ -135,7 +143,7 @@ impl<T: Scalar> Tableau<T> {
         let columns = std::iter::once(2 * self.size() + 1).chain(0..self.size());
         for j in columns {
             let (left, right) = (self.entries[(i, j)].clone() * a_k.clone(), self.entries[(k, j)].clone() * a_i.clone());
-            match left.partial_cmp(&right) {
+            match difference(left, right, self.size()).partial_cmp(&T::zero()) {
                 Some(Ordering::Equal) | None => {}
                 Some(order) => return order,
             }
@@ -144,7 +152,18 @@ impl<T: Scalar> Tableau<T> {
     }
 
     /// Brings a variable into the basis in place of the one in this row, and names the one that left.
-    fn pivot(&mut self, row: usize, entering: usize) -> usize {
+    fn pivot(&mut self, row: usize, entering: usize) -> Result<usize> {
+        let leaving = std::mem::replace(&mut self.basis[row], entering);
+        if T::spacing().is_zero() {
+            self.update(row, entering)
+        } else {
+            self.recompute()?
+        }
+        Ok(leaving)
+    }
+
+    /// One step of Gauss–Jordan elimination, for exact numbers.
+    fn update(&mut self, row: usize, entering: usize) {
         let pivot = self.entries[(row, entering)].clone();
         for j in 0..self.entries.ncols() {
             self.entries[(row, j)] /= pivot.clone();
@@ -156,11 +175,20 @@ impl<T: Scalar> Tableau<T> {
             }
             for j in 0..self.entries.ncols() {
                 let change = factor.clone() * self.entries[(row, j)].clone();
-                let old = self.entries[(i, j)].clone();
-                self.entries[(i, j)] = difference(old, change, self.basis.len());
+                self.entries[(i, j)] -= change;
             }
         }
-        std::mem::replace(&mut self.basis[row], entering)
+    }
+
+    /// B⁻¹ times the data, entries within its error set to zero, for rounded numbers.
+    fn recompute(&mut self) -> Result<()> {
+        let columns = DMatrix::from_fn(self.size(), self.size(), |i, j| self.data[(i, self.basis[j])].clone());
+        let Some(fresh) = elimination::solve_columns(&columns, &self.data) else {
+            return Err(Error::solver("lemke", "a basis is singular in rounded arithmetic; use exact rationals"));
+        };
+        let zero = tableau_zero::<T>();
+        self.entries = fresh.map(|x| if x.magnitude() <= zero { T::zero() } else { x });
+        Ok(())
     }
 
     /// Whether z₀ = 0: it left the basis, or sits in it at zero.
@@ -182,8 +210,9 @@ impl<T: Scalar> Tableau<T> {
             }
         }
         if z.iter().all(is_finite) {
-            // Rounding may leave a basic variable just below zero; the certificate judges what that does.
-            Ok(z.map(|value| if value < T::zero() { T::zero() } else { value }))
+            // Data of order one leave a basic variable that is zero within 2nε of it, on either side.
+            let rounding = cancellation(size, T::one());
+            Ok(z.map(|value| if value <= rounding { T::zero() } else { value }))
         } else {
             Err(Error::solver("lemke", "the last basis is singular in rounded arithmetic; use exact rationals"))
         }

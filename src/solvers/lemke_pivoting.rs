@@ -128,18 +128,28 @@ impl Form {
     }
 }
 
-/// Solves 0 ≤ z′ ⟂ S M S z′ + S q ≥ 0 and returns z = S z′.
+/// Solves 0 ≤ z′ ⟂ S M S z′ + S q/κ ≥ 0 with κ = max |S q| and returns z = κ S z′.
 fn solve_scaled(lcp: &Lcp<f64>, scale: &DVector<f64>) -> Result<(DVector<f64>, usize)> {
     let matrix = DMatrix::from_fn(lcp.size(), lcp.size(), |i, j| scale[i] * lcp.matrix[(i, j)] * scale[j]);
-    let scaled = Lcp::new(matrix, lcp.vector.component_mul(scale));
-    match lemke(&scaled, &DVector::from_element(lcp.size(), 1.0))? {
-        LemkeOutcome::Solution { z, pivots } => Ok((z.component_mul(scale), pivots)),
-        LemkeOutcome::Ray { pivots, .. } => {
-            let reason = format!("the LCP ended on a secondary ray after {pivots} pivots; it may have no solution");
-            Err(Error::solver(NAME, reason))
+    let vector = lcp.vector.component_mul(scale);
+    let size = vector.iter().fold(0.0, |largest: f64, q| largest.max(q.abs()));
+    let size = if size > 0.0 { size } else { 1.0 };
+    let scaled = Lcp::new(matrix, vector / size);
+    // The theorem holds for every positive covering vector; a ray that rounding made does not survive a change of it.
+    let rising = DVector::from_fn(lcp.size(), |i, _| 1.0 + i as f64 / lcp.size() as f64);
+    let falling = rising.map(|d: f64| 3.0 - d);
+    let mut failure = None;
+    for covering in [DVector::from_element(lcp.size(), 1.0), rising, falling] {
+        match lemke(&scaled, &covering) {
+            Ok(LemkeOutcome::Solution { z, pivots }) => return Ok((z.component_mul(scale) * size, pivots)),
+            Ok(LemkeOutcome::Ray { .. }) => failure = Some(Error::solver(NAME, SECONDARY_RAY)),
+            Err(error) => failure = failure.or(Some(error)),
         }
     }
+    Err(failure.expect("every covering vector that does not return leaves a failure"))
 }
+
+const SECONDARY_RAY: &str = "the LCP ended on a secondary ray for three covering vectors; it may have no solution";
 
 #[cfg(test)]
 mod tests {
