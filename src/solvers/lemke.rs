@@ -61,7 +61,7 @@ pub fn lemke<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>) -> Result<LemkeOutc
     for pivots in 1..=lemke_pivot_limit::<T>(size) {
         let leaving = tableau.pivot(row, entering)?;
         if tableau.artificial_is_zero() {
-            return Ok(LemkeOutcome::Solution { z: tableau.solution(lcp)?, pivots });
+            return Ok(LemkeOutcome::Solution { z: tableau.solution(), pivots });
         }
         entering = tableau.complement(leaving);
         match tableau.ratio_test(entering) {
@@ -196,26 +196,10 @@ impl<T: Scalar> Tableau<T> {
         self.basis.iter().position(|&variable| variable == self.artificial()).is_none_or(|row| *self.right_side(row) <= T::zero())
     }
 
-    /// z of the last basis, computed afresh from the data: M_αα z_α = −q_α.
-    fn solution(&self, lcp: &Lcp<T>) -> Result<DVector<T>> {
-        let size = self.size();
-        let mut z = self.values(|row| self.right_side(row).clone());
-        let support: Vec<usize> = (0..size).filter(|j| self.basis.contains(&(size + j))).collect();
-        let matrix = elimination::principal(&lcp.matrix, &support);
-        let right_side = DVector::from_fn(support.len(), |i, _| -lcp.vector[support[i]].clone());
-        // With z₀ still basic at zero M_αα may be singular; then the tableau's own values stand.
-        if let Some(fresh) = elimination::solve(&matrix, &right_side) {
-            for (&j, value) in support.iter().zip(fresh.iter()) {
-                z[j] = value.clone();
-            }
-        }
-        if z.iter().all(is_finite) {
-            // Data of order one leave a basic variable that is zero within 2nε of it, on either side.
-            let rounding = cancellation(size, T::one());
-            Ok(z.map(|value| if value <= rounding { T::zero() } else { value }))
-        } else {
-            Err(Error::solver("lemke", "the last basis is singular in rounded arithmetic; use exact rationals"))
-        }
+    /// z of the last basis; data of order one leave a basic variable that is zero within 2nε of it, on either side.
+    fn solution(&self) -> DVector<T> {
+        let rounding = cancellation(self.size(), T::one());
+        self.values(|row| self.right_side(row).clone()).map(|value| if value <= rounding { T::zero() } else { value })
     }
 
     fn ray(&self, entering: usize, pivots: usize) -> LemkeOutcome<T> {

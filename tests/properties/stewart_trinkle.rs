@@ -3,15 +3,19 @@
 use crate::cases;
 use moreau::certificate::copositivity::{NotPlus, copositive_plus};
 use moreau::certificate::lcp::residuals;
+use moreau::certificate::residuals::residuals as judge;
 use moreau::certificate::{Decision, existence};
 use moreau::checks::Finding;
 use moreau::checks::stewart_trinkle::{
     System, chapter_example, decisions, identity, rational_directions, reduced, reference, solvability, theorem_applies, wedge,
 };
-use moreau::problem::Lcp;
+use moreau::contact::delassus::delassus;
+use moreau::problem::{ContactProblem, Law, Lcp};
 use moreau::scalar::{Rational, Scalar, ratio};
 use moreau::solvers::enumeration::all_solutions;
 use moreau::solvers::lemke::{LemkeOutcome, lemke};
+use moreau::solvers::{ContactSolver, LemkePivoting};
+use moreau::tolerance::cli::CERTIFY;
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 
@@ -145,6 +149,47 @@ proptest! {
                 prop_assert!(!existence::hypothesis(&reduced(&system).unwrap().0, &system.friction, &added).holds());
             }
         }
+    }
+}
+
+/// A step in floating point: up to 8 contacts that may repeat or oppose the first, d = 4 or 8, mass ratios up to 10⁶, open gaps.
+fn rounded_step() -> impl Strategy<Value = ContactProblem> {
+    (1..=8usize, prop_oneof![Just(4usize), Just(8)], 1..=6usize).prop_flat_map(|(contacts, directions, velocities)| {
+        let relation = prop_oneof![2 => Just(Relation::Independent), 1 => Just(Relation::Redundant), 1 => Just(Relation::Opposed)];
+        (
+            prop::collection::vec(-1.0..1.0f64, 3 * contacts * velocities),
+            prop::collection::vec(relation, contacts),
+            prop::collection::vec(-3.0..3.0f64, velocities),
+            prop::collection::vec(0.0..2.0f64, contacts),
+            prop::collection::vec(prop_oneof![Just(0.0), 0.0..1.0f64], contacts),
+            prop::collection::vec(-5.0..5.0f64, velocities),
+        )
+            .prop_map(move |(entries, relations, masses, friction, gaps, free)| {
+                let jacobian = related(3, velocities, &entries, &relations);
+                let mass = DMatrix::from_diagonal(&DVector::from_vec(masses).map(|exponent: f64| 10f64.powf(exponent)));
+                ContactProblem {
+                    name: "random step".into(),
+                    rows_per_contact: 3,
+                    law: Law::PolyhedralCoulomb { directions },
+                    friction,
+                    free_velocity: &jacobian * DVector::from_vec(free),
+                    shift: DVector::from_fn(3 * contacts, |i, _| if i % 3 == 0 { gaps[i / 3] } else { 0.0 }),
+                    delassus: delassus(&mass, &jacobian).unwrap(),
+                    compliance: None,
+                    dynamics: None,
+                }
+            })
+    })
+}
+
+proptest! {
+    #![proptest_config(campaign(300))]
+
+    #[test]
+    fn rounded_lemke_solves_steps_with_open_gaps_to_the_tolerance_of_the_certificate(problem in rounded_step()) {
+        let solution = LemkePivoting.solve(&problem, None).map_err(|error| TestCaseError::fail(error.to_string()))?;
+        let judged = judge(&problem, &solution).unwrap();
+        prop_assert!(judged.is_solution(CERTIFY), "{judged:?}");
     }
 }
 
