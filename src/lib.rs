@@ -46,3 +46,8 @@ pub mod trajectory;
 
 pub use error::{Error, Result};
 pub use problem::{ContactProblem, Law, Solution};
+
+/// The README's example, compiled and run as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct ReadmeExample;
