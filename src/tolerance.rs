@@ -85,10 +85,10 @@ pub mod solvers {
         if T::spacing().is_zero() { T::zero() } else { T::ratio(1, 1 << 26) }
     }
 
-    /// Size up to which an entry of such a tableau is zero, ε^¾: the error ε·cond(B) of a basis whose condition is the geometric
-    /// mean ε^(−¼) of the best (1) and the worst (ε^(−½)) that [`smallest_pivot`] admits. Zero for exact rationals.
+    /// Size up to which an entry of such a tableau is zero for the choice of pivots, √ε: the error ε·cond(B) of a basis as badly
+    /// conditioned as [`smallest_pivot`] admits, cond(B) = 1/√ε. Zero for exact rationals.
     pub fn tableau_zero<T: Scalar>() -> T {
-        if T::spacing().is_zero() { T::zero() } else { T::ratio(1, 1 << 39) }
+        smallest_pivot()
     }
 
     /// Pivots after which Lemke's method on rounded numbers is declared to cycle.

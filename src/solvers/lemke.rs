@@ -45,7 +45,7 @@ pub enum LemkeOutcome<T: Scalar> {
 ///
 /// # Errors
 /// [`Error::Invalid`] if d has the wrong size or an entry that is not positive, or if M or q is not finite;
-/// [`Error::Solver`] if rounding makes the path cycle or its last basis singular (never over exact rationals).
+/// [`Error::Solver`] if rounding makes the path cycle or a basis singular (never over exact rationals).
 ///
 /// # Source
 /// Cottle, Pang, Stone, *The Linear Complementarity Problem*, chapter 4 (Lemke's method, lexicographic degeneracy resolution).
@@ -61,7 +61,7 @@ pub fn lemke<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>) -> Result<LemkeOutc
     for pivots in 1..=lemke_pivot_limit::<T>(size) {
         let leaving = tableau.pivot(row, entering)?;
         if tableau.artificial_is_zero() {
-            return Ok(LemkeOutcome::Solution { z: tableau.solution(), pivots });
+            return Ok(LemkeOutcome::Solution { z: tableau.solution()?, pivots });
         }
         entering = tableau.complement(leaving);
         match tableau.ratio_test(entering) {
@@ -182,10 +182,7 @@ impl<T: Scalar> Tableau<T> {
 
     /// B⁻¹ times the data, entries within its error set to zero, for rounded numbers.
     fn recompute(&mut self) -> Result<()> {
-        let columns = DMatrix::from_fn(self.size(), self.size(), |i, j| self.data[(i, self.basis[j])].clone());
-        let Some(fresh) = elimination::solve_columns(&columns, &self.data) else {
-            return Err(Error::solver("lemke", "a basis is singular in rounded arithmetic; use exact rationals"));
-        };
+        let fresh = elimination::solve_columns(&self.basis_columns(), &self.data).ok_or_else(singular)?;
         let zero = tableau_zero::<T>();
         self.entries = fresh.map(|x| if x.magnitude() <= zero { T::zero() } else { x });
         Ok(())
@@ -196,10 +193,16 @@ impl<T: Scalar> Tableau<T> {
         self.basis.iter().position(|&variable| variable == self.artificial()).is_none_or(|row| *self.right_side(row) <= T::zero())
     }
 
-    /// z of the last basis; data of order one leave a basic variable that is zero within 2nε of it, on either side.
-    fn solution(&self) -> DVector<T> {
+    /// z of the last basis, B x = q; data of order one leave a basic variable that is zero within 2nε of it, on either side.
+    fn solution(&self) -> Result<DVector<T>> {
+        let right_side = self.data.column(2 * self.size() + 1).into_owned();
+        let basic = elimination::solve(&self.basis_columns(), &right_side).ok_or_else(singular)?;
         let rounding = cancellation(self.size(), T::one());
-        self.values(|row| self.right_side(row).clone()).map(|value| if value <= rounding { T::zero() } else { value })
+        Ok(self.values(|row| basic[row].clone()).map(|value| if value <= rounding { T::zero() } else { value }))
+    }
+
+    fn basis_columns(&self) -> DMatrix<T> {
+        DMatrix::from_fn(self.size(), self.size(), |i, j| self.data[(i, self.basis[j])].clone())
     }
 
     fn ray(&self, entering: usize, pivots: usize) -> LemkeOutcome<T> {
@@ -228,6 +231,10 @@ impl<T: Scalar> Tableau<T> {
         }
         z
     }
+}
+
+fn singular() -> Error {
+    Error::solver("lemke", "a basis is singular in rounded arithmetic; use exact rationals")
 }
 
 /// a − b, read as zero where only rounding is left.
