@@ -60,9 +60,6 @@ pub mod scenes {
     pub const WRITTEN_UNIT_VECTOR: f64 = 1e-9;
 }
 
-/// Tolerances of [`crate::certificate`].
-pub mod certificate {}
-
 /// Tolerances of [`crate::solvers`].
 pub mod solvers {
     use super::EPSILON;
@@ -170,6 +167,7 @@ pub mod schemes {
     }
 }
 
+pub mod references;
 pub mod zeno;
 
 /// Leading errors of [`crate::checks::convergence`].
@@ -379,75 +377,6 @@ pub mod claims {
         /// Velocity \[m/s\] of two answers of projected Gauss–Seidel to one problem with impulses up to 8 and diagonal up to 3: each
         /// stops at a natural map of at most STOP·8, which bounds |u| at its pressed contacts by 3·8·STOP.
         pub const SWEEP_VELOCITY: f64 = 48.0 * super::super::solvers::STOP;
-    }
-}
-
-/// Tolerances of the comparison with stored engine runs.
-pub mod references {
-    use nalgebra::{DMatrix, DVector};
-
-    /// Relative natural map our solvers must reach on a stored step: what Clarabel is asked for, the weakest of their stopping rules
-    /// ([`super::solvers`]); polishing is only kept where it improves on it.
-    pub const OUR_SOLVERS: f64 = 1e-10;
-
-    /// Rounding of an engine's own formulas: at most some tens of operations on numbers of one size, 64 ε, and a cancellation of
-    /// four digits where a depth of 1e-4 m is read from positions of 1 m.
-    pub const ENGINE_ROUNDING: f64 = 64.0 * 1e4 * f64::EPSILON;
-
-    /// Largest gradient ‖M(q̈ − q̈₀) − Jᵀf‖ \[N\] at which MuJoCo's primal solvers stop: the scaled gradient ‖g‖/(m̄ nv) < `tolerance`,
-    /// with m̄ the mean of diag(M) (`stat.meaninertia`). With m̄ nv = tr M this is `tolerance` · tr M.
-    pub fn mujoco_gradient(tolerance: f64, mass: &DMatrix<f64>) -> f64 {
-        tolerance * mass.trace()
-    }
-
-    /// SAP's relative tolerance (`SapSolverParameters::rel_tolerance` in Drake 1.51).
-    const SAP_RELATIVE: f64 = 1e-6;
-
-    /// Largest momentum residual \[N·s\] at which SAP stops: ‖D g‖ ≤ 1e-6 max(‖D M v‖, ‖D Jᵀγ‖) with D = diag(M)^{-1/2}, hence ‖g‖ is at most
-    /// that over min D.
-    pub fn sap_gradient(mass: &DMatrix<f64>, momentum: &DVector<f64>, contact_impulse: &DVector<f64>) -> f64 {
-        let scale = mass.diagonal().map(|m| 1.0 / m.sqrt());
-        let size = |vector: &DVector<f64>| scale.component_mul(vector).norm();
-        SAP_RELATIVE * size(momentum).max(size(contact_impulse)) / scale.min()
-    }
-
-    /// Momentum \[N·s\] that `steps` steps of SAP (also behind Similar and Lagged) may leave unbalanced at one body of mass `body`:
-    /// √m · 1e-6 ‖D p‖ per step, with p at most Σ m (v + g h).
-    pub fn sap_momentum(body: f64, total: f64, speed: f64, steps: f64) -> f64 {
-        SAP_RELATIVE * (body * total).sqrt() * speed * steps
-    }
-
-    /// Momentum \[N·s\] that `steps` steps of MuJoCo's CG may leave unbalanced at one body of mass `body`.
-    ///
-    /// CG stops when a step improves the cost ½‖q̈ − q̈₀‖²_M + s(Jq̈ − a_ref) by less than `tolerance` · tr M. A step improves it by at least
-    /// ‖g‖²_{M⁻¹}/2L, what steepest descent would, with L = 1 + Σ A_ii/R_i. Here A_ii ≤ 4 Â_i (corners of these boxes),
-    /// R ≥ (1 − d_w)/d_w Â with d_w = 0.95, and there are at most 60 rows: ‖g‖_{M⁻¹} ≤ √(2 L tolerance tr M), √m of it on one body.
-    pub fn cg_momentum(tolerance: f64, rows: f64, mass_trace: f64, body: f64, h: f64, steps: f64) -> f64 {
-        let lipschitz = 1.0 + 4.0 * rows * 0.95 / (1.0 - 0.95);
-        (2.0 * lipschitz * tolerance * mass_trace * body).sqrt() * h * steps
-    }
-
-    /// Relative accuracy of the sliding gap read from a SAP step: the three terms that make the gap up are larger than it by at most 10,
-    /// and each carries SAP's relative tolerance.
-    pub fn sap_sliding_gap() -> f64 {
-        10.0 * SAP_RELATIVE
-    }
-
-    /// Relative error of a creep formula from the contact points' place: levers are those of the undeformed corners, and the depth
-    /// (at most 5 mm here) displaces a contact point by at most half of it over a lever of 0.05 m or more; the creep depends on levers only
-    /// through the rotational part of w and on depths through d.
-    pub const CREEP_GEOMETRY: f64 = 1e-4;
-
-    /// Headroom of the measured sensitivities: amplification and stopping effect come from one perturbation each, and a start differs
-    /// in at most 8 independent ways that matter (six velocities of a body, friction and normal data) from the one perturbed.
-    const HEADROOM: f64 = 8.0;
-
-    /// How far an engine determines a stored number of size at most `size`: rounding of `steps` steps amplified as measured when
-    /// the file was made, the measured effect of the engine's stopping tolerance, and the rounding of the number itself.
-    ///
-    /// The same rule decides in `scripts/reference/tolerance.py` whether a regenerated file is the stored one.
-    pub fn stored_number(amplification: f64, stopping: f64, steps: f64, size: f64) -> f64 {
-        HEADROOM * (amplification * steps * f64::EPSILON + stopping) + 64.0 * f64::EPSILON * size
     }
 }
 

@@ -1,3 +1,5 @@
+//! Planar bodies: candidates, gaps, gap rates and energies of every pair of shapes.
+
 use super::super::testing::assert_consistent;
 use super::*;
 use crate::contact::delassus::delassus;
