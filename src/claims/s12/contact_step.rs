@@ -61,7 +61,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "q⁺ = 0.00995 m (199/20000); the summands are right, their sum was truncated.",
         argument: "1/200 + 99/20000 = 199/20000 = 0.00995. The conclusion drawn from it, that the ball has left the floor, stands.",
-        control: "The printed sum 0.0099.",
+        control: "The printed 0.0099 m as the new position: it is not q + h v⁺.",
         sources: &["chapter §12, new position"],
         check: new_position,
     },
@@ -121,10 +121,12 @@ fn impulse_split(reading: Reading) -> Result<Vec<Finding>> {
 
 fn new_position(reading: Reading) -> Result<Vec<Finding>> {
     let outcome = worked_step(&worked_ball(), &ratio(1, 1));
-    let expected = reading.pick(ratio(199, 20000), ratio(99, 10000));
+    let position = reading.pick(outcome.motion.position, ratio(99, 10000));
+    let mean_velocity = (position.clone() - ratio(1, 200)) / ratio(1, 100);
     Ok(vec![
-        Finding::exact("q⁺", &outcome.motion.position, &expected, "m"),
-        Finding::decision("the ball has left the floor", outcome.motion.position > ratio(0, 1), true),
+        Finding::exact("q⁺", &position, &ratio(199, 20000), "m"),
+        Finding::exact("(q⁺ − q)/h − v⁺", &(mean_velocity - outcome.motion.velocity), &ratio(0, 1), "m/s"),
+        Finding::decision("the ball has left the floor", position > ratio(0, 1), true),
     ])
 }
 

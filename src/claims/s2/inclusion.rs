@@ -4,7 +4,7 @@ use super::half_space::{Impact, TangentCone, grid, line_normal_cone_contains, pa
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
-use crate::scalar::{Rational, ratio};
+use crate::scalar::{Rational, Scalar, ratio};
 
 /// Claims on the inclusion.
 pub const CLAIMS: &[Claim] = &[
@@ -14,10 +14,11 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "True where ∇φ ≠ 0; with several active constraints their gradients must be positively linearly independent (Mangasarian–Fromovitz).",
-        argument: "v is tangent to C at q iff dist(q + t v, C)/t → 0. C = {q₂ ≥ q₁²} at 0: for v = (1,0) the quotient is at most t, for v = (0,−1) it is 1, \
+        argument: "v is tangent to C at q iff dist(q + t v, C)/t → 0 (here in the maximum norm). C = {q₂ ≥ q₁²} at 0: for v = (1,0) the quotient is at most t, for v = (0,−1) it is 1, \
             as ∇φ = (0,1) says. φ = q³ on the line describes the same C = {q ≥ 0} as φ = q, but ∇φ(0) = 0 lets the formula accept v = −1, whose quotient is 1. \
-            φ₁ = q₂, φ₂ = −q₂ − q₁² leave C = {0}; the gradients (0,±1) accept v = (1,0), whose quotient is 1.",
-        control: "the formula on the two sets whose gradients vanish or oppose each other, as if the condition were not needed",
+            φ₁ = q₂, φ₂ = −q₂ − q₁² leave C = {0}; the gradients (0,±1) accept v = (1,0), whose quotient is 1. \
+            The check takes t = 1/64 and the nearest point of C on a grid of t/8 around t v.",
+        control: "the two sets described so that the condition holds: φ = q for φ = q³, and φ₁ alone for the opposed pair; there the formula is right",
         sources: &["chapter §2, steps 1 and 2", "Rockafellar and Wets, Variational Analysis, §6.D"],
         check: tangent,
     },
@@ -71,38 +72,61 @@ pub const CLAIMS: &[Claim] = &[
     },
 ];
 
-/// A set with 0 in it: active gradients, and a direction with the quotient dist(t v, C)/t.
-struct Sample {
-    name: &'static str,
-    gradients: &'static [[i64; 2]],
-    direction: [i64; 2],
-    quotient: fn(Rational) -> Rational,
+/// φ ≥ 0 with φ(0) = 0, and ∇φ(0).
+#[derive(Clone, Copy)]
+struct Constraint {
+    value: fn(&[Rational; 2]) -> Rational,
+    gradient: [i64; 2],
 }
 
-const REGULAR: [Sample; 2] = [
-    // dist ≤ t² (straight up to the parabola)
-    Sample { name: "along the parabola", gradients: &[[0, 1]], direction: [1, 0], quotient: |t| t },
-    Sample { name: "below the parabola", gradients: &[[0, 1]], direction: [0, -1], quotient: |_| whole(1) },
-];
-const DEGENERATE: [Sample; 2] = [
-    Sample { name: "φ = q³ into the wall", gradients: &[[0, 0]], direction: [-1, 0], quotient: |_| whole(1) },
-    Sample { name: "opposed gradients", gradients: &[[0, 1], [0, -1]], direction: [1, 0], quotient: |_| whole(1) },
-];
+const PARABOLA: Constraint = Constraint { value: |[x, y]| y.clone() - x.clone() * x, gradient: [0, 1] };
+const LINE: Constraint = Constraint { value: |[x, _]| x.clone(), gradient: [1, 0] };
+const CUBED: Constraint = Constraint { value: |[x, _]| x.clone() * x * x, gradient: [0, 0] };
+const ABOVE: Constraint = Constraint { value: |[_, y]| y.clone(), gradient: [0, 1] };
+const BELOW: Constraint = Constraint { value: |[x, y]| -y.clone() - x.clone() * x, gradient: [0, -1] };
+
+/// min ‖p − t v‖_∞/t over the points p of C on a grid of t/8 around t v, at most 1 because 0 is in C: dist(t v, C)/t to
+/// within the width of the grid.
+fn distance_quotient(set: &[Constraint], direction: &[Rational; 2], t: &Rational) -> Rational {
+    let offsets = (-8..=8).flat_map(|i| (-8..=8).map(move |j| [i, j]));
+    let inside = offsets.filter(|offset: &[i64; 2]| {
+        let point = [0, 1].map(|k| t.clone() * (direction[k].clone() + ratio(offset[k], 8)));
+        set.iter().all(|constraint| (constraint.value)(&point) >= whole(0))
+    });
+    inside.map(|[i, j]| ratio(i.abs().max(j.abs()), 8)).fold(whole(1), |least, quotient| if quotient < least { quotient } else { least })
+}
+
+/// Whether "∇φ·v ≥ 0 for all constraints" accepts v exactly if v is tangent to C at 0, that is within the grid's width of C.
+fn formula_is_right(set: &[Constraint], direction: [i64; 2]) -> bool {
+    let (direction, t) = (direction.map(whole), ratio(1, 64));
+    let accepted = set.iter().all(|constraint| TangentCone::new(constraint.gradient, true).contains(&direction));
+    accepted == (distance_quotient(set, &direction, &t) <= ratio(1, 8))
+}
+
+/// Whether |φ(w) − ∇φ·w| ≤ ‖w‖² on the axes near 0, so that the stated gradient is φ's.
+fn gradient_is_right(constraint: &Constraint) -> bool {
+    let reach = ratio(1, 1 << 20);
+    [[1, 0], [-1, 0], [0, 1], [0, -1]].iter().all(|w| {
+        let point = w.map(|entry| whole(entry) * &reach);
+        let linear = whole(constraint.gradient[0]) * &point[0] + whole(constraint.gradient[1]) * &point[1];
+        ((constraint.value)(&point) - linear).magnitude() <= reach.clone() * &reach
+    })
+}
 
 fn tangent(reading: Reading) -> Result<Vec<Finding>> {
-    let t = ratio(1, 1 << 20);
-    let agrees = |sample: &Sample| {
-        let direction = sample.direction.map(whole);
-        let accepted = sample.gradients.iter().all(|gradient| TangentCone::new(*gradient, true).contains(&direction));
-        accepted == ((sample.quotient)(t.clone()) <= t)
+    let cubed = reading.pick(CUBED, LINE);
+    let opposed = reading.pick(vec![ABOVE, BELOW], vec![ABOVE]);
+    let gradients = [PARABOLA, LINE, CUBED, ABOVE, BELOW].iter().all(gradient_is_right);
+    let decide = |name: &str, set: &[Constraint], direction, expected| {
+        Finding::decision(format!("formula is the tangent cone: {name}"), formula_is_right(set, direction), expected)
     };
-    let found = |sample: &Sample, expected: bool| {
-        Finding::decision(format!("formula is the tangent cone: {}", sample.name), agrees(sample), expected)
-    };
-    let expected = reading.pick(false, true);
-    let mut findings: Vec<Finding> = DEGENERATE.iter().map(|sample| found(sample, expected)).collect();
-    findings.extend(REGULAR.iter().map(|sample| found(sample, true)));
-    Ok(findings)
+    Ok(vec![
+        decide("φ = q³ into the wall", &[cubed], [-1, 0], false),
+        decide("opposed gradients", &opposed, [1, 0], false),
+        decide("along the parabola", &[PARABOLA], [1, 0], true),
+        decide("below the parabola", &[PARABOLA], [0, -1], true),
+        Finding::decision("the gradients are those of the constraints", gradients, true),
+    ])
 }
 
 fn force_in_cone(reading: Reading) -> Result<Vec<Finding>> {

@@ -54,7 +54,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "xᵀM_LCP x = x₁ᵀW̃x₁ + Σμᵢλᵢσᵢ: only +E against −Eᵀ cancels, μ has no partner. Copositivity follows all the same, the second implication does not.",
         argument: "In the wedge of two contacts with μ = 1/2 and x = (1, …, 1) the form exceeds x₁ᵀW̃x₁ by μ₁ + μ₂ = 1. At x = (0, 0, σ) it vanishes with (M + Mᵀ)x = (μσ, 0, 0).",
-        control: "The printed identity without Σμλσ.",
+        control: "The matrices without μ in their last rows, for which the printed identity and its consequence hold.",
         sources: &["chapter §4, proof of the theorem on M_LCP, and exercise 2"],
         check: general_form,
     },
@@ -129,15 +129,22 @@ fn general_form(reading: Reading) -> Result<Vec<Finding>> {
     let systems: [System; 2] = [wedge(ratio(1, 2)), chapter_example(ratio(0, 1), [ratio(0, 1), ratio(0, 1)])];
     let mut findings = Vec::new();
     for system in &systems {
-        let matrix = reference(system)?.matrix;
+        let mut matrix = reference(system)?.matrix;
         let impulses = system.sigma(0);
+        if reading == Reading::Control {
+            (0..system.contacts()).for_each(|i| matrix[(system.sigma(i), system.lambda(i))] = ratio(0, 1));
+        }
         let block = matrix.view((0, 0), (impulses, impulses)).into_owned();
         for x in [DVector::from_element(system.unknowns(), ratio(1, 1)), DVector::from_fn(system.unknowns(), |i, _| ratio(i as i64 + 1, 2))]
         {
             let cross = (0..system.contacts()).fold(ratio(0, 1), |sum, i| sum + &system.friction[i] * &x[i] * &x[system.sigma(i)]);
             let rest = quadratic_form(&matrix, &x) - quadratic_form(&block, &x.rows(0, impulses).into_owned());
-            findings.push(Finding::exact("xᵀMx − x₁ᵀW̃x₁", &rest, &reading.pick(cross, ratio(0, 1)), "J"));
+            findings.push(Finding::exact("xᵀMx − x₁ᵀW̃x₁", &rest, &cross, "J"));
         }
+        let slip = DVector::from_fn(system.unknowns(), |i, _| ratio(i64::from(i == impulses), 1));
+        let image = (&matrix + matrix.transpose()) * &slip;
+        findings.push(Finding::exact("xᵀMx at x = (0, 0, σ)", &quadratic_form(&matrix, &slip), &ratio(0, 1), "J"));
+        findings.push(Finding::exact("first entry of (M + Mᵀ)x there", &image[0], &system.friction[0], "m/s"));
     }
     Ok(findings)
 }

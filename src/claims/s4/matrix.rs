@@ -1,7 +1,6 @@
 //! The Stewart–Trinkle matrix of the chapter and its 4×4 example.
 
 use super::{chapter_matrix, integers};
-use crate::Result;
 use crate::certificate::definiteness::{Definiteness, definiteness, positive_semidefinite, quadratic_form};
 use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{chapter_example, reference};
@@ -10,6 +9,7 @@ use crate::contact::delassus::delassus;
 use crate::problem::stewart_trinkle::generators;
 use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
+use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
 pub const CLAIMS: &[Claim] = &[
@@ -75,7 +75,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "xᵀMx = λ² + (β₁ − β₂)² + ½λσ: the terms σ(β₁ + β₂) cancel, μλσ remains. It is ≥ 0 for x ≥ 0, so the conclusion drawn there survives, but M is not positive semidefinite.",
         argument: "x = (1, 0, 0, 1): xᵀMx = 3/2, the printed formula gives 1. x = (−1/10, 0, 0, 1): xᵀMx = 1/100 − 1/20 = −1/25 < 0.",
-        control: "The printed formula without ½λσ.",
+        control: "The matrix without μ in the row of the friction cone, whose form is the printed one.",
         sources: &["chapter §4, example “2D block on the ground”"],
         check: example_form,
     },
@@ -96,8 +96,9 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::Ambiguous,
         evidence: Evidence::Exact,
         correct_statement: "The matrix is 3×3 in blocks (λ, β, σ) and 4×4 in scalars (λ, β₁, β₂, σ), as in the section's own example.",
-        argument: "Unknowns: 1 normal impulse, 2 direction impulses, 1 slip speed – four scalars in three blocks. The text does not say which size is meant; leaving σ out would lose the row of the friction cone the exercise asks for.",
-        control: "Three scalar unknowns.",
+        argument: "Unknowns: 1 normal impulse, 2 direction impulses, 1 slip speed – four scalars in three blocks. The text does not say which size is meant; leaving σ out would lose the row of the friction cone the exercise asks for, and the three scalars (λ, β₁, σ) of d₁ alone brake one sense of sliding only: \
+            a slide at 2 m/s to 3/2 m/s in one sense, not at all in the other.",
+        control: "The three scalars (λ, β₁, σ) of the direction d₁ alone.",
         sources: &["chapter §4, exercise 1"],
         check: example_size,
     },
@@ -183,11 +184,13 @@ fn asymmetry(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 fn example_form(reading: Reading) -> Result<Vec<Finding>> {
-    let matrix = chapter_matrix()?;
-    let cross = reading.pick(ratio(1, 2), ratio(0, 1));
+    let mut matrix = chapter_matrix()?;
+    if reading == Reading::Control {
+        matrix[(3, 0)] = ratio(0, 1);
+    }
     let formula = |x: &DVector<Rational>| {
         let difference = &x[1] - &x[2];
-        &x[0] * &x[0] + &difference * &difference + &cross * &x[0] * &x[3]
+        &x[0] * &x[0] + &difference * &difference + ratio(1, 2) * &x[0] * &x[3]
     };
     let negative = DVector::from_vec(vec![ratio(-1, 10), ratio(0, 1), ratio(0, 1), ratio(1, 1)]);
     let points = [integers(&[1, 0, 0, 1]), negative, integers(&[2, 3, 1, 5]), integers(&[0, 1, 4, 2]), integers(&[-3, 1, 1, 7])];
@@ -213,9 +216,18 @@ fn block_form(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 fn example_size(reading: Reading) -> Result<Vec<Finding>> {
-    let system = chapter_example(ratio(0, 1), [ratio(0, 1), ratio(0, 1)]);
+    let slide = |speed: i64| -> Result<(usize, Rational)> {
+        let mut system = chapter_example(ratio(0, 1), [ratio(speed, 1), ratio(-1, 1)]);
+        system.directions.truncate(reading.pick(2, 1));
+        let lcp = reference(&system)?;
+        let set = all_solutions(&lcp)?;
+        let z = set.points.first().ok_or_else(|| Error::solver("enumeration", "one point over a floor has a solution"))?;
+        Ok((lcp.size(), &system.free_velocity[0] + &system.impulse(z)[0] / &system.mass[0]))
+    };
+    let ((unknowns, forward), (_, backward)) = (slide(2)?, slide(-2)?);
     Ok(vec![
-        Finding::count("scalar unknowns of the LCP", reference(&system)?.size(), reading.pick(4, 3)),
-        Finding::count("unknowns λ, βⱼ, σ of one contact with d = 2", 1 + system.directions.len() + 1, 4),
+        Finding::count("scalar unknowns of the LCP", unknowns, 4),
+        Finding::exact("velocity after the step of a slide at 2 m/s", &forward, &ratio(3, 2), "m/s"),
+        Finding::exact("velocity after the step of a slide at −2 m/s", &backward, &ratio(-3, 2), "m/s"),
     ])
 }
