@@ -306,6 +306,54 @@ mod tests {
         assert!(direction.iter().any(|z| *z > ratio(0, 1)));
     }
 
+    /// Whether z(t) = point + t·direction with z₀(t) ≥ 0 satisfies 0 ≤ z ⟂ Mz + q + d z₀ ≥ 0 for t = 0, 1, 5.
+    fn is_a_ray_of(lcp: &Lcp<Rational>, covering: &DVector<Rational>, outcome: LemkeOutcome<Rational>) -> bool {
+        let LemkeOutcome::Ray { point, artificial, direction, artificial_direction, .. } = outcome else { return false };
+        let moves = direction.iter().any(|z| *z > ratio(0, 1)) || artificial_direction > ratio(0, 1);
+        moves
+            && [0, 1, 5].map(|t| ratio(t, 1)).iter().all(|t| {
+                let z = &point + &direction * t.clone();
+                let z0 = &artificial + &artificial_direction * t;
+                let w = lcp.slack(&z) + covering * z0.clone();
+                z0 >= ratio(0, 1) && z.iter().chain(w.iter()).all(|x| *x >= ratio(0, 1)) && z.dot(&w) == ratio(0, 1)
+            })
+    }
+
+    #[test]
+    fn rays_are_unbounded_paths_of_the_augmented_problem() {
+        // The jamming contact ends on a ray along which several basic variables change, w = −z − 1 on one along which z₀ grows.
+        let jamming = rationals(4, &[9, 12, -12, 0, 12, 16, -16, 25, -12, -16, 16, 25, 25, -25, -25, 0], &[-25, 0, 0, 0]);
+        let growing = rationals(1, &[-1], &[-1]);
+        for (lcp, covering) in
+            [(jamming.clone(), ones(4)), (jamming, DVector::from_fn(4, |i, _| ratio(4 - i as i64, 1))), (growing, ones(1))]
+        {
+            assert!(is_a_ray_of(&lcp, &covering, lemke(&lcp, &covering).unwrap()), "{covering}");
+        }
+    }
+
+    #[test]
+    fn kostrevas_problem_on_which_lemke_cycles_without_a_rule_for_ties_is_solved() {
+        let lcp = rationals(3, &[1, 2, 0, 0, 1, 2, 2, 0, 1], &[-1, -1, -1]);
+        let rounded = Lcp::new(lcp.matrix.map(|x| Scalar::to_f64(&x)), lcp.vector.map(|x| Scalar::to_f64(&x)));
+        let LemkeOutcome::Solution { z, .. } = lemke(&rounded, &ones(3)).expect("no cycle") else { panic!("a P-matrix has a solution") };
+        assert!(z.iter().all(|z| (z - 1.0 / 3.0).abs() <= crate::tolerance::rounding(9, 1.0)), "{z}");
+        let LemkeOutcome::Solution { z, .. } = lemke(&lcp, &ones(3)).unwrap() else { panic!("a P-matrix has a solution") };
+        assert_eq!(z, DVector::from_element(3, ratio(1, 3)));
+    }
+
+    #[test]
+    fn every_covering_vector_leads_to_the_solution_of_a_p_matrix() {
+        for vector in [[-3, -7, 2], [-1, -2, -3], [5, -4, -1]] {
+            let lcp = rationals(3, &[4, -1, 2, 3, 5, -1, -2, 1, 6], &vector);
+            let unique = crate::solvers::enumeration::all_solutions(&lcp).unwrap().points[0].clone();
+            for covering in [[1, 1, 1], [1, 10, 1], [1, 1, 100], [50, 7, 1]] {
+                let covering = DVector::from_row_slice(&covering.map(|x| ratio(x, 1)));
+                let LemkeOutcome::Solution { z, .. } = lemke(&lcp, &covering).unwrap() else { panic!("a P-matrix has a solution") };
+                assert_eq!(z, unique, "q = {vector:?}, d = {covering}");
+            }
+        }
+    }
+
     #[test]
     fn nan_and_a_zero_covering_vector_are_refused() {
         let nan = Lcp::new(DMatrix::from_element(1, 1, f64::NAN), DVector::from_element(1, -1.0));
