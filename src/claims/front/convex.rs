@@ -21,7 +21,7 @@ pub(super) const PREFACE: &[Claim] = &[
         statement: "Module B: implement Anitescu's convex step with APGD and a second-order cone; measure and verify the O(h) gliding, the speed of a block at rest on an incline being proportional to h.",
         verdict: Verdict::False,
         evidence: Evidence::Measured,
-        correct_statement: "The hard convex step keeps a block with tan α < μ at rest for every h. What is proportional to h is the gap μh|v_t| of a sliding block. (A regularised convex step, as Drake's SAP, does creep proportionally to h.)",
+        correct_statement: "The hard convex step keeps a block with tan α < μ at rest for every h. What is proportional to h is the gap μh|v_t| of a sliding block. (A regularised convex step, as Drake's SAP, does creep proportionally to h.) One mistake, counted at S5.gliding-creep.",
         argument: "v = 0 satisfies the optimality conditions of the step, see S5.gliding-creep. Measured with the scheme and the solver the module asks for: block of 1 kg at 20°, μ = 0.5, one second with h = 0.02, 0.01, 0.005: distance 0 to rounding.",
         control: "The same scheme with the tangential softness R_t = 1/1000 kg⁻¹: it creeps.",
         sources: &["chapter, cumulative project, module B"],

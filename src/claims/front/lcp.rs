@@ -30,7 +30,7 @@ pub const PREFACE: &[Claim] = &[Claim {
 /// Claims of the table of misconceptions.
 pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     id: "M.lcp-nonunique",
-    statement: "Misconception “solvable means uniquely solvable”: copositive-plus guarantees existence only; the LCP may have several solutions, and changing the solver changes the result.",
+    statement: "Misconception “solvable means uniquely solvable”: copositive-plus guarantees existence only; where several bodies collide at once the LCP may have several solutions, and changing the solver changes the result.",
     verdict: Verdict::True,
     evidence: Evidence::Exact,
     correct_statement: "Copositive-plus and feasible gives existence, not uniqueness. (The Stewart–Trinkle matrix itself is not copositive-plus with friction, see S4.copos-plus.)",
@@ -47,7 +47,7 @@ pub const TABLES: &[Claim] = &[Claim {
     verdict: Verdict::True,
     evidence: Evidence::Exact,
     correct_statement: "True for the LCP of a step with one restitution coefficient, q = H(v_free + e v): it is always feasible, and feasible with W ⪰ 0 is solvable.",
-    argument: "If no z ≥ 0 had Wz + q ≥ 0, Farkas would give y ≥ 0 with Wy ≤ 0 and qᵀy < 0; then yᵀWy ≤ 0, so Hᵀy = 0 and qᵀy = (v_free + ev)ᵀHᵀy = 0. Eight contacts of a block with three velocities, all velocities from {−2, …, 2}³ and e = 1/2: W ⪰ 0 of rank 3, each of the 125 LCPs solved exactly.",
+    argument: "If no z ≥ 0 had Wz + q ≥ 0, Farkas would give y ≥ 0 with Wy ≤ 0 and qᵀy < 0; then yᵀWy ≤ 0, so Hᵀy = 0 and qᵀy = (v_free + ev)ᵀHᵀy = 0. Eight contacts of a block with three velocities, all velocities from {−2, …, 2}³ and e = 1/2: W ⪰ 0 of rank 3, each of the 125 LCPs solved exactly. (With different coefficients it may fail, see S3.normal-solvable.)",
     control: "Data q that is not of the form Hv: two opposite contacts that both close at 1.",
     sources: &["chapter, table of theorems", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.1"],
     check: normal_lcp,
@@ -61,7 +61,7 @@ fn existence_only(reading: Reading) -> Result<Vec<Finding>> {
     Ok(vec![
         Finding::decision("the solution is unique", set.is_unique(), false),
         Finding::decision("the matrix is copositive-plus", plus, true),
-        Finding::decision("a solution exists", set.is_empty(), false),
+        Finding::decision("a solution exists", !set.is_empty(), true),
     ])
 }
 

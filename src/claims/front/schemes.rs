@@ -101,13 +101,13 @@ pub const TABLES: &[Claim] = &[
     },
     Claim {
         id: "T.symbols",
-        statement: "The table of symbols: one meaning each, D = [d₁, …, d_d] the tangential directions, N = DᵀM⁻¹D the Hessian of \
+        statement: "The table of symbols gives D = [d₁, …, d_d] the tangential directions, N = DᵀM⁻¹D the Hessian of \
                     Anitescu's QP (equal to the Delassus operator), N_K(x) the normal cone, E the coupling vector, e the restitution.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Consistent if D is read as the tangential directions in §4 and as the generators of all contact directions, \
-                            normals included, in §5, and N as a matrix there but as a cone in §2: with the D of the table, \
-                            DᵀM⁻¹D is not the Delassus operator.",
+                            normals included, in §5, N as a matrix there but as a cone in §2, and E as a vector in §4 but as an energy in §3: with the D of the table, \
+                            DᵀM⁻¹D is not the Delassus operator. (§5 itself says that its D stacks normals and tangents.)",
         argument: "Planar contact of a unit mass: the D of §4 is [t, −t], so DᵀM⁻¹D = [[1, −1], [−1, 1]], singular; the Delassus operator of \
                    (n, t) is the identity. With D = [n, t] both agree.",
         control: "D read as [n, t] in both places, for which the two matrices agree.",

@@ -24,7 +24,9 @@ pub const CLAIMS: &[Claim] = &[
         argument: "A ball on a spring, q̈ = −g − 4q, e = 0.8, closed form by arcs of cosines, over three impacts. RK4 with the impact \
                    bisected to neighbouring floats: the error of q at the end falls like h⁴. Between impacts the method is of order 4; \
                    at a transversal impact the located time and state depend smoothly on the data, so each impact only multiplies the \
-                   error by a constant. The same RK4 with the velocity flipped at the end of the step is of order 1.",
+                   error by a constant. The same RK4 with the velocity flipped at the end of the step is of order 1. \
+                   The reason the chapter gives, stages that straddle the jump, limits its sentence to such integrators; and its §1 itself calls \
+                   event-driven methods the more accurate ones for a single impact.",
         control: "RK4 with the velocity flipped after penetration takes the place of the one that locates impacts.",
         sources: &["chapter §0, the trap of judging contact integrators by their order"],
         check: located,

@@ -114,8 +114,11 @@ fn stiff_limit(reading: Reading) -> Result<Vec<Finding>> {
         for (zeta, end) in [(0.2, End::Gap), (0.2, End::Force), (0.5, End::Gap), (0.5, End::Force), (0.0, End::Gap)] {
             let damping = 2.0 * zeta * reading.pick(stiffness, soft).sqrt();
             let (speed, depth) = impact(stiffness, damping, end);
-            let name = format!("ζ = {zeta}, contact until the {end:?} ends, k = {stiffness:e}");
-            findings.push(Finding::equal(format!("e, {name}"), speed, restitution(zeta, end), soft_restitution(), "1"));
+            let name = format!(
+                "ζ = {zeta}, contact until the {} ends, k = {stiffness:e}",
+                if matches!(end, End::Gap) { "penetration" } else { "push" }
+            );
+            findings.push(Finding::equal(format!("restitution, {name}"), speed, restitution(zeta, end), soft_restitution(), "1"));
             findings.push(Finding::at_most(format!("depth × √k, {name}"), depth * stiffness.sqrt(), 1.0 + soft_restitution(), "m/s"));
         }
     }

@@ -51,7 +51,7 @@ fn sinking(reading: Reading) -> Result<Vec<Finding>> {
     let rule = |activation: Activation| move |ball: &Ball<f64>, now: &Motion<f64>| ball.moreau_jean(now, &0.5, activation, &STEP).motion;
     let sink = settled_velocity(rule_c);
     let first = reading.pick(settled_velocity(rule(Activation::Gap)), sink);
-    let mut findings = vec![Finding::equal("velocity after landing", first, 0.0, f64::EPSILON, "m/s")];
+    let mut findings = vec![Finding::equal("sinking velocity long after landing", first, 0.0, f64::EPSILON, "m/s")];
     for activation in Activation::ALL {
         let velocity = settled_velocity(rule(activation));
         findings.push(Finding::equal(format!("velocity after landing, rule {}", activation.name()), velocity, 0.0, f64::EPSILON, "m/s"));

@@ -91,7 +91,7 @@ fn runs_down(reading: Reading) -> Result<Vec<Finding>> {
     let swing = 0.5 * 0.01 * ((9.81f64).sqrt() + 9.81 * 0.01) / 0.5;
     let ball = Scalar::to_f64(&elastic_ball(Activation::Gap, steps).2);
     let ratio = reading.pick(ball, oscillator_energy_ratio(steps));
-    let mut findings = vec![Finding::at_least("E(end)/E(start) under θ = 1", ratio, 1.0 - swing, "1")];
+    let mut findings = vec![Finding::at_least("E(end)/E(start) of 500 steps with θ = 1", ratio, 1.0 - swing, "1")];
     for activation in Activation::ALL {
         let (values, bounces, _) = elastic_ball(activation, steps);
         findings.push(Finding::count(format!("distinct values of E − (θ−½) m g h v, rule {}", activation.name()), values, 1));

@@ -16,7 +16,7 @@ use nalgebra::{DMatrix, DVector};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.psd-lcp",
-        statement: "The LCP of a positive semidefinite matrix has a solution if it is feasible, and Lemke's algorithm or PGS finds one.",
+        statement: "The LCP of a positive semidefinite matrix has a solution if it is feasible, and Lemke's algorithm (or PGS, see S3.pgs-ok) finds one.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "True, for symmetric and asymmetric semidefinite matrices; Lemke's method ends on a ray exactly when the LCP is infeasible.",
@@ -30,7 +30,7 @@ pub const CLAIMS: &[Claim] = &[
         statement: "W ⪰ 0 guarantees that the normal LCP of every Moreau–Jean step is solvable.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Semidefinite is half of it, feasibility the other half. With one coefficient e for all contacts the LCP is always feasible, with any redundancy; with different eᵢ it need not be.",
+        correct_statement: "Semidefinite is half of it, feasibility the other half. With one coefficient e for all contacts, as the chapter writes it, the LCP is always feasible, with any redundancy; with different eᵢ it need not be.",
         argument: "Infeasible iff some y ≥ 0 has Hᵀy = 0 and yᵀ diag(e) H v < 0 (Farkas). With one e the second is e(Hᵀy)ᵀv = 0. Unit point between two walls moving at 1 into the first: W = [[1, −1], [−1, 1]], U⁻ = (−1, 1), e = (1, 0): q = (−2, 1), and the rows add up to 0 ≥ 1. With e = (1/2, 1/2) it is feasible and solvable.",
         control: "The same step with e = (1/2, 1/2).",
         sources: &["chapter §3, step 5"],

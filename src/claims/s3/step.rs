@@ -44,7 +44,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "U_n⁺ = −e U_n holds exactly at contacts with P > 0, and U_n is the velocity at the start of the step, which differs from the velocity at the impact by at most g h in free fall. A closed contact with P = 0 separates by its own velocity.",
-        argument: "e = 1/2, h = 1/100 s, q = 1/200 m, v = −1 m/s: v⁺ = 1/2 exactly, while the ball reaches the floor with 1.047 m/s, so that v⁺ differs from e times that by 0.024 ≤ e g h = 0.049 m/s. At q = 0, v = +1 m/s the contact is closed, P = 0 and v⁺ = 1 − g h, not −e v.",
+        argument: "e = 1/2, h = 1/100 s, q = 1/200 m, v = −1 m/s: v⁺ = 1/2 exactly, while the ball reaches the floor with 1.048 m/s, so that v⁺ differs from e times that by 0.024 ≤ e g h = 0.049 m/s. At q = 0, v = +1 m/s the contact is closed, P = 0 and v⁺ = 1 − g h, not −e v.",
         control: "The law claimed at a closed contact that separates.",
         sources: &["chapter §3, step 3 of the θ scheme"],
         check: newton_law,

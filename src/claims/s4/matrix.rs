@@ -73,7 +73,7 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Example: the cross terms with σ cancel and xᵀMx = λ² + (β₁ − β₂)² ≥ 0 remains.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "xᵀMx = λ² + (β₁ − β₂)² + ½λσ: the terms σ(β₁ + β₂) cancel, μλσ remains. It is ≥ 0 for x ≥ 0, so the conclusion drawn there survives, but M is not positive semidefinite.",
+        correct_statement: "xᵀMx = λ² + (β₁ − β₂)² + ½λσ: the terms σ(β₁ + β₂) cancel, μλσ remains. It is ≥ 0 for x ≥ 0, so the conclusion drawn there survives, but M is not positive semidefinite. (The dropped term is that of S4.quadratic-general.)",
         argument: "x = (1, 0, 0, 1): xᵀMx = 3/2, the printed formula gives 1. x = (−1/10, 0, 0, 1): xᵀMx = 1/100 − 1/20 = −1/25 < 0.",
         control: "The matrix without μ in the row of the friction cone, whose form is the printed one.",
         sources: &["chapter §4, example “2D block on the ground”"],
@@ -112,8 +112,8 @@ fn groups(reading: Reading) -> Result<Vec<Finding>> {
     let slip = reading.pick(&z[3], &z[0]);
     let second = [0, 1].map(|j| slip + system.direction(0, j).dot(&velocity));
     Ok(vec![
-        Finding::exact("second entry of the second group", &second[1], &ratio(0, 1), "m/s"),
-        Finding::exact("first entry of the second group", &second[0], &ratio(3, 1), "m/s"),
+        Finding::exact("slack of the second group where friction acts", &second[1], &ratio(0, 1), "m/s"),
+        Finding::exact("slack of the second group at the other direction", &second[0], &ratio(3, 1), "m/s"),
         Finding::exact("sliding speed after the step", &velocity[0], &ratio(3, 2), "m/s"),
         Finding::decision("the step has one solution", set.is_unique(), true),
     ])
@@ -128,7 +128,7 @@ fn reduced_block(reading: Reading) -> Result<Vec<Finding>> {
         _ => 0,
     };
     Ok(vec![
-        Finding::decision("positive semidefinite", positive_semidefinite(&block).holds(), true),
+        Finding::decision("W̃ is positive semidefinite", positive_semidefinite(&block).holds(), true),
         Finding::decision("symmetric", block == block.transpose(), true),
         Finding::count("rank", rank, 2),
     ])

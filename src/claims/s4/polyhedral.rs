@@ -38,7 +38,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Measured,
         correct_statement: "d = 8 is 7.6 % weak in the worst direction and up to 22.5° off in the direction of the force; a free slide drifts sideways by up to 10.6 % of its stopping distance.",
         argument: "1 − cos(π/8) = 0.0761. A slide at angle ψ from a direction keeps that direction's friction until the velocity has turned to the bisector, then follows the bisector: with v² = 2μg·s the sideways displacement has the closed form of `lateral_drift`, \
-            largest at ψ = 0.200 where it is 0.1056 s. Stewart–Trinkle with 8 directions measures the same; the first order of the drift is (π/4)/d, not 1/d².",
+            largest at ψ = 0.200 where it is 0.1056 of the stopping distance. Stewart–Trinkle with 8 directions measures the same; the first order of the drift is (π/4)/d, not 1/d².",
         control: "the circular cone, which is what quite accurate would mean",
         sources: &["chapter §4, pitfall on the polyhedral cone"],
         check: eight_directions,

@@ -67,10 +67,10 @@ fn slip_speed(reading: Reading) -> Result<Vec<Finding>> {
     let boundary = step(ratio(0, 1), [ratio(1, 2), ratio(-1, 1)])?;
     let open = reading.pick(step(ratio(1, 1), [ratio(2, 1), ratio(0, 1)])?, sliding.clone());
     Ok(vec![
-        Finding::decision("at the open contact σ is a family", moves(&open, 3), true),
+        Finding::decision("σ varies at the open contact", moves(&open, 3), true),
         Finding::exact("its least σ", &least_sigma(&open), &ratio(2, 1), "m/s"),
         Finding::exact("σ when sliding at 3/2 m/s", &least_sigma(&sliding), &ratio(3, 2), "m/s"),
-        Finding::decision("σ is unique when sliding", moves(&sliding, 3), false),
+        Finding::decision("σ varies when sliding", moves(&sliding, 3), false),
         Finding::decision("σ = 0 in every solution when sticking", vanishes(&sticking, 3), true),
         Finding::decision("σ = 0 when sticking on the boundary", vanishes(&boundary, 3), true),
     ])

@@ -19,7 +19,10 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The printed set is −K_μ. It demands n·v ≤ 0, so it excludes separation, and steady sliding: with μ = 1/2 and n·v = μ‖v_t‖ = 1/2, which is in K_μ* and orthogonal to r = (1, −1/2), it reads 1/4 + 1 ≤ 0. \
             Reversing n gives K_μ, not K_μ*: μ stands on the wrong factor unless μ = 1. As the polar cone it fails too: (−1, 19/10) is in K_μ° but not in the printed set.",
         control: "the printed set as the constraint",
-        sources: &["chapter §5, section on creep", "Anitescu, Optimization-based simulation of nonsmooth rigid multibody dynamics (2006)"],
+        sources: &[
+            "chapter §5, section on creep",
+            "Anitescu, Optimization-based simulation of nonsmooth rigid multibody dynamics (2006, not read)",
+        ],
         check: relaxed_constraint,
     },
     Claim {
@@ -131,7 +134,7 @@ fn relaxed_constraint(reading: Reading) -> Result<Vec<Finding>> {
     let (sliding, impulse) = (plane([1, 2], [1, 1]), plane([1, 1], [-1, 2]));
     let beside = plane([-1, 1], [19, 10]);
     Ok(vec![
-        Finding::decision("steady sliding, u = (1/2, 1), is allowed", allowed(&sliding), true),
+        Finding::decision("the constraint allows steady sliding, u = (1/2, 1)", allowed(&sliding), true),
         Finding::exact("power of r = (1, −1/2) on it", &dot(&impulse, &sliding), &ratio(0, 1), "J"),
         Finding::decision("separation, u = (1, 0), is allowed", allowed(&plane([1, 1], [0, 1])), true),
         Finding::decision("approach, u = (−1, 0), is excluded", !allowed(&plane([-1, 1], [0, 1])), true),

@@ -12,10 +12,10 @@ pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.gliding-creep",
         statement: "Anitescu's relaxation produces a visible artefact: an object that should stick, for instance a block at rest on an incline, \
-                    slips slowly with a speed of order h.",
+                    slips slowly with a speed of order h (the chapter quotes Drake's SAP documentation for it).",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "The hard relaxation sticks exactly: for tan α ≤ μ its step keeps v = 0. Its artefact belongs to sliding contacts, which \
+        correct_statement: "The hard relaxation sticks exactly: from rest at φ = 0 with tan α ≤ μ its step keeps v = 0. Its artefact belongs to sliding contacts, which \
                             hover at the gap φ = μ h |v_t|. Creep of order h in stick belongs to schemes that also regularise friction, such as \
                             Drake's SAP with its tangential softness R_t.",
         argument: "At φ = 0, v = 0 the impulse r = h m g (cos α, −sin α) lies in K_μ for tan α ≤ μ and makes u = 0 ∈ K_μ*; r·u = 0, so this is the \
@@ -31,7 +31,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "When the normal force is large the body slips with a speed proportional to the normal force, although it should stick.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "The hard relaxation does not creep at all. With a tangential softness R_t the creep is v = R_t r_t, proportional to the \
+        correct_statement: "The hard relaxation does not creep at all (S5.gliding-creep). With a tangential softness R_t the creep is v = R_t r_t, proportional to the \
                             tangential impulse and independent of the normal load.",
         argument: "In stick the law velocity y_t = u_t + R_t r_t vanishes, so u_t = −R_t r_t whatever r_n is, as long as |r_t| ≤ μ r_n. In 20 exact steps \
                    from rest with R_t = 1/1000: pressing twice as hard (g_n 8 → 16 m/s²) changes the speed by the factor 1, pulling twice as hard along the slope \
@@ -49,7 +49,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         correct_statement: "The constraint is n·v + φ/h ≥ μ|v_t|. It lets tangential motion force normal lift, u_n = μ|u_t|; a normal approach or a penetration forces no \
                             tangential motion.",
         argument: "A block with μ = 1 that arrives with v_n = −1/10 under the tangential load of the 3-4-5 slope stops: v⁺ = (0, 0). A block \
-                   that lies 1/1000 deep on level ground leaves with v⁺ = (1/10, 0) for h = 1/100: no slip. Conversely a tangential velocity of 1 m/s \
+                   that lies 1/1000 deep on level ground leaves with v⁺ = (1/10, 0) for h = 1/100: no slip in that step. (On an incline gravity then acts along the slope while the contact is open, under Coulomb's law as well.) Conversely a tangential velocity of 1 m/s \
                    with μ = 1/2 on level ground without gravity becomes v_t = 1/(1+μ²) = 4/5 and v_n = μ/(1+μ²) = 2/5. The leak needs the sign as printed: the set \
                    μ n·v + |v_t| ≤ 0 contains the velocity (−9/50, 3/50) of free fall into the slope and lets it pass. (One mistake, counted at S5.relaxed-constraint.)",
         control: "The printed set: the velocity it leaves to the arriving block is its free one, because the set contains it.",
@@ -161,7 +161,7 @@ fn proportional_to_h(reading: Reading) -> Result<Vec<Finding>> {
         Reading::Control => relative_gap(ratio(1, 2), &h)? / relative_gap(ratio(1, 4), &h)?,
     };
     Ok(vec![
-        Finding::exact("ratio between the friction coefficients", &between, &ratio(1, 1), "1"),
+        Finding::exact("artefact at one friction coefficient over that at another", &between, &ratio(1, 1), "1"),
         Finding::exact("creep with h/10 over creep with h", &(of_h(&ratio(1, 1000))? / of_h(&h)?), &ratio(1, 10), "1"),
         Finding::exact("sliding gap φ/(h v_t) for μ = 1/2", &relative_gap(ratio(1, 2), &h)?, &ratio(1, 2), "1"),
         Finding::exact("sliding gap φ/(h v_t) for μ = 1/4", &relative_gap(ratio(1, 4), &h)?, &ratio(1, 4), "1"),

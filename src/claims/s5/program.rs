@@ -38,10 +38,10 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S5.psd-unique",
-        statement: "Even if N is only positive semidefinite, the solution is usually still unique once the friction cone is added.",
+        statement: "Even if N is only positive semidefinite, the solution is usually still unique once the friction cone is added; or a proximal regularisation guarantees it.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "If N is singular, v⁺ and Nγ stay unique, but the impulses are in general not: a box that sticks on two corners has a segment of optimal impulses for every load inside the cones.",
+        correct_statement: "If N is singular, v⁺ and Nγ stay unique, but the impulses are in general not: a box that sticks on two corners has a segment of optimal impulses for every load inside the cones. The alternative the text names does hold: a regularised program is strictly convex in γ.",
         argument: "Both corners of a box have the same tangential row, so k = (0,1,0,−1) has Nk = 0. If γ is optimal with both corners strictly inside their cones, γ + s k is feasible with the same objective, \
                    hence optimal, for all small s; and being strictly inside is an open condition on the load. Checked exactly for three loads: γ, γ ± k/20 all satisfy K ∋ γ ⟂ y ∈ K* and give the same v⁺. The text says \
                    “usually”; this is the usual case of a box at rest.",
