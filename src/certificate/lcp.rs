@@ -65,6 +65,9 @@ mod tests {
         assert_eq!(at(ratio(-1, 2), ratio(0, 1)).primal, ratio(1, 2));
         assert_eq!(at(ratio(0, 1), ratio(0, 1)).dual, ratio(1, 1));
         assert_eq!(at(ratio(1, 1), ratio(0, 1)).complementarity, ratio(1, 1));
+        assert!(
+            !at(ratio(-1, 2), ratio(0, 1)).vanish() && !at(ratio(0, 1), ratio(0, 1)).vanish() && !at(ratio(1, 1), ratio(0, 1)).vanish()
+        );
     }
 
     #[test]

@@ -152,3 +152,51 @@ fn momentum_sees_a_missing_impulse() {
     assert_eq!(momentum(&(one.clone() * 2.0), &v(1.5), &v(-1.0), &one, &v(4.0)), 0.0);
     assert_eq!(momentum(&(one.clone() * 2.0), &v(1.5), &v(-1.0), &one, &v(3.0)), 1.0);
 }
+
+#[test]
+fn every_residual_alone_decides_on_both_sides_of_its_own_scale() {
+    let none = judged(&planar(Law::Coulomb, &SLIDING), &[1.0, -0.5]);
+    assert!(none.impulse_scale != none.velocity_scale && none.is_solution(0.125));
+    let (impulse, velocity, map) = (none.impulse_scale, none.velocity_scale, none.natural_map_scale);
+    let fields: [(f64, fn(&mut Residuals) -> &mut f64); 5] = [
+        (impulse, |r| &mut r.primal),
+        (velocity, |r| &mut r.dual),
+        (impulse * velocity, |r| &mut r.complementarity),
+        (map, |r| &mut r.natural_map),
+        (velocity, |r| &mut r.velocity),
+    ];
+    for (index, (scale, field)) in fields.into_iter().enumerate() {
+        for (value, accepted) in [(0.125 * scale, true), ((0.125 * scale).next_up(), false), (f64::NAN, false)] {
+            let mut found = none;
+            *field(&mut found) = value;
+            assert_eq!(found.is_solution(0.125), accepted, "residual {index} at {value}");
+        }
+    }
+}
+
+#[test]
+fn parts_that_do_not_add_up_to_the_impulse_are_primal_residuals() {
+    // Pressed and at rest: every pair is complementary, but Σ Dⱼβⱼ = −0.2 is not r_t = 0.
+    let mut stuck = answer(&planar(Law::PolyhedralCoulomb { directions: 2 }, &[-1.0, 0.0]), &[1.0, 0.0]);
+    stuck.beta = Some(DVector::from_vec(vec![0.0, 0.2]));
+    assert_eq!(residuals(&planar(Law::PolyhedralCoulomb { directions: 2 }, &[-1.0, 0.0]), &stuck).unwrap().primal, 0.2);
+    // f = (0.4, 2) has μ Σ Dⱼfⱼ = −0.8 = r_t but Σ fⱼ = 2.4 is not r_n = 1.6.
+    let problem = planar(Law::PolyhedralAssociated { directions: 2 }, &SLIDING);
+    let mut edges = answer(&problem, &[1.6, -0.8]);
+    edges.beta = Some(DVector::from_vec(vec![0.4, 2.0]));
+    assert!((residuals(&problem, &edges).unwrap().primal - 0.8).abs() <= 4.0 * f64::EPSILON);
+}
+
+#[test]
+fn nan_is_passed_on_by_every_law() {
+    let laws = [Law::Frictionless, Law::Coulomb, Law::Associated];
+    for law in laws.into_iter().chain([Law::PolyhedralCoulomb { directions: 2 }, Law::PolyhedralAssociated { directions: 2 }]) {
+        for place in 0..2 {
+            let problem = planar(law, &SLIDING);
+            let mut solution = answer(&problem, &[1.0, -0.5]);
+            solution.impulse[place] = f64::NAN;
+            let found = residuals(&problem, &solution).unwrap();
+            assert!(found.complementarity.is_nan() && found.natural_map.is_nan() && found.velocity.is_nan(), "{law:?}: {found:?}");
+        }
+    }
+}

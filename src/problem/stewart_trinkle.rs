@@ -136,4 +136,23 @@ mod tests {
         assert_eq!((matrix[(8, 0)], matrix[(9, 1)], matrix[(9, 0)]), (0.25, 0.75, 0.0));
         assert_eq!((matrix[(5, 9)], matrix[(9, 5)], matrix[(4, 9)]), (1.0, -1.0, 0.0));
     }
+
+    #[test]
+    fn compliance_is_added_to_w_and_the_shift_to_the_free_velocity() {
+        let problem = ContactProblem {
+            name: "soft".into(),
+            rows_per_contact: 2,
+            law: Law::Coulomb,
+            friction: vec![0.5],
+            free_velocity: DVector::from_vec(vec![-1.0, 2.0]),
+            shift: DVector::from_vec(vec![0.25, -0.5]),
+            delassus: DMatrix::from_row_slice(2, 2, &[1.0, 0.5, 0.5, 2.0]),
+            compliance: Some(Compliance { coordinates: Coordinates::Contact, diagonal: DVector::from_vec(vec![0.125, 4.0]) }),
+            dynamics: None,
+        };
+        let lcp = problem.stewart_trinkle_lcp().expect("planar Coulomb");
+        let expected = [1.125, 0.5, -0.5, 0.0, 0.5, 6.0, -6.0, 1.0, -0.5, -6.0, 6.0, 1.0, 0.5, -1.0, -1.0, 0.0];
+        assert_eq!(lcp.matrix, DMatrix::from_row_slice(4, 4, &expected));
+        assert_eq!(lcp.vector, DVector::from_vec(vec![-0.75, 1.5, -1.5, 0.0]));
+    }
 }

@@ -87,6 +87,17 @@ mod tests {
     }
 
     #[test]
+    fn a_penetrating_contact_is_pushed_out_within_the_step() {
+        // φ = −1/64, h = 1/16: both schemes ask for v⁺ = −φ/h = 1/4 and arrive at q⁺ = 0.
+        let ball = PointMass::ball_on_floor(1.0, 9.81, 0.5);
+        let state = State { time: 0.0, position: dvector![-1.0 / 64.0], velocity: dvector![0.0] };
+        for scheme in [&Anitescu as &dyn Scheme, &StewartTrinkle::default()] {
+            let next = step(scheme, &ProjectedGaussSeidel::default(), &ball, &state, 1.0 / 16.0).expect("one contact").state;
+            assert!((next.velocity[0] - 0.25).abs() <= rounding(8, 1.0) && next.position[0].abs() <= rounding(8, 0.1), "{}", scheme.name());
+        }
+    }
+
+    #[test]
     fn a_distant_contact_takes_part_without_impulse() {
         let ball = PointMass::ball_on_floor(1.0, 9.81, 0.0);
         let state = State { time: 0.0, position: dvector![1.0], velocity: dvector![0.0] };

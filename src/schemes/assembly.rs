@@ -111,3 +111,39 @@ pub(crate) fn normal_only(normal: f64, rows: usize) -> DVector<f64> {
     vector[0] = normal;
     vector
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanics::{OscillatorWithStop, Plane, PointMass};
+    use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme};
+    use crate::tolerance::rounding;
+    use nalgebra::dvector;
+
+    #[test]
+    fn an_active_contact_keeps_its_own_row_friction_and_restitution() {
+        let plane = |normal, friction, restitution| Plane::new(normal, 0.0, friction, restitution).expect("a unit normal");
+        let planes = vec![plane(dvector![1.0, 0.0], 0.2, 0.25), plane(dvector![0.0, 1.0], 0.7, 0.5)];
+        let corner = PointMass::new("corner", 1.0, dvector![0.0, -10.0], planes).expect("valid");
+        // At (1, 0) the point touches the second plane only.
+        let state = State { time: 0.0, position: dvector![1.0, 0.0], velocity: dvector![0.0, -2.0] };
+        let scheme = MoreauJean { theta: 0.5, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
+        let step = scheme.assemble(&corner, &state, 0.1).expect("valid");
+        let problem = step.problem.expect("one contact");
+        assert_eq!((step.active, problem.friction.clone()), (vec![1], vec![0.7]));
+        assert_eq!(problem.shift, dvector![0.5 * -2.0, 0.0]);
+        assert_eq!(problem.free_velocity, dvector![-3.0, 0.0]);
+    }
+
+    #[test]
+    fn the_delassus_operator_is_that_of_the_effective_mass() {
+        // M̂ = m + θ h c + θ² h² k = 2 + 0.05 + 0.125 with θ = ½, h = ½, c = 0.2, k = 2.
+        let stop = OscillatorWithStop::new(2.0, 2.0, 0.2, 0.0, 0.0).expect("valid");
+        let state = State { time: 0.0, position: dvector![-0.1], velocity: dvector![-1.0] };
+        let scheme = MoreauJean { theta: 0.5, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
+        let step = scheme.assemble(&stop, &state, 0.5).expect("valid");
+        let problem = step.problem.expect("the stop is penetrated");
+        assert!((step.effective_mass[(0, 0)] - 2.175).abs() <= rounding(4, 2.0));
+        assert!((problem.delassus[(0, 0)] - 1.0 / 2.175).abs() <= rounding(4, 1.0));
+    }
+}
