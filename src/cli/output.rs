@@ -1,9 +1,24 @@
 //! Writing results: standard output that survives a closed pipe, notes on standard error, colours.
 
+use crate::files::is_same_file;
 use crate::report::text::Style;
 use crate::{Error, Result};
 use std::io::{ErrorKind, IsTerminal, Write};
 use std::path::Path;
+
+/// Refuses to write a result over the file it comes from.
+///
+/// # Errors
+/// [`Error::Invalid`] names the option.
+pub fn keep_input(input: &Path, option: &str, output: Option<&Path>) -> Result<()> {
+    match output {
+        Some(output) if input.is_file() && is_same_file(input, output) => {
+            let problem = format!("is {}, the file that is read", output.display());
+            Err(Error::invalid(option, problem, "write the result to another file"))
+        }
+        _ => Ok(()),
+    }
+}
 
 /// Writes to standard output. A reader that stops early (`| head`) is not an error.
 ///

@@ -1,12 +1,13 @@
 //! `moreau simulate`: a scene through a scheme, with numbers, a file and a picture.
 
 use super::near::suggestion;
-use super::output::print;
+use super::output::{keep_input, print};
 use super::{Answer, Format};
-use crate::files::write_together;
+use crate::files::{is_same_file, write_together};
 use crate::mechanics::State;
 use crate::report::json::pretty;
 use crate::report::motion::{Motion, Quantity, lines};
+use crate::report::number::significant;
 use crate::report::plot;
 use crate::scenes::{self, ExactMotion, Scene};
 use crate::schemes::{self, Activation, Parameters, RestitutionRule, Scheme};
@@ -99,6 +100,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
 
 fn simulate(arguments: &Arguments, scene: &str) -> Result<()> {
     let scheme = arguments.build_scheme()?;
+    arguments.keep_files(scene)?;
     let solver = solvers::by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
     let (scene, note) = arguments.build_scene(scene)?;
     let steps = arguments.count_steps(&scene)?;
@@ -125,9 +127,6 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<()> {
 
 /// Writes the trajectory and the picture, both or none.
 fn write(arguments: &Arguments, motion: &Motion, scene: &Scene, solver: &str) -> Result<()> {
-    if arguments.out.is_some() && arguments.out == arguments.plot {
-        return Err(Error::invalid("--plot", "is the file of --out", "give each its own file"));
-    }
     let title = format!("{}, {}, h = {} s", motion.recording.mechanism, motion.recording.scheme, motion.recording.time_step);
     let mut files: Vec<(&Path, String)> = Vec::new();
     if let Some(file) = &arguments.plot {
@@ -142,6 +141,19 @@ fn write(arguments: &Arguments, motion: &Motion, scene: &Scene, solver: &str) ->
 }
 
 impl Arguments {
+    /// Neither result may go over the scene or over the other one.
+    fn keep_files(&self, scene: &str) -> Result<()> {
+        for (option, file) in [("--out", &self.out), ("--plot", &self.plot)] {
+            keep_input(Path::new(scene), option, file.as_deref())?;
+        }
+        match (&self.out, &self.plot) {
+            (Some(out), Some(plot)) if is_same_file(out, plot) => {
+                Err(Error::invalid("--plot", "is the file of --out", "give each its own file"))
+            }
+            _ => Ok(()),
+        }
+    }
+
     fn build_scheme(&self) -> Result<Box<dyn Scheme>> {
         let own = [
             ("--theta", self.theta.is_some(), "moreau-jean"),
@@ -194,10 +206,15 @@ impl Arguments {
         let step = positive("--step", self.step)?;
         let steps = (scene.duration / step).round();
         if steps < 1.0 {
-            return Err(Error::invalid("--step", format!("is {step} s"), format!("the motion lasts {} s", scene.duration)));
+            return Err(Error::invalid(
+                "--step",
+                format!("is {} s", significant(step)),
+                format!("the motion lasts {} s", significant(scene.duration)),
+            ));
         }
         if steps > STEP_LIMIT as f64 {
-            let problem = format!("is {step} s, {steps} steps over {} s", scene.duration);
+            let [step, steps, duration] = [step, steps, scene.duration].map(significant);
+            let problem = format!("is {step} s, {steps} steps over {duration} s");
             return Err(Error::invalid("--step", problem, format!("at most {STEP_LIMIT} steps are recorded")));
         }
         Ok(steps as usize)

@@ -1,6 +1,6 @@
 //! `moreau solve`: solves a contact problem and certifies its own answer.
 
-use super::output::{print, print_aside};
+use super::output::{keep_input, print, print_aside};
 use super::{Answer, Format};
 use crate::certificate::residuals;
 use crate::files::write_atomically;
@@ -53,6 +53,7 @@ pub fn solver_help() -> String {
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     let solver = solvers::by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
+    keep_input(&arguments.problem, "--out", arguments.out.as_deref())?;
     let problem = ContactProblem::read(&arguments.problem)?;
     let solution = solver.solve(&problem, None).map_err(|error| error.in_file(&arguments.problem))?;
     let residuals = residuals(&problem, &solution)?;

@@ -3,5 +3,5 @@
 mod atomic;
 mod schema;
 
-pub use atomic::{write_atomically, write_together};
+pub use atomic::{is_same_file, write_atomically, write_together};
 pub use schema::read_schema;

@@ -13,6 +13,10 @@ pub fn read_schema<T: DeserializeOwned>(text: &str, schema: &str) -> Result<T> {
     struct Probe {
         schema: Option<serde_json::Value>,
     }
+    let first = text.trim_start_matches(|letter: char| letter.is_whitespace() || letter == '\u{feff}').chars().next();
+    if text.starts_with('\u{feff}') || first.is_some_and(|letter| letter != '{') {
+        return Err(Error::invalid("schema", "is missing: this is not a JSON object", format!("start with {{\"schema\": \"{schema}\"")));
+    }
     let probe: Probe = serde_json::from_str(text).map_err(|error| name_field(text, schema, error))?;
     match probe.schema {
         Some(serde_json::Value::String(name)) if name == schema => {}
@@ -35,10 +39,18 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error) -> Error {
     } else {
         (error.to_string(), format!("see the schema {schema}"))
     };
-    match last_key(text, error.line(), error.column()) {
+    let field = named(&error).or_else(|| last_key(text, error.line(), error.column()));
+    match field.filter(|_| !error.to_string().starts_with("trailing characters")) {
         Some(field) => Error::invalid(field, problem, cure),
         None => Error::Json(error),
     }
+}
+
+/// The field that the message itself names: an unknown, missing or doubled one.
+fn named(error: &serde_json::Error) -> Option<String> {
+    let message = error.to_string();
+    let rest = ["unknown field `", "missing field `", "duplicate field `"].into_iter().find_map(|start| message.strip_prefix(start))?;
+    rest.split('`').next().map(String::from)
 }
 
 /// The last `"key":` that starts before a line and column (both counted from 1, the column in bytes).
@@ -74,13 +86,19 @@ mod tests {
     fn errors_name_the_field() {
         assert!(message(r#"{"schema":"pair/1","first":[1,"x"],"second":2}"#).contains("`first`"));
         assert!(message("{\"schema\":\"pair/1\",\n\"first\":[1],\n\"second\": 1e999}").contains("`second`"));
-        assert!(message(r#"{"schema":"pair/1","first":[1],"secnd":2}"#).contains("secnd"));
-        assert!(message(r#"{"schema":"pair/1","first":[1]}"#).contains("missing field `second`"));
+        assert!(message(r#"{"schema":"pair/1","first":[1],"secnd":2}"#).contains("field `secnd`: unknown"));
+        assert!(message(r#"{"schema":"pair/1","first":[1]}"#).contains("field `second`: missing"));
+        assert!(message(r#"{"schema":"pair/1","first":[1],"second":2,"first":[1]}"#).contains("field `first`: duplicate"));
+        assert!(!message(r#"{"schema":"pair/1","first":[1],"second":2}}"#).contains("field"));
+        assert!(message("\u{feff}{\"schema\":\"pair/1\"}").contains("start with"));
         assert!(message(r#"{"schema":"pair/2"}"#).contains("pair/1"));
         assert!(message(r#"{"first":[1]}"#).contains("`schema`"));
         assert!(message(r#"{"schema":"pair/1","first":[1"#).contains("EOF"));
         assert!(message(r#"{"schema":"pair/1","first":[NaN],"second":2}"#).contains("`first`: not valid JSON"));
         assert!(message(r#"{"schema":"pair/1","first":[1],"second":-Infinity}"#).contains("`second`: not valid JSON"));
-        assert!(message("no JSON at all").contains("not valid JSON"));
+        for text in ["no JSON at all", "[1]", "null", "\"x\""] {
+            assert!(message(text).contains("not a JSON object"), "{text}");
+        }
+        assert!(message("").contains("not valid JSON"));
     }
 }

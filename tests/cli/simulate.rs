@@ -94,11 +94,12 @@ fn a_scene_comes_from_a_file_too() {
 #[test]
 fn bad_options_are_refused_by_name_and_nothing_is_written() {
     let folder = Folder::new("simulate-bad");
-    let cases: [(&[&str], &[&str]); 18] = [
+    let cases: [(&[&str], &[&str]); 19] = [
         (&["--step", "0"], &["--step", "0"]),
         (&["--step", "-0.01"], &["--step", "-0.01"]),
         (&["--step", "NaN"], &["--step", "NaN"]),
         (&["--step", "inf"], &["--step"]),
+        (&["--step", "1e-300"], &["--step", "1e-300 s, 2e300 steps"]),
         (&["--step", "1e-12"], &["--step", "1000000"]),
         (&["--step", "100"], &["--step", "2 s"]),
         (&["--duration", "0"], &["--duration"]),
@@ -130,5 +131,7 @@ fn trajectory_and_picture_are_written_together_or_not_at_all() {
     let run = moreau(&["simulate", "--scene", "ball-drop", "--step", "0.01", "--out", &out, "--plot", &nowhere]);
     run.is_refused(&["nowhere", "cannot write"]);
     moreau(&["simulate", "--scene", "ball-drop", "--step", "0.01", "--out", &out, "--plot", &out]).is_refused(&["--plot", "--out"]);
+    let again = folder.path("./out.json");
+    moreau(&["simulate", "--scene", "ball-drop", "--out", &out, "--plot", &again]).is_refused(&["--plot", "--out"]);
     assert!(folder.names().is_empty(), "{:?}", folder.names());
 }

@@ -72,6 +72,11 @@ fn bad_problems_are_refused_by_file_and_field_and_nothing_is_written() {
         ("schema.json", "contact-problem/1", "contact-problem/7", "schema"),
         ("misspelt.json", "\"friction\"", "\"fricton\"", "fricton"),
         ("broken.json", "]}}", "", "JSON"),
+        ("junk.json", "]}}", "]}} }", "not valid JSON"),
+        ("list.json", PROBLEM, "[1, 2]", "not a JSON object"),
+        ("extra.json", "]}}", "]}, \"colour\": 1}", "field `colour`"),
+        ("twice.json", "]}}", "]}, \"law\": \"coulomb\"}", "field `law`"),
+        ("lacking.json", "\"friction\": [0.5],", "", "field `friction`"),
     ];
     for (name, from, to, field) in changes {
         assert!(PROBLEM.contains(from), "{from}");
@@ -85,5 +90,25 @@ fn bad_problems_are_refused_by_file_and_field_and_nothing_is_written() {
     let good = folder.file("good.json", PROBLEM);
     moreau(&["solve", &good, "--solver", "magic"]).is_refused(&["--solver", "magic", "pgs"]);
     moreau(&["solve", &good, "--out", &folder.path("nowhere/answer.out")]).is_refused(&["nowhere", "cannot write"]);
+    moreau(&["solve", &good, "--out", &folder.path("./good.json")]).is_refused(&["--out", "good.json", "another file"]);
+    assert_eq!(std::fs::read_to_string(&good).expect("still there"), PROBLEM);
     assert!(folder.names().iter().all(|name| name.ends_with(".json")), "{:?}", folder.names());
+}
+
+#[test]
+fn a_pipe_gets_the_answer_and_an_answer_that_is_no_number_goes_nowhere() {
+    let folder = Folder::new("solve-pipe");
+    let problem = folder.file("problem.json", PROBLEM);
+    if cfg!(unix) {
+        // standard output is a pipe here: it receives the solution, then the certificate
+        let run = moreau(&["solve", &problem, "--out", "/dev/stdout"]);
+        assert_eq!(run.code, 0, "{}", run.message);
+        assert!(run.output.starts_with("{\"schema\":\"solution/1\"") && run.output.contains("a solution to"), "{}", run.output);
+    }
+    let heavy = folder.file("heavy.json", &PROBLEM.replace("[[1, 0], [0, 1]]", "[[1e-320, 0], [0, 1e-320]]"));
+    for solver in ["pgs", "lemke"] {
+        let run = moreau(&["solve", &heavy, "--solver", solver, "--out", &folder.path("answer.json")]);
+        assert_eq!((run.code, run.output.as_str()), (1, ""), "{}", run.message);
+    }
+    assert_eq!(folder.names(), ["heavy.json", "problem.json"]);
 }
