@@ -149,9 +149,12 @@ pub fn momentum(
 
 impl Residuals {
     /// Whether every residual is at most `tolerance` times the scale of its unit: impulses ‖r‖, velocities ‖u_free + shift‖,
-    /// energies their product, the natural map its own scale. NaN is never a solution.
+    /// energies their product, the natural map its own scale. NaN is never a solution, and neither is an answer whose scales or
+    /// residuals overflow: infinity is at most infinity, which shows nothing.
     pub fn is_solution(&self, tolerance: f64) -> bool {
-        self.primal <= tolerance * self.impulse_scale
+        let judged = self.entries().into_iter().filter(|(name, ..)| *name != "siconos");
+        judged.map(|(_, value, _)| value).all(f64::is_finite)
+            && self.primal <= tolerance * self.impulse_scale
             && self.dual <= tolerance * self.velocity_scale
             && self.complementarity <= tolerance * self.impulse_scale * self.velocity_scale
             && self.natural_map <= tolerance * self.natural_map_scale

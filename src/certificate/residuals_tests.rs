@@ -200,3 +200,16 @@ fn nan_is_passed_on_by_every_law() {
         }
     }
 }
+
+#[test]
+fn an_answer_whose_residuals_overflow_is_no_solution() {
+    let problem = planar(Law::Coulomb, &[-1e308, 1e308]);
+    // twice the friction the cone allows, but both scales are infinite, and everything is at most infinity
+    let found = judged(&problem, &[1e308, -1e308]);
+    assert!(found.impulse_scale.is_infinite() && found.velocity_scale.is_infinite());
+    assert!(!found.is_solution(1e-8));
+    // the same motion in units in which the squares are numbers is refused for its own sake, and its solution accepted
+    let problem = planar(Law::Coulomb, &[-1e100, 1e100]);
+    assert!(!judged(&problem, &[1e100, -1e100]).is_solution(1e-8));
+    assert!(judged(&problem, &[1e100, -0.5e100]).is_solution(1e-8));
+}

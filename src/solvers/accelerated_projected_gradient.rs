@@ -73,7 +73,8 @@ impl AcceleratedProjectedGradient {
     ) -> Result<Solution> {
         problem.validate()?;
         if !matches!(problem.law, Law::Frictionless | Law::Associated) {
-            let reason = format!("does not solve the law `{}`, whose problem is not this convex program", problem.law.name());
+            let reason =
+                format!("does not solve the law `{}`, whose problem is not this convex program; use `pgs` or `lemke`", problem.law.name());
             return Err(Error::solver(NAME, reason));
         }
         super::require_symmetry(NAME, problem)?;
@@ -117,7 +118,7 @@ impl AcceleratedProjectedGradient {
             observe(done, &impulse);
         }
         let velocity = problem.velocity(&impulse);
-        Ok(Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations: done })
+        super::finite(Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations: done })
     }
 }
 

@@ -265,3 +265,15 @@ fn the_plain_method_is_the_projected_gradient_and_restarts_beat_it_where_the_pro
     let restarted = AcceleratedProjectedGradient::default().solve(&problem, None).unwrap().iterations;
     assert!(8 * restarted <= steps, "{restarted} against {steps}");
 }
+
+#[test]
+fn an_answer_that_leaves_the_numbers_is_no_answer() {
+    // a mass of 1e320 kg arriving at 1 m/s needs the impulse 1e320 N·s
+    let mut problem = random(Law::Frictionless, 1, 1, 1, 1.0, 0.0, 1);
+    problem.delassus.fill(1e-320);
+    let solvers: [&dyn ContactSolver; 2] = [&ProjectedGaussSeidel::default(), &LemkePivoting];
+    for solver in solvers {
+        let message = solver.solve(&problem, None).unwrap_err().to_string();
+        assert!(message.contains(solver.name()), "{message}");
+    }
+}

@@ -34,7 +34,7 @@ impl ContactSolver for LemkePivoting {
         let lcp = form.lcp(problem)?;
         let scale = form.scale(problem);
         let (z, pivots) = solve_scaled(&lcp, &scale)?;
-        Ok(form.solution(problem, &z, pivots))
+        super::finite(form.solution(problem, &z, pivots))
     }
 }
 

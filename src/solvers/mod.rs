@@ -45,6 +45,14 @@ fn start(problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<
     }
 }
 
+/// The answer, unless it left the numbers: then there is none.
+fn finite(solution: Solution) -> Result<Solution> {
+    if solution.impulse.iter().chain(&solution.velocity).all(|x| x.is_finite()) {
+        return Ok(solution);
+    }
+    Err(Error::solver(&solution.solver, "ended with impulses or velocities too large for a number; rescale the units of the problem"))
+}
+
 /// R of one contact row \[1/kg\], zero if the problem is hard or its compliance acts on edges.
 fn compliance(problem: &ContactProblem, row: usize) -> f64 {
     match &problem.compliance {

@@ -59,13 +59,13 @@ impl ContactSolver for ProjectedGaussSeidel {
         while !sweeper.converged() && sweeps < self.sweeps {
             let moved = sweeper.sweep();
             sweeps += 1;
-            if !moved {
+            if !moved || sweeper.impulse.iter().any(|r| !r.is_finite()) {
                 break;
             }
         }
         let velocity = problem.velocity(&sweeper.impulse);
         let impulse = sweeper.impulse;
-        Ok(Solution { impulse, velocity, beta: None, sigma: None, solver: self.name().into(), iterations: sweeps })
+        super::finite(Solution { impulse, velocity, beta: None, sigma: None, solver: self.name().into(), iterations: sweeps })
     }
 }
 

@@ -24,10 +24,12 @@ impl<'a> Stopping<'a> {
     pub(super) fn holds(&self, impulse: &DVector<f64>, law_velocity: &DVector<f64>) -> bool {
         let rows = self.problem.rows_per_contact;
         let bound = self.relative * impulse.norm().max(self.data);
-        self.rho.iter().enumerate().all(|(k, &rho)| {
-            let range = k * rows..(k + 1) * rows;
-            let (r, y) = (&impulse.as_slice()[range.clone()], &law_velocity.as_slice()[range]);
-            natural_map::natural_map(self.problem.law, self.problem.friction[k], r, y, rho) <= bound
-        })
+        // an infinite bound would be met by anything
+        bound.is_finite()
+            && self.rho.iter().enumerate().all(|(k, &rho)| {
+                let range = k * rows..(k + 1) * rows;
+                let (r, y) = (&impulse.as_slice()[range.clone()], &law_velocity.as_slice()[range]);
+                natural_map::natural_map(self.problem.law, self.problem.friction[k], r, y, rho) <= bound
+            })
     }
 }
