@@ -70,7 +70,12 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
 
 fn explain(id: &str, format: Format) -> Result<Answer> {
     let claim = claims::find(id).ok_or_else(|| {
-        let cure = suggestion(id, claims::all().map(|claim| claim.id), "`moreau verify --list` shows every id");
+        let is_group = claims::all().any(|claim| matches_group(claim.id, id));
+        let cure = if is_group {
+            format!("it is a group: `moreau verify --filter {id}`")
+        } else {
+            suggestion(id, claims::all().map(|claim| claim.id), "`moreau verify --list` shows every id")
+        };
         Error::Unsupported(format!("no claim `{id}`; {cure}"))
     })?;
     let outcome = judge(claim);

@@ -65,6 +65,7 @@ fn unknown_groups_and_ids_are_answered_with_near_ones() {
     moreau(&["verify", "--filter", "S44"]).is_refused(&["--filter", "S44", "did you mean `S4`"]);
     moreau(&["verify", "--filter", "S1.ste"]).is_refused(&["S1.ste"]);
     moreau(&["verify", "--explain", "S12.stp"]).is_refused(&["S12.stp", "did you mean `S12.step`"]);
+    moreau(&["verify", "--explain", "S4"]).is_refused(&["S4", "--filter S4"]);
     moreau(&["verify", "--explain", "zzzzzzzzzzzz"]).is_refused(&["--list"]);
 }
 
