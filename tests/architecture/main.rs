@@ -104,6 +104,51 @@ fn cones_know_numbers_only() {
     assert_imports_only("cones", &[]);
 }
 
+/// The rows of the map in ARCHITECTURE.md that stand for modules: the names in the first column, the names that the last one allows.
+fn map() -> Vec<(Vec<String>, Vec<String>)> {
+    let text = include_str!("../../ARCHITECTURE.md");
+    let quoted = |cell: &str| -> Vec<String> {
+        cell.split('`').skip(1).step_by(2).map(|name| name.trim_end_matches('/').trim_end_matches(".rs").to_string()).collect()
+    };
+    let mut above: Vec<String> = Vec::new();
+    let mut rows = Vec::new();
+    for line in text.lines().filter(|line| line.starts_with("| `")) {
+        let cells: Vec<_> = line.trim_matches('|').split('|').collect();
+        let (names, last) = (quoted(cells[0]), cells[cells.len() - 1]);
+        let allowed = if last.contains("all of the above") { above.clone() } else { quoted(last) };
+        above.extend(names.clone());
+        rows.push((names, allowed));
+    }
+    rows
+}
+
+#[test]
+fn the_map_names_every_folder_and_what_it_imports() {
+    let files = library();
+    let map = map();
+    let reexports = ["Law", "ContactProblem", "Solution"];
+    for module in files.iter().map(File::module).filter(|module| !["lib", "main"].contains(&module.as_str())) {
+        let row = map.iter().find(|(names, _)| names.contains(&module));
+        let (_, allowed) = row.unwrap_or_else(|| panic!("src/{module} is not in the map of ARCHITECTURE.md"));
+        // `super::` inside the inline modules of the ground is not the root
+        if GROUND.contains(&module.as_str()) {
+            continue;
+        }
+        let allowed: Vec<_> = allowed.iter().map(String::as_str).chain(GROUND).chain(reexports).collect();
+        assert_eq!(strangers(&files, &module, &allowed), Vec::<String>::new(), "the map of ARCHITECTURE.md does not allow this");
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for name in map.iter().flat_map(|(names, allowed)| names.iter().chain(allowed)) {
+        let places = [
+            root.join("src").join(name),
+            root.join("src").join(format!("{name}.rs")),
+            root.join(name),
+            root.join("tests").join(format!("{name}.rs")),
+        ];
+        assert!(places.iter().any(|place| place.exists()), "the map of ARCHITECTURE.md names `{name}`, which does not exist");
+    }
+}
+
 #[test]
 fn small_numbers_stand_in_the_table_of_tolerances_or_in_a_planted_defect() {
     let files = library();
