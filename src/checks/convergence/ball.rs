@@ -46,9 +46,9 @@ pub fn bouncing_ball(subject: &dyn Scheme, expected: &MoreauJean, restitution: f
     let fall = BouncingBall::new(GRAVITY, HEIGHT, restitution)?.first_impact_time();
     let speed = GRAVITY * fall;
     let bounds_at = |bounds: fn(&Impacts, f64) -> Bounds| move |h: f64| bounds(&leading, fall / h);
-    let mut findings = metric("position sup", &found.position, 1.0, |h| speed * h, bounds_at(Impacts::position));
-    findings.extend(metric("velocity L1", &found.velocity_l1, 1.0, |h| speed * h, bounds_at(Impacts::velocity_l1)));
-    findings.extend(metric("velocity sup", &found.velocity_sup, 0.0, |_| speed, bounds_at(Impacts::velocity_sup)));
+    let mut findings = metric("sup|q|", &found.position, 1.0, |h| speed * h, bounds_at(Impacts::position));
+    findings.extend(metric("∫|v|", &found.velocity_l1, 1.0, |h| speed * h, bounds_at(Impacts::velocity_l1)));
+    findings.extend(metric("sup|v|", &found.velocity_sup, 0.0, |_| speed, bounds_at(Impacts::velocity_sup)));
     findings.extend(metric("graph distance", &found.graph, 1.0, |h| h / fall, bounds_at(Impacts::graph)));
     Ok(findings)
 }

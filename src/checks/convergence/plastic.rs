@@ -48,10 +48,10 @@ pub fn plastic_ball(subject: &dyn Scheme, stop: Stop) -> Result<Vec<Finding>> {
     let at = |bounds: Bounds, remainder: f64| {
         move |h: f64| Bounds { lower: bounds.lower - remainder * h / fall, upper: bounds.upper + remainder * h / fall }
     };
-    let mut findings = metric("position sup", &found.position, 1.0, |h| speed * h, at(position, SECOND_ORDER));
+    let mut findings = metric("sup|q|", &found.position, 1.0, |h| speed * h, at(position, SECOND_ORDER));
     let sup = Bounds { lower: 1.0, upper: 1.0 };
     let sup = if stop == Stop::On { Bounds { lower: 0.5, ..sup } } else { sup };
-    findings.extend(metric("velocity sup", &found.velocity_sup, 0.0, |_| speed, at(sup, SECOND_ORDER)));
+    findings.extend(metric("sup|v|", &found.velocity_sup, 0.0, |_| speed, at(sup, SECOND_ORDER)));
     match stop {
         Stop::Above { theta, forecast } => {
             let (low, high) = (largest_above(theta, forecast, true), largest_above(theta, forecast, false));
@@ -62,7 +62,7 @@ pub fn plastic_ball(subject: &dyn Scheme, stop: Stop) -> Result<Vec<Finding>> {
             findings.extend(metric("graph distance", &found.graph, 0.5, |h| (h / fall).sqrt(), bounds));
         }
         Stop::Below { .. } | Stop::On => {
-            findings.extend(metric("velocity L1", &found.velocity_l1, 1.0, |h| speed * h, at(l1, SECOND_ORDER)));
+            findings.extend(metric("∫|v|", &found.velocity_l1, 1.0, |h| speed * h, at(l1, SECOND_ORDER)));
             let graph = Bounds { lower: std::f64::consts::FRAC_1_SQRT_2, upper: 2.5 };
             findings.extend(metric("graph distance", &found.graph, 1.0, |h| h / fall, at(graph, SECOND_ORDER)));
         }

@@ -153,7 +153,7 @@ fn slide(subject: &dyn Scheme, incline: &Incline, gap: impl Fn(f64) -> f64, cons
         }
     }
     let mut findings = Vec::new();
-    for ((name, levels), constant) in ["position sup", "velocity L1", "velocity sup"].into_iter().zip(levels).zip(constants) {
+    for ((name, levels), constant) in ["sup|q|", "∫|v|", "sup|v|"].into_iter().zip(levels).zip(constants) {
         let estimate = fit_order(levels)?;
         let remainders: Vec<f64> = STEPS.iter().map(|&steps| slide_second_order(incline.friction, steps)).collect();
         let ratio = (1.0 + remainders[0]) / (1.0 - remainders[0]);

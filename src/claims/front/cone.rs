@@ -22,7 +22,7 @@ pub const PREFACE: &[Claim] = &[Claim {
     correct_statement: "As stated, for C closed and convex and x in C; the prox of an indicator is the projection, and v − prox(v) lies in the normal cone.",
     argument: "Σ zᵢwᵢ = 0 with every term ≥ 0 makes every term 0. All solutions of three rational LCPs, found by enumerating complementary supports, satisfy it entry by entry. \
         For C = [0, 2] and v = −1, 1/3, 2, 5 the minimiser of ½(x − v)² on a fine grid is the clamped v, and v − x is in N_C(x).",
-    control: "a feasible point of each LCP, shifted off the complementary face",
+    control: "A feasible point of each LCP, shifted off the complementary face.",
     sources: &["chapter, recollections before §0", "Cottle, Pang and Stone, The Linear Complementarity Problem (1992), §1.1"],
     check: complementary_slackness,
 }];
@@ -36,7 +36,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     correct_statement: "O(1/d) is the order of the direction (π/d) and of the force vector; the radius is short by 1 − cos(π/d) = O(1/d²): 0.2929, 0.0761, 0.0192, 0.0048 for d = 4, 8, 16, 32. The LCP of that cone is solved exactly.",
     argument: "d²(1 − cos(π/d)) lies in [π²/2 − π⁴/(24 d²), π²/2] and d·(π/d) = π. Lemke's method in rational arithmetic solves the LCP of a sliding contact with four directions with all residuals zero; \
         its friction has half the squared strength of the circular cone's along the bisector, which is the error of the shape.",
-    control: "first order as the order of the radius",
+    control: "First order as the order of the radius.",
     sources: &["chapter, table of misconceptions, polyhedral cone and convex relaxation"],
     check: cone_error,
 }];

@@ -59,7 +59,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "As stated of time-stepping: one (v⁺, P) satisfies the balance of momentum and the contact law together.",
         argument: "The worked step of §12: m(v⁺ − v) + m g h − P = 0 and P·(v⁺ + e v) = 0 with P = 317/200. Predicting v_free and then \
-                   reversing it gives v⁺ = 109/200, P = 327/200 and P·(v⁺ + e v) = 327/4000 N·s·m/s: the patch satisfies the \
+                   reversing it gives v⁺ = 109/200, P = 327/200 and P·(v⁺ + e v) = 327/4000 J: the patch satisfies the \
                    balance but not the law.",
         control: "The patch: integrate freely, then replace v_free by −e v_free.",
         sources: &["chapter, table of misconceptions, row 1"],

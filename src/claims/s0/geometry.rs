@@ -16,7 +16,7 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Table of difficulties, (c): C(q) = {q : φ(q) ≥ 0} is a moving convex set.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "C is a fixed subset of configuration space, in general not convex (prox-regular if φ is smooth with ∇φ ≠ 0). What moves with q and is convex is the tangent cone T_C(q).",
+        correct_statement: "C is a fixed subset of configuration space, in general not convex (prox-regular if φ is smooth with ∇φ ≠ 0). What moves with q and is convex is the tangent cone T_C(q). (The chapter names the extension to prox-regular sets in §2.)",
         argument: "Outside a disk, φ = |q|² − 1: (2, 0) and (−2, 0) are admissible with φ = 3, their midpoint has φ = −1. The tangent cones at (1, 0) and (0, 1) are the half-planes v₁ ≥ 0 and v₂ ≥ 0: each convex, and different. Inside the disk, φ = 1 − |q|², C happens to be convex.",
         control: "The inside of the disk, where the midpoint is admissible.",
         sources: &["chapter §0, table of the three difficulties", "chapter §2, step 1"],

@@ -16,7 +16,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "The clamped spring max(0, −kφ) is continuous with a kink at φ = 0; with damping the force jumps at touchdown. It is differentiable away from the change of the active set – as hard contact is.",
         argument: "The difference quotients of max(0, −kφ) at 0 are −k from the left and 0 from the right, at every step size. With a dashpot, −kφ − c φ̇ for φ < 0, the force at touchdown with 2 m/s and c = 30 N·s/m is 60 N an instant after contact and 0 before it.",
-        control: "the spring without the clamp, −kφ, which is differentiable but holds the bodies together",
+        control: "The spring without the clamp, −kφ, which is differentiable but holds the bodies together.",
         sources: &["chapter §2, sweeping process and penalty compared"],
         check: differentiability,
     },
@@ -29,7 +29,7 @@ pub const CLAIMS: &[Claim] = &[
             exp(−πζ/√(1−ζ²)) if the dashpot acts until φ = 0, and a larger one if the force may not pull.",
         argument: "In the time √(m/k) the impact is m x″ + 2ζ x′ + x = 0, without k. Integrated for k = 1e4 and 1e8 N/m: e = 0.5266 (ζ = 0.2) and 0.1630 (ζ = 0.5) for the dashpot until φ = 0; 0.5717 and 0.2984 when contact ends with the force; 1 for ζ = 0. \
             So k → ∞ at fixed damping c instead of fixed ζ tends to the elastic law, whatever c was meant to model.",
-        control: "fixed damping c while k grows",
+        control: "Fixed damping c while k grows.",
         sources: &[
             "chapter §2, sweeping process and penalty compared",
             "Schwager and Pöschel, Coefficient of restitution and linear–dashpot model revisited (2007)",

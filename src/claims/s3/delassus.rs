@@ -71,7 +71,12 @@ fn compliance(reading: Reading) -> Result<Vec<Finding>> {
     Ok(vec![
         Finding::exact("condition number of two contacts at a small angle", &condition(&wedge), &ratio(1_000_000, 1), "1"),
         Finding::exact("condition number of a chain with a light middle", &condition(&chain), &ratio(2_000_001, 1), "1"),
-        Finding::exact("coupling of neighbours, −1/m of the ball between", &(chain[(0, 1)].clone() * ratio(-1, 1_000_000)), &one(), "1"),
+        Finding::exact(
+            "coupling of neighbours over −1/m of the ball between",
+            &(chain[(0, 1)].clone() * ratio(-1, 1_000_000)),
+            &one(),
+            "1",
+        ),
         Finding::exact("one contact, one velocity of 5/2 kg", &single[(0, 0)], &ratio(2, 5), "1/kg"),
     ])
 }

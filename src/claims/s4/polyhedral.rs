@@ -27,7 +27,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The inscribed regular d-gon has inradius cos(π/d), which is its Hausdorff distance 1 − cos(π/d) from the disk: times d² it lies in [π²/2 − π⁴/(24 d²), π²/2], times d it goes to 0. \
             The vertex that maximal dissipation picks is up to π/d beside the sliding direction. O(1/d) is a valid, not a sharp, bound for the shape and sharp for the direction; \
             the pitfall's O(1/d²) \"for the radius\" is exactly right. Two sharp orders for the same shape cannot both stand.",
-        control: "first order as the sharp order of the shape",
+        control: "First order as the sharp order of the shape.",
         sources: &["chapter §4, compromise, summary and pitfall", "chapter §5, table and insight on the two approximations"],
         check: order,
     },
@@ -39,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "d = 8 is 7.6 % weak in the worst direction and up to 22.5° off in the direction of the force; a free slide drifts sideways by up to 10.6 % of its stopping distance.",
         argument: "1 − cos(π/8) = 0.0761. A slide at angle ψ from a direction keeps that direction's friction until the velocity has turned to the bisector, then follows the bisector: with v² = 2μg·s the sideways displacement has the closed form of `lateral_drift`, \
             largest at ψ = 0.200 where it is 0.1056 of the stopping distance. Stewart–Trinkle with 8 directions measures the same; the first order of the drift is (π/4)/d, not 1/d².",
-        control: "the circular cone, which is what quite accurate would mean",
+        control: "The circular cone, which is what quite accurate would mean.",
         sources: &["chapter §4, pitfall on the polyhedral cone"],
         check: eight_directions,
     },
@@ -52,7 +52,7 @@ pub const CLAIMS: &[Claim] = &[
             Sticking and sliding along a bisector use combinations of directions; the bisectors attract the sliding direction.",
         argument: "The inscribed polygon reaches μ at its vertices and μ cos(π/d) at the middle of its sides. One Stewart–Trinkle step along a direction and along the bisector loses speed in exactly this ratio, \
             and a slide that starts a quarter of the way from direction to bisector turns towards the bisector.",
-        control: "Coulomb's circular cone",
+        control: "Coulomb's circular cone.",
         sources: &["chapter §4, pitfall on the polyhedral cone"],
         check: anisotropy,
     },
@@ -64,7 +64,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "β maximises −u_t·Dβ over β ≥ 0, Eᵀβ ≤ μλ – on the polyhedral cone – and σ is the multiplier of that linear programme, σ = max_j(−D_j·u_t).",
         argument: "β ≥ 0 ⟂ Dᵀu_t + Eσ ≥ 0 and μλ − Eᵀβ ≥ 0 ⟂ σ ≥ 0 are the optimality conditions of max −u_t·Dβ. Its value is μλ max_j(−D_j·u_t) by duality. \
             For eight rational directions, a coupled rational W and four free velocities the exact Lemke solution dissipates exactly that, and σ = 0 when it sticks.",
-        control: "an LCP whose cone rows carry 2Eᵀ, which halves the available friction",
+        control: "An LCP whose cone rows carry 2Eᵀ, which halves the available friction.",
         sources: &["chapter §4, the LCP matrix and σ"],
         check: maximal_dissipation,
     },

@@ -66,7 +66,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Convexity is the necessary premise of differentiable contact: LCP solutions are not differentiable where the active set changes, solutions of a strictly convex QP are; back-propagation through KKT conditions is well defined only in the convex case.",
         verdict: Verdict::Inconsistent,
         evidence: Evidence::Exact,
-        correct_statement: "Convexity buys uniqueness and Lipschitz continuity, not derivatives. At a change of the active set both the LCP and the QP have a kink; away from it both are differentiable by the implicit function theorem.",
+        correct_statement: "Convexity buys uniqueness and Lipschitz continuity, not derivatives. At a change of the active set both the LCP and the QP have a kink; away from it both are differentiable by the implicit function theorem. (That the QP's solution is differentiable at all parameters is S5.diff.)",
         argument: "By §3 the frictionless LCP is the optimality system of the QP, so their solutions are the same function and cannot differ in differentiability. 0 ≤ z ⟂ 2z + θ ≥ 0 (Lemke) and min z² + θz over z ≥ 0 (projection of the unconstrained minimiser) both have the slopes −1/2 for θ < 0 and 0 for θ > 0; \
                    §6 itself calls the convex problem only subdifferentiable at the boundary of the cone.",
         control: "The QP away from the change of the active set (at θ = −1), the only place where it has the derivative the contrast needs.",
@@ -171,7 +171,7 @@ fn four_combinations(reading: Reading) -> Result<Vec<Finding>> {
             let residual = residuals(&problem, &solution)?.natural_map;
             // a relaxed contact lifts off by at least μ u_t cos(π/4) with u_t ≥ 2 − μ r_n, r_n ≤ 2
             let lifted = solution.velocity[0] > 1.0 / 8.0;
-            findings.push(Finding::decision(format!("{} lifts off", law.name()), lifted, lifts));
+            findings.push(Finding::decision(format!("the sliding contact lifts off, law {}", law.name()), lifted, lifts));
             findings.push(Finding::at_most(format!("natural map, {}", law.name()), residual, bound * 4.0, "N·s"));
             let beside = (-solution.impulse[2]).atan2(-solution.impulse[1]) - direction;
             let round = law.directions().is_none();
