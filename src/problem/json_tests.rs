@@ -37,6 +37,26 @@ fn mass_and_jacobian_make_the_delassus_operator_and_are_kept() {
 }
 
 #[test]
+fn shift_directions_and_edge_compliance_come_back() {
+    let text = r#"{"schema":"contact-problem/1","name":"edges","dimension":3,"law":"polyhedral-associated","directions":4,"friction":[0.5],
+        "free_velocity":[-1,0,2],"shift":[0.25,0,-0.5],"delassus":{"shape":[3,3],"rows":[[1,0,0],[0,1,0],[0,0,1]]},
+        "compliance":{"coordinates":"edge","diagonal":[0.5,0,0.25,1]}}"#;
+    let problem = ContactProblem::from_json(text).unwrap();
+    assert_eq!(problem.law, Law::PolyhedralAssociated { directions: 4 });
+    assert_eq!(problem.shift.as_slice(), [0.25, 0.0, -0.5]);
+    assert_eq!(problem.compliance.as_ref().unwrap().coordinates, Coordinates::Edge);
+    assert_eq!(ContactProblem::from_json(&problem.to_json()).unwrap(), problem);
+}
+
+#[test]
+fn an_operator_that_does_not_follow_from_mass_and_jacobian_is_written_itself() {
+    let mut problem = ContactProblem::from_json(BLOCK).unwrap();
+    problem.dynamics = Some(Dynamics { mass: DMatrix::identity(2, 2), jacobian: DMatrix::identity(2, 2) });
+    let back = ContactProblem::from_json(&problem.to_json()).unwrap();
+    assert_eq!((back.delassus, back.dynamics), (problem.delassus, None));
+}
+
+#[test]
 fn every_mistake_is_named() {
     refused(&BLOCK.replace("0.30000000000000004", "1e999"), &["free_velocity", "finite"]);
     refused(&BLOCK.replace("[0.5]", "[-0.5]"), &["friction[0]", "negative"]);
@@ -56,6 +76,10 @@ fn every_mistake_is_named() {
     refused(&BLOCK.replace("[-0.1,", "[\"-0.1\","), &["free_velocity"]);
     refused(&BLOCK[..BLOCK.len() - 40], &["EOF"]);
     refused(&BLOCK.replace("\"friction\":[0.5],", ""), &["friction"]);
+    let normal = r#"{"schema":"contact-problem/1","name":"n","dimension":1,"law":"coulomb","friction":[0.5],"free_velocity":[-1],
+        "delassus":{"shape":[1,1],"rows":[[1]]}}"#;
+    refused(normal, &["friction", "no tangential row"]);
+    assert!(ContactProblem::from_json(&normal.replace("[0.5]", "[0]")).is_ok());
 }
 
 #[test]

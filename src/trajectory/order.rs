@@ -209,6 +209,17 @@ mod tests {
         // The middle level has no weight, the outer ones pull in opposite senses.
         assert!((estimate.slope - 1.0 - estimate.slope_deviation(&bounds)).abs() <= ORDER_ROUNDING);
         assert!(estimate.spread <= estimate.spread_deviation(&bounds));
+        let falling: Vec<Level> = [(1e-1, 1.0), (1e-2, 1.0), (1e-3, 3.0)].map(|(h, c)| Level { time_step: h, error: c * h }).to_vec();
+        let estimate = fit_order(falling).expect("positive");
+        let bounds = [[1.0, 1.25], [1.0, 1.5], [1.0, 3.0]];
+        assert!((1.0 - estimate.slope - estimate.slope_deviation(&bounds)).abs() <= ORDER_ROUNDING, "downwards it is reached as well");
+    }
+
+    #[test]
+    fn constants_that_alternate_reach_the_spread_deviation() {
+        let levels: Vec<Level> = [(1e-1, 3.0), (1e-2, 1.0), (1e-3, 3.0)].map(|(h, c)| Level { time_step: h, error: c * h }).to_vec();
+        let estimate = fit_order(levels).expect("positive");
+        assert!((estimate.spread - estimate.spread_deviation(&[[1.0, 3.0]; 3])).abs() <= ORDER_ROUNDING);
     }
 
     #[test]

@@ -18,5 +18,6 @@ mod tests {
         assert_eq!(creep_speed(&[0.0, 1.0, 2.0, 3.0], &[9.0, 1.0, 1.5, 2.0], 1.0), Some(0.5));
         assert_eq!(creep_speed(&[0.0, 1.0], &[0.0, 1.0], 1.0), None);
         assert_eq!(creep_speed(&[], &[], 0.0), None);
+        assert_eq!(creep_speed(&[0.0, 4.0], &[1.0, -1.0], 0.0), Some(-0.5), "creep has a sign");
     }
 }

@@ -42,5 +42,8 @@ mod tests {
         }
         let balance = energy_balance(&recording, |state| state.velocity[0]);
         assert_eq!(balance, EnergyBalance { initial: 2.0, drift: 1.5, largest_gain: 0.5 });
+        recording.push(state(5.0), Vec::new());
+        let balance = energy_balance(&recording, |state| state.velocity[0]);
+        assert_eq!(balance, EnergyBalance { initial: 2.0, drift: 3.0, largest_gain: 4.5 }, "drift is a magnitude");
     }
 }

@@ -149,6 +149,16 @@ mod tests {
     }
 
     #[test]
+    fn times_are_divided_by_t_ref_and_speeds_by_v_ref() {
+        let graph = |points: &[[f64; 2]]| Graph::new(points.to_vec()).expect("ordered");
+        let normalisation = Normalisation { time: 2.0, speed: 8.0 };
+        let jump = |t: f64| graph(&[[0.0, -8.0], [t, -8.0], [t, 8.0], [4.0, 8.0]]);
+        is(graph_distance(&jump(1.0), &jump(1.25), normalisation).expect("finite"), 0.25 / 2.0);
+        let level = |v: f64| graph(&[[0.0, v], [4.0, v]]);
+        is(graph_distance(&level(0.0), &level(2.0), normalisation).expect("finite"), 2.0 / 8.0);
+    }
+
+    #[test]
     fn a_staircase_below_a_slope_is_at_the_distance_of_its_corners() {
         // Steps of width and height δ under the line y = t: corners at (kδ, (k−1)δ) are δ/√2 away.
         let n = 1000;

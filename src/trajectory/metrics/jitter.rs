@@ -13,6 +13,7 @@ mod tests {
     #[test]
     fn only_the_samples_at_rest_count() {
         assert_eq!(jitter(&[0.0, 1.0, 2.0], &[9.0, 3.0, -3.0], 1.0), Some(3.0));
+        assert_eq!(jitter(&[1.0, 2.0, 3.0, 4.0], &[3.0, 3.0, 3.0, -13.0], 1.0), Some(7.0), "the mean of squares, not of magnitudes");
         assert_eq!(jitter(&[0.0], &[9.0], 1.0), None);
     }
 }

@@ -17,5 +17,6 @@ mod tests {
         assert_eq!(settling_time(&times, &[0.0, 1.0, 0.0, 0.0], 0.1), Some(2.0));
         assert_eq!(settling_time(&times, &[0.0, 0.0, 0.0, 1.0], 0.1), None);
         assert_eq!(settling_time(&times, &[0.0, 0.0, f64::NAN, 0.0], 0.1), Some(3.0));
+        assert_eq!(settling_time(&times, &[0.0, -1.0, -0.1, 0.1], 0.1), Some(2.0), "falling is not rest");
     }
 }

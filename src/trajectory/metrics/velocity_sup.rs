@@ -17,4 +17,10 @@ mod tests {
         assert_eq!(velocity_sup(&jump(1.0), &jump(1.0 + 1e-12)), 3.0);
         assert_eq!(velocity_sup(&jump(1.0), &jump(1.0)), 0.0);
     }
+    #[test]
+    fn the_largest_difference_may_lie_at_either_end_of_a_piece() {
+        let line = |from: f64, to: f64| Graph::linear(&[0.0, 1.0], &[from, to]).expect("ordered");
+        assert_eq!(velocity_sup(&line(0.0, -2.0), &line(0.0, 1.0)), 3.0);
+        assert_eq!(velocity_sup(&line(-2.0, 0.0), &line(1.0, 0.0)), 3.0);
+    }
 }
