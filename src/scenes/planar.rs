@@ -126,6 +126,30 @@ mod tests {
     }
 
     #[test]
+    fn the_moment_about_the_plane_of_motions_normal_is_the_second() {
+        let mut scene = named("two-ball-impact").expect("built in");
+        scene.bodies[0].inertia = Some([0.25, 0.375, 0.5]);
+        let (mechanism, state) = scene.mechanism().expect("planar");
+        assert_eq!(mechanism.mass_matrix(&state.position)[(2, 2)], 0.375);
+    }
+
+    #[test]
+    fn every_way_out_of_the_plane_is_refused() {
+        let changes: [(&str, fn(&mut Scene)); 4] = [
+            ("gravity[1]", |scene| scene.gravity[1] = 0.1),
+            ("position[1]", |scene| scene.bodies[0].position[1] = 0.1),
+            ("angular_velocity[0]", |scene| scene.bodies[0].angular_velocity[0] = 0.1),
+            ("angular_velocity[2]", |scene| scene.bodies[0].angular_velocity[2] = 0.1),
+        ];
+        for (field, change) in changes {
+            let mut scene = named("two-ball-impact").expect("built in");
+            change(&mut scene);
+            let message = scene.mechanism().err().expect("not planar").to_string();
+            assert!(message.contains(field), "{message}");
+        }
+    }
+
+    #[test]
     fn overrides_reach_the_contacts() {
         let mut scene = named("ball-drop").expect("built in");
         let bodies = ["ground", "ball"].map(String::from);

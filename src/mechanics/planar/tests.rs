@@ -134,3 +134,11 @@ fn nonsense_is_refused() {
     let stray = PairMaterial { bodies: (0, Some(7)), friction: 0.0, restitution: 0.0 };
     assert!(pair(disk("a", 0.1), disk("b", 0.1)).with_pairs(vec![stray]).is_err());
 }
+
+#[test]
+fn solid_shapes_have_their_moments_of_inertia() {
+    // A box of sides 2a = 2 and 2b = 6: m (4 + 36)/12 = m (1 + 9)/3; a disk: m r²/2.
+    let cuboid = PlanarBody::solid("box", Shape::Box { half_extents: [1.0, 3.0] }, 1.5).expect("valid");
+    assert_eq!(cuboid.inertia(), 1.5 * 40.0 / 12.0);
+    assert_eq!(PlanarBody::solid("disk", Shape::Disk { radius: 2.0 }, 1.5).expect("valid").inertia(), 3.0);
+}
