@@ -115,7 +115,7 @@ fn gauss_seidel(reading: Reading) -> Result<Vec<Finding>> {
     let impulses = (&zero.impulse - &diagonal.impulse).amax();
     let compared = reading.pick(velocities, impulses);
     Ok(vec![
-        Finding::equal("difference of two answers", compared, 0.0, SWEEP_VELOCITY, "m/s"),
+        Finding::equal("difference of the answers from two starts", compared, 0.0, SWEEP_VELOCITY, "m/s"),
         Finding::equal("largest |U|, all corners pressed", zero.velocity.amax(), 0.0, SWEEP_VELOCITY, "m/s"),
         Finding::decision("the impulses differ", impulses > SWEEP_VELOCITY, true),
     ])

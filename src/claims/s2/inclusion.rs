@@ -118,7 +118,7 @@ fn tangent(reading: Reading) -> Result<Vec<Finding>> {
     let opposed = reading.pick(vec![ABOVE, BELOW], vec![ABOVE]);
     let gradients = [PARABOLA, LINE, CUBED, ABOVE, BELOW].iter().all(gradient_is_right);
     let decide = |name: &str, set: &[Constraint], direction, expected| {
-        Finding::decision(format!("formula is the tangent cone: {name}"), formula_is_right(set, direction), expected)
+        Finding::decision(format!("the formula gives the tangent cone: {name}"), formula_is_right(set, direction), expected)
     };
     Ok(vec![
         decide("φ = q³ into the wall", &[cubed], [-1, 0], false),

@@ -120,8 +120,8 @@ fn sweeping_theory(reading: Reading) -> Result<Vec<Finding>> {
     let gaps: Vec<Rational> = left.iter().zip(&right).map(|(a, b)| b.clone() - a.clone()).collect();
     let separating = gaps.windows(2).filter(|pair| pair[1] > pair[0]).count();
     Ok(vec![
-        Finding::count("solutions of the step of one planar contact", planar_contact(reading.pick(0, 2))?.len(), 1),
-        Finding::count("solutions of the contact that jams", planar_contact(2)?.len(), 3),
+        Finding::count("solutions of a second-order step that jams", planar_contact(2)?.len(), 3),
+        Finding::count("solutions of a second-order step with W diagonal", planar_contact(reading.pick(0, 2))?.len(), 1),
         Finding::count("steps in which two swept points separate", separating, 0),
         Finding::exact("their distance in the end", &gaps[24], &whole(0), "m"),
         Finding::count("solutions q = c t of the process with C(t) = {|q| ≥ t}", (-4..=4).filter(|c| swept_out(&ratio(*c, 2))).count(), 2),

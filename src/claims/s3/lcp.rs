@@ -129,7 +129,7 @@ fn normal_lcp(reading: Reading) -> Result<Vec<Finding>> {
     let uniform = [ratio(1, 2), ratio(1, 2)];
     let different = reading.pick([ratio(1, 1), ratio(0, 1)], uniform.clone());
     Ok(vec![
-        Finding::decision("feasible with e = (1, 0)", is_feasible(&step(different)), false),
+        Finding::decision("the normal LCP is feasible with e = (1, 0)", is_feasible(&step(different)), false),
         Finding::decision("solvable with e = (1/2, 1/2)", solve(&step(uniform))?.is_some(), true),
     ])
 }
@@ -143,7 +143,7 @@ fn friction_block(reading: Reading) -> Result<Vec<Finding>> {
     let mut findings = Vec::new();
     for (name, system) in [("one contact", &contact), ("a wedge", &jammed)] {
         let lcp = reference(system)?;
-        findings.push(Finding::decision(format!("copositive-plus: {name}"), copositive_plus(&lcp.matrix)?.holds(), false));
+        findings.push(Finding::decision(format!("M_LCP is copositive-plus: {name}"), copositive_plus(&lcp.matrix)?.holds(), false));
         findings.push(Finding::decision(format!("solved by Lemke: {name}"), solve(&lcp)?.is_some(), true));
     }
     Ok(findings)

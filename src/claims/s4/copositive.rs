@@ -55,7 +55,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "xᵀM_LCP x = x₁ᵀW̃x₁ + Σμᵢλᵢσᵢ: only +E against −Eᵀ cancels, μ has no partner. Copositivity follows all the same; the second implication does not, and falls with S4.copos-plus.",
         argument: "In the wedge of two contacts with μ = 1/2 and x = (1, …, 1) the form exceeds x₁ᵀW̃x₁ by μ₁ + μ₂ = 1. At x = (0, 0, σ) it vanishes with (M + Mᵀ)x = (μσ, 0, 0).",
         control: "The matrices without μ in their last rows, for which the printed identity and its consequence hold.",
-        sources: &["chapter §4, proof of the theorem on M_LCP, and exercise 2"],
+        sources: &["chapter §4, exercise 2, and the proof of the theorem on M_LCP (whose display is not legible in the source)"],
         check: general_form,
     },
     Claim {

@@ -201,7 +201,13 @@ fn persistent_contact(reading: Reading) -> Result<Vec<Finding>> {
         let bound = tolerance::repeated_steps(steps);
         let speed = largest(|a, b| (&a.velocity - &b.velocity).amax());
         let place = largest(|a, b| (&a.position - &b.position).amax());
-        findings.push(Finding::equal(format!("largest difference in velocity, μ = {friction}"), speed, 0.0, bound, "m/s"));
+        findings.push(Finding::equal(
+            format!("block on an incline, largest difference in velocity, μ = {friction}"),
+            speed,
+            0.0,
+            bound,
+            "m/s",
+        ));
         findings.push(Finding::equal(format!("largest difference in position, μ = {friction}"), place, 0.0, bound, "m"));
     }
     let (drifted, _) = circle_track(&moreau_jean())?;

@@ -12,7 +12,7 @@ use crate::scalar::{Rational, ratio};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.relaxed-constraint",
-        statement: "The relaxed friction constraint is μ(n·v) + ‖Dᵀv‖ ≤ 0.",
+        statement: "The relaxed friction constraint is μ(n·v) + ‖Dᵀv‖ ≤ 0 (so printed in the section on creep; the display of step 3 is not legible in the source).",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
         correct_statement: "n·v + φ/h ≥ μ‖Dᵀv‖: the law velocity lies in the dual cone K_μ*.",

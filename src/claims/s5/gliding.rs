@@ -85,7 +85,12 @@ fn no_creep(reading: Reading) -> Result<Vec<Finding>> {
         let steps = reading.pick(200, 10);
         block.tangential_softness = reading.pick(ratio(0, 1), softness());
         block.steps(steps, &h)?;
-        findings.push(Finding::exact(format!("v_t of a block that should stick, h = 1/{denominator}"), &block.velocity[1], &ratio(0, 1), "m/s"));
+        findings.push(Finding::exact(
+            format!("v_t of a block that should stick, h = 1/{denominator}"),
+            &block.velocity[1],
+            &ratio(0, 1),
+            "m/s",
+        ));
         findings.push(Finding::exact(format!("φ of a block that should stick, h = 1/{denominator}"), &block.gap, &ratio(0, 1), "m"));
     }
     let (h, mu) = (ratio(1, 100), ratio(1, 2));
