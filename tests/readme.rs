@@ -24,7 +24,7 @@ fn the_readme_states_the_verdict_counts_of_the_registry() {
 fn the_readme_states_the_number_of_stored_runs() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("references");
     let files = ["mujoco", "drake"].map(|engine| std::fs::read_dir(root.join(engine)).expect("the folder is packed").count());
-    let expected = format!("({} stored runs, one named test each)", files[0] + files[1]);
+    let expected = format!("({} stored runs and single steps, one named test each)", files[0] + files[1]);
     assert!(README.contains(&expected), "README.md should say: {expected}");
 }
 
@@ -34,4 +34,28 @@ fn every_claim_named_in_the_readme_exists() {
     for id in named {
         assert!(claims::find(id).is_some(), "README.md names `{id}`, which is not registered");
     }
+}
+
+/// The contents of the first block of the README that starts with this fence.
+fn block(fence: &str) -> &'static str {
+    let (_, rest) = README.split_once(fence).expect("the README has such a block");
+    rest.split_once("\n```").expect("the block ends").0.trim()
+}
+
+#[test]
+fn the_readme_s_commands_work_as_they_stand() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("readme-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("the target directory is writable");
+    std::fs::write(folder.join("problem.json"), block("```json\n")).expect("a writable folder");
+    let commands = block("```sh\nmoreau ");
+    assert_eq!(commands.lines().count(), 4, "{commands}");
+    for command in commands.lines() {
+        let arguments = command.trim_start_matches("moreau ").split_whitespace();
+        let run = std::process::Command::new(env!("CARGO_BIN_EXE_moreau")).args(arguments).current_dir(&folder).output();
+        let run = run.expect("the built command starts");
+        assert!(run.status.success(), "{command}: {}", String::from_utf8_lossy(&run.stderr));
+    }
+    let answer = std::fs::read_to_string(folder.join("answer.json")).expect("written by the second command");
+    assert!(answer.contains("\"impulse\":[1.0,-0.5]") && folder.join("ball.svg").exists(), "{answer}");
+    std::fs::remove_dir_all(&folder).expect("nobody else uses it");
 }
