@@ -21,6 +21,49 @@
 //!     u = W r + u_free ,    y = u + shift + R r ,    (r, y) in the contact law .
 //! ```
 //! Symbols, units, signs and component order: [`conventions`].
+//!
+//! # Three ways in
+//! Solve a contact problem and certify the answer: a block of 1 kg arrives at 1 m/s, slides at 2 m/s, μ = ½.
+//! ```
+//! use moreau::certificate::residuals;
+//! use moreau::solvers::{ContactSolver, Reference};
+//! use moreau::{ContactProblem, Law};
+//! use nalgebra::{DMatrix, dvector};
+//!
+//! let problem = ContactProblem {
+//!     name: "block".into(),
+//!     rows_per_contact: 2,
+//!     law: Law::Coulomb,
+//!     friction: vec![0.5],
+//!     free_velocity: dvector![-1.0, 2.0],
+//!     shift: dvector![0.0, 0.0],
+//!     delassus: DMatrix::identity(2, 2),
+//!     compliance: None,
+//!     dynamics: None,
+//! };
+//! let answer = Reference.solve(&problem, None)?;
+//! assert!(residuals(&problem, &answer)?.is_solution(1e-8)); // r = (1, −½) N·s, u = (0, 3/2) m/s
+//! # Ok::<(), moreau::Error>(())
+//! ```
+//! Simulate a scene, here the ball that has come to rest after infinitely many bounces:
+//! ```
+//! use moreau::{scenes, schemes, solvers};
+//!
+//! let (mechanism, start) = scenes::named("bouncing-ball")?.mechanism()?;
+//! let scheme = schemes::MoreauJean::default();
+//! let run = schemes::simulate(&scheme, &solvers::Reference, mechanism.as_ref(), start, 1e-3, 2000)?;
+//! assert!(run.last().velocity.amax() < 1e-9);
+//! # Ok::<(), moreau::Error>(())
+//! ```
+//! Run a claim with its control:
+//! ```
+//! use moreau::claims::{self, Status, Verdict};
+//!
+//! let claim = claims::find("S4.copos-plus").expect("registered");
+//! let outcome = claims::judge(claim);
+//! assert_eq!((claim.verdict, outcome.status), (Verdict::False, Status::Supported));
+//! println!("{}: {}", outcome.findings[0].name, claim.correct_statement);
+//! ```
 
 pub mod certificate;
 pub mod checks;
