@@ -66,8 +66,21 @@ pub struct Step {
 /// # Errors
 /// Those of [`Scheme::assemble`] and [`ContactSolver::solve`].
 pub fn step(scheme: &dyn Scheme, solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Step> {
+    step_after(scheme, solver, mechanism, state, h, &[])
+}
+
+/// A step whose solver starts from the impulses of the step before.
+fn step_after(
+    scheme: &dyn Scheme,
+    solver: &dyn ContactSolver,
+    mechanism: &dyn Mechanism,
+    state: &State,
+    h: f64,
+    previous: &[ContactImpulse],
+) -> Result<Step> {
     let assembled = scheme.assemble(mechanism, state, h)?;
-    let solution = assembled.problem.as_ref().map(|problem| solver.solve(problem, None)).transpose()?;
+    let start = carry_over(previous, &assembled.active, mechanism.rows_per_contact());
+    let solution = assembled.problem.as_ref().map(|problem| solver.solve(problem, Some(&start))).transpose()?;
     let mut velocity = assembled.free_velocity.clone();
     let mut impulses = Vec::new();
     if let Some(solution) = &solution {
@@ -87,7 +100,19 @@ pub fn step(scheme: &dyn Scheme, solver: &dyn ContactSolver, mechanism: &dyn Mec
     Ok(Step { state, impulses, assembled, solution })
 }
 
-/// `steps` steps of size h from `initial`, every sample recorded; sample k lies at time initial.time + k h.
+/// The previous impulses of the contacts that are active now, zero for the others \[N·s\].
+fn carry_over(previous: &[ContactImpulse], active: &[usize], rows: usize) -> DVector<f64> {
+    let mut start = DVector::zeros(rows * active.len());
+    for (k, contact) in active.iter().enumerate() {
+        if let Some(known) = previous.iter().find(|known| known.contact == *contact) {
+            start.rows_mut(k * rows, rows).copy_from_slice(&known.impulse);
+        }
+    }
+    start
+}
+
+/// `steps` steps of size h from `initial`, every sample recorded; sample k lies at time initial.time + k h. Each solve starts
+/// from the impulses of the step before at the same contacts.
 ///
 /// # Errors
 /// Those of [`step`].
@@ -101,10 +126,63 @@ pub fn simulate(
 ) -> Result<Recording> {
     let mut recording = Recording::new(mechanism.name(), scheme.name(), h, initial.clone());
     let mut state = initial.clone();
+    let mut previous = Vec::new();
     for k in 1..=steps {
-        let Step { state: next, impulses, .. } = step(scheme, solver, mechanism, &state, h)?;
+        let Step { state: next, impulses, .. } = step_after(scheme, solver, mechanism, &state, h, &previous)?;
         state = State { time: initial.time + k as f64 * h, ..next };
+        previous.clone_from(&impulses);
         recording.push(state.clone(), impulses);
     }
     Ok(recording)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certificate::residuals;
+    use crate::scenes::named;
+    use crate::solvers::ProjectedGaussSeidel;
+    use crate::tolerance::cli::CERTIFY;
+    use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+    /// Solves every problem twice, from the given impulses and from zero, and counts the sweeps.
+    #[derive(Default)]
+    struct Twice {
+        warm: AtomicUsize,
+        cold: AtomicUsize,
+    }
+
+    impl ContactSolver for Twice {
+        fn name(&self) -> &'static str {
+            "twice"
+        }
+
+        fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+            let warm = ProjectedGaussSeidel::default().solve(problem, warm_start)?;
+            let cold = ProjectedGaussSeidel::default().solve(problem, None)?;
+            let found = residuals(problem, &warm)?;
+            assert!(found.is_solution(CERTIFY) && residuals(problem, &cold)?.is_solution(CERTIFY));
+            // several impulses carry the stack, but they all give one velocity
+            assert!((&warm.velocity - &cold.velocity).amax() <= CERTIFY * found.velocity_scale, "{}", problem.name);
+            self.warm.fetch_add(warm.iterations, Relaxed);
+            self.cold.fetch_add(cold.iterations, Relaxed);
+            Ok(warm)
+        }
+    }
+
+    #[test]
+    fn the_impulses_of_the_step_before_save_sweeps_and_leave_the_answer() {
+        let (mechanism, start) = named("box-stack").and_then(|scene| scene.mechanism()).unwrap();
+        let solver = Twice::default();
+        simulate(&MoreauJean::default(), &solver, mechanism.as_ref(), start, 0.01, 50).unwrap();
+        let (warm, cold) = (solver.warm.into_inner(), solver.cold.into_inner());
+        assert!(0 < cold && 2 * warm <= cold, "{warm} sweeps against {cold}");
+    }
+
+    #[test]
+    fn impulses_follow_their_contact_and_new_contacts_start_from_zero() {
+        let previous = [(4, [1.0, 2.0]), (7, [3.0, 4.0])].map(|(contact, impulse)| ContactImpulse { contact, impulse: impulse.into() });
+        assert_eq!(carry_over(&previous, &[3, 7], 2).as_slice(), [0.0, 0.0, 3.0, 4.0]);
+        assert_eq!(carry_over(&[], &[0], 1).as_slice(), [0.0]);
+    }
 }
