@@ -14,10 +14,10 @@
 
 use super::ContactSolver;
 use super::stopping::Stopping;
+use crate::Result;
 use crate::cones::second_order;
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::solvers as tolerance;
-use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
 /// What is done with the last change r⁺ − r.
@@ -64,7 +64,7 @@ impl AcceleratedProjectedGradient {
     /// Like [`ContactSolver::solve`], showing every iterate: `observe(k, r_k)` for k = 1, 2, ….
     ///
     /// # Errors
-    /// [`Error::Solver`] for another law or an asymmetric W.
+    /// [`crate::Error::Solver`] for another law or an asymmetric W.
     pub fn solve_observed(
         &self,
         problem: &ContactProblem,
@@ -73,9 +73,7 @@ impl AcceleratedProjectedGradient {
     ) -> Result<Solution> {
         problem.validate()?;
         if !matches!(problem.law, Law::Frictionless | Law::Associated) {
-            let reason =
-                format!("does not solve the law `{}`, whose problem is not this convex program; use `pgs` or `lemke`", problem.law.name());
-            return Err(Error::solver(NAME, reason));
+            return Err(super::not_convex(NAME, problem.law));
         }
         super::require_symmetry(NAME, problem)?;
         let operator = problem.law_delassus();

@@ -65,12 +65,7 @@ impl ClarabelPolished {
         match problem.law {
             Law::Frictionless | Law::Associated => {}
             Law::PolyhedralAssociated { directions } => return through_edges(problem, directions),
-            law => {
-                return Err(Error::solver(
-                    NAME,
-                    format!("does not solve the law `{}`, which is not convex; use `pgs` or `lemke`", law.name()),
-                ));
-            }
+            law => return Err(super::not_convex(NAME, law)),
         }
         let (impulse, iterations) = interior_point(problem)?;
         let answer = |impulse: DVector<f64>, solver: &str, iterations| {

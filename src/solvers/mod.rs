@@ -61,6 +61,12 @@ fn compliance(problem: &ContactProblem, row: usize) -> f64 {
     }
 }
 
+/// The error of a solver for convex laws that is given another one, with a solver that takes it.
+fn not_convex(solver: &str, law: crate::problem::Law) -> Error {
+    let cure = if law.directions().is_some() { "lemke" } else { "pgs" };
+    Error::solver(solver, format!("does not solve the law `{}`; use `{cure}`", law.name()))
+}
+
 /// Refuses an asymmetric W in the name of a solver that minimises ½rᵀWr, whose gradient is W r only if W is symmetric.
 fn require_symmetry(solver: &str, problem: &ContactProblem) -> Result<()> {
     let asymmetry = problem.asymmetry();

@@ -44,7 +44,10 @@ fn every_solver_that_answers_passes_its_certificate_and_one_outside_its_scope_sa
         }
     }
     // Coulomb's law is not convex: a solver for convex problems refuses it
-    assert_eq!(moreau(&["solve", &problem, "--solver", "apgd"]).code, 1);
+    for solver in ["apgd", "clarabel"] {
+        let run = moreau(&["solve", &problem, "--solver", solver]);
+        assert!(run.code == 1 && run.message.contains("`coulomb`; use `pgs`"), "{}", run.message);
+    }
 }
 
 #[test]
