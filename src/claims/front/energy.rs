@@ -18,7 +18,7 @@ pub const PREFACE: &[Claim] = &[Claim {
     verdict: Verdict::False,
     evidence: Evidence::Exact,
     correct_statement: "For elastic collisions under constant forces no θ drifts: without force the kinetic energy is constant, under gravity E − (θ−½) m g h v is. θ = 1 dissipates when springs (or other position-dependent forces) act. The half about θ = 0.5 is right; the other is the mistake of S3.energy-runs-down, counted there.",
-    argument: "Three equal balls, e = 1, two collisions: the kinetic energy takes one value at θ = 1/2 and one at θ = 1. Elastic ball in rationals, θ = 1, rules A, B, D: the invariant of the closed form keeps its value over 300 steps. An oscillator loses 1 − (1 + h²)^{-N} of its energy.",
+    argument: "Three equal balls, e = 1, two collisions: the kinetic energy takes one value at θ = 1/2 and one at θ = 1. Elastic ball in rationals, θ = 1, activation rules A, B, D (A: φ ≤ 0, B: φ + ½hu ≤ 0, D: φ + h u_free ≤ 0): the invariant of the closed form keeps its value over 300 steps. An oscillator loses 1 − (1 + h²)^{-N} of its energy.",
     control: "An oscillator in place of the chain.",
     sources: &["chapter, cumulative project, module A"],
     check: elastic_chain,

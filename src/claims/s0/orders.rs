@@ -38,7 +38,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Measured,
         correct_statement: "Only the maximum norm of the velocity has no positive order. sup|q|, ∫|v| and the distance of filled-in \
                             graphs have order 1 through isolated impacts. (The same section itself calls the error O(h).)",
-        argument: "Moreau–Jean, rule A, θ = ½, e = 0.8, 1 m drop to the apex after the impact. To leading order the errors are \
+        argument: "Moreau–Jean, activation φ ≤ 0, θ = ½, e = 0.8, 1 m drop to the apex after the impact. To leading order the errors are \
                    sup|q| = V(1+e)(s + ½h), s the lag of the step that bounces behind the impact, and likewise in ∫|v| and in the \
                    graphs: constants times h once s/h is fixed. sup|v| = (1+e)V − O(h) for every h: on the lag the velocities lie on \
                    different sides of the jump.",
@@ -51,7 +51,7 @@ pub const CLAIMS: &[Claim] = &[
         statement: "(Implicit in §0.) Time-stepping converges through impacts without locating them, and is robust.",
         verdict: Verdict::True,
         evidence: Evidence::Measured,
-        correct_statement: "sup|q| and ∫|v| are O(h) for Moreau–Jean with rules A, B, D and, for e = 0, for Stewart–Trinkle and Anitescu; \
+        correct_statement: "sup|q| and ∫|v| are O(h) for Moreau–Jean with the activation rules A, B, D (A: φ ≤ 0, B: φ + ½hu ≤ 0, D: φ + h u_free ≤ 0) and, for e = 0, for Stewart–Trinkle and Anitescu; \
                             the graph distance is O(h), O(h ln 1/h) through a Zeno sequence, and O(√h) for e = 0 where the rule may \
                             stop the ball above the floor (D, and B with θ = 1), because it falls once more from a height O(h).",
         argument: "Each impact shifts the discrete flight by (1+e)/e·p in time and changes its speed by O(gh), with p between \

@@ -51,7 +51,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Flights contribute g T∞ and impacts Σ(1+e) g t₁ e^{k−1}, both g t₁(1+e)/(1−e). The discrete velocities of Moreau–Jean to \
                    1.5 T∞ have the same variation up to O(h ln 1/h), so it is bounded uniformly in h, and their positions the same \
                    slope up to O(h).",
-        control: "Rule C, under which the resting ball changes its velocity by g h in every step: the variation grows by g per second.",
+        control: "Activation φ + hv ≤ 0 with v ≤ 0, under which the resting ball changes its velocity by g h in every step: the variation grows by g per second.",
         sources: &["chapter §0, table and item (a)"],
         check: bounded_variation,
     },

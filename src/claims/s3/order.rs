@@ -33,7 +33,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::False,
         evidence: Evidence::Certified,
         correct_statement: "θ = 1/2 is energy neutral for constant and linear forces; its order is 2 on smooth pieces and 1 through impacts, like that of every θ.",
-        argument: "Elastic ball, rule A, θ = 1/2: a step that starts δ ∈ [0, h) after the true impact turns v into −v without moving, so the ball goes on exactly, but late by h + 2δ. With v* = √(2 g q₀) the position error is at least v*h − (3/2) g h² and at most 3 v*h + g h². For g = 9.81 m/s², q₀ = 1 m the error divided by h stays above 4.4 m/s minus O(h): order one.",
+        argument: "Elastic ball, activation φ ≤ 0, θ = 1/2: a step that starts δ ∈ [0, h) after the true impact turns v into −v without moving, so the ball goes on exactly, but late by h + 2δ. With v* = √(2 g q₀) the position error is at least v*h − (3/2) g h² and at most 3 v*h + g h². For g = 9.81 m/s², q₀ = 1 m the error divided by h stays above 4.4 m/s minus O(h): order one.",
         control: "The run ended before the first impact, where θ = 1/2 is exact.",
         sources: &["chapter §3, table of θ"],
         check: order_through_an_impact,

@@ -202,7 +202,7 @@ fn persistent_contact(reading: Reading) -> Result<Vec<Finding>> {
         let speed = largest(|a, b| (&a.velocity - &b.velocity).amax());
         let place = largest(|a, b| (&a.position - &b.position).amax());
         findings.push(Finding::equal(
-            format!("block on an incline, largest difference in velocity, μ = {friction}"),
+            format!("largest difference in velocity between the schemes, μ = {friction}"),
             speed,
             0.0,
             bound,
