@@ -158,7 +158,8 @@ fn every_residual_alone_decides_on_both_sides_of_its_own_scale() {
     let none = judged(&planar(Law::Coulomb, &SLIDING), &[1.0, -0.5]);
     assert!(none.impulse_scale != none.velocity_scale && none.is_solution(0.125));
     let (impulse, velocity, map) = (none.impulse_scale, none.velocity_scale, none.natural_map_scale);
-    let fields: [(f64, fn(&mut Residuals) -> &mut f64); 5] = [
+    type Field = fn(&mut Residuals) -> &mut f64;
+    let fields: [(f64, Field); 5] = [
         (impulse, |r| &mut r.primal),
         (velocity, |r| &mut r.dual),
         (impulse * velocity, |r| &mut r.complementarity),

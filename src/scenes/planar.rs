@@ -135,7 +135,8 @@ mod tests {
 
     #[test]
     fn every_way_out_of_the_plane_is_refused() {
-        let changes: [(&str, fn(&mut Scene)); 4] = [
+        type Change = fn(&mut Scene);
+        let changes: [(&str, Change); 4] = [
             ("gravity[1]", |scene| scene.gravity[1] = 0.1),
             ("position[1]", |scene| scene.bodies[0].position[1] = 0.1),
             ("angular_velocity[0]", |scene| scene.bodies[0].angular_velocity[0] = 0.1),
