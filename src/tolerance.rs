@@ -392,3 +392,13 @@ pub mod cli {
     /// of a few bodies stays near a gigabyte.
     pub const STEP_LIMIT: usize = 1_000_000;
 }
+
+/// How large a problem may be: everything is stored dense.
+pub mod problem {
+    /// Most entries of one matrix, 1 GiB of numbers.
+    pub const DENSE_ENTRIES: usize = 1 << 27;
+
+    /// Most unknowns (2 + d) n of a polyhedral law with n contacts: matrix, scaled matrix and a tableau twice as wide and its
+    /// copy hold 6·8192² numbers, 3 GiB.
+    pub const POLYHEDRAL_UNKNOWNS: usize = 1 << 13;
+}

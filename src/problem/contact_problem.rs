@@ -1,6 +1,7 @@
 //! The one-step contact problem: u = W r + u_free, y = u + shift + R r, (r, y) in the law.
 
 use super::Law;
+use crate::tolerance::problem::POLYHEDRAL_UNKNOWNS;
 use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -127,7 +128,12 @@ impl ContactProblem {
                 "use 0, or dimension 2 or 3",
             ));
         }
+        let unknowns = self.law.directions().map_or(0, |d| d.saturating_add(2).saturating_mul(self.contacts()));
         match (self.law.directions(), self.rows_per_contact) {
+            (Some(d), 3) if unknowns > POLYHEDRAL_UNKNOWNS => {
+                let problem = format!("is {d}, which makes {unknowns} unknowns with {} contacts", self.contacts());
+                Err(Error::invalid("directions", problem, format!("at most {POLYHEDRAL_UNKNOWNS} unknowns (2 + d) n are solved")))
+            }
             (Some(2), 2) | (None, _) => Ok(()),
             (Some(_), 2) => Err(Error::invalid("directions", "is not 2 in a planar problem", "use 2 (both senses of tangent 1)")),
             (Some(d), 3) if d >= 3 => Ok(()),

@@ -12,6 +12,7 @@
 use super::{Compliance, ContactProblem, Coordinates, Dynamics, Law, Solution};
 use crate::contact::delassus::delassus;
 use crate::files::{read_schema, write_atomically};
+use crate::tolerance::problem::DENSE_ENTRIES;
 use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
@@ -239,6 +240,10 @@ impl Triplets {
         if self.row.len() != count || self.column.len() != count {
             let problem = format!("has {} rows, {} columns and {count} values", self.row.len(), self.column.len());
             return Err(Error::invalid(format!("{field}.triplets"), problem, "give as many of each"));
+        }
+        if nrows.saturating_mul(ncols) > DENSE_ENTRIES {
+            let problem = format!("has shape {nrows}×{ncols}");
+            return Err(Error::invalid(field, problem, format!("matrices are stored dense, with at most {DENSE_ENTRIES} entries")));
         }
         let mut seen = std::collections::HashSet::with_capacity(count);
         let mut matrix = DMatrix::zeros(nrows, ncols);

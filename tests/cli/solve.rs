@@ -115,3 +115,28 @@ fn a_pipe_gets_the_answer_and_an_answer_that_is_no_number_goes_nowhere() {
     }
     assert_eq!(folder.names(), ["heavy.json", "problem.json"]);
 }
+
+#[test]
+fn a_problem_too_large_for_memory_is_refused_before_it_is_built() {
+    let folder = Folder::new("solve-large");
+    let spatial = PROBLEM.replace("[-1, 2]", "[-1, 2, 0]").replace(r#""dimension": 2"#, r#""dimension": 3"#);
+    let spatial = spatial.replace("[2, 2], \"rows\": [[1, 0], [0, 1]]", "[3, 3], \"rows\": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]");
+    for (directions, refused) in [(8, false), (8191, true), (1_000_000_000, true), (usize::MAX, true)] {
+        let law = format!(r#""law": "polyhedral-coulomb", "directions": {directions}"#);
+        let file = folder.file("large.json", &spatial.replace(r#""law": "coulomb""#, &law));
+        let run = moreau(&["solve", &file]);
+        if refused {
+            run.is_refused(&["large.json", "directions", "8192"]);
+        } else {
+            assert_eq!(run.code, 0, "{}", run.message);
+        }
+    }
+    // a unit mass matrix with 12000 rows is a small file and 144 million numbers
+    let places = (0..12_000).map(|k: usize| k.to_string()).collect::<Vec<_>>().join(",");
+    let ones = vec!["1"; 12_000].join(",");
+    let mass = format!(r#"{{"shape": [12000, 12000], "triplets": {{"row": [{places}], "column": [{places}], "value": [{ones}]}}}}"#);
+    let jacobian = r#"{"shape": [2, 12000], "triplets": {"row": [0, 1], "column": [0, 1], "value": [1, 1]}}"#;
+    let fields = format!(r#""mass": {mass}, "jacobian": {jacobian}"#);
+    let text = PROBLEM.replace(r#""delassus": {"shape": [2, 2], "rows": [[1, 0], [0, 1]]}"#, &fields);
+    moreau(&["solve", &folder.file("mass.json", &text)]).is_refused(&["mass.json", "field `mass`", "dense"]);
+}
