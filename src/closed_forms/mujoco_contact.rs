@@ -141,6 +141,8 @@ mod tests {
         let [below, above] = [0.003 - 1e-12, 0.003 + 1e-12].map(|depth| parameters.impedance_at(depth));
         assert!((above - below).abs() <= 1e-9);
         assert_eq!(parameters.impedance_at(0.0), 0.2);
+        // Beyond the midpoint 3/10 at x = 1/2: y = 1 − (1/2)³/(7/10)² = 365/490, d = 0.2 + 0.6 y.
+        assert!((parameters.impedance_at(0.005) - (0.2 + 0.6 * 365.0 / 490.0)).abs() <= crate::tolerance::rounding(8, 1.0));
         assert_eq!(parameters.impedance_at(0.01), parameters.impedance_at(1.0));
     }
 
