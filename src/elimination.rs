@@ -25,35 +25,41 @@ pub fn solve_columns<T: Scalar>(matrix: &DMatrix<T>, right_sides: &DMatrix<T>) -
         let pivot = largest_below(&a, k)?;
         a.swap_rows(k, pivot);
         x.swap_rows(k, pivot);
-        for i in k + 1..size {
-            if a[(i, k)].is_zero() {
-                continue;
-            }
-            let factor = a[(i, k)].clone() / a[(k, k)].clone();
-            for j in k + 1..size {
-                let change = factor.clone() * a[(k, j)].clone();
-                a[(i, j)] -= change;
-            }
-            for j in 0..x.ncols() {
-                let change = factor.clone() * x[(k, j)].clone();
-                x[(i, j)] -= change;
-            }
-        }
+        let factors: Vec<T> = (k + 1..size).map(|i| a[(i, k)].clone() / a[(k, k)].clone()).collect();
+        let columns = a.as_mut_slice()[(k + 1) * size..].chunks_mut(size).chain(x.as_mut_slice().chunks_mut(size));
+        columns.for_each(|column| eliminate(column, k, &factors));
     }
+    // The rows of the triangle lie in memory one after the other in its transpose.
+    let a = a.transpose();
     for mut column in x.column_iter_mut() {
         substitute_back(&a, column.as_mut_slice());
     }
     Some(x)
 }
 
-/// Overwrites b by the x with U x = b for the upper triangle U.
-fn substitute_back<T: Scalar>(upper: &DMatrix<T>, x: &mut [T]) {
-    for k in (0..x.len()).rev() {
-        for j in k + 1..x.len() {
-            let change = upper[(k, j)].clone() * x[j].clone();
-            x[k] -= change;
+/// Subtracts multiples of entry k of a column from the entries below it.
+fn eliminate<T: Scalar>(column: &mut [T], k: usize, factors: &[T]) {
+    let (above, below) = column.split_at_mut(k + 1);
+    let pivot = &above[k];
+    if pivot.is_zero() {
+        return;
+    }
+    for (entry, factor) in below.iter_mut().zip(factors) {
+        if !factor.is_zero() {
+            *entry -= factor.clone() * pivot.clone();
         }
-        x[k] /= upper[(k, k)].clone();
+    }
+}
+
+/// Overwrites b by the x with U x = b, the upper triangle U given by its transpose.
+fn substitute_back<T: Scalar>(transposed: &DMatrix<T>, x: &mut [T]) {
+    for k in (0..x.len()).rev() {
+        let (solved, row) = (x.split_at_mut(k + 1), transposed.column(k));
+        let value = &mut solved.0[k];
+        for (factor, entry) in row.as_slice()[k + 1..].iter().zip(solved.1) {
+            *value -= factor.clone() * entry.clone();
+        }
+        *value /= row[k].clone();
     }
 }
 

@@ -34,24 +34,7 @@ pub mod cones {
     }
 }
 
-/// Tolerances of [`crate::contact`] and [`crate::mechanics`].
-pub mod mechanics {
-    use super::EPSILON;
-
-    /// Step of a central difference \[s\], ε^⅓ rounded to a power of two (2⁻¹⁷): it balances truncation h²/6·f‴
-    /// against rounding ε f/h.
-    pub const DIFFERENCE_STEP: f64 = 1.0 / 131_072.0;
-
-    /// Error of a central difference of a function of size `size` along a velocity of size `speed`: truncation
-    /// h²/6·|f‴| with |f‴| ≤ 6·size·(1 + speed)³, and 8 rounding errors of size ε·size over 2h.
-    ///
-    /// The bound on f‴ covers compositions of distances and rotations at unit length scale, which is what the
-    /// mechanisms' gaps and potentials are.
-    pub fn central_difference(speed: f64, size: f64) -> f64 {
-        let h = DIFFERENCE_STEP;
-        size * (h * h * (1.0 + speed).powi(3) + 4.0 * EPSILON / h)
-    }
-}
+pub mod mechanics;
 
 /// Tolerances of [`crate::scenes`].
 pub mod scenes {
@@ -60,86 +43,7 @@ pub mod scenes {
     pub const WRITTEN_UNIT_VECTOR: f64 = 1e-9;
 }
 
-/// Tolerances of [`crate::solvers`].
-pub mod solvers {
-    use super::EPSILON;
-    use crate::scalar::Scalar;
-
-    /// A difference a − b of tableau entries with |a| + |b| = `magnitude` is rounding, hence zero, up to this size.
-    ///
-    /// An entry of a tableau with n rows is an entry of B⁻¹A for a basis B, a sum of n products; its two parts carry
-    /// relative errors of up to 2 n ε each ([`super::rounding`]). Zero for exact rationals, where only 0 is 0.
-    pub fn cancellation<T: Scalar>(rows: usize, magnitude: T) -> T {
-        T::ratio(2 * rows as i64, 1) * T::spacing() * magnitude
-    }
-
-    /// Smallest entry that may become a pivot in a tableau B⁻¹A scaled to entries of order one, √ε.
-    ///
-    /// A pivot p multiplies the condition of the basis by up to 1/p, and with it the relative error ε of the next tableau,
-    /// which is computed afresh from the data: at p = √ε half of the digits are left, below it an entry cannot be told from
-    /// the error ε/p of a basis whose last pivot was p. Zero for exact rationals.
-    pub fn smallest_pivot<T: Scalar>() -> T {
-        if T::spacing().is_zero() { T::zero() } else { T::ratio(1, 1 << 26) }
-    }
-
-    /// Size up to which an entry of such a tableau is zero for the choice of pivots, √ε: the error ε·cond(B) of a basis as badly
-    /// conditioned as [`smallest_pivot`] admits, cond(B) = 1/√ε. Zero for exact rationals.
-    pub fn tableau_zero<T: Scalar>() -> T {
-        smallest_pivot()
-    }
-
-    /// Pivots after which Lemke's method on rounded numbers is declared to cycle.
-    ///
-    /// Lexicographic pivoting repeats no basis in exact arithmetic, so exact runs have no limit. On contact problems
-    /// the count is a small multiple of n; 100 times n pivots can only mean that rounding has broken the order. The
-    /// limit never decides about a solution: it turns an endless loop into an error.
-    pub fn lemke_pivot_limit<T: Scalar>(size: usize) -> usize {
-        if T::spacing().is_zero() { usize::MAX } else { 100 * (size + 1) }
-    }
-
-    /// Relative natural map at which iterations stop, 2¹²·ε ≈ 9.1e-13: the rounding floor of u = W r + b is 2nε relative to the terms
-    /// of a row, so this is above the floor up to n ≈ 2000 rows and four decimal digits below the default of the certificate.
-    pub const STOP: f64 = 4096.0 * EPSILON;
-
-    /// Sweep limit of projected Gauss–Seidel. On a chain of n bodies a sweep contracts by cos²(π/(n+1)) ≈ 1 − π²/n², so that 100 000
-    /// sweeps reach [`STOP`] = e⁻²⁸ for n ≤ 180.
-    pub const SWEEPS: usize = 100_000;
-
-    /// Steps of the accelerated projected gradient: its bound 2LR²/(k+1)² reaches the relative objective error 2⁻³⁴ at k = 2¹⁷·√2; what
-    /// needs more is ill conditioned and left to the other solvers.
-    pub const GRADIENT_STEPS: usize = 200_000;
-
-    /// Relative asymmetry max|W − Wᵀ|/max|W| up to which W counts as symmetric: the rounding of sums of 1000 products, 2000 ε ≈ 4e-13.
-    pub const SYMMETRY: f64 = 2000.0 * EPSILON;
-
-    /// Stopping tolerances asked of Clarabel. Its default 1e-8 leaves natural maps up to 2e-5, and near 1e-14 it breaks down;
-    /// the answer is polished and judged in any case.
-    pub const CLARABEL: f64 = 1e-10;
-
-    /// How far the velocities y of two answers to one convex problem may differ \[m/s\], when their natural maps are e₁ and e₂ and
-    /// `residual` = ‖e₁‖ + ‖e₂‖, `impulses` = ‖r₁ − r₂‖ + ‖e₁‖ + ‖e₂‖, `norm` ≥ ‖W + R‖, `rho` = smallest ρ.
-    ///
-    /// p_i = r_i − e_i is the projection of r_i − ρy_i, so ⟨e_i − ρy_i, p_j − p_i⟩ ≤ 0; the sum of the two is
-    /// ρ⟨Δy, Δp⟩ ≤ ⟨Δe, Δp⟩. With Δy = (W + R)Δr: ‖Δy‖² ≤ norm·ΔrᵀΔy ≤ norm·residual·(impulses/ρ + ‖Δy‖), a quadratic
-    /// inequality for ‖Δy‖ whose larger root is at most `b + √c`, b = norm·residual, c = b·impulses/ρ. A ρ that varies between contacts weighs
-    /// them, which the smallest one covers.
-    pub fn agreement(norm: f64, residual: f64, impulses: f64, rho: f64) -> f64 {
-        let linear = norm * residual;
-        linear + (linear * impulses / rho).sqrt()
-    }
-
-    /// Sweeps that polish an interior-point answer. It identifies which contacts stick, slide and open; where that is right a few sweeps
-    /// finish, and 2000 are worth what one interior-point solve costs.
-    pub const POLISHING_SWEEPS: usize = 2000;
-
-    /// Relative weight 2⁻²⁰ of the proximal term of a rank-deficient diagonal block: the factorised block keeps 52 − 20 bits, and every
-    /// sweep reduces the error of the stiff directions by 2⁻²⁰.
-    pub const PROXIMAL: f64 = 1.0 / 1_048_576.0;
-
-    /// Steps of a bracketed root search in \[0, 1\] that halves at least every third step: 3·53 until neighbours, and as many again
-    /// for roots down to 2⁻¹⁰⁶.
-    pub const ROOT_STEPS: usize = 2 * 3 * 53;
-}
+pub mod solvers;
 
 /// Tolerances of [`crate::schemes`].
 pub mod schemes {
@@ -167,6 +71,7 @@ pub mod schemes {
     }
 }
 
+pub mod gate;
 pub mod references;
 pub mod zeno;
 
@@ -266,6 +171,8 @@ pub mod checks {
 
 /// Tolerances of [`crate::claims`].
 pub mod claims {
+    pub mod pathology;
+
     /// Step of the Runge–Kutta integration of a soft impact in `S2.soft-limit`, in units of √(m/k).
     pub const SOFT_STEP: f64 = 1.0 / 256.0;
 

@@ -3,6 +3,7 @@
 //! It vanishes exactly at solutions, for every ρ > 0 \[kg\]. With ρ = 3/tr(W_kk + R_kk), or the number of rows instead of 3,
 //! it is an impulse: a change of units scales it as it scales r, and a rotation of the tangents leaves its norm alone.
 
+use super::polyhedral;
 use crate::cones::{de_saxce, second_order};
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law};
 
@@ -19,9 +20,14 @@ pub fn correct(law: Law, friction: f64, y: &mut [f64]) {
 }
 
 /// ‖r − P_K(r − ρ ŷ)‖ \[N·s\] of one contact with impulse r \[N·s\] and law velocity y \[m/s\], both (n, t₁, t₂) as long as the contact has
-/// rows; the law is frictionless, Coulomb or associated.
+/// rows; the law is frictionless, Coulomb, associated or, with three rows, polyhedral Coulomb.
 pub fn natural_map(law: Law, friction: f64, impulse: &[f64], law_velocity: &[f64], rho: f64) -> f64 {
     let rows = impulse.len();
+    if let Law::PolyhedralCoulomb { directions } = law
+        && directions >= 3
+    {
+        return polyhedral::natural_map(friction, impulse, law_velocity, rho, directions);
+    }
     let mut corrected = [0.0; 3];
     corrected[..rows].copy_from_slice(law_velocity);
     correct(law, friction, &mut corrected[..rows]);

@@ -12,7 +12,7 @@
 //! r_t is inside, y_t = 0 and every decomposition does.
 
 use super::residuals::{AtContact, worst};
-use crate::cones::polyhedral::direction;
+use crate::cones::polyhedral::{direction, neighbours};
 use crate::problem::{Compliance, ContactProblem, Coordinates, Solution};
 use crate::{Error, Result};
 
@@ -40,6 +40,17 @@ pub(super) fn stewart_trinkle(
     pairs.extend(beta.iter().zip(&against).map(|(&z, velocity)| Pair { z, w: velocity + sigma }));
     pairs.push(Pair { z: problem.friction[contact] * r[0] - beta.iter().sum::<f64>(), w: sigma });
     judge(&pairs, mismatch(tangent(r), &beta, 1.0), rho)
+}
+
+/// The natural map of Stewart–Trinkle's law at one contact with three rows and d ≥ 3, β and σ recovered from r and y as above.
+pub(super) fn natural_map(friction: f64, r: &[f64], y: &[f64], rho: f64, d: usize) -> f64 {
+    let against = |j: usize| dot(direction(j, d), tangent(y));
+    let sigma = (0..d).fold(0.0, |slip, j| worst(slip, -against(j)));
+    let (j, beta) = neighbours(tangent(r), d);
+    let friction_left = smaller(friction * r[0] - beta[0] - beta[1], rho * sigma);
+    let along = |j: usize, beta: f64| smaller(beta, rho * (against(j) + sigma));
+    let parts = [smaller(r[0], rho * y[0]), friction_left, along(j, beta[0]), along((j + 1) % d, beta[1])];
+    parts.iter().map(|part| part * part).sum::<f64>().sqrt()
 }
 
 pub(super) fn edges(
@@ -113,14 +124,9 @@ pub(super) fn along_neighbours(r: [f64; 2], d: usize) -> Vec<f64> {
         beta[usize::from(r[0] < 0.0)] = r[0].abs();
         return beta;
     }
-    let sector = std::f64::consts::TAU / d as f64;
-    let turns = r[1].atan2(r[0]).rem_euclid(std::f64::consts::TAU) / sector;
-    let j = (turns.floor() as usize) % d;
-    let (left, right) = (direction(j, d), direction((j + 1) % d, d));
-    let area = left[0] * right[1] - left[1] * right[0];
-    // rounding may leave r_t a hair outside the sector; the mismatch then shows it
-    beta[j] = ((r[0] * right[1] - r[1] * right[0]) / area).max(0.0);
-    beta[(j + 1) % d] = ((left[0] * r[1] - left[1] * r[0]) / area).max(0.0);
+    let (j, parts) = neighbours(r, d);
+    beta[j] = parts[0];
+    beta[(j + 1) % d] = parts[1];
     beta
 }
 

@@ -25,11 +25,11 @@ pub(crate) fn apply(subject: Projection, z: &[f64], mu: f64) -> Vec<f64> {
     point
 }
 
-fn difference(left: &[f64], right: &[f64]) -> Vec<f64> {
+pub(crate) fn difference(left: &[f64], right: &[f64]) -> Vec<f64> {
     left.iter().zip(right).map(|(a, b)| a - b).collect()
 }
 
-fn dot(left: &[f64], right: &[f64]) -> f64 {
+pub(crate) fn dot(left: &[f64], right: &[f64]) -> f64 {
     left.iter().zip(right).map(|(a, b)| a * b).sum()
 }
 
@@ -38,12 +38,12 @@ pub(crate) fn norm(z: &[f64]) -> f64 {
 }
 
 /// How far `z` is outside K_μ, `max(‖z_t‖ − μ z_n, −z_n)`, relative to `√(1+μ²)`.
-fn cone_excess(z: &[f64], mu: f64) -> f64 {
+pub(crate) fn cone_excess(z: &[f64], mu: f64) -> f64 {
     ((norm(&z[1..]) - mu * z[0]) / mu.hypot(1.0)).max(-z[0])
 }
 
 /// How far `p` is outside K_μ°, `μ‖p_t‖ + p_n`, relative to `√(1+μ²)`.
-fn polar_excess(p: &[f64], mu: f64) -> f64 {
+pub(crate) fn polar_excess(p: &[f64], mu: f64) -> f64 {
     (mu * norm(&p[1..]) + p[0]) / mu.hypot(1.0)
 }
 

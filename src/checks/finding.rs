@@ -1,10 +1,11 @@
 //! A finding: one measured number held against one expectation.
 
 use crate::scalar::Rational;
-use serde::Serialize;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 /// How a measured number is held against the expected one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Relation {
     /// |measured − expected| ≤ tolerance.

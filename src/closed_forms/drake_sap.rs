@@ -10,6 +10,8 @@
 //! v_t = −R_t r_t the creep. On the cone's boundary y_n = μ‖y_t‖ with r_t = −μ r_n t: y_t = v_t − μ R_t r_n t and
 //! y_n = φ/(h + τ) + R_n r_n, hence the gap. A contact with φ ≥ 0 is not reported to the solver: the formula ends there.
 
+use nalgebra::{Matrix3, Vector3};
+
 /// One of n_c equal point contacts that carry a body.
 ///
 /// # Source
@@ -33,6 +35,21 @@ pub struct SapContact {
 
 /// σ in Drake.
 pub const TANGENTIAL_RATIO: f64 = 0.001;
+
+/// w = ‖J_i diag(M)⁻¹ J_iᵀ‖_F/3 \[1/kg\] of a contact at `lever` \[m\] from the centre of mass of a free body, in world axes.
+///
+/// J_i = \[1, −\[lever\]×\]; M has the mass and `inertia_diagonal` \[kg·m²\], the diagonal of the body's inertia in world axes.
+pub fn diagonal_mean(mass: f64, inertia_diagonal: Vector3<f64>, lever: Vector3<f64>) -> f64 {
+    let turning = -lever.cross_matrix();
+    let weighted = turning * Matrix3::from_diagonal(&inertia_diagonal.map(|moment| 1.0 / moment)) * turning.transpose();
+    (weighted + Matrix3::identity() / mass).norm() / 3.0
+}
+
+/// Creep σ h F_t/Σ 1/w_i \[m/s\] of a body that contacts with the given w_i \[1/kg\] hold together under F_t = `load` \[N\]: one
+/// speed for all, v = σ w_i r_t,i, and Σ r_t,i = h F_t.
+pub fn shared_creep(time_step: f64, diagonal_means: &[f64], load: f64) -> f64 {
+    TANGENTIAL_RATIO * time_step * load / diagonal_means.iter().map(|mean| 1.0 / mean).sum::<f64>()
+}
 
 impl SapContact {
     /// R_n = max(w/4π², 1/(h k (h + τ))) \[1/kg\]: a contact is never stiffer than its step resolves.
@@ -81,6 +98,21 @@ mod tests {
         let creep = contact(0.01, 1e6).creep_speed(9.81 * 0.6);
         assert!((creep - 2.774687e-5).abs() <= PRINTED_DIGITS * 2.774687e-5, "{creep:e}");
         assert!((contact(0.001, 1e6).creep_speed(9.81 * 0.6) - 0.1 * creep).abs() <= PRINTED_DIGITS * creep);
+    }
+
+    #[test]
+    fn equal_contacts_share_the_load_of_the_single_formula() {
+        let single = contact(0.01, 1e6).creep_speed(9.81 * 0.6 / 4.0);
+        let shared = shared_creep(0.01, &[2.0f64.sqrt() / 3.0; 4], 9.81 * 0.6);
+        assert!((shared - single).abs() <= PRINTED_DIGITS * single);
+    }
+
+    #[test]
+    fn a_contact_below_the_centre_of_a_sphere_is_softer_sideways() {
+        // W = diag(1/m + R²/I, 1/m + R²/I, 1/m) with I = ⅖ m R²: diag(3.5, 3.5, 1)/m.
+        let mean = diagonal_mean(2.0, Vector3::repeat(0.4 * 2.0 * 0.01), Vector3::new(0.0, 0.0, -0.1));
+        let expected = (2.0 * 3.5f64 * 3.5 + 1.0).sqrt() / 6.0;
+        assert!((mean - expected).abs() <= PRINTED_DIGITS * expected);
     }
 
     #[test]

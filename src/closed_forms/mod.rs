@@ -1,12 +1,23 @@
 //! Exact solutions of mechanical problems; nothing here imports what it verifies.
 
 pub mod bouncing_ball;
+pub mod drake_normal;
 pub mod drake_sap;
 pub mod elastic_ball;
+pub mod free_top;
 pub mod incline_block;
 pub mod mujoco_contact;
+pub mod mujoco_creep;
+pub mod mujoco_normal;
+pub mod painleve_impact;
+pub mod regularised_friction;
+pub mod rocking_block;
+pub mod sliding_contact;
+pub mod soft_rigid_contact;
 pub mod two_body_impact;
 
 pub use bouncing_ball::BouncingBall;
 pub use elastic_ball::ElasticBall;
 pub use incline_block::InclineBlock;
+pub use painleve_impact::SlidingEdge;
+pub use rocking_block::RockingBlock;

@@ -33,6 +33,18 @@ pub fn edge(j: usize, d: usize, mu: f64) -> [f64; 3] {
     [1.0, mu * first, mu * second]
 }
 
+/// The decomposition r_t = a Dⱼ + b Dⱼ₊₁ along the two of d ≥ 3 directions beside r_t, as (j, \[a, b\]): of all decompositions with
+/// β ≥ 0 the one with the smallest sum.
+pub fn neighbours(r: [f64; 2], d: usize) -> (usize, [f64; 2]) {
+    let turns = r[1].atan2(r[0]).rem_euclid(2.0 * PI) * d as f64 / (2.0 * PI);
+    let j = (turns.floor() as usize) % d;
+    let (left, right) = (direction(j, d), direction((j + 1) % d, d));
+    let area = left[0] * right[1] - left[1] * right[0];
+    // rounding may leave r_t a hair outside the sector
+    let parts = [(r[0] * right[1] - r[1] * right[0]) / area, (left[0] * r[1] - left[1] * r[0]) / area];
+    (j, parts.map(|part| part.max(0.0)))
+}
+
 /// Relative loss of friction strength in the worst direction of a three-dimensional contact, `1 − cos(π/d) = 2 sin²(π/2d)`.
 pub fn strength_error(d: usize) -> f64 {
     // The second form does not cancel for many directions.

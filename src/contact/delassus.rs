@@ -31,9 +31,12 @@ pub fn delassus<T: Scalar>(mass: &DMatrix<T>, jacobian: &DMatrix<T>) -> Result<D
     let rows = jacobian.nrows();
     let mut delassus = DMatrix::zeros(rows, rows);
     for i in 0..rows {
+        // A contact row touches the velocities of two bodies only: most entries are zero.
+        let column = half.column(i);
+        let nonzero = column.iter().zip(&factor.pivots).enumerate().filter(|(_, (y, _))| !y.is_zero());
+        let weighted: Vec<(usize, T)> = nonzero.map(|(k, (y, d))| (k, y.clone() / d.clone())).collect();
         for j in 0..=i {
-            let terms = factor.pivots.iter().enumerate();
-            let entry = terms.fold(T::zero(), |sum, (k, d)| sum + half[(k, i)].clone() * half[(k, j)].clone() / d.clone());
+            let entry = weighted.iter().fold(T::zero(), |sum, (k, y)| sum + y.clone() * half[(*k, j)].clone());
             delassus[(i, j)] = entry.clone();
             delassus[(j, i)] = entry;
         }
@@ -44,7 +47,8 @@ pub fn delassus<T: Scalar>(mass: &DMatrix<T>, jacobian: &DMatrix<T>) -> Result<D
 /// The factorisation M = L D Lᵀ of a mass matrix, L unit lower triangular, D diagonal and positive.
 #[derive(Clone, Debug)]
 pub struct MassFactor<T: Scalar> {
-    lower: DMatrix<T>,
+    /// Row i of L below the diagonal: (k, L_ik) for k < i where it is not zero. None, if the bodies do not touch each other's inertia.
+    lower: Vec<Vec<(usize, T)>>,
     pivots: Vec<T>,
 }
 
@@ -61,21 +65,20 @@ impl<T: Scalar> MassFactor<T> {
         finite("mass", mass)?;
         symmetric(mass)?;
         let n = mass.nrows();
-        let mut lower = DMatrix::<T>::identity(n, n);
+        let mut lower: Vec<Vec<(usize, T)>> = vec![Vec::new(); n];
         let mut pivots: Vec<T> = Vec::with_capacity(n);
         for j in 0..n {
-            let known = |lower: &DMatrix<T>, i: usize| {
-                let terms = pivots.iter().enumerate();
-                terms.fold(T::zero(), |sum, (k, d)| sum + lower[(i, k)].clone() * lower[(j, k)].clone() * d.clone())
-            };
-            let pivot = mass[(j, j)].clone() - known(&lower, j);
+            let pivot = mass[(j, j)].clone() - product(&lower[j], &lower[j], &pivots);
             let definite = pivot > rounding::<T>(n) * mass[(j, j)].magnitude();
             if !definite {
                 let problem = format!("is not positive definite (pivot {j} is {})", pivot.to_f64());
                 return Err(Error::invalid("mass", problem, "every velocity needs a positive inertia"));
             }
             for i in j + 1..n {
-                lower[(i, j)] = (mass[(i, j)].clone() - known(&lower, i)) / pivot.clone();
+                let entry = mass[(i, j)].clone() - product(&lower[i], &lower[j], &pivots);
+                if !entry.is_zero() {
+                    lower[i].push((j, entry / pivot.clone()));
+                }
             }
             pivots.push(pivot);
         }
@@ -95,9 +98,9 @@ impl<T: Scalar> MassFactor<T> {
             x[k] /= d.clone();
         }
         for i in (0..n).rev() {
-            for k in i + 1..n {
-                let known = self.lower[(k, i)].clone() * x[k].clone();
-                x[i] -= known;
+            for (k, entry) in &self.lower[i] {
+                let known = entry.clone() * x[i].clone();
+                x[*k] -= known;
             }
         }
         x
@@ -105,13 +108,26 @@ impl<T: Scalar> MassFactor<T> {
 
     /// Overwrites x by L⁻¹x.
     fn forward(&self, x: &mut [T]) {
-        for i in 0..x.len() {
-            for k in 0..i {
-                let known = self.lower[(i, k)].clone() * x[k].clone();
+        for (i, row) in self.lower.iter().enumerate() {
+            for (k, entry) in row {
+                let known = entry.clone() * x[*k].clone();
                 x[i] -= known;
             }
         }
     }
+}
+
+/// Σ_k L_ik L_jk d_k of two rows, each in increasing order of k.
+fn product<T: Scalar>(row: &[(usize, T)], other: &[(usize, T)], pivots: &[T]) -> T {
+    let mut rest = other.iter().peekable();
+    let mut sum = T::zero();
+    for (k, entry) in row {
+        while rest.next_if(|(index, _)| index < k).is_some() {}
+        if let Some((_, opposite)) = rest.next_if(|(index, _)| index == k) {
+            sum += entry.clone() * opposite.clone() * pivots[*k].clone();
+        }
+    }
+    sum
 }
 
 /// The relative rounding error of a pivot: (n + 1) terms, each with a product and a sum; 0 for rationals.

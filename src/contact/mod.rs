@@ -18,6 +18,32 @@ pub struct Contact {
     pub restitution: f64,
     /// Which pair touches, e.g. `box1-corner0/ground`.
     pub label: String,
+    /// Where it is in the world, if the mechanism consists of bodies.
+    pub place: Option<Place>,
+}
+
+/// Which two bodies touch, with what, and the contact frame in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// Indices of the first and the second body; `None` is the ground.
+    pub bodies: (usize, Option<usize>),
+    /// Which corners, edges or faces of the two touch: the same candidate has the same numbers in every step.
+    pub features: [u32; 2],
+    /// n (from the second body to the first), t₁, t₂.
+    pub frame: [[f64; 3]; 3],
+}
+
+impl Place {
+    /// Whether both are the same candidate, perhaps in different steps.
+    pub fn is_same(&self, other: &Place) -> bool {
+        (self.bodies, self.features) == (other.bodies, other.features)
+    }
+
+    /// r_n n + r_t₁ t₁ + r_t₂ t₂, the impulse on the first body \[N·s\].
+    pub fn world_impulse(&self, impulse: &[f64]) -> [f64; 3] {
+        let part = |axis: usize| impulse.iter().zip(&self.frame).map(|(part, direction)| part * direction[axis]).sum();
+        [part(0), part(1), part(2)]
+    }
 }
 
 /// The impulse of one contact over one step.
@@ -27,4 +53,16 @@ pub struct ContactImpulse {
     pub contact: usize,
     /// (r_n, r_t₁, r_t₂) \[N·s\], as many as the contact has rows.
     pub impulse: Vec<f64>,
+    /// Where it acted, as in [`Contact::place`].
+    pub place: Option<Place>,
+}
+
+impl ContactImpulse {
+    /// Whether the impulse acted at this candidate: compared by features where they are known, by index otherwise.
+    pub fn acts_at(&self, contact: usize, place: Option<&Place>) -> bool {
+        match (&self.place, place) {
+            (Some(own), Some(other)) => own.is_same(other),
+            _ => self.contact == contact,
+        }
+    }
 }

@@ -4,4 +4,4 @@ mod atomic;
 mod schema;
 
 pub use atomic::{is_same_file, write_atomically, write_together};
-pub use schema::read_schema;
+pub use schema::{read_object, read_schema};

@@ -17,12 +17,20 @@ pub fn read_schema<T: DeserializeOwned>(text: &str, schema: &str) -> Result<T> {
     if text.starts_with('\u{feff}') || first.is_some_and(|letter| letter != '{') {
         return Err(Error::invalid("schema", "is missing: this is not a JSON object", format!("start with {{\"schema\": \"{schema}\"")));
     }
-    let probe: Probe = serde_json::from_str(text).map_err(|error| name_field(text, schema, error))?;
+    let probe: Probe = read_object(text, schema)?;
     match probe.schema {
         Some(serde_json::Value::String(name)) if name == schema => {}
         Some(other) => return Err(Error::invalid("schema", format!("is {other}"), format!("this reader takes \"{schema}\""))),
         None => return Err(Error::invalid("schema", "is missing", format!("add \"schema\": \"{schema}\""))),
     }
+    read_object(text, schema)
+}
+
+/// Reads a value from JSON text that `schema` describes.
+///
+/// # Errors
+/// [`Error::Json`] if the text is not JSON; [`Error::Invalid`] names the field where it is not what the schema says.
+pub fn read_object<T: DeserializeOwned>(text: &str, schema: &str) -> Result<T> {
     serde_json::from_str(text).map_err(|error| name_field(text, schema, error))
 }
 

@@ -63,6 +63,7 @@ impl Mechanism for BallChain {
                 friction: 0.0,
                 restitution: self.restitution,
                 label: format!("ball{}/ball{k}", k + 1),
+                place: None,
             }
         };
         (0..self.masses.len() - 1).map(contact).collect()

@@ -68,6 +68,7 @@ impl Mechanism for BeadInCircle {
             friction: self.friction,
             restitution: self.restitution,
             label: "bead/circle".into(),
+            place: None,
         }]
     }
 

@@ -7,8 +7,10 @@ mod ball_chain;
 mod bead_in_circle;
 mod oscillator;
 mod painleve_rod;
+mod pair_material;
 pub mod planar;
 mod point_mass;
+pub mod spatial;
 #[cfg(test)]
 mod testing;
 
@@ -16,8 +18,10 @@ pub use ball_chain::BallChain;
 pub use bead_in_circle::BeadInCircle;
 pub use oscillator::OscillatorWithStop;
 pub use painleve_rod::PainleveRod;
+pub use pair_material::{Materials, PairMaterial};
 pub use planar::PlanarBodies;
 pub use point_mass::{Plane, PointMass};
+pub use spatial::SpatialBodies;
 
 /// Configuration and velocity of a mechanism.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,8 +61,26 @@ pub trait Mechanism: Send + Sync {
     fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64>;
     /// F(q, v) \[N, N·m\]: applied forces and velocity-dependent terms, without contact.
     fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64>;
+    /// The average of F over a step of size h from (q, v) without contact, so that v + h M⁻¹F̄ is the velocity after it:
+    /// F(q, v), unless a velocity-dependent term deserves more than an explicit step.
+    fn mean_force(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
+        let _ = h;
+        self.force(position, velocity)
+    }
     /// Every contact candidate at q, always in the same order.
     fn contacts(&self, position: &DVector<f64>) -> Vec<Contact>;
+    /// The candidates with a gap of at most `reach` \[m\], in the order of [`Mechanism::contacts`]; more may be listed, and by default
+    /// all are.
+    fn contacts_within(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
+        let _ = reach;
+        self.contacts(position)
+    }
+    /// An upper bound of h (‖u_n‖ + μ‖u_t‖) over every contact candidate there could be, at the velocity v \[m\]: a contact with a
+    /// larger gap does not close in a step h with this velocity. Infinite by default: no bound is known.
+    fn reach(&self, velocity: &DVector<f64>, h: f64) -> f64 {
+        let _ = (velocity, h);
+        f64::INFINITY
+    }
     /// Potential energy V(q) \[J\].
     fn potential_energy(&self, position: &DVector<f64>) -> f64;
     /// Linear stiffness K and damping C of F = −K q − C v + …, treated θ-implicitly if present.

@@ -64,6 +64,7 @@ impl Mechanism for OscillatorWithStop {
             friction: 0.0,
             restitution: self.restitution,
             label: "mass/stop".into(),
+            place: None,
         }]
     }
 

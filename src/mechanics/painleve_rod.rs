@@ -78,6 +78,7 @@ impl Mechanism for PainleveRod {
             friction: self.friction,
             restitution: self.restitution,
             label: "end/floor".into(),
+            place: None,
         }]
     }
 

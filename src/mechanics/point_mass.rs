@@ -158,6 +158,7 @@ impl Mechanism for PointMass {
             friction: if self.rows_per_contact() == 1 { 0.0 } else { plane.friction },
             restitution: plane.restitution,
             label: format!("point/plane{k}"),
+            place: None,
         };
         self.planes.iter().enumerate().map(contact).collect()
     }

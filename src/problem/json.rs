@@ -15,6 +15,7 @@ use crate::files::{read_schema, write_atomically};
 use crate::tolerance::problem::DENSE_ENTRIES;
 use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -23,72 +24,116 @@ pub const PROBLEM_SCHEMA: &str = "contact-problem/1";
 /// Schema name of a solution.
 pub const SOLUTION_SCHEMA: &str = "solution/1";
 
-#[derive(Serialize, Deserialize)]
+/// One step's contact problem: u = W r + u_free, y = u + shift + R r, and (r, y) in the law, contact by contact.
+#[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct ProblemFile {
+#[schemars(rename = "ContactProblem", extend("oneOf" = [{"required": ["delassus"]}, {"required": ["mass", "jacobian"]}]))]
+pub(crate) struct ProblemFile {
+    /// Always `contact-problem/1`.
+    #[schemars(extend("const" = PROBLEM_SCHEMA))]
     schema: String,
+    /// A name for messages.
     name: String,
+    /// Rows per contact: 1 (normal), 2 (normal, tangent) or 3 (normal, tangent 1, tangent 2).
+    #[schemars(range(min = 1, max = 3))]
     dimension: usize,
+    /// The contact law.
+    #[schemars(extend("enum" = ["frictionless", "coulomb", "associated", "polyhedral-coulomb", "polyhedral-associated"]))]
     law: String,
+    /// Number of friction directions, of polyhedral laws only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     directions: Option<usize>,
+    /// μ ≥ 0 per contact.
     friction: Vec<f64>,
+    /// u_free \[m/s\], `dimension` entries per contact.
     free_velocity: Vec<f64>,
+    /// What the scheme adds for the law \[m/s\]; 0 if absent.
     #[serde(default)]
     shift: Option<Vec<f64>>,
+    /// W \[1/kg\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     delassus: Option<MatrixFile>,
+    /// M̂, in place of W.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     mass: Option<MatrixFile>,
+    /// H, with `mass`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     jacobian: Option<MatrixFile>,
+    /// R, of soft contacts.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     compliance: Option<ComplianceFile>,
+    /// How the problem was made; opaque here.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     provenance: Option<serde_json::Value>,
 }
 
-#[derive(Serialize, Deserialize)]
+/// A matrix: all its rows, or its entries that are not zero.
+#[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(rename = "Matrix", extend("oneOf" = [{"required": ["rows"]}, {"required": ["triplets"]}]))]
 struct MatrixFile {
+    /// Numbers of rows and columns.
     shape: [usize; 2],
+    /// Row by row.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     rows: Option<Vec<Vec<f64>>>,
+    /// Entry by entry, each place at most once.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     triplets: Option<Triplets>,
 }
 
-#[derive(Serialize, Deserialize)]
+/// Places, counted from 0, and values.
+#[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Triplets {
+    /// Rows of the entries.
     row: Vec<usize>,
+    /// Their columns.
     column: Vec<usize>,
+    /// The entries.
     value: Vec<f64>,
 }
 
-#[derive(Serialize, Deserialize)]
+/// Diagonal softness R \[1/kg\].
+#[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(rename = "Compliance")]
 struct ComplianceFile {
+    /// Where its entries act: on contact rows, or on the edges of a polyhedral cone.
+    #[schemars(extend("enum" = ["contact", "edge"]))]
     coordinates: String,
+    /// Its entries, all ≥ 0.
     diagonal: Vec<f64>,
 }
 
-#[derive(Serialize, Deserialize)]
+/// A proposed solution of a contact problem.
+#[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct SolutionFile {
+#[schemars(rename = "Solution")]
+pub(crate) struct SolutionFile {
+    /// Always `solution/1`.
+    #[schemars(extend("const" = SOLUTION_SCHEMA))]
     schema: String,
+    /// The problem's name.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     problem: Option<String>,
+    /// r \[N·s\], ordered (normal, tangent 1, tangent 2) per contact.
     impulse: Vec<f64>,
+    /// u = W r + u_free \[m/s\], without `shift`.
     velocity: Vec<f64>,
+    /// β of Stewart–Trinkle, or edge impulses \[N·s\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     beta: Option<Vec<f64>>,
+    /// σ of Stewart–Trinkle \[m/s\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     sigma: Option<Vec<f64>>,
+    /// The solver's name.
     #[serde(default)]
     solver: String,
+    /// Iterations or pivots used.
     #[serde(default)]
     iterations: usize,
+    /// Residuals, for people; not trusted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     residuals: Option<serde_json::Value>,
 }

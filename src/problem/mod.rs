@@ -10,6 +10,7 @@ mod solution;
 pub mod stewart_trinkle;
 
 pub use contact_problem::{Compliance, ContactProblem, Coordinates, Dynamics};
+pub(crate) use json::{ProblemFile, SolutionFile};
 pub use law::Law;
 pub use lcp::Lcp;
 pub use solution::Solution;

@@ -4,8 +4,9 @@ mod exact;
 mod named;
 mod planar;
 mod scene;
+mod spatial;
 mod validation;
 
 pub use exact::ExactMotion;
 pub use named::{NAMES, named};
-pub use scene::{Body, Cuboid, Ground, Material, PairOverride, Scene, Sphere};
+pub use scene::{Body, Cuboid, Ground, Material, PairOverride, SCHEMA, Scene, Sphere};

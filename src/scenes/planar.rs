@@ -5,8 +5,8 @@
 
 use super::validation::GROUND;
 use super::{Body, PairOverride, Scene};
-use crate::mechanics::planar::{PairMaterial, PlanarBody, Shape};
-use crate::mechanics::{Mechanism, PlanarBodies, Plane, State};
+use crate::mechanics::planar::{PlanarBody, Shape};
+use crate::mechanics::{Mechanism, PairMaterial, PlanarBodies, Plane, State};
 use crate::{Error, Result};
 use nalgebra::{DVector, dvector};
 
@@ -57,7 +57,7 @@ impl Scene {
     }
 
     /// The override in terms of body indices; a pair that names the ground where there is none has no contact.
-    fn pair(&self, pair: &PairOverride) -> Option<PairMaterial> {
+    pub(super) fn pair(&self, pair: &PairOverride) -> Option<PairMaterial> {
         let index = |name: &String| self.bodies.iter().position(|body| body.name == *name);
         let [first, second] = &pair.bodies;
         let bodies = if first == GROUND { (index(second)?, None) } else { (index(first)?, index(second)) };

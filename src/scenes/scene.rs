@@ -9,6 +9,7 @@
 
 use crate::files::read_schema;
 use crate::{Error, Result};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -17,10 +18,11 @@ use std::path::Path;
 pub const SCHEMA: &str = "scene/1";
 
 /// Bodies under gravity over an optional ground plane, their material and the time to simulate.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
     /// Always `scene/1`.
+    #[schemars(extend("const" = SCHEMA))]
     pub schema: String,
     /// A short name.
     pub name: String,
@@ -33,10 +35,12 @@ pub struct Scene {
     #[serde(default)]
     pub ground: Option<Ground>,
     /// At least one body.
+    #[schemars(length(min = 1))]
     pub bodies: Vec<Body>,
     /// Pair values of friction and restitution.
     pub material: Material,
     /// Simulated time \[s\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub duration: f64,
     /// Parameters some engines need beyond the scene, by engine; opaque here.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
@@ -44,7 +48,7 @@ pub struct Scene {
 }
 
 /// The ground plane n·x = c; bodies stay on the side n points to.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Ground {
     /// Unit normal n.
@@ -54,8 +58,9 @@ pub struct Ground {
 }
 
 /// A rigid body; exactly one of `sphere` and `box` gives its shape.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [{"required": ["sphere"]}, {"required": ["box"]}]))]
 pub struct Body {
     /// Unique; `ground` is reserved for the plane.
     pub name: String,
@@ -66,6 +71,7 @@ pub struct Body {
     #[serde(rename = "box", default, skip_serializing_if = "Option::is_none")]
     pub cuboid: Option<Cuboid>,
     /// m \[kg\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub mass: f64,
     /// Principal moments \[kg·m²\] about the body axes through the centre of mass; those of the solid if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -84,15 +90,16 @@ pub struct Body {
 }
 
 /// A sphere about the centre of mass.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sphere {
     /// \[m\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
 }
 
 /// A box about the centre of mass, its edges along the body axes.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Cuboid {
     /// Half the edge lengths \[m\].
@@ -100,12 +107,14 @@ pub struct Cuboid {
 }
 
 /// Friction and restitution of every pair, with exceptions.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
     /// μ ≥ 0.
+    #[schemars(range(min = 0))]
     pub friction: f64,
     /// e ∈ \[0, 1\].
+    #[schemars(range(min = 0, max = 1))]
     #[serde(default)]
     pub restitution: f64,
     /// Pairs that differ.
@@ -114,7 +123,7 @@ pub struct Material {
 }
 
 /// One pair with its own friction or restitution.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PairOverride {
     /// Two names; `ground` is the plane.

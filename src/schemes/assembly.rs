@@ -67,13 +67,15 @@ pub(crate) fn assemble(name: &str, rules: &dyn Rules, mechanism: &dyn Mechanism,
             dynamics: Some(Dynamics { mass: effective_mass.clone(), jacobian: jacobian.clone() }),
         })
     };
-    Ok(StepProblem { problem, active: active.iter().map(|(index, _)| *index).collect(), effective_mass, free_velocity, jacobian })
+    let places = active.iter().map(|(_, candidate)| candidate.contact.place).collect();
+    let active = active.iter().map(|(index, _)| *index).collect();
+    Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian })
 }
 
 /// M̂ and v_free of the module's equation.
 fn free_motion(theta: f64, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<(DMatrix<f64>, DVector<f64>)> {
     let mut mass = mechanism.mass_matrix(&state.position);
-    let mut force = mechanism.force(&state.position, &state.velocity);
+    let mut force = mechanism.mean_force(&state.position, &state.velocity, h);
     if let Some(linear) = mechanism.linear_force() {
         mass += &linear.damping * (h * theta) + &linear.stiffness * (h * h * theta * theta);
         force -= &linear.stiffness * &state.velocity * (h * theta);
@@ -83,6 +85,15 @@ fn free_motion(theta: f64, mechanism: &dyn Mechanism, state: &State, h: f64) -> 
         return Err(Error::invalid("force", "is not finite", "every force and velocity must be a finite number"));
     }
     Ok((mass, velocity))
+}
+
+/// v + h M⁻¹F, the velocity without contact and with all forces explicit \[m/s\].
+///
+/// # Errors
+/// If h is not positive, the state does not fit the mechanism or M is not positive definite.
+pub(crate) fn forecast(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<DVector<f64>> {
+    check_input(mechanism, state, h)?;
+    Ok(free_motion(0.0, mechanism, state, h)?.1)
 }
 
 fn check_input(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<()> {

@@ -1,18 +1,21 @@
 //! Time-stepping schemes, one per file: each turns one step into a [`ContactProblem`] and its answer into a state.
 
 use crate::Result;
-use crate::contact::ContactImpulse;
+use crate::contact::delassus::MassFactor;
+use crate::contact::{ContactImpulse, Place};
 use crate::mechanics::{Mechanism, State};
 use crate::problem::{ContactProblem, Solution};
 use crate::solvers::ContactSolver;
 use crate::trajectory::Recording;
 use nalgebra::{DMatrix, DVector};
+use nearby::Nearby;
 
 pub mod anitescu;
 pub(crate) mod assembly;
 pub mod exact_particle;
 pub mod moreau_jean;
 mod names;
+mod nearby;
 pub mod stewart_trinkle;
 
 pub use anitescu::Anitescu;
@@ -27,6 +30,8 @@ pub struct StepProblem {
     pub problem: Option<ContactProblem>,
     /// Indices of the active contacts into [`Mechanism::contacts`].
     pub active: Vec<usize>,
+    /// Where the active contacts are, one entry per entry of `active`.
+    pub places: Vec<Option<Place>>,
     /// M̂, effective mass of the step.
     pub effective_mass: DMatrix<f64>,
     /// v_free = v + h M̂⁻¹F, with the linear part of F as in [`moreau_jean`].
@@ -78,22 +83,50 @@ fn step_after(
     h: f64,
     previous: &[ContactImpulse],
 ) -> Result<Step> {
-    let assembled = scheme.assemble(mechanism, state, h)?;
-    let start = carry_over(previous, &assembled.active, mechanism.rows_per_contact());
+    let mut reach = 2.0 * mechanism.reach(&state.velocity, h);
+    if reach.is_finite() {
+        reach = reach.max(2.0 * mechanism.reach(&assembly::forecast(mechanism, state, h)?, h));
+    }
+    loop {
+        let near = Nearby { mechanism, reach };
+        let assembled = scheme.assemble(&near, state, h)?;
+        let needed = mechanism.reach(&state.velocity, h).max(mechanism.reach(&assembled.free_velocity, h));
+        if needed > reach {
+            reach = 2.0 * needed;
+            continue;
+        }
+        let step = finish(scheme, solver, &near, state, h, previous, assembled)?;
+        let needed = mechanism.reach(&step.state.velocity, h);
+        // A bound that is not a number bounds nothing; what it comes from is refused by the next step.
+        if needed > reach {
+            reach = 2.0 * needed;
+        } else {
+            return Ok(step);
+        }
+    }
+}
+
+/// Solves what was assembled and moves on.
+fn finish(
+    scheme: &dyn Scheme,
+    solver: &dyn ContactSolver,
+    mechanism: &dyn Mechanism,
+    state: &State,
+    h: f64,
+    previous: &[ContactImpulse],
+    assembled: StepProblem,
+) -> Result<Step> {
+    let rows = mechanism.rows_per_contact();
+    let start = carry_over(previous, &assembled.active, &assembled.places, rows);
     let solution = assembled.problem.as_ref().map(|problem| solver.solve(problem, Some(&start))).transpose()?;
     let mut velocity = assembled.free_velocity.clone();
     let mut impulses = Vec::new();
     if let Some(solution) = &solution {
-        let cholesky = assembled.effective_mass.clone().cholesky();
-        let cholesky = cholesky.ok_or_else(|| crate::Error::invalid("mass", "is not positive definite", "every velocity needs inertia"))?;
-        velocity += cholesky.solve(&(assembled.jacobian.transpose() * &solution.impulse));
-        let rows = mechanism.rows_per_contact();
-        impulses = assembled
-            .active
-            .iter()
-            .enumerate()
-            .map(|(k, &contact)| ContactImpulse { contact, impulse: solution.impulse.as_slice()[k * rows..(k + 1) * rows].to_vec() })
-            .collect();
+        velocity += MassFactor::new(&assembled.effective_mass)?.solve(&assembled.jacobian.tr_mul(&solution.impulse));
+        let places = assembled.active.iter().zip(&assembled.places);
+        let one =
+            |((&contact, &place), part): ((&usize, &Option<Place>), &[f64])| ContactImpulse { contact, impulse: part.to_vec(), place };
+        impulses = places.zip(solution.impulse.as_slice().chunks(rows)).map(one).collect();
     }
     let position = scheme.advance(mechanism, state, &velocity, h);
     let state = State { time: state.time + h, position, velocity };
@@ -101,10 +134,10 @@ fn step_after(
 }
 
 /// The previous impulses of the contacts that are active now, zero for the others \[N·s\].
-fn carry_over(previous: &[ContactImpulse], active: &[usize], rows: usize) -> DVector<f64> {
+pub(crate) fn carry_over(previous: &[ContactImpulse], active: &[usize], places: &[Option<Place>], rows: usize) -> DVector<f64> {
     let mut start = DVector::zeros(rows * active.len());
-    for (k, contact) in active.iter().enumerate() {
-        if let Some(known) = previous.iter().find(|known| known.contact == *contact) {
+    for (k, (contact, place)) in active.iter().zip(places).enumerate() {
+        if let Some(known) = previous.iter().find(|known| known.acts_at(*contact, place.as_ref())) {
             start.rows_mut(k * rows, rows).copy_from_slice(&known.impulse);
         }
     }
@@ -125,15 +158,33 @@ pub fn simulate(
     steps: usize,
 ) -> Result<Recording> {
     let mut recording = Recording::new(mechanism.name(), scheme.name(), h, initial.clone());
-    let mut state = initial.clone();
+    run(scheme, solver, mechanism, initial, h, steps, |state, impulses| recording.push(state.clone(), impulses.to_vec()))?;
+    Ok(recording)
+}
+
+/// The motion of [`simulate`], shown step by step to `observe` and not kept; returns the last state.
+///
+/// # Errors
+/// Those of [`step`].
+pub fn run(
+    scheme: &dyn Scheme,
+    solver: &dyn ContactSolver,
+    mechanism: &dyn Mechanism,
+    initial: State,
+    h: f64,
+    steps: usize,
+    mut observe: impl FnMut(&State, &[ContactImpulse]),
+) -> Result<State> {
+    let start = initial.time;
+    let mut state = initial;
     let mut previous = Vec::new();
     for k in 1..=steps {
         let Step { state: next, impulses, .. } = step_after(scheme, solver, mechanism, &state, h, &previous)?;
-        state = State { time: initial.time + k as f64 * h, ..next };
-        previous.clone_from(&impulses);
-        recording.push(state.clone(), impulses);
+        state = State { time: start + k as f64 * h, ..next };
+        observe(&state, &impulses);
+        previous = impulses;
     }
-    Ok(recording)
+    Ok(state)
 }
 
 #[cfg(test)]
@@ -181,8 +232,9 @@ mod tests {
 
     #[test]
     fn impulses_follow_their_contact_and_new_contacts_start_from_zero() {
-        let previous = [(4, [1.0, 2.0]), (7, [3.0, 4.0])].map(|(contact, impulse)| ContactImpulse { contact, impulse: impulse.into() });
-        assert_eq!(carry_over(&previous, &[3, 7], 2).as_slice(), [0.0, 0.0, 3.0, 4.0]);
-        assert_eq!(carry_over(&[], &[0], 1).as_slice(), [0.0]);
+        let previous =
+            [(4, [1.0, 2.0]), (7, [3.0, 4.0])].map(|(contact, impulse)| ContactImpulse { contact, impulse: impulse.into(), place: None });
+        assert_eq!(carry_over(&previous, &[3, 7], &[None; 2], 2).as_slice(), [0.0, 0.0, 3.0, 4.0]);
+        assert_eq!(carry_over(&[], &[0], &[None], 1).as_slice(), [0.0]);
     }
 }

@@ -5,20 +5,24 @@ use crate::{Error, Result};
 use nalgebra::DVector;
 
 mod accelerated_projected_gradient;
+mod anderson;
 mod clarabel;
 pub mod enumeration;
 pub mod lemke;
 mod lemke_pivoting;
 mod one_contact;
+mod polyhedral_contact;
 mod projected_gauss_seidel;
 mod reference;
 mod stopping;
+mod within_step;
 
 pub use accelerated_projected_gradient::{AcceleratedProjectedGradient, Momentum, largest_eigenvalue_bound, objective};
 pub use clarabel::{ClarabelPolished, Polished};
 pub use lemke_pivoting::LemkePivoting;
 pub use projected_gauss_seidel::ProjectedGaussSeidel;
 pub use reference::{NAMES, Reference, by_name};
+pub use within_step::WithinStep;
 
 /// An algorithm that proposes a solution of a contact problem.
 pub trait ContactSolver: Send + Sync {

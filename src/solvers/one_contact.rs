@@ -11,6 +11,7 @@
 //! answer on the boundary is x = QᵀLᵀr, x_i = p_i / (1 − ν j_i), p = −QᵀL⁻¹q, with a multiplier ν ≥ 0 found from one
 //! scalar equation that has exactly one root.
 
+use super::polyhedral_contact::PolyhedralContact;
 use crate::tolerance::solvers as tolerance;
 use nalgebra::{Cholesky, Matrix2, Matrix3, Vector2, Vector3};
 
@@ -28,6 +29,7 @@ enum Prepared {
     Frictionless,
     Coulomb { schur: Matrix2<f64> },
     Associated { basis: Matrix3<f64>, cone: Vector3<f64> },
+    Polyhedral(PolyhedralContact),
 }
 
 impl OneContact {
@@ -42,6 +44,13 @@ impl OneContact {
         let coupling = block.fixed_view::<2, 1>(1, 0) * block.fixed_view::<1, 2>(0, 1) / block[(0, 0)];
         let schur = block.fixed_view::<2, 2>(1, 1) - coupling;
         Some(OneContact { block, mu, law: Prepared::Coulomb { schur } })
+    }
+
+    /// Coulomb's law along d ≥ 3 directions; A must be positive definite and μ > 0.
+    pub(super) fn polyhedral(block: Matrix3<f64>, mu: f64, directions: usize) -> Option<Self> {
+        Cholesky::new((block + block.transpose()) * 0.5)?;
+        let law = Prepared::Polyhedral(PolyhedralContact::new(&block, mu, directions)?);
+        Some(OneContact { block, mu, law })
     }
 
     /// The associated law; A must be symmetric positive definite and μ > 0.
@@ -67,6 +76,7 @@ impl OneContact {
             Prepared::Frictionless => Vector3::new((-q[0] / self.block[(0, 0)]).max(0.0), 0.0, 0.0),
             Prepared::Coulomb { schur } => self.solve_coulomb(schur, q),
             Prepared::Associated { basis, cone } => self.solve_associated(basis, cone, q),
+            Prepared::Polyhedral(contact) => contact.solve(&self.block, q),
         }
     }
 

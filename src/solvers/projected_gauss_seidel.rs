@@ -6,6 +6,7 @@
 //! sweeps descend on ½rᵀ(W+R)r + (u_free+shift)ᵀr and converge; for Coulomb's law they usually do, and the certificate tells.
 
 use super::ContactSolver;
+use super::anderson::Anderson;
 use super::one_contact::OneContact;
 use super::stopping::Stopping;
 use crate::problem::{ContactProblem, Law, Solution};
@@ -13,18 +14,36 @@ use crate::tolerance::solvers as tolerance;
 use crate::{Error, Result};
 use nalgebra::{DVector, Matrix3, Vector3};
 
-/// Block projected Gauss–Seidel for the frictionless, Coulomb and associated laws; W may be asymmetric and rank deficient.
+/// Block projected Gauss–Seidel for the frictionless, Coulomb and associated laws and, at spatial contacts, polyhedral Coulomb; W may be asymmetric and rank deficient.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProjectedGaussSeidel {
     /// Sweep limit.
     pub sweeps: usize,
     /// Stops when the natural map of every contact is at most this times max(‖r‖, ρ‖u_free + shift‖).
     pub tolerance: f64,
+    /// How many past sweeps Anderson's acceleration extrapolates from; 0 are plain sweeps.
+    pub memory: usize,
+}
+
+impl ProjectedGaussSeidel {
+    /// Accelerated sweeps: far fewer where many bodies stand on each other, no guarantee of descent.
+    pub fn accelerated() -> Self {
+        ProjectedGaussSeidel { memory: tolerance::MEMORY, ..ProjectedGaussSeidel::default() }
+    }
 }
 
 impl Default for ProjectedGaussSeidel {
     fn default() -> Self {
-        ProjectedGaussSeidel { sweeps: tolerance::SWEEPS, tolerance: tolerance::STOP }
+        ProjectedGaussSeidel { sweeps: tolerance::SWEEPS, tolerance: tolerance::STOP, memory: 0 }
+    }
+}
+
+/// Polyhedral Coulomb is solved at spatial contacts; in the plane it is an LCP better solved as one.
+fn takes(problem: &ContactProblem) -> bool {
+    match problem.law {
+        Law::PolyhedralCoulomb { .. } => problem.rows_per_contact == 3,
+        Law::PolyhedralAssociated { .. } => false,
+        _ => true,
     }
 }
 
@@ -46,7 +65,7 @@ impl ContactSolver for ProjectedGaussSeidel {
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         problem.validate()?;
-        if problem.law.directions().is_some() {
+        if !takes(problem) {
             let reason = format!("does not solve the law `{}`; use `lemke` or `clarabel`", problem.law.name());
             return Err(Error::solver(self.name(), reason));
         }
@@ -55,12 +74,17 @@ impl ContactSolver for ProjectedGaussSeidel {
         let stopping = Stopping::new(problem, self.tolerance);
         let contacts = (0..problem.contacts()).map(|k| prepare(problem, k)).collect::<Result<_>>()?;
         let mut sweeper = Sweeper { problem, contacts, stopping, impulse, law_velocity };
+        let mut anderson = Anderson::new(self.memory);
         let mut sweeps = 0;
         while !sweeper.converged() && sweeps < self.sweeps {
+            let before = sweeper.impulse.clone();
             let moved = sweeper.sweep();
             sweeps += 1;
             if !moved || sweeper.impulse.iter().any(|r| !r.is_finite()) {
                 break;
+            }
+            if self.memory > 0 && sweeps < self.sweeps && !sweeper.converged() {
+                sweeper.jump(anderson.next(&before, &sweeper.impulse));
             }
         }
         let velocity = problem.velocity(&sweeper.impulse);
@@ -93,6 +117,12 @@ impl Sweeper<'_> {
         moved
     }
 
+    /// Goes on from other impulses.
+    fn jump(&mut self, impulse: DVector<f64>) {
+        self.law_velocity = self.problem.law_velocity(&impulse);
+        self.impulse = impulse;
+    }
+
     /// Whether the natural map is small at every contact; decided on a freshly computed y, since the updated one carries old rounding.
     fn converged(&mut self) -> bool {
         if !self.stopping.holds(&self.impulse, &self.law_velocity) {
@@ -118,7 +148,7 @@ fn prepare(problem: &ContactProblem, k: usize) -> Result<OneContact> {
     for i in rows..3 {
         block[(i, i)] = trace / rows as f64;
     }
-    if problem.law != Law::Coulomb {
+    if !matches!(problem.law, Law::Coulomb | Law::PolyhedralCoulomb { .. }) {
         block = (block + block.transpose()) * 0.5;
     }
     let symmetric = (block + block.transpose()) * 0.5;
@@ -129,6 +159,7 @@ fn prepare(problem: &ContactProblem, k: usize) -> Result<OneContact> {
     let friction = problem.friction[k];
     let contact = match problem.law {
         Law::Coulomb if friction > 0.0 => OneContact::coulomb(block, friction),
+        Law::PolyhedralCoulomb { directions } if friction > 0.0 => OneContact::polyhedral(block, friction, directions),
         Law::Associated if friction > 0.0 => OneContact::associated(block, friction),
         _ => OneContact::frictionless(block),
     };

@@ -1,14 +1,17 @@
 //! The solver to use when nothing is said, and solvers by name.
 
+use super::stopping::Stopping;
 use super::{AcceleratedProjectedGradient, ClarabelPolished, ContactSolver, LemkePivoting, ProjectedGaussSeidel};
-use crate::problem::{ContactProblem, Solution};
+use crate::problem::{ContactProblem, Law, Solution};
+use crate::tolerance::solvers::FIRST_SWEEPS;
 use crate::{Error, Result};
 use nalgebra::DVector;
 
 /// The names [`by_name`] knows.
 pub const NAMES: [&str; 5] = ["auto", "lemke", "pgs", "apgd", "clarabel"];
 
-/// The default choice: Lemke for the polyhedral laws, block projected Gauss–Seidel for the others.
+/// The default choice: Lemke for the polyhedral laws, accelerated block projected Gauss–Seidel for the others. At spatial contacts Stewart–Trinkle's
+/// law is first tried by a bounded number of sweeps, for Lemke's tableau has (2 + d)² entries per pair of contacts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reference;
 
@@ -19,10 +22,24 @@ impl ContactSolver for Reference {
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         match problem.law.directions() {
+            Some(_) if problem.rows_per_contact == 3 => match sweeps(problem, warm_start)? {
+                Some(solution) => Ok(solution),
+                None => LemkePivoting.solve(problem, warm_start),
+            },
             Some(_) => LemkePivoting.solve(problem, warm_start),
-            None => ProjectedGaussSeidel::default().solve(problem, warm_start),
+            None => ProjectedGaussSeidel::accelerated().solve(problem, warm_start),
         }
     }
+}
+
+/// The answer of a bounded number of sweeps, if they converge.
+fn sweeps(problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Option<Solution>> {
+    let Law::PolyhedralCoulomb { .. } = problem.law else { return Ok(None) };
+    problem.validate()?;
+    let solver = ProjectedGaussSeidel { sweeps: FIRST_SWEEPS, ..ProjectedGaussSeidel::accelerated() };
+    let Ok(solution) = solver.solve(problem, warm_start) else { return Ok(None) };
+    let converged = Stopping::new(problem, solver.tolerance).holds(&solution.impulse, &problem.law_velocity(&solution.impulse));
+    Ok(converged.then_some(solution))
 }
 
 /// The solver of this name with its default settings.

@@ -17,7 +17,7 @@ pub fn mujoco_gradient(tolerance: f64, mass: &DMatrix<f64>) -> f64 {
 }
 
 /// SAP's relative tolerance (`SapSolverParameters::rel_tolerance` in Drake 1.51).
-const SAP_RELATIVE: f64 = 1e-6;
+pub const SAP_RELATIVE: f64 = 1e-6;
 
 /// Largest momentum residual \[N·s\] at which SAP stops: ‖D g‖ ≤ 1e-6 max(‖D M v‖, ‖D Jᵀγ‖) with D = diag(M)^{-1/2}, hence ‖g‖ is at most
 /// that over min D.

@@ -10,10 +10,11 @@
 //! Sample 0 is t = 0. A contact at sample k carries the impulse summed over (t_{k−1}, t_k], with the normal from the
 //! second body to the first and the impulse acting on the first.
 
-use super::Recording;
+use super::{Recorder, Recording};
 use crate::mechanics::Mechanism;
 use crate::scenes::Scene;
 use crate::{Error, Result};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -21,16 +22,18 @@ use std::path::Path;
 pub const SCHEMA: &str = "trajectory/1";
 
 /// The motion of every body of a scene, as one engine computed it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Trajectory {
     /// Always `trajectory/1`.
+    #[schemars(extend("const" = SCHEMA))]
     pub schema: String,
     /// What was simulated.
     pub scene: Scene,
     /// Who computed it.
     pub engine: Engine,
     /// h \[s\], the engine's step; samples may be several steps apart.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub time_step: f64,
     /// t_k \[s\], increasing from 0.
     pub times: Vec<f64>,
@@ -45,7 +48,7 @@ pub struct Trajectory {
 }
 
 /// The program that computed a trajectory.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Engine {
     /// Its name.
@@ -58,7 +61,7 @@ pub struct Engine {
 }
 
 /// The samples of one body.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BodyTrack {
     /// Its name in the scene.
@@ -74,10 +77,11 @@ pub struct BodyTrack {
 }
 
 /// The impulse between two bodies over the interval that ends at a sample.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ContactRecord {
     /// k ≥ 1: the impulse acted during (t_{k−1}, t_k].
+    #[schemars(range(min = 1))]
     pub sample: usize,
     /// \[a, b\]; `ground` is the plane.
     pub bodies: [String; 2],
@@ -126,39 +130,16 @@ impl Trajectory {
         Ok(serde_json::to_string(self)? + "\n")
     }
 
-    /// The samples of a recording, body by body through [`Mechanism::bodies`].
-    ///
-    /// Contacts are left out: a recording keeps impulses in contact coordinates, a file in the world frame.
+    /// The samples of a recording, body by body through [`Mechanism::bodies`], and the impulses between them.
     ///
     /// # Errors
     /// [`Error::Invalid`] if the recording and the scene do not fit together.
     pub fn from_recording(recording: &Recording, mechanism: &dyn Mechanism, scene: &Scene, engine: Engine) -> Result<Self> {
-        let start = recording.samples[0].time;
-        let mut bodies: Vec<BodyTrack> = Vec::new();
-        for sample in &recording.samples {
-            let states = mechanism.bodies(&sample.position, &sample.velocity);
-            if bodies.is_empty() {
-                bodies = states.iter().map(|state| BodyTrack::empty(&state.name)).collect();
-            }
-            for (track, state) in bodies.iter_mut().zip(states) {
-                track.position.push(state.position);
-                track.orientation.push(state.orientation);
-                track.linear_velocity.push(state.linear_velocity);
-                track.angular_velocity.push(state.angular_velocity);
-            }
+        let mut recorder = Recorder::new(mechanism, scene, engine, recording.time_step, 1, &recording.samples[0]);
+        for (state, impulses) in recording.samples[1..].iter().zip(&recording.impulses) {
+            recorder.push(state, impulses);
         }
-        let trajectory = Trajectory {
-            schema: SCHEMA.into(),
-            scene: scene.clone(),
-            engine,
-            time_step: recording.time_step,
-            times: recording.samples.iter().map(|sample| sample.time - start).collect(),
-            bodies,
-            contacts: Vec::new(),
-            provenance: None,
-        };
-        trajectory.validate()?;
-        Ok(trajectory)
+        recorder.finish()
     }
 
     /// The track of a body, by name.
@@ -176,7 +157,7 @@ impl Engine {
 }
 
 impl BodyTrack {
-    fn empty(name: &str) -> Self {
+    pub(super) fn empty(name: &str) -> Self {
         BodyTrack {
             name: name.into(),
             position: Vec::new(),

@@ -69,6 +69,12 @@ impl RationalPoint {
         }
     }
 
+    /// The entries of the nearest point of the cone.
+    pub fn nearest(&self) -> [Rational; 3] {
+        let (normal, radius) = self.projection();
+        self.with(normal, radius)
+    }
+
     /// The projection as a rational (normal entry, tangential norm).
     fn projection(&self) -> (Rational, Rational) {
         match self.case() {

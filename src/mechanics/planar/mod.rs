@@ -13,24 +13,12 @@ mod shape;
 
 pub use shape::{PlanarBody, Shape};
 
-use super::point_mass::material;
-use super::{BodyState, Mechanism, Plane};
-use crate::contact::Contact;
+use super::{BodyState, Materials, Mechanism, PairMaterial, Plane};
+use crate::contact::{Contact, Place};
 use crate::{Error, Result};
 use features::{Touch, ground_touches, pair_touches};
 use nalgebra::{DMatrix, DVector};
 use shape::Pose;
-
-/// Friction and restitution of one pair of bodies that differ from the common ones.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PairMaterial {
-    /// The two bodies; `None` is the ground.
-    pub bodies: (usize, Option<usize>),
-    /// μ ≥ 0.
-    pub friction: f64,
-    /// e ∈ \[0, 1\].
-    pub restitution: f64,
-}
 
 /// Disks and boxes in the x–z plane under gravity, over an optional ground line; q = (x, z, θ) per body.
 ///
@@ -42,9 +30,7 @@ pub struct PlanarBodies {
     bodies: Vec<PlanarBody>,
     gravity: [f64; 2],
     ground: Option<Plane>,
-    friction: f64,
-    restitution: f64,
-    pairs: Vec<PairMaterial>,
+    materials: Materials,
 }
 
 impl PlanarBodies {
@@ -78,8 +64,8 @@ impl PlanarBodies {
         if !gravity.iter().all(|g| g.is_finite()) {
             return Err(Error::invalid("gravity", format!("is {gravity:?}"), "use finite numbers"));
         }
-        material(friction, restitution)?;
-        Ok(PlanarBodies { name: name.into(), bodies, gravity, ground: None, friction, restitution, pairs: Vec::new() })
+        let materials = Materials::new(friction, restitution)?;
+        Ok(PlanarBodies { name: name.into(), bodies, gravity, ground: None, materials })
     }
 
     /// The same bodies with some pairs' friction and restitution overridden.
@@ -87,25 +73,12 @@ impl PlanarBodies {
     /// # Errors
     /// [`Error::Invalid`] if a pair names a body that does not exist, μ < 0 or e ∉ \[0, 1\].
     pub fn with_pairs(mut self, pairs: Vec<PairMaterial>) -> Result<Self> {
-        for pair in &pairs {
-            let last = pair.bodies.0.max(pair.bodies.1.unwrap_or(0));
-            if last >= self.bodies.len() {
-                return Err(Error::invalid("pairs", format!("names body {last}"), format!("there are {}", self.bodies.len())));
-            }
-            material(pair.friction, pair.restitution)?;
-        }
-        self.pairs = pairs;
+        self.materials = self.materials.with_pairs(pairs, self.bodies.len())?;
         Ok(self)
     }
 
     fn pose(&self, body: usize, position: &DVector<f64>) -> Pose {
         Pose::new([position[3 * body], position[3 * body + 1]], position[3 * body + 2])
-    }
-
-    fn material(&self, first: usize, second: Option<usize>) -> (f64, f64) {
-        let same =
-            |pair: &&PairMaterial| pair.bodies == (first, second) || second.is_some_and(|second| pair.bodies == (second, Some(first)));
-        self.pairs.iter().find(same).map_or((self.friction, self.restitution), |pair| (pair.friction, pair.restitution))
     }
 
     fn contact(&self, first: usize, second: Option<usize>, touch: &Touch, poses: &[Pose], index: usize) -> Contact {
@@ -122,9 +95,12 @@ impl PlanarBodies {
         if let Some(second) = second {
             place(second, touch.points[1], -1.0);
         }
-        let (friction, restitution) = self.material(first, second);
+        let (friction, restitution) = self.materials.of(first, second);
         let other = second.map_or("ground", |second| self.bodies[second].name());
-        Contact { gap: touch.gap, jacobian, friction, restitution, label: format!("{}-{index}/{other}", self.bodies[first].name()) }
+        let label = format!("{}-{index}/{other}", self.bodies[first].name());
+        let frame = [touch.normal, touch.tangent()].map(|[x, z]| [x, 0.0, z]);
+        let place = Place { bodies: (first, second), features: [index as u32, 0], frame: [frame[0], frame[1], [0.0, 1.0, 0.0]] };
+        Contact { gap: touch.gap, jacobian, friction, restitution, label, place: Some(place) }
     }
 }
 

@@ -1,0 +1,92 @@
+//! Where bodies in space touch: gap, normal and the material points whose relative velocity the contact sees.
+//!
+//! ```text
+//!     plane          φ = n·x − c − r                        r = 0 for the corner of a box
+//!     two spheres    φ = ‖x₁ − x₂‖ − r₁ − r₂
+//!     sphere, box    φ = signed distance of the centre from the box − r
+//! ```
+//! Every gap is a distance between material features (corner, edge, face, centre), so its time derivative is exactly
+//! n · (v_first − v_second) at the two points.
+
+use super::boxes::box_box;
+use super::shape::{Pose, Shape, corners};
+use crate::mechanics::Plane;
+use nalgebra::Vector3;
+
+/// One contact candidate between a first body and a second one (or the ground).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Touch {
+    /// φ \[m\].
+    pub gap: f64,
+    /// Unit normal, pointing to the first body.
+    pub normal: Vector3<f64>,
+    /// The points of the first and of the second body that touch, in the world.
+    pub points: [Vector3<f64>; 2],
+    /// Numbers of the features of the first and of the second body.
+    pub features: [u32; 2],
+}
+
+impl Touch {
+    /// The same candidate with first and second body exchanged.
+    pub fn swapped(self) -> Self {
+        let ([first, second], [own, other]) = (self.points, self.features);
+        Touch { normal: -self.normal, points: [second, first], features: [other, own], ..self }
+    }
+}
+
+/// The candidates of a shape with the ground: the deepest point of a sphere, the eight corners of a box.
+pub(super) fn ground_touches(shape: &Shape, pose: &Pose, ground: &Plane) -> Vec<Touch> {
+    let normal = Vector3::new(ground.normal[0], ground.normal[1], ground.normal[2]);
+    let touch = |point: Vector3<f64>, radius: f64, feature: u32| {
+        let touching = point - normal * radius;
+        Touch { gap: normal.dot(&point) - ground.offset - radius, normal, points: [touching, touching], features: [feature, 0] }
+    };
+    match shape {
+        Shape::Sphere { radius } => vec![touch(pose.centre, *radius, 0)],
+        Shape::Box { half_extents } => (0..).zip(corners(*half_extents)).map(|(k, corner)| touch(pose.world(corner), 0.0, k)).collect(),
+    }
+}
+
+/// The candidates of a pair of shapes: one with a sphere, a manifold of a pair of boxes.
+pub(super) fn pair_touches(first: &Shape, pose_first: &Pose, second: &Shape, pose_second: &Pose) -> Vec<Touch> {
+    match (*first, *second) {
+        (Shape::Sphere { radius }, Shape::Sphere { radius: other }) => vec![sphere_sphere(radius, pose_first, other, pose_second)],
+        (Shape::Sphere { radius }, Shape::Box { half_extents }) => vec![sphere_box(radius, pose_first, half_extents, pose_second)],
+        (Shape::Box { half_extents }, Shape::Sphere { radius }) => {
+            vec![sphere_box(radius, pose_second, half_extents, pose_first).swapped()]
+        }
+        (Shape::Box { half_extents }, Shape::Box { half_extents: other }) => box_box(half_extents, pose_first, other, pose_second),
+    }
+}
+
+fn sphere_sphere(radius: f64, first: &Pose, other: f64, second: &Pose) -> Touch {
+    let (distance, normal) = direction(second.centre, first.centre);
+    let points = [first.centre - normal * radius, second.centre + normal * other];
+    Touch { gap: distance - radius - other, normal, points, features: [0, 0] }
+}
+
+/// Outside, the nearest point of the box counts; inside, its nearest face, the first of several.
+fn sphere_box(radius: f64, sphere: &Pose, half_extents: [f64; 3], cuboid: &Pose) -> Touch {
+    let centre = cuboid.body(sphere.centre);
+    let extents = Vector3::from(half_extents);
+    let nearest = centre.zip_map(&extents, |x, extent| x.clamp(-extent, extent));
+    let (distance, normal, on_box) = if nearest == centre {
+        let depths = extents - centre.abs();
+        let axis = depths.imin();
+        let sign = if centre[axis] < 0.0 { -1.0 } else { 1.0 };
+        let mut on_face = centre;
+        on_face[axis] = sign * extents[axis];
+        (-depths[axis], cuboid.rotation.column(axis) * sign, on_face)
+    } else {
+        let (distance, normal) = direction(cuboid.world(nearest), sphere.centre);
+        (distance, normal, nearest)
+    };
+    Touch { gap: distance - radius, normal, points: [sphere.centre - normal * radius, cuboid.world(on_box)], features: [0, 0] }
+}
+
+/// Distance and unit vector from a to b; +z where they coincide and every direction would do.
+pub(super) fn direction(a: Vector3<f64>, b: Vector3<f64>) -> (f64, Vector3<f64>) {
+    let difference = b - a;
+    let distance = difference.norm();
+    if distance > 0.0 { (distance, difference / distance) } else { (0.0, Vector3::z()) }
+}

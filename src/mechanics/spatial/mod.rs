@@ -1,0 +1,249 @@
+//! Rigid bodies in space: unit quaternions, M = diag(m, m, m, J₁, J₂, J₃) per body, contacts of spheres and boxes.
+//!
+//! ```text
+//!     q = (x, y, z, w, i, j, k) per body          centre of mass and unit quaternion, body to world
+//!     v = (ẋ, ẏ, ż, Ω₁, Ω₂, Ω₃) per body          linear velocity in the world, angular velocity in the body's principal axes
+//!     F = (m g, −Ω × JΩ)                          q⁺ = (x + h ẋ, q ∘ exp(½ h Ω))
+//! ```
+//! The angular velocity is taken in the body frame because there M is constant and diagonal: the step's effective mass is
+//! never factored, and the gyroscopic term has no derivative of R in it. A point at the world distance r from the centre
+//! moves with ẋ + (RΩ) × r, so a contact row with direction d is (d, Rᵀ(r × d)).
+//!
+//! The gyroscopic term enters a step by its average over it, see [`gyroscopic`](self::SpatialBodies) and
+//! [`Mechanism::mean_force`].
+
+mod boxes;
+mod features;
+mod gyroscopic;
+mod shape;
+
+pub use shape::{Shape, SpatialBody};
+
+use super::{BodyState, Materials, Mechanism, PairMaterial, Plane};
+use crate::contact::frame::spatial_tangents;
+use crate::contact::{Contact, Place};
+use crate::tolerance::mechanics::BESIDE;
+use crate::{Error, Result};
+use features::{Touch, ground_touches, pair_touches};
+use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
+use shape::Pose;
+
+/// Spheres and boxes in space under gravity, over an optional ground plane.
+///
+/// Contact candidates in fixed order: each body with the ground (sphere: 1, box: its 8 corners), then each pair i < j (two
+/// boxes: a manifold whose size varies, otherwise 1), with the normal pointing to the body named first.
+#[derive(Clone, Debug)]
+pub struct SpatialBodies {
+    name: String,
+    bodies: Vec<SpatialBody>,
+    gravity: Vector3<f64>,
+    ground: Option<Plane>,
+    materials: Materials,
+}
+
+impl SpatialBodies {
+    /// Bodies over a ground plane, whose friction and restitution hold for every pair unless overridden.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if there is no body, gravity is not finite or the ground is not a plane in space.
+    pub fn new(name: impl Into<String>, bodies: Vec<SpatialBody>, gravity: [f64; 3], ground: Plane) -> Result<Self> {
+        if ground.normal.len() != 3 {
+            return Err(Error::invalid("normal", format!("has {} components", ground.normal.len()), "use (x, y, z)"));
+        }
+        let materials = Materials::new(ground.friction, ground.restitution)?;
+        let floating = SpatialBodies::without_ground(name, bodies, gravity, materials)?;
+        Ok(SpatialBodies { ground: Some(ground), ..floating })
+    }
+
+    /// Bodies in free space.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if there is no body or gravity is not finite.
+    pub fn without_ground(name: impl Into<String>, bodies: Vec<SpatialBody>, gravity: [f64; 3], materials: Materials) -> Result<Self> {
+        if bodies.is_empty() {
+            return Err(Error::invalid("bodies", "is empty", "give at least one body"));
+        }
+        if !gravity.iter().all(|g| g.is_finite()) {
+            return Err(Error::invalid("gravity", format!("is {gravity:?}"), "use finite numbers"));
+        }
+        Ok(SpatialBodies { name: name.into(), bodies, gravity: gravity.into(), ground: None, materials })
+    }
+
+    /// The same bodies with some pairs' friction and restitution overridden.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if a pair names a body that does not exist, μ < 0 or e ∉ \[0, 1\].
+    pub fn with_pairs(mut self, pairs: Vec<PairMaterial>) -> Result<Self> {
+        self.materials = self.materials.with_pairs(pairs, self.bodies.len())?;
+        Ok(self)
+    }
+
+    fn poses(&self, position: &DVector<f64>) -> Vec<Pose> {
+        (0..self.bodies.len()).map(|body| Pose::of(body, position)).collect()
+    }
+
+    fn contact(&self, first: usize, second: Option<usize>, touch: &Touch, poses: &[Pose]) -> Contact {
+        let [t1, t2] = spatial_tangents(touch.normal.into());
+        let frame = [touch.normal.into(), t1, t2];
+        let mut jacobian = DMatrix::zeros(3, 6 * self.bodies.len());
+        let mut place = |body: usize, point: Vector3<f64>, sign: f64| {
+            let pose = &poses[body];
+            for (row, direction) in frame.into_iter().map(Vector3::from).enumerate() {
+                let arm = pose.rotation.tr_mul(&(point - pose.centre).cross(&direction));
+                for axis in 0..3 {
+                    jacobian[(row, 6 * body + axis)] = sign * direction[axis];
+                    jacobian[(row, 6 * body + 3 + axis)] = sign * arm[axis];
+                }
+            }
+        };
+        place(first, touch.points[0], 1.0);
+        if let Some(second) = second {
+            place(second, touch.points[1], -1.0);
+        }
+        let (friction, restitution) = self.materials.of(first, second);
+        let [own, other] = touch.features;
+        let label = match second {
+            None => format!("{}-{own}/ground", self.bodies[first].name()),
+            Some(second) => format!("{}-{own}/{}-{other}", self.bodies[first].name(), self.bodies[second].name()),
+        };
+        let place = Place { bodies: (first, second), features: touch.features, frame };
+        Contact { gap: touch.gap, jacobian, friction, restitution, label, place: Some(place) }
+    }
+
+    /// (m g, τ) per body with the given torques in the body frame.
+    fn weights(&self, torque: impl Fn(usize, &SpatialBody) -> Vector3<f64>) -> DVector<f64> {
+        let mut force = DVector::zeros(self.degrees_of_freedom());
+        for (k, body) in self.bodies.iter().enumerate() {
+            force.fixed_rows_mut::<3>(6 * k).copy_from(&(self.gravity * body.mass()));
+            force.fixed_rows_mut::<3>(6 * k + 3).copy_from(&torque(k, body));
+        }
+        force
+    }
+}
+
+/// Ω of body k.
+fn spin(body: usize, velocity: &DVector<f64>) -> Vector3<f64> {
+    velocity.fixed_rows::<3>(6 * body + 3).into_owned()
+}
+
+/// Keeps the two largest values, the largest first.
+fn largest(two: &mut [f64; 2], value: f64) {
+    if value > two[0] {
+        *two = [value, two[0]];
+    } else if value > two[1] {
+        two[1] = value;
+    }
+}
+
+impl Mechanism for SpatialBodies {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn degrees_of_freedom(&self) -> usize {
+        6 * self.bodies.len()
+    }
+
+    fn rows_per_contact(&self) -> usize {
+        3
+    }
+
+    fn mass_matrix(&self, _position: &DVector<f64>) -> DMatrix<f64> {
+        let diagonal = self.bodies.iter().flat_map(|body| [body.mass(); 3].into_iter().chain(body.moments().iter().copied()));
+        DMatrix::from_diagonal(&DVector::from_iterator(self.degrees_of_freedom(), diagonal))
+    }
+
+    fn force(&self, _position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64> {
+        self.weights(|k, body| {
+            let spin = spin(k, velocity);
+            -spin.cross(&body.moments().component_mul(&spin))
+        })
+    }
+
+    /// The gyroscopic torque is J(Ω⁺ − Ω)/h with the implicit midpoint step Ω⁺ of torque-free rotation, which keeps kinetic energy
+    /// and the size of the angular momentum and is of second order.
+    fn mean_force(&self, _position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
+        self.weights(|k, body| {
+            let spin = spin(k, velocity);
+            (gyroscopic::free_spin(body.moments(), &spin, h) - spin).component_mul(body.moments()) / h
+        })
+    }
+
+    fn contacts(&self, position: &DVector<f64>) -> Vec<Contact> {
+        self.contacts_within(position, f64::INFINITY)
+    }
+
+    fn contacts_within(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
+        let poses = self.poses(position);
+        let mut contacts = Vec::new();
+        let mut keep = |first: usize, second: Option<usize>, touches: Vec<Touch>| {
+            let near = touches.iter().filter(|touch| touch.gap <= reach);
+            contacts.extend(near.map(|touch| self.contact(first, second, touch, &poses)));
+        };
+        if let Some(ground) = &self.ground {
+            for (first, body) in self.bodies.iter().enumerate() {
+                keep(first, None, ground_touches(body.shape(), &poses[first], ground));
+            }
+        }
+        for first in 0..self.bodies.len() {
+            for second in first + 1..self.bodies.len() {
+                let (own, other) = (self.bodies[first].shape(), self.bodies[second].shape());
+                let distance = (poses[first].centre - poses[second].centre).norm();
+                if distance - own.radius() - other.radius() <= reach {
+                    keep(first, Some(second), pair_touches(own, &poses[first], other, &poses[second]));
+                }
+            }
+        }
+        contacts
+    }
+
+    /// A contact point of body k is within its radius R_k or, beside a face, a sixteenth of the gap φ outside. With s = Σ(‖ẋ_k‖ + ‖Ω_k‖ R_k)
+    /// and w = Σ‖Ω_k‖ over the two fastest bodies, h(|u_n| + μ‖u_t‖) ≤ h(1 + μ)(s + w φ/16), which is below φ for every φ above
+    /// h(1 + μ) s / (1 − h(1 + μ) w/16).
+    fn reach(&self, velocity: &DVector<f64>, h: f64) -> f64 {
+        let (mut speeds, mut turns) = ([0.0; 2], [0.0; 2]);
+        for (k, body) in self.bodies.iter().enumerate() {
+            let turn = spin(k, velocity).norm();
+            largest(&mut speeds, velocity.fixed_rows::<3>(6 * k).norm() + turn * body.shape().radius());
+            largest(&mut turns, turn);
+        }
+        let factor = h * (1.0 + self.materials.largest_friction());
+        let left = 1.0 - factor * (turns[0] + turns[1]) * BESIDE;
+        if left > 0.0 { factor * (speeds[0] + speeds[1]) / left } else { f64::INFINITY }
+    }
+
+    fn potential_energy(&self, position: &DVector<f64>) -> f64 {
+        let height = |k: usize| self.gravity.dot(&position.fixed_rows::<3>(7 * k));
+        self.bodies.iter().enumerate().map(|(k, body)| -body.mass() * height(k)).sum()
+    }
+
+    fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
+        let mut next = position.clone();
+        for (k, pose) in self.poses(position).iter().enumerate() {
+            let centre = pose.centre + velocity.fixed_rows::<3>(6 * k) * h;
+            let turned = (pose.quaternion * UnitQuaternion::from_scaled_axis(spin(k, velocity) * h)).into_inner().normalize();
+            next.fixed_rows_mut::<3>(7 * k).copy_from(&centre);
+            next.fixed_rows_mut::<4>(7 * k + 3).copy_from_slice(&[turned.w, turned.i, turned.j, turned.k]);
+        }
+        next
+    }
+
+    fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState> {
+        let state = |(k, body): (usize, &SpatialBody)| {
+            let pose = Pose::of(k, position);
+            BodyState {
+                name: body.name().to_string(),
+                position: pose.centre.into(),
+                orientation: std::array::from_fn(|part| position[7 * k + 3 + part]),
+                linear_velocity: std::array::from_fn(|axis| velocity[6 * k + axis]),
+                angular_velocity: (pose.rotation * spin(k, velocity)).into(),
+            }
+        };
+        self.bodies.iter().enumerate().map(state).collect()
+    }
+}
+
+#[cfg(test)]
+mod motion_tests;
+#[cfg(test)]
+mod tests;

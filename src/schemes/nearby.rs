@@ -1,0 +1,79 @@
+//! A mechanism that shows only the contact candidates nearby.
+//!
+//! A step may leave out every candidate whose gap exceeds a reach ρ if, after the step,
+//! ```text
+//!     ρ ≥ h (|u_n| + μ‖u_t‖)     at every candidate there could be, for u at v, v_free and v⁺.
+//! ```
+//! For then φ/h + u_n⁺ − μ‖u_t⁺‖ > 0 at the candidates left out: with r = 0 they satisfy the laws of Stewart–Trinkle and of Anitescu, so
+//! the answer without them is an answer with them. And φ + λ h u_n > 0 for λ ≤ 1 and u at v or v_free: no activation rule of
+//! Moreau–Jean would have taken them.
+
+use crate::contact::Contact;
+use crate::mechanics::{BodyState, LinearForce, Mechanism, State};
+use nalgebra::{DMatrix, DVector};
+
+/// The mechanism with the candidates within `reach` only.
+pub(super) struct Nearby<'a> {
+    /// The mechanism itself.
+    pub mechanism: &'a dyn Mechanism,
+    /// ρ \[m\].
+    pub reach: f64,
+}
+
+impl Mechanism for Nearby<'_> {
+    fn name(&self) -> &str {
+        self.mechanism.name()
+    }
+
+    fn degrees_of_freedom(&self) -> usize {
+        self.mechanism.degrees_of_freedom()
+    }
+
+    fn rows_per_contact(&self) -> usize {
+        self.mechanism.rows_per_contact()
+    }
+
+    fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64> {
+        self.mechanism.mass_matrix(position)
+    }
+
+    fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64> {
+        self.mechanism.force(position, velocity)
+    }
+
+    fn mean_force(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
+        self.mechanism.mean_force(position, velocity, h)
+    }
+
+    fn contacts(&self, position: &DVector<f64>) -> Vec<Contact> {
+        self.mechanism.contacts_within(position, self.reach)
+    }
+
+    fn contacts_within(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
+        self.mechanism.contacts_within(position, reach.min(self.reach))
+    }
+
+    fn reach(&self, velocity: &DVector<f64>, h: f64) -> f64 {
+        self.mechanism.reach(velocity, h)
+    }
+
+    fn potential_energy(&self, position: &DVector<f64>) -> f64 {
+        self.mechanism.potential_energy(position)
+    }
+
+    fn linear_force(&self) -> Option<LinearForce> {
+        self.mechanism.linear_force()
+    }
+
+    fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
+        self.mechanism.integrate(position, velocity, h)
+    }
+
+    fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState> {
+        self.mechanism.bodies(position, velocity)
+    }
+
+    fn kinetic_energy(&self, state: &State) -> f64 {
+        self.mechanism.kinetic_energy(state)
+    }
+}

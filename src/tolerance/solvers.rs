@@ -1,0 +1,99 @@
+//! Tolerances of [`crate::solvers`].
+
+use super::EPSILON;
+use crate::scalar::Scalar;
+
+/// A difference a − b of tableau entries with |a| + |b| = `magnitude` is rounding, hence zero, up to this size.
+///
+/// An entry of a tableau with n rows is an entry of B⁻¹A for a basis B, a sum of n products; its two parts carry
+/// relative errors of up to 2 n ε each ([`super::rounding`]). Zero for exact rationals, where only 0 is 0.
+pub fn cancellation<T: Scalar>(rows: usize, magnitude: T) -> T {
+    T::ratio(2 * rows as i64, 1) * T::spacing() * magnitude
+}
+
+/// Smallest entry that may become a pivot in a tableau B⁻¹A scaled to entries of order one, √ε.
+///
+/// A pivot p multiplies the condition of the basis by up to 1/p, and with it the relative error ε of the next tableau,
+/// which is computed afresh from the data: at p = √ε half of the digits are left, below it an entry cannot be told from
+/// the error ε/p of a basis whose last pivot was p. Zero for exact rationals.
+pub fn smallest_pivot<T: Scalar>() -> T {
+    if T::spacing().is_zero() { T::zero() } else { T::ratio(1, 1 << 26) }
+}
+
+/// Size up to which an entry of such a tableau is zero for the choice of pivots, √ε: the error ε·cond(B) of a basis as badly
+/// conditioned as [`smallest_pivot`] admits, cond(B) = 1/√ε. Zero for exact rationals.
+pub fn tableau_zero<T: Scalar>() -> T {
+    smallest_pivot()
+}
+
+/// Pivots after which Lemke's method on rounded numbers is declared to cycle.
+///
+/// Lexicographic pivoting repeats no basis in exact arithmetic, so exact runs have no limit. On contact problems
+/// the count is a small multiple of n; 100 times n pivots can only mean that rounding has broken the order. The
+/// limit never decides about a solution: it turns an endless loop into an error.
+pub fn lemke_pivot_limit<T: Scalar>(size: usize) -> usize {
+    if T::spacing().is_zero() { usize::MAX } else { 100 * (size + 1) }
+}
+
+/// Relative natural map at which iterations stop, 2¹²·ε ≈ 9.1e-13: the rounding floor of u = W r + b is 2nε relative to the terms
+/// of a row, so this is above the floor up to n ≈ 2000 rows and four decimal digits below the default of the certificate.
+pub const STOP: f64 = 4096.0 * EPSILON;
+
+/// Sweep limit of projected Gauss–Seidel. On a chain of n bodies a sweep contracts by cos²(π/(n+1)) ≈ 1 − π²/n², so that 100 000
+/// sweeps reach [`STOP`] = e⁻²⁸ for n ≤ 180.
+pub const SWEEPS: usize = 100_000;
+
+/// Sweeps that Anderson's acceleration remembers: a chain of n bodies has n slow modes, and ten are the piles in view.
+pub const MEMORY: usize = 10;
+
+/// Size relative to itself below which what is left of a difference of sweeps after orthogonalisation is rounding, √ε.
+pub const DEPENDENT: f64 = 1.0 / 67_108_864.0;
+
+/// Sweeps tried before a polyhedral problem goes to Lemke: about as many operations as one factorisation of its tableau with the
+/// (2 + d) n unknowns, 8·1000 n² against 2·1000 n³/3 for d = 8, for the tens of contacts a step has.
+pub const FIRST_SWEEPS: usize = 1000;
+
+/// Relative natural map with which a step of a simulation may end when sweeps have not reached [`STOP`] in [`PATIENT_ROUNDS`], 2⁻²⁰: a
+/// millionth of the step's largest impulse, the size of what the tilt of a contact normal by 10⁻⁶ rad changes.
+pub const GOOD_ENOUGH: f64 = 1.0 / 1_048_576.0;
+
+/// Rounds of [`FIRST_SWEEPS`] in which a step aims at [`STOP`] and nothing else: three of each kind.
+pub const PATIENT_ROUNDS: usize = 6;
+
+/// Rounds of [`FIRST_SWEEPS`] that a step of a simulation gets at most; what twenty thousand sweeps do not solve needs a hundred times more.
+pub const ROUNDS: usize = 20;
+
+/// Steps of the accelerated projected gradient: its bound 2LR²/(k+1)² reaches the relative objective error 2⁻³⁴ at k = 2¹⁷·√2; what
+/// needs more is ill conditioned and left to the other solvers.
+pub const GRADIENT_STEPS: usize = 200_000;
+
+/// Relative asymmetry max|W − Wᵀ|/max|W| up to which W counts as symmetric: the rounding of sums of 1000 products, 2000 ε ≈ 4e-13.
+pub const SYMMETRY: f64 = 2000.0 * EPSILON;
+
+/// Stopping tolerances asked of Clarabel. Its default 1e-8 leaves natural maps up to 2e-5, and near 1e-14 it breaks down;
+/// the answer is polished and judged in any case.
+pub const CLARABEL: f64 = 1e-10;
+
+/// How far the velocities y of two answers to one convex problem may differ \[m/s\], when their natural maps are e₁ and e₂ and
+/// `residual` = ‖e₁‖ + ‖e₂‖, `impulses` = ‖r₁ − r₂‖ + ‖e₁‖ + ‖e₂‖, `norm` ≥ ‖W + R‖, `rho` = smallest ρ.
+///
+/// p_i = r_i − e_i is the projection of r_i − ρy_i, so ⟨e_i − ρy_i, p_j − p_i⟩ ≤ 0; the sum of the two is
+/// ρ⟨Δy, Δp⟩ ≤ ⟨Δe, Δp⟩. With Δy = (W + R)Δr: ‖Δy‖² ≤ norm·ΔrᵀΔy ≤ norm·residual·(impulses/ρ + ‖Δy‖), a quadratic
+/// inequality for ‖Δy‖ whose larger root is at most `b + √c`, b = norm·residual, c = b·impulses/ρ. A ρ that varies between contacts weighs
+/// them, which the smallest one covers.
+pub fn agreement(norm: f64, residual: f64, impulses: f64, rho: f64) -> f64 {
+    let linear = norm * residual;
+    linear + (linear * impulses / rho).sqrt()
+}
+
+/// Sweeps that polish an interior-point answer. It identifies which contacts stick, slide and open; where that is right a few sweeps
+/// finish, and 2000 are worth what one interior-point solve costs.
+pub const POLISHING_SWEEPS: usize = 2000;
+
+/// Relative weight 2⁻²⁰ of the proximal term of a rank-deficient diagonal block: the factorised block keeps 52 − 20 bits, and every
+/// sweep reduces the error of the stiff directions by 2⁻²⁰.
+pub const PROXIMAL: f64 = 1.0 / 1_048_576.0;
+
+/// Steps of a bracketed root search in \[0, 1\] that halves at least every third step: 3·53 until neighbours, and as many again
+/// for roots down to 2⁻¹⁰⁶.
+pub const ROOT_STEPS: usize = 2 * 3 * 53;
