@@ -77,6 +77,7 @@ pub mod defects;
 pub mod elimination;
 pub mod error;
 pub mod files;
+pub mod gate;
 pub mod mechanics;
 pub mod problem;
 pub mod report;

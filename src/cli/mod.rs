@@ -1,10 +1,17 @@
 //! The command line: one file per subcommand.
 //!
-//! Exit codes: 0 the answer is yes, 1 the answer is no, 2 the question could not be understood (and nothing was written).
+//! Exit codes: 0 the answer is yes, 1 the answer is no, 2 the question could not be understood (and nothing was written),
+//! 3 the engine to be judged could not be run.
 
 mod certify;
+mod defects;
+mod engine;
+mod gate;
 mod near;
 mod output;
+mod protocol_check;
+mod schema;
+mod scoreboard;
 mod simulate;
 mod solve;
 mod verify;
@@ -31,11 +38,14 @@ Examples:
   moreau solve problem.json --out answer.json
   moreau certify problem.json answer.json    residuals with units: is it a solution?
   moreau simulate --scene bouncing-ball --step 0.01 --plot ball.svg
+  moreau gate --quick -- python3 my_engine.py   any simulator through the checks
+  moreau protocol-check -- python3 my_engine.py   what is wrong with an adapter
 
 Exit codes:
   0  the answer is yes: every verdict is supported, the answer is a solution
   1  the answer is no
-  2  bad input: one message names the file and the field, and nothing is written";
+  2  bad input: one message names the file and the field, and nothing is written
+  3  the engine to be judged could not be run";
 
 #[derive(Subcommand)]
 enum Command {
@@ -43,6 +53,12 @@ enum Command {
     Solve(solve::Arguments),
     Certify(certify::Arguments),
     Simulate(Box<simulate::Arguments>),
+    Gate(Box<gate::Arguments>),
+    Defects(defects::Arguments),
+    Engine(engine::Arguments),
+    ProtocolCheck(protocol_check::Arguments),
+    Schema(schema::Arguments),
+    Scoreboard(scoreboard::Arguments),
 }
 
 /// How to write the result.
@@ -62,6 +78,8 @@ enum Answer {
     Yes,
     /// Exit code 1.
     No,
+    /// Exit code 3: there is nobody to ask.
+    CannotRun,
 }
 
 impl From<bool> for Answer {
@@ -85,6 +103,12 @@ pub fn run() -> ExitCode {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Certify(arguments) => certify::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
+        Command::Gate(arguments) => gate::run(&arguments),
+        Command::Defects(arguments) => defects::run(&arguments),
+        Command::Engine(arguments) => engine::run(&arguments),
+        Command::ProtocolCheck(arguments) => protocol_check::run(&arguments),
+        Command::Schema(arguments) => schema::run(&arguments),
+        Command::Scoreboard(arguments) => scoreboard::run(&arguments),
     };
     exit_code(answer)
 }
@@ -93,6 +117,7 @@ fn exit_code(answer: Result<Answer>) -> ExitCode {
     match answer {
         Ok(Answer::Yes) => ExitCode::SUCCESS,
         Ok(Answer::No) => ExitCode::from(1),
+        Ok(Answer::CannotRun) => ExitCode::from(gate::CANNOT_RUN),
         Err(error) => {
             output::print_aside(&format!("error: {error}\n"));
             ExitCode::from(if is_no_answer(&error) { 1 } else { 2 })

@@ -104,8 +104,18 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<()> {
     let solver = solvers::by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
     let (scene, note) = arguments.build_scene(scene)?;
     let steps = arguments.count_steps(&scene)?;
-    let (mechanism, start) = scene.mechanism()?;
-    let exact = scene.exact_motion(&start);
+    let (mechanism, start, exact) = match scene.mechanism() {
+        Err(Error::Unsupported(_)) => {
+            // its motion leaves the plane, where the closed forms are
+            let (mechanism, start) = scene.spatial_mechanism()?;
+            (mechanism, start, None)
+        }
+        planar => {
+            let (mechanism, start) = planar?;
+            let exact = scene.exact_motion(&start);
+            (mechanism, start, exact)
+        }
+    };
     let recording = schemes::simulate(scheme.as_ref(), solver.as_ref(), mechanism.as_ref(), start, arguments.step, steps)?;
     finite(&recording)?;
     let gravity = scene.gravity.iter().map(|part| part * part).sum::<f64>().sqrt();

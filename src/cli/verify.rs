@@ -19,7 +19,7 @@ use std::panic::catch_unwind;
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// Run only this group or claim; groups are whole parts of the id, so S1 is not S12.
+    /// Run only this group or claim; groups are whole parts of the id, so S1 is not S12, and R is R1 to R8.
     #[arg(long, value_name = "GROUP")]
     filter: Option<String>,
     /// Explain one claim: proof or counterexample, findings, corrected statement, control, sources.

@@ -2,7 +2,7 @@
 
 use super::number::{significant, with_unit};
 use super::plot::{Curve, Panel, Role};
-use crate::mechanics::{Mechanism, State};
+use crate::mechanics::{BodyState, Mechanism, State};
 use crate::scenes::ExactMotion;
 use crate::trajectory::Recording;
 use crate::trajectory::metrics::{creep_speed, effective_restitutions, energy_balance, penetration, settling_time};
@@ -11,11 +11,11 @@ use std::fmt::Write;
 
 /// A recorded motion with what it is held against.
 pub struct Motion<'a> {
-    /// The mechanism that moved; its configuration is (x, z, angle) per body.
+    /// The mechanism that moved.
     pub mechanism: &'a dyn Mechanism,
     /// Its motion.
     pub recording: &'a Recording,
-    /// The closed form, where there is one.
+    /// The closed form, where there is one; then the mechanism is planar, with (x, z, angle) per body.
     pub exact: Option<&'a ExactMotion>,
     /// Gravity \[m/s²\].
     pub gravity: f64,
@@ -30,6 +30,26 @@ pub struct Quantity {
     pub value: Option<f64>,
     /// Its unit.
     pub unit: &'static str,
+}
+
+/// x, y or z of a body.
+struct Coordinate {
+    label: String,
+    body: usize,
+    axis: usize,
+}
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+impl Coordinate {
+    /// Its index in a planar configuration (x, z, angle) per body.
+    fn planar(&self) -> Option<usize> {
+        [Some(0), None, Some(1)][self.axis].map(|index| 3 * self.body + index)
+    }
+}
+
+fn length([x, y, z]: [f64; 3]) -> f64 {
+    x.hypot(y).hypot(z)
 }
 
 /// Samples of a closed form in a picture.
@@ -61,18 +81,23 @@ impl Motion<'_> {
     /// Position, velocity and energy; only coordinates that move appreciably, or all heights if none does.
     pub fn panels(&self) -> Vec<Panel> {
         let coordinates = self.moving();
-        let panel = |axis: &str, part: &dyn Fn(&State, usize) -> f64| {
-            let exact = coordinates.iter().filter_map(|(_, index)| self.exact_curve(&|state| part(state, *index)));
-            let computed = coordinates.iter().map(|(label, index)| self.curve(label, &|state| part(state, *index)));
-            Panel { axis: axis.into(), curves: exact.chain(computed).collect() }
+        let panel = |axis: &str, part: &dyn Fn(&BodyState) -> [f64; 3], exact: &dyn Fn(&State, usize) -> f64| {
+            let closed = coordinates.iter().filter_map(|place| self.exact_curve(&|state| Some(exact(state, place.planar()?))));
+            let value = |state: &State, place: &Coordinate| part(&self.bodies(state)[place.body])[place.axis];
+            let computed = coordinates.iter().map(|place| self.curve(&place.label, &|state| value(state, place)));
+            Panel { axis: axis.into(), curves: closed.chain(computed).collect() }
         };
         let energy = |state: &State| self.mechanism.energy(state);
-        let total = self.exact_curve(&energy).into_iter().chain([self.curve("kinetic + potential", &energy)]);
+        let total = self.exact_curve(&|state| Some(energy(state))).into_iter().chain([self.curve("kinetic + potential", &energy)]);
         vec![
-            panel("position [m]", &|state, index| state.position[index]),
-            panel("velocity [m/s]", &|state, index| state.velocity[index]),
+            panel("position [m]", &|body| body.position, &|state, index| state.position[index]),
+            panel("velocity [m/s]", &|body| body.linear_velocity, &|state, index| state.velocity[index]),
             Panel { axis: "energy [J]".into(), curves: total.collect() },
         ]
+    }
+
+    fn bodies(&self, state: &State) -> Vec<BodyState> {
+        self.mechanism.bodies(&state.position, &state.velocity)
     }
 
     fn curve(&self, label: &str, value: &dyn Fn(&State) -> f64) -> Curve {
@@ -80,27 +105,27 @@ impl Motion<'_> {
         Curve { label: label.into(), role: Role::Computed, points: points.collect() }
     }
 
-    fn exact_curve(&self, value: &dyn Fn(&State) -> f64) -> Option<Curve> {
+    fn exact_curve(&self, value: &dyn Fn(&State) -> Option<f64>) -> Option<Curve> {
         let end = self.recording.last().time;
         let states =
             (0..=EXACT_SAMPLES).map(|k| end * k as f64 / EXACT_SAMPLES as f64).map(|time| self.exact.map(|exact| exact.state(time)));
-        let points = states.map(|state| state.map(|state| (state.time, value(&state)))).collect::<Option<_>>()?;
+        let points = states.map(|state| state.and_then(|state| Some((state.time, value(&state)?)))).collect::<Option<_>>()?;
         Some(Curve { label: "closed form".into(), role: Role::ClosedForm, points })
     }
 
-    /// Labels and indices of the coordinates x and z that vary by more than a twentieth of the largest variation.
-    fn moving(&self) -> Vec<(String, usize)> {
-        let start = &self.recording.samples[0];
-        let names = self.mechanism.bodies(&start.position, &start.velocity).into_iter().map(|body| body.name);
-        let all: Vec<_> =
-            names.enumerate().flat_map(|(k, name)| [(format!("{name} x"), 3 * k), (format!("{name} z"), 3 * k + 1)]).collect();
-        let range = |index: usize| {
-            let values = || self.recording.samples.iter().map(|state| state.position[index]);
+    /// The coordinates that vary by more than a twentieth of the largest variation, or all heights if nothing moves.
+    fn moving(&self) -> Vec<Coordinate> {
+        let samples: Vec<Vec<BodyState>> = self.recording.samples.iter().map(|state| self.bodies(state)).collect();
+        let coordinate = |body: usize, axis: usize| Coordinate { label: format!("{} {}", samples[0][body].name, AXES[axis]), body, axis };
+        let all: Vec<_> = (0..samples[0].len()).flat_map(|body| (0..3).map(move |axis| (body, axis))).collect();
+        let range = |(body, axis): (usize, usize)| {
+            let values = || samples.iter().map(|bodies| bodies[body].position[axis]);
             values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
         };
-        let largest = all.iter().map(|(_, index)| range(*index)).fold(0.0, f64::max);
-        let moving: Vec<_> = all.iter().filter(|(_, index)| range(*index) > 0.05 * largest).cloned().collect();
-        if moving.is_empty() { all.into_iter().filter(|(_, index)| index % 3 == 1).collect() } else { moving }
+        let largest = all.iter().map(|place| range(*place)).fold(0.0, f64::max);
+        let moving: Vec<_> = all.iter().filter(|place| range(**place) > 0.05 * largest).collect();
+        let shown = if moving.is_empty() { all.iter().filter(|(_, axis)| *axis == 2).collect() } else { moving };
+        shown.into_iter().map(|(body, axis)| coordinate(*body, *axis)).collect()
     }
 
     fn times(&self) -> Vec<f64> {
@@ -110,8 +135,8 @@ impl Motion<'_> {
     /// Largest speed of a centre of mass at each sample \[m/s\].
     fn speeds(&self) -> Vec<f64> {
         let fastest = |state: &State| {
-            let bodies = (0..state.velocity.len() / 3).map(|k| state.velocity[3 * k].hypot(state.velocity[3 * k + 1]));
-            bodies.fold(0.0, |worst: f64, speed| if speed.is_nan() || speed > worst { speed } else { worst })
+            let speeds = self.bodies(state).into_iter().map(|body| length(body.linear_velocity));
+            speeds.fold(0.0, |worst: f64, speed| if speed.is_nan() || speed > worst { speed } else { worst })
         };
         self.recording.samples.iter().map(fastest).collect()
     }
@@ -138,11 +163,12 @@ impl Motion<'_> {
     /// Largest mean speed of a body over the second half of the motion, if it rested by then.
     fn creep(&self, settled: f64) -> Option<f64> {
         let (times, half) = (self.times(), 0.5 * self.recording.last().time);
-        let mean = |index: usize| {
-            let places: Vec<f64> = self.recording.samples.iter().map(|state| state.position[index]).collect();
+        let samples: Vec<Vec<BodyState>> = self.recording.samples.iter().map(|state| self.bodies(state)).collect();
+        let mean = |body: usize, axis: usize| {
+            let places: Vec<f64> = samples.iter().map(|bodies| bodies[body].position[axis]).collect();
             creep_speed(&times, &places, half)
         };
-        let bodies = (0..self.recording.last().position.len() / 3).map(|k| Some(mean(3 * k)?.hypot(mean(3 * k + 1)?)));
+        let bodies = (0..samples[0].len()).map(|body| Some(length([mean(body, 0)?, mean(body, 1)?, mean(body, 2)?])));
         let fastest = bodies.collect::<Option<Vec<_>>>()?.into_iter().fold(0.0, f64::max);
         (settled <= half).then_some(fastest)
     }

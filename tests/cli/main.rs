@@ -1,6 +1,8 @@
 //! The built command, seen from outside: exit codes, messages, shapes of output, and that an error writes nothing.
 
 mod certify;
+mod gate;
+mod schema;
 mod simulate;
 mod solve;
 mod verify;

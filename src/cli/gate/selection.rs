@@ -1,0 +1,90 @@
+//! What the arguments select: checks, time steps, options.
+
+use super::Arguments;
+use crate::cli::near::suggestion;
+use crate::gate::{Check, Level, Options, check, runner};
+use crate::{Error, Result};
+
+/// The selected checks, in the order of the registry.
+pub fn checks(arguments: &Arguments) -> Result<Vec<&'static Check>> {
+    for name in arguments.only.iter().chain(&arguments.skip) {
+        if !check::all().any(|check| check.name.contains(name.as_str())) {
+            let cure = suggestion(name, check::all().map(|check| check.name), "`moreau gate --list` shows every check");
+            return Err(Error::Unsupported(format!("no check contains `{name}`; {cure}")));
+        }
+    }
+    let level = match (arguments.solver, arguments.projection) {
+        (true, _) => Some(Level::Solve),
+        (_, true) => Some(Level::Project),
+        _ if !arguments.trajectory.is_empty() => Some(Level::Simulate),
+        _ => None,
+    };
+    let named = |list: &[String], check: &Check| list.iter().any(|name| check.name.contains(name.as_str()));
+    let selected: Vec<_> = check::all()
+        .filter(|check| level.is_none_or(|level| check.level == level))
+        .filter(|check| arguments.only.is_empty() || named(&arguments.only, check))
+        .filter(|check| !named(&arguments.skip, check))
+        .collect();
+    if selected.is_empty() {
+        return Err(Error::invalid(
+            "--only",
+            "and the other options leave no check",
+            "`moreau gate --list` shows every check with its level",
+        ));
+    }
+    Ok(selected)
+}
+
+/// The time steps of the sweep \[s\].
+pub fn sweep(arguments: &Arguments) -> Result<Vec<f64>> {
+    if arguments.quick {
+        return Ok(runner::QUICK.to_vec());
+    }
+    if arguments.steps.is_empty() {
+        return Ok(runner::SWEEP.to_vec());
+    }
+    let steps = arguments.steps.iter().map(|text| step(text)).collect::<Result<Vec<_>>>()?;
+    match steps.iter().enumerate().find(|(k, h)| steps[..*k].contains(h)) {
+        Some((_, twice)) => Err(Error::invalid("--steps", format!("has {twice} twice"), "name each time step once")),
+        None => Ok(steps),
+    }
+}
+
+/// A number of seconds, also as a fraction `1/240`.
+fn step(text: &str) -> Result<f64> {
+    let number = |part: &str| part.trim().parse::<f64>().ok();
+    let value = match text.split_once('/') {
+        Some((above, below)) => number(above).zip(number(below)).map(|(above, below)| above / below),
+        None => number(text),
+    };
+    value
+        .filter(|h| h.is_finite() && *h > 0.0)
+        .ok_or_else(|| Error::invalid("--steps", format!("has `{text}`"), "use positive seconds, such as 0.001 or 1/240"))
+}
+
+/// The options for every request.
+pub fn options(arguments: &Arguments) -> Result<Options> {
+    let mut options = Options::new();
+    for text in &arguments.options {
+        let (name, value) = text.split_once('=').ok_or_else(|| Error::invalid("--option", format!("is `{text}`"), "use NAME=VALUE"))?;
+        let value = serde_json::from_str(value).unwrap_or_else(|_| value.into());
+        if options.insert(name.into(), value).is_some() {
+            return Err(Error::invalid("--option", format!("names `{name}` twice"), "give each option once"));
+        }
+    }
+    Ok(options)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_are_numbers_or_fractions() {
+        assert_eq!(step("1/240").ok(), Some(1.0 / 240.0));
+        assert_eq!(step("0.001").ok(), Some(0.001));
+        for wrong in ["0", "-1", "1/0", "x", "nan", "1/2/3", ""] {
+            assert!(step(wrong).is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! `moreau protocol-check`: tells the author of an adapter what is wrong with it.
+
+use super::output::{print, print_aside, style};
+use super::{Answer, Format};
+use crate::Result;
+use crate::gate::conformance::conformance;
+use crate::gate::process::{Limits, end_engines_on_interrupt};
+use crate::report::gate::conformance::text;
+use crate::report::json::pretty;
+use std::time::Duration;
+
+/// Check an adapter: does it speak moreau-engine/1, and does it report what the protocol means?
+///
+/// Starts COMMAND, talks to it, and lets it simulate a thrown ball, a tumbling brick and a landing ball for a few steps. Every probe that
+/// finds a mistake says what was seen and how to cure it. Whether the engine simulates well is the question of `moreau gate`.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// The adapter: a command with its arguments.
+    #[arg(last = true, value_name = "COMMAND", required = true)]
+    command: Vec<String>,
+    /// Seconds the adapter may take for one request.
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0)]
+    time_limit: f64,
+    /// How to write the result.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  moreau protocol-check -- python3 my_engine.py
+  moreau protocol-check --format json -- ./my-engine --stdio
+
+Exit codes: 0 no probe found a problem; 1 one did; 2 usage; 3 the adapter could not be started.";
+
+/// Runs the subcommand.
+pub fn run(arguments: &Arguments) -> Result<Answer> {
+    end_engines_on_interrupt()?;
+    let reply = Duration::try_from_secs_f64(arguments.time_limit)
+        .ok()
+        .filter(|limit| !limit.is_zero())
+        .ok_or_else(|| crate::Error::invalid("--time-limit", format!("is {}", arguments.time_limit), "use a positive number of seconds"))?;
+    let limits = Limits { reply, ..Limits::default() };
+    match conformance(&arguments.command, limits) {
+        Ok(outcome) => {
+            print(&match arguments.format {
+                Format::Text => text(&outcome, style()),
+                Format::Json => pretty(&outcome)?,
+            })?;
+            Ok(outcome.is_sound().into())
+        }
+        Err(fault) => {
+            print_aside(&format!("error: the adapter could not be run: {fault}\n"));
+            Ok(Answer::CannotRun)
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! `moreau schema`: the JSON Schemas of messages and files.
+
+use super::near::suggestion;
+use super::output::print;
+use super::{Answer, Format};
+use crate::files::write_together;
+use crate::gate::schemas::FORMATS;
+use crate::report::json::pretty;
+use crate::{Error, Result};
+use std::path::{Path, PathBuf};
+
+/// Print the JSON Schema of a message or file format, or list them.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// The format; without it, the formats are listed.
+    #[arg(value_name = "NAME")]
+    name: Option<String>,
+    /// Write all schemas into this folder, as NAME.schema.json, all or none.
+    #[arg(long, value_name = "FOLDER", conflicts_with = "name")]
+    write: Option<PathBuf>,
+    /// How to write the list.
+    #[arg(long, value_enum, default_value_t, conflicts_with_all = ["name", "write"])]
+    format: Format,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  moreau schema                     the formats
+  moreau schema trajectory          the schema of trajectory/1
+  moreau schema --write schemas     every schema, as a file";
+
+/// Runs the subcommand.
+pub fn run(arguments: &Arguments) -> Result<Answer> {
+    if let Some(folder) = &arguments.write {
+        return write(folder);
+    }
+    let Some(name) = &arguments.name else { return list(arguments.format) };
+    let format = FORMATS.iter().find(|format| format.name == name).ok_or_else(|| {
+        let cure = suggestion(name, FORMATS.iter().map(|format| format.name), "`moreau schema` lists them");
+        Error::Unsupported(format!("no format `{name}`; {cure}"))
+    })?;
+    print(&format.schema())?;
+    Ok(Answer::Yes)
+}
+
+fn list(format: Format) -> Result<Answer> {
+    print(&match format {
+        Format::Text => FORMATS.iter().map(|format| format!("{:16} {}\n", format.name, format.about)).collect(),
+        Format::Json => {
+            let entry = |format: &crate::gate::schemas::Format| serde_json::json!({"name": format.name, "about": format.about});
+            pretty(&FORMATS.iter().map(entry).collect::<Vec<_>>())?
+        }
+    })?;
+    Ok(Answer::Yes)
+}
+
+fn write(folder: &Path) -> Result<Answer> {
+    let texts: Vec<(PathBuf, String)> = FORMATS.iter().map(|format| (folder.join(format.file()), format.schema())).collect();
+    let files: Vec<(&Path, &[u8])> = texts.iter().map(|(file, text)| (file.as_path(), text.as_bytes())).collect();
+    write_together(&files)?;
+    Ok(Answer::Yes)
+}

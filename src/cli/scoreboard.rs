@@ -1,0 +1,129 @@
+//! `moreau scoreboard`: every installed engine through the same checks, stored and rendered.
+
+use super::output::{print, print_aside};
+use super::{Answer, Format};
+use crate::files::write_together;
+use crate::gate::check;
+use crate::gate::process::end_engines_on_interrupt;
+use crate::gate::runner::{QUICK, SWEEP};
+use crate::gate::scoreboard::{Engines, Standing};
+use crate::report::gate::{highlights, scoreboard};
+use crate::report::json::pretty;
+use crate::{Error, Result};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::path::{Path, PathBuf};
+
+/// Run every engine that is installed here through the checks, and render the table engine × check.
+///
+/// The engines are those of `scripts/engines/engines.json`; `python3 scripts/install_engines.py` installs them. What is
+/// found is stored with the engines' versions in `references/scoreboard/`. An engine that cannot be run here keeps
+/// the result that is stored; without one it is listed as not run, with the reason, never as passed.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The list of engines.
+    #[arg(long, value_name = "FILE", default_value = "scripts/engines/engines.json")]
+    engines: PathBuf,
+    /// Only engines whose name contains one of these.
+    #[arg(long, value_name = "NAME", value_delimiter = ',')]
+    only: Vec<String>,
+    /// The whole sweep of time steps instead of 1/60, 1/240 and 0.001 s.
+    #[arg(long)]
+    full: bool,
+    /// Run nothing: render what is stored.
+    #[arg(long)]
+    stored: bool,
+    /// Where the results are stored.
+    #[arg(long, value_name = "FOLDER", default_value = "references/scoreboard")]
+    folder: PathBuf,
+    /// Engines of one kind that run at once.
+    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    jobs: usize,
+    /// Write the table with every number as one self-contained HTML page.
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
+    /// Replace the section between `<!-- scoreboard -->` and `<!-- /scoreboard -->` of this file.
+    #[arg(long, value_name = "FILE")]
+    readme: Option<PathBuf>,
+    /// How to write the table to standard output.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+/// Runs the subcommand.
+pub fn run(arguments: &Arguments) -> Result<Answer> {
+    end_engines_on_interrupt()?;
+    let engines = Engines::read(&arguments.engines)?.engines;
+    let selected = |name: &str| arguments.only.is_empty() || arguments.only.iter().any(|part| name.contains(part.as_str()));
+    if !engines.iter().any(|entry| selected(&entry.name)) {
+        let names: Vec<&str> = engines.iter().map(|entry| entry.name.as_str()).collect();
+        return Err(Error::invalid("--only", "leaves no engine", format!("the list has {}", names.join(", "))));
+    }
+    let mut standings = Vec::new();
+    for entry in engines {
+        let stored = Some(Standing::file(&arguments.folder, &entry.name)).filter(|file| file.is_file());
+        let stored = stored.map(|file| Standing::read(&file)).transpose()?;
+        if arguments.stored || !selected(&entry.name) {
+            let absent = || Standing { entry: entry.clone(), report: None, not_run: Some("never".into()) };
+            standings.push(stored.unwrap_or_else(absent));
+            continue;
+        }
+        let standing = judge(arguments, &entry);
+        match (&standing.report, stored) {
+            (None, Some(stored)) => {
+                print_aside(&format!("{}: not run: {}; the stored result stays\n", entry.name, standing.not_run.as_deref().unwrap_or("")));
+                standings.push(stored);
+            }
+            _ => {
+                standing.store(&arguments.folder)?;
+                standings.push(standing);
+            }
+        }
+    }
+    show(arguments, &standings)?;
+    Ok(Answer::Yes)
+}
+
+fn judge(arguments: &Arguments, entry: &crate::gate::scoreboard::Entry) -> Standing {
+    let checks: Vec<_> = check::all().collect();
+    let sweep = if arguments.full { SWEEP.to_vec() } else { QUICK.to_vec() };
+    let bar = ProgressBar::new((checks.len() * sweep.len()) as u64).with_message(entry.name.clone());
+    if let Ok(style) = ProgressStyle::with_template("{msg:24} {bar:40} {elapsed}") {
+        bar.set_style(style);
+    }
+    let standing = entry.judge(&checks, &sweep, arguments.jobs, &|| bar.inc(1));
+    bar.finish_and_clear();
+    standing
+}
+
+fn show(arguments: &Arguments, standings: &[Standing]) -> Result<()> {
+    let shown = highlights::markdown(standings);
+    let section = format!("{}\n{shown}", scoreboard::markdown(standings));
+    let mut files: Vec<(&Path, String)> = Vec::new();
+    if let Some(file) = &arguments.html {
+        files.push((file, scoreboard::html(standings, &shown)?));
+    }
+    if let Some(file) = &arguments.readme {
+        files.push((file, replaced(file, &section)?));
+    }
+    let files: Vec<(&Path, &[u8])> = files.iter().map(|(file, text)| (*file, text.as_bytes())).collect();
+    write_together(&files)?;
+    print(&match arguments.format {
+        Format::Text => section,
+        Format::Json => pretty(standings)?,
+    })
+}
+
+/// The text of a file with its scoreboard section replaced.
+fn replaced(file: &Path, section: &str) -> Result<String> {
+    let text = std::fs::read_to_string(file).map_err(|source| Error::Read { file: file.to_path_buf(), source })?;
+    let missing = || {
+        Error::invalid(
+            "--readme",
+            "has no scoreboard section",
+            "put `<!-- scoreboard -->` and `<!-- /scoreboard -->` where the table belongs",
+        )
+    };
+    let (before, rest) = text.split_once(scoreboard::BEGIN).ok_or_else(|| missing().in_file(file))?;
+    let (_, after) = rest.split_once(scoreboard::END).ok_or_else(|| missing().in_file(file))?;
+    Ok(format!("{before}{}\n{section}{}{after}", scoreboard::BEGIN, scoreboard::END))
+}

@@ -1,0 +1,201 @@
+//! Boxes that are set down on each other and must stand.
+//!
+//! ```text
+//!     gaps of δ between neighbours: level k lands with at most √(2 g k δ);   then the load Σ m g of each level is carried, nothing moves
+//! ```
+//! What an engine adds is its own: a solver that stops early lets the stack sink, lean and tremble; a declared rest depth lets it sink by
+//! a known amount. No contact begins touching: a gap of 0 is open or closed by rounding. The standing lasts a fixed number of steps, so
+//! that errors per step show at every h.
+
+use super::scenery::{GRAVITY, angle_between, cuboid, over_floor, worst};
+use crate::gate::check::{Control, Run};
+use crate::gate::model::compression::LoadedPoint;
+use crate::gate::model::{Model, sink};
+use crate::gate::{Bench, Check, Expectation, Kind, Level, Measurement, Reply};
+use crate::scenes::Scene;
+use crate::tolerance::gate::{SOLVED, stack as tolerance};
+use crate::trajectory::{BodyTrack, ContactRecord, Trajectory};
+
+/// Half the height of every box \[m\].
+const HALF: f64 = 0.05;
+
+/// Half the width of the lowest box \[m\].
+const WIDTH: f64 = 0.1;
+
+/// By how much of the lowest width each level is narrower.
+const NARROWER: f64 = 0.02;
+
+/// δ, between neighbours at the start \[m\].
+const GAP: f64 = 0.0005;
+
+/// Steps between samples.
+const EVERY: usize = 10;
+
+const RESTING: &str = "Once landed nothing moves. A solver that leaves a part s of its impulses leaves velocities of s Σm g h/m_min, which add up \
+                       over the steps. A landing at v is found up to a step late and acted on in the next, 3/2 h (v + g h) deep, level by \
+                       level, and may be corrected later. A compliant or slack contact sinks by at most twice its declared rest depth \
+                       under the whole load, level by level, at up to √(2 g · sink); springs may give the energy of \
+                       the falls to one box.";
+
+/// The checks of the family.
+pub const CHECKS: &[Check] = &[
+    Check {
+        name: "stack/five",
+        level: Level::Simulate,
+        question: "Do five boxes of 1 kg, set down on each other, stay where they are?",
+        derivation: RESTING,
+        source: "chapter §9 (stacks); the solution r ≥ 0 with u = 0 exists, as r_k = Σ m g h above",
+        run: Run::EachStep(|bench, h| standing(bench, h, &[1.0; 5], 200)),
+        control: Control { passes: "moreau-jean", fails: "solver/three-sweeps" },
+    },
+    Check {
+        name: "stack/ten",
+        level: Level::Simulate,
+        question: "Do ten boxes of 1 kg, set down on each other, stay where they are?",
+        derivation: RESTING,
+        source: "as for five; a sweep over contacts carries the load one level further, so early stops show more",
+        run: Run::EachStep(|bench, h| standing(bench, h, &[1.0; 10], 100)),
+        control: Control { passes: "moreau-jean", fails: "solver/three-sweeps" },
+    },
+    Check {
+        name: "stack/mass-ratio",
+        level: Level::Simulate,
+        question: "Does a box of 1 kg carry one of 1000 kg, and the ground both?",
+        derivation: RESTING,
+        source: "Gauss–Seidel contracts by 1/(1 + m/M) per sweep here; the ground's impulse is Σ m g t, from momentum",
+        run: Run::EachStep(mass_ratio),
+        control: Control { passes: "moreau-jean", fails: "stack/mass-ratio-clamped" },
+    },
+];
+
+/// Boxes of these masses \[kg\], from below, δ apart, each a little narrower than the one below, so that its corners are the contacts.
+fn stack(masses: &[f64]) -> Scene {
+    let height = |k: usize| (2 * k + 1) as f64 * HALF + (k + 1) as f64 * GAP;
+    let width = |k: usize| WIDTH * (1.0 - NARROWER * k as f64);
+    let level = |(k, mass): (usize, &f64)| cuboid(&format!("box{}", k + 1), *mass, [width(k), width(k), HALF], [0.0, 0.0, height(k)]);
+    over_floor("stack", masses.iter().enumerate().map(level).collect(), 0.5)
+}
+
+/// Samples until the stack has landed: 0.1 s, at least 60 steps, in which overlaps are corrected.
+fn landed(h: f64) -> usize {
+    ((0.1 / h).ceil() as usize).max(60).div_ceil(EVERY)
+}
+
+fn standing(bench: &mut Bench, h: f64, masses: &[f64], steps: usize) -> Reply<Vec<Measurement>> {
+    let trajectory = bench.simulate(&stack(masses), h, landed(h) * EVERY + steps, EVERY)?;
+    Ok(Rest::new(bench, h, masses, steps).measured(&trajectory))
+}
+
+fn mass_ratio(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
+    let (masses, steps) = ([1.0, 1000.0], 50);
+    let trajectory = bench.simulate(&stack(&masses), h, landed(h) * EVERY + steps, EVERY)?;
+    let rest = Rest::new(bench, h, &masses, steps);
+    let mut measurements = rest.measured(&trajectory);
+    if bench.description().reports_contacts {
+        measurements.push(rest.carried(&trajectory, masses.iter().sum()));
+    }
+    Ok(measurements)
+}
+
+/// What is expected of a stack.
+struct Rest {
+    /// The sample from which it stands.
+    landed: usize,
+    /// Velocity left per step \[m/s\].
+    velocity: f64,
+    /// Its sum over the standing \[m\].
+    drift: f64,
+    /// Depth of all landings \[m\].
+    landing: f64,
+    /// Declared sinking of all levels; on springs also the height to which the energy of all falls may fling the lightest box \[m\].
+    sink: Option<f64>,
+    /// Relative accuracy of impulses.
+    solved: f64,
+    duration: f64,
+}
+
+impl Rest {
+    fn new(bench: &Bench, h: f64, masses: &[f64], steps: usize) -> Self {
+        let total: f64 = masses.iter().sum();
+        let lightest = masses.iter().copied().fold(f64::INFINITY, f64::min);
+        let velocity = tolerance::unsolved_velocity(GRAVITY, h, total / lightest);
+        let level = |k: usize| LoadedPoint {
+            load: masses[k..].iter().sum::<f64>() * GRAVITY,
+            inverse_mass: 1.0 / masses[k] + if k > 0 { 1.0 / masses[k - 1] } else { 0.0 },
+            on_ground: k == 0,
+        };
+        let levels: Vec<LoadedPoint> = (0..masses.len()).map(level).collect();
+        let flung = (0..masses.len()).map(|k| masses[k] * (k + 1) as f64 * GAP).sum::<f64>() / lightest;
+        let compliant = bench.description().contact_model.kind == Kind::Compliant;
+        let landing = |k: usize| tolerance::landing(GRAVITY, (k + 1) as f64 * GAP, h);
+        Rest {
+            landed: landed(h),
+            velocity,
+            drift: tolerance::drift(velocity, steps, h),
+            landing: (0..masses.len()).map(landing).sum(),
+            sink: sink::sink(&Model::of(bench.description()), &levels, h).map(|sink| sink + if compliant { flung } else { 0.0 }),
+            solved: SOLVED,
+            duration: steps as f64 * h,
+        }
+    }
+
+    fn measured(&self, trajectory: &Trajectory) -> Vec<Measurement> {
+        let from = self.landed;
+        let over = |value: &dyn Fn(&BodyTrack, usize) -> f64| {
+            let samples = |track| (from..trajectory.times.len()).map(move |k| value(track, k)).fold(0.0, worst);
+            trajectory.bodies.iter().map(samples).fold(0.0, worst)
+        };
+        let sideways =
+            over(&|track, k| (track.position[k][0] - track.position[from][0]).hypot(track.position[k][1] - track.position[from][1]));
+        let upwards = over(&|track, k| (track.position[k][2] - track.position[from][2]).abs());
+        let tilt = over(&|track, k| angle_between(track.orientation[from], track.orientation[k]));
+        let still = |allowed: f64| Expectation::equal(0.0, allowed, "nothing moves");
+        let law = |bound: fn(f64) -> f64, allowed: f64| {
+            self.sink.map(|sink| Expectation::at_most(bound(sink), allowed, "the declared contacts sink under their load"))
+        };
+        let depth = self.drift + self.landing;
+        vec![
+            Measurement::new("largest horizontal displacement while standing", "m", sideways, still(self.drift)),
+            Measurement::new("largest vertical displacement while standing", "m", upwards, still(depth)).predicted(law(|sink| sink, depth)),
+            Measurement::new("largest turn while standing", "rad", tilt, still(self.drift / (0.5 * WIDTH))),
+            Measurement::new("deepest overlap of neighbours", "m", overlap(trajectory), still(depth)).predicted(law(|sink| sink, depth)),
+            Measurement::new("RMS speed while standing", "m/s", trembling(trajectory, from), still(self.velocity))
+                .predicted(law(|sink| tolerance::sinking_speed(GRAVITY, sink), self.velocity)),
+        ]
+    }
+
+    /// The impulse of the ground while the stack stands, over its weight.
+    fn carried(&self, trajectory: &Trajectory, mass: f64) -> Measurement {
+        let of_ground = |contact: &&ContactRecord| contact.sample > self.landed && contact.bodies.iter().any(|name| name == "ground");
+        let upwards = |contact: &ContactRecord| if contact.bodies[1] == "ground" { contact.impulse[2] } else { -contact.impulse[2] };
+        let impulse: f64 = trajectory.contacts.iter().filter(of_ground).map(upwards).sum();
+        let ideal = Expectation::equal(1.0, self.solved, "momentum: Σ m g t");
+        let model = self.sink.map(|sink| {
+            // The momentum may change by the load times twice the speed of sinking.
+            let swing = 2.0 * tolerance::sinking_speed(GRAVITY, sink) / (GRAVITY * self.duration);
+            Expectation::equal(1.0, swing + self.solved, "momentum, with the declared contacts still swinging")
+        });
+        let weight = mass * GRAVITY * self.duration;
+        Measurement::new("impulse of the ground over the weight while standing", "1", impulse / weight, ideal).predicted(model)
+    }
+}
+
+/// Largest overlap \[m\] of boxes that are neighbours, and of the lowest with the ground, from the heights of their centres.
+fn overlap(trajectory: &Trajectory) -> f64 {
+    let depth = |k: usize| {
+        let mut below = -HALF;
+        trajectory.bodies.iter().fold(0.0, |deepest, track| {
+            let depth = below + 2.0 * HALF - track.position[k][2];
+            below = track.position[k][2];
+            worst(deepest, depth)
+        })
+    };
+    (0..trajectory.times.len()).map(depth).fold(0.0, worst)
+}
+
+/// Root mean square of the speeds of all bodies from a sample on \[m/s\].
+fn trembling(trajectory: &Trajectory, from: usize) -> f64 {
+    let speeds = trajectory.bodies.iter().flat_map(|track| &track.linear_velocity[from..]);
+    let squares: Vec<f64> = speeds.map(|v| v.iter().map(|x| x * x).sum::<f64>()).collect();
+    (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
+}

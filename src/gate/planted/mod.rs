@@ -1,0 +1,49 @@
+//! Planted engines: our own engine with one realistic mistake each, and the checks that must catch it.
+
+mod determinism;
+mod flight;
+mod friction;
+mod impact;
+mod metamorphic;
+mod parts;
+mod projection;
+mod rocking;
+mod solver;
+mod stack;
+mod wrapped;
+
+use super::Engine;
+
+/// One planted mistake.
+pub struct Planted {
+    /// A short name, `family/mistake`.
+    pub name: &'static str,
+    /// The mistake in one sentence.
+    pub mistake: &'static str,
+    /// The engine with the mistake.
+    pub engine: fn() -> Box<dyn Engine>,
+    /// Checks that must catch it, by name; the full matrix may show more.
+    pub caught_by: &'static [&'static str],
+}
+
+/// Every planted engine.
+pub fn all() -> impl Iterator<Item = &'static Planted> {
+    [
+        flight::PLANTED,
+        impact::PLANTED,
+        friction::PLANTED,
+        determinism::PLANTED,
+        metamorphic::PLANTED,
+        stack::PLANTED,
+        rocking::PLANTED,
+        solver::PLANTED,
+        projection::PLANTED,
+    ]
+    .into_iter()
+    .flatten()
+}
+
+/// The planted engine with this name.
+pub fn find(name: &str) -> Option<&'static Planted> {
+    all().find(|planted| planted.name == name)
+}

@@ -1,0 +1,62 @@
+//! JSON Schemas of every message and file format, generated from the types that read and write them.
+//!
+//! A schema says which fields there are and of what kind; sizes that must agree, unit lengths and the like are checked by the readers.
+
+use super::baseline::Baseline;
+use super::conformance::Conformance;
+use super::process::messages::{Points, ReplyForm, Request};
+use super::{Description, Report};
+use crate::problem::{ProblemFile, SolutionFile};
+use crate::scenes::Scene;
+use crate::trajectory::Trajectory;
+use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
+
+/// A message or file with its schema.
+pub struct Format {
+    /// Its name, that of the file `schemas/<name>.schema.json`.
+    pub name: &'static str,
+    /// What it is.
+    pub about: &'static str,
+    generate: fn() -> schemars::Schema,
+}
+
+/// Every message and file format.
+pub const FORMATS: [Format; 11] = [
+    Format { name: "request", about: "a line from the gate to an engine", generate: written::<Request> },
+    Format { name: "reply", about: "the line that answers it", generate: read::<ReplyForm> },
+    Format { name: "description", about: "the result of `describe`", generate: read::<Description> },
+    Format { name: "scene", about: "scene/1, what is simulated", generate: read::<Scene> },
+    Format { name: "trajectory", about: "trajectory/1, the result of `simulate`", generate: read::<Trajectory> },
+    Format { name: "contact-problem", about: "contact-problem/1, what is solved", generate: read::<ProblemFile> },
+    Format { name: "solution", about: "solution/1, the result of `solve`", generate: read::<SolutionFile> },
+    Format { name: "points", about: "the result of `project`", generate: read::<Points> },
+    Format { name: "gate-report", about: "gate-report/1, what `moreau gate` writes", generate: written::<Report> },
+    Format { name: "gate-baseline", about: "gate-baseline/1, in TOML", generate: read::<Baseline> },
+    Format { name: "protocol-check", about: "what `moreau protocol-check` writes", generate: written::<Conformance> },
+];
+
+impl Format {
+    /// The text of its schema.
+    pub fn schema(&self) -> String {
+        let schema = (self.generate)();
+        let text = serde_json::to_string_pretty(&schema).expect("a schema is JSON") + "\n";
+        // the documentation's `\[s\]` is `[s]` to a reader of the schema
+        text.replace(r"\\[", "[").replace(r"\\]", "]")
+    }
+
+    /// The name of its file.
+    pub fn file(&self) -> String {
+        format!("{}.schema.json", self.name)
+    }
+}
+
+/// The schema of what is read: fields with a default may be missing.
+fn read<T: JsonSchema>() -> schemars::Schema {
+    SchemaSettings::draft2020_12().into_generator().into_root_schema_for::<T>()
+}
+
+/// The schema of what is written: fields that are left out in some cases may be missing.
+fn written<T: JsonSchema>() -> schemars::Schema {
+    SchemaSettings::draft2020_12().for_serialize().into_generator().into_root_schema_for::<T>()
+}

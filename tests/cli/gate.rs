@@ -1,0 +1,124 @@
+//! `moreau gate`, `defects`, `scoreboard` and `engine` from outside, with our own schemes as the engines.
+
+use super::{Folder, Run, moreau};
+
+/// Our scheme behind the protocol, through one cheap check at one step.
+fn gate(before: &[&str], scheme: &str) -> Run {
+    let engine = ["--", env!("CARGO_BIN_EXE_moreau"), "engine", "--scheme", scheme];
+    moreau(&[&["gate", "--only", "flight/projectile", "--steps", "1/60,0.001"], before, &engine].concat())
+}
+
+#[test]
+fn our_own_scheme_passes_through_the_same_door() {
+    let run = gate(&[], "moreau-jean");
+    assert_eq!(run.code, 0, "{}{}", run.output, run.message);
+    assert!(run.output.contains("pass") && run.output.contains("1 checks: 1 pass"), "{}", run.output);
+    let json = gate(&["--format", "json"], "moreau-jean").json();
+    assert_eq!(json["report"]["schema"], "gate-report/1");
+    assert_eq!(json["report"]["checks"][0]["verdict"], "pass");
+}
+
+#[test]
+fn the_number_of_jobs_changes_nothing() {
+    let one = gate(&["--format", "json"], "anitescu");
+    let two = gate(&["--format", "json", "--jobs", "2"], "anitescu");
+    assert_eq!(one.output, two.output);
+}
+
+#[test]
+fn every_output_is_written_and_read_back() {
+    let folder = Folder::new("gate-outputs");
+    let file = |name: &str| folder.path(name);
+    let (baseline, junit, html, out) = (file("b.toml"), file("j.xml"), file("p.html"), file("r.json"));
+    let run = gate(&["--save-baseline", &baseline, "--junit", &junit, "--html", &html, "--out", &out], "moreau-jean");
+    assert_eq!(run.code, 0, "{}", run.message);
+    let read = |name: &str| std::fs::read_to_string(name).unwrap_or_else(|error| panic!("{name}: {error}"));
+    assert!(read(&junit).contains("<testcase name=\"flight/projectile\""));
+    assert!(read(&html).starts_with("<!DOCTYPE html>") && !read(&html).contains("src="), "self-contained");
+    assert!(serde_json::from_str::<moreau::gate::Report>(&read(&out)).is_ok());
+    let run = gate(&["--baseline", &baseline], "moreau-jean");
+    assert_eq!(run.code, 0, "{}", run.output);
+    assert!(run.output.contains("As the baseline."), "{}", run.output);
+}
+
+#[test]
+fn a_value_that_got_worse_stops_the_build_and_names_the_check() {
+    let folder = Folder::new("gate-regression");
+    let baseline = folder.path("b.toml");
+    assert_eq!(gate(&["--save-baseline", &baseline], "moreau-jean").code, 0);
+    // an engine that used to be exact has become first order
+    let text = std::fs::read_to_string(&baseline).expect("written");
+    let mut table: toml::Table = text.parse().expect("toml");
+    for value in table["check"][0]["value"].as_array_mut().expect("values") {
+        value["value"] = toml::Value::Float(if value["quantity"].as_str() == Some("position error") { -1.0 } else { 0.0 });
+        value["spread"] = toml::Value::Float(0.0);
+    }
+    std::fs::write(&baseline, table.to_string()).expect("writable");
+    let run = gate(&["--baseline", &baseline], "moreau-jean");
+    assert_eq!(run.code, 1, "{}", run.output);
+    assert!(run.output.contains("Regressions") && run.output.contains("flight/projectile: worse: position error at h"), "{}", run.output);
+    let known = text + "\n[[known_issue]]\ncheck = \"flight/projectile\"\nreason = \"issue 12\"\n";
+    std::fs::write(&baseline, known.replace("known_issue = []\n", "")).expect("writable");
+    assert_eq!(gate(&["--baseline", &baseline], "moreau-jean").code, 0);
+}
+
+#[test]
+fn an_engine_that_cannot_be_run_is_exit_code_three() {
+    for command in [vec!["/nowhere/engine"], vec![env!("CARGO_BIN_EXE_moreau"), "engine", "--scheme", "euler"], vec!["true"]] {
+        let folder = Folder::new("gate-cannot-run");
+        let html = folder.path("p.html");
+        let run = moreau(&[&["gate", "--quick", "--only", "flight/projectile", "--html", &html, "--"], command.as_slice()].concat());
+        assert_eq!((run.code, run.output.as_str()), (3, ""), "{command:?}: {}", run.message);
+        assert!(run.message.contains("could not be run"), "{}", run.message);
+        assert!(folder.names().is_empty(), "nothing is written");
+    }
+}
+
+#[test]
+fn usage_errors_name_the_option_and_run_nothing() {
+    gate(&["--only", "balls"], "moreau-jean").is_refused(&["balls"]);
+    moreau(&["gate", "--steps", "0", "--", "true"]).is_refused(&["--steps", "0"]);
+    moreau(&["gate", "--steps", "0.1,1/10", "--", "true"]).is_refused(&["twice"]);
+    gate(&["--jobs", "0"], "moreau-jean").is_refused(&["--jobs"]);
+    gate(&["--option", "theta"], "moreau-jean").is_refused(&["NAME=VALUE"]);
+    gate(&["--baseline", "/nowhere/b.toml"], "moreau-jean").is_refused(&["/nowhere/b.toml"]);
+    gate(&["--time-limit", "-1"], "moreau-jean").is_refused(&["--time-limit"]);
+    let folder = Folder::new("gate-usage");
+    let same = folder.path("same");
+    gate(&["--html", &same, "--junit", &same], "moreau-jean").is_refused(&["same file"]);
+    let broken = folder.file("broken.toml", "schema = \"gate-baseline/1\"\n");
+    gate(&["--baseline", &broken], "moreau-jean").is_refused(&["broken.toml", "engine"]);
+}
+
+#[test]
+fn every_check_can_be_listed_and_explained() {
+    let list = moreau(&["gate", "--list", "--format", "json"]).json();
+    let names: Vec<&str> = list.as_array().expect("a list").iter().filter_map(|check| check["check"].as_str()).collect();
+    assert!(names.len() >= 25, "{names:?}");
+    for name in names {
+        let check = moreau(&["gate", "--explain", name, "--format", "json"]).json();
+        for field in ["question", "derivation", "source", "passed_by"] {
+            assert!(check[field].as_str().is_some_and(|text| !text.is_empty()), "{name} has no {field}");
+        }
+        assert!(!check["failed_by"][0].as_str().unwrap_or("").is_empty(), "{name} names no planted mistake");
+    }
+    let refused = moreau(&["gate", "--explain", "ball/enrgy"]);
+    refused.is_refused(&["ball/energy"]);
+}
+
+#[test]
+fn stored_trajectories_are_judged_like_a_program() {
+    let folder = Folder::new("gate-stored");
+    let scenes = folder.path("scenes");
+    let run = moreau(&["gate", "--only", "flight/projectile", "--steps", "0.01", "--write-scenes", &scenes]);
+    assert_eq!(run.code, 0, "{}", run.message);
+    let request = std::fs::read_dir(&scenes).expect("written").next().expect("one request").expect("readable").path();
+    let request: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(request).expect("readable")).expect("json");
+    let scene = folder.file("scene.json", &request["scene"].to_string());
+    let answer = folder.path("answer.json");
+    let run = moreau(&["simulate", "--scene", &scene, "--step", "0.01", "--out", &answer]);
+    assert_eq!(run.code, 0, "{}", run.message);
+    let run = moreau(&["gate", "--only", "flight/projectile", "--steps", "0.01", "--trajectory", &answer]);
+    assert_eq!(run.code, 0, "{}{}", run.output, run.message);
+    assert!(run.output.contains("pass        flight/projectile") && run.output.contains("pass        trajectory/answer"), "{}", run.output);
+}
