@@ -6,7 +6,8 @@ use std::collections::HashSet;
 #[test]
 fn every_id_is_a_group_of_the_chapter_and_a_name() {
     for claim in claims::all() {
-        let (group, name) = claim.id.split_once('.').unwrap_or((claim.id, ""));
+        let group = claim.section();
+        let name = claim.id.strip_prefix(group).expect("the group is a prefix").trim_start_matches('.');
         assert!(claims::place(group).is_some(), "{}: no section `{group}`", claim.id);
         let plain = |letter: char| letter.is_ascii_alphanumeric() || letter == '-';
         assert!(!name.is_empty() && name.chars().all(plain), "{}: the name is not letters, digits and hyphens", claim.id);

@@ -6,17 +6,21 @@ use crate::Result;
 use crate::checks::Finding;
 use serde::Serialize;
 
+pub(crate) mod experiments;
 pub mod front;
+pub mod manual;
 mod registry;
 pub mod s0;
+pub mod s10;
 pub mod s12;
 pub mod s2;
 pub mod s3;
 pub mod s4;
 pub mod s5;
+pub mod s9;
 mod section;
 
-pub use registry::{Outcome, Status, all, find, judge, matches_group};
+pub use registry::{Outcome, Status, all, find, group_of, judge, matches_group};
 pub use section::{SECTIONS, Section, place};
 
 /// What became of a claim of the text.
@@ -102,7 +106,7 @@ impl Reading {
 
 /// One claim of the chapter.
 pub struct Claim {
-    /// Identifier, `group.name`, for instance `S4.copos-plus`.
+    /// Identifier: `group.name`, for instance `S4.copos-plus`, or a numbered row of a table, `R6`.
     pub id: &'static str,
     /// What the chapter says, with its own hedges.
     pub statement: &'static str,
@@ -125,6 +129,6 @@ pub struct Claim {
 impl Claim {
     /// The group of the id, `S4` for `S4.copos-plus`.
     pub fn section(&self) -> &'static str {
-        self.id.split('.').next().unwrap_or(self.id)
+        group_of(self.id)
     }
 }

@@ -35,14 +35,17 @@ pub struct Outcome {
 
 /// Every registered claim, in the chapter's order.
 pub fn all() -> impl Iterator<Item = &'static Claim> {
-    let sections: [&[&[Claim]]; 7] = [
+    let sections: [&[&[Claim]]; 10] = [
         super::front::CLAIMS,
         super::s0::CLAIMS,
         super::s2::CLAIMS,
         super::s3::CLAIMS,
         super::s4::CLAIMS,
         super::s5::CLAIMS,
+        super::s9::CLAIMS,
+        super::s10::CLAIMS,
         super::s12::CLAIMS,
+        super::manual::CLAIMS,
     ];
     sections.into_iter().flatten().copied().flatten()
 }
@@ -52,10 +55,18 @@ pub fn find(id: &str) -> Option<&'static Claim> {
     all().find(|claim| claim.id == id)
 }
 
-/// Whether an id lies in a group given by dot-separated parts: `S4` holds `S4.sigma` but not `S40.x`.
+/// The group of an id: `S4` of `S4.sigma`; an id without a dot is a letter and a number, and `R6` is in `R`.
+pub fn group_of(id: &str) -> &str {
+    match id.split_once('.') {
+        Some((group, _)) => group,
+        None => id.trim_end_matches(|letter: char| letter.is_ascii_digit()),
+    }
+}
+
+/// Whether an id lies in a group given by dot-separated parts: `S4` holds `S4.sigma` but not `S40.x`, and `R` holds `R6`.
 pub fn matches_group(id: &str, group: &str) -> bool {
     let mut parts = id.split('.');
-    group.split('.').all(|wanted| parts.next() == Some(wanted))
+    group == group_of(id) || group.split('.').all(|wanted| parts.next() == Some(wanted))
 }
 
 /// Runs the check of a claim on the recorded reading and on its control.
@@ -92,6 +103,14 @@ mod tests {
         assert!(matches_group("S12.step", "S12.step"));
         assert!(!matches_group("S12.step", "S12.step.more"));
         assert!(!matches_group("S12.step", "S12.st"));
+    }
+
+    #[test]
+    fn an_id_without_a_dot_belongs_to_the_letters_before_its_number() {
+        assert!(matches_group("R6", "R") && matches_group("R6", "R6"));
+        assert!(!matches_group("R16", "R1") && !matches_group("R1", "R16"));
+        assert!(!matches_group("S12.step", "S"));
+        assert_eq!([group_of("R6"), group_of("S12.step")], ["R", "S12"]);
     }
 
     #[test]

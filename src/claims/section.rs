@@ -3,7 +3,7 @@
 /// A section of the chapter: the group its claim ids start with, and its title.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Section {
-    /// The first part of the ids, `S4` for `S4.copos-plus`.
+    /// What the ids start with: `S4` of `S4.copos-plus`, `R` of `R6`.
     pub group: &'static str,
     /// What the section is about.
     pub title: &'static str,
@@ -13,8 +13,8 @@ const fn section(group: &'static str, title: &'static str) -> Section {
     Section { group, title }
 }
 
-/// Every section that claims may belong to: front matter and summary tables first, then §0 to §12.
-pub const SECTIONS: [Section; 16] = [
+/// Every section that claims may belong to: front matter and summary tables first, then §0 to §12, then the manual at the end.
+pub const SECTIONS: [Section; 17] = [
     section("P", "Preface and project"),
     section("M", "Table of misconceptions"),
     section("T", "Tables of theorems and symbols"),
@@ -31,6 +31,7 @@ pub const SECTIONS: [Section; 16] = [
     section("S10", "§10 Simulators compared"),
     section("S11", "§11 Convergence proofs"),
     section("S12", "§12 A worked example"),
+    section("R", "Troubleshooting manual"),
 ];
 
 /// The place of a group in the chapter's order, `None` if no section has it.
@@ -46,6 +47,7 @@ mod tests {
     fn section_ten_comes_after_section_nine_and_unknown_groups_have_no_place() {
         assert!(place("S10") > place("S9"));
         assert!(place("S9") > place("S1"));
+        assert!(place("R") > place("S12"));
         assert_eq!(place("S13"), None);
         assert_eq!(place("s4"), None);
     }

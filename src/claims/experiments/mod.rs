@@ -1,0 +1,9 @@
+//! Small experiments that several claims share: a tower under truncated sweeps, a bead on a curve, energy by projection, a frictional impact.
+
+pub(super) mod creep;
+pub(super) mod curve;
+pub(super) mod push_out;
+pub(super) mod rod;
+pub(super) mod soft;
+pub(super) mod spring;
+pub(super) mod tower;

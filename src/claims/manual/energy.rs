@@ -1,0 +1,116 @@
+//! Rows 3 and 4: energy that grows, and energy that is lost.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::experiments::push_out::{biased_gain, elastic_drop};
+use crate::claims::experiments::rod::energy_gained;
+use crate::claims::experiments::soft::{GRAVITY, land, rebound, unlimited_contact};
+use crate::claims::experiments::spring::energy_ratio;
+use crate::claims::experiments::tower::{Sweeps, Tower, energy_of_stale_impulses};
+use crate::claims::s9::energy::{elastic_invariant, first_impact};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::mujoco_normal::spring_damper_restitution;
+use crate::scalar::{Rational, ratio};
+use crate::schemes::exact_particle::{Ball, Motion};
+use crate::schemes::{Activation, RestitutionRule};
+use crate::solvers::ContactSolver;
+use crate::tolerance::gate::ball::{OSCILLATOR_PARTS, oscillator_rebound};
+use crate::tolerance::{claims::pathology as tolerance, rounding};
+
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "R3",
+        statement: "Energy grows, the system runs ever faster: (a) explicit Euler, (b) Baumgarte, (c) an unconverged solver. Check the integrator (semi-implicit or better), drop Baumgarte for coordinate projection or GGL, raise the iterations, look for e > 1.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "The listed causes are causes; missing are Newton's e with friction, the recommended projection itself, and a contact too stiff for its step. An unconverged solver injects only from a warm start or through restitution: cold sweeps with e = 0 descend on the kinetic energy.",
+        argument: "Gain of each: rod with friction, e = 1: 1/5 → 5/16 J, a factor 25/16; projection 81/80; explicit Euler, hω = 1/10: 101/100 per step; ERP = 1/5 on 1 mm at 1/60 s: 7.2e-5 J/kg; e = 11/10: 121/100 per impact; MuJoCo's contact with t_c = h, dropped from 1 mm: thrown higher than 1 mm for good; one warm sweep on a tower whose weight is gone: 11/16 (g h)². \
+                   Cold sweeps minimise ½rᵀWr + u_freeᵀr = T(r) − T(0) coordinate by coordinate from r = 0: T never exceeds T_free.",
+        control: "The rod with e on the whole velocity v⁺ + e v⁻.",
+        sources: &["chapter, troubleshooting manual, row 3"],
+        check: growth,
+    },
+    Claim {
+        id: "R4",
+        statement: "Energy is lost, motion is viscous: (a) θ = 1 or large numerical damping, (b) over-damped Baumgarte. Take θ = 1/2 (energy neutral), reduce numerical damping or solref's damping ratio, check whether e is too small.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "A smaller damping ratio helps: e(ζ) = exp(−ζ/√(1−ζ²)·acos(2ζ²−1)). θ helps where forces depend on the state; a body under gravity bounces with the same loss for every θ.",
+        argument: "Elastic ball, θ = 1, 2000 steps: (E − ½ g h v)/E₀ = 1 exactly; e = 1/2 keeps 1/4 of ½v² at θ = 1 and 1/2. Spring, hω = 1/10: 100/101 per step against 1. Replay of MuJoCo's contact, impact at 1 m/s, no load, constant impedance: e = 0.744, 0.451, 0.298, 0.135, 0.048 for ζ = 0.1, 0.3, 0.5, 1, 2, within the first-order bound of the step.",
+        control: "The spring in the place of the ball.",
+        sources: &["chapter, troubleshooting manual, row 4", "Schwager and Pöschel 2007"],
+        check: loss,
+    },
+];
+
+/// Kinetic energy after over before an impact at 1 m/s with e = 11/10.
+fn superelastic() -> Rational {
+    let ball = Ball { mass: ratio(1, 1), gravity: ratio(0, 1), restitution: ratio(11, 10) };
+    let arriving = Motion { position: ratio(0, 1), velocity: ratio(-1, 1) };
+    let after = ball.moreau_jean(&arriving, &ratio(1, 2), Activation::Gap, &ratio(1, 100)).motion;
+    ball.kinetic_energy(&after.velocity) / ball.kinetic_energy(&arriving.velocity)
+}
+
+/// Largest T(after k cold sweeps)/T_free of a falling tower of ten, k = 1 … 40.
+fn cold_energy() -> Result<f64> {
+    let tower = Tower { bodies: 10, gravity: GRAVITY };
+    let problem = tower.first_step(0.01);
+    let free = nalgebra::DVector::from_element(10, -GRAVITY * 0.01);
+    let mut largest = 0.0f64;
+    for sweeps in 1..=40 {
+        let impulse = Sweeps::cold(sweeps).solve(&problem, None)?.impulse;
+        let after = &free + tower.jacobian().tr_mul(&impulse);
+        largest = largest.max(after.norm_squared() / free.norm_squared());
+    }
+    Ok(largest)
+}
+
+fn growth(reading: Reading) -> Result<Vec<Finding>> {
+    let rule = reading.pick(RestitutionRule::NormalOnly, RestitutionRule::FullVector);
+    let before = ratio(1, 5);
+    let rod = (&before + energy_gained(&ratio(1, 1), rule)?) / before;
+    let projected = elastic_drop::<Rational>(Activation::Gap, true);
+    let (h, height) = (0.001, 0.001);
+    Ok(vec![
+        Finding::exact("energy of a rod after over before an impact with friction, e = 1", &rod, &ratio(25, 16), "1"),
+        Finding::exact("E(20 s)/E(0) with projection", &projected.energy, &ratio(81, 80), "1"),
+        Finding::exact("E⁺/E of explicit Euler on a spring", &energy_ratio(&ratio(0, 1), 1), &ratio(101, 100), "1"),
+        Finding::exact("energy from Baumgarte, ERP = 1/5, 1 mm", &biased_gain(&ratio(1, 5), &ratio(0, 1))[0], &ratio(9, 125_000), "J"),
+        Finding::exact("energy of an impact with e = 11/10, after over before", &superelastic(), &ratio(121, 100), "1"),
+        Finding::at_least(
+            "height reached after a drop from 1 mm, t_c = h",
+            land(&unlimited_contact(h, h), height, 2000).height,
+            height,
+            "m",
+        ),
+        Finding::equal("energy from one warm sweep over (g h)²", energy_of_stale_impulses(1)?, 11.0 / 16.0, rounding(64, 1.0), "kg"),
+        Finding::at_most("energy after cold sweeps over free energy", cold_energy()?, 1.0, "1"),
+        Finding::exact("E(20 s)/E(0), no projection", &elastic_drop::<Rational>(Activation::Gap, false).energy, &ratio(1, 1), "1"),
+    ])
+}
+
+fn loss(reading: Reading) -> Result<Vec<Finding>> {
+    let (half, one) = (ratio(1, 2), ratio(1, 1));
+    let kept = match reading {
+        Reading::Recorded => elastic_invariant(),
+        Reading::Control => energy_ratio(&one, 20),
+    };
+    let mut findings = vec![
+        Finding::exact("(E − ½ g h v)/E₀ after 2000 steps with θ = 1", &kept, &one, "1"),
+        Finding::exact(
+            "energy of an impact with e = 1/2 at θ = 1 over that at θ = 1/2",
+            &(first_impact(&one) / first_impact(&half)),
+            &one,
+            "1",
+        ),
+        Finding::exact("E⁺/E on a spring, θ = 1", &energy_ratio(&one, 1), &ratio(100, 101), "1"),
+        Finding::exact("E⁺/E on a spring, θ = 1/2", &energy_ratio(&half, 1), &one, "1"),
+    ];
+    for (damping, printed) in [(0.1, 0.74408), (0.3, 0.45098), (0.5, 0.29844), (1.0, 0.13534), (2.0, 0.04777)] {
+        let expected = spring_damper_restitution(damping);
+        let bound = oscillator_rebound(damping);
+        findings.push(Finding::equal(format!("e at ζ = {damping}"), rebound(damping, 1.0 / OSCILLATOR_PARTS as f64), expected, bound, "1"));
+        findings.push(Finding::equal(format!("closed form at ζ = {damping}"), expected, printed, tolerance::FIVE_DECIMALS, "1"));
+    }
+    Ok(findings)
+}

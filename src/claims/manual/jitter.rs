@@ -1,0 +1,109 @@
+//! Rows 5 and 6: a stack that trembles, and a block that creeps.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::experiments::creep::Creeping;
+use crate::claims::experiments::soft::{GRAVITY, land, unlimited_contact};
+use crate::claims::experiments::tower::{Sweeps, Tower, approach_left};
+use crate::claims::s9::jitter::effect_of_theta_on_a_tower;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::tolerance::claims::pathology as tolerance;
+
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "R5",
+        statement: "A stack at rest trembles at high frequency: (a) step too large, (b) stiffness too high for the step, (c) solver not converged, (d) forces switch. Raise the solver's iterations (the commonest cause), reduce the step or the stiffness, increase numerical damping (θ → 1) moderately, warm-start the contact forces.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "More iterations, a smaller step or stiffness and a warm start work, as predicted; θ → 1 has no effect on rigid contacts under a constant load (S9.theta-damps-jitter).",
+        argument: "Tower of ten, Gauss–Seidel: a sweep leaves the factor cos²(π/20) = 0.9755 of the approach velocity, 200 sweeps 0.00705 of it (measured between 200 and 400 sweeps). Ten cold sweeps a step: the top sinks at 0.40 m/s with h = 1/100 s; half the step halves its speed; with a warm start 1e-11 m/s are left. θ = 1/2 or 1: the same bit for bit. Contact with t_c = h: thrown up; t_c = 1.5h: calm.",
+        control: "No more sweeps: 200 in the place of 400.",
+        sources: &["chapter, troubleshooting manual, row 5"],
+        check: trembling,
+    },
+    Claim {
+        id: "R6",
+        statement: "A body that should rest on a slope slides down slowly: it is the O(h) gliding of the convex relaxation, no bug and no wrong parameter. Check that the scheme is convex (SAP, MuJoCo, Chrono); halve h and see the slip shrink linearly; accept it or reduce h; do not mend it with a larger friction coefficient.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "True of SAP: v = R_t h g_t. In MuJoCo the creep v = R_t g_t/b does not depend on h and is a matter of parameters (impratio, solimp, solref); under Drake's Similar and Lagged it is proportional to their stiction speed; the hard relaxation (Anitescu, Chrono) does not creep. That μ is no cure holds for the first two.",
+        argument: "Block on 20°, μ = 1/2, stepped until steady at h = 4, 2 and 1 ms: creep at h over that at h/2 is 1 for MuJoCo and for Drake's regularised friction, 2 for SAP; 0 for the hard block. impratio = 10 divides MuJoCo's creep by 10. Each agrees with its closed form, and these with the stored runs of MuJoCo 3.17.0 and Drake 1.51.1.",
+        control: "SAP in place of MuJoCo.",
+        sources: &["chapter, troubleshooting manual, row 6", "S5.gliding-creep", "stored runs of block_stick, see tests/references"],
+        check: creeping,
+    },
+];
+
+fn trembling(reading: Reading) -> Result<Vec<Finding>> {
+    let (bodies, h) = (10, 0.01);
+    let tower = Tower { bodies, gravity: GRAVITY };
+    let fewer = approach_left(&tower, 200, h)?;
+    let more = approach_left(&tower, reading.pick(400, 200), h)?;
+    let speed =
+        |sweeps: Sweeps, h: f64, steps: usize| -> Result<f64> { Ok(-tower.simulate(&sweeps, 0.5, h, steps)?.last().velocity.min()) };
+    let [cold, finer] = [speed(Sweeps::cold(10), h, 400)?, speed(Sweeps::cold(10), 0.5 * h, 400)?];
+    let warm = speed(Sweeps { count: 10, warm: true }, h, 400)?;
+    let [_, predicted] = tower.predicted_sinking(10, 0.5, h, 400);
+    let thrown = |parts: f64| land(&unlimited_contact(0.001, parts * 0.001), 0.001, 2000).speed;
+    let rounding_error = tolerance::tower_rounding(bodies, 10, 400);
+    Ok(vec![
+        Finding::equal(
+            "approach velocity left by 400 sweeps over that of 200",
+            more / fewer,
+            tower.sweep_factor(1).powi(200),
+            tolerance::sweep_ratio(bodies, 400, fewer),
+            "1",
+        ),
+        Finding::equal("speed of the top, 10 cold sweeps a step, against a linear recursion", cold, predicted, rounding_error, "m/s"),
+        Finding::equal("the same over that with half the step", cold / finer, 2.0, 3.0 * rounding_error / finer, "1"),
+        Finding::at_most("the same with a warm start", warm, tolerance::solved_speed(bodies, h, 400), "m/s"),
+        Finding::equal("effect of θ = 1 instead of 1/2 on a tower", effect_of_theta_on_a_tower()?, 0.0, 0.0, "m/s"),
+        Finding::at_least("speed at rest of a soft contact with t_c = h", thrown(1.0), GRAVITY * 0.001, "m/s"),
+        Finding::equal("speed at rest with t_c = 1.5h", thrown(1.5), 0.0, tolerance::rest_speed(GRAVITY, 0.001), "m/s"),
+    ])
+}
+
+fn creeping(reading: Reading) -> Result<Vec<Finding>> {
+    let mujoco = Creeping::Mujoco { impedance_ratio: 1 };
+    let halving = |law: Creeping, h: f64| -> Result<f64> { Ok(law.stepped(h)? / law.stepped(0.5 * h)?) };
+    let subject = reading.pick(mujoco, Creeping::Sap);
+    let mut findings =
+        vec![Finding::equal("MuJoCo's creep at 4 ms over that at 2 ms", halving(subject, 0.004)?, 1.0, tolerance::AT_REST, "1")];
+    for h in [0.004, 0.002] {
+        findings.push(Finding::equal(
+            format!("SAP's creep at {h} over that at half"),
+            halving(Creeping::Sap, h)?,
+            2.0,
+            2.0 * tolerance::AT_REST,
+            "1",
+        ));
+        let regularised = halving(Creeping::Regularised, h)?;
+        findings.push(Finding::equal(
+            format!("creep of Similar and Lagged at {h} over that at half"),
+            regularised,
+            1.0,
+            tolerance::AT_REST,
+            "1",
+        ));
+        findings.push(Finding::equal(
+            format!("creep of the hard relaxation at {h}"),
+            Creeping::Hard.stepped(h)?,
+            0.0,
+            tolerance::creep(0.0),
+            "m/s",
+        ));
+    }
+    for law in [mujoco, Creeping::Sap, Creeping::Regularised] {
+        let expected = law.predicted(0.002)?;
+        findings.push(Finding::equal(
+            format!("creep at 2 ms against its closed form, {}", law.name()),
+            law.stepped(0.002)?,
+            expected,
+            tolerance::creep(expected),
+            "m/s",
+        ));
+    }
+    let softened = mujoco.stepped(0.002)? / Creeping::Mujoco { impedance_ratio: 10 }.stepped(0.002)?;
+    findings.push(Finding::equal("MuJoCo's creep over that with impratio = 10", softened, 10.0, 10.0 * tolerance::AT_REST, "1"));
+    Ok(findings)
+}

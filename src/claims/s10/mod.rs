@@ -1,0 +1,8 @@
+//! Claims of §10: simulators compared.
+
+use super::Claim;
+
+mod differences;
+
+/// The claims, one slice per file.
+pub const CLAIMS: &[&[Claim]] = &[differences::CLAIMS];

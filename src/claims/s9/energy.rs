@@ -1,0 +1,99 @@
+//! Where energy comes from and where it goes.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::experiments::push_out::{ball, biased_gain, elastic_drop};
+use crate::claims::experiments::rod::energy_gained;
+use crate::claims::experiments::spring::energy_ratio;
+use crate::claims::experiments::tower::energy_of_stale_impulses;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::scalar::{Rational, ratio};
+use crate::schemes::exact_particle::Motion;
+use crate::schemes::{Activation, RestitutionRule};
+use crate::tolerance;
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S9.energy-up-causes",
+        statement: "Energy that grows usually comes from explicit components or from Baumgarte's injection: use a (semi-)implicit scheme, and projection instead of Baumgarte.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "These two inject, and so do: Newton's e on the normal component with Coulomb friction, projection itself (m g δ), impulses of the step before that too few sweeps have not corrected, and a contact too stiff for its step (S9.jitter).",
+        argument: "Explicit Euler on a spring with hω = 1/10: 101/100 per step. Baumgarte: 9/125000 J for 1 mm (S9.baumgarte-inject). Neither explicit nor Baumgarte: the rod with W = (5, −3; −3, 5)/2, u⁻ = (−1, 3/5), μ = 1, e = 1 goes from 1/5 to 5/16 J, +9/80; projection 81/80 (S9.projection-energy); \
+                   a tower of three whose load is taken away, one warm-started sweep: 11/16 (g h)² J out of rest.",
+        control: "The rod with e on the whole velocity v⁺ + e v⁻, which cannot gain energy.",
+        sources: &["chapter §9, energy drift", "Kane and Levinson 1985; Stronge 1991 for energy gain with friction"],
+        check: causes_of_growth,
+    },
+    Claim {
+        id: "S9.energy-down",
+        statement: "Too much loss of energy comes from θ = 1 or large numerical damping: use θ = 1/2, reduce the damping.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "True of forces that depend on the state (springs): E⁺/E = 1/(1 + h²ω²) at θ = 1 and 1 at θ = 1/2. Under gravity θ has no effect in the long run: E − (θ−½) m g h v is conserved, and an impact keeps e² of the kinetic energy, for every θ.",
+        argument: "Spring, hω = 1/10: 100/101 per step at θ = 1, 1 at θ = 1/2. Elastic ball from 1 m, h = 1/100 s, 2000 steps with θ = 1: (E − ½ g h v)/E₀ = 1 exactly. Ball with e = 1/2: the first impact keeps 1/4 of ½v² with θ = 1 and with θ = 1/2.",
+        control: "The spring in the place of the ball.",
+        sources: &["chapter §9, energy drift", "S3.energy-runs-down"],
+        check: causes_of_loss,
+    },
+];
+
+fn causes_of_growth(reading: Reading) -> Result<Vec<Finding>> {
+    let rule = reading.pick(RestitutionRule::NormalOnly, RestitutionRule::FullVector);
+    let projected = elastic_drop::<Rational>(Activation::Gap, true);
+    Ok(vec![
+        Finding::exact(
+            "energy gained by a rod, implicit step, no Baumgarte, e = 1, μ = 1",
+            &energy_gained(&ratio(1, 1), rule)?,
+            &ratio(9, 80),
+            "J",
+        ),
+        Finding::exact("the same at e = 4/5", &energy_gained(&ratio(4, 5), RestitutionRule::NormalOnly)?, &ratio(0, 1), "J"),
+        Finding::exact("E(20 s)/E(0) with projection", &projected.energy, &ratio(81, 80), "1"),
+        Finding::equal(
+            "kinetic energy from stale impulses over (g h)²",
+            energy_of_stale_impulses(1)?,
+            11.0 / 16.0,
+            tolerance::rounding(64, 1.0),
+            "kg",
+        ),
+        Finding::exact("E⁺/E of an explicit step on a spring", &energy_ratio(&ratio(0, 1), 1), &ratio(101, 100), "1"),
+        Finding::exact("kinetic energy from Baumgarte", &biased_gain(&ratio(1, 5), &ratio(0, 1))[0], &ratio(9, 125_000), "J"),
+    ])
+}
+
+/// (E − ½ m g h v)/E₀ of the elastic ball after 2000 steps with θ = 1.
+pub(in crate::claims) fn elastic_invariant() -> Rational {
+    let (ball, theta, h) = (ball(ratio(1, 1)), ratio(1, 1), ratio(1, 100));
+    let start = Motion { position: ratio(1, 1), velocity: ratio(0, 1) };
+    let end = (0..2000).fold(start.clone(), |now, _| ball.moreau_jean(&now, &theta, Activation::Gap, &h).motion);
+    ball.scheme_energy(&end, &theta, &h) / ball.energy(&start)
+}
+
+/// Kinetic energy after the first impact over that before it, e = 1/2, dropped from 1 m with h = 1/100 s.
+pub(in crate::claims) fn first_impact(theta: &Rational) -> Rational {
+    let (ball, h) = (ball(ratio(1, 2)), ratio(1, 100));
+    let mut now = Motion { position: ratio(1, 1), velocity: ratio(0, 1) };
+    loop {
+        let outcome = ball.moreau_jean(&now, theta, Activation::Gap, &h);
+        if outcome.impulse > ratio(0, 1) {
+            return ball.kinetic_energy(&outcome.motion.velocity) / ball.kinetic_energy(&now.velocity);
+        }
+        now = outcome.motion;
+    }
+}
+
+fn causes_of_loss(reading: Reading) -> Result<Vec<Finding>> {
+    let (half, one) = (ratio(1, 2), ratio(1, 1));
+    let kept = match reading {
+        Reading::Recorded => elastic_invariant(),
+        Reading::Control => energy_ratio(&one, 20),
+    };
+    Ok(vec![
+        Finding::exact("(E − ½ g h v)/E₀ after 2000 steps with θ = 1", &kept, &ratio(1, 1), "1"),
+        Finding::exact("kinetic energy kept by an impact, e = 1/2, θ = 1", &first_impact(&one), &ratio(1, 4), "1"),
+        Finding::exact("kinetic energy kept by an impact, e = 1/2, θ = 1/2", &first_impact(&half), &ratio(1, 4), "1"),
+        Finding::exact("E⁺/E on a spring, θ = 1", &energy_ratio(&one, 1), &ratio(100, 101), "1"),
+        Finding::exact("E/E₀ on a spring after 20 steps, θ = 1/2", &energy_ratio(&half, 20), &ratio(1, 1), "1"),
+    ])
+}

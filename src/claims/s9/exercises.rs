@@ -1,0 +1,96 @@
+//! The exercises of §9 that are diagnoses: the melting stack and the trembling gripper.
+
+use super::jitter::effect_of_theta_on_a_tower;
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::experiments::soft::{GRAVITY, default_contact, land, unlimited_contact};
+use crate::claims::experiments::spring::{energy_ratio, semi_implicit_peak};
+use crate::claims::experiments::tower::{Sweeps, Tower, approach_left};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::scalar::{Scalar, ratio};
+use crate::solvers::ProjectedGaussSeidel;
+use crate::tolerance::{claims::pathology as tolerance, rounding};
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S9.ex1",
+        statement: "Exercise 1: stacked blocks slowly melt into each other. Is it constraint drift, soft penetration or energy? Give the likeliest cause and the cure for Moreau–Jean, MuJoCo and Stewart–Trinkle.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "On a flat table none of the three keeps sinking if the step is solved: Moreau–Jean stands still, MuJoCo stays at its static depth, Stewart–Trinkle has no residual. Continued sinking means a solver stopped early under a velocity-level scheme; φ/h turns the same error into a static depth h times smaller. The cure is more sweeps or a warm start; projection would hide it.",
+        argument: "Tower of five, h = 1/100 s, 10 cold sweeps a step: Moreau–Jean sinks at the constant speed u = G¹⁰(u + u_g), 6.0 cm/s at the top; Stewart–Trinkle stays at h times that, 0.60 mm, after 2 s as after 1 s. Solved steps: 0. MuJoCo's ball: the same depth after 3 s as after 6 s.",
+        control: "Moreau–Jean in place of Stewart–Trinkle: its depth doubles.",
+        sources: &["chapter §9, exercise 1"],
+        check: melting_stack,
+    },
+    Claim {
+        id: "S9.ex3",
+        statement: "Exercise 3: a gripper trembles. Check in this order: (a) is the integrator at least semi-implicit, (b) is θ or the numerical damping large enough, (c) has the solver converged, (d) do step and stiffness match; say which indicator shows each.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "Four switches with four indicators: (a) energy per step, (b) energy of springs – nothing on rigid contacts under a constant load –, (c) the approach velocity left, (d) speed at rest against h/t_c.",
+        argument: "(a) spring, hω = 1/10: 101/100 per explicit step; the semi-implicit one keeps v² + q² − h q v, so E/E₀ ≤ 1/(1 − 1/20). (b) 100/101 at θ = 1, 1 at θ = 1/2; a tower's velocities do not change. (c) tower of ten: 200 more sweeps multiply what is left by cos⁴⁰⁰(π/20) = 0.00705. (d) t_c = h: thrown up; t_c = 1.5h: calm.",
+        control: "Switch (b) on a tower, where it must change nothing, read as the spring's.",
+        sources: &["chapter §9, exercise 3"],
+        check: four_switches,
+    },
+];
+
+fn melting_stack(reading: Reading) -> Result<Vec<Finding>> {
+    let (bodies, h, sweeps) = (5, 0.01, 10);
+    let tower = Tower { bodies, gravity: GRAVITY };
+    let cold = Sweeps::cold(sweeps);
+    let (velocities, positions) = (tower.simulate(&cold, 1.0, h, 200)?, tower.simulate_positions(&cold, h, 200)?);
+    let subject = reading.pick(&positions, &velocities);
+    let speed = tower.sinking_speed(sweeps, h);
+    let rounding_error = tolerance::tower_rounding(bodies, sweeps, 200);
+    let second = tower.sinking(&velocities, 200) - tower.sinking(&velocities, 100);
+    let solved = tower.simulate(&ProjectedGaussSeidel::default(), 1.0, h, 100)?;
+    let soft = |steps: usize| land(&default_contact(h), 0.0, steps).depth;
+    Ok(vec![
+        Finding::equal(
+            "depth of Stewart–Trinkle's tower after 2 s, 10 sweeps a step",
+            tower.sinking(subject, 200),
+            h * speed,
+            rounding_error,
+            "m",
+        ),
+        Finding::equal("and after 1 s", tower.sinking(&positions, 100), h * speed, rounding_error, "m"),
+        Finding::equal("sinking of Moreau–Jean's tower in the second second", second, speed, rounding_error, "m"),
+        Finding::equal(
+            "sinking of Moreau–Jean's tower in 1 s, solved",
+            tower.sinking(&solved, 100),
+            0.0,
+            tolerance::solved_tower(bodies, h, 100),
+            "m",
+        ),
+        Finding::equal("depth of MuJoCo's ball after 6 s over that after 3 s", soft(600) / soft(300), 1.0, tolerance::AT_REST, "1"),
+    ])
+}
+
+fn four_switches(reading: Reading) -> Result<Vec<Finding>> {
+    let ten = Tower { bodies: 10, gravity: GRAVITY };
+    let h = 0.01;
+    let [fewer, more] = [approach_left(&ten, 200, h)?, approach_left(&ten, 400, h)?];
+    let spring = Scalar::to_f64(&(ratio(1, 1) - energy_ratio(&ratio(1, 1), 1)));
+    let switched = match reading {
+        Reading::Recorded => spring,
+        Reading::Control => effect_of_theta_on_a_tower()?,
+    };
+    let speed = |parts: f64| land(&unlimited_contact(0.001, parts * 0.001), 0.001, 2000).speed;
+    Ok(vec![
+        Finding::equal("(b) share of energy taken by θ = 1", switched, 1.0 / 101.0, rounding(4, 1.0), "1"),
+        Finding::equal("(b) effect on the velocities of a tower", effect_of_theta_on_a_tower()?, 0.0, 0.0, "m/s"),
+        Finding::exact("(a) E⁺/E of an explicit step", &energy_ratio(&ratio(0, 1), 1), &ratio(101, 100), "1"),
+        Finding::at_most("(a) largest E/E₀ of 1000 semi-implicit steps", semi_implicit_peak(1000), 1.0 / 0.95 + rounding(8000, 1.0), "1"),
+        Finding::equal(
+            "(c) approach velocity left by 400 sweeps over that of 200",
+            more / fewer,
+            ten.sweep_factor(1).powi(200),
+            tolerance::sweep_ratio(10, 400, fewer),
+            "1",
+        ),
+        Finding::at_least("(d) speed at rest, t_c = h", speed(1.0), GRAVITY * 0.001, "m/s"),
+        Finding::equal("(d) speed at rest, t_c = 1.5h", speed(1.5), 0.0, tolerance::rest_speed(GRAVITY, 0.001), "m/s"),
+    ])
+}

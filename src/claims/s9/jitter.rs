@@ -1,0 +1,132 @@
+//! Jitter at rest: stiffness against step, sweeps, numerical damping; and the penetration of soft contact.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::experiments::curve::{Side, slide};
+use crate::claims::experiments::soft::{GRAVITY, default_contact, land, limited_contact, stiffest_contact, unlimited_contact};
+use crate::claims::experiments::spring::energy_ratio;
+use crate::claims::experiments::tower::{Sweeps, Tower};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::scalar::{Scalar, ratio};
+use crate::schemes::{Activation, MoreauJean, RestitutionRule};
+use crate::tolerance::claims::pathology as tolerance;
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S9.penetration-rigid-vs-soft",
+        statement: "Not every penetration is a bug: that of soft contact (MuJoCo) is by design, set by solref and solimp; to reduce it, stiffen and take smaller steps. That of velocity-level schemes is drift and needs projection.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "The depth at rest is that of the soft law, independent of h: a smaller step alone changes nothing. It helps only by allowing a stiffer contact, because MuJoCo keeps t_c ≥ 2h; above h = t_c/2 the depth grows with h².",
+        argument: "Replay of MuJoCo's contact with default parameters, 1 kg laid on the floor: 3.671818e-4 m at h = 0.5, 1, 2, 5 and 10 ms, 6.0156e-4 at 15 ms, 8.3329e-4 at 20 ms, where t_c = 2h > 20 ms. With t_c = 2 ms at h = 1 ms: 4.3720e-6 m. \
+                   The drift of a bead in a circle under Moreau–Jean does shrink with h, by the factor 20 between these steps.",
+        control: "The drift of the bead in the place of the soft contact.",
+        sources: &[
+            "chapter §9, penetration, and the pitfall “every penetration is a bug”",
+            "MuJoCo documentation, solver parameters (3.17); stored runs agree with the replay, see tests/references",
+        ],
+        check: soft_penetration,
+    },
+    Claim {
+        id: "S9.jitter",
+        statement: "Jitter of a stack at rest is almost always a numerical artefact: contact forces switch between pressing and releasing because the step is too large, the stiffness too high or the solver not converged. Cure: more iterations, more numerical damping, smaller steps, warm start.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "Step and stiffness are one cause, h/t_c: a critically damped contact of constant impedance cannot rest for h/t_c > 2√2 − 2 = 0.83 (a little more with MuJoCo's default impedance, which is lower at small depths), and MuJoCo's limit t_c ≥ 2h keeps it away from there. A solver stopped early switches nothing under a velocity-level scheme: it lets a stack sink steadily (S9.velocity-drift). How often jitter is numerical is not decided here.",
+        argument: "Ball dropped from 1 mm on MuJoCo's contact at h = 1 ms, constant impedance: calm (speed 0 to rounding) for t_c = 2h and 1.5h; for t_c = 1.2h and 1h it is thrown up again and again, faster than g h. With the limit, t_c = 1h is calm. \
+                   Tower of five, 10 cold sweeps a step: the velocities of successive steps are equal to rounding.",
+        control: "t_c = h with MuJoCo's limit in place of the unlimited contact.",
+        sources: &["chapter §9, energy drift and jitter, and the pitfall “jitter is physical”", "MuJoCo documentation, refsafe"],
+        check: jitter,
+    },
+    Claim {
+        id: "S9.theta-damps-jitter",
+        statement: "Against jitter: increase the numerical damping moderately, θ → 1.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "It damps what a spring stores: E⁺/E = 1/(1 + h²ω²) at θ = 1. On rigid contacts under a constant load it does nothing: θ multiplies state-dependent forces and the position update, and neither enters the contact problem.",
+        argument: "Tower of five, 10 cold sweeps a step, 100 steps with θ = 1/2 and with θ = 1: all velocities are the same bit for bit. A spring with hω = 1/10 loses 1/101 of its energy per step at θ = 1 and none at θ = 1/2.",
+        control: "The spring in the place of the tower.",
+        sources: &["chapter §9, energy drift and jitter"],
+        check: damping,
+    },
+];
+
+fn soft_penetration(reading: Reading) -> Result<Vec<Finding>> {
+    let depth = |h: f64| land(&default_contact(h), 0.0, (3.0 / h).round() as usize).depth;
+    let shrinking = match reading {
+        Reading::Recorded => depth(0.01) / depth(0.0005),
+        Reading::Control => {
+            let scheme = MoreauJean { theta: 1.0, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
+            slide(&scheme, Side::Inside, 0.01, 100)?.last / slide(&scheme, Side::Inside, 0.0005, 2000)?.last
+        }
+    };
+    let mut findings = vec![Finding::equal("penetration at h = 10 ms over that at 0.5 ms", shrinking, 1.0, tolerance::AT_REST, "1")];
+    for (h, printed) in [
+        (0.0005, 0.000_367_18),
+        (0.001, 0.000_367_18),
+        (0.002, 0.000_367_18),
+        (0.005, 0.000_367_18),
+        (0.015, 0.000_601_56),
+        (0.02, 0.000_833_29),
+    ] {
+        let bound = tolerance::FOUR_DIGITS * printed;
+        findings.push(Finding::equal(format!("depth at rest, h = {h}"), depth(h), printed, bound, "m"));
+    }
+    let printed = 0.000_004_372_0;
+    findings.push(Finding::equal(
+        "depth at rest, h = 0.001, t_c = 2h",
+        land(&stiffest_contact(0.001), 0.0, 3000).depth,
+        printed,
+        tolerance::FOUR_DIGITS * printed,
+        "m",
+    ));
+    Ok(findings)
+}
+
+fn jitter(reading: Reading) -> Result<Vec<Finding>> {
+    let (h, height) = (0.001, 0.001);
+    let speed = |parts: f64| land(&unlimited_contact(h, parts * h), height, 2000).speed;
+    let limited = land(&limited_contact(h, h), height, 2000).speed;
+    let (calm, thrown) = (tolerance::rest_speed(GRAVITY, h), GRAVITY * h);
+    let tower = Tower { bodies: 5, gravity: GRAVITY };
+    let recording = tower.simulate(&Sweeps::cold(10), 0.5, 0.01, 200)?;
+    let [before, last] = [199, 200].map(|sample| &recording.samples[sample].velocity);
+    Ok(vec![
+        Finding::at_least("speed at rest with t_c = h", reading.pick(speed(1.0), limited), thrown, "m/s"),
+        Finding::at_least("speed at rest with t_c = 1.2h", speed(1.2), thrown, "m/s"),
+        Finding::equal("speed at rest with t_c = 1.5h", speed(1.5), 0.0, calm, "m/s"),
+        Finding::equal("speed at rest with t_c = 2h", speed(2.0), 0.0, calm, "m/s"),
+        Finding::equal("speed at rest with t_c = h under MuJoCo's limit", limited, 0.0, calm, "m/s"),
+        Finding::equal(
+            "change of velocity per step of a tower, 10 sweeps",
+            (last - before).amax(),
+            0.0,
+            tolerance::tower_rounding(5, 10, 1),
+            "m/s",
+        ),
+        Finding::at_most("velocity of its fastest body", last.min(), -tolerance::tower_rounding(5, 10, 200), "m/s"),
+    ])
+}
+
+/// Largest difference of the velocities of a tower, 10 cold sweeps a step, between θ = ½ and θ = 1 over 100 steps \[m/s\].
+pub(in crate::claims) fn effect_of_theta_on_a_tower() -> Result<f64> {
+    let tower = Tower { bodies: 5, gravity: GRAVITY };
+    let run = |theta: f64| tower.simulate(&Sweeps::cold(10), theta, 0.01, 100);
+    let (half, one) = (run(0.5)?, run(1.0)?);
+    let pairs = half.samples.iter().zip(&one.samples);
+    Ok(pairs.map(|(a, b)| (&a.velocity - &b.velocity).amax()).fold(0.0, f64::max))
+}
+
+fn damping(reading: Reading) -> Result<Vec<Finding>> {
+    let [half, one] = [ratio(1, 2), ratio(1, 1)].map(|theta| energy_ratio(&theta, 1));
+    let effect = match reading {
+        Reading::Recorded => effect_of_theta_on_a_tower()?,
+        Reading::Control => Scalar::to_f64(&(&half - &one)),
+    };
+    Ok(vec![
+        Finding::equal("effect of θ = 1 instead of 1/2 on the velocities of a tower", effect, 0.0, 0.0, "m/s"),
+        Finding::exact("E⁺/E on a spring, θ = 1/2", &half, &ratio(1, 1), "1"),
+        Finding::exact("E⁺/E on a spring, θ = 1", &one, &ratio(100, 101), "1"),
+    ])
+}

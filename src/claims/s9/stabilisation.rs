@@ -1,0 +1,146 @@
+//! Pulling a sunken body out: velocity bias (Baumgarte, Bullet's ERP) and projection.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::experiments::push_out::{ball, biased_gain, biased_step, elastic_drop, projected_gain, sunk};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::scalar::{Rational, ratio};
+use crate::schemes::Activation;
+use crate::schemes::exact_particle::{Ball, Motion};
+use crate::tolerance::claims::pathology as tolerance;
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S9.baumgarte-inject",
+        statement: "Baumgarte stabilisation: (α, β) are very hard to tune; too small, the drift is corrected slowly, too large, artificial energy is injected into the system (or it is overdamped).",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated: as a velocity bias v⁺ = −ERP φ/h it injects T = ½m(ERP δ/h)², at every ERP and growing with its square.",
+        argument: "1 kg, 1 mm deep, h = 1/60 s, ERP = 1/5, no load: v⁺ = 0.012 m/s, T = 9/125000 = 7.2e-5 J; twice the ERP gives four times that. The body leaves for good: after 2 s it is 23 mm above the floor.",
+        control: "Projection of the position, which leaves the velocity alone.",
+        sources: &["chapter §9, constraint drift, (1); pitfall “Baumgarte solves every drift”", "Baumgarte 1972"],
+        check: injection,
+    },
+    Claim {
+        id: "S9.bullet-erp",
+        statement: "Bullet's default ERP (error reduction parameter) = 0.2 is in essence Baumgarte stabilisation.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "It is the semi-implicit Baumgarte step with 2αh = 1 and β²h² = ERP, constants that follow the step: under load φ⁺ = (1 − ERP)φ, a first-order decay by 4/5 per step whatever h is (time constant 4.48 steps). With given (α, β) it is not.",
+        argument: "φ̇⁺ = φ̇ − h(2αφ̇ + β²φ) with 2αh = 1, β²h² = 1/5 is φ̇⁺ = −φ/(5h). Five loaded steps of 1/240 s: φ₅/φ₀ = (4/5)⁵ for both. The (α, β) that fit 1/60 s leave 79/80 of the error in the first step of 1/240 s. Without load Bullet's bias velocity stays: 23 mm above the floor after 2 s.",
+        control: "The constants (α, β) that fit h = 1/60 s, used at h = 1/240 s.",
+        sources: &[
+            "chapter §9, constraint drift, (1)",
+            "Bullet 3, btContactSolverInfo.h: m_erp = m_erp2 = 0.2; penetration beyond 4 cm goes to its split impulse",
+        ],
+        check: error_reduction,
+    },
+    Claim {
+        id: "S9.projection-energy",
+        statement: "Coordinate projection is preferable to Baumgarte: it injects no artificial energy and is geometrically clean.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "Projection leaves the kinetic energy alone but lifts the body, ΔE = m g δ. How often depends on the activation rule (with the forecast φ + h v_free ≤ 0 never), \
+                            and, for an elastic ball on the floor after its first projection, on rounding.",
+        argument: "Elastic ball (e = 1) from 1 m, g = 10 m/s², h = 1/100 s, θ = 1/2, 20 s: in rationals with the rules φ ≤ 0 and φ + ½hv ≤ 0 there is one projection and E/E₀ = 81/80, all of it m g δ; from then on every \
+                   landing is exactly at φ = 0. In double precision those landings fall on either side of zero and the ball is projected again and again: E/E₀ = 1.152. Without projection, and with φ + h v_free ≤ 0: 1.",
+        control: "The same drop without projection.",
+        sources: &["chapter §9, constraint drift, (3) and table of stabilisations"],
+        check: projection,
+    },
+    Claim {
+        id: "S9.clean-dirty",
+        statement: "Stabilisations differ in whether they disturb the physics while pulling the constraint back: Baumgarte injects energy (dirty), projection does not (clean).",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "As a comparison: both pay the lift m g δ, Baumgarte pays ½m(ERP δ/h)² of kinetic energy on top. That projection adds nothing at all is S9.projection-energy.",
+        argument: "1 kg, 1 mm deep, g = 10 m/s², h = 1/60 s: projection adds 0 J of kinetic and 1/100 J of potential energy, a full bias (ERP = 1) 9/5000 J and the same 1/100 J.",
+        control: "The bias in place of projection.",
+        sources: &["chapter §9, essential insight"],
+        check: comparison,
+    },
+];
+
+/// Height and velocity after `steps` steps of 1/60 s from 1 mm below the floor, without load, ERP = 1/5.
+fn unloaded(steps: usize) -> Motion<Rational> {
+    let free = Ball { gravity: ratio(0, 1), ..ball(ratio(0, 1)) };
+    (0..steps).fold(sunk(), |now, _| biased_step(&free, &now, &ratio(1, 5), &ratio(1, 60)))
+}
+
+fn injection(reading: Reading) -> Result<Vec<Finding>> {
+    let none = ratio(0, 1);
+    let [kinetic, _] = reading.pick(biased_gain(&ratio(1, 5), &none), projected_gain(&none));
+    let [doubled, _] = biased_gain(&ratio(2, 5), &none);
+    let end = unloaded(120);
+    Ok(vec![
+        Finding::exact("kinetic energy injected by the correction of 1 mm", &kinetic, &ratio(9, 125_000), "J"),
+        Finding::exact("the same with twice the ERP", &doubled, &ratio(36, 125_000), "J"),
+        Finding::exact("height 2 s later", &end.position, &ratio(23, 1000), "m"),
+        Finding::exact("velocity 2 s later", &end.velocity, &ratio(12, 1000), "m/s"),
+    ])
+}
+
+/// φ₅/φ₀ of φ̇⁺ = φ̇ − h(2αφ̇ + β²φ), φ⁺ = φ + hφ̇⁺ from φ̇ = 0 with 2αh = 1 and β²h² = 1/5 at the step `tuned`, used at `h`; and φ₁/φ₀.
+fn baumgarte(tuned: &Rational, h: &Rational) -> [Rational; 2] {
+    let damping = ratio(1, 1) / tuned;
+    let stiffness = ratio(1, 5) / (tuned * tuned);
+    let (mut gap, mut rate) = (ratio(1, 1), ratio(0, 1));
+    let mut gaps = Vec::new();
+    for _ in 0..5 {
+        rate = &rate - h * (&damping * &rate + &stiffness * &gap);
+        gap += h * &rate;
+        gaps.push(gap.clone());
+    }
+    [gaps[4].clone(), gaps[0].clone()]
+}
+
+/// φ₅/φ₀ of a plastic ball of 1 kg under gravity, pulled out by ERP = 1/5.
+fn loaded(h: &Rational) -> Rational {
+    let ball = ball(ratio(0, 1));
+    let end = (0..5).fold(sunk(), |now, _| biased_step(&ball, &now, &ratio(1, 5), h));
+    end.position / sunk().position
+}
+
+fn error_reduction(reading: Reading) -> Result<Vec<Finding>> {
+    let (coarse, fine) = (ratio(1, 60), ratio(1, 240));
+    let tuned = reading.pick(fine.clone(), coarse.clone());
+    let [fifth, _] = baumgarte(&tuned, &fine);
+    let [_, first] = baumgarte(&coarse, &fine);
+    Ok(vec![
+        Finding::exact("φ₅/φ₀ of Baumgarte with 2αh = 1, β²h² = 1/5, h = 1/240 s", &fifth, &ratio(1024, 3125), "1"),
+        Finding::exact("φ₅/φ₀ of ERP = 1/5 under load, h = 1/240 s", &loaded(&fine), &ratio(1024, 3125), "1"),
+        Finding::exact("φ₅/φ₀ of ERP = 1/5 under load, h = 1/60 s", &loaded(&coarse), &ratio(1024, 3125), "1"),
+        Finding::exact("φ₁/φ₀ at 1/240 s of the constants that fit 1/60 s", &first, &ratio(79, 80), "1"),
+        Finding::exact("height 2 s after the correction without load", &unloaded(120).position, &ratio(23, 1000), "m"),
+    ])
+}
+
+fn projection(reading: Reading) -> Result<Vec<Finding>> {
+    let projected = elastic_drop::<Rational>(Activation::Gap, reading.pick(true, false));
+    let half_step = elastic_drop::<Rational>(Activation::HalfStepForecast, true);
+    let forecast = elastic_drop::<Rational>(Activation::FreeVelocityForecast, true);
+    let untouched = elastic_drop::<Rational>(Activation::Gap, false);
+    let rounded = elastic_drop::<f64>(Activation::Gap, true);
+    Ok(vec![
+        Finding::exact("E(20 s)/E(0) with projection, φ ≤ 0", &projected.energy, &ratio(81, 80), "1"),
+        Finding::exact("its part that is not the lift m g δ", &(&projected.energy - &projected.lift), &ratio(1, 1), "1"),
+        Finding::exact("E(20 s)/E(0), φ + ½hv ≤ 0", &half_step.energy, &ratio(81, 80), "1"),
+        Finding::count("projections, φ + h v_free ≤ 0", forecast.projections, 0),
+        Finding::exact("E(20 s)/E(0) without projection", &untouched.energy, &ratio(1, 1), "1"),
+        Finding::at_least("E(20 s)/E(0) in double precision", rounded.energy, 81.0 / 80.0, "1"),
+        Finding::equal("its part that is not the lift", rounded.energy - rounded.lift, 1.0, tolerance::elastic_drop(2000), "1"),
+        Finding::at_least("projections in double precision", rounded.projections as f64, 2.0, "1"),
+    ])
+}
+
+fn comparison(reading: Reading) -> Result<Vec<Finding>> {
+    let gravity = ratio(10, 1);
+    let bias = biased_gain(&ratio(1, 1), &gravity);
+    let [kinetic, lift] = reading.pick(projected_gain(&gravity), bias.clone());
+    Ok(vec![
+        Finding::exact("kinetic energy added by projection", &kinetic, &ratio(0, 1), "J"),
+        Finding::exact("potential energy added by projection", &lift, &ratio(1, 100), "J"),
+        Finding::exact("kinetic energy added by a full bias", &bias[0], &ratio(9, 5000), "J"),
+        Finding::exact("potential energy added by a full bias", &bias[1], &ratio(1, 100), "J"),
+    ])
+}
