@@ -27,6 +27,14 @@ def initial_state(body):
             body.get("linear_velocity", [0.0] * 3), body.get("angular_velocity", [0.0] * 3))
 
 
+def rotation_to_normal(normal):
+    """Quaternion [w, x, y, z] of the shortest rotation that takes (0, 0, 1) to the unit normal."""
+    x, y, z = normal
+    q = [1.0 + z, -y, x, 0.0]
+    length = math.sqrt(sum(component * component for component in q))
+    return [component / length for component in q] if length > 1e-12 else [0.0, 1.0, 0.0, 0.0]
+
+
 def pair_friction(scene, a, b):
     """Coulomb's coefficient of the pair, an override in `material.pairs` first."""
     for pair in scene["material"].get("pairs", []):
@@ -35,25 +43,66 @@ def pair_friction(scene, a, b):
     return scene["material"]["friction"]
 
 
-def engine_options(engine, defaults, scene, request):
-    """Effective options: defaults, then the scene's `engines.<engine>`, then the request's."""
-    declared = scene.get("engines", {}).get(engine, {})
-    restitutions = [scene["material"].get("restitution", 0)]
-    restitutions += [p.get("restitution", 0) for p in scene["material"].get("pairs", [])]
-    if any(restitutions) and not declared:
-        raise Unsupported(f"{engine} has no coefficient of restitution; declare the contact "
-                          f"parameters to use instead in the scene's engines.{engine}")
-    options = dict(defaults)
-    for source in (declared, request.get("options", {})):
-        unknown = sorted(set(source) - set(defaults))
-        if unknown:
-            raise ValueError(f"unknown {engine} option {unknown[0]!r}; known: {sorted(defaults)}")
-        options.update(source)
-    return options
+def pair_values(scene, key):
+    """{(a, b): value} of `friction` or `restitution` for every pair that can touch, a before b."""
+    names = [GROUND] if scene.get("ground") is not None else []
+    names += [body["name"] for body in scene["bodies"]]
+    material = scene["material"]
+    values = {(a, b): material.get(key, 0.0) for i, a in enumerate(names) for b in names[i + 1:]}
+    for pair in material.get("pairs", []):
+        if pair.get(key) is not None:
+            a, b = sorted(pair["bodies"], key=names.index)
+            values[a, b] = pair[key]
+    return values
+
+
+def multiplied_values(scene, key):
+    """One value per body for an engine that multiplies them: f_a f_b = c for every pair (a, b).
+
+    A single pair has the factors (1, c).  Pairs with the same c have f = √c, to one rounding.
+    Other scenes are refused.
+    """
+    pairs = pair_values(scene, key)
+    different = sorted(set(pairs.values()))
+    if len(different) > 1:
+        raise Unsupported(f"the engine multiplies the {key} of two bodies, and the scene's pairs "
+                          f"have different values: {different}")
+    factors = {name: math.sqrt(different[0]) for pair in pairs for name in pair}
+    if len(pairs) == 1:
+        (first, second), = pairs
+        factors = {first: 1.0, second: different[0]}
+    return factors or {body["name"]: 0.0 for body in scene["bodies"]}
+
+
+def smallest_values(scene, key):
+    """One value per body for an engine that takes the smaller: min(f_a, f_b) = c of every pair.
+
+    f_a = max c over the pairs of a: every solution is at least as large, so if this one is not
+    a solution there is none.
+    """
+    pairs = pair_values(scene, key)
+    values = {name: max(c for pair, c in pairs.items() if name in pair)
+              for pair in pairs for name in pair}
+    for (a, b), c in pairs.items():
+        if min(values[a], values[b]) != c:
+            raise Unsupported(f"the engine takes the smaller {key} of two bodies, and no values "
+                              f"of {a} and {b} give {c}")
+    return values or {body["name"]: 0.0 for body in scene["bodies"]}
+
+
+def common_value(scene, key):
+    """The one value of all pairs, for an engine whose mixing rule keeps equal values as they are."""
+    different = sorted(set(pair_values(scene, key).values()))
+    if len(different) > 1:
+        raise Unsupported(f"the engine mixes the {key} of two bodies, and the scene's pairs have "
+                          f"different values: {different}")
+    return different[0] if different else 0.0
 
 
 def step_count(scene, time_step):
     """Number of steps n with n h = duration; an error when h does not divide the duration."""
+    if not time_step > 0:
+        raise ValueError(f"time_step must be positive, not {time_step}")
     steps = round(scene["duration"] / time_step)
     if not math.isclose(steps * time_step, scene["duration"], rel_tol=1e-9):
         raise ValueError(f"time_step {time_step} does not divide the duration {scene['duration']}")
@@ -65,10 +114,13 @@ class Recorder:
     the contact impulses of each pair of bodies, summed over (t_{k-1}, t_k].
 
     The points of a pair are added up; the normal of the pair is the mean of the points' normals
-    weighted by their normal impulses.  Pairs without impulse are left out.
+    weighted by their normal impulses, or the plain mean where these are zero (a lagged law has
+    friction in the step after the last normal impulse).  Pairs without impulse are left out.
     """
 
     def __init__(self, scene, engine, time_step, sample_every):
+        if not isinstance(sample_every, int) or sample_every < 1:
+            raise ValueError(f"sample_every must be a whole number from 1, not {sample_every!r}")
         self.time_step, self.sample_every = time_step, sample_every
         self.pending = {}
         self.trajectory = {
@@ -85,10 +137,12 @@ class Recorder:
             a, b, normal, impulse = b, a, [-x for x in normal], [-x for x in impulse]
         weight = sum(n * p for n, p in zip(normal, impulse))
         if any(impulse):
-            total, direction = self.pending.setdefault((a, b), ([0.0] * 3, [0.0] * 3))
+            zeros = [0.0] * 3
+            total, direction, plain = self.pending.setdefault((a, b), (zeros[:], zeros[:], zeros[:]))
             for i in range(3):
                 total[i] += impulse[i]
                 direction[i] += weight * normal[i]
+                plain[i] += normal[i]
 
     def due(self, step):
         """Whether the state after `step` steps is a sample."""
@@ -102,7 +156,8 @@ class Recorder:
             for key, value in zip(("position", "orientation", "linear_velocity",
                                    "angular_velocity"), state):
                 record[key].append([float(x) for x in value])
-        for (a, b), (total, direction) in sorted(self.pending.items()):
+        for (a, b), (total, direction, plain) in sorted(self.pending.items()):
+            direction = direction if any(direction) else plain
             length = math.hypot(*direction)
             if length > 0:
                 self.trajectory["contacts"].append(
@@ -110,3 +165,20 @@ class Recorder:
                      "normal": [float(x / length) for x in direction],
                      "impulse": [float(x) for x in total]})
         self.pending = {}
+
+
+def record(request, engine, world):
+    """The trajectory/1 of a `simulate` request, made by `world`.
+
+    `world.states()` gives (x, q, v, w) of every body in scene order; `world.step()` makes one
+    step and returns its contact points as (a, b, normal, impulse), see `Recorder.contact`.
+    """
+    scene, time_step = request["scene"], request["time_step"]
+    recorder = Recorder(scene, engine, time_step, request["sample_every"])
+    recorder.sample(0, world.states())
+    for step in range(1, step_count(scene, time_step) + 1):
+        for point in world.step():
+            recorder.contact(*point)
+        if recorder.due(step):
+            recorder.sample(step, world.states())
+    return recorder.trajectory

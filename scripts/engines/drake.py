@@ -29,8 +29,9 @@ sys.path.insert(0, _here)
 
 import _drake_dump  # noqa: E402
 from _protocol import Unsupported, serve  # noqa: E402
-from _scene import (GROUND, Recorder, engine_options, initial_state, solid_inertia,  # noqa: E402
-                    step_count)
+from _scene import GROUND, initial_state, record, solid_inertia  # noqa: E402
+from _settings import (contact_model, in_force, options_of,  # noqa: E402
+                       require_declared_restitution)
 
 VERSION = version("drake")
 
@@ -38,23 +39,31 @@ APPROXIMATIONS = {
     "sap": DiscreteContactApproximation.kSap, "similar": DiscreteContactApproximation.kSimilar,
     "lagged": DiscreteContactApproximation.kLagged, "tamsi": DiscreteContactApproximation.kTamsi,
 }
-DEFAULTS = {
-    "approximation": "lagged",
-    "stiffness": 1e5,  # N/m of the pair
-    "dissipation": 0.0,  # s/m, Hunt–Crossley; every approximation but sap
-    "relaxation_time": 0.0,  # s of the pair; sap only
-    "stiction_tolerance": 1e-3,  # m/s; every approximation but sap
-    "corner_radius": 5e-3,  # m
+PARAMETERS = {
+    "stiffness": (1e5, "N/m"),  # of the pair
+    "dissipation": (0.0, "s/m"),  # Hunt–Crossley; every approximation but sap
+    "relaxation_time": (0.0, "s"),  # of the pair; sap only
+    "stiction_tolerance": (1e-3, "m/s"),  # every approximation but sap
+    "corner_radius": (5e-3, "m"),
 }
+OPTIONS = {"approximation": ("lagged", "sap", "similar", "tamsi")}
 
 
-def describe(_request):
-    """Name, version and contact model."""
+def describe(request):
+    """Name, version and contact model under the request's options."""
+    values = in_force("drake", PARAMETERS, OPTIONS, request)
+    law = "drake-sap" if values["approximation"] == "sap" else "drake-regularised"
     return {
-        "name": "drake", "version": VERSION,
-        "contact_model": {"kind": "compliant", "parameters": DEFAULTS},
-        "restitution": False, "friction": ["cone"], "levels": ["simulate", "dump"],
+        "name": "drake", "version": VERSION, "precision": "double",
+        "contact_model": contact_model("compliant", law, PARAMETERS, values),
+        "restitution": False, "friction": "cone", "reports_contacts": True,
+        "levels": ["simulate", "dump"], "options": options_of(OPTIONS, values),
     }
+
+
+def _settings(request):
+    require_declared_restitution("drake", request["scene"])
+    return in_force("drake", PARAMETERS, OPTIONS, request)
 
 
 class Model:
@@ -145,8 +154,16 @@ class Model:
         body = self.plant.get_body(index)
         return GROUND if body.index() == self.plant.world_body().index() else body.name()
 
+    def step(self):
+        """One step and its contacts; see `_scene.record`."""
+        for info in self.contacts():
+            # The force is reported on B; the impulse on A has the other sign.
+            yield (self.name_of(info.bodyA_index()), self.name_of(info.bodyB_index()),
+                   info.point_pair().nhat_BA_W, -self.time_step * info.contact_force())
+        self.advance()
+
     def advance(self):
-        """One step."""
+        """One step without looking at its contacts."""
         self.diagram.CalcForcedDiscreteVariableUpdate(self.root, self.next_state)
         self.root.get_mutable_discrete_state().SetFrom(self.next_state)
         self.steps += 1
@@ -155,27 +172,15 @@ class Model:
 
 def simulate(request):
     """{scene, time_step, sample_every, options} → trajectory/1."""
-    scene, time_step = request["scene"], request["time_step"]
-    options = engine_options("drake", DEFAULTS, scene, request)
-    model = Model(scene, time_step, options)
+    options = _settings(request)
     engine = {"name": "drake", "version": VERSION, "options": options}
-    recorder = Recorder(scene, engine, time_step, request["sample_every"])
-    recorder.sample(0, model.states())
-    for step in range(1, step_count(scene, time_step) + 1):
-        for info in model.contacts():
-            # The force is reported on B; the impulse on A has the other sign.
-            recorder.contact(model.name_of(info.bodyA_index()), model.name_of(info.bodyB_index()),
-                             info.point_pair().nhat_BA_W, -time_step * info.contact_force())
-        model.advance()
-        if recorder.due(step):
-            recorder.sample(step, model.states())
-    return recorder.trajectory
+    return record(request, engine, Model(request["scene"], request["time_step"], options))
 
 
 def dump(request):
     """{scene, time_step, step, options} → dump/1 of the step from t = step·h to (step+1)·h."""
     scene = request["scene"]
-    options = engine_options("drake", DEFAULTS, scene, request)
+    options = _settings(request)
     if options["approximation"] != "sap":
         raise Unsupported("only sap has a step problem with a fixed cone and compliance")
     if len(scene["bodies"]) != 1:

@@ -19,36 +19,47 @@ sys.path.insert(0, _here)
 
 import _mujoco_dump  # noqa: E402
 from _protocol import Unsupported, serve  # noqa: E402
-from _scene import (GROUND, Recorder, engine_options, initial_state, pair_friction,  # noqa: E402
-                    solid_inertia, step_count)
+from _scene import (GROUND, initial_state, pair_friction, record, rotation_to_normal,  # noqa: E402
+                    solid_inertia)
+from _settings import (contact_model, in_force, options_of,  # noqa: E402
+                       require_declared_restitution)
 
-DEFAULTS = {
-    "solver": "Newton", "cone": "pyramidal", "integrator": "Euler",
-    "iterations": 100, "tolerance": 1e-8, "ls_iterations": 50, "ls_tolerance": 0.01,
-    "noslip_iterations": 0, "impratio": 1.0,
-    "solref": [0.02, 1.0], "solimp": [0.9, 0.95, 0.001, 0.5, 2.0],
+PARAMETERS = {
+    "solref": ([0.02, 1.0], ["s", "1"]),
+    "solimp": ([0.9, 0.95, 0.001, 0.5, 2.0], ["1", "1", "m", "1", "1"]),
+    "impratio": (1.0, "1"),
+    "tolerance": (1e-8, "m^2/s^4"),  # ends the iterations: cost gained, over the mean inertia
+}
+OPTIONS = {
+    "solver": ("Newton", "CG", "PGS"), "cone": ("pyramidal", "elliptic"),
+    "integrator": ("Euler", "implicitfast", "implicit", "RK4"),
+    "iterations": 100, "ls_iterations": 50, "ls_tolerance": 0.01,
+    "noslip_iterations": 0,
 }
 
 
-def describe(_request):
-    """Name, version and contact model."""
+def describe(request):
+    """Name, version and contact model under the request's options."""
+    values = in_force("mujoco", PARAMETERS, OPTIONS, request)
+    model = contact_model("compliant", "mujoco", PARAMETERS, values)
+    if values["solref"][0] < 0:  # (−stiffness, −damping) per unit of effective mass
+        model["parameters"]["solref"]["unit"] = ["1/s^2", "1/s"]
     return {
-        "name": "mujoco", "version": mujoco.__version__,
-        "contact_model": {"kind": "compliant", "parameters": DEFAULTS},
-        "restitution": False, "friction": ["cone", "pyramid"],
-        "levels": ["simulate", "dump"],
+        "name": "mujoco", "version": mujoco.__version__, "precision": "double",
+        "contact_model": model, "restitution": False,
+        "friction": "cone" if values["cone"] == "elliptic" else "pyramid",
+        "reports_contacts": True, "levels": ["simulate", "dump"],
+        "options": options_of(OPTIONS, values),
     }
+
+
+def _settings(request):
+    require_declared_restitution("mujoco", request["scene"])
+    return in_force("mujoco", PARAMETERS, OPTIONS, request)
 
 
 def _numbers(values):
     return " ".join(repr(float(x)) for x in values)
-
-
-def _plane_orientation(normal):
-    """Quaternion [w,x,y,z] of the shortest rotation that takes (0,0,1) to the unit normal."""
-    x, y, z = normal
-    q = np.array([1.0 + z, -y, x, 0.0])
-    return q / np.linalg.norm(q) if np.linalg.norm(q) > 1e-12 else np.array([0.0, 1.0, 0.0, 0.0])
 
 
 def _pair(scene, a, b, options):
@@ -68,7 +79,7 @@ def model_of(scene, time_step, options):
         normal = np.array(scene["ground"]["normal"])
         world.append(f'<geom name="{GROUND}" type="plane" size="0 0 1" contype="0" '
                      f'conaffinity="0" pos="{_numbers(scene["ground"]["offset"] * normal)}" '
-                     f'quat="{_numbers(_plane_orientation(normal))}"/>')
+                     f'quat="{_numbers(rotation_to_normal(normal))}"/>')
         names.append(GROUND)
     for body in scene["bodies"]:
         position, orientation, _, _ = initial_state(body)
@@ -111,45 +122,45 @@ def start(scene, time_step, options):
     return model, data
 
 
-def _states(scene, data):
-    for i in range(len(scene["bodies"])):
-        q, v = data.qpos[7 * i:7 * i + 7], data.qvel[6 * i:6 * i + 6]
-        yield q[:3], q[3:], v[:3], _rotation(q[3:]) @ v[3:]
+class World:
+    """One simulation; see `_scene.record`."""
 
+    def __init__(self, scene, time_step, options):
+        self.model, self.data = start(scene, time_step, options)
+        self.bodies = len(scene["bodies"])
 
-def _record_contacts(model, data, recorder):
-    """Pass on the impulses h f of the step just made; MuJoCo's force acts on the second geom."""
-    force = np.zeros(6)
-    for i in range(data.ncon):
-        contact = data.contact[i]
-        mujoco.mj_contactForce(model, data, i, force)
-        frame = contact.frame.reshape(3, 3)
-        recorder.contact(model.geom(contact.geom2).name, model.geom(contact.geom1).name,
-                         frame[0], model.opt.timestep * (frame.T @ force[:3]))
+    def states(self):
+        """(x, q, v, w) of every body."""
+        for i in range(self.bodies):
+            q, v = self.data.qpos[7 * i:7 * i + 7], self.data.qvel[6 * i:6 * i + 6]
+            yield q[:3], q[3:], v[:3], _rotation(q[3:]) @ v[3:]
+
+    def step(self):
+        """One step and its contacts with the impulses h f; f acts on the second geom."""
+        mujoco.mj_step(self.model, self.data)
+        force, names = np.zeros(6), self.model.geom
+        for i, contact in enumerate(self.data.contact):
+            mujoco.mj_contactForce(self.model, self.data, i, force)
+            frame = contact.frame.reshape(3, 3)
+            yield (names(contact.geom2).name, names(contact.geom1).name, frame[0],
+                   self.model.opt.timestep * (frame.T @ force[:3]))
 
 
 def simulate(request):
     """{scene, time_step, sample_every, options} → trajectory/1."""
-    scene, time_step = request["scene"], request["time_step"]
-    options = engine_options("mujoco", DEFAULTS, scene, request)
-    model, data = start(scene, time_step, options)
+    options = _settings(request)
+    world = World(request["scene"], request["time_step"], options)
     engine = {"name": "mujoco", "version": mujoco.__version__, "options": options}
-    recorder = Recorder(scene, engine, time_step, request["sample_every"])
-    recorder.sample(0, _states(scene, data))
-    for step in range(1, step_count(scene, time_step) + 1):
-        mujoco.mj_step(model, data)
-        _record_contacts(model, data, recorder)
-        if recorder.due(step):
-            recorder.sample(step, _states(scene, data))
-    if any(warning.number for warning in data.warning):
+    trajectory = record(request, engine, world)
+    if any(warning.number for warning in world.data.warning):
         raise RuntimeError("MuJoCo reported a warning: the simulation is not trustworthy")
-    return recorder.trajectory
+    return trajectory
 
 
 def dump(request):
     """{scene, time_step, step, options} → dump/1 of the step from t = step·h to (step+1)·h."""
     scene, time_step = request["scene"], request["time_step"]
-    options = engine_options("mujoco", DEFAULTS, scene, request)
+    options = _settings(request)
     if options["integrator"] != "Euler" or options["noslip_iterations"]:
         raise Unsupported("a step problem is one convex problem only for Euler without noslip")
     model, data = start(scene, time_step, options)

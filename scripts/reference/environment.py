@@ -10,13 +10,24 @@ class NotInstalled(Exception):
     """The engine's environment could not be made; carries the reason."""
 
 
+def stamp_of(requirements):
+    """What the environment made from this file is marked with."""
+    return hashlib.sha256(requirements.read_bytes() + sys.version.encode()).hexdigest()
+
+
+def is_current(engine, scripts, root):
+    """Whether the environment of `engine` is there and made from its present requirements."""
+    stamp = root / engine / "installed"
+    return (stamp.exists() and (root / engine / "bin" / "python").exists()
+            and stamp.read_text() == stamp_of(scripts / f"requirements-{engine}.txt"))
+
+
 def python_of(engine, scripts, root, report):
     """The interpreter with the pinned packages of `engine`, below `root`; made when missing."""
     requirements = scripts / f"requirements-{engine}.txt"
-    stamp_text = hashlib.sha256(requirements.read_bytes() + sys.version.encode()).hexdigest()
     folder = root / engine
-    python, stamp = folder / "bin" / "python", folder / "installed"
-    if python.exists() and stamp.exists() and stamp.read_text() == stamp_text:
+    python = folder / "bin" / "python"
+    if is_current(engine, scripts, root):
         return python
     report(f"{engine}: installing {requirements.name} into {folder}")
     shutil.rmtree(folder, ignore_errors=True)
@@ -30,5 +41,5 @@ def python_of(engine, scripts, root, report):
         if done.returncode != 0:
             lines = (done.stderr or done.stdout).strip().splitlines() or ["no message"]
             raise NotInstalled(lines[-1])
-    stamp.write_text(stamp_text)
+    (folder / "installed").write_text(stamp_of(requirements))
     return python

@@ -10,8 +10,7 @@ from pathlib import Path
 SCRIPTS = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(SCRIPTS), str(SCRIPTS / "engines")]
 
-from _scene import Recorder, engine_options, solid_inertia, step_count  # noqa: E402
-from _protocol import Unsupported  # noqa: E402
+from _scene import Recorder, solid_inertia, step_count  # noqa: E402
 from reference import documents  # noqa: E402
 from reference.compare import check, comparable, numbers_by_kind, tolerances_of  # noqa: E402
 from reference.plan import all_jobs  # noqa: E402
@@ -110,15 +109,6 @@ class Recording(unittest.TestCase):
         self.assertEqual(recorder.trajectory["contacts"],
                          [{"sample": 1, "bodies": ["ball", "ground"], "normal": [0.0, 0.0, 1.0],
                            "impulse": [1.0, 0.0, 3.0]}])
-
-    def test_restitution_needs_declared_parameters(self):
-        scene = {"material": {"friction": 0, "restitution": 0.5}}
-        with self.assertRaises(Unsupported):
-            engine_options("e", {"k": 1}, scene, {})
-        scene["engines"] = {"e": {"k": 2}}
-        self.assertEqual(engine_options("e", {"k": 1}, scene, {}), {"k": 2})
-        with self.assertRaisesRegex(ValueError, "typo"):
-            engine_options("e", {"k": 1}, scene, {"options": {"typo": 1}})
 
     def test_steps_must_divide_the_duration(self):
         self.assertEqual(step_count({"duration": 1.0}, 2e-3), 500)

@@ -1,0 +1,177 @@
+"""Bullet behind the engine protocol: `python scripts/engines/bullet.py` reads requests on stdin.
+
+PyBullet's step takes the velocities v + h M⁻¹ f and the contacts of the state q at distances d,
+and iterates impulses on the cones ‖r_t‖ ≤ μ r_n until, for every contact with r_n > 0,
+
+    u⁺_n = e |u_n| − (d + slop) / h             while d + slop > 0,
+    u⁺_n = e |u_n| − ERP (d + slop) / h         afterwards,       e = 0 below the speed threshold,
+
+then q⁺ = q ⊕ h v⁺.  Contacts up to the processing threshold count, so one may act before
+it closes.  The points read after the step carry the impulses of that step.
+
+The ground is Bullet's plane, against which a box gets one new contact point per step, or a box
+as in PyBullet's own plane.urdf, against which it gets all of them; see `ground_shape`.
+"""
+
+import math
+from importlib.metadata import version
+
+import pybullet
+
+from _protocol import Unsupported, serve
+from _scene import (GROUND, initial_state, multiplied_values, pair_values, record,
+                    rotation_to_normal, solid_inertia)
+from _settings import contact_model, in_force, options_of
+
+VERSION = version("pybullet")
+LARGEST_FRICTION = 10.0  # Bullet clamps the product of the two bodies' values
+LARGEST_SPEED = 1e10  # of bodies, m/s and rad/s; Bullet's default clamps at 100
+PARAMETERS = {
+    "penetration_allowance": (1e-5, "m"),  # slop
+    "contact_margin": (0.0, "m"),  # the collision margin lies inside the shapes
+    "restitution_threshold": (0.2, "m/s"),
+    "breaking_threshold": (0.02, "m"),  # separation and slip at which a contact point is dropped
+    "processing_threshold": (0.02, "m"),  # distance up to which a contact point counts
+    "collision_margin": (1e-3, "m"),  # radius of rounded box edges where GJK is used
+    "residual_threshold": (1e-7, "m^2/s^2"),  # stops the iterations
+    "ground_extent": (50.0, "m"),  # half the width of the ground box
+}
+FIXED = ("contact_margin",)
+OPTIONS = {
+    "cone_friction": True, "iterations": 50, "ground_shape": ("plane", "box"),
+    "contact_erp": 0.08, "friction_erp": 0.2, "global_cfm": 0.0,
+    "maximal_coordinates": False, "split_impulse": True, "warm_starting_factor": 0.1,
+}
+
+
+def describe(request):
+    """Name, version and contact model under the request's options."""
+    values = in_force("bullet", PARAMETERS, OPTIONS, request, FIXED)
+    cone = values["cone_friction"] and not values["maximal_coordinates"]
+    return {
+        "name": "bullet", "version": VERSION, "precision": "double",
+        "contact_model": contact_model("rigid", "coulomb", PARAMETERS, values),
+        "restitution": True, "friction": "cone" if cone else "pyramid",
+        "reports_contacts": True, "levels": ["simulate"], "options": options_of(OPTIONS, values),
+    }
+
+
+class World:
+    """One simulation; see `_scene.record`."""
+
+    def __init__(self, scene, time_step, values):
+        if max(pair_values(scene, "friction").values(), default=0.0) > LARGEST_FRICTION:
+            raise Unsupported(f"Bullet clamps friction at {LARGEST_FRICTION}")
+        self.friction = multiplied_values(scene, "friction")
+        self.restitution = multiplied_values(scene, "restitution")
+        self.time_step, self.values, self.names = time_step, values, {}
+        self.bullet = pybullet.connect(pybullet.DIRECT)
+        self._configure(scene["gravity"])
+        self.ground = scene.get("ground")
+        if self.ground is not None:
+            self._make_ground(scene["bodies"][0]["position"])
+        self.bodies = [self._body(body) for body in scene["bodies"]]
+
+    def _call(self, name, *arguments, **named):
+        return getattr(pybullet, name)(*arguments, **named, physicsClientId=self.bullet)
+
+    def _configure(self, gravity):
+        values = self.values
+        self._call("setGravity", *gravity)
+        self._call("setPhysicsEngineParameter", fixedTimeStep=self.time_step, numSubSteps=0,
+                   numSolverIterations=values["iterations"],
+                   enableConeFriction=values["cone_friction"],
+                   contactERP=values["contact_erp"], frictionERP=values["friction_erp"],
+                   globalCFM=values["global_cfm"], useSplitImpulse=values["split_impulse"],
+                   warmStartingFactor=values["warm_starting_factor"],
+                   contactSlop=values["penetration_allowance"],
+                   contactBreakingThreshold=values["breaking_threshold"],
+                   restitutionVelocityThreshold=values["restitution_threshold"],
+                   solverResidualThreshold=values["residual_threshold"],
+                   deterministicOverlappingPairs=1)
+
+    def _make_ground(self, above):
+        """The ground below the point `above`, in the middle of its box."""
+        normal, offset = self.ground["normal"], self.ground["offset"]
+        height = sum(n * x for n, x in zip(normal, above)) - offset
+        self.origin = [x - height * n for n, x in zip(normal, above)]
+        w, x, y, z = rotation_to_normal(normal)
+        extent, depth = self.values["ground_extent"], 0.0
+        if self.values["ground_shape"] == "box":
+            depth = extent / 10
+            shape = self._call("createCollisionShape", pybullet.GEOM_BOX,
+                               halfExtents=[extent, extent, depth])
+        else:
+            shape = self._call("createCollisionShape", pybullet.GEOM_PLANE, planeNormal=[0, 0, 1])
+        self._material(self._call(
+            "createMultiBody", 0, shape, baseOrientation=[x, y, z, w],
+            basePosition=[o - depth * n for o, n in zip(self.origin, normal)]), GROUND)
+
+    def _material(self, handle, name, **more):
+        self.names[handle] = name
+        self._call("changeDynamics", handle, -1, lateralFriction=self.friction[name],
+                   restitution=self.restitution[name], spinningFriction=0.0, rollingFriction=0.0,
+                   linearDamping=0.0, angularDamping=0.0,
+                   contactProcessingThreshold=self.values["processing_threshold"], **more)
+
+    def _body(self, body):
+        position, (w, x, y, z), linear, angular = initial_state(body)
+        if "sphere" in body:
+            shape = self._call("createCollisionShape", pybullet.GEOM_SPHERE,
+                               radius=body["sphere"]["radius"])
+        else:
+            shape = self._call("createCollisionShape", pybullet.GEOM_BOX,
+                               halfExtents=body["box"]["half_extents"])
+        handle = self._call("createMultiBody", body["mass"], shape, basePosition=position,
+                            baseOrientation=[x, y, z, w],
+                            useMaximalCoordinates=self.values["maximal_coordinates"])
+        self._material(handle, body["name"], mass=body["mass"],
+                       localInertiaDiagonal=solid_inertia(body),
+                       collisionMargin=self.values["collision_margin"],
+                       maxJointVelocity=LARGEST_SPEED,
+                       activationState=pybullet.ACTIVATION_STATE_DISABLE_SLEEPING)
+        self._call("resetBaseVelocity", handle, linear, angular)
+        return handle
+
+    def states(self):
+        """(x, q, v, w) of every body."""
+        for handle in self.bodies:
+            position, (x, y, z, w) = self._call("getBasePositionAndOrientation", handle)
+            self._check_on_ground(position)
+            yield position, (w, x, y, z), *self._call("getBaseVelocity", handle)
+
+    def step(self):
+        """One step and its contacts."""
+        self._call("stepSimulation")
+        for point in self._call("getContactPoints"):
+            _, a, b, _, _, _, _, normal, distance, force, along1, tangent1, along2, tangent2 = point
+            if distance > self.values["processing_threshold"]:
+                continue  # it keeps the impulse of an earlier step
+            yield self.names[a], self.names[b], normal, [
+                self.time_step * (force * n + along1 * s + along2 * t)
+                for n, s, t in zip(normal, tangent1, tangent2)]
+
+    def _check_on_ground(self, position):
+        if self.ground is None or self.values["ground_shape"] == "plane":
+            return
+        if math.dist(position, self.origin) > self.values["ground_extent"]:
+            raise Unsupported("a body leaves the ground box; use ground_shape plane")
+
+    def close(self):
+        """Free the simulation."""
+        self._call("disconnect")
+
+
+def simulate(request):
+    """{scene, time_step, sample_every, options} → trajectory/1."""
+    values = in_force("bullet", PARAMETERS, OPTIONS, request, FIXED)
+    world = World(request["scene"], request["time_step"], values)
+    try:
+        engine = {"name": "bullet", "version": VERSION, "options": values}
+        return record(request, engine, world)
+    finally:
+        world.close()
+
+
+if __name__ == "__main__":
+    serve({"describe": describe, "simulate": simulate})

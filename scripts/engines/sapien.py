@@ -1,0 +1,152 @@
+"""SAPIEN (PhysX 5) behind the engine protocol: `python scripts/engines/sapien.py` reads stdin.
+
+One step of PhysX takes the contacts of the state at t_k up to the sum of two shapes' contact
+offsets, solves them iteratively with friction on the cone ‖r_t‖ ≤ μ r_n of each contact patch,
+
+    u⁺_n = e |u_n| for approach speeds above the restitution threshold,   u⁺_n ≥ 0 otherwise,
+
+and moves the bodies.  All of it in single precision, on the CPU, without a renderer.
+
+The impulses that SAPIEN reports lack friction: PhysX keeps that per patch, and SAPIEN does not
+pass it on.  So no contacts are reported.
+"""
+
+import sys
+
+# This file has the name of the package it needs: look for the package without our own folder.
+_here = sys.path.pop(0)
+import sapien  # noqa: E402
+import sapien.physx as physx  # noqa: E402
+sys.path.insert(0, _here)
+
+import math  # noqa: E402
+
+from _protocol import Unsupported, serve  # noqa: E402
+from _scene import common_value, initial_state, record, solid_inertia  # noqa: E402
+from _settings import contact_model, in_force, options_of  # noqa: E402
+
+LARGEST_ANGULAR_SPEED = 1e16  # rad/s; PhysX clamps at 100 unless told otherwise
+PARAMETERS = {
+    "restitution_threshold": (2.0, "m/s"),  # bounce threshold
+    "contact_margin": (0.0, "m"),  # the sum of two shapes' rest offsets
+    "contact_offset": (0.01, "m"),  # of one shape
+    "max_depenetration_velocity": (1e32, "m/s"),
+}
+OPTIONS = {
+    "tgs": True, "pcm": True, "friction_every_iteration": True, "enhanced_determinism": False,
+    "position_iterations": 10, "velocity_iterations": 1,
+}
+
+
+def _in_force(request):
+    values = in_force("sapien", PARAMETERS, OPTIONS, request)
+    for name in PARAMETERS:
+        if values[name] < 0:
+            raise ValueError(f"{name} must not be negative, not {values[name]}")
+    for name, least in (("position_iterations", 1), ("velocity_iterations", 0)):
+        if not least <= values[name] <= 255:
+            raise ValueError(f"{name} must be from {least} to 255, not {values[name]}")
+    if 2 * values["contact_offset"] <= values["contact_margin"]:
+        raise ValueError("contact_offset must be more than half of contact_margin")
+    return values
+
+
+def describe(request):
+    """Name, version and contact model under the request's options."""
+    values = _in_force(request)
+    return {
+        "name": "sapien", "version": sapien.__version__, "precision": "single",
+        "contact_model": contact_model("rigid", "coulomb", PARAMETERS, values),
+        "restitution": True, "friction": "cone", "reports_contacts": False,
+        "levels": ["simulate"], "options": options_of(OPTIONS, values),
+    }
+
+
+def _plane_orientation(normal):
+    """Quaternion [w, x, y, z] of the shortest rotation that takes (1, 0, 0) to the unit normal."""
+    x, y, z = normal
+    length = math.hypot(1.0 + x, z, y)
+    return [(1.0 + x) / length, 0.0, -z / length, y / length] if length > 1e-12 else [0, 0, 0, 1]
+
+
+class World:
+    """One simulation; see `_scene.record`."""
+
+    def __init__(self, scene, time_step, values):
+        friction = common_value(scene, "friction")
+        self.material = physx.PhysxMaterial(friction, friction, common_value(scene, "restitution"))
+        self.values = values
+        physx.set_scene_config(
+            gravity=scene["gravity"], bounce_threshold=values["restitution_threshold"],
+            enable_pcm=values["pcm"], enable_tgs=values["tgs"], enable_ccd=False,
+            enable_enhanced_determinism=values["enhanced_determinism"],
+            enable_friction_every_iteration=values["friction_every_iteration"], cpu_workers=0)
+        self.system = physx.PhysxCpuSystem()
+        self.system.timestep = time_step
+        self.scene = sapien.Scene([self.system])
+        self.bodies = [self._body(body) for body in scene["bodies"]]
+        if scene.get("ground") is not None:
+            normal, offset = scene["ground"]["normal"], scene["ground"]["offset"]
+            plane = physx.PhysxRigidStaticComponent()
+            self._shape(plane, physx.PhysxCollisionShapePlane(self.material))
+            self._add(plane, [offset * n for n in normal], _plane_orientation(normal))
+
+    def _add(self, component, position, orientation):
+        entity = sapien.Entity()
+        entity.add_component(component)
+        entity.set_pose(sapien.Pose(position, orientation))
+        self.scene.add_entity(entity)
+
+    def _shape(self, component, shape):
+        shape.contact_offset = self.values["contact_offset"]
+        shape.rest_offset = self.values["contact_margin"] / 2
+        component.attach(shape)
+
+    def _body(self, body):
+        component = physx.PhysxRigidDynamicComponent()
+        if "sphere" in body:
+            radius = body["sphere"]["radius"]
+            self._shape(component, physx.PhysxCollisionShapeSphere(radius, self.material))
+        elif "box" in body:
+            half_extents = body["box"]["half_extents"]
+            self._shape(component, physx.PhysxCollisionShapeBox(half_extents, self.material))
+        else:
+            raise Unsupported(f"the body {body['name']} is neither a sphere nor a box")
+        component.cmass_local_pose = sapien.Pose()
+        component.mass, component.inertia = body["mass"], solid_inertia(body)
+        component.linear_damping = component.angular_damping = 0.0
+        component.sleep_threshold = 0.0
+        component.max_angular_velocity = LARGEST_ANGULAR_SPEED
+        component.max_depenetration_velocity = self.values["max_depenetration_velocity"]
+        component.solver_position_iterations = self.values["position_iterations"]
+        component.solver_velocity_iterations = self.values["velocity_iterations"]
+        position, orientation, linear, angular = initial_state(body)
+        self._add(component, position, orientation)
+        component.linear_velocity, component.angular_velocity = linear, angular
+        return component
+
+    def states(self):
+        """(x, q, v, w) of every body."""
+        for body in self.bodies:
+            pose = body.entity_pose
+            orientation = [float(x) for x in pose.q]
+            length = math.hypot(*orientation)
+            yield (pose.p, [x / length for x in orientation],
+                   body.linear_velocity, body.angular_velocity)
+
+    def step(self):
+        """One step; no contacts, see above."""
+        self.system.step()
+        return []
+
+
+def simulate(request):
+    """{scene, time_step, sample_every, options} → trajectory/1."""
+    values = _in_force(request)
+    world = World(request["scene"], request["time_step"], values)
+    engine = {"name": "sapien", "version": sapien.__version__, "options": values}
+    return record(request, engine, world)
+
+
+if __name__ == "__main__":
+    serve({"describe": describe, "simulate": simulate})
