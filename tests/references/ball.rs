@@ -1,11 +1,7 @@
 //! The ball: free flight of the semi-implicit step in closed form, MuJoCo's and SAP's single contact replayed from their formulas, the rest depth.
 //!
-//! One contact, normal only, a₀ = −g:
-//! ```text
-//!     MuJoCo  f = max(0, (a_ref − a₀)/(1/m + R)) ,  a_ref = −b v + k d δ ,  R = (1 − d)/d·Â  (a pyramid: a quarter of its edges' R)
-//!     SAP     r = max(0, −(v + h a₀ + φ/(h + τ))/(1/m + R_n))  while φ < 0 at the start of the step .
-//! ```
-//! then v⁺ = v + h a₀ + (impulse)/m and z⁺ = z + h v⁺. Signorini's ball rests at depth 0: the rest depth is the difference.
+//! One contact, normal only, a₀ = −g, with the impulses of `closed_forms::mujoco_normal` and `closed_forms::drake_normal`:
+//! v⁺ = v + h a₀ + impulse/m and z⁺ = z + h v⁺. Signorini's ball rests at depth 0: the rest depth is the difference.
 
 use crate::document::Document;
 use crate::dumps_native::parameters;
@@ -13,7 +9,7 @@ use libtest_mimic::Failed;
 use moreau::checks::Finding;
 use moreau::closed_forms::bouncing_ball::BouncingBall;
 use moreau::closed_forms::drake_sap::{SapContact, TANGENTIAL_RATIO};
-use moreau::closed_forms::mujoco_contact::ContactParameters;
+use moreau::closed_forms::mujoco_normal::NormalContact;
 use moreau::trajectory::Trajectory;
 use serde_json::Value;
 
@@ -35,16 +31,21 @@ pub fn check(document: &Document, trajectory: &Trajectory) -> Result<Vec<Finding
     match (document.engine(), document.config()) {
         ("mujoco", config) => {
             let parameters = parameters(&Value::Object(trajectory.engine.options.clone()))?;
-            let pyramidal = config.contains("pyramidal");
-            findings.extend(replay(document, trajectory, &ball, |depth, v| mujoco_impulse(&ball, &parameters, pyramidal, depth, v))?);
+            let contact = if config.contains("pyramidal") {
+                NormalContact::pyramidal(parameters, ball.h, ball.mass, ball.friction)
+            } else {
+                NormalContact::elliptic(parameters, ball.h, ball.mass)
+            };
+            findings.extend(replay(document, trajectory, &ball, |depth, v| contact.impulse(depth, v, -ball.gravity))?);
             if trajectory.scene.name == "ball_rest" {
-                let depth = parameters.rest_depth(ball.h, normal_diagonal(&ball, &parameters, pyramidal), ball.mass * ball.gravity)?;
+                let depth = parameters.rest_depth(ball.h, contact.diagonal, ball.mass * ball.gravity)?;
                 findings.push(rest(document, trajectory, &ball, depth)?);
             }
         }
         ("drake", "sap") => {
             let sap = sap_contact(trajectory, &ball)?;
-            findings.extend(replay(document, trajectory, &ball, |depth, v| sap_impulse(&ball, &sap, depth, v))?);
+            findings
+                .extend(replay(document, trajectory, &ball, |depth, v| sap.normal_impulse(ball.mass, depth, v - ball.h * ball.gravity))?);
             if trajectory.scene.name == "ball_rest" {
                 findings.push(rest(document, trajectory, &ball, -sap.rest_gap(ball.mass * ball.gravity))?);
             }
@@ -114,22 +115,6 @@ fn rest(document: &Document, trajectory: &Trajectory, ball: &Ball, depth: f64) -
     Ok(Finding::equal("rest depth (Signorini: 0) against its own model", ball.radius - last, depth, accuracy, "m"))
 }
 
-/// Â of the normal force: 1/m for an elliptic contact; a pyramid's four equal edges in parallel have a quarter of an edge's.
-fn normal_diagonal(ball: &Ball, parameters: &ContactParameters, pyramidal: bool) -> f64 {
-    let diagonal = 1.0 / ball.mass;
-    if pyramidal { 0.25 * parameters.pyramid_diagonal(diagonal, ball.friction) } else { diagonal }
-}
-
-fn mujoco_impulse(ball: &Ball, parameters: &ContactParameters, pyramidal: bool, depth: f64, velocity: f64) -> f64 {
-    if depth <= 0.0 {
-        return 0.0;
-    }
-    let (stiffness, damping) = parameters.stiffness_and_damping(ball.h);
-    let reference = -damping * velocity + stiffness * parameters.impedance_at(depth) * depth;
-    let softness = parameters.normal_regularisation(depth, normal_diagonal(ball, parameters, pyramidal));
-    ball.h * ((reference + ball.gravity) / (1.0 / ball.mass + softness)).max(0.0)
-}
-
 fn sap_contact(trajectory: &Trajectory, ball: &Ball) -> Result<SapContact, Failed> {
     // J diag(M)⁻¹ Jᵀ of a sphere on a plane: 1/m on the normal, 1/m + r²/I = 3.5/m on both tangents.
     let [normal, tangential] = [1.0 / ball.mass, 3.5 / ball.mass];
@@ -141,14 +126,6 @@ fn sap_contact(trajectory: &Trajectory, ball: &Ball) -> Result<SapContact, Faile
         tangential_ratio: TANGENTIAL_RATIO,
         friction: ball.friction,
     })
-}
-
-fn sap_impulse(ball: &Ball, sap: &SapContact, depth: f64, velocity: f64) -> f64 {
-    if depth <= 0.0 {
-        return 0.0;
-    }
-    let approach = velocity - ball.h * ball.gravity - depth / (sap.time_step + sap.relaxation_time);
-    (-approach / (1.0 / ball.mass + sap.normal_regularisation())).max(0.0)
 }
 
 fn option(trajectory: &Trajectory, key: &str) -> Result<f64, Failed> {

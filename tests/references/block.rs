@@ -16,8 +16,9 @@ use crate::dumps_native::parameters;
 use crate::momentum;
 use libtest_mimic::Failed;
 use moreau::checks::Finding;
-use moreau::closed_forms::drake_sap::TANGENTIAL_RATIO;
-use moreau::closed_forms::mujoco_contact::ContactParameters;
+use moreau::closed_forms::drake_sap::{diagonal_mean, shared_creep};
+use moreau::closed_forms::mujoco_creep::HeldBody;
+use moreau::closed_forms::regularised_friction::FrictionCurve;
 use moreau::tolerance::references as tolerance;
 use moreau::trajectory::Trajectory;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
@@ -77,10 +78,10 @@ pub fn stick(document: &Document, trajectory: &Trajectory) -> Result<Vec<Finding
     let expected = match (document.engine(), document.config()) {
         ("mujoco", config) => mujoco_creep(trajectory, &block, friction, config.contains("pyramidal"))?,
         (_, "sap") => sap_creep(trajectory, &block),
-        (_, "tamsi") => stiction_tolerance(trajectory)? * (1.0 - (1.0 - block.pull / (friction * block.press)).sqrt()),
-        _ => {
-            let ratio = block.pull / (friction * block.press);
-            stiction_tolerance(trajectory)? * ratio / (1.0 - ratio * ratio).sqrt()
+        (_, config) => {
+            let curve = if config == "tamsi" { FrictionCurve::Parabola } else { FrictionCurve::Sigmoid };
+            let slip = curve.slip(block.pull / (friction * block.press)).ok_or("Coulomb's block sticks")?;
+            stiction_tolerance(trajectory)? * slip
         }
     };
     let creep = block.velocity.dot(&block.slope);
@@ -98,40 +99,11 @@ pub fn stick(document: &Document, trajectory: &Trajectory) -> Result<Vec<Finding
 }
 
 fn mujoco_creep(trajectory: &Trajectory, block: &Block, friction: f64, pyramidal: bool) -> Result<f64, Failed> {
-    let parameters: ContactParameters = parameters(&Value::Object(trajectory.engine.options.clone()))?;
-    let (stiffness, damping) = parameters.stiffness_and_damping(trajectory.time_step);
-    let diagonal = 1.0 / block.mass;
+    let parameters = parameters(&Value::Object(trajectory.engine.options.clone()))?;
+    let held = HeldBody { parameters, time_step: trajectory.time_step, diagonal: 1.0 / block.mass, friction };
     let depths = block.corners(0.0).map(|lever| block.depth(&lever));
     let load = block.mass * block.pull;
-    if !pyramidal {
-        let admittance: f64 =
-            depths.iter().map(|&depth| parameters.impedance_ratio / parameters.normal_regularisation(depth, diagonal)).sum();
-        return Ok(load / (damping * admittance));
-    }
-    let edge = parameters.pyramid_diagonal(diagonal, friction);
-    let force = |speed: f64| -> f64 {
-        depths
-            .iter()
-            .map(|&depth| {
-                let spring = stiffness * parameters.impedance_at(depth) * depth;
-                let push = |sign: f64| (spring + sign * friction * damping * speed).max(0.0);
-                friction * (push(1.0) - push(-1.0)) / parameters.normal_regularisation(depth, edge)
-            })
-            .sum()
-    };
-    // The force grows with the speed: double until it suffices, then bisect down to neighbouring floats.
-    let mut high = f64::MIN_POSITIVE.sqrt();
-    while force(high) < load {
-        high *= 2.0;
-    }
-    let mut low = 0.0;
-    loop {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            return Ok(middle);
-        }
-        if force(middle) < load { low = middle } else { high = middle }
-    }
+    Ok(if pyramidal { held.pyramidal_creep(&depths, load) } else { held.elliptic_creep(&depths, load) })
 }
 
 /// σ h m g sin α / Σ 1/w_i, with the mass matrix of the tilted block in world axes and corner spheres of the stored radius.
@@ -140,18 +112,8 @@ fn sap_creep(trajectory: &Trajectory, block: &Block) -> f64 {
     let square = block.half.map(|half| half * half);
     let inertia = Vector3::new(square.y + square.z, square.x + square.z, square.x + square.y) * (block.mass / 3.0);
     let world = block.rotation * Matrix3::from_diagonal(&inertia) * block.rotation.transpose();
-    let side = block.normal.cross(&block.slope);
-    let frame = Matrix3::from_rows(&[block.normal.transpose(), block.slope.transpose(), side.transpose()]);
-    let admittance: f64 = block
-        .corners(radius)
-        .iter()
-        .map(|lever| {
-            let turning = frame * -lever.cross_matrix();
-            let weighted = turning * Matrix3::from_diagonal(&world.diagonal().map(|i| 1.0 / i)) * turning.transpose();
-            3.0 / (weighted + Matrix3::identity() / block.mass).norm()
-        })
-        .sum();
-    TANGENTIAL_RATIO * trajectory.time_step * block.mass * block.pull / admittance
+    let means = block.corners(radius).map(|lever| diagonal_mean(block.mass, world.diagonal(), lever));
+    shared_creep(trajectory.time_step, &means, block.mass * block.pull)
 }
 
 fn stiction_tolerance(trajectory: &Trajectory) -> Result<f64, Failed> {

@@ -50,7 +50,9 @@ fn judge(document: &Document) -> Result<Judgement, Failed> {
     let threshold = threshold(document, &problem, &answer, &generators)?;
     let converged = theirs.natural_map <= threshold;
     let error = generators.distance(&ours, &answer);
-    let bound = |natural_map: f64| generators.condition * generators.weigh(natural_map) + own_error;
+    // both natural maps are themselves known up to the rounding of impulses of this size only
+    let known = moreau::tolerance::rounding(problem.rows(), answer.impulse.norm());
+    let bound = |natural_map: f64| generators.condition * generators.weigh(natural_map + known) + own_error;
     findings.push(Finding::at_most(
         "the certificate bounds the engine's distance from our solution",
         error,
