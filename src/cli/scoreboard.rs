@@ -58,6 +58,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         let names: Vec<&str> = engines.iter().map(|entry| entry.name.as_str()).collect();
         return Err(Error::invalid("--only", "leaves no engine", format!("the list has {}", names.join(", "))));
     }
+    std::fs::create_dir_all(&arguments.folder).map_err(|source| Error::Write { file: arguments.folder.clone(), source })?;
     let mut standings = Vec::new();
     for entry in engines {
         let stored = Some(Standing::file(&arguments.folder, &entry.name)).filter(|file| file.is_file());

@@ -1,10 +1,51 @@
 //! The gate for engines written in Rust: one `#[test]` per check.
 //!
-//! ```ignore
+//! ```
+//! use moreau::gate::{ContactModel, Description, Engine, Kind, Level, Options, Reply};
+//! use moreau::gate::description::{Friction, Precision};
+//!
+//! /// A library of cone projections; a simulator implements [`Engine::simulate`] in the same way.
 //! #[derive(Default)]
 //! struct MyEngine;
-//! impl moreau::gate::Engine for MyEngine { … }
+//!
+//! impl Engine for MyEngine {
+//!     fn describe(&mut self, _: &Options) -> Reply<Description> {
+//!         Ok(Description {
+//!             name: "mine".into(),
+//!             version: "1".into(),
+//!             precision: Precision::Double,
+//!             contact_model: ContactModel { kind: Kind::Rigid, law: None, parameters: Default::default() },
+//!             restitution: false,
+//!             friction: Friction::Cone,
+//!             reports_contacts: false,
+//!             levels: vec![Level::Project],
+//!             laws: vec![],
+//!             options: Options::new(),
+//!         })
+//!     }
+//!
+//!     fn project(&mut self, mu: f64, points: &[Vec<f64>], _: &Options) -> Reply<Vec<Vec<f64>>> {
+//!         Ok(points.iter().map(|point| nearest(mu, point)).collect())
+//!     }
+//! }
+//!
+//! /// The nearest point to (n, t) of the cone ‖t‖ ≤ μ n.
+//! fn nearest(mu: f64, point: &[f64]) -> Vec<f64> {
+//!     let (n, t) = (point[0], point[1..].iter().map(|x| x * x).sum::<f64>().sqrt());
+//!     if t <= mu * n {
+//!         return point.to_vec();
+//!     }
+//!     if mu * t <= -n {
+//!         return vec![0.0; point.len()];
+//!     }
+//!     let normal = (n + mu * t) / (1.0 + mu * mu);
+//!     std::iter::once(normal).chain(point[1..].iter().map(|x| mu * normal * x / t)).collect()
+//! }
+//!
 //! moreau::gate_tests!(MyEngine);
+//! # moreau::gate::rust_tests::assert_check::<MyEngine>("projection/regions");
+//! # moreau::gate::rust_tests::assert_check::<MyEngine>("projection/boundaries");
+//! # moreau::gate::rust_tests::assert_check::<MyEngine>("flight/projectile"); // unsupported: not held against it
 //! ```
 
 use super::runner::{self, Plan, QUICK, SWEEP};
