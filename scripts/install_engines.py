@@ -22,6 +22,7 @@ from reference.client import PROTOCOL  # noqa: E402
 ROOT = SCRIPTS.parent
 ENVIRONMENTS = ROOT / ".venv"
 ADAPTERS = "scripts/engines/"
+OWN = "target/release/moreau"  # our own schemes need cargo alone
 RAPIER_VERSIONS = ("v0_36", "v0_34", "v0_35_beta")
 ANSWER_SECONDS = 120
 EPILOG = """
@@ -51,7 +52,8 @@ def commands_by_engine():
     """{engine: its different adapter commands}, in the order of engines.json."""
     text = (SCRIPTS / "engines" / "engines.json").read_text(encoding="utf-8")
     result = {}
-    for configuration in json.loads(text)["engines"]:
+    foreign = [one for one in json.loads(text)["engines"] if OWN not in one["command"]]
+    for configuration in foreign:
         commands = result.setdefault(engine_of(configuration["command"]), [])
         if configuration["command"] not in commands:
             commands.append(configuration["command"])

@@ -3,11 +3,12 @@
 use super::output::{print, print_aside};
 use super::{Answer, Format};
 use crate::files::write_together;
+use crate::gate::cause::{self, Cause};
 use crate::gate::check;
 use crate::gate::process::end_engines_on_interrupt;
 use crate::gate::runner::{QUICK, SWEEP};
 use crate::gate::scoreboard::{Engines, Standing};
-use crate::report::gate::{highlights, scoreboard};
+use crate::report::gate::scoreboard;
 use crate::report::json::pretty;
 use crate::{Error, Result};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -17,7 +18,8 @@ use std::path::{Path, PathBuf};
 ///
 /// The engines are those of `scripts/engines/engines.json`; `python3 scripts/install_engines.py` installs them. What is
 /// found is stored with the engines' versions in `references/scoreboard/`. An engine that cannot be run here keeps
-/// the result that is stored; without one it is listed as not run, with the reason, never as passed.
+/// the result that is stored; without one it is listed as not run, with the reason, never as passed. Why a check is not
+/// passed, where that was found out, stands in the folder's `causes/*.toml` and is shown with the table.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The list of engines.
@@ -58,7 +60,11 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         let names: Vec<&str> = engines.iter().map(|entry| entry.name.as_str()).collect();
         return Err(Error::invalid("--only", "leaves no engine", format!("the list has {}", names.join(", "))));
     }
+    if let Some(file) = &arguments.readme {
+        replaced(file, "")?; // a file without the markers is refused before the engines run
+    }
     std::fs::create_dir_all(&arguments.folder).map_err(|source| Error::Write { file: arguments.folder.clone(), source })?;
+    let causes = cause::read(&arguments.folder.join("causes"))?;
     let mut standings = Vec::new();
     for entry in engines {
         let stored = Some(Standing::file(&arguments.folder, &entry.name)).filter(|file| file.is_file());
@@ -80,7 +86,10 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
             }
         }
     }
-    show(arguments, &standings)?;
+    for misfit in cause::misfits(&causes, &standings) {
+        print_aside(&format!("{misfit}\n"));
+    }
+    show(arguments, &standings, &causes)?;
     Ok(Answer::Yes)
 }
 
@@ -96,12 +105,11 @@ fn judge(arguments: &Arguments, entry: &crate::gate::scoreboard::Entry) -> Stand
     standing
 }
 
-fn show(arguments: &Arguments, standings: &[Standing]) -> Result<()> {
-    let shown = highlights::markdown(standings);
-    let section = format!("{}\n{shown}", scoreboard::markdown(standings));
+fn show(arguments: &Arguments, standings: &[Standing], causes: &[Cause]) -> Result<()> {
+    let section = scoreboard::section(standings, causes);
     let mut files: Vec<(&Path, String)> = Vec::new();
     if let Some(file) = &arguments.html {
-        files.push((file, scoreboard::html(standings, &shown)?));
+        files.push((file, scoreboard::html(standings, causes)?));
     }
     if let Some(file) = &arguments.readme {
         files.push((file, replaced(file, &section)?));
@@ -110,8 +118,15 @@ fn show(arguments: &Arguments, standings: &[Standing]) -> Result<()> {
     write_together(&files)?;
     print(&match arguments.format {
         Format::Text => section,
-        Format::Json => pretty(standings)?,
+        Format::Json => pretty(&Scoreboard { engines: standings, causes })?,
     })
+}
+
+/// What `--format json` prints.
+#[derive(serde::Serialize)]
+struct Scoreboard<'a> {
+    engines: &'a [Standing],
+    causes: &'a [Cause],
 }
 
 /// The text of a file with its scoreboard section replaced.

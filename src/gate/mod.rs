@@ -10,6 +10,7 @@
 pub mod audit;
 pub mod baseline;
 pub mod bench;
+pub mod cause;
 pub mod check;
 pub mod checks;
 pub mod conformance;

@@ -1,4 +1,4 @@
-//! `moreau gate`, `defects`, `scoreboard` and `engine` from outside, with our own schemes as the engines.
+//! `moreau gate`, `defects` and `engine` from outside, with our own schemes as the engines.
 
 use super::{Folder, Run, moreau};
 

@@ -3,6 +3,7 @@
 mod certify;
 mod gate;
 mod schema;
+mod scoreboard;
 mod simulate;
 mod solve;
 mod verify;

@@ -1,11 +1,13 @@
 //! The scoreboard as a table, engine × check: Markdown for the README, HTML with every value.
 
-use super::{decisive, page, sentence};
+use super::{decisive, highlights, page, sentence};
 use crate::Result;
+use crate::gate::cause::{self, Cause};
 use crate::gate::scoreboard::Standing;
 use crate::gate::{CheckOutcome, Report, Verdict, check};
 use crate::report::number::significant;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+use std::collections::BTreeMap;
 
 /// Where the table of a Markdown file begins.
 pub const BEGIN: &str = "<!-- scoreboard -->";
@@ -34,11 +36,18 @@ fn families() -> Vec<&'static str> {
     families
 }
 
-/// The README's table: one row per engine, one column per family, in each cell the marks of its checks in the registry's order.
-pub fn markdown(standings: &[Standing]) -> String {
+/// What stands between [`BEGIN`] and [`END`]: the table and the highlights.
+pub fn section(standings: &[Standing], causes: &[Cause]) -> String {
+    format!("{}\n{}", markdown(standings, causes), highlights::markdown(standings))
+}
+
+/// The README's table: one row per engine, one column per family, in each cell the marks of its checks in the registry's order; at last
+/// how many of them do not pass for which cause.
+fn markdown(standings: &[Standing], causes: &[Cause]) -> String {
     let families = families();
     let row = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
-    let heading: Vec<String> = ["engine".to_string()].into_iter().chain(families.iter().map(ToString::to_string)).collect();
+    let heading: Vec<String> =
+        ["engine".to_string()].into_iter().chain(families.iter().map(ToString::to_string)).chain(["causes of ✗ and !".into()]).collect();
     let mut text = row(&heading) + &row(&vec!["---".into(); heading.len()]);
     for standing in standings {
         let Some(report) = &standing.report else {
@@ -47,9 +56,20 @@ pub fn markdown(standings: &[Standing]) -> String {
         };
         let name = format!("{} ({} {})", standing.entry.name, report.engine.name, report.engine.version);
         let cells = families.iter().map(|family| marks(report, family));
-        text += &row(&[name].into_iter().chain(cells).collect::<Vec<_>>());
+        text += &row(&[name].into_iter().chain(cells).chain([counted(&standing.entry.name, report, causes)]).collect::<Vec<_>>());
     }
     text + "\n✓ as Coulomb–Signorini demands · ≈ different, as the engine's declared law predicts · ✗ fails · ! errored · – the engine does not do this\n"
+}
+
+/// `solver 3, collision 1`.
+fn counted(engine: &str, report: &Report, causes: &[Cause]) -> String {
+    let bad = report.checks.iter().filter(|outcome| outcome.verdict.is_bad());
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    for outcome in bad {
+        let word = cause::find(causes, engine, &outcome.check).map_or("unexplained", |cause| cause.error.word());
+        *counts.entry(word).or_default() += 1;
+    }
+    counts.iter().map(|(word, count)| format!("{word} {count}")).collect::<Vec<_>>().join(", ")
 }
 
 /// The marks of a family's checks.
@@ -58,11 +78,11 @@ fn marks(report: &Report, family: &str) -> String {
     report.checks.iter().filter(of_family).map(|outcome| mark(outcome.verdict)).collect()
 }
 
-/// One self-contained page: the whole table, and what decided each cell when one points at it.
+/// One self-contained page: the whole table, what decided each cell when one points at it, and the causes.
 ///
 /// # Errors
 /// If the page cannot be made.
-pub fn html(standings: &[Standing], highlights: &str) -> Result<String> {
+pub fn html(standings: &[Standing], causes: &[Cause]) -> Result<String> {
     let style = format!(
         "{}{}",
         page::STYLE,
@@ -75,16 +95,30 @@ pub fn html(standings: &[Standing], highlights: &str) -> Result<String> {
             body {
                 h1 { "moreau scoreboard: simulators through one set of checks" }
                 p { "✓ as Coulomb–Signorini demands · ≈ different, as the engine's declared law predicts · ✗ fails · ! errored · – the engine does not do this. Point at a mark to see the number." }
-                (table(standings))
+                (table(standings, causes))
                 h2 { "What it shows" }
-                pre { (highlights) }
+                (highlights::html(standings))
+                h2 { "Why checks are not passed" }
+                (reasons(causes))
             }
         }
     };
     Ok(page.into_string())
 }
 
-fn table(standings: &[Standing]) -> Markup {
+/// The causes, with their evidence.
+fn reasons(causes: &[Cause]) -> Markup {
+    html! {
+        table {
+            tr { th { "engines" } th { "checks" } th { "what is at fault" } th { "cause" } th { "evidence" } }
+            @for cause in causes {
+                tr { td { (cause.engines.join(", ")) } td { (cause.checks.join(", ")) } td { (cause.error.word()) } td { (cause.cause) } td { (cause.evidence) } }
+            }
+        }
+    }
+}
+
+fn table(standings: &[Standing], causes: &[Cause]) -> Markup {
     html! {
         table {
             tr { th { "engine" } @for check in check::all() { th.r title=(check.question) { (check.name) } } }
@@ -92,7 +126,7 @@ fn table(standings: &[Standing]) -> Markup {
                 tr {
                     td { (standing.entry.name) @if let Some(report) = &standing.report { br; small { (report.engine.name) " " (report.engine.version) } } }
                     @match &standing.report {
-                        Some(report) => { @for check in check::all() { (cell(report, check.name)) } },
+                        Some(report) => { @for check in check::all() { (cell(report, check.name, cause::find(causes, &standing.entry.name, check.name))) } },
                         None => td colspan=(check::all().count()) { "not run: " (standing.not_run.as_deref().unwrap_or("no reason stored")) },
                     }
                 }
@@ -101,10 +135,11 @@ fn table(standings: &[Standing]) -> Markup {
     }
 }
 
-fn cell(report: &Report, name: &str) -> Markup {
+fn cell(report: &Report, name: &str, cause: Option<&Cause>) -> Markup {
     let Some(outcome) = report.checks.iter().find(|outcome| outcome.check == name) else { return html! { td.c { "·" } } };
     let words = outcome.reason.clone().or_else(|| decisive(outcome).map(|(step, one)| sentence(step, one))).unwrap_or_default();
     let at = outcome.fails_at.iter().map(|h| significant(*h)).collect::<Vec<_>>().join(", ");
     let title = if at.is_empty() { words } else { format!("{words}; at h = {at} s") };
+    let title = cause.map_or(title.clone(), |cause| format!("{title}. {}: {}", cause.error.word(), cause.cause));
     html! { td class={ "c " (outcome.verdict.word()) } title=(title) { (mark(outcome.verdict)) } }
 }

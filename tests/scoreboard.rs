@@ -1,0 +1,123 @@
+//! The stored scoreboard: the README shows what it renders, every check that is not passed has a cause, and the highlights are true.
+
+use moreau::gate::scoreboard::{Engines, Standing};
+use moreau::gate::{Report, cause, check};
+use moreau::report::gate::scoreboard;
+use std::path::{Path, PathBuf};
+
+fn here(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+/// Every listed engine with what is stored of it.
+fn standings() -> Vec<Standing> {
+    let engines = Engines::read(&here("scripts/engines/engines.json")).expect("the list of engines").engines;
+    let read = |name: &str| Standing::read(&Standing::file(&here("references/scoreboard"), name)).expect("run `moreau scoreboard`");
+    engines.into_iter().map(|entry| Standing { entry: entry.clone(), ..read(&entry.name) }).collect()
+}
+
+fn causes() -> Vec<cause::Cause> {
+    cause::read(&here("references/scoreboard/causes")).expect("readable causes")
+}
+
+/// The values of a quantity over the time steps, largest step first.
+fn values(standings: &[Standing], engine: &str, check: &str, quantity: &str) -> Vec<f64> {
+    let standing = standings.iter().find(|standing| standing.entry.name == engine).unwrap_or_else(|| panic!("no engine {engine}"));
+    let report: &Report = standing.report.as_ref().unwrap_or_else(|| panic!("{engine} was not run"));
+    let outcome = report.checks.iter().find(|outcome| outcome.check == check).unwrap_or_else(|| panic!("no check {check}"));
+    let of_step = |step: &moreau::gate::StepOutcome| {
+        let one = step.measurements.iter().find(|one| one.quantity == quantity);
+        one.unwrap_or_else(|| panic!("{engine}: {check} has no {quantity} at {:?}", step.time_step)).value
+    };
+    outcome.steps.iter().map(of_step).collect()
+}
+
+#[test]
+fn the_readme_shows_what_is_stored() {
+    let readme = std::fs::read_to_string(here("README.md")).expect("README.md");
+    let section = readme.split_once(scoreboard::BEGIN).and_then(|(_, rest)| rest.split_once(scoreboard::END)).expect("both markers").0;
+    let made = scoreboard::section(&standings(), &causes());
+    assert_eq!(section.trim(), made.trim(), "run `moreau scoreboard --stored --readme README.md`");
+}
+
+#[test]
+fn every_result_has_every_check_and_no_engine_is_missing() {
+    let names: Vec<&str> = check::all().map(|check| check.name).collect();
+    for standing in standings() {
+        let report = standing.report.unwrap_or_else(|| panic!("{} was not run: {:?}", standing.entry.name, standing.not_run));
+        let stored: Vec<&str> = report.checks.iter().map(|outcome| outcome.check.as_str()).collect();
+        assert_eq!(stored, names, "{}", standing.entry.name);
+    }
+}
+
+#[test]
+fn every_check_that_is_not_passed_has_one_cause_and_no_other_has() {
+    let misfits = cause::misfits(&causes(), &standings());
+    assert!(misfits.is_empty(), "{}", misfits.join("\n"));
+}
+
+const SLIDE: &str = "(v_t + μ v_n)/T, less the initial speed";
+
+#[test]
+fn rapiers_coulomb_friction_is_lost_along_its_tangents_since_0_35() {
+    let standings = standings();
+    let exact = 9.81 * (20f64.to_radians().sin() - 0.3 * 20f64.to_radians().cos());
+    let excess = |engine: &str| values(&standings, engine, "incline/slide", SLIDE).into_iter().map(move |a| a / exact - 1.0);
+    assert!(excess("rapier-0.36-coulomb").all(|part| (0.46..0.48).contains(&part)));
+    assert!(excess("rapier-0.34-coulomb").chain(excess("rapier-0.36")).all(|part| part.abs() < 1e-3));
+}
+
+#[test]
+fn mujocos_creep_is_inverse_to_impratio_and_the_same_at_every_step_that_refsafe_leaves_alone() {
+    let standings = standings();
+    let creep = |engine: &str| values(&standings, engine, "incline/stick", "creep speed")[1..].to_vec();
+    for (engine, impratio) in [("mujoco-elliptic", 1.0), ("mujoco-elliptic-impratio10", 10.0), ("mujoco-elliptic-impratio100", 100.0)] {
+        for speed in creep(engine) {
+            let part = speed * impratio / creep("mujoco-elliptic")[0];
+            assert!((part - 1.0).abs() < 1e-3, "{engine}: {part}");
+        }
+    }
+}
+
+#[test]
+fn saps_creep_is_proportional_to_the_step_and_laggeds_and_tamsis_is_constant() {
+    let standings = standings();
+    let ratio = |engine: &str| {
+        let creep = values(&standings, engine, "incline/stick", "creep speed");
+        creep[0] / creep[2]
+    };
+    let steps = 1000.0 / 60.0;
+    assert!((ratio("drake-sap") / steps - 1.0).abs() < 0.01, "{}", ratio("drake-sap"));
+    assert!((ratio("drake-lagged") - 1.0).abs() < 1e-3 && (ratio("drake-tamsi") - 1.0).abs() < 1e-3);
+}
+
+#[test]
+fn bullets_effective_restitution_falls_with_the_step_from_above_e_to_below_it() {
+    let e = values(&standings(), "bullet", "ball/restitution", "e = 0.5 from 5 m, impact 1: v+/v-");
+    assert!(e[0] > 0.55 && e[1] < e[0] && e[2] < e[1] && e[2] < 0.45, "{e:?}");
+}
+
+#[test]
+fn sweeps_that_end_early_let_stacks_wander() {
+    let standings = standings();
+    let drift = |engine: &str| values(&standings, engine, "stack/five", "largest horizontal displacement while standing");
+    let worst = |engine: &str| drift(engine).into_iter().fold(0.0, f64::max);
+    assert!(drift("bullet")[0] > 1e-3 && drift("dart-ode-nsgs")[0] > 1e-2);
+    assert!(worst("rapier-0.34") > 5e-4 && worst("rapier-0.36") > 5e-4);
+    assert!(worst("mujoco") < 1e-9 && worst("siconos") < 1e-9);
+    assert!(worst("mujoco-pgs") < 1e-4 && worst("dart-ode") < 1e-4);
+}
+
+#[test]
+fn the_lost_restitution_of_rapier_0_35_beta_is_seen_by_the_sweep_and_missed_by_its_smallest_step() {
+    let standings = standings();
+    let first =
+        |engine: &str, height: u32| values(&standings, engine, "ball/restitution", &format!("e = 0.5 from {height} m, impact 1: v+/v-"));
+    let kept = |engine: &str, height: u32| first(engine, height).into_iter().map(|e| e > 0.45).collect::<Vec<_>>();
+    assert_eq!(kept("rapier-0.35-beta-box-ground", 2), [false, false, true]);
+    assert_eq!(kept("rapier-0.35-beta", 2), [false, false, false]);
+    assert_eq!(kept("rapier-0.35-beta", 5), [true, false, false]);
+    for engine in ["rapier-0.34", "rapier-0.36"] {
+        assert!(kept(engine, 2).into_iter().chain(kept(engine, 5)).all(|kept| kept), "{engine}");
+    }
+}
