@@ -2,7 +2,7 @@
 //!
 //! Two contact points of a pair of bodies may ask for tangential velocities that differ by the tilt of their normals, 10⁻⁸ m/s or so. Then no
 //! impulse below the friction limit is a solution, the tangential impulses grow by 10⁻⁹ N·s per sweep until one of them reaches the limit,
-//! and no iteration of this kind ends sooner. The answer is good for all purposes long before. Likewise a box that slides on four corners under the
+//! and no iteration of this kind ends sooner, though the natural map fell below [`GOOD_ENOUGH`] long before. Likewise a box that slides on four corners under the
 //! associated law has a manifold of impulses, along which sweeps creep.
 
 use super::stopping::Stopping;

@@ -86,7 +86,7 @@ pub fn html(standings: &[Standing], causes: &[Cause]) -> Result<String> {
     let style = format!(
         "{}{}",
         page::STYLE,
-        "body{max-width:none}th.r{writing-mode:vertical-rl;transform:rotate(180deg);font-weight:normal}td.c{text-align:center}"
+        "body{max-width:none}th.r{writing-mode:vertical-rl;transform:rotate(180deg);font-weight:normal}td.c{text-align:center}td:first-child{white-space:nowrap}"
     );
     let page = html! {
         (DOCTYPE)
