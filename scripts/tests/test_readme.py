@@ -1,6 +1,7 @@
 """The engine printed in the README works as it is printed."""
 
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -8,6 +9,7 @@ import sys
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+MOREAU = os.environ.get("MOREAU")
 
 
 def printed_engine():
@@ -44,6 +46,13 @@ class ReadmeEngine(unittest.TestCase):
         self.assertEqual(ball["linear_velocity"][-1], [1, 0, -5])
         self.assertEqual(ball["position"][-1], [0.5, 0, 1 - 10 * 0.25 ** 2 * (1 + 2)])
         self.assertIn("free flight", refused["unsupported"])
+
+    @unittest.skipUnless(MOREAU, "set MOREAU to the program")
+    def test_protocol_check_finds_nothing_wrong_with_it(self):
+        run = subprocess.run([MOREAU, "protocol-check", "--", sys.executable, "-c",
+                              printed_engine()], cwd=ROOT, capture_output=True, text=True)
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        self.assertIn(" 0 problems", run.stdout)
 
 
 if __name__ == "__main__":

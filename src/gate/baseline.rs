@@ -9,6 +9,7 @@
 use super::{CheckOutcome, Measurement, Report, Verdict};
 use crate::checks::Relation;
 use crate::files::write_atomically;
+use crate::number::{significant, with_unit};
 use crate::tolerance::gate::{NEWS, SPREADS};
 use crate::{Error, Result};
 use jiff::civil::Date;
@@ -250,8 +251,9 @@ impl BaselineValue {
     fn compare(&self, now: &Measurement) -> Option<(ChangeKind, String)> {
         let noise = SPREADS * self.spread.max(now.spread) + NEWS * now.ideal.tolerance;
         let (then_bad, now_bad) = (badness(now, self.value), badness(now, now.value));
-        let at = self.time_step.map_or(String::new(), |h| format!(" at h = {h} s"));
-        let numbers = format!("{}{at}: {} {} instead of {} (noise {noise:.1e})", now.quantity, now.value, now.unit, self.value);
+        let at = self.time_step.map_or(String::new(), |h| format!(" at h = {} s", significant(h)));
+        let value = with_unit(&significant(now.value), &now.unit);
+        let numbers = format!("{}{at}: {value} instead of {} (noise {noise:.1e})", now.quantity, significant(self.value));
         if !now_bad.is_finite() || now_bad > then_bad + noise {
             return Some((ChangeKind::Regression, format!("worse: {numbers}")));
         }

@@ -1,7 +1,7 @@
 //! How good an answer to a contact problem is: residuals with units, and whether they are small enough.
 
-use super::number::{significant, with_unit};
 use crate::certificate::Residuals;
+use crate::number::{significant, with_unit};
 use crate::problem::{ContactProblem, Solution};
 use serde::Serialize;
 use std::fmt::Write;

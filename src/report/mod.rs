@@ -4,6 +4,5 @@ pub mod certificate;
 pub mod gate;
 pub mod json;
 pub mod motion;
-pub mod number;
 pub mod plot;
 pub mod text;

@@ -1,8 +1,8 @@
 //! What a simulated scene shows: numbers with units, and panels of position, velocity and energy over time.
 
-use super::number::{significant, with_unit};
 use super::plot::{Curve, Panel, Role};
 use crate::mechanics::{BodyState, Mechanism, State};
+use crate::number::{significant, with_unit};
 use crate::scenes::ExactMotion;
 use crate::trajectory::Recording;
 use crate::trajectory::metrics::{creep_speed, effective_restitutions, energy_balance, penetration, settling_time};

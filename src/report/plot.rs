@@ -1,6 +1,6 @@
 //! Pictures: panels of curves over time as SVG, legends beside the panels so that they cover nothing.
 
-use super::number::significant;
+use crate::number::significant;
 use crate::tolerance::EPSILON;
 use crate::{Error, Result};
 use plotters::coord::Shift;

@@ -1,8 +1,8 @@
 //! What `verify` prints: one line per claim grouped by section, a count at the end, and the explanation of one claim.
 
-use super::number::{significant, with_unit};
 use crate::checks::Finding;
 use crate::claims::{Claim, Outcome, SECTIONS, Section, Status, Verdict, place};
+use crate::number::{significant, with_unit};
 use std::fmt::Write;
 
 /// Columns of wrapped prose.

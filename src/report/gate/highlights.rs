@@ -3,7 +3,7 @@
 
 use crate::gate::scoreboard::Standing;
 use crate::gate::{CheckOutcome, StepOutcome};
-use crate::report::number::{significant, with_unit};
+use crate::number::{significant, with_unit};
 use maud::{Markup, html};
 
 /// One thing worth seeing: a quantity of one check over several engines.

@@ -20,7 +20,7 @@ pub fn decisive(check: &CheckOutcome) -> Option<(&StepOutcome, &Measurement)> {
 
 /// One line about a measurement: value, what was expected, of whom.
 pub fn sentence(step: &StepOutcome, one: &Measurement) -> String {
-    use crate::report::number::{significant, with_unit};
+    use crate::number::{significant, with_unit};
     let expectation = match (&one.model, one.verdict()) {
         (Some(model), Verdict::Fail | Verdict::Difference) => model,
         _ => &one.ideal,

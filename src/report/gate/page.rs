@@ -4,7 +4,7 @@ use super::{decisive, plot, sentence};
 use crate::Result;
 use crate::gate::baseline::{Change, ChangeKind};
 use crate::gate::{CheckOutcome, Measurement, Report, StepOutcome, check};
-use crate::report::number::significant;
+use crate::number::significant;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 pub(super) const STYLE: &str = "body{font:15px/1.45 system-ui,sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;color:#222}\

@@ -5,7 +5,7 @@ use crate::Result;
 use crate::gate::cause::{self, Cause};
 use crate::gate::scoreboard::Standing;
 use crate::gate::{CheckOutcome, Report, Verdict, check};
-use crate::report::number::significant;
+use crate::number::significant;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use std::collections::BTreeMap;
 

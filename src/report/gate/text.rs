@@ -3,7 +3,7 @@
 use super::{decisive, sentence};
 use crate::gate::baseline::{Change, ChangeKind};
 use crate::gate::{CheckOutcome, Report, Verdict};
-use crate::report::number::significant;
+use crate::number::significant;
 use crate::report::text::Style;
 
 /// The verdicts in the order of the summary.

@@ -43,13 +43,13 @@
 //! }
 //!
 //! moreau::gate_tests!(MyEngine);
-//! # moreau::gate::rust_tests::assert_check::<MyEngine>("projection/regions");
-//! # moreau::gate::rust_tests::assert_check::<MyEngine>("projection/boundaries");
-//! # moreau::gate::rust_tests::assert_check::<MyEngine>("flight/projectile"); // unsupported: not held against it
+//! # moreau::rust_engine::assert_check::<MyEngine>("projection/regions");
+//! # moreau::rust_engine::assert_check::<MyEngine>("projection/boundaries");
+//! # moreau::rust_engine::assert_check::<MyEngine>("flight/projectile"); // unsupported: not held against it
 //! ```
 
-use super::runner::{self, Plan, QUICK, SWEEP};
-use super::{Engine, Options, check};
+use crate::gate::runner::{self, Plan, QUICK, SWEEP};
+use crate::gate::{Engine, Options, check};
 use crate::report::gate::text;
 use crate::report::text::Style;
 
@@ -136,7 +136,7 @@ macro_rules! gate_tests {
         $(
             #[test]
             fn $function() {
-                $crate::gate::rust_tests::assert_check::<$engine>($name);
+                $crate::rust_engine::assert_check::<$engine>($name);
             }
         )*
     };
@@ -184,7 +184,7 @@ mod tests {
 
     #[test]
     fn the_macro_has_every_check_once_in_the_order_of_the_registry() {
-        let source = include_str!("rust_tests.rs");
+        let source = include_str!("rust_engine.rs");
         let (list, _) = source.split_once("($engine:ty; ").expect("the second arm of the macro");
         let quoted: Vec<&str> = list.split('"').skip(1).step_by(2).filter(|name| name.contains('/')).collect();
         let names: Vec<&str> = check::all().map(|check| check.name).collect();
