@@ -78,6 +78,7 @@ pub mod elimination;
 pub mod error;
 pub mod files;
 pub mod gate;
+pub mod impact_laws;
 pub mod mechanics;
 pub mod number;
 pub mod problem;

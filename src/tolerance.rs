@@ -72,6 +72,7 @@ pub mod schemes {
 }
 
 pub mod gate;
+pub mod impact_laws;
 pub mod references;
 pub mod zeno;
 

@@ -6,7 +6,8 @@
 //!     landing                 ω⁺/ω⁻ = 1 − 3/2 sin²α    angular momentum about the edge that is hit
 //! ```
 //! The landing's ratio: the spin about the centre and the centre's motion about the new edge, I_c ω⁻ + m (c² − b²) ω⁻ = I_edge ω⁺ with
-//! I_c = m R²/3. It is exact for every block that leaves the old edge, sin²α < 2/3.
+//! I_c = m R²/3. It is exact for every block that leaves the old edge, sin²α < 2/3, on a floor that holds the new one,
+//! μ ≥ c (1 − r)/(b (1 + r)), r = ω⁺/ω⁻. On a smooth floor the plastic impact leaves ω⁺/ω⁻ = (c² − 2b²)/(c² + 4b²): [`landing`].
 
 use crate::{Error, Result};
 
@@ -98,6 +99,30 @@ impl RockingBlock {
             }
         };
         (0..=NODES).map(|k| weight(k) * integrand(k as f64 * step)).sum::<f64>() * step / 3.0
+    }
+}
+
+/// Landings of a block with half width b and half height c, e = 0, in any ordered field.
+pub mod landing {
+    use crate::scalar::Scalar;
+
+    /// ω⁺/ω⁻ if the new edge neither slips nor rebounds, 1 − 3/2 b²/(b² + c²).
+    pub fn pivoting<T: Scalar>(b: &T, c: &T) -> T {
+        let [b, c] = [b.clone() * b.clone(), c.clone() * c.clone()];
+        T::one() - T::ratio(3, 2) * b.clone() / (b + c)
+    }
+
+    /// The least μ with which the new edge does not slip, |P_t|/P_n = c (1 − r)/(b (1 + r)): the impulses m c (1 − r)|ω⁻| and m b (1 + r)|ω⁻|
+    /// turn the velocity of the centre from that about the old edge to that about the new one.
+    pub fn least_friction<T: Scalar>(b: &T, c: &T) -> T {
+        let ratio = pivoting(b, c);
+        c.clone() * (T::one() - ratio.clone()) / (b.clone() * (T::one() + ratio))
+    }
+
+    /// ω⁺/ω⁻ on a smooth floor, (c² − 2b²)/(c² + 4b²), which is W_AB/W_BB; the old edge leaves the floor if it is positive.
+    pub fn smooth<T: Scalar>(b: &T, c: &T) -> T {
+        let [b, c] = [b.clone() * b.clone(), c.clone() * c.clone()];
+        (c.clone() - T::ratio(2, 1) * b.clone()) / (c + T::ratio(4, 1) * b)
     }
 }
 
