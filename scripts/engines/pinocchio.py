@@ -12,7 +12,7 @@ whatever the law, so nothing is approximated.  The law `frictionless` is Coulomb
 
 The solver `pgs` takes the residual of a contact when it has just been solved, before its neighbours
 move on; where contacts are solved exactly one by one, it stops after the first sweep, converged by
-its own account.  With `tolerance` 0 it goes on until the impulses stand still.
+its own account, whatever the others say.  With `over_relaxation` 0.5 a sweep leaves a residual.
 
 Units: Pinocchio's own are those of W and q, so with velocities it returns impulses [N s].
 """
@@ -29,8 +29,11 @@ import _problem  # noqa: E402
 from _protocol import Unsupported, serve  # noqa: E402
 from _settings import contact_model, in_force, options_of  # noqa: E402
 
+# The last three are Pinocchio's own settings with its own defaults: how ADMM changes its penalty,
+# how many iterates it accelerates with (0: none), and how far PGS goes towards its update.
 OPTIONS = {"solver": ("admm", "pgs"), "tolerance": 1e-10, "relative_tolerance": 1e-13,
-           "iterations": 20000}
+           "iterations": 20000, "admm_update_rule": ("osqp", "spectral", "linear", "constant"),
+           "anderson_capacity": 0, "over_relaxation": 1.0}
 
 SOLVERS = {
     "admm": (pin.ADMMConstraintSolver, pin.ADMMSolverSettings, pin.ADMMSolverResult),
@@ -117,6 +120,11 @@ def _run(options, solve_ncp, operator, free, contacts):
     # with a relative tolerance, iterates that move less than it count as converged, too
     settings.relative_feasibility_tol = options["relative_tolerance"]
     settings.relative_complementarity_tol = options["relative_tolerance"]
+    if options["solver"] == "admm":
+        settings.admm_update_rule = pin.ADMMUpdateRule.names[options["admm_update_rule"].upper()]
+        settings.anderson_capacity = options["anderson_capacity"]
+    else:
+        settings.over_relaxation = options["over_relaxation"]
     converged = solver(len(free)).solve(pin.DelassusOperatorDense(operator), free, contacts.models,
                                         contacts.data, settings, result)
     if not converged:

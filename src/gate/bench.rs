@@ -83,6 +83,11 @@ impl<'a> Bench<'a> {
         Ok(solution)
     }
 
+    /// Whether the engine answered what it was asked last, if only with `error` or `unsupported`: see [`Engine::in_conversation`].
+    pub fn in_conversation(&self) -> bool {
+        self.engine.in_conversation()
+    }
+
     /// The engine's projections of points on the cone ‖t‖ ≤ μ n; sizes are checked.
     ///
     /// # Errors

@@ -77,4 +77,9 @@ pub trait Engine: Send {
         let _ = (friction, points, options);
         Err(Refusal::unsupported("this engine does not project on friction cones"))
     }
+
+    /// Whether the engine can be asked on as it is: an answer `error` leaves it so, a crash, silence or garbage do not.
+    fn in_conversation(&self) -> bool {
+        true
+    }
 }

@@ -6,8 +6,12 @@
 //! What an engine adds is its own: a solver that stops early lets the stack sink, lean and tremble; a declared rest depth lets it sink by
 //! a known amount. No contact begins touching: a gap of 0 is open or closed by rounding. The standing lasts a fixed number of steps, so
 //! that errors per step show at every h.
+//!
+//! Rigid contacts on declared springs settle within their own time, which may be longer than any wait here. Their boxes start where
+//! the declared law carries the load, so that nothing has to settle.
 
 use super::scenery::{GRAVITY, angle_between, cuboid, over_floor, worst};
+use crate::closed_forms::soft_rigid_contact::inverse_mass_at;
 use crate::gate::check::{Control, Run};
 use crate::gate::model::compression::LoadedPoint;
 use crate::gate::model::{Model, sink};
@@ -15,6 +19,7 @@ use crate::gate::{Bench, Check, Expectation, Kind, Level, Measurement, Reply};
 use crate::scenes::Scene;
 use crate::tolerance::gate::{SOLVED, stack as tolerance};
 use crate::trajectory::{BodyTrack, ContactRecord, Trajectory};
+use nalgebra::{Matrix3, Vector3};
 
 /// Half the height of every box \[m\].
 const HALF: f64 = 0.05;
@@ -35,7 +40,8 @@ const RESTING: &str = "Once landed nothing moves. A solver that leaves a part s 
                        over the steps. A landing at v is found up to a step late and acted on in the next, 3/2 h (v + g h) deep, level by \
                        level, and may be corrected later. A compliant or slack contact sinks by at most twice its declared rest depth \
                        under the whole load, level by level, at up to √(2 g · sink); springs may give the energy of \
-                       the falls to one box.";
+                       the falls to one box. Boxes on declared springs of a frequency start at the depth of each level, N/(m_p (2πf)²) at \
+                       its corners, and stay there.";
 
 /// The checks of the family.
 pub const CHECKS: &[Check] = &[
@@ -68,12 +74,61 @@ pub const CHECKS: &[Check] = &[
     },
 ];
 
-/// Boxes of these masses \[kg\], from below, δ apart, each a little narrower than the one below, so that its corners are the contacts.
-fn stack(masses: &[f64]) -> Scene {
-    let height = |k: usize| (2 * k + 1) as f64 * HALF + (k + 1) as f64 * GAP;
-    let width = |k: usize| WIDTH * (1.0 - NARROWER * k as f64);
+/// Half the width of a level \[m\]: each is a little narrower than the one below, so that its corners are the contacts.
+fn width(k: usize) -> f64 {
+    WIDTH * (1.0 - NARROWER * k as f64)
+}
+
+/// Boxes of these masses \[kg\], from below, with these gaps to what is below \[m\].
+fn stack(masses: &[f64], gaps: &[f64]) -> Scene {
+    let height = |k: usize| (2 * k + 1) as f64 * HALF + gaps[..=k].iter().sum::<f64>();
     let level = |(k, mass): (usize, &f64)| cuboid(&format!("box{}", k + 1), *mass, [width(k), width(k), HALF], [0.0, 0.0, height(k)]);
     over_floor("stack", masses.iter().enumerate().map(level).collect(), 0.5)
+}
+
+/// A corner of a level, which carries a quarter of the weight above it.
+fn corner(masses: &[f64], k: usize) -> LoadedPoint {
+    let arm = Vector3::new(width(k), width(k), HALF);
+    let inverse_mass = |body: usize| {
+        let (mass, square) = (masses[body], Vector3::new(width(body), width(body), HALF).map(|half| half * half));
+        let moments = Vector3::new(square.y + square.z, square.z + square.x, square.x + square.y) * (mass / 3.0);
+        inverse_mass_at(mass, &Matrix3::from_diagonal(&moments.map(|moment| 1.0 / moment)), &arm, &Vector3::z())
+    };
+    let below = if k > 0 { inverse_mass(k - 1) } else { 0.0 };
+    LoadedPoint { load: 0.25 * GRAVITY * masses[k..].iter().sum::<f64>(), inverse_mass: inverse_mass(k) + below, on_ground: k == 0 }
+}
+
+/// The depths at which declared springs carry the load, level by level; `None` without springs.
+fn sprung_depths(bench: &Bench, masses: &[f64]) -> Option<Vec<f64>> {
+    let model = Model::of(bench.description());
+    (0..masses.len()).map(|k| model.sprung_depth(&corner(masses, k))).collect()
+}
+
+/// What the boxes start with.
+enum Start {
+    /// Gaps of δ.
+    Apart,
+    /// The declared depths \[m\].
+    Sprung(Vec<f64>),
+    /// Gaps of δ, for declared springs that would let a box sink by half its height or more: then other faces touch, and no law says where.
+    Swallowed,
+}
+
+impl Start {
+    fn of(bench: &Bench, masses: &[f64]) -> Self {
+        match sprung_depths(bench, masses) {
+            None => Start::Apart,
+            Some(depths) if depths.iter().all(|depth| *depth < HALF) => Start::Sprung(depths),
+            Some(_) => Start::Swallowed,
+        }
+    }
+
+    fn gaps(&self, levels: usize) -> Vec<f64> {
+        match self {
+            Start::Sprung(depths) => depths.iter().map(|depth| -depth).collect(),
+            Start::Apart | Start::Swallowed => vec![GAP; levels],
+        }
+    }
 }
 
 /// Samples until the stack has landed: 0.1 s, at least 60 steps, in which overlaps are corrected.
@@ -82,14 +137,16 @@ fn landed(h: f64) -> usize {
 }
 
 fn standing(bench: &mut Bench, h: f64, masses: &[f64], steps: usize) -> Reply<Vec<Measurement>> {
-    let trajectory = bench.simulate(&stack(masses), h, landed(h) * EVERY + steps, EVERY)?;
-    Ok(Rest::new(bench, h, masses, steps).measured(&trajectory))
+    let start = Start::of(bench, masses);
+    let trajectory = bench.simulate(&stack(masses, &start.gaps(masses.len())), h, landed(h) * EVERY + steps, EVERY)?;
+    Ok(Rest::new(bench, h, masses, steps, &start).measured(&trajectory))
 }
 
 fn mass_ratio(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let (masses, steps) = ([1.0, 1000.0], 50);
-    let trajectory = bench.simulate(&stack(&masses), h, landed(h) * EVERY + steps, EVERY)?;
-    let rest = Rest::new(bench, h, &masses, steps);
+    let start = Start::of(bench, &masses);
+    let trajectory = bench.simulate(&stack(&masses, &start.gaps(masses.len())), h, landed(h) * EVERY + steps, EVERY)?;
+    let rest = Rest::new(bench, h, &masses, steps, &start);
     let mut measurements = rest.measured(&trajectory);
     if bench.description().reports_contacts {
         measurements.push(rest.carried(&trajectory, masses.iter().sum()));
@@ -109,13 +166,15 @@ struct Rest {
     landing: f64,
     /// Declared sinking of all levels; on springs also the height to which the energy of all falls may fling the lightest box \[m\].
     sink: Option<f64>,
+    /// The deepest overlap of neighbours \[m\] that declared springs hold from the start.
+    held: Option<f64>,
     /// Relative accuracy of impulses.
     solved: f64,
     duration: f64,
 }
 
 impl Rest {
-    fn new(bench: &Bench, h: f64, masses: &[f64], steps: usize) -> Self {
+    fn new(bench: &Bench, h: f64, masses: &[f64], steps: usize, start: &Start) -> Self {
         let total: f64 = masses.iter().sum();
         let lightest = masses.iter().copied().fold(f64::INFINITY, f64::min);
         let velocity = tolerance::unsolved_velocity(GRAVITY, h, total / lightest);
@@ -127,13 +186,16 @@ impl Rest {
         let levels: Vec<LoadedPoint> = (0..masses.len()).map(level).collect();
         let flung = (0..masses.len()).map(|k| masses[k] * (k + 1) as f64 * GAP).sum::<f64>() / lightest;
         let compliant = bench.description().contact_model.kind == Kind::Compliant;
-        let landing = |k: usize| tolerance::landing(GRAVITY, (k + 1) as f64 * GAP, h);
+        let fall = |k: usize| if matches!(start, Start::Sprung(_)) { 0.0 } else { (k + 1) as f64 * GAP };
+        let landing = |k: usize| tolerance::landing(GRAVITY, fall(k), h);
+        let sinks = || sink::sink(&Model::of(bench.description()), &levels, h).map(|sink| sink + if compliant { flung } else { 0.0 });
         Rest {
             landed: landed(h),
             velocity,
             drift: tolerance::drift(velocity, steps, h),
             landing: (0..masses.len()).map(landing).sum(),
-            sink: sink::sink(&Model::of(bench.description()), &levels, h).map(|sink| sink + if compliant { flung } else { 0.0 }),
+            sink: if matches!(start, Start::Apart) { sinks() } else { None },
+            held: if let Start::Sprung(depths) = start { depths.iter().copied().reduce(worst) } else { None },
             solved: SOLVED,
             duration: steps as f64 * h,
         }
@@ -154,11 +216,13 @@ impl Rest {
             self.sink.map(|sink| Expectation::at_most(bound(sink), allowed, "the declared contacts sink under their load"))
         };
         let depth = self.drift + self.landing;
+        let held = self.held.map(|held| Expectation::equal(held, depth, "the declared springs carry the load"));
         vec![
             Measurement::new("largest horizontal displacement while standing", "m", sideways, still(self.drift)),
             Measurement::new("largest vertical displacement while standing", "m", upwards, still(depth)).predicted(law(|sink| sink, depth)),
             Measurement::new("largest turn while standing", "rad", tilt, still(self.drift / (0.5 * WIDTH))),
-            Measurement::new("deepest overlap of neighbours", "m", overlap(trajectory), still(depth)).predicted(law(|sink| sink, depth)),
+            Measurement::new("deepest overlap of neighbours", "m", overlap(trajectory), still(depth))
+                .predicted(held.or_else(|| law(|sink| sink, depth))),
             Measurement::new("RMS speed while standing", "m/s", trembling(trajectory, from), still(self.velocity))
                 .predicted(law(|sink| tolerance::sinking_speed(GRAVITY, sink), self.velocity)),
         ]

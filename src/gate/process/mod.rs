@@ -85,6 +85,10 @@ impl Engine for ProcessEngine {
         let question = Question::Project { friction, points: points.to_vec(), options: options.clone() };
         self.ask(question, |text| messages::points(text, points))
     }
+
+    fn in_conversation(&self) -> bool {
+        self.session.is_some()
+    }
 }
 
 impl Drop for ProcessEngine {

@@ -63,8 +63,9 @@ pub const CHECKS: &[Check] = &[
         name: "contact/momentum",
         level: Level::Simulate,
         question: "Do the reported impulses account for every change of momentum and of angular momentum?",
-        derivation: "m Δv = m g Δt + p in every interval, and J Δω = ℓ × p with the lever of the contact point: for a sphere −(R + φ) n, for a \
-                     box that lands on an edge the middle of the edge. Relative to the impulses of the interval; the edge's lever is \
+        derivation: "m Δv = m g Δt + p in every interval, and J Δω = ℓ × p with the lever of the contact point: for a sphere −(R + φ) n, with the \
+                     gap or depth φ at the start or the end of the step, wherever the engine looks for contacts; for a box that lands on an \
+                     edge the middle of the edge. Relative to the impulses of the interval; the edge's lever is \
                      known up to its turn in the step and its depth.",
         source: "Newton–Euler; protocol: impulses summed over the interval that ends at the sample",
         run: Run::EachStep(momentum::momentum),

@@ -20,10 +20,10 @@ pub(super) fn momentum(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
         let change = (sphere.states[k].spin - sphere.states[k - 1].spin) * (inertia * sphere.mass);
         let torque = Vector3::new(0.0, 0.0, -RADIUS).cross(&impulse);
         angular = worst((change - torque).norm() / size, angular);
-        offset = worst(impulse.xy().norm() * sphere.gap(k - 1).min(sphere.gap(k)).abs() / size, offset);
+        offset = worst(impulse.xy().norm() * sphere.gap(k - 1).abs().max(sphere.gap(k).abs()) / size, offset);
     }
     let solved = tolerance::impulse();
-    let lever = Expectation::at_most(0.0, solved + offset, "J Δω = ℓ × p with the lever R + φ");
+    let lever = Expectation::at_most(0.0, solved + offset, "J Δω = ℓ × p with the lever R + φ, φ the gap at either end of the step");
     let mut measurements = vec![
         Measurement::new("unaccounted momentum over impulse (sphere)", "1", linear, Expectation::at_most(0.0, solved, "m Δv = m g Δt + p")),
         Measurement::new("unaccounted angular momentum over R times impulse (sphere)", "1", angular, lever),

@@ -19,7 +19,8 @@ use crate::tolerance::gate::solver as tolerance;
 use problems::Solved;
 
 const MANUFACTURED: &str = "The velocities after the step and the impulses are chosen, then the velocity without impulses: a solution exists by \
-                            construction. A solver that knows an energy to ε knows impulses and velocities to √ε of their scale.";
+                            construction. A solver that knows an energy to ε knows impulses and velocities to √ε of their scale. A problem \
+                            answered with an error was not solved; it is counted, and the residuals are those of the others.";
 
 /// The checks of the family.
 pub const CHECKS: &[Check] = &[
@@ -103,9 +104,17 @@ fn laws(bench: &Bench) -> Reply<Vec<Law>> {
 
 fn certified(bench: &mut Bench, posed: Posed, unique: bool) -> Reply<Vec<Measurement>> {
     let (mut largest, mut off) = ([0.0; 5], 0.0);
+    let (mut solved, mut refused) = (0, Vec::new());
     for law in laws(bench)? {
         for Solved { problem, witness } in posed(law).map_err(Refusal::errored)? {
-            let solution = bench.solve(&problem)?;
+            let solution = match bench.solve(&problem) {
+                Err(Refusal::Errored(cause)) if bench.in_conversation() => {
+                    refused.push((problem.name, cause));
+                    continue;
+                }
+                answer => answer?,
+            };
+            solved += 1;
             let found = residuals(&problem, &solution).map_err(Refusal::errored)?;
             for (largest, value) in largest.iter_mut().zip(relative(&found)) {
                 *largest = worst(*largest, value);
@@ -113,6 +122,9 @@ fn certified(bench: &mut Bench, posed: Posed, unique: bool) -> Reply<Vec<Measure
             let known = problem.velocity(&witness);
             off = worst(off, relative_to((&solution.velocity - known).norm(), found.velocity_scale));
         }
+    }
+    if let (0, Some((name, cause))) = (solved, refused.first()) {
+        return Err(Refusal::Errored(format!("no problem got an answer; {name}: {cause}")));
     }
     let allowed = tolerance::residual(bench.epsilon());
     let words = [
@@ -131,11 +143,22 @@ fn certified(bench: &mut Bench, posed: Posed, unique: bool) -> Reply<Vec<Measure
         )
     };
     let mut measurements: Vec<Measurement> = words.into_iter().zip(largest).map(residual).collect();
+    measurements.push(unanswered(&refused));
     if unique {
         let ideal = Expectation::at_most(0.0, tolerance::known_velocity(bench.epsilon()), "the only velocity, for residuals of √ε");
         measurements.push(Measurement::new("largest difference from the known velocity over its scale", "1", off, ideal));
     }
     Ok(measurements)
+}
+
+/// How many problems were answered with an error, with their names and the first one's message.
+fn unanswered(refused: &[(String, String)]) -> Measurement {
+    let names: Vec<&str> = refused.iter().map(|(name, _)| name.as_str()).collect();
+    let why = match refused.first() {
+        None => "every problem has a solution".to_string(),
+        Some((_, cause)) => format!("every problem has a solution; not solved: {} ({cause})", names.join("; ")),
+    };
+    Measurement::new("problems that were answered with an error", "1", refused.len() as f64, Expectation::equal(0.0, 0.0, why))
 }
 
 /// The residuals relative to their scales; the natural map's scale does not vanish with r.
