@@ -192,6 +192,23 @@ impl Baseline {
         Ok(changes)
     }
 
+    /// What else differs than the engine's answers: its version, its options. Nothing that keeps a run from being compared.
+    pub fn notes(&self, report: &Report) -> Vec<String> {
+        let mut notes = Vec::new();
+        let engine = &report.engine;
+        if self.version != engine.version {
+            notes.push(format!("the baseline is of {} {}, the run of {}", self.engine, self.version, engine.version));
+        }
+        let then: super::Options = serde_json::from_str(&self.options).unwrap_or_default();
+        let said = |value: Option<&serde_json::Value>| value.map_or("absent".to_string(), ToString::to_string);
+        let names: std::collections::BTreeSet<&String> = then.keys().chain(engine.options.keys()).collect();
+        for name in names.into_iter().filter(|name| then.get(*name) != engine.options.get(*name)) {
+            let [old, new] = [then.get(name), engine.options.get(name)].map(said);
+            notes.push(format!("the option {name} was {old} in the baseline and is {new} now"));
+        }
+        notes
+    }
+
     /// Turns a regression that is a known issue into one, unless it has expired.
     fn accept(&self, change: &mut Change, today: Date) {
         let Some(issue) = self.known_issues.iter().find(|issue| issue.check == change.check) else { return };

@@ -112,3 +112,14 @@ fn a_baseline_survives_its_file() {
     let text = baseline.to_toml().expect("writable");
     assert_eq!(toml::from_str::<Baseline>(&text).expect("readable"), baseline, "{text}");
 }
+
+#[test]
+fn another_version_and_other_options_are_told_and_compared_all_the_same() {
+    let (then, mut now) = (value(0.25, 0.0), value(0.25, 0.0));
+    assert!(Baseline::of(&then).notes(&now).is_empty());
+    now.engine.version = "2".into();
+    now.engine.options.insert("iterations".into(), 50.into());
+    let notes = Baseline::of(&then).notes(&now);
+    assert_eq!(notes, ["the baseline is of toy 1, the run of 2", "the option iterations was absent in the baseline and is 50 now"]);
+    assert_eq!(kinds(&then, &now), []);
+}

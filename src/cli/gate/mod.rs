@@ -142,6 +142,9 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         Ok(report) => subject::audited(arguments, report)?,
         Err(refusal) => return cannot_run(&refusal),
     };
+    for note in baseline.iter().flat_map(|baseline| baseline.notes(&report)) {
+        print_aside(&format!("warning: {note}\n"));
+    }
     let changes = baseline.map(|baseline| baseline.compare(&report, Zoned::now().date())).transpose()?;
     arguments.write(&report, changes.as_deref())?;
     arguments.show(&report, changes.as_deref())?;

@@ -52,9 +52,10 @@ const HIGHLIGHTS: &[Highlight] = &[
     Highlight {
         title: "Stacks that a sweep method lets drift",
         explanation: "Five equal cubes stand still in theory. Sweeps that end after a fixed number of iterations let them wander sideways: Bullet and DART's \
-                      projected Gauss–Seidel by millimetres to centimetres at 1/60 s and less at smaller steps, Rapier by a millimetre at the smaller \
-                      ones. MuJoCo's Newton method and Siconos's sweeps, which go on until the residual is small, keep them within a nanometre, \
-                      MuJoCo's PGS and DART's Dantzig pivoting within a tenth of a millimetre.",
+                      projected Gauss–Seidel by millimetres to centimetres at 1/60 s and less at smaller steps, Rapier, whose cubes start where its \
+                      declared springs carry them, by hundredths of a millimetre. MuJoCo's Newton method and Siconos's sweeps, which go on \
+                      until the residual is small, keep them within a nanometre, MuJoCo's PGS and DART's Dantzig pivoting within a tenth \
+                      of a millimetre.",
         check: "stack/five",
         quantity: "largest horizontal displacement while standing",
         engines: &["mujoco", "mujoco-pgs", "dart-ode", "dart-ode-nsgs", "siconos", "bullet", "rapier-0.34", "rapier-0.36"],
