@@ -3,7 +3,8 @@
 //! ```text
 //!     Signorini    gap = 0 ,  v = 0 ;      a compliant law    gap = −δ  with  f(δ) = m g/n_c  on each of n_c equal contacts .
 //! ```
-//! The bodies are set down at the depth that the declared law predicts, so that nothing has to settle.
+//! The bodies are set down at the depth that the declared law predicts, so that nothing has to settle; where the depth of a rigid law is
+//! asked for, they start at the surface.
 
 use super::scenery::{GRAVITY, cuboid, over_floor, sphere, worst};
 use crate::closed_forms::soft_rigid_contact::inverse_mass_at;
@@ -116,19 +117,21 @@ fn inverse_inertia() -> Matrix3<f64> {
     Matrix3::from_diagonal(&moments.map(|moment| 1.0 / moment))
 }
 
-fn rest(bench: &mut Bench, h: f64) -> Reply<Trajectory> {
+/// The motion of bodies that start where the declared law carries them (`settled`), or, if it is a rigid one, in the surface: what springs
+/// it declares must then show where they settle.
+fn rest(bench: &mut Bench, h: f64, settled: bool) -> Reply<Trajectory> {
     let declared = predicted(bench.description(), h).map_or([0.0; 2], |depths| depths.map(|[low, high]| 0.5 * (low + high)));
-    let sprung = sprung(&Model::of(bench.description()));
+    let compliant = bench.description().contact_model.kind == crate::gate::Kind::Compliant;
     // A rigid body starts inside the surface by as much as rounding and solver may move it: of a gap above 0 event capturing knows nothing,
     // and a corner that opens by rounding would fall for a step, g h², and tip the box.
     let inside = tolerance::settled(STEPS, RADIUS, GRAVITY, h, bench.epsilon());
-    let rigid = bench.description().contact_model.kind == crate::gate::Kind::Rigid;
-    let scene = resting(bench.description(), sprung.unwrap_or(if rigid { [inside; 2] } else { declared }));
+    let rigid = if settled { sprung(&Model::of(bench.description())) } else { None }.unwrap_or([inside; 2]);
+    let scene = resting(bench.description(), if compliant { declared } else { rigid });
     bench.simulate(&scene, h, STEPS, EVERY)
 }
 
 fn drift(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
-    let trajectory = rest(bench, h)?;
+    let trajectory = rest(bench, h, true)?;
     let allowed = tolerance::settled(STEPS, 2.0, GRAVITY, h, bench.epsilon());
     let one = |track: &BodyTrack| {
         let [start, end] = [track.position[0], track.position[track.position.len() - 1]];
@@ -139,7 +142,7 @@ fn drift(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
 }
 
 fn jitter(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
-    let trajectory = rest(bench, h)?;
+    let trajectory = rest(bench, h, true)?;
     let allowed = tolerance::velocity(GRAVITY, h, bench.epsilon());
     let one = |track: &BodyTrack| {
         let square = |k: usize| {
@@ -157,7 +160,7 @@ fn late_half(track: &BodyTrack) -> std::ops::Range<usize> {
 }
 
 fn depth(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
-    let trajectory = rest(bench, h)?;
+    let trajectory = rest(bench, h, false)?;
     let ideal = tolerance::gap(GRAVITY, h) + tolerance::settled(STEPS, RADIUS, GRAVITY, h, bench.epsilon());
     let model = predicted(bench.description(), h);
     let rigid = bench.description().contact_model.kind == crate::gate::Kind::Rigid;

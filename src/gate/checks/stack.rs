@@ -263,3 +263,27 @@ fn trembling(trajectory: &Trajectory, from: usize) -> f64 {
     let squares: Vec<f64> = speeds.map(|v| v.iter().map(|x| x * x).sum::<f64>()).collect();
     (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tolerance::rounding;
+
+    #[test]
+    fn a_corner_of_the_lowest_box_feels_its_turn_and_of_the_next_both_boxes() {
+        // A box of half extents a, a, c: 1/m + 2 a²/J with J = m (a² + c²)/3.
+        let alone = |mass: f64, arm: f64, width: f64| (1.0 + 6.0 * arm * arm / (width * width + HALF * HALF)) / mass;
+        let masses = [2.0, 3.0];
+        let [lowest, next] = [0, 1].map(|k| corner(&masses, k));
+        assert!((lowest.inverse_mass - alone(2.0, WIDTH, WIDTH)).abs() <= rounding(16, lowest.inverse_mass));
+        let both = alone(3.0, width(1), width(1)) + alone(2.0, width(1), WIDTH);
+        assert!((next.inverse_mass - both).abs() <= rounding(16, both));
+        assert!((lowest.load - 1.25 * GRAVITY).abs() <= rounding(8, GRAVITY) && lowest.on_ground && !next.on_ground);
+    }
+
+    #[test]
+    fn springs_too_soft_for_the_boxes_say_no_place() {
+        assert_eq!(Start::Swallowed.gaps(2), Start::Apart.gaps(2));
+        assert_eq!(Start::Sprung(vec![0.01, 0.02]).gaps(2), [-0.01, -0.02]);
+    }
+}

@@ -1,10 +1,11 @@
 //! Mistakes at impacts and at rest.
 
 use super::Planted;
-use super::wrapped::{EachStep, Misread, Moment};
+use super::wrapped::{EachStep, Misdeclare, Misread, Moment};
 use crate::Result;
 use crate::defects::zeno::{Altered, Mistake};
-use crate::gate::Engine;
+use crate::gate::description::{OneOrMany, Parameter};
+use crate::gate::{Description, Engine};
 use crate::scenes::Scene;
 use crate::schemes::{MoreauJean, Parameters, Scheme};
 
@@ -86,12 +87,23 @@ pub const PLANTED: &[Planted] = &[
         caught_by: &["rest/depth"],
     },
     Planted {
+        name: "rest/springs-that-are-not-there",
+        mistake: "declares contact springs of 5 Hz, and lies on the floor",
+        engine: || Box::new(Misdeclare(declare_springs)),
+        caught_by: &["rest/depth"],
+    },
+    Planted {
         name: "rest/floor-slightly-tilted",
         mistake: "keeps the floor's normal with an error of 0.002 and moves bodies along it out of the floor",
         engine: || Box::new(EachStep { after: pushed_out, ..EachStep::NOTHING }),
         caught_by: &["rest/drift"],
     },
 ];
+
+fn declare_springs(description: &mut Description) {
+    let frequency = Parameter { value: OneOrMany::One(5.0), unit: OneOrMany::One("1/s".into()) };
+    description.contact_model.parameters.insert("contact_frequency".into(), frequency);
+}
 
 /// Moreau–Jean with another scheme.
 fn altered(scheme: fn(&Parameters) -> Result<Box<dyn Scheme>>) -> Box<dyn Engine> {

@@ -25,6 +25,21 @@ impl Engine for Misread {
     }
 }
 
+/// Declares what it is not.
+pub(super) struct Misdeclare(pub fn(&mut Description));
+
+impl Engine for Misdeclare {
+    fn describe(&mut self, options: &Options) -> Reply<Description> {
+        let mut description = moreau_jean().describe(options)?;
+        (self.0)(&mut description);
+        Ok(description)
+    }
+
+    fn simulate(&mut self, scene: &Scene, h: f64, every: usize, options: &Options) -> Reply<Trajectory> {
+        moreau_jean().simulate(scene, h, every, options)
+    }
+}
+
 /// Misreports the motion: every sample from the states of all steps up to its own.
 pub(super) struct Misreport(pub fn(&BodyTrack, usize) -> [[f64; 3]; 3]);
 

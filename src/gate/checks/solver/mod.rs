@@ -188,3 +188,54 @@ fn relative_to(value: f64, scale: f64) -> f64 {
 fn discrepancy(problem: &ContactProblem, solution: &Solution) -> f64 {
     (problem.velocity(&solution.impulse) - &solution.velocity).iter().fold(0.0, |largest, x| worst(largest, x.abs()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gate::{Description, Engine, Options, Verdict, own};
+
+    /// Our solver, which gives up on some problems: by an error, or by going away.
+    struct GivesUp {
+        on: fn(&str) -> bool,
+        gone: bool,
+    }
+
+    impl Engine for GivesUp {
+        fn describe(&mut self, options: &Options) -> Reply<Description> {
+            own::by_name("moreau-jean").expect("our scheme").describe(options)
+        }
+
+        fn solve(&mut self, problem: &ContactProblem, options: &Options) -> Reply<Solution> {
+            if (self.on)(&problem.name) {
+                return Err(Refusal::errored("no convergence"));
+            }
+            own::by_name("moreau-jean").expect("our scheme").solve(problem, options)
+        }
+
+        fn in_conversation(&self) -> bool {
+            !self.gone
+        }
+    }
+
+    fn judged(on: fn(&str) -> bool, gone: bool) -> Reply<Vec<Measurement>> {
+        let (mut engine, options) = (GivesUp { on, gone }, Options::new());
+        let description = engine.describe(&options).expect("a description");
+        certified(&mut Bench::new(&mut engine, &description, &options), posed::small, true)
+    }
+
+    #[test]
+    fn a_problem_answered_with_an_error_is_counted_and_named_and_the_others_are_judged() {
+        let measured = judged(|name| name.starts_with("a point: slide, shift 0,"), false).expect("measurements");
+        let bad: Vec<&Measurement> = measured.iter().filter(|one| one.verdict() == Verdict::Fail).collect();
+        assert_eq!(bad.len(), 1);
+        // in two and three dimensions, under three laws
+        assert_eq!(bad[0].value, 6.0);
+        assert!(bad[0].ideal.why.contains("slide") && bad[0].ideal.why.contains("no convergence"), "{}", bad[0].ideal.why);
+    }
+
+    #[test]
+    fn an_engine_that_answers_nothing_or_goes_away_has_erred() {
+        assert!(matches!(judged(|_| true, false), Err(Refusal::Errored(_))));
+        assert!(matches!(judged(|name| name.contains("slide"), true), Err(Refusal::Errored(_))));
+    }
+}
