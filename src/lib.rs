@@ -79,6 +79,7 @@ pub mod error;
 pub mod files;
 pub mod gate;
 pub mod impact_laws;
+pub mod integrators;
 pub mod mechanics;
 pub mod number;
 pub mod problem;

@@ -1,14 +1,19 @@
-//! The two number systems of the crate: `f64`, and exact rationals ([`RBig`]) for everything that is decided rather than measured.
+//! The number systems of the crate: `f64`, exact rationals ([`RBig`]) for everything that is decided rather than measured, and over
+//! either of them the dual numbers ([`Dual`]) that carry a derivative along.
 
 use dashu_ratio::RBig;
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign};
 use num_traits::{One, Zero};
 use std::ops::Neg;
 
+mod dual;
+
+pub use dual::Dual;
+
 /// Exact rational number.
 pub type Rational = RBig;
 
-/// An ordered field: `f64` (rounded) or [`Rational`] (exact).
+/// An ordered field: `f64` (rounded) or [`Rational`] (exact); or the dual numbers over one, in which only numbers with a value are divisors.
 pub trait Scalar:
     nalgebra::Scalar
     + Zero
@@ -24,6 +29,8 @@ pub trait Scalar:
 {
     /// The number `numerator / denominator` (rounded to nearest for `f64`).
     fn ratio(numerator: i64, denominator: i64) -> Self;
+    /// The number nearest to a rational.
+    fn nearest(number: &Rational) -> Self;
     /// The nearest `f64`.
     fn to_f64(&self) -> f64;
     /// The spacing of the numbers at 1: ε = 2⁻⁵² for `f64`, 0 for exact rationals.
@@ -38,6 +45,9 @@ impl Scalar for f64 {
     fn ratio(numerator: i64, denominator: i64) -> Self {
         numerator as f64 / denominator as f64
     }
+    fn nearest(number: &Rational) -> Self {
+        RBig::to_f64(number).value()
+    }
     fn to_f64(&self) -> f64 {
         *self
     }
@@ -50,6 +60,9 @@ impl Scalar for Rational {
     fn ratio(numerator: i64, denominator: i64) -> Self {
         assert!(denominator != 0, "a rational needs a non-zero denominator");
         RBig::from(numerator) / RBig::from(denominator)
+    }
+    fn nearest(number: &Rational) -> Self {
+        number.clone()
     }
     fn to_f64(&self) -> f64 {
         RBig::to_f64(self).value()

@@ -172,6 +172,7 @@ pub mod checks {
 
 /// Tolerances of [`crate::claims`].
 pub mod claims {
+    pub mod integrators;
     pub mod pathology;
 
     /// Step of the Runge–Kutta integration of a soft impact in `S2.soft-limit`, in units of √(m/k).

@@ -17,6 +17,7 @@ pub mod rocking_block;
 pub mod rough_impact;
 pub mod sliding_contact;
 pub mod soft_rigid_contact;
+pub mod spring_damper;
 pub mod two_body_impact;
 
 pub use bouncing_ball::BouncingBall;
