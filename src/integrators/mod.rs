@@ -4,8 +4,7 @@
 //!     (q, v) ↦ (q⁺, v⁺) ,   D = ∂(q⁺, v⁺)/∂(q, v)
 //! ```
 //! Over rationals a step is exact, and so is its Jacobian, which dual numbers carry along ([`jacobian`]). For linear forces D is the
-//! method's amplification matrix: its powers stay bounded or not ([`stability`]). For Hamiltonian motion D keeps the
-//! symplectic form or not ([`symplectic`]).
+//! method's amplification matrix: its powers stay bounded or not ([`stability`]).
 //!
 //! These steps know no contact; those of the schemes do.
 

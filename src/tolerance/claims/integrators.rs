@@ -3,3 +3,11 @@
 /// Relative distance at which a step is tried on either side of a bound that is known to rounding, 2⁻⁴⁰ = 4096 ε: the closed forms have
 /// fewer than 32 operations of relative error ε, so the true bound lies between the two.
 pub const BESIDE: f64 = 1.0 / (1u64 << 40) as f64;
+
+/// What 40 bisections of (0, 1/64) s leave of an interval \[s\].
+pub const BISECTED: f64 = 1.0 / (1u64 << 46) as f64;
+
+/// How far the loss of energy of implicit Euler at h = 1/32 over that at 1/64 may be from 2 (over a fixed time) or 4 (in a step): with
+/// ln(1 + h²)/h = h − h³/2 + … the loss is h − h²/2 + O(h³) over a unit time and h² − h⁴ + … in a step, so that the ratios are
+/// 2 − h/2 + O(h²) and 4 − 3h² + …; 2h covers both.
+pub const HALVED: f64 = 2.0 / 32.0;

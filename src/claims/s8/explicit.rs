@@ -1,0 +1,157 @@
+//! Explicit Euler: energy, stability, and a contact force that comes one step late.
+
+use super::spring::{SEMI_IMPLICIT, both_sides, energy, is_stable, matrix, undamped};
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::spring_damper::theta as bound;
+use crate::integrators::stability::{invariants, spectral_radius};
+use crate::integrators::{ExplicitEuler, Method, Phase, SpringDamper};
+use crate::scalar::{Rational, Scalar, ratio};
+use crate::schemes::Activation;
+use crate::schemes::exact_particle::{Ball, Motion};
+use crate::tolerance::rounding;
+use nalgebra::DMatrix;
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S8.explicit-injects",
+        statement: "Explicit Euler adds energy to oscillating systems (it is unstable).",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated for an undamped oscillator: E⁺ = (1 + h²ω²) E from every state. A damper that takes more than that, 2ζ > hω, makes the same step decay (S8.explicit-G).",
+        argument: "With D the step matrix and Q = diag(ω², 1): DᵀQD = (1 + h²ω²) Q, an identity of matrices, checked in rationals with ω = 2, h = 3/20.",
+        control: "Semi-implicit Euler in place of explicit Euler.",
+        sources: &["chapter §8, explicit Euler"],
+        check: injects,
+    },
+    Claim {
+        id: "S8.explicit-bound",
+        statement: "Explicit Euler is stable only for h < 2/√(k/m), a bound that shrinks with the stiffness.",
+        verdict: Verdict::Inconsistent,
+        evidence: Evidence::Exact,
+        correct_statement: "Without damping no step is stable, as the same section derives a few lines later. 2/ω is the bound of semi-implicit Euler. With damping the bound of explicit Euler is s = hω < 2ζ for ζ ≤ 1 and s < 2/(ζ + √(ζ²−1)) beyond; it equals 2 at ζ = 1 only.",
+        argument: "Trace 2 − 2ζs, determinant 1 − 2ζs + s². ζ = 0: the determinant is 1 + s² > 1 for every s. Decided in rationals at s = 1/1000, 1, 199/100, all below 2: powers grow. Both sides of the bound at ζ = 0.3, 1, 1.25 and 2.",
+        control: "Semi-implicit Euler, whose bound 2/ω is.",
+        sources: &["chapter §8, why explicit Euler fails, against the example on stability bounds"],
+        check: bound_of_explicit,
+    },
+    Claim {
+        id: "S8.explicit-lag",
+        statement: "With the old velocity in the position update the contact force comes too late to stop the penetration.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated: the step in which the contact acts still moves by h v, so that a ball that touches the floor at speed |v| ends the step h|v| below it, whatever e.",
+        argument: "Moreau–Jean with θ = 0, ball at q = 0 with v = −2 m/s, h = 1/100 s: q⁺ = −1/50 m for e = 0 and e = 1/2, while v⁺ is already 0 and 1. With θ = 1 the ball ends at 0 and at 1/100 m.",
+        control: "θ = 1 in the position update.",
+        sources: &["chapter §8, why explicit Euler fails"],
+        check: lag,
+    },
+    Claim {
+        id: "S8.explicit-G",
+        statement: "On an undamped spring the amplification factor of explicit Euler is |G| = √(1 + ω²h²) > 1: unstable for every step.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated, for the undamped spring that it names.",
+        argument: "Eigenvalues 1 ± i s: trace 2 and determinant 1 + s² exactly. At ζ = 3/10 steps below s = 6/10 are stable: spectral radius 0.997046 at 0.59 and 1.003045 at 0.61.",
+        control: "The spring with ζ = 3/10 at s = 1/2.",
+        sources: &["chapter §8, example on stability bounds"],
+        check: amplification,
+    },
+    Claim {
+        id: "S8.ex1",
+        statement: "Exercise: under explicit Euler E = ½(v² + ω²x²) grows by (1 + ω²h²) a step; under semi-implicit Euler a conserved quantity bounds it.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated; the conserved quantity is v² + ω²x² − hω²xv, which bounds E if and only if hω < 2. With the position updated first the sign of the last term is reversed.",
+        argument: "200 steps with ω = 2, h = 1/10 in rationals from (1, 1/3): one value. The form has determinant ω²(1 − s²/4), positive iff s < 2.",
+        control: "The invariant without its last term, which is twice the energy.",
+        sources: &["chapter §8, exercise 1"],
+        check: exercise,
+    },
+];
+
+/// DᵀQD − (1 + s²)Q of a step with ω = 2, h = 3/20, s = 3/10, entry by entry.
+fn energy_defect(method: &impl Method) -> Vec<Rational> {
+    let (spring, _) = undamped();
+    let d = matrix(method, &spring, &ratio(3, 20));
+    let q = DMatrix::from_row_slice(2, 2, &[ratio(4, 1), ratio(0, 1), ratio(0, 1), ratio(1, 1)]);
+    let defect = d.transpose() * &q * d - q * ratio(109, 100);
+    defect.iter().cloned().collect()
+}
+
+fn injects(reading: Reading) -> Result<Vec<Finding>> {
+    let defect = match reading {
+        Reading::Recorded => energy_defect(&ExplicitEuler),
+        Reading::Control => energy_defect(&SEMI_IMPLICIT),
+    };
+    let name = |k: usize| format!("DᵀQD − (1 + s²) Q, entry {k}");
+    Ok(defect.iter().enumerate().map(|(k, entry)| Finding::exact(name(k), entry, &ratio(0, 1), "1")).collect())
+}
+
+fn bound_of_explicit(reading: Reading) -> Result<Vec<Finding>> {
+    let mut findings = Vec::new();
+    for s in [ratio(1, 1000), ratio(1, 1), ratio(199, 100)] {
+        let stable = match reading {
+            Reading::Recorded => is_stable(&ExplicitEuler, &ratio(0, 1), &s),
+            Reading::Control => is_stable(&SEMI_IMPLICIT, &ratio(0, 1), &s),
+        };
+        findings.push(Finding::decision(format!("stable without damping at s = {s} < 2"), stable, false));
+    }
+    for zeta in [0.3, 1.0, 1.25, 2.0] {
+        findings.extend(both_sides("explicit Euler", &ExplicitEuler, zeta, bound(0.0, zeta)));
+    }
+    Ok(findings)
+}
+
+fn lag(reading: Reading) -> Result<Vec<Finding>> {
+    let theta = reading.pick(ratio(0, 1), ratio(1, 1));
+    let mut findings = Vec::new();
+    for (restitution, speed) in [(ratio(0, 1), ratio(0, 1)), (ratio(1, 2), ratio(1, 1))] {
+        let ball = Ball { mass: ratio(1, 1), gravity: ratio(0, 1), restitution: restitution.clone() };
+        let touching = Motion { position: ratio(0, 1), velocity: ratio(-2, 1) };
+        let after = ball.moreau_jean(&touching, &theta, Activation::Gap, &ratio(1, 100)).motion;
+        findings.push(Finding::exact(
+            format!("q⁺ of a ball that touches at −2 m/s, e = {restitution}"),
+            &after.position,
+            &ratio(-1, 50),
+            "m",
+        ));
+        findings.push(Finding::exact(format!("v⁺, e = {restitution}"), &after.velocity, &speed, "m/s"));
+    }
+    Ok(findings)
+}
+
+fn amplification(reading: Reading) -> Result<Vec<Finding>> {
+    let zeta = reading.pick(ratio(0, 1), ratio(3, 10));
+    let mut findings = Vec::new();
+    for s in [ratio(1, 1_000_000), ratio(1, 2), ratio(3, 1)] {
+        let step = matrix(&ExplicitEuler, &SpringDamper::of_ratio(zeta.clone()), &s);
+        let [trace, determinant] = invariants(&step);
+        findings.push(Finding::decision(format!("stable at s = {s}"), is_stable(&ExplicitEuler, &zeta, &s), false));
+        findings.push(Finding::exact(format!("trace at s = {s}"), &trace, &ratio(2, 1), "1"));
+        findings.push(Finding::exact(format!("determinant |G|² at s = {s}"), &determinant, &(ratio(1, 1) + &s * &s), "1"));
+        let size = (1.0 + Scalar::to_f64(&s).powi(2)).sqrt();
+        let radius = spectral_radius(&step.map(|entry| Scalar::to_f64(&entry)));
+        findings.push(Finding::equal(format!("|G| in floating point at s = {s}"), radius, size, rounding(16, size), "1"));
+    }
+    Ok(findings)
+}
+
+fn exercise(reading: Reading) -> Result<Vec<Finding>> {
+    let (spring, start) = undamped();
+    let h = ratio(1, 10);
+    let grown = energy(&spring, &ExplicitEuler.step(&spring, &start, &h)) / energy(&spring, &start);
+    let share = reading.pick(ratio(1, 1), ratio(0, 1));
+    let invariant = |at: &Phase<Rational>| {
+        let (x, v) = (&at.position[0], &at.velocity[0]);
+        v * v + ratio(4, 1) * x * x - &share * &h * ratio(4, 1) * x * v
+    };
+    let end = (0..200).fold(start.clone(), |now, _| SEMI_IMPLICIT.step(&spring, &now, &h));
+    Ok(vec![
+        Finding::exact("conserved quantity after 200 semi-implicit steps", &invariant(&end), &invariant(&start), "m²/s²"),
+        Finding::exact("E⁺/E of explicit Euler, hω = 1/5", &grown, &ratio(26, 25), "1"),
+        Finding::decision("semi-implicit Euler at hω = 199/100 is stable", is_stable(&SEMI_IMPLICIT, &ratio(0, 1), &ratio(199, 100)), true),
+        Finding::decision("and at hω = 2", is_stable(&SEMI_IMPLICIT, &ratio(0, 1), &ratio(2, 1)), false),
+    ])
+}

@@ -1,0 +1,234 @@
+//! Semi-implicit Euler on the undamped spring: what the new velocity in the position update changes, and its bound hω ≤ 2.
+
+use super::spring::{SEMI_IMPLICIT, energy, is_stable, matrix, powers_at, undamped};
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::spring_damper as closed;
+use crate::integrators::stability::{Powers, powers};
+use crate::integrators::{Damping, ExplicitEuler, Method, Phase, SemiImplicitEuler, SpringDamper, System};
+use crate::scalar::{Rational, Scalar, exact, ratio};
+use crate::tolerance::claims::integrators::BISECTED;
+use crate::tolerance::rounding;
+use nalgebra::DVector;
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S8.one-change",
+        statement: "Semi-implicit Euler changes explicit Euler in one place: the position is updated with the new velocity.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated: the velocities agree and the positions differ by h² a(q, v).",
+        argument: "One step of h = 1/5 of v̇ = −q − q³ − v/2 from (1/2, −3) in rationals.",
+        control: "Semi-implicit Euler with implicit damping, which changes the velocity too.",
+        sources: &["chapter §8, three levels and essential insight"],
+        check: one_change,
+    },
+    Claim {
+        id: "S8.semi-G-iff",
+        statement: "On an undamped spring semi-implicit Euler has |G| = 1 if and only if ω h ≤ 2.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated, of the moduli of the eigenvalues: the step matrix has trace 2 − s² and determinant 1. At s = 2 the powers grow all the same (S8.semi-bound).",
+        argument: "Determinant 1 and |2 − s²| ≤ 2 iff s ≤ 2. Decided in rationals at s = 1/1000, 1, 2 − 10⁻⁶, 2 and 2 + 10⁻⁶.",
+        control: "The spring with ζ = 1/10, for which s = 2 is beyond the bound.",
+        sources: &["chapter §8, example on stability bounds"],
+        check: modulus_one,
+    },
+    Claim {
+        id: "S8.semi-bound",
+        statement: "The stability bound of semi-implicit Euler is h ≤ 2/ω₀.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "h < 2/ω₀, strictly: at s = 2 the step is −(I + N) with N² = 0, and the motion grows by the same amount every step. Below, the amplitude is at most q₀/√(1 − s²/4) from rest.",
+        argument: "From q₀ at rest with s = 2: q_n = (−1)ⁿ (1 + 2n) q₀ exactly, 1 mm becomes 4.001 m after 2000 steps. With s = 199/100 the amplitude stays below 10.0125 mm; with s = 201/100 it passes 10¹⁷⁰ m.",
+        control: "s = 199/100 in place of 2.",
+        sources: &["chapter §8, example on stability bounds"],
+        check: at_the_bound,
+    },
+    Claim {
+        id: "S8.semi-diverges-beyond",
+        statement: "Beyond the bound semi-implicit Euler diverges too.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated, exponentially: one eigenvalue is below −1.",
+        argument: "|2 − s²| > 2: decided in rationals at s = 2 + 10⁻⁹, 5/2 and 100.",
+        control: "s = 2, where the growth is linear.",
+        sources: &["chapter §8, example on stability bounds"],
+        check: beyond,
+    },
+    Claim {
+        id: "S8.one-over-pi",
+        statement: "The step may not exceed about 1/π of the contact's period; a harder contact allows smaller steps only.",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "As stated without damping, and exactly: 2/ω = T/π. With damping the share is smaller, 0.132 at ζ = 1 (S8.damped-bound).",
+        argument: "Largest stable step found by bisection in rationals for k = 10⁶ N/m, m = 1 kg, over the period 2π/1000 s: 1/π.",
+        control: "Critical damping.",
+        sources: &["chapter §8, example on stability bounds"],
+        check: share_of_the_period,
+    },
+    Claim {
+        id: "S8.k1e6",
+        statement: "k = 10⁶ N/m, m = 1 kg: ω₀ = 1000 rad/s and h ≤ 2·10⁻³ s; k = 10⁸: h ≤ 2·10⁻⁴ s. A hundred times the stiffness needs a tenth of the step.",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "As stated, without damping.",
+        argument: "Largest stable steps by bisection in rationals: 2·10⁻³ s and 2·10⁻⁴ s to 10⁻⁹ of them.",
+        control: "k = 10⁷ N/m in place of 10⁸.",
+        sources: &["chapter §8, numerical example"],
+        check: steel,
+    },
+    Claim {
+        id: "S8.misc-order",
+        statement: "Merely exchanging the order of the updates makes the difference between exponential growth and an amplitude that stays bounded for ever.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "On the undamped oscillator, for hω < 2. Bounded is not conserved: the largest over the smallest energy is up to (1 + s/2)/(1 − s/2), that is 21/19 at s = 1/10, 7 at 3/2 and 399 at 199/100; from s = 2 on both orders grow. With strong damping explicit Euler bears the larger step (S8.semi-much-better).",
+        argument: "From q = v/ω, where the energy is largest for its value of the invariant v² + ω²q² − hω²qv: at s = 3/2 no energy in 200 steps lies outside [1/7, 1] of it, and some come within a tenth of the lower end. Explicit Euler multiplies the energy by 1 + s² every step.",
+        control: "s = 2, where the energy leaves every bound.",
+        sources: &["chapter §8, pitfall: semi-implicit and explicit Euler are nearly the same"],
+        check: order_of_updates,
+    },
+];
+
+/// v̇ = −q − q³ − v/2.
+struct Hardening;
+
+impl System for Hardening {
+    fn acceleration<T: Scalar>(&self, position: &DVector<T>, velocity: &DVector<T>) -> DVector<T> {
+        position.map(|q| -(q.clone() + q.clone() * q.clone() * q)) - velocity * T::ratio(1, 2)
+    }
+}
+
+fn one_change(reading: Reading) -> Result<Vec<Finding>> {
+    let (now, h) = (Phase::of_one(ratio(1, 2), ratio(-3, 1)), ratio(1, 5));
+    let damping = reading.pick(Damping::Explicit, Damping::Implicit);
+    let explicit = ExplicitEuler.step(&Hardening, &now, &h);
+    let semi = SemiImplicitEuler { damping }.step(&Hardening, &now, &h);
+    let apart = Hardening.acceleration(&now.position, &now.velocity)[0].clone() * &h * &h;
+    Ok(vec![
+        Finding::exact("difference of the velocities", &(&semi.velocity[0] - &explicit.velocity[0]), &ratio(0, 1), "m/s"),
+        Finding::exact("difference of the positions", &(&semi.position[0] - &explicit.position[0]), &apart, "m"),
+    ])
+}
+
+fn modulus_one(reading: Reading) -> Result<Vec<Finding>> {
+    let zeta = reading.pick(ratio(0, 1), ratio(1, 10));
+    let million = 1_000_000;
+    let cases = [
+        (ratio(1, 1000), false),
+        (ratio(1, 1), false),
+        (ratio(2 * million - 1, million), false),
+        (ratio(2, 1), false),
+        (ratio(2 * million + 1, million), true),
+    ];
+    let finding = |(s, grows): &(Rational, bool)| {
+        let exponential = powers_at(&SEMI_IMPLICIT, &zeta, s) == Powers::GrowExponentially;
+        Finding::decision(format!("an eigenvalue is larger than 1 at s = {s}"), exponential, *grows)
+    };
+    Ok(cases.iter().map(finding).collect())
+}
+
+/// Positions q₀ = 1 mm, q₁, … of semi-implicit Euler with h = 1 and ω = s, from rest.
+fn positions(s: f64, steps: usize) -> Vec<f64> {
+    let rate = exact(s);
+    let spring = SpringDamper { stiffness_per_mass: &rate * &rate, damping_per_mass: ratio(0, 1) };
+    let mut now = Phase::of_one(0.001, 0.0);
+    let mut places = vec![0.001];
+    for _ in 0..steps {
+        now = SEMI_IMPLICIT.step(&spring, &now, &1.0);
+        places.push(now.position[0]);
+    }
+    places
+}
+
+fn largest(places: &[f64]) -> f64 {
+    places.iter().fold(0.0, |largest, place| largest.max(place.abs()))
+}
+
+fn at_the_bound(reading: Reading) -> Result<Vec<Finding>> {
+    let s = reading.pick(ratio(2, 1), ratio(199, 100));
+    let spring = SpringDamper { stiffness_per_mass: &s * &s, damping_per_mass: ratio(0, 1) };
+    let mut now = Phase::of_one(ratio(1, 1000), ratio(0, 1));
+    for _ in 0..reading.pick(2000, 20) {
+        now = SEMI_IMPLICIT.step(&spring, &now, &ratio(1, 1));
+    }
+    let amplitude = 0.001 / (1.0 - 0.25 * 1.99f64.powi(2)).sqrt();
+    // the powers of this step stay below 20, and so do what it makes of each step's rounding
+    let slack = 1.0 + rounding(8 * 2000, 20.0);
+    Ok(vec![
+        Finding::exact("q after 2000 steps at s = 2", &now.position[0], &ratio(4001, 1000), "m"),
+        Finding::at_most("largest |q| in 2000 steps at s = 1.99", largest(&positions(1.99, 2000)), slack * amplitude, "m"),
+        Finding::at_least("largest |q| in 2000 steps at s = 2.01", largest(&positions(2.01, 2000)), 1e170, "m"),
+    ])
+}
+
+fn beyond(reading: Reading) -> Result<Vec<Finding>> {
+    let billion = 1_000_000_000;
+    let just = reading.pick(ratio(2 * billion + 1, billion), ratio(2, 1));
+    let finding = |s: Rational| {
+        let diverges = powers_at(&SEMI_IMPLICIT, &ratio(0, 1), &s) == Powers::GrowExponentially;
+        Finding::decision(format!("powers grow exponentially at s = {s}"), diverges, true)
+    };
+    Ok([just, ratio(5, 2), ratio(100, 1)].into_iter().map(finding).collect())
+}
+
+/// The largest stable step of semi-implicit Euler, by 40 bisections of (0, 1/64) in rationals.
+fn largest_stable_step(spring: &SpringDamper) -> f64 {
+    let stable = |h: &Rational| {
+        let step = matrix(&SEMI_IMPLICIT, spring, h);
+        powers(&step) != Powers::GrowExponentially
+    };
+    let (mut low, mut high) = (ratio(0, 1), ratio(1, 64));
+    for _ in 0..40 {
+        let middle = (&low + &high) / ratio(2, 1);
+        if stable(&middle) { low = middle } else { high = middle }
+    }
+    Scalar::to_f64(&low)
+}
+
+/// k/m in 1/s², c = 0.
+fn hard(stiffness: i64) -> SpringDamper {
+    SpringDamper { stiffness_per_mass: ratio(stiffness, 1), damping_per_mass: ratio(0, 1) }
+}
+
+fn share_of_the_period(reading: Reading) -> Result<Vec<Finding>> {
+    let spring = SpringDamper { damping_per_mass: ratio(reading.pick(0, 2000), 1), ..hard(1_000_000) };
+    let period = std::f64::consts::TAU / 1000.0;
+    let share = largest_stable_step(&spring) / period;
+    let bound = BISECTED / period + rounding(4, 1.0);
+    Ok(vec![Finding::equal("largest stable step over the period", share, std::f64::consts::FRAC_1_PI, bound, "1")])
+}
+
+fn steel(reading: Reading) -> Result<Vec<Finding>> {
+    let stiff = hard(reading.pick(100_000_000, 10_000_000));
+    let printed = |name: &str, step: f64, expected: f64| Finding::equal(name, step, expected, BISECTED + rounding(4, expected), "s");
+    Ok(vec![
+        printed("largest stable step, k = 10⁸ N/m", largest_stable_step(&stiff), 2.0 / 10_000.0),
+        printed("largest stable step, k = 10⁶ N/m", largest_stable_step(&hard(1_000_000)), 2.0 / 1000.0),
+    ])
+}
+
+fn order_of_updates(reading: Reading) -> Result<Vec<Finding>> {
+    let (spring, _) = undamped();
+    let (h, s) = reading.pick((ratio(3, 4), 1.5), (ratio(1, 1), 2.0));
+    let start = Phase::of_one(ratio(1, 1), ratio(2, 1));
+    let mut now = start.clone();
+    let (mut lowest, mut highest) = (1.0f64, 1.0f64);
+    for _ in 0..200 {
+        now = SEMI_IMPLICIT.step(&spring, &now, &h);
+        let share = Scalar::to_f64(&(energy(&spring, &now) / energy(&spring, &start)));
+        (lowest, highest) = (lowest.min(share), highest.max(share));
+    }
+    let swing = closed::semi_implicit_energy_swing(1.5);
+    let grown = ExplicitEuler.step(&spring, &start, &h);
+    let growth = energy(&spring, &grown) / energy(&spring, &start);
+    Ok(vec![
+        Finding::at_most("largest energy in 200 semi-implicit steps over the first", highest, 1.0, "1"),
+        Finding::at_least("smallest", lowest, (1.0 - rounding(4, 1.0)) / swing, "1"),
+        Finding::at_most("smallest, some step comes near the bound", lowest, 1.1 / swing, "1"),
+        Finding::equal("E⁺/E of explicit Euler", Scalar::to_f64(&growth), 1.0 + s * s, 0.0, "1"),
+        Finding::decision("explicit Euler is stable at s = 1/1000", is_stable(&ExplicitEuler, &ratio(0, 1), &ratio(1, 1000)), false),
+    ])
+}
