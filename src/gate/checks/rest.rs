@@ -18,8 +18,8 @@ use crate::tolerance::gate::rest as tolerance;
 use crate::trajectory::{BodyTrack, Trajectory};
 use nalgebra::{Matrix3, Vector3};
 
-const CARRIED: &str = "A body at rest stays at rest: each step's velocity is 0 up to rounding and to the solver, which a solver that minimises an \
-                       energy to rounding knows to √ε of g h.";
+const CARRIED: &str = "A body at rest stays at rest: each step's velocity is 0 up to rounding and to the solver, which may leave a part 3.5e-4 of \
+                       the impulse m g h of each step, as everywhere in the gate.";
 
 /// The checks of the family.
 pub const CHECKS: &[Check] = &[
@@ -59,6 +59,9 @@ const EVERY: usize = 7;
 const RADIUS: f64 = 0.1;
 const HALF: [f64; 3] = [0.1, 0.15, 0.05];
 const MASSES: [f64; 2] = [1.0, 2.0];
+/// Smallest lever \[m\] that turns the velocity an impulse causes at its contact into an angular velocity: I/(m ℓ), 0.4 R for the sphere; for the
+/// box (0.1² + 0.05²)/(3·0.1) = 0.042 about y, and more about x and z.
+const TURN: f64 = 0.04;
 const FRICTION: f64 = 0.5;
 
 /// The bodies, `depths` \[m\] in the floor.
@@ -122,7 +125,7 @@ fn inverse_inertia() -> Matrix3<f64> {
 fn rest(bench: &mut Bench, h: f64, settled: bool) -> Reply<Trajectory> {
     let declared = predicted(bench.description(), h).map_or([0.0; 2], |depths| depths.map(|[low, high]| 0.5 * (low + high)));
     let compliant = bench.description().contact_model.kind == crate::gate::Kind::Compliant;
-    // A rigid body starts inside the surface by as much as rounding and solver may move it: of a gap above 0 event capturing knows nothing,
+    // A rigid body starts inside the surface by as much as rounding may move it: of a gap above 0 event capturing knows nothing,
     // and a corner that opens by rounding would fall for a step, g h², and tip the box.
     let inside = tolerance::settled(STEPS, RADIUS, GRAVITY, h, bench.epsilon());
     let rigid = if settled { sprung(&Model::of(bench.description())) } else { None }.unwrap_or([inside; 2]);
@@ -132,7 +135,7 @@ fn rest(bench: &mut Bench, h: f64, settled: bool) -> Reply<Trajectory> {
 
 fn drift(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let trajectory = rest(bench, h, true)?;
-    let allowed = tolerance::settled(STEPS, 2.0, GRAVITY, h, bench.epsilon());
+    let allowed = tolerance::drift(STEPS, 2.0, GRAVITY, h, bench.epsilon());
     let one = |track: &BodyTrack| {
         let [start, end] = [track.position[0], track.position[track.position.len() - 1]];
         let moved = (end[0] - start[0]).hypot(end[1] - start[1]);
@@ -143,10 +146,10 @@ fn drift(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
 
 fn jitter(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let trajectory = rest(bench, h, true)?;
-    let allowed = tolerance::velocity(GRAVITY, h, bench.epsilon());
+    let allowed = tolerance::velocity(GRAVITY, h);
     let one = |track: &BodyTrack| {
         let square = |k: usize| {
-            Vector3::from(track.linear_velocity[k]).norm_squared() + (Vector3::from(track.angular_velocity[k]) * RADIUS).norm_squared()
+            Vector3::from(track.linear_velocity[k]).norm_squared() + (Vector3::from(track.angular_velocity[k]) * TURN).norm_squared()
         };
         let late = late_half(track);
         let mean = late.clone().map(square).sum::<f64>() / late.len() as f64;
@@ -161,7 +164,7 @@ fn late_half(track: &BodyTrack) -> std::ops::Range<usize> {
 
 fn depth(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let trajectory = rest(bench, h, false)?;
-    let ideal = tolerance::gap(GRAVITY, h) + tolerance::settled(STEPS, RADIUS, GRAVITY, h, bench.epsilon());
+    let ideal = tolerance::gap(GRAVITY, h) + tolerance::drift(STEPS, RADIUS, GRAVITY, h, bench.epsilon());
     let model = predicted(bench.description(), h);
     let rigid = bench.description().contact_model.kind == crate::gate::Kind::Rigid;
     let one = |(k, track): (usize, &BodyTrack)| {
@@ -203,9 +206,11 @@ mod tests {
             for check in CHECKS {
                 assert_eq!(verdict(check.name, [0.0; 3], 0.0), Verdict::Pass, "{}", check.name);
             }
-            assert_eq!(verdict("rest/drift", [0.0, 1e-3 * GRAVITY * h * h, 0.0], 0.0), Verdict::Fail, "{h}");
+            assert_eq!(verdict("rest/drift", [0.0, 1e-3 * STEPS as f64 * GRAVITY * h * h, 0.0], 0.0), Verdict::Fail, "{h}");
+            assert_eq!(verdict("rest/drift", [0.0, 1e-4 * STEPS as f64 * GRAVITY * h * h, 0.0], 0.0), Verdict::Pass, "{h}");
             assert_eq!(verdict("rest/jitter", [0.0; 3], 1e-3 * GRAVITY * h), Verdict::Fail, "{h}");
-            assert_eq!(verdict("rest/depth", [0.0, 0.0, -1.1 * GRAVITY * h * h], 0.0), Verdict::Fail, "{h}");
+            assert_eq!(verdict("rest/jitter", [0.0; 3], 1e-4 * GRAVITY * h), Verdict::Pass, "{h}");
+            assert_eq!(verdict("rest/depth", [0.0, 0.0, -1.5 * GRAVITY * h * h], 0.0), Verdict::Fail, "{h}");
         }
     }
 }

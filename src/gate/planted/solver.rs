@@ -16,6 +16,12 @@ pub const PLANTED: &[Planted] = &[
         caught_by: &["solver/redundant", "solver/conditioning", "stack/five", "stack/ten", "stack/mass-ratio", "metamorphic/body-order"],
     },
     Planted {
+        name: "solver/a-thousandth-left",
+        mistake: "stops when a thousandth of every impulse is still missing, three times what the gate allows",
+        engine: || with_solver(|_| Ok(Box::new(Answers(|problem, start| left_over(problem, start, 1e-3))))),
+        caught_by: UNSOLVED,
+    },
+    Planted {
         name: "solver/no-impulse",
         mistake: "answers zero impulses to every problem",
         engine: || with_solver(|_| Ok(Box::new(Answers(|problem, _| Ok(answer(problem, DVector::zeros(problem.rows()), 0)))))),
@@ -47,6 +53,15 @@ pub const PLANTED: &[Planted] = &[
     },
 ];
 
+/// The checks that ask how well a step is solved, where one body makes it plain.
+const UNSOLVED: &[&str] = &["rest/jitter", "incline/stick", "incline/stick-threshold", "solver/certificate"];
+
+/// The solution, but for a part of every impulse.
+fn left_over(problem: &ContactProblem, start: &DVector<f64>, part: f64) -> Result<Solution> {
+    let solution = Reference.solve(problem, Some(start))?;
+    Ok(answer(problem, solution.impulse * (1.0 - part), solution.iterations))
+}
+
 fn three_sweeps(problem: &ContactProblem, _start: &DVector<f64>) -> Result<Solution> {
     ProjectedGaussSeidel { sweeps: 3, ..Default::default() }.solve(problem, None)
 }
@@ -76,4 +91,25 @@ fn velocity_as_wished(problem: &ContactProblem, start: &DVector<f64>) -> Result<
         solution.velocity[normal] = solution.velocity[normal].max(-problem.shift[normal]);
     }
     Ok(solution)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gate::check::Level;
+    use crate::gate::{Verdict, check, matrix};
+
+    /// The other side of the boundary: with a tenth of what the planted solver leaves, every question about motion is answered as the ideal demands.
+    #[test]
+    fn a_solver_that_leaves_a_ten_thousandth_passes_where_one_that_leaves_a_thousandth_fails() {
+        let engine = || with_solver(|_| Ok(Box::new(Answers(|problem, start| left_over(problem, start, 1e-4)))));
+        let careful = Planted { name: "a ten-thousandth left", mistake: "", engine, caught_by: UNSOLVED };
+        let families = ["rest", "stack", "incline", "contact", "metamorphic", "isotropy", "rolling", "energy"];
+        let asked = |check: &&check::Check| check.level == Level::Simulate && families.contains(&check.family());
+        let checks: Vec<_> = check::all().filter(asked).collect();
+        let report = matrix::judge(&careful, &checks).expect("an engine");
+        for outcome in &report.checks {
+            assert_eq!(outcome.verdict, Verdict::Pass, "{} {:?}", outcome.check, outcome.reason);
+        }
+    }
 }
