@@ -87,12 +87,18 @@ fn predicted(description: &Description, h: f64) -> Option<[[f64; 2]; 2]> {
     }
     let point = Normal::spheres(&[(MASSES[0], RADIUS)], GRAVITY, FRICTION, description.friction, h);
     let ball = point.rest_depth(&model, ball)?;
-    // Engines that give a box feet, at most a quarter of its edges in size, load it a little inside its corners.
-    let at = |inside: f64| {
-        let feet = Normal { mass: MASSES[1], arms: Arms::Fixed(corner_diagonal(inside)), ..point };
-        feet.rest_depth(&model, corner)
+    let box_depth = |insets: [f64; 2]| {
+        // The lever ends in the middle of the overlap: a contraction by δ/r ≪ 1, as in `rest_depth`.
+        (0..53).try_fold(0.0, |depth, _| {
+            let corner_point = Normal { mass: MASSES[1], arms: Arms::Fixed(corner_diagonal(insets, depth)), ..point };
+            corner_point.rest_depth(&model, corner)
+        })
     };
-    let [outer, inner] = [at(1.0)?, at(0.75)?];
+    if let Some(radius) = description.contact_model.number("corner_radius") {
+        return Some([[ball; 2], [box_depth([radius; 2])?; 2]]);
+    }
+    // Engines that give a box feet without saying where, at most a quarter of its edges in size, load it a little inside its corners.
+    let [outer, inner] = [box_depth([0.0; 2])?, box_depth([0.25 * HALF[0], 0.25 * HALF[1]])?];
     Some([[ball; 2], [inner.min(outer), inner.max(outer)]])
 }
 
@@ -106,9 +112,9 @@ fn sprung(model: &Model) -> Option<[f64; 2]> {
     depths[0].zip(depths[1]).map(|(ball, block)| [ball, block])
 }
 
-/// ‖W_ii‖_F/3 \[1/kg\] of a contact under the box at this part of its horizontal half extents: W = 1/m + Σ_k (a_k × r)(a_k × r)ᵀ/J_k.
-fn corner_diagonal(inside: f64) -> f64 {
-    let cross = Vector3::new(inside * HALF[0], inside * HALF[1], -HALF[2]).cross_matrix();
+/// ‖W_ii‖_F/3 \[1/kg\] of a contact under the box, so far inside its edges \[m\] and at this depth \[m\]: W = 1/m + Σ_k (a_k × r)(a_k × r)ᵀ/J_k.
+fn corner_diagonal([x, y]: [f64; 2], depth: f64) -> f64 {
+    let cross = Vector3::new(HALF[0] - x, HALF[1] - y, 0.5 * depth - HALF[2]).cross_matrix();
     let block = Matrix3::identity() / MASSES[1] + cross * inverse_inertia() * cross.transpose();
     block.norm() / 3.0
 }

@@ -9,6 +9,10 @@
 //!
 //! Rigid contacts on declared springs settle within their own time, which may be longer than any wait here. Their boxes start where
 //! the declared law carries the load, so that nothing has to settle.
+//!
+//! All fall together, and an engine that acts on a contact one step after it closes stops one level per step: the k-th falls for k more
+//! steps and is found k g h² deep, 27 mm for ten boxes at 1/60 s. A corner that deep and 2 mm beside the side of the box below would be
+//! pushed out sideways by every rule of the least distance; so the boxes are narrower by as much as a sound engine may find them late.
 
 use super::scenery::{GRAVITY, angle_between, cuboid, over_floor, worst};
 use crate::closed_forms::soft_rigid_contact::inverse_mass_at;
@@ -24,7 +28,7 @@ use nalgebra::{Matrix3, Vector3};
 /// Half the height of every box \[m\].
 const HALF: f64 = 0.05;
 
-/// Half the width of the lowest box \[m\].
+/// Half the width of the lowest box \[m\] at small steps.
 const WIDTH: f64 = 0.1;
 
 /// By how much of the lowest width each level is narrower.
@@ -74,14 +78,15 @@ pub const CHECKS: &[Check] = &[
     },
 ];
 
-/// Half the width of a level \[m\]: each is a little narrower than the one below, so that its corners are the contacts.
+/// Half the width of a level \[m\] where nothing falls: each is a little narrower than the one below, so that its corners are the contacts.
 fn width(k: usize) -> f64 {
     WIDTH * (1.0 - NARROWER * k as f64)
 }
 
-/// Boxes of these masses \[kg\], from below, with these gaps to what is below \[m\].
-fn stack(masses: &[f64], gaps: &[f64]) -> Scene {
+/// Boxes of these masses \[kg\], from below, with these gaps to what is below \[m\], each narrower by `ledge` \[m\] more than [`width`] says.
+fn stack(masses: &[f64], gaps: &[f64], ledge: f64) -> Scene {
     let height = |k: usize| (2 * k + 1) as f64 * HALF + gaps[..=k].iter().sum::<f64>();
+    let width = |k: usize| width(k) + ledge * (masses.len() - 1 - k) as f64;
     let level = |(k, mass): (usize, &f64)| cuboid(&format!("box{}", k + 1), *mass, [width(k), width(k), HALF], [0.0, 0.0, height(k)]);
     over_floor("stack", masses.iter().enumerate().map(level).collect(), 0.5)
 }
@@ -123,6 +128,16 @@ impl Start {
         }
     }
 
+    /// The boxes as they start. Where they fall apart, a corner which is found late, at the step h \[s\], is still nearer to the top of the box
+    /// below than to its side.
+    fn scene(&self, masses: &[f64], h: f64) -> Scene {
+        let ledge = match self {
+            Start::Apart => (tolerance::found_depth(GRAVITY, GAP, masses.len(), h) - NARROWER * WIDTH).max(0.0),
+            Start::Sprung(_) | Start::Swallowed => 0.0,
+        };
+        stack(masses, &self.gaps(masses.len()), ledge)
+    }
+
     fn gaps(&self, levels: usize) -> Vec<f64> {
         match self {
             Start::Sprung(depths) => depths.iter().map(|depth| -depth).collect(),
@@ -138,14 +153,16 @@ fn landed(h: f64) -> usize {
 
 fn standing(bench: &mut Bench, h: f64, masses: &[f64], steps: usize) -> Reply<Vec<Measurement>> {
     let start = Start::of(bench, masses);
-    let trajectory = bench.simulate(&stack(masses, &start.gaps(masses.len())), h, landed(h) * EVERY + steps, EVERY)?;
+    let scene = start.scene(masses, h);
+    let trajectory = bench.simulate(&scene, h, landed(h) * EVERY + steps, EVERY)?;
     Ok(Rest::new(bench, h, masses, steps, &start).measured(&trajectory))
 }
 
 fn mass_ratio(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let (masses, steps) = ([1.0, 1000.0], 50);
     let start = Start::of(bench, &masses);
-    let trajectory = bench.simulate(&stack(&masses, &start.gaps(masses.len())), h, landed(h) * EVERY + steps, EVERY)?;
+    let scene = start.scene(&masses, h);
+    let trajectory = bench.simulate(&scene, h, landed(h) * EVERY + steps, EVERY)?;
     let rest = Rest::new(bench, h, &masses, steps, &start);
     let mut measurements = rest.measured(&trajectory);
     if bench.description().reports_contacts {

@@ -6,6 +6,7 @@ pub mod compression;
 pub mod creep;
 pub mod damping;
 pub mod normal;
+pub mod regularised;
 pub mod sink;
 pub mod sliding;
 

@@ -19,6 +19,13 @@ pub fn landing(gravity: f64, drop: f64, h: f64) -> f64 {
     1.5 * h * (sinking_speed(gravity, drop) + gravity * h)
 }
 
+/// Depth \[m\] at which the n-th box may be found: it has fallen through all gaps of `gap` \[m\], v = √(2 g n · gap), and for a step more per level
+/// below it, n g h, and moves on for one step: h (v + n g h).
+pub fn found_depth(gravity: f64, gap: f64, levels: usize, h: f64) -> f64 {
+    let levels = levels as f64;
+    h * (sinking_speed(gravity, levels * gap) + levels * gravity * h)
+}
+
 /// Speed \[m/s\] gained by sinking a distance under gravity: ½v² ≤ g · sink.
 pub fn sinking_speed(gravity: f64, sink: f64) -> f64 {
     (2.0 * gravity * sink).sqrt()

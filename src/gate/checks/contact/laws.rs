@@ -1,23 +1,29 @@
 //! Cone, complementarity, maximal dissipation and work.
 
+use super::feet::Feet;
 use super::thrown::{ALONG, DOWN, FRICTION, RADIUS, RESPONSE, Thrown, motion, thrown_sphere};
 use crate::cones::polyhedral;
 use crate::gate::checks::scenery::{GRAVITY, cuboid, over_floor, worst};
 use crate::gate::description::Friction;
+use crate::gate::model::regularised::{Foot, Regularised};
 use crate::gate::model::{Model, convex};
 use crate::gate::{Bench, Expectation, Kind, Measurement, Reply};
 use crate::tolerance::gate::contact as tolerance;
-use nalgebra::Vector3;
+use nalgebra::{Vector2, Vector3};
+
+/// Of the tumbling box \[m\].
+const HALF_EXTENTS: [f64; 3] = [0.1, 0.08, 0.06];
 
 pub(super) fn cone(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
-    let mut block = cuboid("block", 1.0, [0.1, 0.08, 0.06], [0.0, 0.0, 0.16]);
+    let mut block = cuboid("block", 1.0, HALF_EXTENTS, [0.0, 0.0, 0.16]);
     block.orientation = [0.8, 0.36, 0.48, 0.0];
     block.linear_velocity = [1.5, 1.0, -1.0];
     block.angular_velocity = [2.0, -3.0, 1.0];
     let tumbling = motion(bench, &over_floor("tumbling box", vec![block], FRICTION), h, 0.2)?;
     let sphere = thrown_sphere(bench, h)?;
     let mut measurements = Vec::new();
-    for (shape, thrown) in [("sphere", &sphere), ("box", &tumbling)] {
+    let feet = [Feet::of_sphere(sphere.mass, RADIUS), Feet::of_box(bench, tumbling.mass, HALF_EXTENTS)];
+    for ((shape, thrown), feet) in [("sphere", &sphere), ("box", &tumbling)].into_iter().zip(feet) {
         let (mut outside, mut pulling, mut tilted) = (0.0, 0.0, 0.0);
         for record in thrown.records.iter().flatten() {
             let impulse = Vector3::from(record.impulse);
@@ -33,7 +39,7 @@ pub(super) fn cone(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
                 outside,
                 Expectation::at_most(0.0, solved, "‖p_t‖ ≤ μ p_n"),
             )
-            .predicted(wider_cone(bench, solved)),
+            .predicted(wider_cone(bench, thrown, &feet, h)),
             Measurement::new(
                 format!("pulling impulse over the largest normal impulse ({shape})"),
                 "1",
@@ -52,10 +58,13 @@ pub(super) fn cone(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
 }
 
 /// How far a declared law may leave the cone.
-fn wider_cone(bench: &Bench, solved: f64) -> Option<Expectation> {
+fn wider_cone(bench: &Bench, thrown: &Thrown, feet: &Feet, h: f64) -> Option<Expectation> {
+    let solved = tolerance::impulse();
     match Model::of(bench.description()) {
         Model::DrakeRegularised { .. } => {
-            Some(Expectation::at_most(FRICTION, solved, "lagged friction: up to μ of another step's normal impulse"))
+            let law = Regularised::of(bench.description(), FRICTION, h).filter(|law| law.lagged)?;
+            let value = lagged_outside(&law, thrown, feet);
+            Some(Expectation::equal(value, solved, "lagged friction: the explicit normal force of the state before the step"))
         }
         Model::Mujoco(_) | Model::StewartTrinkle { .. } => None,
         _ if bench.description().friction == Friction::Pyramid => {
@@ -63,6 +72,16 @@ fn wider_cone(bench: &Bench, solved: f64) -> Option<Expectation> {
         }
         _ => None,
     }
+}
+
+/// The largest ‖p_t‖ − μ p_n over the largest p_n, with the friction of the lagged law at the measured states.
+fn lagged_outside(law: &Regularised, thrown: &Thrown, feet: &Feet) -> f64 {
+    let outside = |k: usize| {
+        let touching = feet.between(&thrown.states[k - 1], &thrown.states[k]);
+        let friction: Vector2<f64> = touching.iter().map(|foot| law.impulse(foot, 0.0)).sum();
+        (friction.norm() - FRICTION * thrown.impulse(k).z) / thrown.largest
+    };
+    (1..thrown.states.len()).map(outside).fold(0.0, worst)
 }
 
 pub(super) fn complementarity(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
@@ -103,21 +122,26 @@ pub(super) fn dissipation(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> 
     let thrown = thrown_sphere(bench, h)?;
     let least = tolerance::full_slip(RESPONSE * FRICTION * GRAVITY, h, ALONG);
     let model = Model::of(bench.description());
-    let (mut deviation, mut change) = (0.0, 0.0);
+    let regularised = Regularised::of(bench.description(), FRICTION, h);
+    let feet = Feet::of_sphere(thrown.mass, RADIUS);
+    let (mut deviation, mut lawful) = (0.0, 0.0);
     for k in thrown.touching() {
         let [before, after] = [k - 1, k].map(|k| thrown.contact_velocity(k).xy());
         let normal = thrown.impulse(k).z;
         if before.norm() < least || after.norm() < least || normal < tolerance::light(thrown.mass * GRAVITY, h) {
             continue;
         }
-        let friction = thrown.impulse(k).xy() / (FRICTION * normal);
-        deviation = worst((friction + after.normalize()).norm(), deviation);
-        change = worst((lagged_normal(&model, &thrown, k, h) - normal).abs() / normal, change);
+        let off = |friction: Vector2<f64>| (friction / (FRICTION * normal) + after.normalize()).norm();
+        deviation = worst(off(thrown.impulse(k).xy()), deviation);
+        if let Some(law) = &regularised {
+            let touching: Vec<Foot> = feet.between(&thrown.states[k - 1], &thrown.states[k]);
+            lawful = worst(off(touching.iter().map(|foot| law.impulse(foot, normal)).sum()), lawful);
+        }
     }
     let solved = tolerance::friction(FRICTION);
     let law = match model {
         Model::StewartTrinkle { directions } => Some((polyhedral::force_error(directions), "d directions")),
-        Model::DrakeRegularised { .. } => Some((change, "friction of the normal force before the step")),
+        Model::DrakeRegularised { .. } => regularised.map(|_| (lawful, "the regularised law at the measured states")),
         Model::Mujoco(_) if bench.description().friction == Friction::Pyramid => {
             Some((polyhedral::force_error(4), "a pyramid with four edges"))
         }
@@ -128,13 +152,6 @@ pub(super) fn dissipation(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> 
     let law = law.map(|(bound, why)| Expectation::at_most(bound, solved, why));
     let ideal = Expectation::at_most(0.0, solved, "p_t = −μ p_n u_t/‖u_t‖");
     Ok(vec![Measurement::new("‖p_t/(μ p_n) + u_t/‖u_t‖‖ while sliding", "1", deviation, ideal).predicted(law)])
-}
-
-/// The normal impulse \[N·s\] that lagged friction takes its bound from: h k δ (1 − d v_n) at the state before the step.
-fn lagged_normal(model: &Model, thrown: &Thrown, k: usize, h: f64) -> f64 {
-    let Model::DrakeRegularised { stiffness, dissipation, .. } = model else { return thrown.impulse(k).z };
-    let depth = (-thrown.gap(k - 1)).max(0.0);
-    h * stiffness * depth * (1.0 - dissipation * thrown.states[k - 1].velocity.z).max(0.0)
 }
 
 pub(super) fn increment(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {

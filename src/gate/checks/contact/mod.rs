@@ -7,6 +7,7 @@
 //! Impulses are those of a pair of bodies, summed over its points: a sum of elements of K_μ with one normal is in K_μ. Where slip must be
 //! known, the body is a sphere: one contact point, whose velocity follows from the body's.
 
+mod feet;
 mod laws;
 mod momentum;
 mod thrown;
@@ -21,8 +22,9 @@ pub const CHECKS: &[Check] = &[
         level: Level::Simulate,
         question: "Is every reported impulse in the friction cone, with the normal of the floor?",
         derivation: "‖p_t‖ ≤ μ p_n for every contact point, hence for their sum; landing and sliding of a sphere and of a tumbling box. \
-                     Relative to the largest normal impulse of the motion. Lagged friction follows the previous step's normal impulse and may leave \
-                     the cone by μ times the largest; a pyramid around the cone by (√2 − 1) μ.",
+                     Relative to the largest normal impulse of the motion. Lagged friction takes its bound from n₀ = h k δ (1 − d v_n) \
+                     before the step, softened over max(v_s, σ w μ n₀), and leaves the cone by what that formula gives for the measured states; a \
+                     pyramid around the cone by (√2 − 1) μ.",
         source: "Coulomb's law; protocol: normal from the second body to the first, impulse on the first",
         run: Run::EachStep(laws::cone),
         control: Control { passes: "moreau-jean", fails: "contact/lagged-normal" },
@@ -43,7 +45,7 @@ pub const CHECKS: &[Check] = &[
         level: Level::Simulate,
         question: "While a sphere slides, is friction on the cone's boundary and opposed to the slip?",
         derivation: "Maximal dissipation: p_t = −μ p_n u_t/‖u_t‖ at the slip after the step; steps that start or end near sticking are left \
-                     out. With d directions the force is off by at most 2 sin(π/2d); a lagged law takes the normal force of the state before the step.",
+                     out. With d directions the force is off by at most 2 sin(π/2d); a regularised law by what its formula gives for the measured states.",
         source: "principle of maximal dissipation; cones::polyhedral",
         run: Run::EachStep(laws::dissipation),
         control: Control { passes: "moreau-jean", fails: "incline/kinetic-friction" },
