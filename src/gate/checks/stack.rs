@@ -284,6 +284,7 @@ fn trembling(trajectory: &Trajectory, from: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gate::runner::SWEEP;
     use crate::tolerance::rounding;
 
     #[test]
@@ -302,5 +303,19 @@ mod tests {
     fn springs_too_soft_for_the_boxes_say_no_place() {
         assert_eq!(Start::Swallowed.gaps(2), Start::Apart.gaps(2));
         assert_eq!(Start::Sprung(vec![0.01, 0.02]).gaps(2), [-0.01, -0.02]);
+    }
+
+    #[test]
+    fn a_corner_found_late_is_farther_from_the_side_of_the_box_below_than_from_its_top() {
+        for (h, levels) in SWEEP.into_iter().flat_map(|h| [2, 5, 10].map(|levels| (h, levels))) {
+            let scene = Start::Apart.scene(&vec![1.0; levels], h);
+            let widths: Vec<f64> = scene.bodies.iter().filter_map(|body| body.cuboid).map(|cuboid| cuboid.half_extents[0]).collect();
+            assert_eq!(widths.len(), levels);
+            let ledge = tolerance::found_depth(GRAVITY, GAP, levels, h).max(NARROWER * WIDTH);
+            for pair in widths.windows(2) {
+                assert!((pair[0] - pair[1] - ledge).abs() <= rounding(16, 1.0), "{widths:?} at {h}");
+            }
+            assert_eq!(widths[levels - 1], width(levels - 1));
+        }
     }
 }
