@@ -13,7 +13,7 @@ use crate::schemes::{MoreauJean, Parameters, Scheme};
 pub const PLANTED: &[Planted] = &[
     Planted {
         name: "ball/restitution-lost-at-large-steps",
-        mistake: "takes an impact for resting contact when a step is longer than 2 ms, and returns nothing (rapier 0.35.0-beta.0)",
+        mistake: "takes an impact for resting contact when a step is longer than 2 ms, and returns nothing: what rapier 0.35.0-beta.0 shows from some heights",
         engine: || {
             Box::new(Misread(|scene, h| {
                 if h > 0.002 {
