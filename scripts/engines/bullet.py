@@ -6,8 +6,10 @@ and iterates impulses on the cones ‖r_t‖ ≤ μ r_n until, for every contact
     u⁺_n = e |u_n| − (d + slop) / h             while d + slop > 0,
     u⁺_n = e |u_n| − ERP (d + slop) / h         afterwards,       e = 0 below the speed threshold,
 
-then q⁺ = q ⊕ h v⁺.  Contacts up to the processing threshold count, so one may act before
-it closes.  The points read after the step carry the impulses of that step.
+then q⁺ = q ⊕ h v⁺; u_n holds the velocities after the forces, v + h M⁻¹ f.  A contact point
+begins at a distance of the breaking threshold times the size of the smaller body, up to the
+processing threshold, so one may act before it closes.  The points read after the step carry the
+impulses of that step.
 
 The ground is Bullet's plane, against which a box gets one new contact point per step, or a box
 as in PyBullet's own plane.urdf, against which it gets all of them; see `ground_shape`.
@@ -30,7 +32,8 @@ PARAMETERS = {
     "penetration_allowance": (1e-5, "m"),  # slop
     "contact_margin": (0.0, "m"),  # the collision margin lies inside the shapes
     "restitution_threshold": (0.2, "m/s"),
-    "breaking_threshold": (0.02, "m"),  # separation and slip at which a contact point is dropped
+    "breaking_threshold": (0.02, "1"),  # of the smaller body: where a contact point begins and ends
+    "error_reduction": (0.08, "1"),  # contact ERP
     "processing_threshold": (0.02, "m"),  # distance up to which a contact point counts
     "collision_margin": (1e-3, "m"),  # radius of rounded box edges where GJK is used
     "residual_threshold": (1e-7, "m^2/s^2"),  # stops the iterations
@@ -39,7 +42,7 @@ PARAMETERS = {
 FIXED = ("contact_margin",)
 OPTIONS = {
     "cone_friction": True, "iterations": 50, "ground_shape": ("plane", "box"),
-    "contact_erp": 0.08, "friction_erp": 0.2, "global_cfm": 0.0,
+    "friction_erp": 0.2, "global_cfm": 0.0,
     "maximal_coordinates": False, "split_impulse": True, "warm_starting_factor": 0.1,
 }
 
@@ -81,7 +84,7 @@ class World:
         self._call("setPhysicsEngineParameter", fixedTimeStep=self.time_step, numSubSteps=0,
                    numSolverIterations=values["iterations"],
                    enableConeFriction=values["cone_friction"],
-                   contactERP=values["contact_erp"], frictionERP=values["friction_erp"],
+                   contactERP=values["error_reduction"], frictionERP=values["friction_erp"],
                    globalCFM=values["global_cfm"], useSplitImpulse=values["split_impulse"],
                    warmStartingFactor=values["warm_starting_factor"],
                    contactSlop=values["penetration_allowance"],
@@ -105,7 +108,8 @@ class World:
             shape = self._call("createCollisionShape", pybullet.GEOM_PLANE, planeNormal=[0, 0, 1])
         self._material(self._call(
             "createMultiBody", 0, shape, baseOrientation=[x, y, z, w],
-            basePosition=[o - depth * n for o, n in zip(self.origin, normal)]), GROUND)
+            basePosition=[o - depth * n for o, n in zip(self.origin, normal)]), GROUND,
+            collisionMargin=self.values["collision_margin"])
 
     def _material(self, handle, name, **more):
         self.names[handle] = name

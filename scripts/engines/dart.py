@@ -5,7 +5,8 @@ solves for impulses with 0 ≤ r_n, friction |r_t| ≤ μ r_n along two directio
 
     u⁺_n + c W_nn r_n = max(e |u_n|, min(ERP d / h, correction speed)),
 
-without the restitution term while e |u_n| is below the rebound threshold; c is a softening.
+u_n belonging to the free velocity; without the restitution term while e |u_n| is below the rebound
+threshold; c is a softening (CFM).  Piles may be pushed out faster than the correction speed.
 Then q⁺ = q ⊕ h v⁺.  The contacts read after the step carry the forces of that step.
 """
 
@@ -25,14 +26,15 @@ DETECTORS = {"fcl": dartpy.simulation.FCL, "bullet": dartpy.simulation.BULLET,
 NEGLECTED = 1e-3  # DART takes restitution and friction up to here for none
 PARAMETERS = {
     "rebound_threshold": (0.1, "m/s"), "correction_speed": (1e-3, "m/s"),
+    "error_reduction": (0.01, "1"), "force_mixing": (1e-5, "1"),  # ERP and CFM
     "tolerance": (1e-5, "m/s"),  # of nsgs and fbf
 }
 OPTIONS = {
     "solver": ("dantzig", "nsgs", "fbf"), "collision_detector": tuple(DETECTORS),
     "iterations": 100,  # of nsgs and fbf
-    "split_impulse": False, "erp": 0.01, "constraint_force_mixing": 1e-5,
+    "split_impulse": False,
 }
-FIXED = ("rebound_threshold", "correction_speed", "erp", "constraint_force_mixing")
+FIXED = ("rebound_threshold", "correction_speed", "error_reduction", "force_mixing")
 
 
 CONE_SOLVERS = {"nsgs": (dartpy.constraint.NsgsFrictionSolver, "maxSweeps"),

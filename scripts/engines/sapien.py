@@ -31,6 +31,10 @@ PARAMETERS = {
     "contact_margin": (0.0, "m"),  # the sum of two shapes' rest offsets
     "contact_offset": (0.01, "m"),  # of one shape
     "max_depenetration_velocity": (1e32, "m/s"),
+    # PhysX scales its fixed lengths with it, among them the separation up to which a contact has
+    # friction (0.04 of it) and the distance at which friction anchors are told apart (0.025 of it).
+    "tolerance_length": (0.1, "m"),
+    "tolerance_speed": (0.2, "m/s"),
 }
 OPTIONS = {
     "tgs": True, "pcm": True, "friction_every_iteration": True, "enhanced_determinism": False,
@@ -46,6 +50,9 @@ def _in_force(request):
     for name, least in (("position_iterations", 1), ("velocity_iterations", 0)):
         if not least <= values[name] <= 255:
             raise ValueError(f"{name} must be from {least} to 255, not {values[name]}")
+    for name in ("tolerance_length", "tolerance_speed"):
+        if not values[name] > 0:
+            raise ValueError(f"{name} must be positive, not {values[name]}")
     if 2 * values["contact_offset"] <= values["contact_margin"]:
         raise ValueError("contact_offset must be more than half of contact_margin")
     return values
@@ -74,6 +81,8 @@ class World:
 
     def __init__(self, scene, time_step, values):
         friction = common_value(scene, "friction")
+        # There is one engine at a time, made anew when nothing holds the last one.
+        self.engine = physx.PhysxEngine(values["tolerance_length"], values["tolerance_speed"])
         self.material = physx.PhysxMaterial(friction, friction, common_value(scene, "restitution"))
         self.values = values
         physx.set_scene_config(

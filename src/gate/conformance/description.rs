@@ -20,10 +20,13 @@ const LAWS: [(&str, Kind, Numbers); 7] = [
 ];
 
 /// Numbers that the law `coulomb` may have, with their units.
-const LIMITS: [(&str, &str); 5] = [
+const LIMITS: [(&str, &str); 8] = [
     ("penetration_allowance", "m"),
     ("contact_margin", "m"),
     ("restitution_threshold", "m/s"),
+    ("error_reduction", "1"),
+    ("correction_speed", "m/s"),
+    ("force_mixing", "1"),
     ("linear_damping", "1/s"),
     ("angular_damping", "1/s"),
 ];

@@ -69,6 +69,12 @@ pub struct RigidLimits {
     pub contact_frequency: f64,
     /// f \[1/s\] against the ground.
     pub ground_contact_frequency: f64,
+    /// Part of a depth that a step takes back by a normal velocity, which the bodies keep.
+    pub error_reduction: f64,
+    /// Largest such velocity \[m/s\]; 0 if it has no limit.
+    pub correction_speed: f64,
+    /// c: a contact answers as if its own 1/m_p were (1 + c) times what it is.
+    pub force_mixing: f64,
     /// \[1/s\].
     pub linear_damping: f64,
     /// \[1/s\].
@@ -80,6 +86,12 @@ impl RigidLimits {
     pub fn slowest_bounce(&self, restitution: f64) -> f64 {
         let rebound = if self.rebound_threshold > 0.0 { self.rebound_threshold / restitution } else { 0.0 };
         self.restitution_threshold.max(rebound)
+    }
+
+    /// Normal velocity \[m/s\] with which a step pushes a pair of bodies out of a depth \[m\].
+    pub fn push(&self, depth: f64, h: f64) -> f64 {
+        let speed = self.error_reduction * depth / h;
+        if self.correction_speed > 0.0 { speed.min(self.correction_speed) } else { speed }
     }
 }
 
@@ -109,6 +121,9 @@ fn known(law: &str, model: &ContactModel) -> Option<Model> {
                 rebound_threshold: or_zero("rebound_threshold"),
                 contact_frequency,
                 ground_contact_frequency: number("ground_contact_frequency").unwrap_or(contact_frequency),
+                error_reduction: or_zero("error_reduction"),
+                correction_speed: or_zero("correction_speed"),
+                force_mixing: or_zero("force_mixing"),
                 linear_damping: or_zero("linear_damping"),
                 angular_damping: or_zero("angular_damping"),
             })
@@ -140,5 +155,12 @@ mod tests {
         let limits = RigidLimits { restitution_threshold: 0.25, rebound_threshold: 0.5, ..Default::default() };
         assert_eq!((limits.slowest_bounce(1.0), limits.slowest_bounce(0.5)), (0.5, 1.0));
         assert_eq!(RigidLimits { rebound_threshold: 0.0, ..limits }.slowest_bounce(0.0), 0.25);
+    }
+
+    #[test]
+    fn a_depth_is_taken_back_by_its_declared_part_and_at_most_at_the_declared_speed() {
+        let limits = RigidLimits { error_reduction: 0.25, ..Default::default() };
+        assert_eq!((limits.push(0.5, 0.125), limits.push(0.0, 0.125)), (1.0, 0.0));
+        assert_eq!(RigidLimits { correction_speed: 0.5, ..limits }.push(0.5, 0.125), 0.5);
     }
 }

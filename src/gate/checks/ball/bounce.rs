@@ -3,6 +3,7 @@
 use super::super::scenery::{GRAVITY, schedule};
 use super::{RADIUS, dropped};
 use crate::closed_forms::BouncingBall;
+use crate::gate::model::Model;
 use crate::gate::{Bench, Expectation, Measurement, Refusal, Reply};
 use crate::tolerance::gate::ball as tolerance;
 use crate::trajectory::Trajectory;
@@ -106,10 +107,21 @@ pub(super) fn restitution(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> 
             let allowed = tolerance::restitution(restitution, ball.impact_speed(k + 1), GRAVITY, h, samples.spacing);
             let quantity = format!("e = {restitution} from {height} m, impact {}: v+/v-", k + 1);
             let ideal = Expectation::equal(restitution, allowed, "g (s + 2h) of each velocity");
-            measured.push(Measurement::new(quantity, "1", found, ideal));
+            let law = pushed(bench, h, ball.impact_speed(k + 1)).map(|push| {
+                Expectation::equal(restitution + 0.5 * push, allowed + 0.5 * push, "a declared part of a depth of up to v h is taken back")
+            });
+            measured.push(Measurement::new(quantity, "1", found, ideal).predicted(law));
         }
     }
     Ok(measured)
+}
+
+/// What a declared error reduction adds at most to v⁺/v⁻ of an impact at this speed \[m/s\], which is found at a depth of up to v h.
+fn pushed(bench: &Bench, h: f64, speed: f64) -> Option<f64> {
+    match Model::of(bench.description()) {
+        Model::Coulomb(limits) if limits.error_reduction > 0.0 => Some(limits.push(speed * h, h) / speed),
+        _ => None,
+    }
 }
 
 /// `ball/energy`.
