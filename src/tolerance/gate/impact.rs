@@ -30,15 +30,16 @@ pub struct SoftCradle {
 }
 
 /// A push of up to p times the speed makes each impulse up to 1 + p/2 times what it was; force mixing c, (W + c·diag W) r = b with
-/// diag W = 2/m, changes r = W⁻¹b by at most 2c‖W⁻¹‖ of itself in the worst order, ‖W⁻¹‖ = m for both at once.
+/// diag W = 2/m, changes r = W⁻¹b by at most 2c/m ‖W⁻¹‖‖r‖ with ‖W⁻¹‖ = m and r = m v (4/3, 2/3) for both at once: 3 c m v, which is 9/2 c of the
+/// smaller impulse.
 ///
 /// ```text
-///     both at once        (1 − 4/3 s, 2/3 s, 2/3 s)     s from 1 − 2c to 1 + p/2      energy 1 + 8/3 s (s − 1)
+///     both at once        (1 − 4/3 s, 2/3 s, 2/3 s)     s from 1 − 9/2 c to 1 + p/2      energy 1 + 8/3 s (s − 1)
 ///     one after another   (1 − s, s (1 − s), s²)                                      energy 1 + 2 s (s − 1) (1 + s²)
 /// ```
 /// and everything between. The energies follow from ½ rᵀW r − r·b.
 pub fn soft_cradle(push: f64, mixing: f64) -> SoftCradle {
-    let factors = [1.0 - 2.0 * mixing, 1.0 + 0.5 * push];
+    let factors = [1.0 - 4.5 * mixing, 1.0 + 0.5 * push];
     let both = |s: f64| 1.0 + 8.0 / 3.0 * s * (s - 1.0);
     let chain = |s: f64| 1.0 + 2.0 * s * (s - 1.0) * (1.0 + s * s);
     let [least, most] = factors;
