@@ -114,8 +114,12 @@ class OrthonormalTouch(Touch):
 
 
 def _mend(frame):
-    """The matrix that takes a frame (n, t₁, t₂) to an orthonormal one with the same n."""
-    normal = frame[0]
-    first = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
-    first /= np.linalg.norm(first)
-    return np.array([normal, first, np.cross(normal, first)]) @ np.linalg.inv(frame)
+    """The matrix that takes Siconos's frame (n, t₁, t₂) to the nearest orthonormal one with the same n.
+
+    t₁ is 26° or more from n, and t₂ is orthogonal to both: the frame changes as little as n does
+    between two steps, so that the impulses the solver starts from stay good.
+    """
+    normal, first, second = frame
+    first = first - (first @ normal) * normal
+    mended = np.array([normal, first / np.linalg.norm(first), second / np.linalg.norm(second)])
+    return mended @ np.linalg.inv(frame)
