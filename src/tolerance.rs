@@ -172,6 +172,7 @@ pub mod checks {
 
 /// Tolerances of [`crate::claims`].
 pub mod claims {
+    pub mod impact;
     pub mod integrators;
     pub mod pathology;
 

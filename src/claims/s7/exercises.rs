@@ -1,0 +1,163 @@
+//! The exercises of §7, and Routh's construction against which the planar laws are held.
+
+use super::impacts::{impact, pushed_rod, rod, rod_path};
+use super::simultaneous::rod_above_supports;
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::rough_impact::{Regime, RoughImpact};
+use crate::closed_forms::two_body_impact::TwoBodyImpact;
+use crate::impact_laws::routh::Path;
+use crate::impact_laws::{Impact, Outcome, moreau, newton, poisson, stronge};
+use crate::scalar::{Rational, ratio};
+use crate::tolerance::claims::impact::SIX_DECIMALS;
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S7.ex1",
+        statement: "Exercise 1: two balls in central impact under Newton's law and conservation of momentum have ΔE = −½(1 − e²) μ₁₂ (v₁ − v₂)², μ₁₂ = m₁m₂/(m₁ + m₂).",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated; v₁⁺ = (m₁v₁ + m₂v₂ − e m₂(v₁ − v₂))/(m₁ + m₂) and v₂⁺ = (m₁v₁ + m₂v₂ + e m₁(v₁ − v₂))/(m₁ + m₂).",
+        argument: "W = 1/μ₁₂ and U⁻ = v₂ − v₁ in Moreau's law give the impulse and the energy of the formula, in rationals, for masses 2/7, 1, 5 and e = 0, 1/3, 1.",
+        control: "1 − e in the place of 1 − e².",
+        sources: &["chapter §7, exercise 1"],
+        check: two_balls,
+    },
+    Claim {
+        id: "S7.ex2",
+        statement: "Exercise 2: find a counterexample like Kane's, for instance a rod that hits two fixed points at once; why may Newton's law with e = 1 at each point increase the total kinetic energy?",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "It cannot in this example: without friction U⁺ = −U⁻ at both points conserves energy, whatever the coupling. A gain needs unequal coefficients with a separating end, friction, or impulses computed as if each point were alone.",
+        argument: "Rod of 1 kg and 2 m, supports at ±1, ±1/2, ±1/4 m, three pairs of velocities: ΔT = 0 under Newton's law, with U⁻ ≤ 0 under Poisson's and always under Moreau's. Supports at ±1/4 m, uncoupled impulses: P = (32/19, 32/19) gains 832/361 J.",
+        control: "Uncoupled impulses.",
+        sources: &["chapter §7, exercise 2"],
+        check: rod_on_two_points,
+    },
+    Claim {
+        id: "S7.ex3",
+        statement: "Exercise 3: expand −P ∈ N_{T_C}(v⁺ + e v⁻) for v⁻ ≈ 0 and for v⁻ < 0; it becomes v⁺ ≥ 0 with resting contact, and v⁺ = −e v⁻.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated, for one contact and a velocity change by P alone: 0 ≤ v⁺ + e v⁻ ⟂ P ≥ 0.",
+        argument: "W = 2. v⁻ = 0: v⁺ = 0 and P = 0. v⁻ = −1, e = 1/2: P = 3/4, v⁺ = 1/2. For small v⁻ = −1/1000 the same formula gives 1/2000: it tends to the resting case.",
+        control: "e = 0 in the second case.",
+        sources: &["chapter §7, exercise 3"],
+        check: two_cases,
+    },
+    Claim {
+        id: "S7.routh",
+        statement: "With friction the compression impulse couples through W into the tangential direction, so that the end of compression is not tied to the velocity ratio.",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "As stated, and solvable in closed form for one planar contact: the slip stops at P_s = |U_t|/(μW_tt − sW_nt), then sticks if μ ≥ |W_nt|/W_tt and turns round otherwise; Newton, Poisson and Stronge end at different points of one path of at most two straight pieces.",
+        argument: "The rod, e = 1. μ = 1 sticks: P = (41/40, 3/8) and (4/5, 6/25) under Newton and Poisson, p_c = 2/5, so that the velocity ratio 1 is the impulse ratio 25/16. μ = 1/2 turns round: (368/385, 20/77) and (296/385, 64/385), ΔT = +0.053972, −0.087381, −0.055264 (Stronge). With W_nt > 0 it slides on and the laws agree: (8/7, −4/7). Each from the path and from the formulas by regime.",
+        control: "The rod without friction, where the velocity ratio 1 is the impulse ratio 1.",
+        sources: &["chapter §7, comparison of Poisson and Newton", "Routh 1905; Wang and Mason, J. Appl. Mech. 59 (1992) 635"],
+        check: routh,
+    },
+];
+
+fn two_balls(reading: Reading) -> Result<Vec<Finding>> {
+    let mut findings = Vec::new();
+    for masses in [[ratio(2, 7), ratio(1, 1)], [ratio(5, 1), ratio(2, 7)]] {
+        for e in [ratio(0, 1), ratio(1, 3), ratio(1, 1)] {
+            let formula = TwoBodyImpact { masses: masses.clone(), velocities: [ratio(3, 2), ratio(-1, 1)], restitution: e.clone() };
+            let mut contact = impact(&[1], [-formula.closing_speed()]);
+            contact.delassus *= ratio(1, 1) / formula.reduced_mass();
+            let outcome = moreau::frictionless(&contact, std::slice::from_ref(&e))?;
+            let factor = reading.pick(ratio(1, 1) - &e * &e, ratio(1, 1) - &e);
+            let expected = -(ratio(1, 2) * factor * formula.reduced_mass() * formula.closing_speed() * formula.closing_speed());
+            findings.push(Finding::exact(format!("ΔT, e = {e}"), &contact.energy_change(&outcome), &expected, "J"));
+            let [m1, m2] = &masses;
+            let first = (m1 * ratio(3, 2) - m2 - &e * m2 * formula.closing_speed()) / (m1 + m2);
+            findings.push(Finding::exact("v₁⁺", &(ratio(3, 2) - &outcome.impulse[0] / m1), &first, "m/s"));
+        }
+    }
+    Ok(findings)
+}
+
+/// Rods above supports, and whether both ends approach.
+fn rods() -> Vec<(Impact<Rational>, bool)> {
+    let mut rods = Vec::new();
+    for distance in [ratio(1, 1), ratio(1, 2), ratio(1, 4)] {
+        for (velocity, approaching) in [([-1, -1], true), ([-3, -1], true), ([-2, 1], false)] {
+            rods.push((rod_above_supports(&distance, velocity.map(|u| ratio(u, 1))), approaching));
+        }
+    }
+    rods
+}
+
+type Law = fn(&Impact<Rational>, &[Rational]) -> Result<Outcome<Rational>>;
+
+fn rod_on_two_points(reading: Reading) -> Result<Vec<Finding>> {
+    let pair = [ratio(1, 1), ratio(1, 1)];
+    let law = reading.pick(newton::together as Law, newton::uncoupled);
+    let [mut newton_changes, mut poisson_changes, mut moreau_changes] = [0; 3];
+    for (rod, approaching) in rods() {
+        newton_changes += usize::from(rod.energy_change(&law(&rod, &pair)?) != ratio(0, 1));
+        moreau_changes += usize::from(rod.energy_change(&moreau::frictionless(&rod, &pair)?) != ratio(0, 1));
+        let phases = poisson::two_problems(&rod, &pair)?;
+        poisson_changes += usize::from(approaching && rod.energy_change(&phases.end) != ratio(0, 1));
+    }
+    let near = rod_above_supports(&ratio(1, 4), [ratio(-1, 1), ratio(-1, 1)]);
+    let uncoupled = near.energy_change(&newton::uncoupled(&near, &pair)?);
+    Ok(vec![
+        Finding::count("rods whose energy changes under Newton's law, e = 1", newton_changes, 0),
+        Finding::count("under Moreau's law", moreau_changes, 0),
+        Finding::count("under Poisson's law, both ends approaching", poisson_changes, 0),
+        Finding::exact("gain of uncoupled impulses, supports at ±1/4 m", &uncoupled, &ratio(832, 361), "J"),
+    ])
+}
+
+fn two_cases(reading: Reading) -> Result<Vec<Finding>> {
+    let end = |velocity: Rational, e: Rational| moreau::frictionless(&impact(&[2], [velocity]), &[e]);
+    let half = ratio(1, 2);
+    let resting = end(ratio(0, 1), half.clone())?;
+    let arriving = end(ratio(-1, 1), reading.pick(half.clone(), ratio(0, 1)))?;
+    Ok(vec![
+        Finding::exact("v⁺ for v⁻ = −1, e = 1/2", &arriving.after[0], &half, "m/s"),
+        Finding::exact("P", &arriving.impulse[0], &ratio(3, 4), "N·s"),
+        Finding::exact("v⁺ for v⁻ = 0", &resting.after[0], &ratio(0, 1), "m/s"),
+        Finding::exact("v⁺ for v⁻ = −1/1000", &end(ratio(-1, 1000), half)?.after[0], &ratio(1, 2000), "m/s"),
+    ])
+}
+
+/// The formulas by regime for an impact with rows (n, t).
+fn formulas(impact: &Impact<Rational>, friction: Rational) -> RoughImpact<Rational> {
+    let w = &impact.delassus;
+    RoughImpact {
+        delassus: [w[(0, 0)].clone(), w[(0, 1)].clone(), w[(1, 1)].clone()],
+        approach: -impact.before[0].clone(),
+        slide: impact.before[1].clone(),
+        friction,
+    }
+}
+
+fn routh(reading: Reading) -> Result<Vec<Finding>> {
+    let e = ratio(1, 1);
+    let mut findings = Vec::new();
+    let tied = rod_path(&reading.pick(ratio(1, 1), ratio(0, 1)))?;
+    let quotient = &newton::along(&tied, &e)?.impulse[0] / tied.compression_end() - ratio(1, 1);
+    findings.push(Finding::exact("impulse ratio of the velocity ratio 1", &quotient, &ratio(25, 16), "1"));
+    let cases = [(rod(), ratio(1, 1), Regime::Sticks), (rod(), ratio(1, 2), Regime::Reverses), (pushed_rod(), ratio(1, 2), Regime::Slides)];
+    for (subject, mu, regime) in cases {
+        let closed = formulas(&subject, mu.clone());
+        let path = Path::new(subject, &mu)?;
+        findings.push(Finding::decision(format!("the rod {regime:?}"), closed.regime() == regime, true));
+        let ends = [(newton::along(&path, &e)?, closed.newton(&e)), (poisson::along(&path, &e)?, closed.poisson(&e))];
+        for (law, (end, expected)) in ["Newton", "Poisson"].into_iter().zip(ends) {
+            findings.push(Finding::exact(format!("P_n under {law}, μ = {mu}"), &end.impulse[0], &expected[0], "N·s"));
+            findings.push(Finding::exact(format!("P_t under {law}, μ = {mu}"), &end.impulse[1], &expected[1], "N·s"));
+        }
+    }
+    let turning = rod_path(&ratio(1, 2))?;
+    let gain = |end: Outcome<Rational>| turning.impact().energy_change(&end).to_f64().value();
+    findings.push(Finding::equal("ΔT under Newton, μ = 1/2", gain(newton::along(&turning, &e)?), 0.053_972, SIX_DECIMALS, "J"));
+    findings.push(Finding::equal("ΔT under Poisson, μ = 1/2", gain(poisson::along(&turning, &e)?), -0.087_381, SIX_DECIMALS, "J"));
+    let rounded = Path::new(super::impacts::rounded(turning.impact()), &0.5)?;
+    let energetic = rounded.impact().energy_change(&stronge::along(&rounded, 1.0)?);
+    findings.push(Finding::equal("ΔT under Stronge, μ = 1/2", energetic, -0.055_264, SIX_DECIMALS, "J"));
+    Ok(findings)
+}

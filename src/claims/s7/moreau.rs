@@ -1,0 +1,203 @@
+//! Moreau's law: what the inclusion says of velocities, friction and resting contact.
+
+use super::impacts::{ends, middle, pushed_rod, rod, rough_grid};
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::impact_laws::{Outcome, moreau, newton};
+use crate::scalar::{Rational, Scalar, ratio};
+use crate::schemes::Activation;
+use crate::schemes::exact_particle::{Ball, Motion, Outcome as Step};
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S7.moreau-def",
+        statement: "Moreau: −P ∈ N_{T_C}(v⁺ + e v⁻); its normal component gives v_n⁺ = −e v_n⁻, as Newton.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "v_n⁺ = −e v_n⁻ where P > 0, v_n⁺ ≥ −e v_n⁻ elsewhere. A contact that separated before may so leave into the ground.",
+        argument: "0 ≤ U⁺ + eU⁻ ⟂ P ≥ 0. W = (2, 1; 1, 2), e = 1/2, U⁻ = (−1, −1/4): P = (3/4, 0), U⁺ = (1/2, 1/2), and −eU₂⁻ = 1/8. W = (2, −1; −1, 2), e = 1, U⁻ = (−1, 1/2): U⁺ = (1, −1/2) approaches, and no impulse acts there.",
+        control: "The contact without impulse in the place of the one with.",
+        sources: &["chapter §7, Moreau's law"],
+        check: definition,
+    },
+    Claim {
+        id: "S7.moreau-dissipative",
+        statement: "Moreau's law, restitution on the normal component and Coulomb friction in the same inclusion, dissipates friction automatically.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "With e on the normal component it can gain energy, as Newton's law: it is Newton's law wherever the slip does not turn round. With the whole vector v⁺ + e v⁻, and for e = 0, it never gains: ΔT = PᵀŪ/(1+e) − ½(1−e)/(1+e) PᵀWP with PᵀŪ ≤ 0.",
+        argument: "The rod, μ = 1: ΔT = 9/80, 17/320, 0, −39/320 for e = 1, 9/10, 4/5, 1/2 with e on the normal component; 0 and −3/20 for e = 1 and 1/2 with the whole vector, which gains in none of 150 planar impacts. Where the slip turns round it differs from Newton's law along Routh's path: μ = 1/2 sticks, P = (41/40, 3/8), +9/80, where Routh's path gives (368/385, 20/77).",
+        control: "The whole vector in the place of the normal component.",
+        sources: &["chapter §7, table of impact laws; the chapter's table of symbols for U, the pitfall on tangential restitution for e_t"],
+        check: automatic_dissipation,
+    },
+    Claim {
+        id: "S7.moreau-no-split",
+        statement: "One formula covers collision and resting contact: for v⁻ ≈ 0 the argument v⁺ + e v⁻ demands v⁺ ≥ 0, for v⁻ < 0 it enforces v⁺ = −e v⁻; no case distinction.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "For v⁻ ≤ 0. A contact that is active and separates, v⁻ > 0, may be left with v⁺ down to −e v⁻: into the ground.",
+        argument: "A ball of 1 kg, e = 1/2: v = 0, g h = 1/10: v⁺ = 0, P = 1/10. v = −1 without load: v⁺ = 1/2. v = 1 at zero gap with g h = 13/10: v_free = −3/10, v_free + e v = 1/5 > 0, so P = 0 and v⁺ = −3/10.",
+        control: "The last step with e = 0.",
+        sources: &["chapter §7, the meaning of Moreau's choice"],
+        check: no_distinction,
+    },
+    Claim {
+        id: "S7.atom",
+        statement: "In a collision P takes the value of an atom of the impulse measure; in resting contact it is the ordinary force times the step.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated: P/h → ∞ in one case and P/h = m g in the other.",
+        argument: "Ball of 1 kg, g = 10, e = 1/2. Resting: P/h = 10 N for h = 1/10, 1/100, 1/1000 s. Arriving at −1 m/s: P = 3/2 + 10 h, which tends to (1 + e) m|v⁻|.",
+        control: "The resting contact read as an atom.",
+        sources: &["chapter §7, the meaning of Moreau's choice"],
+        check: atom,
+    },
+    Claim {
+        id: "S7.no-tangential-restitution",
+        statement: "Tangential motion belongs to friction; forcing a tangential coefficient of restitution on it conflicts with the friction cone and may gain energy.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "It may gain energy for e_t < e_n, and most at e_t = 0, which is what the chapter recommends; e_t = e_n never gains. There is no conflict with the cone: the law is posed with it.",
+        argument: "The rod, μ = 1, e_n = 1: ΔT = 9/80, 9/320, 0 for e_t = 0, 1/2, 1, with P = (41/40, 3/8), (73/80, 3/16), (4/5, 0), all inside the cone. Of 150 planar impacts with e_t = e_n none gains.",
+        control: "e_t = 1 expected to gain.",
+        sources: &["chapter §7, pitfall on tangential restitution"],
+        check: tangential_coefficient,
+    },
+    Claim {
+        id: "S7.friction-bound",
+        statement: "In a collision the tangential impulse is bounded by the normal one, ‖β‖ ≤ μP_n, and its direction is set by the sliding.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "The bound holds. The direction is that against the sliding at every instant, not against the sliding before the collision: once the end sticks, coupling sets it.",
+        argument: "The rod, μ = 1, e = 1: P_t = +3/8 while the end slid at +3/5. With W_nt = +3/2 and μ = 1/2 the slip never stops, and P_t = −4/7.",
+        control: "The rod whose slip never stops.",
+        sources: &["chapter §7, pitfall on tangential restitution"],
+        check: bound_and_direction,
+    },
+];
+
+fn definition(reading: Reading) -> Result<Vec<Finding>> {
+    let (lifted, e) = (middle([ratio(-1, 1), ratio(-1, 4)]), ratio(1, 2));
+    let half = moreau::frictionless(&lifted, &[e.clone(), e.clone()])?;
+    let contact = reading.pick(0, 1);
+    let reversed = -(e * &lifted.before[contact]);
+    let separating = ends([ratio(-1, 1), ratio(1, 2)]);
+    let elastic = moreau::frictionless(&separating, &[ratio(1, 1), ratio(1, 1)])?;
+    Ok(vec![
+        Finding::exact("U⁺ at a contact, against −eU⁻", &half.after[contact], &reversed, "m/s"),
+        Finding::exact("P at the second contact", &half.impulse[1], &ratio(0, 1), "N·s"),
+        Finding::exact("U⁺ there", &half.after[1], &ratio(1, 2), "m/s"),
+        Finding::exact("U⁺ at a contact that separated before", &elastic.after[1], &ratio(-1, 2), "m/s"),
+        Finding::exact("its impulse", &elastic.impulse[1], &ratio(0, 1), "N·s"),
+    ])
+}
+
+/// The rod under Coulomb's law with these coefficients of restitution.
+fn on_the_rod(friction: Rational, normal: Rational, tangential: Rational) -> Result<(Outcome<Rational>, Rational)> {
+    let rod = rod();
+    let outcome = moreau::two_coefficients(&rod, &[friction], &normal, &tangential)?;
+    let change = rod.energy_change(&outcome);
+    Ok((outcome, change))
+}
+
+/// Planar impacts that gain energy with e_t = e_n, e = 0, 1/2, 1.
+fn full_vector_gains() -> Result<usize> {
+    let mut count = 0;
+    for (path, mu) in rough_grid()? {
+        for e in [ratio(0, 1), ratio(1, 2), ratio(1, 1)] {
+            let end = moreau::full_vector(path.impact(), std::slice::from_ref(&mu), &e)?;
+            count += usize::from(path.impact().energy_change(&end) > ratio(0, 1));
+        }
+    }
+    Ok(count)
+}
+
+fn automatic_dissipation(reading: Reading) -> Result<Vec<Finding>> {
+    let mut findings = Vec::new();
+    for (e, expected) in
+        [(ratio(1, 1), ratio(9, 80)), (ratio(9, 10), ratio(17, 320)), (ratio(4, 5), ratio(0, 1)), (ratio(1, 2), ratio(-39, 320))]
+    {
+        let tangential = reading.pick(ratio(0, 1), e.clone());
+        let (_, change) = on_the_rod(ratio(1, 1), e.clone(), tangential)?;
+        findings.push(Finding::exact(format!("ΔT of the rod, e = {e}"), &change, &expected, "J"));
+    }
+    let turning = on_the_rod(ratio(1, 2), ratio(1, 1), ratio(0, 1))?.0;
+    let along = newton::along(&super::impacts::rod_path(&ratio(1, 2))?, &ratio(1, 1))?;
+    findings.push(Finding::exact("whole vector, e = 1", &on_the_rod(ratio(1, 1), ratio(1, 1), ratio(1, 1))?.1, &ratio(0, 1), "J"));
+    findings.push(Finding::exact("whole vector, e = 1/2", &on_the_rod(ratio(1, 1), ratio(1, 2), ratio(1, 2))?.1, &ratio(-3, 20), "J"));
+    findings.push(Finding::count("planar impacts that gain with the whole vector", full_vector_gains()?, 0));
+    findings.push(Finding::exact("P_n with μ = 1/2, e = 1", &turning.impulse[0], &ratio(41, 40), "N·s"));
+    findings.push(Finding::exact("and under Newton along Routh's path", &along.impulse[0], &ratio(368, 385), "N·s"));
+    Ok(findings)
+}
+
+/// A Moreau–Jean step of a ball of 1 kg at zero gap, h = 1/10 s.
+fn step(velocity: Rational, fall: Rational, restitution: Rational) -> Step<Rational> {
+    let ball = Ball { mass: ratio(1, 1), gravity: fall * ratio(10, 1), restitution };
+    ball.moreau_jean(&Motion { position: ratio(0, 1), velocity }, &ratio(1, 2), Activation::Gap, &ratio(1, 10))
+}
+
+fn no_distinction(reading: Reading) -> Result<Vec<Finding>> {
+    let half = ratio(1, 2);
+    let resting = step(ratio(0, 1), ratio(1, 10), half.clone());
+    let arriving = step(ratio(-1, 1), ratio(0, 1), half.clone());
+    let leaving = step(ratio(1, 1), ratio(13, 10), reading.pick(half, ratio(0, 1)));
+    Ok(vec![
+        Finding::exact("v⁺ of a ball that separates into a large load", &leaving.motion.velocity, &ratio(-3, 10), "m/s"),
+        Finding::exact("its impulse", &leaving.impulse, &ratio(0, 1), "N·s"),
+        Finding::exact("v⁺ at rest", &resting.motion.velocity, &ratio(0, 1), "m/s"),
+        Finding::exact("P at rest", &resting.impulse, &ratio(1, 10), "N·s"),
+        Finding::exact("v⁺ of an impact at −1 m/s", &arriving.motion.velocity, &ratio(1, 2), "m/s"),
+    ])
+}
+
+fn atom(reading: Reading) -> Result<Vec<Finding>> {
+    let ball = Ball { mass: ratio(1, 1), gravity: ratio(10, 1), restitution: ratio(1, 2) };
+    let impulse = |velocity: Rational, h: &Rational| {
+        ball.moreau_jean(&Motion { position: ratio(0, 1), velocity }, &ratio(1, 2), Activation::Gap, h).impulse
+    };
+    let mut findings = Vec::new();
+    for steps in [10, 100, 1000] {
+        let h = ratio(1, steps);
+        let arriving = impulse(reading.pick(ratio(-1, 1), ratio(0, 1)), &h);
+        findings.push(Finding::exact(format!("P of an impact, h = {h} s"), &arriving, &(ratio(3, 2) + ratio(10, 1) * &h), "N·s"));
+        findings.push(Finding::exact("P/h at rest", &(impulse(ratio(0, 1), &h) / &h), &ratio(10, 1), "N"));
+    }
+    Ok(findings)
+}
+
+fn tangential_coefficient(reading: Reading) -> Result<Vec<Finding>> {
+    let one = ratio(1, 1);
+    let [none, half, full] = [ratio(0, 1), ratio(1, 2), ratio(1, 1)].map(|e_t| on_the_rod(one.clone(), one.clone(), e_t));
+    let (none, half, full) = (none?, half?, full?);
+    let cone = [&none, &half, &full].iter().all(|(end, _)| end.impulse[1].magnitude() <= end.impulse[0]);
+    let subject = reading.pick(&half.1, &full.1);
+    Ok(vec![
+        Finding::exact("ΔT with e_n = 1, e_t = 1/2", subject, &ratio(9, 320), "J"),
+        Finding::exact("ΔT with e_t = 0", &none.1, &ratio(9, 80), "J"),
+        Finding::exact("ΔT with e_t = 1", &full.1, &ratio(0, 1), "J"),
+        Finding::exact("P_n with e_t = 1/2", &half.0.impulse[0], &ratio(73, 80), "N·s"),
+        Finding::exact("P_t with e_t = 1/2", &half.0.impulse[1], &ratio(3, 16), "N·s"),
+        Finding::decision("the impulses lie in the friction cone", cone, true),
+        Finding::count("planar impacts that gain with e_t = e_n", full_vector_gains()?, 0),
+    ])
+}
+
+fn bound_and_direction(reading: Reading) -> Result<Vec<Finding>> {
+    let (stuck, _) = on_the_rod(ratio(1, 1), ratio(1, 1), ratio(0, 1))?;
+    let driven = moreau::normal_only(&pushed_rod(), &[ratio(1, 2)], &ratio(1, 1))?;
+    let subject = reading.pick(&stuck, &driven);
+    let mut outside = 0;
+    for (path, mu) in rough_grid()? {
+        let end = newton::along(&path, &ratio(1, 1))?;
+        outside += usize::from(end.impulse[1].magnitude() > mu * &end.impulse[0]);
+    }
+    Ok(vec![
+        Finding::decision("P_t has the sign of the sliding before the collision", subject.impulse[1] > ratio(0, 1), true),
+        Finding::exact("P_t of the rod", &stuck.impulse[1], &ratio(3, 8), "N·s"),
+        Finding::exact("P_t of the rod whose slip never stops", &driven.impulse[1], &ratio(-4, 7), "N·s"),
+        Finding::count("planar impacts with |P_t| > μP_n", outside, 0),
+    ])
+}

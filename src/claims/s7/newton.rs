@@ -1,0 +1,183 @@
+//! Newton's law: what it keeps, what it takes.
+
+use super::impacts::{cradle, frictionless_grid, impact, rod, rod_path};
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::impact_laws::energy_projection::energy;
+use crate::impact_laws::{Impact, moreau, newton, poisson, stronge};
+use crate::scalar::{Rational, ratio};
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S7.newton-single",
+        statement: "The naive law v_n⁺ = −e v_n⁻ is fine for one contact point; it goes wrong when several points collide at once or when there is friction.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "Fine for one contact without friction: ΔT = −½(1 − e²)(U⁻)²/W. With friction one contact is enough to gain energy.",
+        argument: "W = 2, U⁻ = −1: ΔT = 0 at e = 1 and −3/16 at e = 1/2. One contact of a rod, μ = 1, e = 1: ΔT = +9/80.",
+        control: "The rod with friction as the one contact.",
+        sources: &["chapter §7, the energy trap of Newton's law"],
+        check: one_contact,
+    },
+    Claim {
+        id: "S7.four-generations",
+        statement: "Four generations, Newton (17th century), Poisson (19th), Stronge (1990s, mending Kane's counterexample), Moreau (1980s), are not replacements of one another but corrections of different defects.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Cited,
+        correct_statement: "The four laws are different laws. As a chronology Moreau stands before Stronge, and energetic restitution was published in 1990 for friction that turns round or stops.",
+        argument: "The rod with μ = 1 and e = 1 has four different outcomes: P_n = 41/40 (Newton), 4/5 with P_t = 6/25 (Poisson), 4/5 with P_t = 0 (Moreau, full vector), and U_n⁺² = 62/125 (Stronge). Dates as cited, not checked.",
+        control: "The rod without friction, where the four agree.",
+        sources: &["chapter §7, history", "Stronge, Proc. R. Soc. A 431 (1990), and J. Appl. Mech. 58 (1991) 1049 (titles and dates only)"],
+        check: four_laws,
+    },
+    Claim {
+        id: "S7.table-newton",
+        statement: "Newton: e = 1 conserves energy, e < 1 dissipates; with several bodies it may gain energy (Kane).",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "Without friction and with one e for all contacts, solved together: ΔT = −½(1 − e²)U⁻ᵀW⁻¹U⁻, for any number of bodies. A gain needs friction, unequal coefficients, or impulses computed contact by contact.",
+        argument: "The identity holds exactly for 35 impacts of two coupled contacts and e = 0, 1/2, 1. One contact with friction gains +17/320 at e = 9/10.",
+        control: "The identity expected of the rod with friction.",
+        sources: &["chapter §7, table of impact laws"],
+        check: table,
+    },
+    Claim {
+        id: "S7.e0-max-dissipation",
+        statement: "e = 0 is completely plastic and dissipates the most.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "Without friction. With friction a rebound lengthens the rubbing, and e = 1 may take most.",
+        argument: "Without friction ΔT ∝ −(1 − e²). A particle of 1 kg with U⁻ = (−1, 10), μ = 1/2: ΔT = −43/8, −243/32, −19/2 for e = 0, 1/2, 1.",
+        control: "The particle with friction.",
+        sources: &["chapter §7, Newton's law"],
+        check: most_dissipative,
+    },
+    Claim {
+        id: "S7.newton-pointwise-best",
+        statement: "Newton's law is the most intuitive, and the most accurate for single points.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::NotDecidable,
+        correct_statement: "Intuition cannot be checked, and accuracy would be a matter of measured collisions. What can be decided: for one contact without friction all four laws are the same law, so none is more accurate.",
+        argument: "W = 2, U⁻ = −1, e = 1/2: P = 3/4 under Newton, Poisson and Moreau; Stronge ends at U_n⁺² = 1/4 as well.",
+        control: "The rod with friction, where they differ.",
+        sources: &["chapter §7, Newton's law"],
+        check: same_law,
+    },
+];
+
+fn half() -> Rational {
+    ratio(1, 2)
+}
+
+/// One contact without friction, W = 2, U⁻ = −1.
+fn single() -> Impact<Rational> {
+    impact(&[2], [ratio(-1, 1)])
+}
+
+fn rod_gain(restitution: &Rational) -> Result<Rational> {
+    let path = rod_path(&ratio(1, 1))?;
+    Ok(path.impact().energy_change(&newton::along(&path, restitution)?))
+}
+
+fn single_gain(restitution: Rational) -> Result<Rational> {
+    let contact = single();
+    Ok(contact.energy_change(&newton::together(&contact, &[restitution])?))
+}
+
+fn one_contact(reading: Reading) -> Result<Vec<Finding>> {
+    let elastic = ratio(1, 1);
+    let subject = match reading {
+        Reading::Recorded => single_gain(elastic.clone())?,
+        Reading::Control => rod_gain(&elastic)?,
+    };
+    Ok(vec![
+        Finding::exact("energy gained by one contact, e = 1", &subject, &ratio(0, 1), "J"),
+        Finding::exact("the same, e = 1/2", &single_gain(half())?, &ratio(-3, 16), "J"),
+        Finding::exact("one contact of a rod, μ = 1, e = 1", &rod_gain(&elastic)?, &ratio(9, 80), "J"),
+    ])
+}
+
+/// P of Newton, Poisson and Moreau (full vector), and U_n⁺² of Stronge, on the rod with e = 1.
+fn laws_on_the_rod(friction: &Rational) -> Result<([Vec<Rational>; 3], Rational)> {
+    let (path, e) = (rod_path(friction)?, ratio(1, 1));
+    let full = moreau::full_vector(path.impact(), std::slice::from_ref(friction), &e)?;
+    let impulses = [newton::along(&path, &e)?, poisson::along(&path, &e)?, full].map(|outcome| outcome.impulse.as_slice().to_vec());
+    Ok((impulses, stronge::end(&path, &e)?.speed_squared))
+}
+
+fn four_laws(reading: Reading) -> Result<Vec<Finding>> {
+    let ([newton, poisson, moreau], stronge) = laws_on_the_rod(&reading.pick(ratio(1, 1), ratio(0, 1)))?;
+    let different = newton != poisson && newton != moreau && poisson != moreau;
+    Ok(vec![
+        Finding::decision("Newton, Poisson and Moreau differ on the rod", different, true),
+        Finding::exact("P_n under Newton", &newton[0], &ratio(41, 40), "N·s"),
+        Finding::exact("P_t under Poisson", &poisson[1], &ratio(6, 25), "N·s"),
+        Finding::exact("P_t under Moreau, full vector", &moreau[1], &ratio(0, 1), "N·s"),
+        Finding::exact("U_n⁺² under Stronge, 1 under Newton", &stronge, &ratio(62, 125), "m²/s²"),
+    ])
+}
+
+/// How many impacts of the grid break ΔT = −½(1 − e²)U⁻ᵀW⁻¹U⁻ under Newton's law for all contacts together.
+fn broken_identities() -> Result<usize> {
+    let mut broken = 0;
+    for impact in frictionless_grid(false) {
+        let stored = energy(&impact, &impact.before)?;
+        for e in [ratio(0, 1), half(), ratio(1, 1)] {
+            let outcome = newton::together(&impact, &[e.clone(), e.clone()])?;
+            let predicted = -(half() * (ratio(1, 1) - &e * &e) * &stored);
+            broken += usize::from(impact.energy_change(&outcome) != predicted);
+        }
+    }
+    Ok(broken)
+}
+
+fn table(reading: Reading) -> Result<Vec<Finding>> {
+    let (e, cradle) = (ratio(9, 10), cradle());
+    let together = newton::together(&cradle, &[e.clone(), e.clone()])?;
+    let subject = match reading {
+        Reading::Recorded => cradle.energy_change(&together),
+        Reading::Control => rod_gain(&e)?,
+    };
+    // U⁻ᵀW⁻¹U⁻ = 2/3
+    Ok(vec![
+        Finding::exact("energy gained with e = 9/10, three balls", &subject, &ratio(-19, 300), "J"),
+        Finding::count("frictionless impacts that break ΔT = −½(1 − e²)U⁻ᵀW⁻¹U⁻", broken_identities()?, 0),
+        Finding::exact("energy gained by the rod with friction, e = 9/10", &rod_gain(&e)?, &ratio(17, 320), "J"),
+    ])
+}
+
+/// ΔT of a particle of 1 kg with U⁻ = (−1, 10) for e = 0, 1/2, 1.
+fn particle(friction: &Rational) -> Result<[Rational; 3]> {
+    let particle = impact(&[1, 0, 0, 1], [ratio(-1, 1), ratio(10, 1)]);
+    let change = |e: Rational| moreau::normal_only(&particle, std::slice::from_ref(friction), &e).map(|end| particle.energy_change(&end));
+    Ok([change(ratio(0, 1))?, change(half())?, change(ratio(1, 1))?])
+}
+
+fn most_dissipative(reading: Reading) -> Result<Vec<Finding>> {
+    let rough = particle(&half())?;
+    let subject = particle(&reading.pick(ratio(0, 1), half()))?;
+    Ok(vec![
+        Finding::decision("e = 0 takes more energy than e = 1/2 and e = 1", subject[0] < subject[1] && subject[0] < subject[2], true),
+        Finding::exact("ΔT with friction, e = 0", &rough[0], &ratio(-43, 8), "J"),
+        Finding::exact("ΔT with friction, e = 1/2", &rough[1], &ratio(-243, 32), "J"),
+        Finding::exact("ΔT with friction, e = 1", &rough[2], &ratio(-19, 2), "J"),
+    ])
+}
+
+fn same_law(reading: Reading) -> Result<Vec<Finding>> {
+    let (contact, e) = (single(), [half()]);
+    let laws = [newton::together(&contact, &e)?, poisson::two_problems(&contact, &e)?.end, moreau::frictionless(&contact, &e)?];
+    let smooth = laws_on_the_rod(&reading.pick(ratio(0, 1), ratio(1, 1)))?;
+    let squared = &rod().before[0] * &rod().before[0];
+    Ok(vec![
+        Finding::decision(
+            "the laws agree on a frictionless rod",
+            smooth.0.iter().all(|law| *law == smooth.0[0]) && smooth.1 == squared,
+            true,
+        ),
+        Finding::exact("P under Newton", &laws[0].impulse[0], &ratio(3, 4), "N·s"),
+        Finding::exact("P under Poisson", &laws[1].impulse[0], &ratio(3, 4), "N·s"),
+        Finding::exact("P under Moreau", &laws[2].impulse[0], &ratio(3, 4), "N·s"),
+    ])
+}

@@ -1,0 +1,201 @@
+//! Stronge's law, and what coefficients of restitution are coefficients of.
+
+use super::impacts::{cradle, frictionless_grid, rod_path, rough_grid, rounded};
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::impact_laws::routh::Path;
+use crate::impact_laws::{Impact, Outcome, energy_projection, moreau, newton, poisson, stronge};
+use crate::scalar::{Rational, ratio};
+use crate::tolerance::claims::impact::SIX_DECIMALS;
+use crate::tolerance::rounding;
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S7.stronge-def",
+        statement: "Stronge: the energetic coefficient e_*² = E⁺/E⁻, the energy released in restitution over the energy stored in compression.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::Exact,
+        correct_statement: "Right if E means the work of the normal impulse in each phase; wrong if it is read as the kinetic energies after and before, which friction lowers as well.",
+        argument: "The rod, μ = 1, e_* = 1: the normal impulse takes 31/200 J and returns 31/200 J, ratio 1; the kinetic energy goes from 1/5 to 31/200 J, ratio 31/40.",
+        control: "The ratio of kinetic energies.",
+        sources: &["chapter §7, Stronge's law", "Stronge, Proc. R. Soc. A 431 (1990)"],
+        check: two_ratios,
+    },
+    Claim {
+        id: "S7.stronge-no-gain",
+        statement: "Stronge's law avoids the gain of energy in Kane's counterexample at the root, because it bounds an energy ratio by 1.",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "As stated, for one contact: ΔT = −(1 − e_*²)|W_c| + W_friction with W_friction ≤ 0.",
+        argument: "The normal work of both phases is −(1 − e_*²)|W_c|, and ∫U_t dq ≤ 0 along Routh's path, exactly, in 150 planar impacts; with e_* = 1 in floating point ΔT < 0 in all of them. The rod, μ = 1: −9/200 J.",
+        control: "Newton's law in Stronge's place.",
+        sources: &["chapter §7, table of impact laws", "Stronge, J. Appl. Mech. 58 (1991) 1049"],
+        check: no_gain,
+    },
+    Claim {
+        id: "S7.stronge-conserves",
+        statement: "To conserve energy with several bodies one needs Stronge's law or an energy-consistent projection.",
+        verdict: Verdict::False,
+        evidence: Evidence::Certified,
+        correct_statement: "Without friction they are not needed: Newton's and Moreau's laws conserve at e = 1. With friction they do not conserve: e_* = 1 still loses the work of friction, and a projection only takes energy away.",
+        argument: "Three balls, e = 1: ΔT = 0 under Newton, Poisson and Moreau. The rod, e_* = 1: −9/200 J with μ = 1 (sticks), −0.055264 J with μ = 1/2 (turns round). Projecting the plastic outcome of the balls leaves its loss of 1/3 J.",
+        control: "The rod with friction among those that conserve.",
+        sources: &["chapter §7, pitfall on e = 1"],
+        check: conservation,
+    },
+    Claim {
+        id: "S7.definitions-differ",
+        statement: "Newton's, Poisson's and Stronge's e are different numbers for the same collision (velocity, impulse, energy).",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated, with friction that stops or turns round. Without friction, or while the slip goes on, the three agree.",
+        argument: "The rod, μ = 1: U_n⁺/|U_n⁻| = e_N = (16/25) e_P = (√310/25) e_*. A bounce at 16/25 is e_N = 0.64, e_P = 1 and e_* = 16/√310 ≈ 0.909.",
+        control: "The rod without friction.",
+        sources: &["chapter §7, pitfall on e as a material constant"],
+        check: three_numbers,
+    },
+    Claim {
+        id: "S7.e-not-material",
+        statement: "e is not a material constant: it depends on speed, geometry and temperature, and is usually smaller at high speed; used as a constant across speeds it makes a simulation inaccurate.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::NotDecidable,
+        correct_statement: "Speed and temperature are physics that no scheme decides. What can be decided: the velocity ratio depends on geometry and friction even if the energetic coefficient is fixed, and none of these laws with a constant e can express a dependence on speed, because all are homogeneous of degree one.",
+        argument: "e_* = 1: U_n⁺²/U_n⁻² is 1 without friction, 62/125 for the rod with μ = 1. Three times the velocity gives three times the impulse under Newton and Poisson.",
+        control: "The rod without friction expected at 62/125.",
+        sources: &["chapter §7, pitfall on e as a material constant"],
+        check: not_material,
+    },
+    Claim {
+        id: "S7.e1-single-conserves",
+        statement: "e = 1 conserves energy for a single contact only; with several bodies colliding at once, Newton's law with e = 1 at every point may change the energy.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "Without friction, the setting of the sentence, Newton's law with e = 1 conserves energy for any number of contacts, solved together: ΔT = ½Pᵀ(U⁺ + U⁻) = 0 because U⁺ = −U⁻. What changes it is friction (already with one contact) or computing each impulse as if it were alone.",
+        argument: "U⁺ + U⁻ = 0 at every contact. Newton and Moreau in 35 and Poisson in 20 impacts of two coupled contacts: ΔT = 0 exactly. One contact with friction: +9/80 (Newton), −9/125 (Poisson).",
+        control: "Impulses computed contact by contact.",
+        sources: &["chapter §7, pitfall on e = 1"],
+        check: elastic,
+    },
+];
+
+/// Work of the normal impulse in restitution over minus that in compression, and T⁺/T⁻, for the rod (T⁻ = 1/5) that sticks in compression.
+fn ratios() -> Result<[Rational; 2]> {
+    let path = rod_path(&ratio(1, 1))?;
+    let end = stronge::end(&path, &ratio(1, 1))?;
+    let released = (&end.speed_squared - &end.start.normal * &end.start.normal) / (ratio(2, 1) * &end.slope);
+    let stored = -stronge::compression_work(&path);
+    let rubbed = path.friction_work(&ratio(0, 1), &end.start.impulse);
+    let kinetic = (ratio(1, 5) - &stored + &released + rubbed) / ratio(1, 5);
+    Ok([released / stored, kinetic])
+}
+
+fn two_ratios(reading: Reading) -> Result<Vec<Finding>> {
+    let [work, kinetic] = ratios()?;
+    let path = rod_path(&ratio(1, 1))?;
+    Ok(vec![
+        Finding::exact("E⁺/E⁻ with e_* = 1", &reading.pick(work, kinetic.clone()), &ratio(1, 1), "1"),
+        Finding::exact("T⁺/T⁻", &kinetic, &ratio(31, 40), "1"),
+        Finding::exact("work of the normal impulse in compression", &stronge::compression_work(&path), &ratio(-31, 200), "J"),
+    ])
+}
+
+/// ΔT in floating point of an elastic end of a path.
+fn rounded_gain(path: &Path<Rational>, friction: &Rational, law: fn(&Path<f64>, f64) -> Result<Outcome<f64>>) -> Result<f64> {
+    let path = Path::new(rounded(path.impact()), &friction.to_f64().value())?;
+    Ok(path.impact().energy_change(&law(&path, 1.0)?))
+}
+
+fn newton_along(path: &Path<f64>, restitution: f64) -> Result<Outcome<f64>> {
+    newton::along(path, &restitution)
+}
+
+fn no_gain(reading: Reading) -> Result<Vec<Finding>> {
+    let law = reading.pick(stronge::along as fn(&Path<f64>, f64) -> Result<Outcome<f64>>, newton_along);
+    let (mut gains, mut fed) = (0, 0);
+    for (path, mu) in rough_grid()? {
+        gains += usize::from(rounded_gain(&path, &mu, law)? >= 0.0);
+        fed += usize::from(path.friction_work(&ratio(0, 1), &ratio(100, 1)) > ratio(0, 1));
+    }
+    let rod = rounded_gain(&rod_path(&ratio(1, 1))?, &ratio(1, 1), law)?;
+    Ok(vec![
+        Finding::count("planar impacts that do not lose energy with e_* = 1, μ > 0", gains, 0),
+        Finding::count("paths along which friction feeds energy in", fed, 0),
+        Finding::equal("ΔT of the rod, μ = 1", rod, -9.0 / 200.0, rounding(64, 1.0), "J"),
+    ])
+}
+
+fn conservation(reading: Reading) -> Result<Vec<Finding>> {
+    let (balls, pair) = (cradle(), [ratio(1, 1), ratio(1, 1)]);
+    let ends = [newton::together(&balls, &pair)?, poisson::two_problems(&balls, &pair)?.end, moreau::frictionless(&balls, &pair)?];
+    let path = rod_path(&ratio(1, 1))?;
+    let stuck = path.friction_work(&ratio(0, 1), &path.compression_end());
+    let plastic = moreau::frictionless(&balls, &[ratio(0, 1), ratio(0, 1)])?;
+    let projected = energy_projection::project(&balls, &plastic.after)?;
+    let turned = rounded_gain(&rod_path(&ratio(1, 2))?, &ratio(1, 2), stronge::along)?;
+    let newton = balls.energy_change(&ends[0]);
+    Ok(vec![
+        Finding::exact("ΔT of an elastic collision without Stronge's law", &reading.pick(newton, stuck.clone()), &ratio(0, 1), "J"),
+        Finding::exact("the same under Poisson", &balls.energy_change(&ends[1]), &ratio(0, 1), "J"),
+        Finding::exact("the same under Moreau", &balls.energy_change(&ends[2]), &ratio(0, 1), "J"),
+        Finding::exact("ΔT of the rod under Stronge, e_* = 1, μ = 1", &stuck, &ratio(-9, 200), "J"),
+        Finding::equal("with μ = 1/2", turned, -0.055_264, SIX_DECIMALS, "J"),
+        Finding::exact("factor that the projection puts on a plastic outcome", &projected.factor_squared, &ratio(1, 1), "1"),
+        Finding::exact("ΔT of that outcome", &balls.energy_change(&plastic), &ratio(-1, 3), "J"),
+    ])
+}
+
+fn three_numbers(reading: Reading) -> Result<Vec<Finding>> {
+    let path = rod_path(&reading.pick(ratio(1, 1), ratio(0, 1)))?;
+    let mut findings = Vec::new();
+    for e in [ratio(1, 1), ratio(1, 2)] {
+        let speed = poisson::along(&path, &e)?.after[0].clone();
+        findings.push(Finding::exact(format!("U_n⁺ with e_P = {e}"), &speed, &(ratio(16, 25) * &e), "m/s"));
+        let squared = stronge::end(&path, &e)?.speed_squared;
+        findings.push(Finding::exact(format!("U_n⁺² with e_* = {e}"), &squared, &(ratio(62, 125) * &e * &e), "m²/s²"));
+        findings.push(Finding::exact(format!("U_n⁺ with e_N = {e}"), &newton::along(&path, &e)?.after[0], &e, "m/s"));
+    }
+    Ok(findings)
+}
+
+fn not_material(reading: Reading) -> Result<Vec<Finding>> {
+    let [rough, smooth] = [rod_path(&ratio(1, 1))?, rod_path(&ratio(0, 1))?];
+    let subject = stronge::end(reading.pick(&rough, &smooth), &ratio(1, 1))?.speed_squared;
+    let mut faster = rough.impact().clone();
+    faster.before *= ratio(3, 1);
+    let faster = Path::new(faster, &ratio(1, 1))?;
+    let e = ratio(1, 2);
+    let thrice = |end: Outcome<Rational>| end.impulse * ratio(3, 1);
+    let scales = thrice(newton::along(&rough, &e)?) == newton::along(&faster, &e)?.impulse
+        && thrice(poisson::along(&rough, &e)?) == poisson::along(&faster, &e)?.impulse;
+    Ok(vec![
+        Finding::exact("U_n⁺²/U_n⁻² with e_* = 1 and friction", &subject, &ratio(62, 125), "1"),
+        Finding::exact("without friction", &stronge::end(&smooth, &ratio(1, 1))?.speed_squared, &ratio(1, 1), "1"),
+        Finding::decision("impulses are proportional to the speed", scales, true),
+    ])
+}
+
+type Law = fn(&Impact<Rational>, &[Rational]) -> Result<Outcome<Rational>>;
+
+/// Impacts whose energy changes at e = 1.
+fn changes(law: Law, approaching_only: bool) -> Result<usize> {
+    let mut count = 0;
+    for impact in frictionless_grid(approaching_only) {
+        count += usize::from(impact.energy_change(&law(&impact, &[ratio(1, 1), ratio(1, 1)])?) != ratio(0, 1));
+    }
+    Ok(count)
+}
+
+fn elastic(reading: Reading) -> Result<Vec<Finding>> {
+    let law = reading.pick(newton::together as Law, newton::uncoupled);
+    let two_phases: Law = |impact, pair| poisson::two_problems(impact, pair).map(|phases| phases.end);
+    let path = rod_path(&ratio(1, 1))?;
+    let single = [newton::along(&path, &ratio(1, 1))?, poisson::along(&path, &ratio(1, 1))?].map(|end| path.impact().energy_change(&end));
+    Ok(vec![
+        Finding::count("impacts of several contacts whose energy changes at e = 1, Newton", changes(law, false)?, 0),
+        Finding::count("the same under Moreau", changes(moreau::frictionless, false)?, 0),
+        Finding::count("the same under Poisson, all contacts approaching", changes(two_phases, true)?, 0),
+        Finding::exact("ΔT of one contact with friction, Newton", &single[0], &ratio(9, 80), "J"),
+        Finding::exact("ΔT of one contact with friction, Poisson", &single[1], &ratio(-9, 125), "J"),
+    ])
+}
