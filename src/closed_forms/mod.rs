@@ -16,7 +16,10 @@ pub mod regularised_friction;
 pub mod rocking_block;
 pub mod rough_impact;
 pub mod sliding_contact;
+pub mod soft_impedance;
+pub mod soft_reference;
 pub mod soft_rigid_contact;
+pub mod soft_row;
 pub mod spring_damper;
 pub mod two_body_impact;
 

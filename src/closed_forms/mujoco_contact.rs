@@ -36,7 +36,11 @@ impl ContactParameters {
     /// d(δ) at a depth δ ≥ 0 below the margin.
     pub fn impedance_at(&self, depth: f64) -> f64 {
         let [start, end, width, midpoint, power] = self.impedance;
-        let x = if width > 0.0 { (depth / width).clamp(0.0, 1.0) } else { 1.0 };
+        let [start, end] = [start, end].map(|value| value.clamp(IMPEDANCE_LIMITS[0], IMPEDANCE_LIMITS[1]));
+        if width <= 0.0 {
+            return 0.5 * (start + end);
+        }
+        let x = (depth / width).clamp(0.0, 1.0);
         let y = if power == 1.0 {
             x
         } else if x <= midpoint {
@@ -44,7 +48,7 @@ impl ContactParameters {
         } else {
             1.0 - (1.0 - x).powf(power) / (1.0 - midpoint).powf(power - 1.0)
         };
-        (start + y * (end - start)).clamp(IMPEDANCE_LIMITS[0], IMPEDANCE_LIMITS[1])
+        start + y * (end - start)
     }
 
     /// k \[1/s²\] and b \[1/s\] at a step h: 1/(d_w²t_c²ζ²) and 2/(d_w t_c) with t_c ≥ 2h, or −`solref`/(d_w², d_w).
@@ -144,6 +148,16 @@ mod tests {
         // Beyond the midpoint 3/10 at x = 1/2: y = 1 − (1/2)³/(7/10)² = 365/490, d = 0.2 + 0.6 y.
         assert!((parameters.impedance_at(0.005) - (0.2 + 0.6 * 365.0 / 490.0)).abs() <= crate::tolerance::rounding(8, 1.0));
         assert_eq!(parameters.impedance_at(0.01), parameters.impedance_at(1.0));
+    }
+
+    #[test]
+    fn outside_its_limits_and_without_width_the_impedance_is_what_mujoco_3_17_reports() {
+        let at = |start, end, width| {
+            ContactParameters { impedance: [start, end, width, 0.5, 2.0], ..ContactParameters::default() }.impedance_at(0.0002)
+        };
+        assert!((at(0.0, 0.95, 0.001) - 0.076092).abs() <= crate::tolerance::rounding(8, 1.0));
+        assert!((at(0.0, 1.0, 0.001) - 0.080084).abs() <= crate::tolerance::rounding(8, 1.0));
+        assert_eq!(at(0.2, 0.8, 0.0), 0.5);
     }
 
     #[test]

@@ -6,7 +6,7 @@ mod damped;
 mod explicit;
 mod implicit;
 mod semi_implicit;
-mod spring;
+pub(in crate::claims) mod spring;
 
 /// The claims, one slice per file.
 pub const CLAIMS: &[&[Claim]] = &[explicit::CLAIMS, semi_implicit::CLAIMS, damped::CLAIMS, implicit::CLAIMS];

@@ -1,0 +1,9 @@
+//! Claims of §6: the soft contact of MuJoCo.
+
+use super::Claim;
+
+mod reference;
+mod time_constant;
+
+/// The claims, one slice per file.
+pub const CLAIMS: &[&[Claim]] = &[reference::CLAIMS, time_constant::CLAIMS];

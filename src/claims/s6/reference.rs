@@ -1,0 +1,203 @@
+//! `solref`: the virtual spring and damper behind the reference acceleration, and its damping.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::experiments::soft::rebound;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::mujoco_contact::ContactParameters;
+use crate::closed_forms::mujoco_normal::spring_damper_restitution;
+use crate::closed_forms::soft_impedance::SoftImpedance;
+use crate::closed_forms::soft_reference::SoftReference;
+use crate::scalar::{Rational, Scalar, ratio};
+use crate::tolerance::gate::ball::{OSCILLATOR_PARTS, oscillator_rebound};
+use crate::tolerance::rounding;
+
+const DOCUMENTATION: &str = "MuJoCo documentation, Modeling: solver parameters (3.17)";
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S6.aref-form",
+        statement: "The reference acceleration is that of a virtual spring and damper, with stiffness k_p and damping k_d.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated: a_ref = −b φ̇ − k d φ. The stiffness k d depends on the depth through the impedance d, so that the spring is linear only where d is constant.",
+        argument: "Default parameters, φ = −1 mm, φ̇ = −3/10 m/s: b = 2000/19 1/s, k d = 50000/19 1/s², a_ref = 650/19 = 34.2105 m/s². In rationals, and from the rounded formula that reproduces the stored runs of MuJoCo. The stiffness at half a millimetre is another one.",
+        control: "φ̇ = +3/10 m/s, with the damper's sign reversed.",
+        sources: &["chapter §6, step 3", DOCUMENTATION],
+        check: form,
+    },
+    Claim {
+        id: "S6.solref-meaning",
+        statement: "solref = (timeconst, dampratio) fixes the natural frequency and the damping ratio of the spring and damper, with ω₀ = 1/timeconst.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "ω₀ = 1/(timeconst · dampratio), so 1/timeconst only at dampratio 1; the frequency and the ratio are those of an unloaded row where d = d_w. A negative solref means (−stiffness, −damping) per mass.",
+        argument: "From d² k = ω₀² and d b = 2ζω₀ at d = d_w, in rationals: (1/50 s, 1) has ω₀ = 50 1/s; (1/50, 1/2) has ω₀ = 100, ζ = 1/2; (1/50, 2) has 25. (−2500, −100) is the same as (1/50, 1).",
+        control: "ω₀ = 1/timeconst at dampratio 1/2.",
+        sources: &["chapter §6, step 3 and the numerical example of solref", DOCUMENTATION],
+        check: meaning,
+    },
+    Claim {
+        id: "S6.kp-kd",
+        statement: "The default solref = (0.02, 1) means k_p = ω₀² = 2500 and k_d = 2ζω₀ = 100 per unit of effective mass.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "They are d² k and d b, the coefficients of the motion of a row that carries no load, from a depth of 1 mm on, where d = d_w. At the surface, d = 9/10, they are 810000/361 = 2243.77 1/s² and 1800/19 = 94.74 1/s.",
+        argument: "k = 1000000/361 1/s², b = 2000/19 1/s and the default impedance, in rationals at depths of 0, 1/2, 1 and 5 mm.",
+        control: "The surface in place of a depth of 1 mm.",
+        sources: &["chapter §6, numerical example of solref", DOCUMENTATION],
+        check: effective,
+    },
+    Claim {
+        id: "S6.aref-2500-100",
+        statement: "With the default parameters a_ref = −2500 φ − 100 φ̇.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "a_ref = −k d φ − b φ̇ with b = 2000/19 = 105.26 1/s and k d from 900000/361 = 2493.07 1/s² at the surface to 50000/19 = 2631.58 from 1 mm on: MuJoCo divides by d_w so that the motion, which is d a_ref, gets 2500 and 100 there.",
+        argument: "φ = −1 mm at rest: a_ref = 50/19 = 2.632 m/s², not 5/2. φ = 0, φ̇ = −1 m/s: 2000/19 m/s², not 100. d a_ref is 5/2 and 100 at d = d_w.",
+        control: "The printed coefficients for a_ref.",
+        sources: &["chapter §6, numerical example of solref", DOCUMENTATION],
+        check: coefficients,
+    },
+    Claim {
+        id: "S6.critical-no-overshoot",
+        statement: "Critical damping, ζ = 1, pushes the violation back to zero without overshoot; it is the default because it returns fastest and does not oscillate.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "Without overshoot from rest, for a two-sided row without load. An impact leaves the surface at e⁻² = 13.5 % of its speed. Fastest holds for a given ω₀; for a given timeconst, which is what solref holds fixed, every ζ ≤ 1 decays at the same rate 1/timeconst.",
+        argument: "Characteristic polynomial λ² + (2/t_c) λ + 1/(t_c ζ)²: discriminant 0 at ζ = 1, complex roots with real part −1/t_c for ζ < 1, at ζ = 5/4 the slower root is −2/5 of 1/t_c. Replay of MuJoCo's contact, constant impedance, 2⁻¹⁴ of 1/ω₀ a step: rebound speed e⁻² at ζ = 1.",
+        control: "A rebound speed of zero.",
+        sources: &[
+            "chapter §6, numerical example of solref",
+            "Schwager and Pöschel, Coefficient of restitution and linear–dashpot model revisited (2007)",
+        ],
+        check: critical,
+    },
+    Claim {
+        id: "S6.zeta-bounce",
+        statement: "ζ < 1 is underdamped and bounces; ζ > 1 returns more slowly.",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "As stated. The bounce of a contact falls with ζ without vanishing at 1: e(ζ) = exp(−ζ/√(1−ζ²) · acos(2ζ²−1)), e⁻² at 1, and smaller beyond.",
+        argument: "Replay of MuJoCo's contact at ζ = 1/10, 3/10, 1/2, 1, 2: rebound 0.74408, 0.45098, 0.29844, 0.13534, 0.04777. The slower root at ζ = 5/4 is −1/2 of ω₀ = 4/5 of 1/t_c, that is −2/5 of 1/t_c; at ζ = 1 it is −1/t_c.",
+        control: "The rebounds in the order of rising ζ, taken to rise.",
+        sources: &["chapter §6, numerical example of solref", "Schwager and Pöschel (2007)"],
+        check: bounce,
+    },
+];
+
+/// The default contact.
+fn standard() -> SoftReference<Rational> {
+    SoftReference::unlimited(&ratio(1, 50), &ratio(1, 1), SoftImpedance::standard())
+}
+
+fn millimetres(numerator: i64, denominator: i64) -> Rational {
+    ratio(numerator, 1000 * denominator)
+}
+
+fn form(reading: Reading) -> Result<Vec<Finding>> {
+    let (gap, rate) = (millimetres(-1, 1), ratio(reading.pick(-3, 3), 10));
+    let exact = standard().acceleration(&gap, &rate);
+    let parameters = ContactParameters::default();
+    let (stiffness, damping) = parameters.stiffness_and_damping(0.002);
+    let rounded = stiffness * parameters.impedance_at(0.001) * 0.001 + damping * 0.3;
+    let [shallow, deep] = [millimetres(1, 2), millimetres(1, 1)].map(|depth| standard().coefficients(&depth)[0].clone());
+    Ok(vec![
+        Finding::exact("a_ref at φ = −1 mm", &exact, &ratio(650, 19), "m/s²"),
+        Finding::equal("a_ref by the rounded formula", rounded, Scalar::to_f64(&exact), rounding(16, rounded), "m/s²"),
+        Finding::decision("the stiffness is the same at half the depth", shallow == deep, false),
+    ])
+}
+
+/// ω₀² \[1/s²\] and 2ζω₀ \[1/s\] of `solref` = (1/50 s, ζ) beyond the width.
+fn beyond_the_width(zeta: &Rational) -> [Rational; 2] {
+    SoftReference::unlimited(&ratio(1, 50), zeta, SoftImpedance::standard()).effective(&millimetres(5, 1))
+}
+
+fn meaning(reading: Reading) -> Result<Vec<Finding>> {
+    let mut findings = Vec::new();
+    for (zeta, frequency) in [(ratio(1, 1), 50), (ratio(1, 2), reading.pick(100, 50)), (ratio(2, 1), 25)] {
+        let [square, twice] = beyond_the_width(&zeta);
+        let frequency = ratio(frequency, 1);
+        findings.push(Finding::exact(format!("ω₀² at ζ = {zeta}"), &square, &(&frequency * &frequency), "1/s²"));
+        findings.push(Finding::exact("2ζω₀", &twice, &(ratio(2, 1) * &zeta * &frequency), "1/s"));
+    }
+    let direct = SoftReference::direct(&ratio(2500, 1), &ratio(100, 1), SoftImpedance::standard());
+    findings.push(Finding::decision("(−2500, −100) is (1/50, 1)", direct == standard(), true));
+    Ok(findings)
+}
+
+fn effective(reading: Reading) -> Result<Vec<Finding>> {
+    let deep = reading.pick(millimetres(1, 1), ratio(0, 1));
+    let half = ratio(37, 40);
+    let cases = [
+        ("1 mm", deep, ratio(2500, 1), ratio(100, 1)),
+        ("5 mm", millimetres(5, 1), ratio(2500, 1), ratio(100, 1)),
+        ("1/2 mm", millimetres(1, 2), &half * &half * ratio(1_000_000, 361), &half * ratio(2000, 19)),
+        ("the surface", ratio(0, 1), ratio(810_000, 361), ratio(1800, 19)),
+    ];
+    let mut findings = Vec::new();
+    for (place, depth, stiffness, damping) in cases {
+        let [k, b] = standard().effective(&depth);
+        findings.push(Finding::exact(format!("d² k at {place}"), &k, &stiffness, "1/s²"));
+        findings.push(Finding::exact(format!("d b at {place}"), &b, &damping, "1/s"));
+    }
+    Ok(findings)
+}
+
+fn coefficients(reading: Reading) -> Result<Vec<Finding>> {
+    let printed = |correct: Rational, printed: Rational| reading.pick(correct, printed);
+    let pushed = standard().acceleration(&millimetres(-1, 1), &ratio(0, 1));
+    let damped = standard().acceleration(&ratio(0, 1), &ratio(-1, 1));
+    let end = SoftImpedance::<Rational>::standard().at_width();
+    let [surface, _] = standard().coefficients(&ratio(0, 1));
+    Ok(vec![
+        Finding::exact("a_ref at φ = −1 mm and rest", &pushed, &printed(ratio(50, 19), ratio(5, 2)), "m/s²"),
+        Finding::exact("a_ref at φ = 0, φ̇ = −1 m/s", &damped, &printed(ratio(2000, 19), ratio(100, 1)), "m/s²"),
+        Finding::exact("k d at the surface", &surface, &ratio(900_000, 361), "1/s²"),
+        Finding::exact("d_w a_ref at φ = −1 mm and rest", &(&end * pushed), &ratio(5, 2), "m/s²"),
+        Finding::exact("d_w a_ref at φ = 0, φ̇ = −1 m/s", &(&end * damped), &ratio(100, 1), "m/s²"),
+    ])
+}
+
+/// The slower rate of decay of λ² + (2/t_c) λ + 1/(t_c ζ)² for ζ ≥ 1 with √(1 − 1/ζ²) = `root`, in units of 1/t_c; checked to be a root.
+fn slower_rate(zeta: &Rational, root: &Rational) -> (Rational, Rational) {
+    let rate = ratio(1, 1) - root;
+    let residual = &rate * &rate - ratio(2, 1) * &rate + ratio(1, 1) / (zeta * zeta);
+    (rate, residual)
+}
+
+fn rebound_at(zeta: f64) -> f64 {
+    rebound(zeta, 1.0 / OSCILLATOR_PARTS as f64)
+}
+
+fn critical(reading: Reading) -> Result<Vec<Finding>> {
+    // a quarter of the discriminant, in units of 1/t_c²
+    let discriminant = |zeta: &Rational| ratio(1, 1) - ratio(1, 1) / (zeta * zeta);
+    let (rate, residual) = slower_rate(&ratio(5, 4), &ratio(3, 5));
+    let left = reading.pick((-2.0f64).exp(), 0.0);
+    Ok(vec![
+        Finding::equal("rebound of an impact at 1 m/s, ζ = 1", rebound_at(1.0), left, oscillator_rebound(1.0), "m/s"),
+        Finding::exact("discriminant at ζ = 1", &discriminant(&ratio(1, 1)), &ratio(0, 1), "1/t_c²"),
+        Finding::decision("complex roots −1/t_c ± iω at ζ = 99/100", discriminant(&ratio(99, 100)) < ratio(0, 1), true),
+        Finding::exact("slower rate at ζ = 5/4", &rate, &ratio(2, 5), "1/t_c"),
+        Finding::exact("residual of that root", &residual, &ratio(0, 1), "1/t_c²"),
+    ])
+}
+
+fn bounce(reading: Reading) -> Result<Vec<Finding>> {
+    let mut findings = Vec::new();
+    let mut rebounds = Vec::new();
+    for zeta in [0.1, 0.3, 0.5, 1.0, 2.0] {
+        let measured = rebound_at(zeta);
+        let expected = spring_damper_restitution(zeta);
+        findings.push(Finding::equal(format!("rebound at ζ = {zeta}"), measured, expected, oscillator_rebound(zeta), "m/s"));
+        rebounds.push(measured);
+    }
+    let falls = rebounds.windows(2).all(|pair| pair[1] < pair[0]);
+    let (rate, residual) = slower_rate(&ratio(5, 4), &ratio(3, 5));
+    findings.push(Finding::decision("the rebound falls with ζ", falls, reading.pick(true, false)));
+    findings.push(Finding::decision("ζ = 5/4 returns more slowly than ζ = 1", rate < ratio(1, 1), true));
+    findings.push(Finding::exact("residual of its slower root", &residual, &ratio(0, 1), "1/t_c²"));
+    Ok(findings)
+}
