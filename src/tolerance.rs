@@ -45,6 +45,12 @@ pub mod scenes {
 
 pub mod solvers;
 
+/// Tolerances of [`crate::integrators`].
+pub mod integrators {
+    /// Entries of DᵀJD − J of a step with an impact, of size 10 and computed from fewer than 1024 operations of relative error ε.
+    pub const VARIATIONAL_STEP: f64 = 2.0 * 1024.0 * 10.0 * super::EPSILON;
+}
+
 /// Tolerances of [`crate::schemes`].
 pub mod schemes {
     use super::rounding;

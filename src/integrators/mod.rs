@@ -4,20 +4,24 @@
 //!     (q, v) ↦ (q⁺, v⁺) ,   D = ∂(q⁺, v⁺)/∂(q, v)
 //! ```
 //! Over rationals a step is exact, and so is its Jacobian, which dual numbers carry along ([`jacobian`]). For linear forces D is the
-//! method's amplification matrix: its powers stay bounded or not ([`stability`]).
+//! method's amplification matrix: its powers stay bounded or not ([`stability`]). For Hamiltonian motion D keeps the
+//! symplectic form or not ([`symplectic`]), also across an impact ([`impact_flow`], [`variational`]).
 //!
-//! These steps know no contact; those of the schemes do.
+//! The other methods know no contact; the schemes do.
 
 use crate::scalar::Scalar;
 use nalgebra::{DMatrix, DVector};
 
 mod explicit_euler;
+pub mod impact_flow;
 pub mod jacobian;
 mod runge_kutta;
 mod semi_implicit_euler;
 mod spring_damper;
 pub mod stability;
+pub mod symplectic;
 mod theta;
+pub mod variational;
 
 pub use explicit_euler::ExplicitEuler;
 pub use runge_kutta::RungeKutta;

@@ -1,10 +1,13 @@
 //! Every method against its definition, its amplification matrix and the bound of its step.
 
+use super::impact_flow::{ImpactFlow, Tangent};
 use super::stability::{Powers, invariants, powers};
+use super::symplectic::defect;
+use super::variational::{Guess, InPotential, ScalarField, Variational, Verlet};
 use super::*;
 use crate::closed_forms::spring_damper as bound;
 use crate::scalar::{Dual, Rational, exact, ratio};
-use crate::tolerance::{claims::integrators::BESIDE, mechanics};
+use crate::tolerance::{claims::integrators::BESIDE, integrators::VARIATIONAL_STEP, mechanics};
 
 const EXPLICIT: SemiImplicitEuler = SemiImplicitEuler { damping: Damping::Explicit };
 const IMPLICIT: SemiImplicitEuler = SemiImplicitEuler { damping: Damping::Implicit };
@@ -124,4 +127,89 @@ fn constants_have_no_slope_through_a_step() {
     let constant = |x: i64| Dual::constant(ratio(x, 2));
     let next = EXPLICIT.step(&Hardening, &Phase::of_one(constant(1), constant(-3)), &constant(1));
     assert!(next.stacked().iter().all(|entry| entry.slope == ratio(0, 1)));
+}
+
+/// V = 3y + ½x² + x y², φ = y + x²/4.
+#[derive(Clone, Copy)]
+enum Scene {
+    Potential,
+    Floor,
+}
+
+impl ScalarField for Scene {
+    fn value<T: Scalar>(&self, position: &DVector<T>) -> T {
+        let (x, y) = (position[0].clone(), position[1].clone());
+        match self {
+            Scene::Potential => T::ratio(3, 1) * y.clone() + T::ratio(1, 2) * x.clone() * x.clone() + x * y.clone() * y,
+            Scene::Floor => y + T::ratio(1, 4) * x.clone() * x,
+        }
+    }
+}
+
+#[test]
+fn verlet_is_symplectic_and_reversible_in_rationals() {
+    let (h, now) = (
+        ratio(1, 5),
+        Phase { position: DVector::from_vec(vec![ratio(1, 2), ratio(1, 3)]), velocity: DVector::from_vec(vec![ratio(-1, 1), ratio(2, 1)]) },
+    );
+    let system = InPotential(Scene::Potential);
+    let next = Verlet.step(&system, &now, &h);
+    let back = Verlet.step(&system, &Phase { velocity: -&next.velocity, ..next }, &h);
+    assert_eq!(Phase { velocity: -back.velocity, ..back }, now);
+    let left = defect(&Verlet.jacobian(&system, &now, &h), &DMatrix::identity(2, 2));
+    assert!(left.iter().all(|entry| *entry == ratio(0, 1)));
+}
+
+#[test]
+fn a_variational_impact_that_newton_finds_is_symplectic_to_rounding() {
+    let integrator = Variational { potential: Scene::Potential, gap: Scene::Floor };
+    let start = [0.3, 0.2, 0.7, -1.5];
+    let at = |x: &DVector<Dual<f64>>| {
+        let guess = Guess { time: Dual::constant(0.12), jump: Dual::constant(3.0), newton_steps: 8 };
+        integrator.step_with_impact(&Phase::from_stacked(x), &Dual::constant(0.3), &guess).stacked()
+    };
+    let d = jacobian::jacobian(&DVector::from_row_slice(&start), at);
+    assert!(defect(&d, &DMatrix::identity(2, 2)).amax() <= VARIATIONAL_STEP);
+    let now = Phase::from_stacked(&DVector::from_row_slice(&start));
+    let after = integrator.step_with_impact(&now, &0.3, &Guess { time: 0.12, jump: 3.0, newton_steps: 8 });
+    assert!(Scene::Floor.value(&after.position) > 0.0 && after.velocity[1] > 0.0);
+}
+
+#[test]
+fn the_flow_across_an_impact_is_that_of_a_dropped_ball() {
+    // from 5 m with g = 10 m/s² in 1 s at 10 m/s; with e = ½ after another half second 5/4 m high and at rest
+    let one = |n: i64| DVector::from_element(1, ratio(n, 1));
+    let ball =
+        ImpactFlow { gap: Height, acceleration: one(-10), restitution: ratio(1, 2), tangent: Tangent::Frictionless, friction: ratio(0, 1) };
+    let start = Phase { position: one(5), velocity: one(0) };
+    assert_eq!(ball.gap_at(&start, &ratio(1, 1)), ratio(0, 1));
+    assert_eq!(ball.map(&start, &ratio(1, 1), &ratio(3, 2)), Phase::of_one(ratio(5, 4), ratio(0, 1)));
+}
+
+/// φ = q.
+struct Height;
+
+impl ScalarField for Height {
+    fn value<T: Scalar>(&self, position: &DVector<T>) -> T {
+        position[0].clone()
+    }
+}
+
+#[test]
+fn friction_opposes_the_slip_whatever_its_direction() {
+    for slip in [2, -2] {
+        let flow = ImpactFlow {
+            gap: Scene::Floor,
+            acceleration: DVector::from_vec(vec![ratio(0, 1), ratio(0, 1)]),
+            restitution: ratio(0, 1),
+            tangent: Tangent::Sliding,
+            friction: ratio(1, 2),
+        };
+        let start = Phase {
+            position: DVector::from_vec(vec![ratio(-slip, 1), ratio(1, 1)]),
+            velocity: DVector::from_vec(vec![ratio(slip, 1), ratio(-1, 1)]),
+        };
+        let after = flow.map(&start, &ratio(1, 1), &ratio(1, 1));
+        assert_eq!(after.velocity, DVector::from_vec(vec![ratio(slip, 1) * ratio(3, 4), ratio(0, 1)]));
+    }
 }

@@ -6,4 +6,5 @@ pub(super) mod push_out;
 pub(super) mod rod;
 pub(super) mod soft;
 pub(super) mod spring;
+pub(super) mod stored;
 pub(super) mod tower;

@@ -3,10 +3,15 @@
 use super::Claim;
 
 mod damped;
+mod engines;
 mod explicit;
+mod impact;
 mod implicit;
 mod semi_implicit;
 pub(in crate::claims) mod spring;
+mod symplectic;
+mod systems;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[explicit::CLAIMS, semi_implicit::CLAIMS, damped::CLAIMS, implicit::CLAIMS];
+pub const CLAIMS: &[&[Claim]] =
+    &[explicit::CLAIMS, semi_implicit::CLAIMS, damped::CLAIMS, implicit::CLAIMS, symplectic::CLAIMS, impact::CLAIMS, engines::CLAIMS];

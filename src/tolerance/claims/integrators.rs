@@ -11,3 +11,9 @@ pub const BISECTED: f64 = 1.0 / (1u64 << 46) as f64;
 /// ln(1 + h²)/h = h − h³/2 + … the loss is h − h²/2 + O(h³) over a unit time and h² − h⁴ + … in a step, so that the ratios are
 /// 2 − h/2 + O(h²) and 4 − 3h² + …; 2h covers both.
 pub const HALVED: f64 = 2.0 / 32.0;
+
+/// Rounding of q⁺ − q − h v⁺ \[m\] of a stored fall: eight operations of the engine and of ours on coordinates below 2 m.
+pub const FALL: f64 = 2.0 * 8.0 * 2.0 * f64::EPSILON;
+
+/// Rounding of the place of a thrown body \[m\]: 36 steps, each an addition of a rounded product to coordinates below 16 m.
+pub const PROJECTILE: f64 = 2.0 * 40.0 * 16.0 * f64::EPSILON;

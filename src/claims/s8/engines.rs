@@ -1,0 +1,210 @@
+//! Which integrator the simulators use, and why: what stored runs show of it, and what is opinion.
+
+use super::spring::{SEMI_IMPLICIT, energy, matrix, theta, undamped};
+use super::systems::disk_flow;
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::experiments::stored::{Faller, Thrower, projectile_error, update_residuals};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::integrators::impact_flow::Tangent;
+use crate::integrators::stability::invariants;
+use crate::integrators::symplectic::volume;
+use crate::integrators::variational::Verlet;
+use crate::integrators::{Damping, ExplicitEuler, Method, Phase, SemiImplicitEuler, SpringDamper, System};
+use crate::scalar::{Dual, Rational, Scalar, ratio};
+use crate::tolerance::claims::integrators::{FALL, PROJECTILE};
+use nalgebra::DVector;
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S8.nobody-explicit",
+        statement: "No serious simulator uses pure explicit Euler for contact.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::NotDecidable,
+        correct_statement: "A survey without a list, and “serious” is a judgement. The engines stored here whose falls are kept step by step, MuJoCo and Drake, do not.",
+        argument: "Stored falls of MuJoCo 3.17.0 (integrator Euler) and Drake 1.51.1 (SAP) at h = 1/100 s: q⁺ − q − h v⁺ is zero to rounding, q⁺ − q − h v is g h² = 9.81·10⁻⁴ m in every step.",
+        control: "A fall under explicit Euler in place of MuJoCo's.",
+        sources: &["chapter §8, why explicit Euler fails", "references/mujoco and references/drake, ball_drop at h = 0.01"],
+        check: nobody,
+    },
+    Claim {
+        id: "S8.semi-sim-list",
+        statement: "Semi-implicit Euler is the main integrator of MuJoCo, Bullet and Drake.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Measured,
+        correct_statement: "Of the position update: all three move with the velocity at the end of the step. The contact forces are not evaluated at the old state, as forces are in semi-implicit Euler, but solved for the velocity at its end; MuJoCo offers other integrators.",
+        argument: "MuJoCo and Drake: as in S8.nobody-explicit. PyBullet 3.2.7: a thrown body is ½ g h t = 0.04905 m off its parabola at h = 1/60 s, to rounding, as an Euler rule is.",
+        control: "Siconos 4.4.0 in place of Bullet: it follows the parabola to rounding.",
+        sources: &["chapter §8, three levels and table", "references/scoreboard, flight/projectile"],
+        check: main_integrator,
+    },
+    Claim {
+        id: "S8.drake-midpoint",
+        statement: "Implicit end of the range: Drake's SAP midpoint, and implicitfast, stand for the fully implicit level with O(h²) dissipation.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "Midpoint is θ = 1/2: it neither dissipates nor is L-stable. A step that is implicit in the velocity alone, as implicitfast is, is semi-implicit Euler on an undamped spring, with its bound hω < 2. Drake's discrete stepper, as stored here, moves with the new velocity. (The text says that they lean to this end; the table names SAP midpoint as its representative.)",
+        argument: "hω = 3/10 in rationals: θ = 1/2 has E⁺/E = 1 and determinant 1; the step with implicit damping has the matrix of semi-implicit Euler. Drake 1.51.1: q⁺ = q + h v⁺ to rounding in a stored fall.",
+        control: "θ = 1 in place of the midpoint rule.",
+        sources: &[
+            "chapter §8, three levels and table",
+            "MuJoCo documentation, computation: numerical integration (3.17)",
+            "references/drake, ball_drop at h = 0.01",
+        ],
+        check: midpoint,
+    },
+    Claim {
+        id: "S8.all-sims-semi",
+        statement: "That is why all simulators use semi-implicit Euler and not the explicit one.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::Measured,
+        correct_statement: "Not explicit: true of the engines stored here. All semi-implicit: not so. Siconos uses its θ scheme, as the chapter says elsewhere.",
+        argument: "A thrown body at h = 1/60 s: an Euler rule is ½ g h t = 0.04905 m off the parabola; Siconos 4.4.0 is off by rounding, θ = 1/2.",
+        control: "Bullet in place of Siconos.",
+        sources: &["chapter §8, pitfall: semi-implicit and explicit Euler are nearly the same", "references/scoreboard, flight/projectile"],
+        check: not_all,
+    },
+    Claim {
+        id: "S8.plastic-common",
+        statement: "Contact of robots mostly has e ≈ 0, so that symplectic integrators fail there altogether.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::NotDecidable,
+        correct_statement: "How common plastic contact is, is a statement about models, and “fail” a judgement. At the impact nothing is left to preserve; between impacts a symplectic step stays one.",
+        argument: "Flow across an impact on a disk: det D = 0 at e = 0 and 1/100 at e = 1/10. Free steps on an undamped spring keep determinant 1.",
+        control: "e = 1.",
+        sources: &["chapter §8, conclusion of the negative result"],
+        check: common,
+    },
+    Claim {
+        id: "S8.mujoco-choice",
+        statement: "MuJoCo gave up variational integrators, which plastic contact and corrections of penetration rule out, for semi-implicit Euler with a soft convex solver: not symplectic, but differentiable and time-reversible, which matters more for MPC and learning.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::NotDecidable,
+        correct_statement: "A statement of motives. MuJoCo's documentation names the cost of variational integrators, which are implicit where the inertia depends on the configuration, and that continuous-time dynamics are defined backward in time; it names neither plastic contact nor Cirak and West. The step itself is not reversible in time, and at the touching point not differentiable.",
+        argument: "In rationals: a step h of semi-implicit Euler followed by a step −h does not return, on a spring without damper; Verlet's does. At touching, ∂v⁺/∂φ of a step on a one-sided spring of unit stiffness is 0 on the separated and −h on the pressed side. With MuJoCo's smallest t_c = 2h the contact step is singular (S8.timeconst-origin).",
+        control: "Verlet's step in place of semi-implicit Euler's.",
+        sources: &[
+            "chapter §8, why MuJoCo does not use variational integrators",
+            "MuJoCo documentation, computation: continuous time (3.17)",
+        ],
+        check: choice,
+    },
+];
+
+/// The residuals of [`update_residuals`] for a fall under explicit Euler, h = 1/100 s.
+fn explicit_fall() -> [f64; 2] {
+    let (h, gravity) = (0.01, 9.81);
+    let (mut place, mut velocity, mut largest) = (1.0f64, 0.0f64, [0.0f64; 2]);
+    for _ in 0..30 {
+        let (next, faster) = (place + h * velocity, velocity - h * gravity);
+        for (worst, speed) in largest.iter_mut().zip([faster, velocity]) {
+            *worst = worst.max((next - place - h * speed).abs());
+        }
+        (place, velocity) = (next, faster);
+    }
+    largest
+}
+
+fn falls(name: &str, [new, old]: [f64; 2]) -> [Finding; 2] {
+    [
+        Finding::equal(format!("{name}: largest |q⁺ − q − h v⁺|"), new, 0.0, FALL, "m"),
+        Finding::equal(format!("{name}: largest |q⁺ − q − h v|"), old, 9.81 * 0.01 * 0.01, FALL, "m"),
+    ]
+}
+
+fn nobody(reading: Reading) -> Result<Vec<Finding>> {
+    let first = match reading {
+        Reading::Recorded => update_residuals(Faller::MuJoCo)?,
+        Reading::Control => explicit_fall(),
+    };
+    Ok(falls("MuJoCo", first).into_iter().chain(falls("Drake", update_residuals(Faller::Drake)?)).collect())
+}
+
+/// ½ g h t at h = 1/60 s and t = 0.6 s \[m\].
+const EULER_ERROR: f64 = 0.5 * 9.81 * 0.6 / 60.0;
+
+fn main_integrator(reading: Reading) -> Result<Vec<Finding>> {
+    let thrower = reading.pick(Thrower::Bullet, Thrower::Siconos);
+    let off = projectile_error(thrower)?;
+    let mut findings = vec![Finding::equal("Bullet's thrown body, distance from its parabola", off, EULER_ERROR, PROJECTILE, "m")];
+    findings.extend(falls("MuJoCo", update_residuals(Faller::MuJoCo)?));
+    findings.extend(falls("Drake", update_residuals(Faller::Drake)?));
+    Ok(findings)
+}
+
+fn midpoint(reading: Reading) -> Result<Vec<Finding>> {
+    let (spring, start) = undamped();
+    let h = ratio(3, 20);
+    let method = reading.pick(theta(1, 2), theta(1, 1));
+    let kept = energy(&spring, &method.step(&spring, &start, &h)) / energy(&spring, &start);
+    let [_, determinant] = invariants(&matrix(&method, &spring, &h));
+    let implicit = SemiImplicitEuler { damping: Damping::Implicit };
+    let same = matrix(&implicit, &spring, &h) == matrix(&SEMI_IMPLICIT, &spring, &h);
+    let mut findings = vec![
+        Finding::exact("E⁺/E of the midpoint rule", &kept, &ratio(1, 1), "1"),
+        Finding::exact("its determinant", &determinant, &ratio(1, 1), "1"),
+        Finding::decision("implicit in the velocity alone: the matrix of semi-implicit Euler", same, true),
+    ];
+    findings.extend(falls("Drake", update_residuals(Faller::Drake)?));
+    Ok(findings)
+}
+
+fn not_all(reading: Reading) -> Result<Vec<Finding>> {
+    let off = projectile_error(reading.pick(Thrower::Siconos, Thrower::Bullet))?;
+    Ok(vec![
+        Finding::equal("Siconos's thrown body, distance from its parabola", off, 0.0, PROJECTILE, "m"),
+        Finding::equal("Bullet's", projectile_error(Thrower::Bullet)?, EULER_ERROR, PROJECTILE, "m"),
+    ])
+}
+
+fn common(reading: Reading) -> Result<Vec<Finding>> {
+    let still: &[(i64, i64)] = &[(0, 1), (0, 1)];
+    let determinant = |e: Rational| volume(&disk_flow(e, Tangent::Frictionless, ratio(0, 1), still));
+    let (spring, _) = undamped();
+    let [_, free] = invariants(&matrix(&SEMI_IMPLICIT, &spring, &ratio(3, 20)));
+    Ok(vec![
+        Finding::exact("det D across an impact, e = 0", &determinant(reading.pick(ratio(0, 1), ratio(1, 1))), &ratio(0, 1), "1"),
+        Finding::exact("det D across an impact, e = 1/10", &determinant(ratio(1, 10)), &ratio(1, 100), "1"),
+        Finding::exact("det D of a free semi-implicit step", &free, &ratio(1, 1), "1"),
+    ])
+}
+
+/// A spring that pushes only: v̇ = max(0, −q).
+struct OneSided;
+
+impl System for OneSided {
+    fn acceleration<T: Scalar>(&self, position: &DVector<T>, _velocity: &DVector<T>) -> DVector<T> {
+        position.map(|q| if q < T::zero() { -q } else { T::zero() })
+    }
+}
+
+/// Whether a step h and a step −h lead back to the start.
+fn returns(method: &impl Method) -> bool {
+    let (spring, start) = undamped();
+    let (h, back) = (ratio(1, 5), ratio(-1, 5));
+    method.step(&spring, &method.step(&spring, &start, &h), &back) == start
+}
+
+/// Slope of v⁺ in the gap at touching, to one side.
+fn slope_at_touching(side: i64) -> Rational {
+    let gap = Dual { value: ratio(0, 1), slope: ratio(side, 1) };
+    let now = Phase::of_one(gap, Dual::constant(ratio(-1, 1)));
+    let after = SEMI_IMPLICIT.step(&OneSided, &now, &Dual::constant(ratio(1, 5)));
+    after.velocity[0].slope.clone() * ratio(side, 1)
+}
+
+fn choice(reading: Reading) -> Result<Vec<Finding>> {
+    let reversible = match reading {
+        Reading::Recorded => returns(&SEMI_IMPLICIT),
+        Reading::Control => returns(&Verlet),
+    };
+    let critical = matrix(&SEMI_IMPLICIT, &SpringDamper::of_ratio(ratio(1, 1)), &ratio(1, 2));
+    Ok(vec![
+        Finding::decision("a step of semi-implicit Euler is undone by one of −h", reversible, false),
+        Finding::decision("a step of Verlet is", returns(&Verlet), true),
+        Finding::decision("a step of explicit Euler is", returns(&ExplicitEuler), false),
+        Finding::exact("∂v⁺/∂φ on the separated side of touching", &slope_at_touching(1), &ratio(0, 1), "1/s"),
+        Finding::exact("∂v⁺/∂φ on the pressed side", &slope_at_touching(-1), &ratio(-1, 5), "1/s"),
+        Finding::exact("determinant of the contact step at t_c = 2h", &invariants(&critical)[1], &ratio(0, 1), "1"),
+    ])
+}

@@ -1,0 +1,251 @@
+//! What an impact does to the symplectic form and to phase volume: the flow across it, and the steps of schemes.
+
+use super::spring::SEMI_IMPLICIT;
+use super::symplectic::vanishes;
+use super::systems::{Coupled, Floor, across, disk_flow, entries, identity, projected_step};
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::elimination::rank;
+use crate::integrators::impact_flow::{ImpactFlow, Tangent};
+use crate::integrators::jacobian::jacobian;
+use crate::integrators::symplectic::{defect, form, volume};
+use crate::integrators::{Method, Phase};
+use crate::scalar::{Dual, Rational, ratio};
+use crate::schemes::Activation;
+use crate::schemes::exact_particle::{Ball, Motion};
+use nalgebra::{DMatrix, DVector};
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S8.activation-not-diffeo",
+        statement: "The switching of the active set is not a diffeomorphism: at activation the phase space is folded, and the fold does not keep the symplectic form.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "At e = 0, where the flow is singular, and at a grazing impact, where its derivative grows without bound. Across an impact with e > 0 and a normal speed the flow is smooth with a smooth inverse: its determinant is e².",
+        argument: "Disk of radius 1 hit from outside at (3/5, 4/5) under the constant acceleration (1/2, −3), e = 1/2: determinant exactly 1/4. Ball on a floor, g = 10: the entry ∂v⁺/∂q is about (1+e) g/|v_n|: arriving at 1/10, 1/100, 1/1000 m/s it grows by a factor of ten each time.",
+        control: "e = 0 in place of 1/2.",
+        sources: &[
+            "chapter §8, the negative result, intuition",
+            "di Bernardo et al., Piecewise-smooth Dynamical Systems (2008), §2.5 on saltation matrices",
+        ],
+        check: activation,
+    },
+    Claim {
+        id: "S8.e-lt-1",
+        statement: "As soon as e < 1 the symplectic form is lost.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated: det D = e² for every number of coordinates, curved walls and constant forces. J⁻¹DᵀJD has the eigenvalues e², e², 1, 1, …: with one coordinate the form is scaled by e², with more it is not.",
+        argument: "Impact on the disk as in S8.activation-not-diffeo, e = 4/5: det D = 16/25; A = J⁻¹DᵀJD has trace 2 + 2e² and (A − I)(A − e²I) = 0, A ≠ e²I, exactly. Ball on the floor: DᵀJD = e²J.",
+        control: "e = 1, which keeps the form.",
+        sources: &["chapter §8, the negative result"],
+        check: dissipative,
+    },
+    Claim {
+        id: "S8.e0",
+        statement: "A plastic impact (e = 0) and symplecticity contradict each other.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated: the flow is not even invertible. It loses two dimensions per contact, the gap and its rate.",
+        argument: "Impact on the disk, e = 0, without load: det D = 0, rank 2 of 4.",
+        control: "e = 1/2.",
+        sources: &["chapter §8, conclusion of the negative result"],
+        check: plastic,
+    },
+    Claim {
+        id: "S8.e1-only",
+        statement: "Symplecticity is kept only for e = 1, purely elastic, and without correction of the penetration.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "The flow with exact impacts keeps it iff e = 1. A time-stepping scheme without correction need not: a Moreau–Jean step in which the contact acts has determinant −e, that is −1 for e = 1, for every θ. And a correction need not destroy it (S8.cirak-west).",
+        argument: "Flow across the disk, e = 1: DᵀJD − J = 0 exactly. Ball, Moreau–Jean in rationals with dual numbers: D = (1, h(1 − θ − θe); 0, −e) at θ = 0, 1/2, 1; −1/2 for e = 1/2.",
+        control: "The Moreau–Jean step in place of the flow.",
+        sources: &["chapter §8, conclusion of the negative result"],
+        check: elastic_only,
+    },
+    Claim {
+        id: "S8.friction-det",
+        statement: "(Beside the text, which speaks of dissipation by e alone.) What friction does to phase volume in an impact.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "An impact in which the body slides throughout has det D = e², as without friction, and is not symplectic even at e = 1: conserved volume does not show a conserved form. An impact that sticks has det D = 0.",
+        argument: "Disk, μ = 1/2: det D = 9/25 for e = 3/5, and 1 for e = 1 with DᵀJD ≠ J. Sticking: 0.",
+        control: "No friction, which at e = 1 is symplectic.",
+        sources: &["S8.e-lt-1", "Routh's impact with one phase of sliding"],
+        check: friction,
+    },
+    Claim {
+        id: "S8.ex2-fold",
+        statement: "Exercise: pushing a penetrating body back squashes or folds phase space; the purely elastic impact without correction is an exception.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "Projection squashes, determinant 0. The exception is the flow with the impact at its time, determinant 1; reversing the velocity at the end of a step is not, determinant −1.",
+        argument: "A semi-implicit step put back on the wall: 0. The same step with its velocity reversed, e = 1: −1. The flow of a ball across its elastic impact: 1, and symplectic.",
+        control: "The reversed velocity in place of the flow.",
+        sources: &["chapter §8, exercise 2"],
+        check: fold,
+    },
+    Claim {
+        id: "S8.ex3-tasks",
+        statement: "Exercise: which integrator for (a) planets over a million years, (b) ten seconds of a trotting quadruped, (c) a million elastic bounces without friction, (d) training by reinforcement.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::NotDecidable,
+        correct_statement: "A judgement. For (c) it can be said what holds its energy: located impacts do, and so does Moreau–Jean, up to an oscillation of O(h) and with no symplecticity at its impacts; e = 0.999 instead of 1 leaves nothing.",
+        argument: "Ball at 1 m/s, g = 10, a million located elastic impacts: speed unchanged to rounding. Moreau–Jean, θ = 1/2, h = 1/100 s, ten thousand steps in floating point: energy within rounding. e = 0.999: speed below 10⁻⁴⁰⁰.",
+        control: "e = 0.999.",
+        sources: &["chapter §8, exercise 3", "S8.backwards-theta-energy"],
+        check: tasks,
+    },
+];
+
+/// A flow without friction across the disk, under the acceleration (1/2, −3).
+fn loaded(restitution: Rational) -> DMatrix<Rational> {
+    disk_flow(restitution, Tangent::Frictionless, ratio(0, 1), &[(1, 2), (-3, 1)])
+}
+
+/// The flow of a ball across its impact at a speed, g = 10 m/s², from `speed`/1000 s before it to as long after.
+fn ball_flow(restitution: &Rational, speed: &Rational) -> DMatrix<Rational> {
+    let flow = ImpactFlow {
+        gap: Floor,
+        acceleration: entries(&[(-10, 1)]),
+        restitution: restitution.clone(),
+        tangent: Tangent::Frictionless,
+        friction: ratio(0, 1),
+    };
+    let time = speed / ratio(1000, 1);
+    across(&flow, &entries(&[(0, 1)]), &DVector::from_element(1, -speed.clone()), &time, &(&time * ratio(2, 1)))
+}
+
+fn activation(reading: Reading) -> Result<Vec<Finding>> {
+    let half = ratio(1, 2);
+    let mut findings = vec![Finding::exact(
+        "det D of the flow across the disk",
+        &volume(&loaded(reading.pick(half.clone(), ratio(0, 1)))),
+        &ratio(1, 4),
+        "1",
+    )];
+    for parts in [10, 100, 1000] {
+        let d = ball_flow(&half, &ratio(1, parts));
+        findings.push(Finding::exact(format!("det D, arriving at 1/{parts} m/s"), &volume(&d), &ratio(1, 4), "1"));
+        // exactly (1 + e) g/|v_n|: the flights before and after add nothing to this entry
+        findings.push(Finding::exact(format!("∂v⁺/∂q, arriving at 1/{parts} m/s"), &d[(1, 0)], &ratio(15 * parts, 1), "1/s"));
+    }
+    Ok(findings)
+}
+
+fn dissipative(reading: Reading) -> Result<Vec<Finding>> {
+    let e = reading.pick(ratio(4, 5), ratio(1, 1));
+    let square = ratio(16, 25);
+    let d = loaded(e.clone());
+    let one = identity(4);
+    // J⁻¹ = −J for unit masses
+    let pulled = -form(&identity(2)) * d.transpose() * form(&identity(2)) * &d;
+    let product = (&pulled - &one) * (&pulled - &one * square.clone());
+    let line = ball_flow(&e, &ratio(1, 10));
+    let scaled = defect(&line, &identity(1)) + form(&identity(1)) * (ratio(1, 1) - &square);
+    Ok(vec![
+        Finding::exact("det D", &volume(&d), &square, "1"),
+        vanishes("(A − I)(A − e²I)", &product),
+        Finding::exact("trace of A", &pulled.trace(), &(ratio(2, 1) + ratio(2, 1) * &square), "1"),
+        vanishes("DᵀJD − e²J of a ball", &scaled),
+    ])
+}
+
+fn plastic(reading: Reading) -> Result<Vec<Finding>> {
+    let d = disk_flow(reading.pick(ratio(0, 1), ratio(1, 2)), Tangent::Frictionless, ratio(0, 1), &[(0, 1), (0, 1)]);
+    Ok(vec![Finding::exact("det D", &volume(&d), &ratio(0, 1), "1"), Finding::count("rank of D", rank(&d), 2)])
+}
+
+/// D of a Moreau–Jean step of a ball of 1 kg that touches the floor at −2 m/s, h = 1/10 s, g = 10 m/s².
+fn moreau_jean(restitution: &Rational, theta: &Rational) -> DMatrix<Rational> {
+    let constant = |x: &Rational| Dual::constant(x.clone());
+    let ball = Ball { mass: constant(&ratio(1, 1)), gravity: constant(&ratio(10, 1)), restitution: constant(restitution) };
+    let (theta, h) = (constant(theta), constant(&ratio(1, 10)));
+    jacobian(&entries(&[(-1, 100), (-2, 1)]), |x| {
+        let now = Motion { position: x[0].clone(), velocity: x[1].clone() };
+        let after = ball.moreau_jean(&now, &theta, Activation::Gap, &h).motion;
+        DVector::from_vec(vec![after.position, after.velocity])
+    })
+}
+
+fn elastic_only(reading: Reading) -> Result<Vec<Finding>> {
+    let one = ratio(1, 1);
+    let subject = match reading {
+        Reading::Recorded => defect(&loaded(one.clone()), &identity(2)),
+        Reading::Control => defect(&moreau_jean(&one, &ratio(1, 2)), &identity(1)),
+    };
+    let mut findings = vec![vanishes("DᵀJD − J for e = 1", &subject)];
+    for theta in [ratio(0, 1), ratio(1, 2), ratio(1, 1)] {
+        for e in [ratio(1, 1), ratio(1, 2)] {
+            let d = moreau_jean(&e, &theta);
+            let shear = ratio(1, 10) * (&one - &theta - &theta * &e);
+            findings.push(Finding::exact(format!("det D of Moreau–Jean, θ = {theta}, e = {e}"), &volume(&d), &-e, "1"));
+            findings.push(Finding::exact(format!("∂q⁺/∂v, θ = {theta}"), &d[(0, 1)], &shear, "s"));
+        }
+    }
+    Ok(findings)
+}
+
+fn friction(reading: Reading) -> Result<Vec<Finding>> {
+    let tangent = reading.pick(Tangent::Sliding, Tangent::Frictionless);
+    let none: &[(i64, i64)] = &[(0, 1), (0, 1)];
+    let slide = |e: Rational| disk_flow(e, tangent, ratio(1, 2), none);
+    let elastic = slide(ratio(1, 1));
+    let kept = defect(&elastic, &identity(2)).iter().all(|entry| *entry == ratio(0, 1));
+    let sticking = disk_flow(ratio(3, 5), Tangent::Sticking, ratio(0, 1), none);
+    Ok(vec![
+        Finding::decision("sliding at e = 1 is symplectic", kept, false),
+        Finding::exact("det D of sliding, e = 1", &volume(&elastic), &ratio(1, 1), "1"),
+        Finding::exact("det D of sliding, e = 3/5", &volume(&slide(ratio(3, 5))), &ratio(9, 25), "1"),
+        Finding::exact("det D of sticking, e = 3/5", &volume(&sticking), &ratio(0, 1), "1"),
+    ])
+}
+
+fn fold(reading: Reading) -> Result<Vec<Finding>> {
+    let now = entries(&[(1, 2), (1, 100), (2, 1), (-3, 1)]);
+    let h = Dual::constant(ratio(1, 20));
+    let projected = jacobian(&now, |x| projected_step(&Phase::from_stacked(x), &h).stacked());
+    let reversed = jacobian(&now, |x| {
+        let mut after = SEMI_IMPLICIT.step(&Coupled, &Phase::from_stacked(x), &h);
+        after.velocity[1] = -after.velocity[1].clone();
+        after.stacked()
+    });
+    let flow = loaded(ratio(1, 1));
+    Ok(vec![
+        Finding::exact("det D of the flow, e = 1", &volume(reading.pick(&flow, &reversed)), &ratio(1, 1), "1"),
+        Finding::exact("det D of the projected step", &volume(&projected), &ratio(0, 1), "1"),
+        Finding::exact("det D of the step with reversed velocity", &volume(&reversed), &ratio(-1, 1), "1"),
+        vanishes("DᵀJD − J of the flow", &defect(&flow, &identity(2))),
+    ])
+}
+
+/// Speed after a number of flights from the floor and impacts located in them, g = 10 m/s², starting at 1 m/s.
+fn bounced(restitution: f64, impacts: usize) -> f64 {
+    let mut speed = 1.0f64;
+    for _ in 0..impacts {
+        let flight = 2.0 * speed / 10.0;
+        speed = -restitution * (speed - 10.0 * flight);
+    }
+    speed
+}
+
+fn tasks(reading: Reading) -> Result<Vec<Finding>> {
+    let million = 1_000_000;
+    let ball = Ball { mass: 1.0, gravity: 10.0, restitution: reading.pick(1.0, 0.999) };
+    let start = Motion { position: 0.0, velocity: 1.0 };
+    let (theta, h, steps) = (0.5, 0.01, 10_000);
+    let end = (0..steps).fold(start.clone(), |now, _| ball.moreau_jean(&now, &theta, Activation::Gap, &h).motion);
+    let share = ball.energy(&end) / ball.energy(&start);
+    Ok(vec![
+        Finding::equal(
+            "speed after a million located impacts",
+            bounced(ball.restitution, million),
+            1.0,
+            crate::tolerance::rounding(4 * million, 1.0),
+            "m/s",
+        ),
+        Finding::equal("E/E₀ of Moreau–Jean, θ = 1/2", share, 1.0, crate::tolerance::claims::pathology::elastic_drop(steps), "1"),
+        Finding::at_most("speed left after a million impacts with e = 0.999", bounced(0.999, million), 0.0, "m/s"),
+    ])
+}
