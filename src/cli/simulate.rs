@@ -28,7 +28,7 @@ pub struct Arguments {
     /// A built-in scene or a file scene/1.
     #[arg(long, value_name = "NAME|FILE", required_unless_present = "list")]
     scene: Option<String>,
-    /// The time-stepping scheme: moreau-jean, stewart-trinkle or anitescu.
+    /// The time-stepping scheme: moreau-jean, stewart-trinkle, anitescu, explicit-euler, semi-implicit-euler or runge-kutta-flip.
     #[arg(long, value_name = "NAME", default_value = "moreau-jean")]
     scheme: String,
     /// Time step h [s].

@@ -15,6 +15,7 @@ use nalgebra::{DMatrix, DVector};
 mod explicit_euler;
 pub mod impact_flow;
 pub mod jacobian;
+pub mod root;
 mod runge_kutta;
 mod semi_implicit_euler;
 mod spring_damper;

@@ -15,6 +15,7 @@
 //! Syst. 2 (2003) 381.
 
 use super::jacobian::jacobian;
+use super::root::root;
 use super::{Method, Phase, System, ahead};
 use crate::scalar::{Dual, Scalar};
 use nalgebra::DVector;
@@ -108,13 +109,4 @@ impl<V: ScalarField + Copy, W: ScalarField> Variational<V, W> {
 /// A point whose derivatives are zero.
 fn lifted<T: Scalar>(phase: &Phase<T>) -> Phase<Dual<T>> {
     Phase { position: phase.position.map(Dual::constant), velocity: phase.velocity.map(Dual::constant) }
-}
-
-/// x − f(x)/f′(x), repeated. A step from a root of f stays there, and carries the derivatives that the implicit function theorem gives.
-fn root<T: Scalar>(function: impl Fn(&Dual<T>) -> Dual<T>, guess: &T, steps: usize) -> T {
-    let newton = |x: T| {
-        let Dual { value, slope } = function(&Dual { value: x.clone(), slope: T::one() });
-        x - value / slope
-    };
-    (0..steps).fold(guess.clone(), |x, _| newton(x))
 }

@@ -96,7 +96,7 @@ pub(crate) fn forecast(mechanism: &dyn Mechanism, state: &State, h: f64) -> Resu
     Ok(free_motion(0.0, mechanism, state, h)?.1)
 }
 
-fn check_input(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<()> {
+pub(crate) fn check_input(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<()> {
     if !(h.is_finite() && h > 0.0) {
         return Err(Error::invalid("time_step", format!("is {h}"), "use a positive number of seconds"));
     }

@@ -12,15 +12,19 @@ use nearby::Nearby;
 
 pub mod anitescu;
 pub(crate) mod assembly;
+pub mod euler;
 pub mod exact_particle;
 pub mod moreau_jean;
 mod names;
 mod nearby;
+pub mod runge_kutta_flip;
 pub mod stewart_trinkle;
 
 pub use anitescu::Anitescu;
+pub use euler::Euler;
 pub use moreau_jean::{Activation, MoreauJean, RestitutionRule};
 pub use names::{NAMES, Parameters, by_name};
+pub use runge_kutta_flip::RungeKuttaFlip;
 pub use stewart_trinkle::StewartTrinkle;
 
 /// What a scheme assembled for one step: the problem of the active contacts, and what turns impulses into velocities.

@@ -1,10 +1,10 @@
 //! Schemes by name, for the command line.
 
-use super::{Activation, Anitescu, MoreauJean, RestitutionRule, Scheme, StewartTrinkle};
+use super::{Activation, Anitescu, Euler, MoreauJean, RestitutionRule, RungeKuttaFlip, Scheme, StewartTrinkle};
 use crate::{Error, Result};
 
 /// The names [`by_name`] knows.
-pub const NAMES: [&str; 3] = ["moreau-jean", "stewart-trinkle", "anitescu"];
+pub const NAMES: [&str; 6] = ["moreau-jean", "stewart-trinkle", "anitescu", "explicit-euler", "semi-implicit-euler", "runge-kutta-flip"];
 
 /// The parameters of all schemes; each scheme takes those it has.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,6 +44,9 @@ pub fn by_name(name: &str, parameters: Parameters) -> Result<Box<dyn Scheme>> {
             Ok(Box::new(scheme))
         }
         "anitescu" => Ok(Box::new(Anitescu)),
+        "explicit-euler" => Ok(Box::new(Euler::Explicit)),
+        "semi-implicit-euler" => Ok(Box::new(Euler::SemiImplicit)),
+        "runge-kutta-flip" => Ok(Box::new(RungeKuttaFlip)),
         _ => Err(unknown("scheme", name, &NAMES)),
     }
 }

@@ -53,7 +53,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated, for the undamped spring that it names.",
-        argument: "Eigenvalues 1 ± i s: trace 2 and determinant 1 + s² exactly. At ζ = 3/10 steps below s = 6/10 are stable: spectral radius 0.997046 at 0.59 and 1.003045 at 0.61.",
+        argument: "Eigenvalues 1 ± i s: trace 2 and determinant 1 + s² exactly. At ζ = 3/10 steps below s = 6/10 are stable: |G|² = 0.9941 at 0.59 and 1.0061 at 0.61.",
         control: "The spring with ζ = 3/10 at s = 1/2.",
         sources: &["chapter §8, example on stability bounds"],
         check: amplification,
@@ -134,6 +134,10 @@ fn amplification(reading: Reading) -> Result<Vec<Finding>> {
         let size = (1.0 + Scalar::to_f64(&s).powi(2)).sqrt();
         let radius = spectral_radius(&step.map(|entry| Scalar::to_f64(&entry)));
         findings.push(Finding::equal(format!("|G| in floating point at s = {s}"), radius, size, rounding(16, size), "1"));
+    }
+    for (s, square) in [(ratio(59, 100), ratio(9941, 10_000)), (ratio(61, 100), ratio(10_061, 10_000))] {
+        let [_, determinant] = invariants(&matrix(&ExplicitEuler, &SpringDamper::of_ratio(ratio(3, 10)), &s));
+        findings.push(Finding::exact(format!("|G|² with ζ = 3/10 at s = {s}"), &determinant, &square, "1"));
     }
     Ok(findings)
 }

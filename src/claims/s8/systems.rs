@@ -118,7 +118,7 @@ pub fn variational_start(integrator: &Variational<Bowl, CurvedFloor>, time: &Rat
     (Phase { velocity: -away.velocity, ..away }, ratio(4, 1))
 }
 
-/// φ = ½(|q|² − 1): outside the unit disk.
+/// φ = ½(|q|² − 1): outside the unit disk or sphere.
 #[derive(Clone, Copy)]
 pub struct Disk;
 
