@@ -53,22 +53,27 @@ impl<T: Scalar> Impact<T> {
         solve(&Lcp::new(self.delassus.clone(), &self.before + shift))
     }
 
-    /// P of planar Coulomb friction on U⁺ + shift, rows (normal, tangent) per contact: the Stewart–Trinkle problem with both
-    /// senses of the tangent.
+    /// P of planar Coulomb friction on the velocities U⁺ with at least these normal impulses, 0 ≤ U_n⁺ ⟂ P_n − least ≥ 0; rows (normal,
+    /// tangent) per contact: the Stewart–Trinkle problem with both senses of the tangent, whose friction bound starts at μ least.
     ///
     /// # Errors
     /// [`Error::Invalid`] if there are not two rows per coefficient; [`Error::Solver`] if Lemke's method ends on a ray.
-    pub(super) fn coulomb(&self, friction: &[T], shift: &DVector<T>) -> Result<DVector<T>> {
+    pub(super) fn coulomb(&self, friction: &[T], least: &DVector<T>) -> Result<DVector<T>> {
         if self.before.len() != 2 * friction.len() {
             let problem = format!("has {} coefficients for {} rows", friction.len(), self.before.len());
             return Err(Error::invalid("friction", problem, "give one coefficient per pair of rows (normal, tangent)"));
         }
         let senses = [[T::one(), T::zero()], [-T::one(), T::zero()]];
         let generators = stewart_trinkle::generators(friction.len(), 2, &senses);
+        let given = DVector::from_fn(self.before.len(), |i, _| if i % 2 == 0 { least[i / 2].clone() } else { T::zero() });
         let reduced = generators.transpose() * &self.delassus * &generators;
-        let velocity = generators.transpose() * (&self.before + shift);
-        let z = solve(&stewart_trinkle::lcp(&reduced, friction, &velocity))?;
-        Ok(&generators * z.rows(0, generators.ncols()))
+        let velocity = generators.transpose() * (&self.before + &self.delassus * &given);
+        let mut lcp = stewart_trinkle::lcp(&reduced, friction, &velocity);
+        for (k, mu) in friction.iter().enumerate() {
+            lcp.vector[generators.ncols() + k] = mu.clone() * least[k].clone();
+        }
+        let z = solve(&lcp)?;
+        Ok(given + &generators * z.rows(0, generators.ncols()))
     }
 }
 

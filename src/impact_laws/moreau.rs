@@ -46,5 +46,6 @@ pub fn full_vector<T: Scalar>(impact: &Impact<T>, friction: &[T], restitution: &
 pub fn two_coefficients<T: Scalar>(impact: &Impact<T>, friction: &[T], normal: &T, tangential: &T) -> Result<Outcome<T>> {
     check_restitution(&[normal.clone(), tangential.clone()], 2)?;
     let shift: DVector<T> = impact.before.map_with_location(|i, _, u| u * if i % 2 == 0 { normal.clone() } else { tangential.clone() });
-    Ok(impact.outcome(impact.coulomb(friction, &shift)?))
+    let mixed = Impact::new(impact.delassus.clone(), &impact.before + shift);
+    Ok(impact.outcome(mixed.coulomb(friction, &DVector::from_element(friction.len(), T::zero()))?))
 }

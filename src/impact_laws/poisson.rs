@@ -10,8 +10,8 @@
 use super::impact::check_restitution;
 use super::routh::Path;
 use super::{Impact, Outcome};
+use crate::Result;
 use crate::scalar::Scalar;
-use crate::{Error, Result};
 use nalgebra::DVector;
 
 /// The end of compression and the end of restitution.
@@ -30,7 +30,7 @@ pub struct TwoPhases<T: Scalar> {
 /// the candidates, and f(P_c) is minus what compression took, U_cᵀP_c = 0.
 ///
 /// # Errors
-/// [`Error::Invalid`] for e outside \[0, 1\]; [`Error::Solver`] if a complementarity problem is not solved.
+/// [`crate::Error::Invalid`] for e outside \[0, 1\]; [`crate::Error::Solver`] if a complementarity problem is not solved.
 ///
 /// # Source
 /// Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts* (1996).
@@ -48,43 +48,26 @@ pub fn two_problems<T: Scalar>(impact: &Impact<T>, restitution: &[T]) -> Result<
 
 /// Two planar problems with Coulomb friction, on the velocities at the end of each phase; rows (normal, tangent) per contact.
 ///
-/// Restitution hands out P_rn = e P_cn and Coulomb's law on U_t⁺; where the sliding turns round within a phase this is not
-/// Routh's path.
+/// In restitution 0 ≤ U_n⁺ ⟂ P_rn − e P_cn ≥ 0, and Coulomb's law holds between P_r and U_t⁺. Where the sliding turns round within
+/// a phase this is not Routh's path. Several contacts with unequal coefficients may gain energy.
 ///
 /// # Errors
-/// As [`two_problems`]; [`Error::Solver`] also if a contact would need more than e P_cn in restitution.
-pub fn two_frictional_problems<T: Scalar>(impact: &Impact<T>, friction: &T, restitution: &T) -> Result<TwoPhases<T>> {
-    check_restitution(std::slice::from_ref(restitution), 1)?;
-    let zero = DVector::from_element(2, T::zero());
-    let compression = impact.outcome(impact.coulomb(std::slice::from_ref(friction), &zero)?);
-    let normal = compression.impulse[0].clone() * restitution.clone();
-    let free = compression.after[1].clone() + impact.delassus[(1, 0)].clone() * normal.clone();
-    let bound = friction.clone() * normal.clone();
-    let stick = -free / impact.delassus[(1, 1)].clone();
-    let tangential = clamp(stick, &bound);
-    let end = impact.outcome(&compression.impulse + DVector::from_vec(vec![normal, tangential]));
-    if end.after[0] < T::zero() {
-        return Err(Error::solver("poisson", "restitution with e times the impulse of compression would end inside the ground"));
-    }
+/// As [`two_problems`], and if there are not two rows per contact.
+pub fn two_frictional_problems<T: Scalar>(impact: &Impact<T>, friction: &[T], restitution: &[T]) -> Result<TwoPhases<T>> {
+    check_restitution(restitution, friction.len())?;
+    let none = DVector::from_element(friction.len(), T::zero());
+    let compression = impact.outcome(impact.coulomb(friction, &none)?);
+    let least = DVector::from_fn(friction.len(), |k, _| restitution[k].clone() * compression.impulse[2 * k].clone());
+    let released = Impact::new(impact.delassus.clone(), compression.after.clone());
+    let end = impact.outcome(&compression.impulse + released.coulomb(friction, &least)?);
     Ok(TwoPhases { compression, end })
 }
 
 /// One planar contact with Coulomb friction: the impulse grows along Routh's path until P_n = (1 + e) p_c.
 ///
 /// # Errors
-/// [`Error::Invalid`] for e outside \[0, 1\].
+/// [`crate::Error::Invalid`] for e outside \[0, 1\].
 pub fn along<T: Scalar>(path: &Path<T>, restitution: &T) -> Result<Outcome<T>> {
     check_restitution(std::slice::from_ref(restitution), 1)?;
     Ok(path.outcome(&((T::one() + restitution.clone()) * path.compression_end())))
-}
-
-/// The number in \[−bound, bound\] nearest to x.
-fn clamp<T: Scalar>(x: T, bound: &T) -> T {
-    if x > *bound {
-        bound.clone()
-    } else if x < -bound.clone() {
-        -bound.clone()
-    } else {
-        x
-    }
 }

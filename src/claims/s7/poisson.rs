@@ -36,8 +36,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "With friction and several bodies Poisson's law is more consistent in energy than Newton's.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "One contact with friction never gains for e ≤ 1, nor do any number of frictionless contacts with any coefficients; several contacts with friction are not covered.",
-        argument: "One contact: g = dT/dp = U_n − μ|U_t| is concave along Routh's path and at most 0 at p_c, so its mean over (0, (1+e)p_c) is at most g((1+e)p_c/2) ≤ 0. Frictionless: the end minimises the kinetic energy over P_r ≥ e P_c, and P_r = P_c, which undoes compression, is allowed. Of 150 planar impacts with e = 1 Poisson gains in none, Newton in some; the rod: −9/125 against +9/80. Of 140 frictionless ones with unequal coefficients none gains.",
+        correct_statement: "One contact with friction never gains for e ≤ 1, nor do any number of frictionless contacts with any coefficients. Two contacts with friction and unequal coefficients may gain; for equal ones this is not decided here.",
+        argument: "One contact: g = dT/dp = U_n − μ|U_t| is concave along Routh's path and at most 0 at p_c, so its mean over (0, (1+e)p_c) is at most g((1+e)p_c/2) ≤ 0. Frictionless: the end minimises the kinetic energy over P_r ≥ e P_c, and P_r = P_c, which undoes compression, is allowed. Of 150 planar impacts with e = 1 Poisson gains in none, Newton in some; the rod: −9/125 against +9/80. Of 140 frictionless ones with four pairs of coefficients none gains. Two rough contacts, W = (3, 1, 0, −3; 1, 2, −1, 0; 0, −1, 3, −1; −3, 0, −1, 4), U⁻ = (−1, 0, −1, 1), μ = 1, e = (1, 0): P_c = (4, −1, 2, 2)/5, P_r = (4, −2, 0, 0)/5, T from 1/2 to 43/50.",
         control: "Newton's law in Poisson's place.",
         sources: &["chapter §7, table of impact laws", "Wang and Mason, J. Appl. Mech. 59 (1992) 635"],
         check: consistent,
@@ -155,6 +155,13 @@ fn breaks_of_concavity() -> Result<usize> {
     Ok(count)
 }
 
+/// ΔT of two contacts with μ = 1 that release what they wedge in compression at one of them only, e = (1, 0).
+fn gain_of_two_rough_contacts() -> Result<Rational> {
+    let wedged = impact(&[3, 1, 0, -3, 1, 2, -1, 0, 0, -1, 3, -1, -3, 0, -1, 4], [-1, 0, -1, 1].map(|u| ratio(u, 1)));
+    let phases = poisson::two_frictional_problems(&wedged, &[ratio(1, 1), ratio(1, 1)], &[ratio(1, 1), ratio(0, 1)])?;
+    Ok(wedged.energy_change(&phases.end))
+}
+
 fn consistent(reading: Reading) -> Result<Vec<Finding>> {
     let path = rod_path(&ratio(1, 1))?;
     let law = reading.pick(poisson::along as Law, newton::along);
@@ -164,6 +171,7 @@ fn consistent(reading: Reading) -> Result<Vec<Finding>> {
         Finding::exact("energy gained by the rod", &gain(&path, law(&path, &ratio(1, 1)))?, &ratio(-9, 125), "J"),
         Finding::count("impacts on which dT/dp is not concave or positive at p_c", breaks_of_concavity()?, 0),
         Finding::count("frictionless impacts with any coefficients that gain", gains_without_friction()?, 0),
+        Finding::exact("energy gained by two rough contacts, e = (1, 0)", &gain_of_two_rough_contacts()?, &ratio(9, 25), "J"),
     ])
 }
 
