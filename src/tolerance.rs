@@ -181,6 +181,7 @@ pub mod claims {
     pub mod impact;
     pub mod integrators;
     pub mod pathology;
+    pub mod soft;
 
     /// Step of the Runge–Kutta integration of a soft impact in `S2.soft-limit`, in units of √(m/k).
     pub const SOFT_STEP: f64 = 1.0 / 256.0;

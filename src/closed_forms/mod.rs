@@ -6,6 +6,7 @@ pub mod drake_normal;
 pub mod drake_sap;
 pub mod elastic_ball;
 pub mod free_top;
+pub mod huber;
 pub mod incline_block;
 pub mod mujoco_contact;
 pub mod mujoco_creep;

@@ -2,8 +2,11 @@
 
 use super::Claim;
 
+mod duality;
+mod impedance;
+mod program;
 mod reference;
 mod time_constant;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[reference::CLAIMS, time_constant::CLAIMS];
+pub const CLAIMS: &[&[Claim]] = &[reference::CLAIMS, time_constant::CLAIMS, impedance::CLAIMS, duality::CLAIMS];

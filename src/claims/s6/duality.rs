@@ -1,0 +1,296 @@
+//! Gauss' principle, the primal and the dual problem, and uniqueness, in rationals.
+
+use super::program::{Program, Row};
+use crate::Result;
+use crate::certificate::definiteness::{Definiteness, definiteness};
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::soft_row::SoftRow;
+use crate::elimination::solve;
+use crate::scalar::{Rational, ratio};
+use crate::tolerance::claims::soft::two_contacts;
+use crate::{Error, problem::Compliance, problem::ContactProblem, problem::Coordinates, problem::Law};
+use crate::{scalar::Scalar, solvers::ClarabelPolished, solvers::ContactSolver};
+use nalgebra::{DMatrix, DVector};
+
+const MODEL: &str = "MuJoCo documentation, Computation: constraint model (3.17)";
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S6.gauss",
+        statement: "Gauss' principle: the true acceleration is the one that deviates least, in the norm of the mass matrix, from the unconstrained one, among those the constraints allow.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated, for constraints J x = b that do no work.",
+        argument: "Three coupled coordinates, one constraint: the minimiser by Newton's equations M x = M a₀ + Jᵀf with J x = b. Every other admissible x + n, J n = 0, deviates by exactly ½ nᵀM n more, in rationals.",
+        control: "The Euclidean norm in place of that of M.",
+        sources: &["chapter §6, Gauss' principle and step 1", "Udwadia and Kalaba, A new perspective on constrained motion (1992)"],
+        check: gauss,
+    },
+    Claim {
+        id: "S6.primal-terms",
+        statement: "The primal problem adds to Gauss' term a penalty on J x − a_ref in the norm of R⁻¹, with a Huber function for friction loss.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated; at the minimiser M(x − a₀) = Jᵀf with the forces f = −s′(J x − a_ref).",
+        argument: "Two-sided row, friction loss at its bound and two contacts, one of them open, on three coordinates: the accelerations of the enumerated optimal forces show these forces again, and P rises in all 26 directions of the unit cube around them. In rationals.",
+        control: "The forces from twice the regularisation.",
+        sources: &["chapter §6, step 1", MODEL],
+        check: primal,
+    },
+    Claim {
+        id: "S6.dual",
+        statement: "The Lagrange dual is min ½ fᵀ(A+R)f + fᵀ(a_u − a_ref) over f ∈ Ω, with A = J M⁻¹Jᵀ.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated; the minima of the primal and the dual problem add up to zero.",
+        argument: "The same problem: P(x) + D(f) = 0 exactly at the enumerated optimum, and positive at every other of 81 admissible forces tried. Its two contacts alone, solved by Clarabel, have the impulses that enumeration finds.",
+        control: "D without R.",
+        sources: &["chapter §6, step 2", MODEL],
+        check: dual,
+    },
+    Claim {
+        id: "S6.huber-box",
+        statement: "The Huber function of friction loss is quadratic and then linear, smooth and bounded.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated of its force, which is bounded by η; the function itself grows without bound and is continuously differentiable once. Its dual is the box |f| ≤ η.",
+        argument: "η = 2 N, R = 1/2 1/kg: force ∓2 N beyond |y| = 1, where the two pieces have the same value 1 and slope 2; penalty 199 at y = 100. In the mixed problem the row with friction loss is at its bound.",
+        control: "The quadratic without the linear part.",
+        sources: &["chapter §6, step 1", "Huber, Robust estimation of a location parameter (1964)"],
+        check: huber,
+    },
+    Claim {
+        id: "S6.omega-dot",
+        statement: "The deformation dynamics of the constraint is ω̇ = a_ref − R f.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated for the rows that are inside their bounds, where J x = a_ref − R f. On a row at its bound J x differs, and ω̇ with it.",
+        argument: "The same problem, row by row in rationals: equality on the two-sided row and the closed contact, a difference on the open contact and on the row with friction loss, whose bound is reached.",
+        control: "The row at its bound counted among those inside.",
+        sources: &["chapter §6, step 3", MODEL],
+        check: deformation,
+    },
+    Claim {
+        id: "S6.R-uniqueness",
+        statement: "Adding R makes the dual Hessian strictly positive definite, so that the force is unique even if A is singular through redundant contacts.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated.",
+        argument: "Four corners of a box, normal rows: A has rank 3, and two different sets of forces give the same accelerations. A + R with R = 1/9 is definite, and enumeration finds one optimum, 81/37 N on each corner. All decided in rationals.",
+        control: "R = 0.",
+        sources: &["chapter §6, step 2", MODEL],
+        check: four_corners,
+    },
+    Claim {
+        id: "S6.inverse-closed-form",
+        statement: "Inverse dynamics, from known accelerations to forces, has a closed form.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated: with R diagonal f = −s′(J x − a_ref) row by row, and M x − Jᵀf is the applied force.",
+        argument: "The mixed problem forwards by enumeration and back by the formula: forces and M a₀ come out exactly.",
+        control: "The forces without their bounds.",
+        sources: &["chapter §6, bridge", "Todorov, Convex and analytically-invertible dynamics (2014)"],
+        check: inverse,
+    },
+    Claim {
+        id: "S6.todorov2014-invertible",
+        statement: "Todorov (2014) proves that the dynamics is analytically invertible.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "From accelerations to forces, for R > 0 and a forward problem that was solved: the inverse multiplies an error of the acceleration by 1/R on each row, so that it is lost as R → 0. It is not the inverse of a time step, nor time reversal.",
+        argument: "One row of 1 kg: ∂τ/∂a = 10 and 10000 kg at d = 0.9 and 0.9999; with R = 0 all loads from 5 to 50 N have the acceleration a_ref. The round trip of S6.inverse-closed-form is exact.",
+        control: "d = 0.9 in place of the hard row.",
+        sources: &["chapter §6, history", "Todorov, Convex and analytically-invertible dynamics (2014)"],
+        check: invertible,
+    },
+];
+
+/// A force is found for every program with R > 0.
+fn optimum(program: &Program) -> Result<DVector<Rational>> {
+    let optima = program.optima();
+    let [force] = optima.as_slice() else {
+        return Err(Error::solver("enumeration", format!("found {} optima, not one", optima.len())));
+    };
+    Ok(force.clone())
+}
+
+fn zero() -> Rational {
+    ratio(0, 1)
+}
+
+fn vector(entries: &[i64]) -> DVector<Rational> {
+    DVector::from_iterator(entries.len(), entries.iter().map(|&entry| ratio(entry, 1)))
+}
+
+fn gauss(reading: Reading) -> Result<Vec<Finding>> {
+    let Program { mass, free, .. } = Program::mixed();
+    let (row, wanted) = (vector(&[1, 1, 0]), ratio(1, 1));
+    let norm = reading.pick(mass.clone(), DMatrix::identity(3, 3));
+    let column = solve(&mass, &row).ok_or_else(|| Error::solver("elimination", "M is singular"))?;
+    let force = (&wanted - row.dot(&free)) / row.dot(&column);
+    let truth = &free + &column * force.clone();
+    let deviation = |x: &DVector<Rational>| (x - &free).dot(&(&norm * (x - &free))) * ratio(1, 2);
+    let mut findings = Vec::new();
+    for direction in [vector(&[1, -1, 0]), vector(&[0, 0, 1]), vector(&[-3, 3, 2])] {
+        let more = deviation(&(&truth + &direction)) - deviation(&truth);
+        let expected = direction.dot(&(&norm * &direction)) * ratio(1, 2);
+        findings.push(Finding::exact("excess of another admissible acceleration over ½ nᵀM n", &(more - expected), &zero(), "N m/s²"));
+    }
+    findings.push(Finding::exact("J x", &row.dot(&truth), &wanted, "m/s²"));
+    Ok(findings)
+}
+
+fn primal(reading: Reading) -> Result<Vec<Finding>> {
+    let program = Program::mixed();
+    let force = optimum(&program)?;
+    let acceleration = program.acceleration(&force);
+    let mut shown = program.clone();
+    shown.regularisation *= reading.pick(ratio(1, 1), ratio(2, 1));
+    let steps = (0..27).map(|k| vector(&[k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1]) / ratio(100, 1));
+    let least = program.primal(&acceleration);
+    let rises = steps.filter(|step| step.iter().any(|x| *x != zero())).all(|step| program.primal(&(&acceleration + step)) > least);
+    Ok(vec![
+        Finding::decision("the accelerations show the optimal forces", shown.inverse(&acceleration) == force, true),
+        Finding::decision("P rises in 26 directions", rises, true),
+        Finding::exact("friction loss, at its bound", &force[1].magnitude(), &ratio(2, 1), "N"),
+        Finding::exact("force of the open contact", &force[3], &zero(), "N"),
+    ])
+}
+
+/// The two contacts of the mixed program as a contact problem, an impulse being a force over 1 s.
+fn contacts_alone() -> (Program, ContactProblem) {
+    let mixed = Program::mixed();
+    let pair = Program {
+        jacobian: mixed.jacobian.rows(2, 2).into_owned(),
+        reference: vector(&[10, 2]),
+        regularisation: mixed.regularisation.rows(2, 2).into_owned(),
+        rows: vec![Row::OneSided; 2],
+        ..mixed
+    };
+    let rounded = |x: DVector<Rational>| x.map(|entry| Scalar::to_f64(&entry));
+    let problem = ContactProblem {
+        name: "two soft contacts".into(),
+        rows_per_contact: 1,
+        law: Law::Frictionless,
+        friction: vec![0.0; 2],
+        free_velocity: rounded(&pair.jacobian * &pair.free),
+        shift: rounded(-pair.reference.clone()),
+        delassus: pair.delassus().map(|entry| Scalar::to_f64(&entry)),
+        compliance: Some(Compliance { coordinates: Coordinates::Contact, diagonal: rounded(pair.regularisation.clone()) }),
+        dynamics: None,
+    };
+    (pair, problem)
+}
+
+fn dual(reading: Reading) -> Result<Vec<Finding>> {
+    let program = Program::mixed();
+    let force = optimum(&program)?;
+    let primal = program.primal(&program.acceleration(&force));
+    let mut softened = program.clone();
+    softened.regularisation *= reading.pick(ratio(1, 1), zero());
+    let gap = &primal + softened.dual(&force);
+    let others = (0..81).map(|k| vector(&[k % 3 - 1, k / 3 % 3 - 1, k / 9 % 3, k / 27]));
+    let worse = others.filter(|other| *other != force).all(|other| &primal + program.dual(&other) > zero());
+    let (pair, problem) = contacts_alone();
+    let exact = optimum(&pair)?;
+    let interior = ClarabelPolished.solve(&problem, None)?;
+    let size = Scalar::to_f64(&exact[0]).hypot(Scalar::to_f64(&exact[1]));
+    let mut findings = vec![
+        Finding::exact("P + D at the optimum", &gap, &zero(), "N m/s²"),
+        Finding::decision("P + D > 0 at other admissible forces", worse, true),
+    ];
+    for (measured, exact) in interior.impulse.iter().zip(exact.iter()) {
+        let bound = two_contacts(size, problem.free_velocity.amax() + problem.shift.amax());
+        findings.push(Finding::equal("force of a contact by Clarabel", *measured, Scalar::to_f64(exact), bound, "N"));
+    }
+    Ok(findings)
+}
+
+fn huber(reading: Reading) -> Result<Vec<Finding>> {
+    use crate::closed_forms::huber::Huber;
+    let bound = reading.pick(ratio(2, 1), ratio(1_000_000, 1));
+    let huber = Huber { bound, regularisation: ratio(1, 2) };
+    let force = optimum(&Program::mixed())?;
+    Ok(vec![
+        Finding::exact("force at y = 100", &huber.force(&ratio(100, 1)), &ratio(-2, 1), "N"),
+        Finding::exact("force at y = −1, the bend", &huber.force(&ratio(-1, 1)), &ratio(2, 1), "N"),
+        Finding::exact("penalty at y = 1", &huber.penalty(&ratio(1, 1)), &ratio(1, 1), "N m/s²"),
+        Finding::exact("penalty at y = 100", &huber.penalty(&ratio(100, 1)), &ratio(199, 1), "N m/s²"),
+        Finding::decision("the dual is infinite beyond the bound", huber.conjugate(&ratio(3, 1)).is_none(), true),
+        Finding::exact("friction loss in the mixed problem", &force[1].magnitude(), &ratio(2, 1), "N"),
+    ])
+}
+
+fn deformation(reading: Reading) -> Result<Vec<Finding>> {
+    let program = Program::mixed();
+    let force = optimum(&program)?;
+    let rest = program.violation(&program.acceleration(&force)) + program.regularisation.component_mul(&force);
+    let at_bound = reading.pick([false, true, false, true], [false; 4]);
+    let finding = |i: usize| Finding::decision(format!("J x = a_ref − R f on row {i}"), rest[i] == zero(), !at_bound[i]);
+    Ok((0..4).map(finding).collect())
+}
+
+/// Normal rows of a box at its corners (±1, ±1): v_z, ω_x, ω_y with M = diag(1, 1, 1).
+fn box_on_corners(softness: Rational) -> Program {
+    Program {
+        mass: DMatrix::identity(3, 3),
+        jacobian: DMatrix::from_row_iterator(4, 3, [1, 1, 1, 1, 1, -1, 1, -1, 1, 1, -1, -1].map(|x| ratio(x, 1))),
+        free: vector(&[-9, 0, 0]),
+        reference: vector(&[0; 4]),
+        regularisation: DVector::from_element(4, softness),
+        rows: vec![Row::OneSided; 4],
+    }
+}
+
+fn four_corners(reading: Reading) -> Result<Vec<Finding>> {
+    let program = box_on_corners(reading.pick(ratio(1, 9), zero()));
+    let delassus = program.delassus();
+    let rank = match definiteness(&delassus) {
+        Definiteness::Semidefinite { rank, .. } => rank,
+        Definiteness::Definite => 4,
+        Definiteness::Indefinite { .. } => 0,
+    };
+    let definite = matches!(definiteness(&program.hessian()), Definiteness::Definite);
+    let change = &delassus * vector(&[1, -1, -1, 1]);
+    let equal = ratio(81, 37);
+    let optima = program.optima();
+    Ok(vec![
+        Finding::decision("A + R is definite", definite, true),
+        Finding::count("rank of A", rank, 3),
+        Finding::decision("forces (1, −1, −1, 1) change an acceleration", change.iter().any(|x| *x != zero()), false),
+        Finding::decision("enumeration finds one optimum", optima.len() == 1, true),
+        Finding::decision("81/37 N on each corner", optima.iter().any(|force| force.iter().all(|f| *f == equal)), true),
+    ])
+}
+
+fn inverse(reading: Reading) -> Result<Vec<Finding>> {
+    let program = Program::mixed();
+    let force = optimum(&program)?;
+    let acceleration = program.acceleration(&force);
+    let mut shown = program.clone();
+    if reading == Reading::Control {
+        shown.rows = vec![Row::TwoSided; 4];
+    }
+    let found = shown.inverse(&acceleration);
+    let applied = &program.mass * &acceleration - program.jacobian.transpose() * &found;
+    Ok(vec![
+        Finding::decision("M x − Jᵀf is the applied force", applied == &program.mass * &program.free, true),
+        Finding::decision("the forces of the forward problem come out", found == force, true),
+    ])
+}
+
+fn invertible(reading: Reading) -> Result<Vec<Finding>> {
+    let acceleration = |d: &Rational, push: i64| {
+        let (row, free) = (SoftRow::of_impedance(ratio(1, 1), d), ratio(-push, 1));
+        row.acceleration(&row.one_sided_force(&ratio(3, 1), &free), &free)
+    };
+    let gain = |d: Rational| ratio(1, 1) / (acceleration(&d, 20) - acceleration(&d, 21));
+    let hard = reading.pick(ratio(1, 1), ratio(9, 10));
+    let same = [5, 20, 50].iter().all(|&push| acceleration(&hard, push) == ratio(3, 1));
+    Ok(vec![
+        Finding::decision("with R = 0 loads of 5, 20 and 50 N have the acceleration a_ref", same, true),
+        Finding::exact("∂τ/∂a at d = 0.9", &gain(ratio(9, 10)), &ratio(10, 1), "kg"),
+        Finding::exact("∂τ/∂a at d = 0.9999", &gain(ratio(9999, 10_000)), &ratio(10_000, 1), "kg"),
+    ])
+}

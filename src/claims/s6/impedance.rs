@@ -1,0 +1,307 @@
+//! `solimp`: the impedance curve, the regularisation it sets, and what a loaded contact does with it.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::experiments::soft::{GRAVITY, default_contact, land};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::mujoco_contact::ContactParameters;
+use crate::closed_forms::soft_impedance::SoftImpedance;
+use crate::closed_forms::soft_reference::SoftReference;
+use crate::closed_forms::soft_row::SoftRow;
+use crate::scalar::{Dual, Rational, ratio};
+use crate::tolerance::claims::pathology::AT_REST;
+use crate::tolerance::closed_forms::PRINTED_DIGITS;
+use crate::tolerance::rounding;
+
+const CURVE: &str = "chapter §6, numerical example of solimp";
+const MODEL: &str = "MuJoCo documentation, Computation: constraint model (3.17)";
+const PARAMETERS: &str = "MuJoCo documentation, Modeling: solver parameters (3.17)";
+/// Depth \[m\] of a ball of 1 kg after 900 steps of 1 ms, stored from MuJoCo 3.17.0 with its default parameters.
+const STORED_DEPTH: f64 = 0.000_367_181_842_5;
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S6.impedance-range",
+        statement: "The impedance d lies in [0, 1], is small without contact and tends to 1 as the violation grows.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "d goes from d₀ at the surface to d_w beyond the width, by default from 0.9 to 0.95 and no further; both are kept in [0.0001, 0.9999]. It falls with depth if d₀ > d_w. Without contact there is no row and no d.",
+        argument: "The default curve at 0, 1 mm and 1 m; solimp = (0, 1, …) gives 1/10000 and 9999/10000; (95/100, 9/10, …) falls. In rationals.",
+        control: "d = 1 at a depth of 1 m.",
+        sources: &["chapter §6, step 3", PARAMETERS],
+        check: range,
+    },
+    Claim {
+        id: "S6.impedance-curve",
+        statement: "d passes smoothly from d₀ = 0.9 to d_w = 0.95 over a width of 1 mm, its shape given by power 2 (quadratic) and midpoint 0.5.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated: y = 2x² up to the midpoint and 1 − 2(1−x)² beyond, x the depth over the width. It is continuously differentiable, not twice.",
+        argument: "d at 0, 1/4, 1/2, 3/4 and 1 mm is 0.9, 0.90625, 0.925, 0.94375 and 0.95, in rationals. One-sided derivatives by dual numbers: 0 and 0 at both ends, 100 1/m on both sides of the midpoint. The second derivative jumps there from 200000 to −200000 1/m².",
+        control: "The straight line, power 1.",
+        sources: &[CURVE, PARAMETERS],
+        check: curve,
+    },
+    Claim {
+        id: "S6.solimp-default",
+        statement: "The default is solimp = (0.9, 0.95, 0.001, 0.5, 2).",
+        verdict: Verdict::True,
+        evidence: Evidence::Cited,
+        correct_statement: "As stated, read back from MuJoCo 3.17.0 in the stored step problems.",
+        argument: "What a ball at rest in MuJoCo 3.17.0 with its defaults shows, 3.671818e-4 m, is the depth that these five numbers give with solref = (0.02, 1); power 1 would give another.",
+        control: "power 1.",
+        sources: &[CURVE, "stored step problem ball_rest, newton-elliptic, h = 1 ms (MuJoCo 3.17.0)"],
+        check: default_parameters,
+    },
+    Claim {
+        id: "S6.R-formula",
+        statement: "The impedance sets the regularisation, R ∝ (1−d)/d.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "R = (1−d)/d · Â for a normal row, with MuJoCo's approximation Â of the diagonal of A, which for one body is 1/m for every contact point. Only where Â is the true diagonal does a single row move with d a_ref + (1−d) a_u. Friction rows have R/impratio.",
+        argument: "1 kg: R = 1/9 1/kg at the surface, 1/19 from 1 mm on. At the corner of a cube A = 4/m, so that with R = 1/9 the weight of a_ref is 36/37, not 9/10.",
+        control: "The weight 9/10 at the corner.",
+        sources: &[CURVE, MODEL],
+        check: regularisation,
+    },
+    Claim {
+        id: "S6.d-to-1",
+        statement: "As d → 1, R → 0: the constraint becomes hard, without regularisation.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "In the formula. MuJoCo keeps d ≤ 0.9999, hence R ≥ Â/9999: there is always regularisation.",
+        argument: "R/A = (1−d)/d is 1/9, 1/99, 1/999 at d = 0.9, 0.99, 0.999; with solimp = (1, 1, …) it is 1/9999 and not 0.",
+        control: "R = 0 for solimp = (1, 1, …).",
+        sources: &[CURVE, PARAMETERS],
+        check: hard_limit,
+    },
+    Claim {
+        id: "S6.layered-contact",
+        statement: "solimp can model a soft layer over a hard core: soft at small penetration, hard at large.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated, with d₀ far below d_w: the force that holds a depth δ is k d² δ/((1−d)Â), a spring whose stiffness rises with d.",
+        argument: "solimp = (1/10, 19/20, 1 cm, 1/2, 2): force over depth at the core is 1624.5 times that at the surface, 361/20 over 1/90; with the default it is 2.23 times. In rationals.",
+        control: "Constant impedance.",
+        sources: &[CURVE],
+        check: layer,
+    },
+    Claim {
+        id: "S6.rest-penetration",
+        statement: "Hard objects penetrate a little, like a sponge; most tasks accept penetration of the order of a millimetre.",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "As stated; a ball on the floor rests 0.367 mm deep with default parameters, whatever its mass. It is not g/k_p = 3.9 mm: the load acts with 1−d. What a task accepts is not decided here.",
+        argument: "k d² δ = (1−d) g with d = d(δ) has the root δ = 3.671818e-4 m; the replay of 3000 steps of 1 ms and the stored run of MuJoCo 3.17.0 end there. With constant d = 9/10, δ = g/k_p/10 in rationals.",
+        control: "g/k_p.",
+        sources: &["chapter §6, pitfalls on stiffness and on hard contact", MODEL],
+        check: rest,
+    },
+    Claim {
+        id: "S6.R-softness",
+        statement: "R is the regulariser that makes a constraint soft; the larger R, the softer.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated: a = (A a_ref + R a_u)/(A + R) moves from a_ref at R = 0 monotonically towards the free acceleration.",
+        argument: "A = 1, a_ref = 5, a_u = −10: a = 5 at R = 0, −5/2 at R = 1, within 1/1000 of −10 at R = 15000; da/dR = A (a_u − a_ref)/(A + R)² by dual numbers.",
+        control: "A row that wants a_ref = a_u, where R changes nothing.",
+        sources: &["chapter §6, step 1", MODEL],
+        check: softness,
+    },
+    Claim {
+        id: "S6.push-harder",
+        statement: "Pushing harder against a constraint results in larger acceleration.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated: ∂a/∂τ = (1−d)/m > 0 for a single contact whose Â is exact; 1/10 of the free value at d = 0.9.",
+        argument: "a = d a_ref + (1−d) a_u by dual numbers: ∂τ/∂a = 10, 100, 1000, 10000 kg at m = 1 kg and d = 0.9, 0.99, 0.999, 0.9999.",
+        control: "The hard row, R = 0.",
+        sources: &["chapter §6, MuJoCo's choice", MODEL],
+        check: push,
+    },
+    Claim {
+        id: "S6.solref-solimp-roles",
+        statement: "solref is what the constraint wants, the target dynamics; solimp what it is able to do. The two roles are separate.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "In the motion without load beyond the width: there d_w cancels and solref alone decides. Before it, a_ref itself contains d(δ) and d_w from solimp, and under load the depth at rest depends on both.",
+        argument: "solimp (1/2, 1/2, …) in place of (19/20, 19/20, …), solref (1/50, 1): d² k = 2500 and d b = 100 both times, but a_ref at φ = −1 mm is 5 m/s² in place of 50/19, and 1 kg rests under g = 10 m/s² at 2 mm in place of 1/5 mm.",
+        control: "The same solimp twice.",
+        sources: &["chapter §6, step 3 and the pitfall on solref and solimp", PARAMETERS],
+        check: roles,
+    },
+];
+
+fn range(reading: Reading) -> Result<Vec<Finding>> {
+    let standard = SoftImpedance::<Rational>::standard();
+    let extreme = SoftImpedance { start: ratio(0, 1), end: ratio(1, 1), ..standard.clone() };
+    let falling = SoftImpedance { start: ratio(19, 20), end: ratio(9, 10), ..standard.clone() };
+    let (surface, metre) = (ratio(0, 1), ratio(1, 1));
+    Ok(vec![
+        Finding::exact("d at a depth of 1 m", &standard.at(&metre), &reading.pick(ratio(19, 20), ratio(1, 1)), "1"),
+        Finding::exact("d at the surface", &standard.at(&surface), &ratio(9, 10), "1"),
+        Finding::exact("d at the surface for d₀ = 0", &extreme.at(&surface), &ratio(1, 10_000), "1"),
+        Finding::exact("d at 1 m for d_w = 1", &extreme.at(&metre), &ratio(9999, 10_000), "1"),
+        Finding::decision("d falls with depth for d₀ > d_w", falling.at(&metre) < falling.at(&surface), true),
+    ])
+}
+
+/// Slope of the default curve at a share of a millimetre, on the side towards which `direction` = ±1 points \[1/m\].
+fn slope(share: &Rational, direction: i64) -> Rational {
+    let at = Dual { value: share / ratio(1000, 1), slope: ratio(direction, 1) };
+    SoftImpedance::<Dual<Rational>>::standard().at(&at).slope * ratio(direction, 1)
+}
+
+fn curve(reading: Reading) -> Result<Vec<Finding>> {
+    let shape = SoftImpedance { power: reading.pick(2, 1), ..SoftImpedance::<Rational>::standard() };
+    let mut findings = Vec::new();
+    for (quarters, d) in [(1, (29, 32)), (0, (9, 10)), (2, (37, 40)), (3, (151, 160)), (4, (19, 20))] {
+        let at = shape.at(&ratio(quarters, 4000));
+        findings.push(Finding::exact(format!("d at {quarters}/4 mm"), &at, &ratio(d.0, d.1), "1"));
+    }
+    for (halves, expected) in [(0, 0), (1, 100), (2, 0)] {
+        for direction in [-1, 1] {
+            let name = format!("slope at {halves}/2 mm, side {direction:+}");
+            findings.push(Finding::exact(name, &slope(&ratio(halves, 2), direction), &ratio(expected, 1), "1/m"));
+        }
+    }
+    // the slope is linear on each half, so that its difference quotient is the second derivative
+    let bend = |from: Rational, to: Rational| (slope(&to, 1) - slope(&from, 1)) * ratio(1000, 1) / (to - from);
+    findings.push(Finding::exact("second derivative before the midpoint", &bend(ratio(1, 4), ratio(3, 8)), &ratio(200_000, 1), "1/m²"));
+    findings.push(Finding::exact("second derivative after it", &bend(ratio(5, 8), ratio(3, 4)), &ratio(-200_000, 1), "1/m²"));
+    Ok(findings)
+}
+
+fn default_parameters(reading: Reading) -> Result<Vec<Finding>> {
+    let power = reading.pick(2.0, 1.0);
+    let parameters = ContactParameters { impedance: [0.9, 0.95, 0.001, 0.5, power], ..ContactParameters::default() };
+    let depth = parameters.rest_depth(0.001, 1.0, GRAVITY)?;
+    Ok(vec![Finding::equal("depth at rest of these parameters", depth, STORED_DEPTH, PRINTED_DIGITS * STORED_DEPTH, "m")])
+}
+
+fn regularisation(reading: Reading) -> Result<Vec<Finding>> {
+    let standard = SoftImpedance::<Rational>::standard();
+    let of = |depth: &Rational| SoftRow::of_impedance(ratio(1, 1), &standard.at(depth));
+    // corner (a, a, −a)/2 of a cube with inertia m a²/6: 1/m + (a²/4 + a²/4)/(m a²/6)
+    let corner = SoftRow { inverse_inertia: ratio(4, 1), ..of(&ratio(0, 1)) };
+    // a_u = 0, a_ref = 1: the acceleration is the weight of a_ref
+    let weight = |row: &SoftRow<Rational>| row.acceleration(&row.force(&ratio(1, 1), &ratio(0, 1)), &ratio(0, 1));
+    Ok(vec![
+        Finding::exact("weight of a_ref at a corner", &weight(&corner), &reading.pick(ratio(36, 37), ratio(9, 10)), "1"),
+        Finding::exact("weight of a_ref below the centre", &weight(&of(&ratio(0, 1))), &ratio(9, 10), "1"),
+        Finding::exact("R at the surface", &of(&ratio(0, 1)).regularisation, &ratio(1, 9), "1/kg"),
+        Finding::exact("R at 1 mm", &of(&ratio(1, 1000)).regularisation, &ratio(1, 19), "1/kg"),
+    ])
+}
+
+fn hard_limit(reading: Reading) -> Result<Vec<Finding>> {
+    let hardest = SoftImpedance::constant(ratio(1, 1)).at(&ratio(1, 1000));
+    let softness = |d: &Rational| SoftRow::of_impedance(ratio(1, 1), d).regularisation;
+    let mut findings =
+        vec![Finding::exact("R/A for solimp = (1, 1, …)", &softness(&hardest), &reading.pick(ratio(1, 9999), ratio(0, 1)), "1")];
+    for nines in [9, 99, 999] {
+        findings.push(Finding::exact(
+            format!("R/A at d = {nines}/{}", nines + 1),
+            &softness(&ratio(nines, nines + 1)),
+            &ratio(1, nines),
+            "1",
+        ));
+    }
+    findings.push(Finding::exact("R/A at d = 1", &softness(&ratio(1, 1)), &ratio(0, 1), "1"));
+    Ok(findings)
+}
+
+/// d²/(1−d): the static force per depth over k/Â.
+fn holding(d: &Rational) -> Rational {
+    d * d / (ratio(1, 1) - d)
+}
+
+fn layer(reading: Reading) -> Result<Vec<Finding>> {
+    let standard = SoftImpedance::<Rational>::standard();
+    let rubber = SoftImpedance { start: ratio(1, 10), width: ratio(1, 100), ..standard.clone() };
+    let ratio_of = |curve: &SoftImpedance<Rational>| holding(&curve.at(&ratio(1, 100))) / holding(&curve.at(&ratio(0, 1)));
+    let layered = reading.pick(rubber.clone(), SoftImpedance::constant(ratio(19, 20)));
+    let stiffens = (0..10).all(|k| holding(&rubber.at(&ratio(k, 1000))) < holding(&rubber.at(&ratio(k + 1, 1000))));
+    Ok(vec![
+        Finding::exact("stiffness of the core over that of the surface", &ratio_of(&layered), &ratio(3249, 2), "1"),
+        Finding::exact("the same of the default curve", &ratio_of(&standard), &ratio(361, 162), "1"),
+        Finding::decision("the stiffness rises with every millimetre", stiffens, true),
+    ])
+}
+
+fn rest(reading: Reading) -> Result<Vec<Finding>> {
+    let parameters = ContactParameters::default();
+    let depth = |mass: f64| parameters.rest_depth(0.001, 1.0 / mass, mass * GRAVITY);
+    let closed = depth(1.0)?;
+    let measured = reading.pick(land(&default_contact(0.001), 0.0, 3000).depth, GRAVITY / 2500.0);
+    // constant d = 9/10: k = 1/(d t_c)², and R f = k d δ balances f = m g
+    let impedance = SoftImpedance::constant(ratio(9, 10));
+    let reference = SoftReference::unlimited(&ratio(1, 50), &ratio(1, 1), impedance.clone());
+    let at = ratio(981, 100) / ratio(2500, 1) / ratio(10, 1);
+    let row = SoftRow::of_impedance(ratio(1, 1), &ratio(9, 10));
+    let force = row.force(&reference.acceleration(&-at.clone(), &ratio(0, 1)), &ratio(-981, 100));
+    Ok(vec![
+        Finding::equal("depth at rest, replay against closed form", measured, closed, AT_REST * closed, "m"),
+        Finding::equal("depth at rest, MuJoCo 3.17.0", STORED_DEPTH, closed, PRINTED_DIGITS * closed, "m"),
+        Finding::equal("depth at rest of 1000 kg", depth(1000.0)?, closed, AT_REST * closed, "m"),
+        Finding::exact("force on 1 kg at the depth g/k_p/10, d = 9/10", &force, &ratio(981, 100), "N"),
+    ])
+}
+
+fn softness(reading: Reading) -> Result<Vec<Finding>> {
+    let (free, wanted) = (ratio(-10, 1), reading.pick(ratio(5, 1), ratio(-10, 1)));
+    let at = |softness: Rational| {
+        let lift = |x: &Rational| Dual::constant(x.clone());
+        let regularisation = Dual { value: softness, slope: ratio(1, 1) };
+        let row = SoftRow { inverse_inertia: Dual::constant(ratio(1, 1)), regularisation };
+        row.acceleration(&row.force(&lift(&wanted), &lift(&free)), &lift(&free))
+    };
+    let expected_slope = |softness: i64| ratio(-15, (1 + softness) * (1 + softness));
+    let mut findings = vec![Finding::exact("a at R = 1", &at(ratio(1, 1)).value, &ratio(-5, 2), "m/s²")];
+    for softness in [0, 1, 10] {
+        let name = format!("da/dR at R = {softness}");
+        findings.push(Finding::exact(name, &at(ratio(softness, 1)).slope, &expected_slope(softness), "kg m/s²"));
+    }
+    let far = at(ratio(15_000, 1)).value - &free;
+    findings.push(Finding::exact("a at R = 0", &at(ratio(0, 1)).value, &ratio(5, 1), "m/s²"));
+    findings.push(Finding::decision("a − a_u below 1/1000 at R = 15000", far < ratio(1, 1000), true));
+    Ok(findings)
+}
+
+fn push(reading: Reading) -> Result<Vec<Finding>> {
+    let mut findings = Vec::new();
+    for nines in [9, 99, 999, 9999] {
+        let d = reading.pick(ratio(nines, nines + 1), ratio(1, 1));
+        let row = SoftRow::of_impedance(Dual::constant(ratio(1, 1)), &Dual::constant(d));
+        // 1 kg, pushed into the surface with 20 N and one newton more or less
+        let free = Dual { value: ratio(-20, 1), slope: ratio(1, 1) };
+        let force = row.one_sided_force(&Dual::constant(ratio(3, 1)), &free);
+        let slope = row.acceleration(&force, &free).slope;
+        findings.push(Finding::exact(format!("∂a/∂τ at d = {nines}/{}", nines + 1), &slope, &ratio(1, nines + 1), "1/kg"));
+    }
+    // the same by the replayed formula: f(20 N) and f(21 N) on the default contact at 1 mm
+    let contact = default_contact(0.001);
+    let acceleration = |push: f64| -push + contact.impulse(0.001, 0.0, -push) / (contact.time_step * contact.mass);
+    let measured = acceleration(20.0) - acceleration(21.0);
+    findings.push(Finding::equal("by the replayed formula, d = 0.95", measured, 0.05, rounding(16, 42.0), "m/s²"));
+    Ok(findings)
+}
+
+fn roles(reading: Reading) -> Result<Vec<Finding>> {
+    let contact = |d: Rational| SoftReference::unlimited(&ratio(1, 50), &ratio(1, 1), SoftImpedance::constant(d));
+    let (hard, soft) = (contact(ratio(19, 20)), contact(reading.pick(ratio(1, 2), ratio(19, 20))));
+    let wanted = |reference: &SoftReference<Rational>| reference.acceleration(&ratio(-1, 1000), &ratio(0, 1));
+    // k d² δ = (1−d) g
+    let depth = |reference: &SoftReference<Rational>| {
+        let d = reference.impedance.at_width();
+        (ratio(1, 1) - d) * ratio(10, 1) / reference.effective(&ratio(1, 1))[0].clone()
+    };
+    let one = ratio(1, 1);
+    Ok(vec![
+        Finding::exact("a_ref at 1 mm, d = 1/2", &wanted(&soft), &ratio(5, 1), "m/s²"),
+        Finding::exact("a_ref at 1 mm, d = 19/20", &wanted(&hard), &ratio(50, 19), "m/s²"),
+        Finding::exact("depth at rest, d = 1/2", &depth(&soft), &ratio(2, 1000), "m"),
+        Finding::exact("depth at rest, d = 19/20", &depth(&hard), &ratio(1, 5000), "m"),
+        Finding::decision("the unloaded motions are the same", soft.effective(&one) == hard.effective(&one), true),
+    ])
+}
