@@ -12,6 +12,7 @@ h1{font-size:1.5rem}table{border-collapse:collapse;width:100%;margin:.6rem 0}td,
 text-align:left;vertical-align:top}td.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}\
 .pass{background:#dff3e4}.difference{background:#fff3cf}.fail,.errored,.regression{background:#ffd9d4}.unsupported{background:#eee}\
 details{margin:.4rem 0;border:1px solid #ddd;border-radius:4px;padding:.3rem .6rem}summary{cursor:pointer}\
+code{overflow-wrap:anywhere}\
 span.verdict{display:inline-block;min-width:6.5rem;padding:0 .4rem;border-radius:3px;margin-right:.5rem}";
 
 /// The page of a run, with the changes against a baseline if there is one.
