@@ -100,12 +100,13 @@ fn bullets_effective_restitution_falls_with_the_step_from_above_e_to_below_it() 
 #[test]
 fn sweeps_that_end_early_let_stacks_wander() {
     let standings = standings();
-    let drift = |engine: &str| values(&standings, engine, "stack/five", "largest horizontal displacement while standing");
+    let drift = |engine: &str| values(&standings, engine, "stack/ten", "largest horizontal displacement while standing");
     let worst = |engine: &str| drift(engine).into_iter().fold(0.0, f64::max);
-    assert!([drift("bullet")[0], drift("dart-ode-nsgs")[0]].into_iter().all(|drift| (1e-3..1e-1).contains(&drift)));
-    assert!([worst("rapier-0.34"), worst("rapier-0.36")].into_iter().all(|drift| (1e-5..1e-4).contains(&drift)));
-    assert!(worst("mujoco") < 1e-9 && worst("siconos") < 1e-9);
-    assert!(worst("mujoco-pgs") < 1e-4 && worst("dart-ode") < 1e-4);
+    assert!(drift("dart-ode-nsgs")[0] > 0.1 && drift("bullet")[0] > 0.01 && drift("sapien")[0] > 5e-4);
+    assert!(drift("rapier-0.34")[0] > 0.01 && drift("rapier-0.36")[0] > 3e-3);
+    for engine in ["mujoco", "mujoco-pgs", "dart-ode", "siconos"] {
+        assert!(worst(engine) < 2e-6, "{engine}");
+    }
 }
 
 #[test]

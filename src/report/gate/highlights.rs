@@ -51,14 +51,13 @@ const HIGHLIGHTS: &[Highlight] = &[
     },
     Highlight {
         title: "Stacks that a sweep method lets drift",
-        explanation: "Five equal cubes stand still in theory. Sweeps that end after a fixed number of iterations let them wander sideways: Bullet and DART's \
-                      projected Gauss–Seidel by millimetres to centimetres at 1/60 s and less at smaller steps, Rapier, whose cubes start where its \
-                      declared springs carry them, by hundredths of a millimetre. MuJoCo's Newton method and Siconos's sweeps, which go on \
-                      until the residual is small, keep them within a nanometre, MuJoCo's PGS and DART's Dantzig pivoting within a tenth \
-                      of a millimetre.",
-        check: "stack/five",
+        explanation: "Ten equal cubes stand still in theory. Sweeps that end after a fixed number of iterations let them wander sideways at 1/60 s: DART's \
+                      projected Gauss–Seidel by a tenth of a metre, Bullet by centimetres, Rapier by millimetres to a centimetre, PhysX by more than half \
+                      a millimetre; less at smaller steps. MuJoCo's solvers, DART's Dantzig pivoting and Siconos's sweeps, which go on until the residual is \
+                      small, keep them within two micrometres at every step.",
+        check: "stack/ten",
         quantity: "largest horizontal displacement while standing",
-        engines: &["mujoco", "mujoco-pgs", "dart-ode", "dart-ode-nsgs", "siconos", "bullet", "rapier-0.34", "rapier-0.36"],
+        engines: &["mujoco", "mujoco-pgs", "siconos", "dart-ode", "dart-ode-nsgs", "bullet", "sapien", "rapier-0.34", "rapier-0.36"],
     },
     Highlight {
         title: "A released engine that lost restitution, from 2 m",
