@@ -18,6 +18,7 @@ pub mod rocking_block;
 pub mod rough_impact;
 pub mod sliding_contact;
 pub mod soft_impedance;
+pub mod soft_planar_contact;
 pub mod soft_reference;
 pub mod soft_rigid_contact;
 pub mod soft_row;

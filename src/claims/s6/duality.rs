@@ -159,7 +159,7 @@ fn primal(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 /// The two contacts of the mixed program as a contact problem, an impulse being a force over 1 s.
-fn contacts_alone() -> (Program, ContactProblem) {
+pub fn contacts_alone() -> (Program, ContactProblem) {
     let mixed = Program::mixed();
     let pair = Program {
         jacobian: mixed.jacobian.rows(2, 2).into_owned(),
@@ -232,7 +232,7 @@ fn deformation(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 /// Normal rows of a box at its corners (±1, ±1): v_z, ω_x, ω_y with M = diag(1, 1, 1).
-fn box_on_corners(softness: Rational) -> Program {
+pub fn box_on_corners(softness: Rational) -> Program {
     Program {
         mass: DMatrix::identity(3, 3),
         jacobian: DMatrix::from_row_iterator(4, 3, [1, 1, 1, 1, 1, -1, 1, -1, 1, 1, -1, -1].map(|x| ratio(x, 1))),

@@ -2,11 +2,15 @@
 
 use super::Claim;
 
+mod cones;
 mod duality;
 mod impedance;
 mod program;
 mod reference;
+mod smooth;
+mod solvers;
 mod time_constant;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[reference::CLAIMS, time_constant::CLAIMS, impedance::CLAIMS, duality::CLAIMS];
+pub const CLAIMS: &[&[Claim]] =
+    &[reference::CLAIMS, time_constant::CLAIMS, impedance::CLAIMS, duality::CLAIMS, smooth::CLAIMS, cones::CLAIMS, solvers::CLAIMS];

@@ -1,0 +1,136 @@
+//! Whether the contact force is a smooth function: the switch at the surface, the kinks of the force, the cone.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::experiments::soft::default_contact;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::soft_impedance::SoftImpedance;
+use crate::closed_forms::soft_planar_contact::SoftPlanarContact;
+use crate::closed_forms::soft_reference::SoftReference;
+use crate::closed_forms::soft_row::SoftRow;
+use crate::scalar::{Dual, Rational, Scalar, ratio};
+use crate::tolerance::rounding;
+
+const MODEL: &str = "MuJoCo documentation, Computation: constraint model (3.17)";
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S6.lcp-nondiff",
+        statement: "Hard contact is not differentiable: the solution of an LCP is not where the active set switches, and even the convex cone problem is only subdifferentiable at the boundary of the cone, between stick and slip.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated, where subdifferentiable means Lipschitz with one-sided derivatives in every direction. R > 0 changes the size of the kinks and does not remove them (S6.smooth-everywhere).",
+        argument: "f = max(0, −q/W), W = 2: one-sided derivatives −1/2 and 0 at q = 0. Cone with μ = 1/2 and W = I at the load (−2, 1), where stick becomes slip: ∂f_t/∂b_t = −1 on the side of stick and −1/5 on that of slip. Dual numbers over rationals.",
+        control: "q = −1 and the load (−2, 1/2), inside the active sets.",
+        sources: &["chapter §6, hard contact and learning", "Cottle, Pang and Stone, The Linear Complementarity Problem, chapter 7"],
+        check: hard_kinks,
+    },
+    Claim {
+        id: "S6.smooth-everywhere",
+        statement: "In MuJoCo the contact force is a smooth function of the gap without on/off switch, and the problem is differentiable everywhere.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "The force jumps at touch, for there is no row above the surface and d₀ > 0 below it: by d₀ m (b|v| + g) at approach speed |v|. As a function of the control it is Lipschitz, with kinks where a contact begins to press and where it begins to slip.",
+        argument: "1 kg at −1 m/s under 9.81 m/s², default parameters: 0 above the surface, 9/10 (2000/19 + 981/100) = 103.566 N just below; with d₀ = 0, which counts as 1/10000, 0.0115 N. Control: ∂f/∂τ is 0 on one side of the onset and d = 9/10 on the other. Load across the change from stick to slip, R = 1/9: ∂f_t/∂b_t = −9/10 and −9/50.",
+        control: "A point inside contact and inside stick.",
+        sources: &["chapter §6, MuJoCo's choice, bridge, and the pitfall on hard contact", MODEL],
+        check: soft_kinks,
+    },
+    Claim {
+        id: "S6.cone-softened",
+        statement: "MuJoCo adds R and softens the friction cone, which makes it differentiable everywhere, where Anitescu has the hard cone.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "The set of forces is the hard cone; R is added to the Hessian only. A slipping contact has |f_t| = μ f_n exactly, and the penalty that eliminating the force leaves is continuously differentiable once, not twice.",
+        argument: "μ = 1/2, R = 1/9 and 1: loads (−2, b_t) with b_t = 2, 5 and 50 have f_t = f_n/2 exactly. The force is the gradient of the minimum in b, and its slope at b_t = 1 is −1/(1+R) for stick and −1/(5(1+R)) for slip.",
+        control: "A load that sticks, for which |f_t| < μ f_n.",
+        sources: &["chapter §6, step 2 and exercise 3", MODEL],
+        check: hard_cone,
+    },
+];
+
+/// A planar contact of 1 kg with μ = 1/2 and a softness R of both rows.
+fn contact(softness: &Rational) -> SoftPlanarContact<Rational> {
+    let row = ratio(1, 1) + softness;
+    SoftPlanarContact { softness: [row.clone(), row], friction: ratio(1, 2) }
+}
+
+/// ∂f_t/∂b_t on the side of slip and of stick, as loads move from (−2, `tangent`).
+fn slopes(softness: &Rational, tangent: &Rational) -> [Rational; 2] {
+    let SoftPlanarContact { softness, friction } = contact(softness);
+    let lifted = SoftPlanarContact { softness: softness.map(Dual::constant), friction: Dual::constant(friction) };
+    [1, -1].map(|direction| {
+        let load = [Dual::constant(ratio(-2, 1)), Dual { value: tangent.clone(), slope: ratio(direction, 1) }];
+        lifted.force(&load)[1].slope.clone() * ratio(direction, 1)
+    })
+}
+
+/// The slope of a one-sided row's force in its load q = a_u − a_ref, on both sides.
+fn onset(row: &SoftRow<Rational>, load: &Rational) -> [Rational; 2] {
+    let lifted = SoftRow {
+        inverse_inertia: Dual::constant(row.inverse_inertia.clone()),
+        regularisation: Dual::constant(row.regularisation.clone()),
+    };
+    [1, -1].map(|direction| {
+        let load = Dual { value: load.clone(), slope: ratio(direction, 1) };
+        lifted.one_sided_force(&Dual::constant(ratio(0, 1)), &load).slope * ratio(direction, 1)
+    })
+}
+
+fn hard_kinks(reading: Reading) -> Result<Vec<Finding>> {
+    let zero = ratio(0, 1);
+    let row = SoftRow { inverse_inertia: ratio(2, 1), regularisation: zero.clone() };
+    let [above, below] = onset(&row, &reading.pick(zero.clone(), ratio(-1, 1)));
+    let [slip, stick] = slopes(&zero, &reading.pick(ratio(1, 1), ratio(1, 2)));
+    Ok(vec![
+        Finding::exact("∂f/∂q of an LCP, side of no contact", &above, &zero, "kg"),
+        Finding::exact("∂f/∂q, side of contact", &below, &ratio(-1, 2), "kg"),
+        Finding::exact("∂f_t/∂b_t of the cone problem, side of slip", &slip, &ratio(-1, 5), "kg"),
+        Finding::exact("∂f_t/∂b_t, side of stick", &stick, &ratio(-1, 1), "kg"),
+    ])
+}
+
+/// The force just below the surface on 1 kg that arrives at 1 m/s under 9.81 m/s² \[N\]; d₀ as given.
+fn at_touch(start: Rational) -> Rational {
+    let impedance = SoftImpedance { start, ..SoftImpedance::standard() };
+    let surface = ratio(0, 1);
+    let row = SoftRow::of_impedance(ratio(1, 1), &impedance.at(&surface));
+    let reference = SoftReference::unlimited(&ratio(1, 50), &ratio(1, 1), impedance);
+    row.one_sided_force(&reference.acceleration(&surface, &ratio(-1, 1)), &ratio(-981, 100))
+}
+
+fn soft_kinks(reading: Reading) -> Result<Vec<Finding>> {
+    let jump = at_touch(ratio(9, 10));
+    let printed = ratio(9, 10) * (ratio(2000, 19) + ratio(981, 100));
+    let replayed = default_contact(0.002);
+    let force = |depth: f64| replayed.impulse(depth, -1.0, -9.81) / replayed.time_step;
+    let [above, below] = onset(&SoftRow::of_impedance(ratio(1, 1), &ratio(9, 10)), &reading.pick(ratio(0, 1), ratio(-1, 1)));
+    let [slip, stick] = slopes(&ratio(1, 9), &reading.pick(ratio(1, 1), ratio(1, 2)));
+    let size = Scalar::to_f64(&printed);
+    Ok(vec![
+        Finding::exact("force just below the surface", &jump, &printed, "N"),
+        Finding::equal("the same, replayed", force(0.0f64.next_up()), size, rounding(32, size), "N"),
+        Finding::equal("force just above it", force(-(0.0f64.next_up())), 0.0, 0.0, "N"),
+        Finding::exact("force just below the surface, d₀ = 0", &at_touch(ratio(0, 1)), &(&printed / ratio(9000, 1)), "N"),
+        Finding::exact("∂f/∂q, side of no contact", &above, &ratio(0, 1), "kg"),
+        Finding::exact("∂f/∂q, side of contact", &below, &ratio(-9, 10), "kg"),
+        Finding::exact("∂f_t/∂b_t, side of slip", &slip, &ratio(-9, 50), "kg"),
+        Finding::exact("∂f_t/∂b_t, side of stick", &stick, &ratio(-9, 10), "kg"),
+    ])
+}
+
+fn hard_cone(reading: Reading) -> Result<Vec<Finding>> {
+    let mut findings = Vec::new();
+    for softness in [ratio(1, 9), ratio(1, 1)] {
+        for tangent in [reading.pick(ratio(2, 1), ratio(1, 2)), ratio(5, 1), ratio(50, 1)] {
+            let [normal, friction] = contact(&softness).force(&[ratio(-2, 1), tangent.clone()]);
+            let share = friction.magnitude() / normal;
+            findings.push(Finding::exact(format!("|f_t|/f_n, R = {softness}, b_t = {tangent}"), &share, &ratio(1, 2), "1"));
+        }
+        let [slip, stick] = slopes(&softness, &ratio(1, 1));
+        let scale = ratio(1, 1) + &softness;
+        findings.push(Finding::exact("(1+R) ∂f_t/∂b_t, side of slip", &(slip * &scale), &ratio(-1, 5), "1"));
+        findings.push(Finding::exact("(1+R) ∂f_t/∂b_t, side of stick", &(stick * &scale), &ratio(-1, 1), "1"));
+    }
+    Ok(findings)
+}

@@ -1,0 +1,154 @@
+//! Solvers of the one convex problem: the same optimum, warm starts, the rate of Gauss–Seidel; and Anitescu's problem beside it.
+
+use super::duality::{box_on_corners, contacts_alone};
+use super::program::Program;
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::mujoco_contact::ContactParameters;
+use crate::closed_forms::soft_impedance::SoftImpedance;
+use crate::closed_forms::soft_reference::SoftReference;
+use crate::scalar::{Rational, Scalar, ratio};
+use crate::solvers::{AcceleratedProjectedGradient, ClarabelPolished, ContactSolver, ProjectedGaussSeidel};
+use crate::tolerance::claims::pathology::AT_REST;
+use crate::tolerance::claims::soft::two_contacts;
+
+const MODEL: &str = "MuJoCo documentation, Computation: constraint model (3.17)";
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S6.same-optimum",
+        statement: "PGS, CG and Newton solve the same convex problem; changing the solver changes speed and accuracy, not the physics.",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "As stated, once converged: the problem is strictly convex (S6.R-uniqueness).",
+        argument: "Two coupled soft contacts, by projected Gauss–Seidel, accelerated projected gradients, Clarabel, and enumeration in rationals: the same forces to the solvers' stopping rule times the conditioning. MuJoCo's own solvers are compared on stored steps in tests/references.",
+        control: "One sweep of Gauss–Seidel.",
+        sources: &["chapter §6, step 5 and the pitfall on solvers", MODEL],
+        check: same_optimum,
+    },
+    Claim {
+        id: "S6.unique-warmstart",
+        statement: "Convexity gives one global optimum per step, so that the last step's solution can start the next one and convergence is fast.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated; it is R > 0, strict convexity, that makes the optimum unique.",
+        argument: "Box on four corners, R = 1/9: enumeration finds one optimum; with R = 0, which is convex too, at least two. Gauss–Seidel started at the solution stops in fewer sweeps than from zero.",
+        control: "R = 0.",
+        sources: &["chapter §6, bridge", MODEL],
+        check: warm_start,
+    },
+    Claim {
+        id: "S6.pgs-sublinear",
+        statement: "PGS converges at first order, sublinearly.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "It converges linearly: the problem is strictly convex, and over a polyhedron Gauss–Seidel contracts the error by a constant factor from some sweep on. The factor may be close to one.",
+        argument: "Two coupled soft contacts, both closed: every sweep multiplies the error by exactly H₁₂²/(H₁₁H₂₂) = 19/157, sweeps 3 to 10 in rationals.",
+        control: "The factor 10/11 of a sublinear sequence 1/k at k = 10.",
+        sources: &["chapter §6, table of solvers", "Luo and Tseng, On the convergence of the coordinate descent method (1992)"],
+        check: gauss_seidel,
+    },
+    Claim {
+        id: "S6.same-as-anitescu",
+        statement: "MuJoCo's dual problem and Anitescu's convex problem are the same thing; MuJoCo is the special case of Anitescu's with a regularisation.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "They coincide for R = 0, b = 1/h, k d = 1/h² and equal cones, with γ = h f. MuJoCo's parameters do not reach that: R ≥ Â/9999, and timeconst ≥ 2h gives k d h² ≤ 1/(4d) at ζ = 1, a quarter, while b h is at most 1/d.",
+        argument: "h (a_u − a_ref) = v_free + φ/h for b = 1/h and k d = 1/h², in rationals at φ = −1 mm, v = −3 m/s, a_u = −10 m/s², h = 1/100 s. At timeconst 2h, ζ = 1 and d = 9999/10000: b h = 10000/9999, k d h² = 2500/9999, R/Â = 1/9999.",
+        control: "MuJoCo's stiffest parameters in the identity.",
+        sources: &[
+            "chapter §6, insight on Anitescu's problem",
+            "Anitescu, Optimization-based simulation of nonsmooth rigid multibody dynamics (2006)",
+        ],
+        check: anitescu,
+    },
+    Claim {
+        id: "S6.impratio",
+        statement: "impratio sets the ratio of normal to tangential impedance; a larger one makes friction harder.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "Larger is harder, as stated; but it is the ratio of frictional to normal impedance: R_t = R_n/impratio.",
+        argument: "Creep of one elliptic contact under a tangential load, v_t = R_t f_t/b: ten times smaller with impratio 10, at an unchanged depth; hence R_n/R_t = 10.",
+        control: "impratio 1/10.",
+        sources: &["chapter §6, step 4", "MuJoCo documentation, option impratio (3.17)"],
+        check: impedance_ratio,
+    },
+];
+
+fn same_optimum(reading: Reading) -> Result<Vec<Finding>> {
+    let (pair, problem) = contacts_alone();
+    let exact = pair.optima().remove(0).map(|force| Scalar::to_f64(&force));
+    let sweeps = reading.pick(ProjectedGaussSeidel::default().sweeps, 1);
+    let solvers: [&dyn ContactSolver; 3] =
+        [&ProjectedGaussSeidel { sweeps, ..ProjectedGaussSeidel::default() }, &AcceleratedProjectedGradient::default(), &ClarabelPolished];
+    let bound = two_contacts(exact.norm(), problem.free_velocity.amax() + problem.shift.amax());
+    let mut findings = Vec::new();
+    for solver in solvers {
+        let force = solver.solve(&problem, None)?.impulse;
+        findings.push(Finding::equal(format!("distance from the optimum, {}", solver.name()), (force - &exact).norm(), 0.0, bound, "N"));
+    }
+    Ok(findings)
+}
+
+fn warm_start(reading: Reading) -> Result<Vec<Finding>> {
+    let count = |softness: Rational| box_on_corners(softness).optima().len();
+    let (_, problem) = contacts_alone();
+    let cold = ProjectedGaussSeidel::default().solve(&problem, None)?;
+    let warm = ProjectedGaussSeidel::default().solve(&problem, Some(&cold.impulse))?;
+    Ok(vec![
+        Finding::count("optima on four corners", count(reading.pick(ratio(1, 9), ratio(0, 1))), 1),
+        Finding::decision("at least two optima with R = 0", count(ratio(0, 1)) >= 2, true),
+        Finding::decision("fewer sweeps from the solution than from zero", warm.iterations < cold.iterations, true),
+    ])
+}
+
+/// One sweep of exact projected Gauss–Seidel on two one-sided rows.
+fn sweep(program: &Program, force: &[Rational; 2]) -> [Rational; 2] {
+    let (h, b) = (program.hessian(), program.linear());
+    let positive = |x: Rational| x.max(ratio(0, 1));
+    let first = positive(-(&b[0] + &h[(0, 1)] * &force[1]) / &h[(0, 0)]);
+    let second = positive(-(&b[1] + &h[(1, 0)] * &first) / &h[(1, 1)]);
+    [first, second]
+}
+
+fn gauss_seidel(reading: Reading) -> Result<Vec<Finding>> {
+    let (pair, _) = contacts_alone();
+    let optimum = pair.optima().remove(0);
+    let mut force = [ratio(0, 1), ratio(0, 1)];
+    let mut errors = Vec::new();
+    for _ in 0..10 {
+        force = sweep(&pair, &force);
+        errors.push(&force[1] - &optimum[1]);
+    }
+    let factor = reading.pick(ratio(19, 157), ratio(10, 11));
+    let ratios = errors.windows(2).skip(1).map(|pair| &pair[1] / &pair[0]);
+    Ok(ratios.map(|ratio| Finding::exact("error of a sweep over that of the last", &ratio, &factor, "1")).collect())
+}
+
+fn anitescu(reading: Reading) -> Result<Vec<Finding>> {
+    let (h, gap, rate, free) = (ratio(1, 100), ratio(-1, 1000), ratio(-3, 1), ratio(-10, 1));
+    let hardest = SoftImpedance::constant(ratio(1, 1));
+    let stiffest = SoftReference::limited(&ratio(0, 1), &ratio(1, 1), &h, hardest.clone());
+    let d = hardest.at_width();
+    let identical = SoftReference { stiffness: ratio(1, 1) / (&h * &h * &d), damping: ratio(1, 1) / &h, impedance: hardest };
+    let reference = reading.pick(&identical, &stiffest).acceleration(&gap, &rate);
+    let [stiffness, damping] = stiffest.coefficients(&ratio(1, 1000));
+    Ok(vec![
+        Finding::exact("h (a_u − a_ref)", &(&h * (&free - reference)), &(&rate + &h * &free + &gap / &h), "m/s"),
+        Finding::exact("b h of the stiffest contact", &(&damping * &h), &ratio(10_000, 9999), "1"),
+        Finding::exact("k d h² of the stiffest contact", &(&stiffness * &h * &h), &ratio(2500, 9999), "1"),
+        Finding::exact("R/Â of the stiffest contact", &((ratio(1, 1) - &d) / &d), &ratio(1, 9999), "1"),
+    ])
+}
+
+fn impedance_ratio(reading: Reading) -> Result<Vec<Finding>> {
+    let contact = |impedance_ratio: f64| ContactParameters { impedance_ratio, ..ContactParameters::default() };
+    let creep = |impratio: f64| contact(impratio).creep_speed(0.001, 1.0, 9.2, 3.4);
+    let depth = |impratio: f64| contact(impratio).rest_depth(0.001, 1.0, 9.2);
+    let larger = reading.pick(10.0, 0.1);
+    Ok(vec![
+        Finding::equal("creep at impratio 1 over that at 10", creep(1.0)? / creep(larger)?, 10.0, 10.0 * AT_REST, "1"),
+        Finding::equal("depth at impratio 1 over that at 10", depth(1.0)? / depth(10.0)?, 1.0, AT_REST, "1"),
+    ])
+}
