@@ -1,3 +1,5 @@
+//! Tests of the baselines: both sides of the noise, bounds, lost checks, known issues and their day, other versions and engines.
+
 use super::*;
 use crate::gate::description::{Friction, Precision};
 use crate::gate::{ContactModel, Description, Expectation, Kind, StepOutcome};

@@ -1,3 +1,5 @@
+//! Tests of the runner: order, jobs, an engine without description, repeats and their spread.
+
 use super::*;
 use crate::gate::check::Control;
 use crate::gate::description::{Friction, Precision};
