@@ -122,7 +122,7 @@ pub mod trajectory {
 pub mod checks {
     /// Family 3, projection on the friction cone.
     pub mod cone_projection {
-        use super::super::{EPSILON, rounding};
+        use super::super::rounding;
 
         /// Stopping tolerance given to Clarabel, for gap and feasibility, relative to the data.
         pub const CLARABEL_STOPPING: f64 = 1.0 / (1u64 << 40) as f64;
@@ -139,19 +139,19 @@ pub mod checks {
             2.0 * (left + right) * position(left + right) + rounding(4, left * right)
         }
 
-        /// Distance of Clarabel's minimiser x̂ of ½‖x − z‖² from the minimiser x*, when gap and both residuals are at
-        /// most the stopping tolerance ε relative to the data.
+        /// The largest radius of a certificate from Clarabel that still judges a projection of a point of size `size`.
         ///
-        /// With slack ŝ, multiplier ŷ, dual residual ρ_d and primal residual ρ_p, strong convexity at x̂ and at x* gives
-        /// ```text
-        ///     δ² ≤ ‖ρ_d‖ δ + ŷ·ŝ + (‖ŷ‖ + ‖y*‖)‖ρ_p‖ ,     ŷ·ŝ ≤ gap + ‖x̂‖‖ρ_d‖ + ‖ŷ‖‖ρ_p‖ ,     δ = ‖x̂ − x*‖ .
-        /// ```
-        /// All points are at most S = max(1, ‖z‖), the constraint rows (μ, 1) make ‖ŷ‖ ≤ 2S·max(1, 1/μ) and Clarabel
-        /// scales its residuals by at most (2 + μ)S; the seven terms add up to at most 16 (1 + μ)(1 + 1/μ) ε S².
-        /// Without friction the rows are unit vectors, and the factor is that of μ = 1.
-        pub fn clarabel(size: f64, mu: f64) -> f64 {
-            let rows = if mu > 0.0 { (1.0 + mu) * (1.0 + 1.0 / mu) } else { 4.0 };
-            (16.0 * rows * CLARABEL_STOPPING).sqrt() * size.max(1.0) + EPSILON
+        /// What it documents for `AlmostSolved`: gap g at most 5e-5 and residuals ρ at most 1e-4, relative to S = max(1, ‖z‖);
+        /// the radius is then at most √(ρ² + 2(g + 2ρ))·S = 0.0224 S, here 1/32. (`Solved` gives 1e-6.)
+        pub fn clarabel_radius(size: f64) -> f64 {
+            size.max(1.0) / 32.0
+        }
+
+        /// What rounding adds to a radius √(‖x − z − p‖² + 2 x·p): both members are in their cones up to [`position`], so x·p is
+        /// known up to [`product`], and the mismatch up to [`position`]; all sizes are at most ‖z‖ + ‖x‖.
+        pub fn clarabel_rounding(size: f64, point: f64) -> f64 {
+            let size = size + point;
+            (2.0 * product(size, size)).sqrt() + 2.0 * position(size)
         }
     }
 
