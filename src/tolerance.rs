@@ -95,6 +95,14 @@ pub mod closed_forms {
     /// squares) with fewer than 16 operations: 2·16·128 ε. A difference quotient over δ divides it by δ.
     pub const SLOPE_ROUNDING: f64 = 2.0 * 16.0 * 128.0 * super::EPSILON;
 
+    /// Step of a central difference of a velocity \[s\], 2⁻¹⁷ ≈ ε^⅓, where truncation and rounding balance.
+    pub const DIFFERENCE: f64 = 1.0 / 131_072.0;
+
+    /// Error of that difference: δ²/6 times a bound of the third derivative, and the rounding of 16 operations at the size of the velocity over δ.
+    pub fn difference_error(velocity: f64, third_derivative: f64) -> f64 {
+        DIFFERENCE * DIFFERENCE / 6.0 * third_derivative + 2.0 * 16.0 * super::EPSILON * velocity / DIFFERENCE
+    }
+
     /// Half a unit in the seventh printed digit, relative: numbers quoted with seven digits.
     pub const PRINTED_DIGITS: f64 = 5e-7;
 }

@@ -1,10 +1,14 @@
 //! Exact solutions of mechanical problems; nothing here imports what it verifies.
 
+pub mod belt_oscillator;
 pub mod bouncing_ball;
+pub mod compliant_impact;
 pub mod double_pendulum_impact;
 pub mod drake_normal;
 pub mod drake_sap;
+pub mod dry_friction_oscillator;
 pub mod elastic_ball;
+pub mod elastic_bar;
 pub mod free_top;
 pub mod huber;
 pub mod incline_block;
@@ -17,16 +21,24 @@ pub mod regularised_friction;
 pub mod rocking_block;
 pub mod rough_impact;
 pub mod sliding_contact;
+pub mod sliding_to_rolling;
 pub mod soft_impedance;
 pub mod soft_planar_contact;
 pub mod soft_reference;
 pub mod soft_rigid_contact;
 pub mod soft_row;
 pub mod spring_damper;
+pub mod stop_oscillator;
 pub mod two_body_impact;
 
+pub use belt_oscillator::BeltOscillator;
 pub use bouncing_ball::BouncingBall;
+pub use compliant_impact::CompliantImpact;
+pub use dry_friction_oscillator::DryFrictionOscillator;
 pub use elastic_ball::ElasticBall;
+pub use elastic_bar::ElasticBar;
 pub use incline_block::InclineBlock;
 pub use painleve_impact::SlidingEdge;
 pub use rocking_block::RockingBlock;
+pub use sliding_to_rolling::SlidingToRolling;
+pub use stop_oscillator::StopOscillator;

@@ -3,9 +3,9 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::CompliantImpact;
 use crate::scalar::{Rational, ratio};
 use crate::tolerance::claims::{SOFT_STEP, soft_restitution};
-use std::f64::consts::PI;
 
 /// Claims on soft contact.
 pub const CLAIMS: &[Claim] = &[
@@ -98,15 +98,6 @@ fn impact(stiffness: f64, damping: f64, end: End) -> (f64, f64) {
     (step(state, after)[1], depth)
 }
 
-/// e of the damping ratio ζ.
-fn restitution(zeta: f64, end: End) -> f64 {
-    let root = (1.0 - zeta * zeta).sqrt();
-    match end {
-        End::Gap => (-PI * zeta / root).exp(),
-        End::Force => (-(zeta / root) * (2.0 * zeta * root).atan2(2.0 * zeta * zeta - 1.0)).exp(),
-    }
-}
-
 fn stiff_limit(reading: Reading) -> Result<Vec<Finding>> {
     let soft = 1e4f64;
     let mut findings = Vec::new();
@@ -114,11 +105,16 @@ fn stiff_limit(reading: Reading) -> Result<Vec<Finding>> {
         for (zeta, end) in [(0.2, End::Gap), (0.2, End::Force), (0.5, End::Gap), (0.5, End::Force), (0.0, End::Gap)] {
             let damping = 2.0 * zeta * reading.pick(stiffness, soft).sqrt();
             let (speed, depth) = impact(stiffness, damping, end);
+            let exact = CompliantImpact::new(1.0, 1.0, 2.0 * zeta)?;
+            let expected = match end {
+                End::Gap => exact.restitution_with_adhesion(),
+                End::Force => exact.restitution_cut(),
+            };
             let name = format!(
                 "ζ = {zeta}, contact until the {} ends, k = {stiffness:e}",
                 if matches!(end, End::Gap) { "penetration" } else { "push" }
             );
-            findings.push(Finding::equal(format!("restitution, {name}"), speed, restitution(zeta, end), soft_restitution(), "1"));
+            findings.push(Finding::equal(format!("restitution, {name}"), speed, expected, soft_restitution(), "1"));
             findings.push(Finding::at_most(format!("depth × √k, {name}"), depth * stiffness.sqrt(), 1.0 + soft_restitution(), "m/s"));
         }
     }
