@@ -89,6 +89,7 @@ pub mod scalar;
 pub mod scenes;
 pub mod schemes;
 pub mod solvers;
+pub mod stabilisation;
 pub mod tolerance;
 pub mod trajectory;
 

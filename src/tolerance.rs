@@ -80,6 +80,7 @@ pub mod schemes {
 pub mod gate;
 pub mod impact_laws;
 pub mod references;
+pub mod stabilisation;
 pub mod zeno;
 
 /// Leading errors of [`crate::checks::convergence`].
@@ -190,6 +191,7 @@ pub mod claims {
     pub mod integrators;
     pub mod pathology;
     pub mod soft;
+    pub mod stabilisation;
 
     /// Step of the Runge–Kutta integration of a soft impact in `S2.soft-limit`, in units of √(m/k).
     pub const SOFT_STEP: f64 = 1.0 / 256.0;

@@ -1,5 +1,6 @@
 //! Exact solutions of mechanical problems; nothing here imports what it verifies.
 
+pub mod baumgarte_decay;
 pub mod belt_oscillator;
 pub mod bouncing_ball;
 pub mod compliant_impact;
@@ -28,6 +29,7 @@ pub mod soft_reference;
 pub mod soft_rigid_contact;
 pub mod soft_row;
 pub mod spring_damper;
+pub mod stabilised_circle;
 pub mod stop_oscillator;
 pub mod two_body_impact;
 

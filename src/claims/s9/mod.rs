@@ -2,6 +2,7 @@
 
 use super::Claim;
 
+mod constraint_drift;
 mod drift;
 pub(super) mod energy;
 mod exercises;
@@ -9,4 +10,5 @@ pub(super) mod jitter;
 mod stabilisation;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[drift::CLAIMS, stabilisation::CLAIMS, energy::CLAIMS, jitter::CLAIMS, exercises::CLAIMS];
+pub const CLAIMS: &[&[Claim]] =
+    &[drift::CLAIMS, stabilisation::CLAIMS, constraint_drift::CLAIMS, energy::CLAIMS, jitter::CLAIMS, exercises::CLAIMS];

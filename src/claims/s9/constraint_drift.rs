@@ -1,0 +1,233 @@
+//! Joints and what keeps them together: Baumgarte's oscillator, Gear–Gupta–Leimkuhler, projection – on a pendulum, in closed form.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::baumgarte_decay::time_constant;
+use crate::closed_forms::stabilised_circle::{biased_energy, biased_offset, projected_energy};
+use crate::integrators::{Method, Phase, RungeKutta, SpringDamper};
+use crate::mechanics::State;
+use crate::scalar::{Rational, exact, ratio};
+use crate::stabilisation::{
+    Baumgarte, Constrained, CoordinateProjection, GearGuptaLeimkuhler, Pendulum, PositionProjection, Stabilisation, VelocityLevel,
+    ViolationStep, run,
+};
+use crate::tolerance::claims::pathology::FOUR_DIGITS;
+use crate::tolerance::claims::stabilisation::{DECAY_STEP, decayed};
+use crate::tolerance::stabilisation::{circle_run, on_constraint};
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S9.baumgarte-eq",
+        statement: "Baumgarte stabilisation φ̈ + 2αφ̇ + β²φ = 0 forces the violation φ to decay to zero as a damped oscillation.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "φ decays if α > 0 and β > 0, with oscillation only if α < β. The semi-implicit step of it decays if and only if, besides, 4αh + β²h² < 4: above that the violation grows.",
+        argument: "Roots −α ± √(α² − β²). From φ̇ = 0 and β = 5/s, φ crosses zero nine times in 10 s for α = 4/s and never for α = 6/s. The step has determinant 1 − 2αh and trace 2 − 2αh − β²h²: for 2αh = 1, β²h² = 2 − 10⁻⁶ decays and 2 does not.",
+        control: "α = 6/s in place of 4/s.",
+        sources: &["chapter §9, constraint drift, (1)", "Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1"],
+        check: equation,
+    },
+    Claim {
+        id: "S9.baumgarte-tuning",
+        statement: "Critical damping α = β is hard to hit exactly in practice, and that is why Baumgarte is hard to tune.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "Both numbers are chosen, and φ obeys the equation whatever the masses are, so α = β can be hit exactly. But it is not critical for the step: α = β(1 − βh/2) is, and 2αh = βh = 1 ends any violation in two steps. Near α = β the rate is sensitive on one side only: overdamping by 5 % costs 27 % of it, underdamping by 5 % costs 5 %.",
+        argument: "Slow rate over β for α/β = 0.95, 1, 1.01, 1.05, 1.1: 0.95, 1, 0.8682, 0.7298, 0.6417. At βh = 1/5 the step with α = β has trace² − 4 det = 21/625 > 0, overdamped, and with 2αh = 9/25 exactly 0.",
+        control: "α = β as the critical damping of the step.",
+        sources: &["chapter §9, constraint drift, (1), and exercise 2"],
+        check: tuning,
+    },
+    Claim {
+        id: "S9.erp-sim2real",
+        statement: "Bullet's ERP of 0.2 artificially flattens the oscillations of a robot's joints, which causes a gap between simulation and reality.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::NotDecidable,
+        correct_statement: "How large a gap to a real robot is cannot be decided here. The bias acts on the violation of a joint, which it lets decay by 4/5 a step without oscillation; the motion that the joint allows is not flattened: on a circle it keeps the angular momentum exactly, and settles with more energy than projection leaves.",
+        argument: "Point on a circle, hv/R = 1/100, 10⁴ steps (16 turns): bias −0.2 φ/h keeps E/E₀ = 0.9995 and stays h²v²/(2·0.2 R) outside; coordinate projection keeps 1/(1 + n h²v²/R²) = 1/2.",
+        control: "Projection in place of the bias.",
+        sources: &["chapter §9, constraint drift, (1)", "S9.bullet-erp for the value and its decay"],
+        check: joint_oscillation,
+    },
+    Claim {
+        id: "S9.ggl",
+        statement: "GGL stabilisation imposes position and velocity constraint at the same time; no damping to tune, but a larger system.",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "As stated: two multipliers per constraint in place of one. It is not free of numerical damping: with the implicit Euler rule a point on a circle keeps 1/(1 + n h²v²/R²) of its energy, exactly what coordinate projection leaves.",
+        argument: "Circle, hv/R = 1/100: after 1000 steps φ and Gv are at rounding and E/E₀ = 1/1.1. The bias has φ = 2.5e-4 R instead, and no stabilisation 4.7 %.",
+        control: "The bias with ERP = 0.2.",
+        sources: &["chapter §9, constraint drift, (2) and table", "Gear, Leimkuhler and Gupta, J. Comput. Appl. Math. 12–13 (1985) 77"],
+        check: index_two,
+    },
+    Claim {
+        id: "S9.poststab-def",
+        statement: "Post-stabilisation projects only the position after each step, coordinate projection position and velocity together.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::Cited,
+        correct_statement: "Usage differs: Ascher and Petzold's post-stabilisation corrects position and velocity as well. And for a step that imposes G v⁺ = 0 at its start the two make the same motion: the positions agree, and the velocities differ by the projection which the next step makes anyway.",
+        argument: "Pendulum of 1 m from 1.5 rad, h = 1/100 s, 1000 steps: positions agree to rounding, velocities differ by up to 0.1 m/s. Reason: v⁺ = P v + h P M⁻¹F and P P v = P v, for forces that depend on q.",
+        control: "The velocities in place of the positions.",
+        sources: &[
+            "chapter §9, constraint drift, (3)",
+            "Ascher, Chin and Reich, Numer. Math. 67 (1994) 131; Eich, SIAM J. Numer. Anal. 30 (1993) 1467 (abstracts only)",
+        ],
+        check: two_projections,
+    },
+    Claim {
+        id: "S9.ex2",
+        statement: "Exercise 2: find the time constant of φ̈ + 2αφ̇ + β²φ = 0; how does the violation evolve for α < β and for α > β?",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "α ≤ β: τ = 1/α, for α < β oscillating at √(β² − α²). α > β: two decays without oscillation, the slower with τ = 1/(α − √(α² − β²)) ≈ 2α/β²: beyond critical, more damping is slower.",
+        argument: "β = 5/s, α = 1, 5, 10, 50/s: τ = 1, 0.2, 0.74641, 3.98997 s. Integrated from a start on the slow solution, each decays by e⁻¹ in τ.",
+        control: "τ = 1/α for α > β.",
+        sources: &["chapter §9, exercise 2"],
+        check: exercise,
+    },
+];
+
+/// φ at t = 0, h, 2h, … up to the duration, from (φ, φ̇).
+fn integrated([damping, frequency]: [f64; 2], start: [f64; 2], duration: f64) -> Vec<f64> {
+    let oscillator = SpringDamper { stiffness_per_mass: exact(frequency * frequency), damping_per_mass: exact(2.0 * damping) };
+    let steps = (duration / DECAY_STEP).ceil() as usize;
+    let h = duration / steps as f64;
+    let mut now = Phase::of_one(start[0], start[1]);
+    let mut violations = vec![start[0]];
+    for _ in 0..steps {
+        now = RungeKutta.step(&oscillator, &now, &h);
+        violations.push(now.position[0]);
+    }
+    violations
+}
+
+fn sign_changes(values: &[f64]) -> usize {
+    values.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count()
+}
+
+fn equation(reading: Reading) -> Result<Vec<Finding>> {
+    let step = |stiffness: Rational| ViolationStep { damping: ratio(1, 1), stiffness };
+    let swinging = integrated([reading.pick(4.0, 6.0), 5.0], [1.0, 0.0], 10.0);
+    let overdamped = integrated([6.0, 5.0], [1.0, 0.0], 10.0);
+    // the envelope of α = 4, √(1 + (4/3)²) e⁻⁴⁰, and the slow root of α = 6, −2.68
+    let end = |run: &[f64]| run.last().copied().unwrap_or(f64::NAN).abs();
+    Ok(vec![
+        Finding::count("zeros of φ in 10 s, α = 4/s, β = 5/s", sign_changes(&swinging), 9),
+        Finding::count("zeros of φ in 10 s, α = 6/s", sign_changes(&overdamped), 0),
+        Finding::at_most("|φ| after 10 s, α = 4/s", end(&integrated([4.0, 5.0], [1.0, 0.0], 10.0)), 2.0 * (-40.0f64).exp(), "m"),
+        Finding::at_most("|φ| after 10 s, α = 6/s", end(&overdamped), 2.0 * (-26.0f64).exp(), "m"),
+        Finding::decision("the step with 2αh = 1, β²h² = 2 − 10⁻⁶ decays", step(ratio(1_999_999, 1_000_000)).decays(), true),
+        Finding::decision("the step with 2αh = 1, β²h² = 2 decays", step(ratio(2, 1)).decays(), false),
+        Finding::decision("the step with α = 0 decays", ViolationStep { damping: ratio(0, 1), stiffness: ratio(1, 1) }.decays(), false),
+        Finding::decision("the step with β = 0 decays", step(ratio(0, 1)).decays(), false),
+    ])
+}
+
+/// trace² − 4 det of the step at βh = 1/5: negative oscillates, 0 is critical, positive is overdamped.
+fn discriminant(damping: Rational) -> Rational {
+    let [determinant, trace] = ViolationStep { damping, stiffness: ratio(1, 25) }.invariants();
+    &trace * &trace - ratio(4, 1) * determinant
+}
+
+fn tuning(reading: Reading) -> Result<Vec<Finding>> {
+    let equal = ratio(2, 5);
+    let mut findings = vec![Finding::exact(
+        "trace² − 4 det, 2αh = 2βh − β²h²",
+        &discriminant(reading.pick(ratio(9, 25), equal.clone())),
+        &ratio(0, 1),
+        "1",
+    )];
+    findings.push(Finding::exact("trace² − 4 det, α = β", &discriminant(equal), &ratio(21, 625), "1"));
+    for (share, rate) in [(0.95, 0.95), (1.0, 1.0), (1.01, 0.8682), (1.05, 0.7298), (1.1, 0.6417)] {
+        findings.push(Finding::equal(format!("slow rate over β, α = {share} β"), 1.0 / time_constant(share, 1.0), rate, FOUR_DIGITS, "1"));
+    }
+    let ends = ViolationStep { damping: ratio(1, 1), stiffness: ratio(1, 1) };
+    let [left, _] = ends.advance(&ends.advance(&[ratio(1, 1), ratio(1, 3)]));
+    findings.push(Finding::exact("φ after two steps with 2αh = βh = 1", &left, &ratio(0, 1), "m"));
+    Ok(findings)
+}
+
+const STEP: f64 = 0.01;
+
+/// A point on the unit circle at 1 m/s without load, after n steps of 1/100 s; and the share of its energy that is left.
+fn circled(method: &dyn Stabilisation, steps: usize) -> Result<(State, f64)> {
+    let circle = Pendulum::new(1.0, 1.0, 0.0)?;
+    let start = circle.at(0.0, 1.0);
+    let end = run(method, &circle, &start, STEP, steps)?;
+    let left = circle.energy(&end) / circle.energy(&start);
+    Ok((end, left))
+}
+
+fn joint_oscillation(reading: Reading) -> Result<Vec<Finding>> {
+    let (steps, share) = (10_000, 0.2);
+    let bias = Baumgarte::error_reduction(share, STEP)?;
+    let (end, kept) = circled(&bias, steps)?;
+    let (_, projected) = circled(&CoordinateProjection, steps)?;
+    let momentum = |state: &State| state.position[0] * state.velocity[1] - state.position[1] * state.velocity[0];
+    let decay = ViolationStep { damping: ratio(1, 1), stiffness: ratio(1, 5) };
+    let five = (0..5).fold([ratio(1, 1), ratio(0, 1)], |now, _| decay.advance(&now));
+    let bound = circle_run(steps);
+    Ok(vec![
+        Finding::equal("E/E₀ after 16 turns, ERP = 0.2", reading.pick(kept, projected), biased_energy(STEP, share), bound, "1"),
+        Finding::equal("its angular momentum", momentum(&end), 1.0, bound, "m²/s"),
+        Finding::equal("its violation", end.position.norm() - 1.0, biased_offset(STEP, share), bound, "m"),
+        Finding::equal("E/E₀ after 16 turns, coordinate projection", projected, projected_energy(STEP, steps), bound, "1"),
+        Finding::exact("violation left after five steps on a linear constraint", &five[0], &ratio(1024, 3125), "m"),
+    ])
+}
+
+fn index_two(reading: Reading) -> Result<Vec<Finding>> {
+    let (steps, share) = (1000, 0.2);
+    let bias = Baumgarte::error_reduction(share, STEP)?;
+    let (subject, left) = match reading {
+        Reading::Recorded => circled(&GearGuptaLeimkuhler, steps)?,
+        Reading::Control => circled(&bias, steps)?,
+    };
+    let circle = Pendulum::new(1.0, 1.0, 0.0)?;
+    let rate = (circle.jacobian(&subject.position) * &subject.velocity)[0];
+    let bound = circle_run(steps);
+    let radius = (0..steps).fold(1.0, |squared: f64, _| squared + STEP * STEP / squared).sqrt();
+    Ok(vec![
+        Finding::at_most("|φ| after 1000 steps", circle.violation(&subject.position)[0].abs(), on_constraint(1.0), "m"),
+        Finding::at_most("|Gv|", rate.abs(), on_constraint(1.0), "m/s"),
+        Finding::equal("E/E₀", left, projected_energy(STEP, steps), bound, "1"),
+        Finding::equal("φ of the bias", circled(&bias, steps)?.0.position.norm() - 1.0, biased_offset(STEP, share), bound, "m"),
+        Finding::equal("|q|/R of no stabilisation", circled(&VelocityLevel, steps)?.0.position.norm(), radius, bound, "1"),
+    ])
+}
+
+fn two_projections(reading: Reading) -> Result<Vec<Finding>> {
+    let pendulum = Pendulum::new(1.0, 1.0, 9.81)?;
+    let mut pair = [pendulum.at(1.5, 0.0), pendulum.at(1.5, 0.0)];
+    let mut apart = [0.0f64; 2];
+    for _ in 0..1000 {
+        pair = [PositionProjection.step(&pendulum, &pair[0], STEP)?, CoordinateProjection.step(&pendulum, &pair[1], STEP)?];
+        apart[0] = apart[0].max((&pair[0].position - &pair[1].position).amax());
+        apart[1] = apart[1].max((&pair[0].velocity - &pair[1].velocity).amax());
+    }
+    // the projection takes v sin Δ with tan Δ = hv/ℓ: at most h v²/ℓ, and v² ≤ 2 g ℓ
+    let [positions, velocities] = apart;
+    Ok(vec![
+        Finding::at_most("largest distance of the positions", reading.pick(positions, velocities), circle_run(1000), "m"),
+        Finding::at_most("largest difference of the velocities shown", velocities, STEP * 2.0 * 9.81, "m/s"),
+        Finding::at_least("and that is not rounding", velocities, STEP * 9.81, "m/s"),
+    ])
+}
+
+fn exercise(reading: Reading) -> Result<Vec<Finding>> {
+    let frequency = 5.0;
+    let mut findings = Vec::new();
+    for (damping, printed) in [(10.0, 0.746_41), (50.0, 3.989_97), (5.0, 0.2)] {
+        let tau = reading.pick(time_constant(damping, frequency), 1.0 / damping);
+        let run = integrated([damping, frequency], [1.0, -1.0 / tau], tau);
+        let left = run.last().copied().unwrap_or(f64::NAN);
+        findings.push(Finding::equal(format!("φ(τ)/φ(0), α = {damping}/s"), left, (-1.0f64).exp(), decayed(damping, frequency, tau), "1"));
+        findings.push(Finding::equal(format!("τ, α = {damping}/s"), tau, printed, FOUR_DIGITS * printed, "s"));
+    }
+    let half = std::f64::consts::PI / 24.0f64.sqrt();
+    let swing = integrated([1.0, frequency], [1.0, 0.0], half);
+    let left = swing.last().copied().unwrap_or(f64::NAN);
+    findings.push(Finding::equal("φ after half a swing, α = 1/s", left, -(-half).exp(), decayed(1.0, frequency, half), "1"));
+    Ok(findings)
+}
