@@ -90,6 +90,7 @@ pub mod scenes;
 pub mod schemes;
 pub mod solvers;
 pub mod stabilisation;
+pub mod systems;
 pub mod tolerance;
 pub mod trajectory;
 

@@ -86,6 +86,32 @@ pub mod zeno;
 /// Leading errors of [`crate::checks::convergence`].
 pub mod convergence;
 
+/// Tolerances of [`crate::systems`].
+pub mod systems {
+    use super::rounding;
+
+    /// Rounding of one step of a spring with hω ≤ ⅛, relative to ‖(q, v)‖: fewer than 64 operations on numbers of at most twice that size.
+    pub fn spring_step() -> f64 {
+        rounding(64, 2.0)
+    }
+
+    /// Relative rounding of the spring's energy, or of another quadratic form of (q, v), after n steps.
+    ///
+    /// The step matrix keeps the form up to a factor, so that an error of one step grows with the motion: n of them are at most n times
+    /// [`spring_step`] of the motion's size, measured in the form, whose extreme values on ‖(q, v)‖ = 1 are within (1+s/2)/(1−s/2) < 4/3
+    /// of each other. Squared, with the form's evaluation and the factor's n-th power: less than four times that.
+    pub fn spring_energy(steps: usize) -> f64 {
+        4.0 * steps as f64 * spring_step()
+    }
+
+    /// Differences below this are shown as a bound, the power of ten above them: their digits come from rounding and stopping tests and
+    /// may be others on another processor.
+    pub const DIGITS_SHOWN: f64 = 1e-6;
+
+    /// The smallest such bound, half the spacing of the numbers at 1 and whatever is below it.
+    pub const SMALLEST_SHOWN: f64 = 1e-16;
+}
+
 /// Tolerances of [`crate::closed_forms`].
 pub mod closed_forms {
     /// Relative rounding of the bouncing ball's formulas: fewer than 32 operations, each with relative error at most ε

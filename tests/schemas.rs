@@ -1,6 +1,6 @@
 //! The stored schemas are those of the types; made again by `moreau schema --write schemas`.
 
-use moreau::gate::schemas::FORMATS;
+use moreau::report::schemas::FORMATS;
 use std::collections::BTreeSet;
 use std::path::Path;
 

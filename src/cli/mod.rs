@@ -12,8 +12,10 @@ mod output;
 mod protocol_check;
 mod schema;
 mod scoreboard;
+mod section;
 mod simulate;
 mod solve;
+mod systems;
 mod verify;
 
 use crate::{Error, Result};
@@ -38,6 +40,7 @@ Examples:
   moreau solve problem.json --out answer.json
   moreau certify problem.json answer.json    residuals with units: is it a solution?
   moreau simulate --scene bouncing-ball --step 0.01 --plot ball.svg
+  moreau systems                             every simulator on four axes, with measured agreement
   moreau gate --quick -- python3 my_engine.py   any simulator through the checks
   moreau protocol-check -- python3 my_engine.py   what is wrong with an adapter
 
@@ -59,6 +62,7 @@ enum Command {
     ProtocolCheck(protocol_check::Arguments),
     Schema(schema::Arguments),
     Scoreboard(scoreboard::Arguments),
+    Systems(systems::Arguments),
 }
 
 /// How to write the result.
@@ -109,6 +113,7 @@ pub fn run() -> ExitCode {
         Command::ProtocolCheck(arguments) => protocol_check::run(&arguments),
         Command::Schema(arguments) => schema::run(&arguments),
         Command::Scoreboard(arguments) => scoreboard::run(&arguments),
+        Command::Systems(arguments) => systems::run(&arguments),
     };
     exit_code(answer)
 }

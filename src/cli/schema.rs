@@ -4,8 +4,8 @@ use super::near::suggestion;
 use super::output::print;
 use super::{Answer, Format};
 use crate::files::write_together;
-use crate::gate::schemas::FORMATS;
 use crate::report::json::pretty;
+use crate::report::schemas::FORMATS;
 use crate::{Error, Result};
 use std::path::{Path, PathBuf};
 
@@ -48,7 +48,7 @@ fn list(format: Format) -> Result<Answer> {
     print(&match format {
         Format::Text => FORMATS.iter().map(|format| format!("{:16} {}\n", format.name, format.about)).collect(),
         Format::Json => {
-            let entry = |format: &crate::gate::schemas::Format| serde_json::json!({"name": format.name, "about": format.about});
+            let entry = |format: &crate::report::schemas::Format| serde_json::json!({"name": format.name, "about": format.about});
             pretty(&FORMATS.iter().map(entry).collect::<Vec<_>>())?
         }
     })?;

@@ -1,7 +1,7 @@
 //! `moreau scoreboard`: every installed engine through the same checks, stored and rendered.
 
 use super::output::{print, print_aside};
-use super::{Answer, Format};
+use super::{Answer, Format, section};
 use crate::files::write_together;
 use crate::gate::cause::{self, Cause};
 use crate::gate::check;
@@ -13,6 +13,9 @@ use crate::report::json::pretty;
 use crate::{Error, Result};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
+
+/// The section of a README that is replaced.
+const MARKERS: [&str; 2] = [scoreboard::BEGIN, scoreboard::END];
 
 /// Run every engine that is installed here through the checks, and render the table engine × check.
 ///
@@ -61,7 +64,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         return Err(Error::invalid("--only", "leaves no engine", format!("the list has {}", names.join(", "))));
     }
     if let Some(file) = &arguments.readme {
-        replaced(file, "")?; // a file without the markers is refused before the engines run
+        section::replaced(file, MARKERS, "")?; // a file without the markers is refused before the engines run
     }
     std::fs::create_dir_all(&arguments.folder).map_err(|source| Error::Write { file: arguments.folder.clone(), source })?;
     let causes = cause::read(&arguments.folder.join("causes"))?;
@@ -106,18 +109,18 @@ fn judge(arguments: &Arguments, entry: &crate::gate::scoreboard::Entry) -> Stand
 }
 
 fn show(arguments: &Arguments, standings: &[Standing], causes: &[Cause]) -> Result<()> {
-    let section = scoreboard::section(standings, causes);
+    let text = scoreboard::section(standings, causes);
     let mut files: Vec<(&Path, String)> = Vec::new();
     if let Some(file) = &arguments.html {
         files.push((file, scoreboard::html(standings, causes)?));
     }
     if let Some(file) = &arguments.readme {
-        files.push((file, replaced(file, &section)?));
+        files.push((file, section::replaced(file, MARKERS, &text)?));
     }
     let files: Vec<(&Path, &[u8])> = files.iter().map(|(file, text)| (*file, text.as_bytes())).collect();
     write_together(&files)?;
     print(&match arguments.format {
-        Format::Text => section,
+        Format::Text => text,
         Format::Json => pretty(&Scoreboard { engines: standings, causes })?,
     })
 }
@@ -127,19 +130,4 @@ fn show(arguments: &Arguments, standings: &[Standing], causes: &[Cause]) -> Resu
 struct Scoreboard<'a> {
     engines: &'a [Standing],
     causes: &'a [Cause],
-}
-
-/// The text of a file with its scoreboard section replaced.
-fn replaced(file: &Path, section: &str) -> Result<String> {
-    let text = std::fs::read_to_string(file).map_err(|source| Error::Read { file: file.to_path_buf(), source })?;
-    let missing = || {
-        Error::invalid(
-            "--readme",
-            "has no scoreboard section",
-            "put `<!-- scoreboard -->` and `<!-- /scoreboard -->` where the table belongs",
-        )
-    };
-    let (before, rest) = text.split_once(scoreboard::BEGIN).ok_or_else(|| missing().in_file(file))?;
-    let (_, after) = rest.split_once(scoreboard::END).ok_or_else(|| missing().in_file(file))?;
-    Ok(format!("{before}{}\n{section}{}{after}", scoreboard::BEGIN, scoreboard::END))
 }

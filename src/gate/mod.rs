@@ -27,7 +27,6 @@ pub mod own;
 pub mod planted;
 pub mod process;
 pub mod runner;
-pub mod schemas;
 pub mod scoreboard;
 pub mod serve;
 pub mod trend;

@@ -5,4 +5,6 @@ pub mod gate;
 pub mod json;
 pub mod motion;
 pub mod plot;
+pub mod schemas;
+pub mod systems;
 pub mod text;

@@ -50,6 +50,15 @@ impl Activation {
         }
     }
 
+    /// λ of the common form φ + λ h u ≤ 0.
+    pub fn forecast(self) -> f64 {
+        match self {
+            Activation::Gap => 0.0,
+            Activation::HalfStepForecast => 0.5,
+            Activation::FreeVelocityForecast => 1.0,
+        }
+    }
+
     fn is_active(self, gap: f64, velocity: f64, free_velocity: f64, h: f64) -> bool {
         match self {
             Activation::Gap => gap <= 0.0,

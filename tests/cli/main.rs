@@ -6,6 +6,7 @@ mod schema;
 mod scoreboard;
 mod simulate;
 mod solve;
+mod systems;
 mod verify;
 
 use serde_json::Value;

@@ -4,7 +4,7 @@ use super::errors::{GRAVITY, HEIGHT, study};
 use crate::Result;
 use crate::checks::Finding;
 use crate::closed_forms::BouncingBall;
-use crate::schemes::{Activation, MoreauJean, Scheme};
+use crate::schemes::{MoreauJean, Scheme};
 use crate::tolerance::convergence::{Bounds, Impacts};
 use crate::trajectory::OrderEstimate;
 
@@ -36,11 +36,7 @@ pub fn bouncing_ball(subject: &dyn Scheme, expected: &MoreauJean, restitution: f
         Horizon::Zeno => (1.1 * (1.0 + restitution) / (1.0 - restitution), None),
         Horizon::Elastic => (8.0, Some(4)),
     };
-    let forecast = match expected.activation {
-        Activation::Gap => 0.0,
-        Activation::HalfStepForecast => 0.5,
-        Activation::FreeVelocityForecast => 1.0,
-    };
+    let forecast = expected.activation.forecast();
     let leading = Impacts { theta: expected.theta, forecast, restitution, shifts: SHIFTS, impacts, horizon: length };
     let found = study(subject, restitution, length, &INTERVALS, SHIFTS)?;
     let fall = BouncingBall::new(GRAVITY, HEIGHT, restitution)?.first_impact_time();

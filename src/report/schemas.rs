@@ -2,12 +2,13 @@
 //!
 //! A schema says which fields there are and of what kind; sizes that must agree, unit lengths and the like are checked by the readers.
 
-use super::baseline::Baseline;
-use super::conformance::Conformance;
-use super::process::messages::{Points, ReplyForm, Request};
-use super::{Description, Report};
+use crate::gate::baseline::Baseline;
+use crate::gate::conformance::Conformance;
+use crate::gate::process::messages::{Points, ReplyForm, Request};
+use crate::gate::{Description, Report};
 use crate::problem::{ProblemFile, SolutionFile};
 use crate::scenes::Scene;
+use crate::systems;
 use crate::trajectory::Trajectory;
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
@@ -22,7 +23,7 @@ pub struct Format {
 }
 
 /// Every message and file format.
-pub const FORMATS: [Format; 11] = [
+pub const FORMATS: [Format; 12] = [
     Format { name: "request", about: "a line from the gate to an engine", generate: written::<Request> },
     Format { name: "reply", about: "the line that answers it", generate: read::<ReplyForm> },
     Format { name: "description", about: "the result of `describe`", generate: read::<Description> },
@@ -34,6 +35,7 @@ pub const FORMATS: [Format; 11] = [
     Format { name: "gate-report", about: "gate-report/1, what `moreau gate` writes", generate: written::<Report> },
     Format { name: "gate-baseline", about: "gate-baseline/1, in TOML", generate: read::<Baseline> },
     Format { name: "protocol-check", about: "what `moreau protocol-check` writes", generate: written::<Conformance> },
+    Format { name: "systems", about: "what `moreau systems` writes", generate: written::<systems::Report> },
 ];
 
 impl Format {

@@ -1,0 +1,20 @@
+//! A section of a Markdown file that a command writes, between two markers.
+
+use crate::{Error, Result};
+use std::path::Path;
+
+/// The text of a file with what stands between two markers replaced.
+///
+/// # Errors
+/// If the file cannot be read or lacks a marker; the message names both.
+pub fn replaced(file: &Path, [begin, end]: [&str; 2], section: &str) -> Result<String> {
+    let text = std::fs::read_to_string(file).map_err(|source| Error::Read { file: file.to_path_buf(), source })?;
+    let name = begin.trim_start_matches("<!-- ").trim_end_matches(" -->");
+    let missing = || {
+        let cure = format!("put `{begin}` and `{end}` where the table belongs");
+        Error::invalid("--readme", format!("has no {name} section"), cure).in_file(file)
+    };
+    let (before, rest) = text.split_once(begin).ok_or_else(missing)?;
+    let (_, after) = rest.split_once(end).ok_or_else(missing)?;
+    Ok(format!("{before}{begin}\n{section}{end}{after}"))
+}

@@ -1,0 +1,89 @@
+//! The systems on their four axes: text for the terminal, a table for the README.
+
+use crate::number::{significant, with_unit};
+use crate::systems::{AgreementReport, Report, SystemReport};
+use crate::tolerance::systems::{DIGITS_SHOWN, SMALLEST_SHOWN};
+use std::fmt::Write;
+
+/// Where the table of a Markdown file begins.
+pub const BEGIN: &str = "<!-- systems -->";
+/// Where it ends.
+pub const END: &str = "<!-- /systems -->";
+
+/// One paragraph per system and a count as the last line.
+pub fn text(report: &Report) -> String {
+    let mut text = String::new();
+    for system in &report.systems {
+        let SystemReport { name, level, cone, law, algorithm, restitution, position_update, schemes, .. } = system;
+        let _ = writeln!(text, "{name}   --scheme {}", schemes.join(", "));
+        let _ = writeln!(text, "  level {level}, cone {cone}, law {law}, algorithm: {algorithm}");
+        let _ = writeln!(text, "  restitution: {restitution}; q⁺ = {position_update}");
+        for agreement in &system.held_against {
+            let mark = if agreement.holds { "✓" } else { "✗" };
+            let found = agreement.difference.map_or("not a number".into(), significant);
+            let bound = with_unit(&significant(agreement.tolerance), &agreement.unit);
+            let _ = writeln!(text, "  {mark} {}: {}: {found}, at most {bound}", agreement.against, agreement.quantity);
+        }
+        text.push('\n');
+    }
+    let agreements: Vec<_> = report.systems.iter().flat_map(|system| &system.held_against).collect();
+    let outside = agreements.iter().filter(|agreement| !agreement.holds).count();
+    let _ = writeln!(text, "{} systems, {} agreements, {outside} outside the tolerance", report.systems.len(), agreements.len());
+    text
+}
+
+/// What stands between [`BEGIN`] and [`END`]: one row per system.
+pub fn markdown(report: &Report) -> String {
+    let mut text = String::from(
+        "| system | level | cone | law | algorithm | restitution | q⁺ | `--scheme` | agreement: measured (bound) |\n|---|---|---|---|---|---|---|---|---|\n",
+    );
+    for system in &report.systems {
+        let schemes: Vec<_> = system.schemes.iter().map(|name| format!("`{name}`")).collect();
+        let agreements: Vec<_> = system.held_against.iter().map(agreement).collect();
+        let SystemReport { name, level, cone, law, algorithm, restitution, position_update, .. } = system;
+        let _ = writeln!(
+            text,
+            "| {name} | {level} | {cone} | {law} | {algorithm} | {restitution} | {position_update} | {} | {} |",
+            schemes.join(", "),
+            agreements.join("<br>")
+        );
+    }
+    text
+}
+
+/// `exact rationals: velocity of a ball < 1e-14 m/s (5e-14)`, with a warning where it does not hold.
+fn agreement(agreement: &AgreementReport) -> String {
+    let warning = if agreement.holds { "" } else { "**outside** " };
+    let AgreementReport { against, quantity, unit, tolerance, .. } = agreement;
+    format!("{warning}{against}: {quantity} {} ({})", with_unit(&shown(agreement.difference), unit), two_digits(*tolerance))
+}
+
+/// Two digits of a difference; of rounding only the power of ten above it, which is the same on every processor.
+fn shown(difference: Option<f64>) -> String {
+    match difference {
+        None => "not a number".into(),
+        Some(difference) if difference < DIGITS_SHOWN => {
+            format!("< 1e{}", difference.max(SMALLEST_SHOWN / 2.0).log10().ceil())
+        }
+        Some(difference) => two_digits(difference),
+    }
+}
+
+fn two_digits(value: f64) -> String {
+    let rounded: f64 = format!("{value:.1e}").parse().unwrap_or(value);
+    significant(rounded)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounding_is_shown_as_a_power_of_ten_and_an_error_by_two_digits() {
+        assert_eq!(shown(Some(0.0)), "< 1e-16");
+        assert_eq!(shown(Some(3.3e-14)), "< 1e-13");
+        assert_eq!(shown(Some(0.012_345)), "0.012");
+        assert_eq!(shown(Some(4.56e-6)), "4.6e-6");
+        assert_eq!(shown(None), "not a number");
+    }
+}

@@ -1,0 +1,59 @@
+//! Schemes with a mistake, to show that the agreements can fail.
+
+use super::Measured;
+use crate::Result;
+use crate::mechanics::{Mechanism, State};
+use crate::schemes::{Scheme, StepProblem};
+use nalgebra::DVector;
+
+/// What is wrong.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mistake {
+    /// Forces act 10 % too strongly.
+    Heavy,
+    /// Half of every μ.
+    HalfFriction,
+    /// Positions move on by half the change of velocity as well.
+    Ahead,
+}
+
+/// A scheme with a mistake.
+pub struct Planted<S> {
+    scheme: S,
+    mistake: Mistake,
+}
+
+/// The scheme with this mistake.
+pub fn planted<S: Scheme>(scheme: S, mistake: Mistake) -> Planted<S> {
+    Planted { scheme, mistake }
+}
+
+/// Demands that an agreement was measured and does not hold.
+#[track_caller]
+pub fn caught(agreement: Result<Measured>) {
+    let measured = agreement.expect("the mistake changes numbers only");
+    assert!(!measured.holds(), "{measured:?}");
+}
+
+impl<S: Scheme> Scheme for Planted<S> {
+    fn name(&self) -> String {
+        format!("{} with a mistake: {:?}", self.scheme.name(), self.mistake)
+    }
+
+    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
+        let mut step = self.scheme.assemble(mechanism, state, h)?;
+        let more = (&step.free_velocity - &state.velocity) * if self.mistake == Mistake::Heavy { 0.1 } else { 0.0 };
+        step.free_velocity += &more;
+        if let Some(problem) = &mut step.problem {
+            problem.free_velocity += &step.jacobian * more;
+            problem.friction.iter_mut().for_each(|mu| *mu *= if self.mistake == Mistake::HalfFriction { 0.5 } else { 1.0 });
+        }
+        Ok(step)
+    }
+
+    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
+        let reached = self.scheme.advance(mechanism, state, velocity_post, h);
+        let ahead = if self.mistake == Mistake::Ahead { 0.5 * h } else { 0.0 };
+        reached + (velocity_post - &state.velocity) * ahead
+    }
+}
