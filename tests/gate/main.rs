@@ -1,17 +1,25 @@
 //! The gate on our own engines: every scheme has the verdict that theory demands, every check can pass and can fail.
+//!
+//! By default over the quick sweep; `MOREAU_CAMPAIGN=1` takes the whole one, all eight time steps.
 
 mod sweep;
 
 use moreau::gate::checks::EXPECTED;
-use moreau::gate::runner::{QUICK, run};
+use moreau::gate::runner::{QUICK, SWEEP, run};
 use moreau::gate::{Check, CheckOutcome, Engine, Options, Plan, Verdict, check, own, planted};
 
 /// The schemes the expected verdicts speak of.
 const SCHEMES: [&str; 3] = ["moreau-jean", "stewart-trinkle", "anitescu"];
 
-/// The quick sweep of some checks on an engine.
+/// Every time step there is in a campaign, the quick sweep otherwise.
+fn time_steps() -> Vec<f64> {
+    let deeper = std::env::var("MOREAU_CAMPAIGN").is_ok_and(|value| value == "1");
+    if deeper { SWEEP.to_vec() } else { QUICK.to_vec() }
+}
+
+/// Some checks on an engine.
 fn judge(make: &(dyn Fn() -> Box<dyn Engine> + Sync), checks: Vec<&'static Check>) -> Vec<CheckOutcome> {
-    let plan = Plan { checks, sweep: QUICK.to_vec(), options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };
+    let plan = Plan { checks, sweep: time_steps(), options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };
     run(make, &plan).expect("it describes itself").checks
 }
 
