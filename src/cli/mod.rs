@@ -4,12 +4,14 @@
 //! 3 the engine to be judged could not be run.
 
 mod certify;
+mod compare;
 mod defects;
 mod engine;
 mod gate;
 mod near;
 mod output;
 mod protocol_check;
+mod scene;
 mod schema;
 mod scoreboard;
 mod section;
@@ -40,6 +42,7 @@ Examples:
   moreau solve problem.json --out answer.json
   moreau certify problem.json answer.json    residuals with units: is it a solution?
   moreau simulate --scene bouncing-ball --step 0.01 --plot ball.svg
+  moreau compare bouncing-ball --step 0.01 --plot schemes.svg
   moreau systems                             every simulator on four axes, with measured agreement
   moreau gate --quick -- python3 my_engine.py   any simulator through the checks
   moreau protocol-check -- python3 my_engine.py   what is wrong with an adapter
@@ -56,6 +59,7 @@ enum Command {
     Solve(solve::Arguments),
     Certify(certify::Arguments),
     Simulate(Box<simulate::Arguments>),
+    Compare(compare::Arguments),
     Gate(Box<gate::Arguments>),
     Defects(defects::Arguments),
     Engine(engine::Arguments),
@@ -107,6 +111,7 @@ pub fn run() -> ExitCode {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Certify(arguments) => certify::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
         Command::Gate(arguments) => gate::run(&arguments),
         Command::Defects(arguments) => defects::run(&arguments),
         Command::Engine(arguments) => engine::run(&arguments),

@@ -2,17 +2,15 @@
 
 use super::near::suggestion;
 use super::output::{keep_input, print};
+use super::scene::{count_steps, find, finite, positive};
 use super::{Answer, Format};
 use crate::files::{is_same_file, write_together};
-use crate::mechanics::State;
-use crate::number::significant;
 use crate::report::json::pretty;
 use crate::report::motion::{Motion, Quantity, lines};
 use crate::report::plot;
 use crate::scenes::{self, ExactMotion, Scene};
 use crate::schemes::{self, Activation, Parameters, RestitutionRule, Scheme};
-use crate::tolerance::cli::STEP_LIMIT;
-use crate::trajectory::{Engine, Recording, Trajectory};
+use crate::trajectory::{Engine, Trajectory};
 use crate::{Error, Result, solvers};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -102,24 +100,14 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<()> {
     let scheme = arguments.build_scheme()?;
     arguments.keep_files(scene)?;
     let solver = solvers::by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
-    let (scene, note) = arguments.build_scene(scene)?;
-    let steps = arguments.count_steps(&scene)?;
-    let (mechanism, start, exact) = match scene.mechanism() {
-        Err(Error::Unsupported(_)) => {
-            // its motion leaves the plane, where the closed forms are
-            let (mechanism, start) = scene.spatial_mechanism()?;
-            (mechanism, start, None)
-        }
-        planar => {
-            let (mechanism, start) = planar?;
-            let exact = scene.exact_motion(&start);
-            (mechanism, start, exact)
-        }
-    };
-    let recording = schemes::simulate(scheme.as_ref(), solver.as_ref(), mechanism.as_ref(), start, arguments.step, steps)?;
+    let (scene, note) = arguments.build_scene(scene, scheme.as_ref())?;
+    let steps = count_steps(scene.duration, arguments.step)?;
+    let staged = scene.staged()?;
+    let mechanism = staged.mechanism.as_ref();
+    let recording = schemes::simulate(scheme.as_ref(), solver.as_ref(), mechanism, staged.start, arguments.step, steps)?;
     finite(&recording)?;
-    let gravity = scene.gravity.iter().map(|part| part * part).sum::<f64>().sqrt();
-    let motion = Motion { mechanism: mechanism.as_ref(), recording: &recording, exact: exact.as_ref(), gravity };
+    let exact = staged.exact;
+    let motion = Motion { mechanism, recording: &recording, exact: exact.as_ref(), gravity: staged.gravity };
     write(arguments, &motion, &scene, solver.name())?;
     let summary = Summary {
         scene: &scene.name,
@@ -194,8 +182,8 @@ impl Arguments {
     }
 
     /// The scene with the options applied, and what has to be said about it.
-    fn build_scene(&self, name: &str) -> Result<(Scene, Option<&'static str>)> {
-        let mut scene = find_scene(name)?;
+    fn build_scene(&self, name: &str, scheme: &dyn Scheme) -> Result<(Scene, Option<&'static str>)> {
+        let mut scene = find(name, "--scene")?;
         if let Some(duration) = self.duration {
             scene.duration = positive("--duration", duration)?;
         }
@@ -204,49 +192,13 @@ impl Arguments {
         }
         let bounces =
             scene.material.restitution != 0.0 || scene.material.pairs.iter().any(|pair| pair.restitution.is_some_and(|e| e != 0.0));
-        let plastic = self.scheme != "moreau-jean" && bounces;
+        let plastic = !scheme.has_restitution() && bounces;
         if let Some(restitution) = if plastic { Some(0.0) } else { self.restitution } {
             scene.material.restitution = restitution;
             scene.material.pairs.iter_mut().for_each(|pair| pair.restitution = None);
         }
         Ok((scene, plastic.then_some("this scheme has no restitution: every impact is plastic, e = 0 in place of the scene's")))
     }
-
-    fn count_steps(&self, scene: &Scene) -> Result<usize> {
-        let step = positive("--step", self.step)?;
-        let steps = (scene.duration / step).round();
-        if steps < 1.0 {
-            return Err(Error::invalid(
-                "--step",
-                format!("is {} s", significant(step)),
-                format!("the motion lasts {} s", significant(scene.duration)),
-            ));
-        }
-        if steps > STEP_LIMIT as f64 {
-            let [step, steps, duration] = [step, steps, scene.duration].map(significant);
-            let problem = format!("is {step} s, {steps} steps over {duration} s");
-            return Err(Error::invalid("--step", problem, format!("at most {STEP_LIMIT} steps are recorded")));
-        }
-        Ok(steps as usize)
-    }
-}
-
-/// A built-in scene by name, anything else as a file.
-fn find_scene(name: &str) -> Result<Scene> {
-    if scenes::NAMES.contains(&name) {
-        return scenes::named(name);
-    }
-    let file = Path::new(name);
-    let looks_like_file = file.extension().is_some() || file.components().count() > 1;
-    if !looks_like_file && !file.exists() {
-        let known = format!("use one of {}, or a file", scenes::NAMES.join(", "));
-        return Err(Error::invalid(
-            "--scene",
-            format!("`{name}` is neither a built-in scene nor a file"),
-            suggestion(name, scenes::NAMES, &known),
-        ));
-    }
-    Scene::read(file)
 }
 
 /// A rule by its letter or its name.
@@ -268,22 +220,6 @@ fn option(error: Error) -> Error {
         }
         Error::Invalid { field, problem, cure } => Error::Invalid { field: format!("--{}", field.replace(' ', "-")), problem, cure },
         other => other,
-    }
-}
-
-fn positive(field: &str, value: f64) -> Result<f64> {
-    if value.is_finite() && value > 0.0 {
-        return Ok(value);
-    }
-    Err(Error::invalid(field, format!("is {value}"), "use a positive number of seconds"))
-}
-
-/// Refuses a motion that left the numbers: nothing sensible can be said or written about it.
-fn finite(recording: &Recording) -> Result<()> {
-    let lost = |state: &&State| !state.position.iter().chain(&state.velocity).all(|x| x.is_finite());
-    match recording.samples.iter().find(lost) {
-        None => Ok(()),
-        Some(state) => Err(Error::solver(&recording.scheme, format!("the motion is not finite from t = {} s on", state.time))),
     }
 }
 

@@ -5,8 +5,10 @@ mod named;
 mod planar;
 mod scene;
 mod spatial;
+mod staged;
 mod validation;
 
 pub use exact::ExactMotion;
 pub use named::{NAMES, named};
 pub use scene::{Body, Cuboid, Ground, Material, PairOverride, SCHEMA, Scene, Sphere};
+pub use staged::Staged;

@@ -44,6 +44,10 @@ impl Scheme for Anitescu {
         "anitescu".into()
     }
 
+    fn has_restitution(&self) -> bool {
+        false
+    }
+
     fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
         assembly::assemble("anitescu", self, mechanism, state, h)
     }

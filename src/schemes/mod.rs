@@ -48,6 +48,10 @@ pub struct StepProblem {
 pub trait Scheme: Send + Sync {
     /// The name used on the command line and in files.
     fn name(&self) -> String;
+    /// Whether the scheme uses the mechanism's coefficients of restitution; without, every impact is plastic or as soft as its contact.
+    fn has_restitution(&self) -> bool {
+        true
+    }
     /// Assembles the step of size h from a state.
     ///
     /// # Errors

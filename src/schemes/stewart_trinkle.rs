@@ -73,6 +73,10 @@ impl Scheme for StewartTrinkle {
         format!("stewart-trinkle directions={}", self.directions)
     }
 
+    fn has_restitution(&self) -> bool {
+        false
+    }
+
     fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
         self.validate()?;
         assembly::assemble("stewart-trinkle", self, mechanism, state, h)

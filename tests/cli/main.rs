@@ -1,6 +1,7 @@
 //! The built command, seen from outside: exit codes, messages, shapes of output, and that an error writes nothing.
 
 mod certify;
+mod compare;
 mod gate;
 mod schema;
 mod scoreboard;

@@ -1,0 +1,119 @@
+//! `moreau compare`: one scene through several schemes, beside each other.
+
+use super::near::suggestion;
+use super::output::{keep_input, print};
+use super::scene::{count_steps, find, finite, positive};
+use super::{Answer, Format};
+use crate::files::write_together;
+use crate::number::significant;
+use crate::report::comparison::{Comparison, SchemeOutcome, overlaid};
+use crate::report::json::pretty;
+use crate::report::motion::Motion;
+use crate::report::plot;
+use crate::scenes::{ExactMotion, Staged};
+use crate::schemes::{self, Parameters};
+use crate::solvers::{self, ContactSolver};
+use crate::trajectory::Recording;
+use crate::{Error, Result};
+use std::path::{Path, PathBuf};
+
+/// Run a scene through several schemes and compare what they make of it.
+///
+/// The table tells penetration, energy, effective restitution, creep and settling time per scheme; the picture lays position,
+/// velocity and energy of all of them over the closed form, where the scene has one. A scheme that cannot run the scene is
+/// reported as unsupported with its reason, and the others go on; only if none could run is the answer no (exit code 1).
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// A built-in scene or a file scene/1; `moreau simulate --list` names them.
+    #[arg(value_name = "SCENE")]
+    scene: String,
+    /// The schemes, with commas between them; all of them if absent.
+    #[arg(long, value_name = "NAME,NAME", value_delimiter = ',')]
+    schemes: Vec<String>,
+    /// Time step h [s].
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.001, allow_hyphen_values = true)]
+    step: f64,
+    /// Simulated time [s]; the scene's own if absent.
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
+    duration: Option<f64>,
+    /// Who solves the contact problems.
+    #[arg(long, value_name = "NAME", default_value = "auto", help = super::solve::solver_help())]
+    solver: String,
+    /// Draw the motions over each other into this SVG file.
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+    /// How to write the table.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  moreau compare bouncing-ball --step 0.01
+  moreau compare incline-slide --schemes moreau-jean,stewart-trinkle,anitescu --step 0.005 --plot slide.svg
+  moreau compare my-scene.json --schemes moreau-jean,semi-implicit-euler --format json";
+
+/// Runs the subcommand.
+pub fn run(arguments: &Arguments) -> Result<Answer> {
+    let names = arguments.names()?;
+    keep_input(Path::new(&arguments.scene), "--plot", arguments.plot.as_deref())?;
+    let solver = solvers::by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
+    let duration = arguments.duration.map(|duration| positive("--duration", duration)).transpose()?;
+    let staged = find(&arguments.scene, "SCENE")?.staged()?;
+    let duration = duration.unwrap_or(staged.duration);
+    let steps = count_steps(duration, arguments.step)?;
+    let runs: Vec<_> = names.iter().map(|name| (*name, simulate(&staged, name, solver.as_ref(), arguments.step, steps))).collect();
+    let motions: Vec<_> = runs.iter().filter_map(|(name, run)| Some((*name, motion(&staged, run.as_ref().ok()?)))).collect();
+    let outcome = |(name, run): &(&str, Result<Recording>)| match run {
+        Ok(recording) => SchemeOutcome::ran(name, &motion(&staged, recording).summary()),
+        Err(error) => SchemeOutcome::refused(name, error.to_string()),
+    };
+    let comparison = Comparison {
+        scene: staged.name.clone(),
+        time_step: arguments.step,
+        duration,
+        solver: solver.name().into(),
+        closed_form: staged.exact.as_ref().map(|exact| ExactMotion::law(exact).into()),
+        schemes: runs.iter().map(outcome).collect(),
+    };
+    if let Some(file) = arguments.plot.as_deref().filter(|_| !motions.is_empty()) {
+        let title = format!("{}, h = {} s", staged.name, significant(arguments.step));
+        write_together(&[(file, plot::svg(&title, &overlaid(&motions))?.as_bytes())])?;
+    }
+    print(&match arguments.format {
+        Format::Text => comparison.text(),
+        Format::Json => pretty(&comparison)?,
+    })?;
+    Ok((!motions.is_empty()).into())
+}
+
+fn simulate(staged: &Staged, scheme: &str, solver: &dyn ContactSolver, h: f64, steps: usize) -> Result<Recording> {
+    let scheme = schemes::by_name(scheme, Parameters::default())?;
+    let recording = schemes::simulate(scheme.as_ref(), solver, staged.mechanism.as_ref(), staged.start.clone(), h, steps)?;
+    finite(&recording)?;
+    Ok(recording)
+}
+
+fn motion<'a>(staged: &'a Staged, recording: &'a Recording) -> Motion<'a> {
+    Motion { mechanism: staged.mechanism.as_ref(), recording, exact: staged.exact.as_ref(), gravity: staged.gravity }
+}
+
+impl Arguments {
+    /// The schemes to run, each known and named once.
+    fn names(&self) -> Result<Vec<&str>> {
+        if self.schemes.is_empty() {
+            return Ok(schemes::NAMES.to_vec());
+        }
+        for (k, name) in self.schemes.iter().enumerate() {
+            if !schemes::NAMES.contains(&name.as_str()) {
+                let known = format!("use some of {}", schemes::NAMES.join(", "));
+                return Err(Error::invalid("--schemes", format!("`{name}` is unknown"), suggestion(name, schemes::NAMES, &known)));
+            }
+            if self.schemes[..k].contains(name) {
+                return Err(Error::invalid("--schemes", format!("names {name} twice"), "name every scheme once"));
+            }
+        }
+        Ok(self.schemes.iter().map(String::as_str).collect())
+    }
+}

@@ -1,0 +1,57 @@
+//! What `simulate` and `compare` ask of a scene: its name or file, its steps, and a motion of numbers.
+
+use super::near::suggestion;
+use crate::mechanics::State;
+use crate::number::significant;
+use crate::scenes::{self, Scene};
+use crate::tolerance::cli::STEP_LIMIT;
+use crate::trajectory::Recording;
+use crate::{Error, Result};
+use std::path::Path;
+
+/// A built-in scene by name, anything else as a file; `argument` names where it was given.
+pub fn find(name: &str, argument: &str) -> Result<Scene> {
+    if scenes::NAMES.contains(&name) {
+        return scenes::named(name);
+    }
+    let file = Path::new(name);
+    let looks_like_file = file.extension().is_some() || file.components().count() > 1;
+    if !looks_like_file && !file.exists() {
+        let known = format!("use one of {}, or a file", scenes::NAMES.join(", "));
+        let cure = suggestion(name, scenes::NAMES, &known);
+        return Err(Error::invalid(argument, format!("`{name}` is neither a built-in scene nor a file"), cure));
+    }
+    Scene::read(file)
+}
+
+/// How many steps h \[s\] a duration \[s\] has.
+pub fn count_steps(duration: f64, step: f64) -> Result<usize> {
+    let step = positive("--step", step)?;
+    let steps = (duration / step).round();
+    let [h, count, length] = [step, steps, duration].map(significant);
+    if steps < 1.0 {
+        return Err(Error::invalid("--step", format!("is {h} s"), format!("the motion lasts {length} s")));
+    }
+    if steps > STEP_LIMIT as f64 {
+        let problem = format!("is {h} s, {count} steps over {length} s");
+        return Err(Error::invalid("--step", problem, format!("at most {STEP_LIMIT} steps are recorded")));
+    }
+    Ok(steps as usize)
+}
+
+/// A positive number of seconds.
+pub fn positive(option: &str, value: f64) -> Result<f64> {
+    if value.is_finite() && value > 0.0 {
+        return Ok(value);
+    }
+    Err(Error::invalid(option, format!("is {value}"), "use a positive number of seconds"))
+}
+
+/// Refuses a motion that left the numbers: nothing sensible can be said or written about it.
+pub fn finite(recording: &Recording) -> Result<()> {
+    let lost = |state: &&State| !state.position.iter().chain(&state.velocity).all(|x| x.is_finite());
+    match recording.samples.iter().find(lost) {
+        None => Ok(()),
+        Some(state) => Err(Error::solver(&recording.scheme, format!("the motion is not finite from t = {} s on", state.time))),
+    }
+}

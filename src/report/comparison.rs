@@ -1,0 +1,172 @@
+//! Several motions of one scene beside each other: a table of what they show, and their curves in common panels.
+
+use super::motion::{Motion, Quantity};
+use super::plot::{Panel, Role};
+use crate::number::{significant, with_unit};
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::fmt::Write;
+
+/// The quantities of a comparison, by their names in a motion's summary, with a short heading each.
+const SHOWN: [(&str, &str); 7] = [
+    ("deepest penetration", "penetration"),
+    ("energy change", "energy change"),
+    ("largest energy gain in a step", "gain in a step"),
+    ("effective restitution of the first impact", "restitution"),
+    ("creep speed at rest", "creep"),
+    ("settling time", "settling time"),
+    ("largest position error", "position error"),
+];
+
+/// What `moreau compare --format json` writes.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Comparison {
+    /// The scene.
+    pub scene: String,
+    /// h \[s\].
+    pub time_step: f64,
+    /// Simulated time \[s\].
+    pub duration: f64,
+    /// Who solved the contact problems.
+    pub solver: String,
+    /// The closed form that position errors are measured from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub closed_form: Option<String>,
+    /// The schemes, as asked for.
+    pub schemes: Vec<SchemeOutcome>,
+}
+
+/// What one scheme made of the scene.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct SchemeOutcome {
+    /// Its name on the command line.
+    pub name: String,
+    /// What its motion shows; empty if it did not run.
+    pub quantities: Vec<ComparedQuantity>,
+    /// Why it did not run to the end.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unsupported: Option<String>,
+}
+
+/// One number of a motion.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ComparedQuantity {
+    /// What it is.
+    pub name: String,
+    /// Its value; absent where it is not defined for this motion.
+    pub value: Option<f64>,
+    /// Its unit.
+    pub unit: String,
+}
+
+impl SchemeOutcome {
+    /// A scheme that ran.
+    pub fn ran(name: &str, summary: &[Quantity]) -> Self {
+        let find = |(wanted, _): &(&str, &str)| summary.iter().find(|quantity| quantity.name == *wanted);
+        let compared =
+            |quantity: &Quantity| ComparedQuantity { name: quantity.name.into(), value: quantity.value, unit: quantity.unit.into() };
+        SchemeOutcome { name: name.into(), quantities: SHOWN.iter().filter_map(find).map(compared).collect(), unsupported: None }
+    }
+
+    /// A scheme that did not.
+    pub fn refused(name: &str, reason: String) -> Self {
+        SchemeOutcome { name: name.into(), quantities: Vec::new(), unsupported: Some(reason) }
+    }
+}
+
+impl Comparison {
+    /// A table with a row per scheme that ran; below it those that did not, each with its reason.
+    pub fn text(&self) -> String {
+        let form = self.closed_form.as_deref().unwrap_or("none for this scene");
+        let [h, duration] = [self.time_step, self.duration].map(significant);
+        let mut text = format!("scene {}, h = {h} s, {duration} s, solver {}\nclosed form: {form}\n\n", self.scene, self.solver);
+        let ran: Vec<_> = self.schemes.iter().filter(|scheme| scheme.unsupported.is_none()).collect();
+        let shown: Vec<usize> = (0..SHOWN.len()).filter(|&k| ran.iter().any(|scheme| scheme.quantities[k].value.is_some())).collect();
+        let mut rows = vec![heading(&shown)];
+        for scheme in &ran {
+            let cell = |&k: &usize| {
+                let ComparedQuantity { value, unit, .. } = &scheme.quantities[k];
+                value.map_or("–".into(), |value| with_unit(&significant(value), unit))
+            };
+            rows.push([scheme.name.clone()].into_iter().chain(shown.iter().map(cell)).collect());
+        }
+        if !ran.is_empty() {
+            text += &aligned(&rows);
+        }
+        for scheme in &self.schemes {
+            if let Some(reason) = &scheme.unsupported {
+                let _ = writeln!(text, "{}: unsupported: {reason}", scheme.name);
+            }
+        }
+        text
+    }
+}
+
+fn heading(shown: &[usize]) -> Vec<String> {
+    ["scheme".to_string()].into_iter().chain(shown.iter().map(|&k| SHOWN[k].1.to_string())).collect()
+}
+
+/// Columns as wide as their widest cell, the first flush left.
+fn aligned(rows: &[Vec<String>]) -> String {
+    let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
+    let mut text = String::new();
+    for row in rows {
+        for (k, cell) in row.iter().enumerate() {
+            let width = width(k);
+            text += &if k == 0 { format!("{cell:width$}") } else { format!("  {cell:>width$}") };
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// The panels of all motions laid over each other; a closed form is drawn once.
+pub fn overlaid(motions: &[(&str, Motion)]) -> Vec<Panel> {
+    let mut overlaid: Vec<Panel> = Vec::new();
+    for (scheme, motion) in motions {
+        for (k, mut panel) in motion.panels().into_iter().enumerate() {
+            let several = panel.curves.iter().filter(|curve| curve.role == Role::Computed).count() > 1;
+            for curve in panel.curves.iter_mut().filter(|curve| curve.role == Role::Computed) {
+                curve.label = if several { format!("{scheme}: {}", curve.label) } else { (*scheme).to_string() };
+            }
+            match overlaid.get_mut(k) {
+                None => overlaid.push(panel),
+                Some(common) => common.curves.extend(panel.curves.into_iter().filter(|curve| curve.role == Role::Computed)),
+            }
+        }
+    }
+    overlaid
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenes::named;
+    use crate::schemes::{Anitescu, MoreauJean, Scheme, simulate};
+    use crate::solvers::Reference;
+
+    #[test]
+    fn curves_of_all_schemes_share_their_panels_and_the_closed_form_is_drawn_once() {
+        let scene = named("bouncing-ball").expect("built in");
+        let (mechanism, start) = scene.mechanism().expect("planar");
+        let exact = scene.exact_motion(&start);
+        let schemes: [&dyn Scheme; 2] = [&MoreauJean::default(), &Anitescu];
+        let runs = schemes.map(|scheme| simulate(scheme, &Reference, mechanism.as_ref(), start.clone(), 0.01, 100).expect("a ball"));
+        let motion = |k: usize| Motion { mechanism: mechanism.as_ref(), recording: &runs[k], exact: exact.as_ref(), gravity: 9.81 };
+        let panels = overlaid(&[("moreau-jean", motion(0)), ("anitescu", motion(1))]);
+        let labels = |panel: &Panel| panel.curves.iter().map(|curve| curve.label.clone()).collect::<Vec<_>>();
+        assert_eq!(panels.len(), 3);
+        panels.iter().for_each(|panel| assert_eq!(labels(panel), ["closed form", "moreau-jean", "anitescu"]));
+    }
+
+    #[test]
+    fn a_scheme_that_did_not_run_stands_below_the_table() {
+        let quantity = |name, value| Quantity { name, value, unit: "m" };
+        let ran = SchemeOutcome::ran("a", &SHOWN.map(|(name, _)| quantity(name, (name == "deepest penetration").then_some(0.5))));
+        let schemes = vec![ran, SchemeOutcome::refused("b", "no joints".into())];
+        let comparison =
+            Comparison { scene: "x".into(), time_step: 0.01, duration: 1.0, solver: "auto".into(), closed_form: None, schemes };
+        let text = comparison.text();
+        assert!(text.contains("scheme  penetration\na             0.5 m\nb: unsupported: no joints\n"), "{text}");
+    }
+}
