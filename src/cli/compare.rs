@@ -2,7 +2,7 @@
 
 use super::near::suggestion;
 use super::output::{keep_input, print};
-use super::scene::{count_steps, find, finite, positive};
+use super::scene::{count_steps, finite, positive, stage};
 use super::{Answer, Format};
 use crate::files::write_together;
 use crate::number::significant;
@@ -60,7 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     keep_input(Path::new(&arguments.scene), "--plot", arguments.plot.as_deref())?;
     let solver = solvers::by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
     let duration = arguments.duration.map(|duration| positive("--duration", duration)).transpose()?;
-    let staged = find(&arguments.scene, "SCENE")?.staged()?;
+    let staged = stage(&arguments.scene, "SCENE")?;
     let duration = duration.unwrap_or(staged.duration);
     let steps = count_steps(duration, arguments.step)?;
     let runs: Vec<_> = names.iter().map(|name| (*name, simulate(&staged, name, solver.as_ref(), arguments.step, steps))).collect();

@@ -3,13 +3,21 @@
 use super::near::suggestion;
 use crate::mechanics::State;
 use crate::number::significant;
-use crate::scenes::{self, Scene};
+use crate::scenes::{self, Scene, Staged};
 use crate::tolerance::cli::STEP_LIMIT;
 use crate::trajectory::Recording;
 use crate::{Error, Result};
 use std::path::Path;
 
-/// A built-in scene by name, anything else as a file; `argument` names where it was given.
+/// A linkage or a scene of bodies, ready to run.
+pub fn stage(name: &str, argument: &str) -> Result<Staged> {
+    match scenes::linkage(name) {
+        Some(linkage) => linkage.staged(),
+        None => find(name, argument)?.staged(),
+    }
+}
+
+/// A built-in scene of bodies by name, anything else as a file; `argument` names where it was given.
 pub fn find(name: &str, argument: &str) -> Result<Scene> {
     if scenes::NAMES.contains(&name) {
         return scenes::named(name);
@@ -17,8 +25,9 @@ pub fn find(name: &str, argument: &str) -> Result<Scene> {
     let file = Path::new(name);
     let looks_like_file = file.extension().is_some() || file.components().count() > 1;
     if !looks_like_file && !file.exists() {
-        let known = format!("use one of {}, or a file", scenes::NAMES.join(", "));
-        let cure = suggestion(name, scenes::NAMES, &known);
+        let names = || scenes::NAMES.into_iter().chain(scenes::LINKAGES.map(|linkage| linkage.name));
+        let known = format!("use one of {}, or a file", names().collect::<Vec<_>>().join(", "));
+        let cure = suggestion(name, names(), &known);
         return Err(Error::invalid(argument, format!("`{name}` is neither a built-in scene nor a file"), cure));
     }
     Scene::read(file)

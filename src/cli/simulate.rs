@@ -8,7 +8,7 @@ use crate::files::{is_same_file, write_together};
 use crate::report::json::pretty;
 use crate::report::motion::{Motion, Quantity, lines};
 use crate::report::plot;
-use crate::scenes::{self, ExactMotion, Scene};
+use crate::scenes::{self, ExactMotion, Linkage, Scene, Staged};
 use crate::schemes::{self, Activation, Parameters, RestitutionRule, Scheme};
 use crate::trajectory::{Engine, Trajectory};
 use crate::{Error, Result, solvers};
@@ -100,17 +100,22 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<()> {
     let scheme = arguments.build_scheme()?;
     arguments.keep_files(scene)?;
     let solver = solvers::by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
-    let (scene, note) = arguments.build_scene(scene, scheme.as_ref())?;
-    let steps = count_steps(scene.duration, arguments.step)?;
-    let staged = scene.staged()?;
+    let (staged, scene, note) = match scenes::linkage(scene) {
+        Some(linkage) => (arguments.build_linkage(linkage)?, None, None),
+        None => {
+            let (scene, note) = arguments.build_scene(scene, scheme.as_ref())?;
+            (scene.staged()?, Some(scene), note)
+        }
+    };
+    let steps = count_steps(staged.duration, arguments.step)?;
     let mechanism = staged.mechanism.as_ref();
     let recording = schemes::simulate(scheme.as_ref(), solver.as_ref(), mechanism, staged.start, arguments.step, steps)?;
     finite(&recording)?;
     let exact = staged.exact;
     let motion = Motion { mechanism, recording: &recording, exact: exact.as_ref(), gravity: staged.gravity };
-    write(arguments, &motion, &scene, solver.name())?;
+    write(arguments, &motion, scene.as_ref(), solver.name())?;
     let summary = Summary {
-        scene: &scene.name,
+        scene: &staged.name,
         scheme: &recording.scheme,
         solver: solver.name(),
         note,
@@ -123,14 +128,14 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<()> {
     })
 }
 
-/// Writes the trajectory and the picture, both or none.
-fn write(arguments: &Arguments, motion: &Motion, scene: &Scene, solver: &str) -> Result<()> {
+/// Writes the trajectory and the picture, both or none; a linkage has no trajectory.
+fn write(arguments: &Arguments, motion: &Motion, scene: Option<&Scene>, solver: &str) -> Result<()> {
     let title = format!("{}, {}, h = {} s", motion.recording.mechanism, motion.recording.scheme, motion.recording.time_step);
     let mut files: Vec<(&Path, String)> = Vec::new();
     if let Some(file) = &arguments.plot {
         files.push((file, plot::svg(&title, &motion.panels())?));
     }
-    if let Some(file) = &arguments.out {
+    if let (Some(file), Some(scene)) = (&arguments.out, scene) {
         let engine = Engine::ours(&motion.recording.scheme, solver);
         files.push((file, Trajectory::from_recording(motion.recording, motion.mechanism, scene, engine)?.to_json()?));
     }
@@ -179,6 +184,25 @@ impl Arguments {
             directions: self.friction_directions.unwrap_or(default.directions),
         };
         schemes::by_name(&self.scheme, parameters).map_err(option)
+    }
+
+    /// The linkage with the options applied.
+    fn build_linkage(&self, linkage: &Linkage) -> Result<Staged> {
+        if self.out.is_some() {
+            let problem = format!("cannot hold {}", linkage.name);
+            return Err(Error::invalid(
+                "--out",
+                problem,
+                "a trajectory/1 repeats its scene/1, which has no hinges; use --plot or --format json",
+            ));
+        }
+        if self.restitution.is_some() {
+            let problem = format!("is fixed in {}", linkage.name);
+            return Err(Error::invalid("--restitution", problem, "give it to a scene of bodies"));
+        }
+        let staged = linkage.staged()?;
+        let duration = self.duration.map_or(Ok(staged.duration), |duration| positive("--duration", duration))?;
+        Ok(Staged { duration, ..staged })
     }
 
     /// The scene with the options applied, and what has to be said about it.
@@ -238,12 +262,15 @@ impl Summary<'_> {
 }
 
 fn list(format: Format) -> Result<()> {
-    let scenes = scenes::NAMES.into_iter().map(scenes::named).collect::<Result<Vec<_>>>()?;
+    let bodies = scenes::NAMES.into_iter().map(scenes::named).collect::<Result<Vec<_>>>()?;
+    let bodies = bodies.into_iter().map(|scene| (scene.name, scene.description));
+    let linkages = scenes::LINKAGES.iter().map(|linkage| (linkage.name.to_string(), linkage.description.to_string()));
+    let scenes: Vec<_> = bodies.chain(linkages).collect();
     if format == Format::Json {
-        let described: Vec<_> =
-            scenes.iter().map(|scene| serde_json::json!({"name": scene.name, "description": scene.description})).collect();
+        let entry = |(name, description): &(String, String)| serde_json::json!({"name": name, "description": description});
+        let described: Vec<_> = scenes.iter().map(entry).collect();
         return print(&pretty(&serde_json::json!({"scenes": described, "schemes": schemes::NAMES, "solvers": solvers::NAMES}))?);
     }
-    let described: String = scenes.iter().map(|scene| format!("  {:16} {}\n", scene.name, scene.description)).collect();
+    let described: String = scenes.iter().map(|(name, description)| format!("  {name:16} {description}\n")).collect();
     print(&format!("scenes\n{described}schemes\n  {}\nsolvers\n  {}\n", schemes::NAMES.join("\n  "), solvers::NAMES.join("\n  ")))
 }

@@ -5,11 +5,14 @@ use nalgebra::{DMatrix, DVector};
 
 mod ball_chain;
 mod bead_in_circle;
+mod hinged_links;
 mod oscillator;
 mod painleve_rod;
 mod pair_material;
 pub mod planar;
 mod point_mass;
+mod rod_chain;
+mod slider_crank;
 pub mod spatial;
 #[cfg(test)]
 mod testing;
@@ -21,6 +24,8 @@ pub use painleve_rod::PainleveRod;
 pub use pair_material::{Materials, PairMaterial};
 pub use planar::PlanarBodies;
 pub use point_mass::{Plane, PointMass};
+pub use rod_chain::RodChain;
+pub use slider_crank::{SliderCrank, SliderCrankData};
 pub use spatial::SpatialBodies;
 
 /// Configuration and velocity of a mechanism.

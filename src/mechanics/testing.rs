@@ -2,7 +2,7 @@
 
 use super::Mechanism;
 use crate::tolerance::{mechanics, rounding};
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 /// Asserts that M is symmetric positive definite, that H has the right shape and dφ/dt = H_n v, that contact power is
 /// λ·(Hv) = (Hᵀλ)·v, and that the conservative part of the force is −∇V along v.
@@ -32,4 +32,43 @@ pub fn assert_consistent(mechanism: &dyn Mechanism, position: &DVector<f64>, vel
     let size = (force.norm() + 1.0) * (position.norm() + 1.0);
     let bound = mechanics::central_difference(velocity.norm(), size);
     assert!((force.dot(velocity) + slope).abs() <= bound, "F·v = {}, −dV/dt = {}", force.dot(velocity), -slope);
+}
+
+/// Asserts that the velocity-dependent part of F is that of Lagrange's equations, F(q, 0) − F(q, v) = Ṁ v − ½ ∂(vᵀMv)/∂q, by central
+/// differences of M; then vᵀ of it is ½ vᵀṀv, and the motion without contact keeps T + V.
+pub fn assert_lagrangian(mechanism: &dyn Mechanism, position: &DVector<f64>, velocity: &DVector<f64>) {
+    let h = mechanics::DIFFERENCE_STEP;
+    let slope = |direction: &DVector<f64>| {
+        (mechanism.mass_matrix(&(position + direction * h)) - mechanism.mass_matrix(&(position - direction * h))) / (2.0 * h)
+    };
+    let n = velocity.len();
+    let turning = slope(velocity) * velocity;
+    let gradient = DVector::from_fn(n, |j, _| {
+        let unit = DVector::from_fn(n, |k, _| if j == k { 1.0 } else { 0.0 });
+        velocity.dot(&(slope(&unit) * velocity))
+    });
+    let still = mechanism.force(position, &DVector::zeros(n));
+    let difference = still - mechanism.force(position, velocity) - (turning - gradient * 0.5);
+    let size = mechanism.mass_matrix(position).amax() * n as f64 * (velocity.norm() + velocity.norm_squared());
+    // angles enter as differences, which change at up to twice the speed
+    let bound = mechanics::central_difference(2.0 * velocity.norm() + 1.0, size);
+    assert!(difference.amax() <= bound, "off by {difference}, bound {bound:e}");
+}
+
+/// Asserts that the rows of contact k give the velocity of its point in its frame, by central differences of the points.
+pub fn assert_tangents(
+    mechanism: &dyn Mechanism,
+    position: &DVector<f64>,
+    velocity: &DVector<f64>,
+    points: impl Fn(&DVector<f64>) -> Vec<DVector<f64>>,
+    frame: impl Fn(usize) -> DMatrix<f64>,
+) {
+    let h = mechanics::DIFFERENCE_STEP;
+    let (after, before) = (points(&(position + velocity * h)), points(&(position - velocity * h)));
+    let bound = mechanics::central_difference(velocity.norm(), position.norm() + 1.0);
+    for (k, contact) in mechanism.contacts(position).iter().enumerate() {
+        let measured = frame(k) * (&after[k] - &before[k]) / (2.0 * h);
+        let difference = &contact.jacobian * velocity - measured;
+        assert!(difference.amax() <= bound, "{}: off by {difference}", contact.label);
+    }
 }

@@ -3,11 +3,13 @@
 //! ```text
 //!     fall     one sphere at rest above a level ground:   q(t) along the normal from the bouncing ball,
 //!     slide    one box flat on a plane:                   s(t) down the slope from the block on an incline,
-//!     impact   two spheres on a line without gravity:     v₁, v₂ before, v₁⁺, v₂⁺ after the central impact.
+//!     impact   two spheres on a line without gravity:     v₁, v₂ before, v₁⁺, v₂⁺ after the central impact,
+//!     roll     one sphere or disk thrown along the ground: sliding until v = ω R, then rolling.
 //! ```
 
 use super::validation::GROUND;
 use super::{Body, Scene};
+use crate::closed_forms::sliding_to_rolling::SlidingToRolling;
 use crate::closed_forms::two_body_impact::TwoBodyImpact;
 use crate::closed_forms::{BouncingBall, InclineBlock};
 use crate::mechanics::State;
@@ -27,6 +29,7 @@ enum Form {
     Fall { ball: BouncingBall, height: f64, normal: [f64; 2] },
     Slide { block: InclineBlock, down: [f64; 2] },
     Impact { line: [f64; 2], time: f64, before: [f64; 2], after: [f64; 2] },
+    Roll { body: SlidingToRolling, radius: f64, ahead: [f64; 2] },
 }
 
 impl ExactMotion {
@@ -36,11 +39,13 @@ impl ExactMotion {
             Form::Fall { .. } => "bouncing ball: q̈ = −g, v⁺ = −e v⁻",
             Form::Slide { .. } => "block on an incline: a = g (sin α − μ cos α sign v)",
             Form::Impact { .. } => "central impact: P = (1 + e) m̄ (v₁ − v₂)",
+            Form::Roll { .. } => "sliding to rolling: v̇ = −μ g, ω̇ R = κ μ g until v = ω R",
         }
     }
 
     /// Configuration and velocity, (x, z, angle) per body, at a time t ≥ 0.
     pub fn state(&self, time: f64) -> State {
+        let mut turned = [0.0; 2];
         let moves = match &self.form {
             Form::Fall { ball, height, normal } => {
                 let (q, v) = ball.state(time);
@@ -55,9 +60,17 @@ impl ExactMotion {
                 let speed = if time < *impact { before } else { after };
                 (0..2).map(|k| along(*line, travelled(k), speed[k])).collect()
             }
+            Form::Roll { body, radius, ahead } => {
+                let state = body.state(time);
+                let slide = body.rolling_time().min(time);
+                let surface = 0.5 * (body.surface + state.surface) * slide + state.surface * (time - slide);
+                // rolling along the tangent (n_z, −n_x) is a turn about +ŷ
+                turned = [surface / radius, state.surface / radius];
+                vec![along(*ahead, state.distance, state.speed)]
+            }
         };
-        let offsets = moves.iter().flat_map(|(offset, _)| [offset[0], offset[1], 0.0]);
-        let velocities = moves.iter().flat_map(|(_, velocity)| [velocity[0], velocity[1], 0.0]);
+        let offsets = moves.iter().flat_map(|(offset, _)| [offset[0], offset[1], turned[0]]);
+        let velocities = moves.iter().flat_map(|(_, velocity)| [velocity[0], velocity[1], turned[1]]);
         let size = self.start.len();
         let position = &self.start + DVector::from_iterator(size, offsets);
         State { time, position, velocity: DVector::from_iterator(size, velocities) }
@@ -71,7 +84,7 @@ impl Scene {
             return None;
         }
         let form = match (self.bodies.as_slice(), self.ground.is_some()) {
-            ([body], true) if body.sphere.is_some() => self.fall(body)?,
+            ([body], true) if body.sphere.is_some() => self.fall(body).or_else(|| self.roll(body))?,
             ([body], true) => self.slide(body)?,
             ([first, second], false) => self.impact(first, second)?,
             _ => return None,
@@ -87,6 +100,21 @@ impl Scene {
         let at_rest = body.linear_velocity == [0.0; 3] && tangential.abs() <= WRITTEN_UNIT_VECTOR * gravity.abs();
         let ball = BouncingBall::new(-gravity, height, self.coefficients(&body.name, GROUND).1).ok()?;
         at_rest.then_some(Form::Fall { ball, height, normal })
+    }
+
+    /// A sphere, or a disk, that touches level ground and moves along it.
+    fn roll(&self, body: &Body) -> Option<Form> {
+        let (normal, offset) = self.ground_line()?;
+        let radius = body.sphere?.radius;
+        let (pull, weight) = split(planar(self.gravity), normal);
+        let (speed, lifting) = split(planar(body.linear_velocity), normal);
+        let gap = dot(normal, planar(body.position)) - offset - radius;
+        let level = pull.abs() <= WRITTEN_UNIT_VECTOR * weight.abs();
+        let touching = gap.abs() <= radius * WRITTEN_UNIT_VECTOR && lifting.abs() <= speed.abs() * WRITTEN_UNIT_VECTOR;
+        let inertia = body.inertia.map_or(0.4 * body.mass * radius * radius, |moments| moments[1]);
+        let turning = body.mass * radius * radius / inertia;
+        let rolling = SlidingToRolling::new(turning, self.coefficients(&body.name, GROUND).0, -weight, 0.0, speed, 0.0).ok()?;
+        (level && touching && speed != 0.0).then_some(Form::Roll { body: rolling, radius, ahead: [normal[1], -normal[0]] })
     }
 
     /// A box whose lower face lies on the ground, that moves along it if at all, and is too low to tip.
@@ -213,6 +241,21 @@ mod tests {
         let state = at("two-ball-impact", 0.9);
         assert!(close(state.velocity[0], 0.5) && close(state.velocity[3], 1.0));
         assert!(close(state.position[0], -0.6 + 0.4 + 0.25) && close(state.position[3], 0.5));
+    }
+
+    #[test]
+    fn a_thrown_sphere_rolls_at_five_sevenths_and_a_disk_at_two_thirds_of_its_speed() {
+        for (name, share) in [("rolling-sphere", 5.0 / 7.0), ("rolling-disk", 2.0 / 3.0)] {
+            let (start, end) = (at(name, 0.0), at(name, 1.0));
+            assert_eq!((start.velocity[0], start.velocity[2]), (1.0, 0.0));
+            assert!(close(end.velocity[0], share) && close(end.velocity[2] * 0.1, share), "{name}: {}", end.velocity);
+            // it slides for t = (1 − share)/(μ g) at the mean of both speeds; its surface turns at half the last one meanwhile
+            let time = (1.0 - share) / (0.2 * 9.81);
+            let distance = share * (1.0 - time) + 0.5 * (1.0 + share) * time;
+            assert!(close(end.position[0], distance) && close(end.position[2] * 0.1, share * (1.0 - 0.5 * time)), "{name}");
+        }
+        assert!(exact("rolling-sphere", |scene| scene.bodies[0].position[2] = 0.2).is_none(), "it falls first");
+        assert!(exact("rolling-sphere", |scene| scene.gravity[0] = 1.0).is_none(), "a slope");
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Scenes: files `scene/1` that describe bodies to any simulator, named ones, and the mechanisms they stand for.
 
 mod exact;
+mod linkages;
 mod named;
 mod planar;
 mod scene;
@@ -9,6 +10,7 @@ mod staged;
 mod validation;
 
 pub use exact::ExactMotion;
+pub use linkages::{LINKAGES, Linkage, linkage};
 pub use named::{NAMES, named};
 pub use scene::{Body, Cuboid, Ground, Material, PairOverride, SCHEMA, Scene, Sphere};
 pub use staged::Staged;

@@ -5,8 +5,17 @@ use crate::{Error, Result};
 use std::collections::BTreeMap;
 
 /// The names [`named`] knows.
-pub const NAMES: [&str; 7] =
-    ["ball-drop", "bouncing-ball", "elastic-ball", "incline-stick", "incline-slide", "box-stack", "two-ball-impact"];
+pub const NAMES: [&str; 9] = [
+    "ball-drop",
+    "bouncing-ball",
+    "elastic-ball",
+    "incline-stick",
+    "incline-slide",
+    "box-stack",
+    "two-ball-impact",
+    "rolling-disk",
+    "rolling-sphere",
+];
 
 /// Standard gravity of the scenes \[m/s²\].
 const GRAVITY: f64 = 9.81;
@@ -27,6 +36,10 @@ pub fn named(name: &str) -> Result<Scene> {
         "incline-slide" => Ok(block(name, "A 1 kg block on a 20 degree incline; 0.3 < tan 20: it slides down.", 0.3)),
         "box-stack" => Ok(stack(name)),
         "two-ball-impact" => Ok(two_balls(name)),
+        "rolling-disk" => {
+            Ok(rolling(name, "A disk slides at 1 m/s until friction makes it roll, at 2/3 m/s.", Some([0.0025, 0.005, 0.0025])))
+        }
+        "rolling-sphere" => Ok(rolling(name, "A sphere slides at 1 m/s until friction makes it roll, at 5/7 m/s.", None)),
         _ => Err(Error::Unsupported(format!("unknown scene `{name}`; known: {}", NAMES.join(", ")))),
     }
 }
@@ -91,6 +104,15 @@ fn two_balls(name: &str) -> Scene {
     let bodies = vec![heavy, sphere("light", 1.0, 0.1, [0.0, 0.0, 0.0])];
     let description = "A 2 kg sphere at 1 m/s hits a 1 kg sphere at rest, centrally, with restitution 1/2.";
     Scene { gravity: [0.0; 3], ground: None, duration: 1.0, ..scene(name, description, bodies, 0.0, 0.5) }
+}
+
+/// A round body of 1 kg and radius 0.1 m on level ground, thrown without spin; moments of inertia of a solid sphere, or others
+/// \[kg·m²\] (a disk that rolls about y has m r²/2 about y and half of that across).
+fn rolling(name: &str, description: &str, inertia: Option<[f64; 3]>) -> Scene {
+    let mut body = sphere(if inertia.is_some() { "disk" } else { "sphere" }, 1.0, 0.1, [0.0, 0.0, 0.1]);
+    body.linear_velocity = [1.0, 0.0, 0.0];
+    body.inertia = inertia;
+    Scene { duration: 1.0, ..scene(name, description, vec![body], 0.2, 0.0) }
 }
 
 #[cfg(test)]

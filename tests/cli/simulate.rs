@@ -1,7 +1,7 @@
 //! `moreau simulate`.
 
 use super::{Folder, Run, moreau};
-use moreau::scenes::{NAMES, named};
+use moreau::scenes::{LINKAGES, NAMES, named};
 use moreau::trajectory::Trajectory;
 
 #[track_caller]
@@ -18,7 +18,10 @@ fn scenes_schemes_and_solvers_are_listed() {
     assert_eq!(run.code, 0);
     let names = NAMES.iter().chain(&moreau::schemes::NAMES).chain(&moreau::solvers::NAMES);
     names.for_each(|name| assert!(run.output.contains(name), "{name}"));
-    assert_eq!(moreau(&["simulate", "--list", "--format", "json"]).json()["scenes"].as_array().map(Vec::len), Some(NAMES.len()));
+    assert_eq!(
+        moreau(&["simulate", "--list", "--format", "json"]).json()["scenes"].as_array().map(Vec::len),
+        Some(NAMES.len() + LINKAGES.len())
+    );
 }
 
 #[test]
@@ -68,6 +71,21 @@ fn the_other_schemes_are_plastic_and_say_so() {
     // an impulse that its certificate accepts leaves at most 1e-8 of the velocity g h = 0.00981 m/s of one step
     let run = moreau(&["simulate", "--scene", "incline-stick", "--scheme", "anitescu", "--format", "json"]);
     assert!(quantity(&run, "creep speed at rest").is_some_and(|speed| speed <= 1e-8 * 0.00981), "hard Anitescu sticks without creep");
+}
+
+#[test]
+fn a_linkage_is_simulated_and_drawn_but_has_no_file() {
+    let folder = Folder::new("simulate-linkage");
+    let plot = folder.path("pendulum.svg");
+    let run = moreau(&["simulate", "--scene", "double-pendulum", "--step", "0.005", "--plot", &plot, "--format", "json"]);
+    assert_eq!((run.code, run.message.as_str()), (0, ""));
+    assert!(quantity(&run, "energy change").is_some_and(|change| change < -1.0), "the wall takes energy: {}", run.output);
+    assert!(std::fs::read_to_string(&plot).expect("written").contains("rod2 x"));
+    let out = folder.path("pendulum.json");
+    moreau(&["simulate", "--scene", "double-pendulum", "--out", &out]).is_refused(&["--out", "double-pendulum", "hinges"]);
+    moreau(&["simulate", "--scene", "slider-crank", "--restitution", "1"]).is_refused(&["--restitution", "slider-crank"]);
+    moreau(&["simulate", "--scene", "double-pendulun"]).is_refused(&["did you mean `double-pendulum`"]);
+    assert_eq!(folder.names(), ["pendulum.svg"]);
 }
 
 #[test]

@@ -1,0 +1,56 @@
+//! Every scheme runs every scene it can describe, and says why where it cannot.
+
+use moreau::scenes::{LINKAGES, NAMES, Staged, named};
+use moreau::schemes::{self, Parameters, simulate};
+use moreau::solvers::Reference;
+
+/// h \[s\] small enough for the crank, which turns by 0.075 rad in it.
+const TIME_STEP: f64 = 0.0005;
+const STEPS: usize = 40;
+
+fn scenes() -> Vec<Staged> {
+    let bodies = NAMES.into_iter().map(|name| named(name).and_then(|scene| scene.staged()).expect("built in"));
+    bodies.chain(LINKAGES.iter().map(|linkage| linkage.staged().expect("built in"))).collect()
+}
+
+#[test]
+fn every_scheme_runs_every_scene_or_says_why_not() {
+    for scene in scenes() {
+        for name in schemes::NAMES {
+            let scheme = schemes::by_name(name, Parameters::default()).expect("listed");
+            match simulate(scheme.as_ref(), &Reference, scene.mechanism.as_ref(), scene.start.clone(), TIME_STEP, STEPS) {
+                Err(reason) => assert!(reason.to_string().len() > 20, "{name} refuses {} without a reason: {reason}", scene.name),
+                Ok(run) => {
+                    let numbers = run.samples.iter().flat_map(|state| state.position.iter().chain(&state.velocity));
+                    assert!(numbers.into_iter().all(|x| x.is_finite()), "{name} loses {}", scene.name);
+                    assert_eq!(run.samples.len(), STEPS + 1);
+                }
+            }
+        }
+    }
+}
+
+/// A linkage that hits its obstacle loses energy and stays on its side of it, under the schemes whose impulses act at the step's end.
+#[test]
+fn linkages_hit_their_obstacles_and_stay_outside() {
+    for scene in LINKAGES.iter().map(|linkage| linkage.staged().expect("built in")) {
+        let h = if scene.name == "slider-crank" { 0.00005 } else { 0.001 };
+        let steps = (scene.duration / h) as usize;
+        for name in ["moreau-jean", "stewart-trinkle", "anitescu"] {
+            let scheme = schemes::by_name(name, Parameters::default()).expect("listed");
+            let run = simulate(scheme.as_ref(), &Reference, scene.mechanism.as_ref(), scene.start.clone(), h, steps).expect("solvable");
+            assert!(run.impulses.iter().any(|impulses| impulses.iter().any(|one| one.impulse[0] > 0.0)), "{name}: {} touches", scene.name);
+            let (mut deepest, mut fastest) = (0.0f64, 0.0f64);
+            for state in &run.samples {
+                for contact in scene.mechanism.contacts(&state.position) {
+                    deepest = deepest.max(-contact.gap);
+                    fastest = fastest.max((&contact.jacobian * &state.velocity).amax());
+                }
+            }
+            // a contact is seen at the latest one step after it closed, and curvature adds as much again
+            assert!(deepest <= 2.0 * h * fastest, "{name}: {} is {deepest} m inside at {fastest} m/s", scene.name);
+            let energy = |k: usize| scene.mechanism.energy(&run.samples[k]);
+            assert!(energy(steps) < energy(0), "{name}: {}", scene.name);
+        }
+    }
+}
