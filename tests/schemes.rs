@@ -6,7 +6,7 @@ use moreau::solvers::Reference;
 
 /// h \[s\] small enough for the crank, which turns by 0.075 rad in it.
 const TIME_STEP: f64 = 0.0005;
-const STEPS: usize = 40;
+const STEPS: usize = 5;
 
 fn scenes() -> Vec<Staged> {
     let bodies = NAMES.into_iter().map(|name| named(name).and_then(|scene| scene.staged()).expect("built in"));
@@ -34,8 +34,8 @@ fn every_scheme_runs_every_scene_or_says_why_not() {
 #[test]
 fn linkages_hit_their_obstacles_and_stay_outside() {
     for scene in LINKAGES.iter().map(|linkage| linkage.staged().expect("built in")) {
-        let h = if scene.name == "slider-crank" { 0.00005 } else { 0.001 };
-        let steps = (scene.duration / h) as usize;
+        // the slider hits its guide within a twelfth of a turn of the crank
+        let (h, steps) = if scene.name == "slider-crank" { (0.0001, 200) } else { (0.004, (scene.duration / 0.004) as usize) };
         for name in ["moreau-jean", "stewart-trinkle", "anitescu"] {
             let scheme = schemes::by_name(name, Parameters::default()).expect("listed");
             let run = simulate(scheme.as_ref(), &Reference, scene.mechanism.as_ref(), scene.start.clone(), h, steps).expect("solvable");

@@ -34,9 +34,9 @@ pub const LINKAGES: [Linkage; 3] = [
     },
     Linkage {
         name: "five-link-chain",
-        description: "Five hinged rods of 0.3 m, let go stretched out level, fall onto a rough floor 1 m below their hinge; e = 0.2.",
+        description: "Five hinged rods of 0.3 m, let go stretched out level, fall onto a rough floor 0.25 m below their hinge; e = 0.2.",
         make: five_link_chain,
-        duration: 1.5,
+        duration: 1.0,
     },
 ];
 
@@ -84,7 +84,7 @@ fn slider_crank() -> Result<(Box<dyn Mechanism>, State)> {
 }
 
 fn five_link_chain() -> Result<(Box<dyn Mechanism>, State)> {
-    let floor = Plane::new(dvector![0.0, 1.0], -1.0, 0.5, 0.2)?;
+    let floor = Plane::new(dvector![0.0, 1.0], -0.25, 0.5, 0.2)?;
     let mechanism = RodChain::new("five-link-chain", &[(0.2, 0.3); 5], GRAVITY, floor)?;
     Ok((Box::new(mechanism), at(DVector::zeros(5), DVector::zeros(5))))
 }
