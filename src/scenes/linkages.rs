@@ -5,13 +5,16 @@ use crate::Result;
 use crate::mechanics::{Mechanism, Plane, RodChain, SliderCrank, SliderCrankData, State};
 use nalgebra::{DVector, dvector};
 
+/// A mechanism and where it starts.
+type Made = Result<(Box<dyn Mechanism>, State)>;
+
 /// A scene that is a mechanism from the start.
 pub struct Linkage {
     /// Its name.
     pub name: &'static str,
     /// What happens in it.
     pub description: &'static str,
-    make: fn() -> Result<(Box<dyn Mechanism>, State)>,
+    make: fn() -> Made,
     duration: f64,
 }
 
@@ -61,7 +64,7 @@ fn at(position: DVector<f64>, velocity: DVector<f64>) -> State {
 }
 
 /// Drawn back by 50° from the vertical, away from a wall that is 0.5 m beside the hinge.
-fn double_pendulum() -> Result<(Box<dyn Mechanism>, State)> {
+fn double_pendulum() -> Made {
     let wall = Plane::new(dvector![-1.0, 0.0], -0.5, 0.3, 0.5)?;
     let angle = (-90f64 - 50.0).to_radians();
     let mechanism = RodChain::new("double-pendulum", &[(1.0, 1.0); 2], GRAVITY, wall)?;
@@ -69,7 +72,7 @@ fn double_pendulum() -> Result<(Box<dyn Mechanism>, State)> {
 }
 
 /// The data of Flores, Leine and Glocker (2010), Table 1, as Siconos's example has them.
-fn slider_crank() -> Result<(Box<dyn Mechanism>, State)> {
+fn slider_crank() -> Made {
     let mechanism = SliderCrank::new(SliderCrankData {
         lengths: [0.153, 0.306],
         masses: [0.038, 0.038, 0.076],
@@ -83,7 +86,7 @@ fn slider_crank() -> Result<(Box<dyn Mechanism>, State)> {
     Ok((Box::new(mechanism), at(DVector::zeros(3), dvector![150.0, -75.0, 0.0])))
 }
 
-fn five_link_chain() -> Result<(Box<dyn Mechanism>, State)> {
+fn five_link_chain() -> Made {
     let floor = Plane::new(dvector![0.0, 1.0], -0.25, 0.5, 0.2)?;
     let mechanism = RodChain::new("five-link-chain", &[(0.2, 0.3); 5], GRAVITY, floor)?;
     Ok((Box::new(mechanism), at(DVector::zeros(5), DVector::zeros(5))))
