@@ -3,8 +3,9 @@
 
 For every engine this makes a virtual environment from scripts/requirements-<engine>.txt, starts
 scripts/engines/<engine>.py in it, and asks it through the protocol moreau-engine/1 for the
-motions and single steps listed in scripts/reference/plan.py.  The result does not depend on the
-date, the machine's name or the order of the runs.
+motions and single steps listed in scripts/reference/plan.py.  Siconos, a Debian package, is run
+by scripts/reference/siconos.py.  The result does not depend on the date, the machine's name or
+the order of the runs.
 """
 
 import argparse
@@ -15,7 +16,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from reference import build, documents, environment  # noqa: E402
+from reference import build, documents, environment, siconos  # noqa: E402
 from reference.client import Engine, EngineError  # noqa: E402
 from reference.compare import check, comparable, numbers_by_kind, tolerances_of  # noqa: E402
 from reference.plan import all_jobs  # noqa: E402
@@ -23,7 +24,7 @@ from reference.scenes import all_scenes  # noqa: E402
 from reference.tolerance import loose_kinds  # noqa: E402
 
 SCRIPTS = Path(__file__).resolve().parent
-ENGINES = ("mujoco", "drake")
+ENGINES = ("mujoco", "drake", "siconos")
 EPILOG = """
 examples:
   scripts/generate_references.py                      write all files (some minutes)
@@ -160,8 +161,11 @@ def main():
     run.scene_files()
     for name in options.only or ENGINES:
         jobs = [job for job in all_jobs() if job.engine == name]
-        run.stray_files(name, jobs)
         try:
+            if name == siconos.FOLDER:
+                report(f"siconos: {siconos.write_or_check(run, SCRIPTS)} files")
+                continue
+            run.stray_files(name, jobs)
             run.engine(name, [job for job in jobs if options.match in job.path])
         except (environment.NotInstalled, EngineError, OSError) as problem:
             report(f"{name}: not run: {problem}")

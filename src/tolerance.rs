@@ -55,6 +55,20 @@ pub mod integrators {
 pub mod schemes {
     use super::rounding;
 
+    /// Singular values of H_n H_nᵀ, relative to its largest entry, below which contact normals say the same twice: 64 ε, the rounding of
+    /// its entries.
+    pub const DEPENDENT_NORMALS: f64 = 64.0 * super::EPSILON;
+
+    /// How far M̂ of size `size` with n rows may be from symmetric by rounding: two products and a factorisation.
+    pub fn asymmetry(size: f64, rows: usize) -> f64 {
+        rounding(16 * rows, size)
+    }
+
+    /// Correction \[m\] below which a projection onto φ = 0 has ended, for coordinates of the given size: the rounding of a gap.
+    pub fn projected(size: f64) -> f64 {
+        rounding(8, size)
+    }
+
     /// Rounding of one Moreau–Jean step of a ball: v⁺ = v − (m g/m) h + r/m with r = −m (v_free + e v) passes through
     /// fewer than eight operations on numbers of at most |v| + g h + e|v|.
     pub fn ball_velocity(speed: f64, fall: f64) -> f64 {

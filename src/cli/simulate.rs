@@ -26,7 +26,7 @@ pub struct Arguments {
     /// A built-in scene or a file scene/1.
     #[arg(long, value_name = "NAME|FILE", required_unless_present = "list")]
     scene: Option<String>,
-    /// The time-stepping scheme: moreau-jean, stewart-trinkle, anitescu, explicit-euler, semi-implicit-euler or runge-kutta-flip.
+    /// The time-stepping scheme: moreau-jean, moreau-jean-projection, schatzman-paoli, generalised-alpha, stewart-trinkle, anitescu, explicit-euler, semi-implicit-euler or runge-kutta-flip.
     #[arg(long, value_name = "NAME", default_value = "moreau-jean")]
     scheme: String,
     /// Time step h [s].
@@ -35,10 +35,10 @@ pub struct Arguments {
     /// Simulated time [s]; the scene's own if absent.
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     duration: Option<f64>,
-    /// θ of moreau-jean, from 0 (explicit) over 1/2 (default) to 1 (implicit).
+    /// θ of moreau-jean and moreau-jean-projection, from 0 (explicit) over 1/2 (default) to 1 (implicit).
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     theta: Option<f64>,
-    /// Restitution e of every pair for moreau-jean, in place of the scene's.
+    /// Restitution e of every pair, for the schemes that have one, in place of the scene's.
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     restitution: Option<f64>,
     /// Whether e reverses the normal velocity only (normal-only, default) or the whole contact velocity (full-vector).
@@ -50,6 +50,9 @@ pub struct Arguments {
     /// Friction directions of stewart-trinkle at spatial contacts.
     #[arg(long, value_name = "NUMBER")]
     friction_directions: Option<usize>,
+    /// ρ of generalised-alpha, the share that a step keeps of infinitely stiff motion, from 0 to 1 (0.8).
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    spectral_radius: Option<f64>,
     /// Who solves the contact problems.
     #[arg(long, value_name = "NAME", default_value = "auto", help = super::solve::solver_help())]
     solver: String,
@@ -66,6 +69,17 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }
+
+/// The schemes whose impacts use e.
+const RESTITUTING: [&str; 7] = [
+    "moreau-jean",
+    "moreau-jean-projection",
+    "schatzman-paoli",
+    "generalised-alpha",
+    "explicit-euler",
+    "semi-implicit-euler",
+    "runge-kutta-flip",
+];
 
 const EXAMPLES: &str = "\
 Examples:
@@ -159,11 +173,12 @@ impl Arguments {
 
     fn build_scheme(&self) -> Result<Box<dyn Scheme>> {
         let own = [
-            ("--theta", self.theta.is_some(), "moreau-jean"),
-            ("--restitution", self.restitution.is_some(), "moreau-jean"),
-            ("--restitution-rule", self.restitution_rule.is_some(), "moreau-jean"),
-            ("--activation", self.activation.is_some(), "moreau-jean"),
-            ("--friction-directions", self.friction_directions.is_some(), "stewart-trinkle"),
+            ("--theta", self.theta.is_some(), &["moreau-jean", "moreau-jean-projection"][..]),
+            ("--restitution", self.restitution.is_some(), &RESTITUTING),
+            ("--restitution-rule", self.restitution_rule.is_some(), &["moreau-jean"]),
+            ("--activation", self.activation.is_some(), &["moreau-jean"]),
+            ("--spectral-radius", self.spectral_radius.is_some(), &["generalised-alpha"]),
+            ("--friction-directions", self.friction_directions.is_some(), &["stewart-trinkle"]),
         ];
         if !schemes::NAMES.contains(&self.scheme.as_str()) {
             let known = format!("use one of {}", schemes::NAMES.join(", "));
@@ -173,8 +188,12 @@ impl Arguments {
                 suggestion(&self.scheme, schemes::NAMES, &known),
             ));
         }
-        if let Some((option, _, owner)) = own.into_iter().find(|(_, given, owner)| *given && *owner != self.scheme) {
-            return Err(Error::invalid(option, format!("does nothing in {}", self.scheme), format!("it belongs to {owner}")));
+        if let Some((option, _, owners)) = own.into_iter().find(|(_, given, owners)| *given && !owners.contains(&self.scheme.as_str())) {
+            return Err(Error::invalid(
+                option,
+                format!("does nothing in {}", self.scheme),
+                format!("it belongs to {}", owners.join(" and ")),
+            ));
         }
         let default = Parameters::default();
         let parameters = Parameters {
@@ -182,6 +201,7 @@ impl Arguments {
             activation: self.activation.as_deref().map_or(Ok(default.activation), activation)?,
             restitution: self.restitution_rule.as_deref().map_or(Ok(default.restitution), RestitutionRule::by_name).map_err(option)?,
             directions: self.friction_directions.unwrap_or(default.directions),
+            spectral_radius: self.spectral_radius.unwrap_or(default.spectral_radius),
         };
         schemes::by_name(&self.scheme, parameters).map_err(option)
     }
@@ -242,7 +262,7 @@ fn option(error: Error) -> Error {
         Error::Invalid { field, problem, cure } if field == "directions" => {
             Error::Invalid { field: "--friction-directions".into(), problem, cure }
         }
-        Error::Invalid { field, problem, cure } => Error::Invalid { field: format!("--{}", field.replace(' ', "-")), problem, cure },
+        Error::Invalid { field, problem, cure } => Error::Invalid { field: format!("--{}", field.replace([' ', '_'], "-")), problem, cure },
         other => other,
     }
 }

@@ -67,6 +67,25 @@ impl<T: Scalar> Ball<T> {
         self.outcome(now, &T::one(), h, free_velocity, impulse, true)
     }
 
+    /// One step of nonsmooth generalised-α, which under a constant force is the same for every spectral radius: active if the free step ends at or below the floor, position
+    /// update q + ½h (v + v⁺).
+    pub fn generalised_alpha(&self, now: &Motion<T>, h: &T) -> Outcome<T> {
+        let free_velocity = now.velocity.clone() - self.gravity.clone() * h.clone();
+        let half = T::ratio(1, 2);
+        let reached = now.position.clone() + h.clone() * half.clone() * (now.velocity.clone() + free_velocity.clone());
+        let active = reached <= T::zero();
+        let impulse = if active { self.impulse(&free_velocity, self.restitution.clone() * now.velocity.clone()) } else { T::zero() };
+        self.outcome(now, &half, h, free_velocity, impulse, active)
+    }
+
+    /// One step of Schatzman–Paoli: 0 ≤ r ⟂ v⁺ − e v + (1+e) q/h ≥ 0, position update q + h v⁺.
+    pub fn schatzman_paoli(&self, now: &Motion<T>, h: &T) -> Outcome<T> {
+        let free_velocity = now.velocity.clone() - self.gravity.clone() * h.clone();
+        let ahead = (T::one() + self.restitution.clone()) * now.position.clone() / h.clone();
+        let impulse = self.impulse(&free_velocity, ahead - self.restitution.clone() * now.velocity.clone());
+        self.outcome(now, &T::one(), h, free_velocity, impulse, true)
+    }
+
     /// E − (θ−½) m g h v with E = ½ m v² + m g q \[J\]: free flight conserves it exactly for every θ, and so does the
     /// bounce v → −v of an elastic ball (e = 1).
     ///
@@ -110,7 +129,7 @@ mod tests {
     use super::*;
     use crate::mechanics::{PointMass, State};
     use crate::scalar::{Rational, exact};
-    use crate::schemes::{MoreauJean, RestitutionRule, Scheme, StewartTrinkle, step};
+    use crate::schemes::{GeneralisedAlpha, MoreauJean, RestitutionRule, SchatzmanPaoli, Scheme, StewartTrinkle, step};
     use crate::solvers::ProjectedGaussSeidel;
     use crate::tolerance::schemes::{ball_position, ball_velocity};
     use nalgebra::dvector;
@@ -131,8 +150,8 @@ mod tests {
             let outcome = reference(&ball, &Motion { position: exact(q), velocity: exact(v) }, &exact(h));
             assert_eq!(outcome.active, !next.assembled.active.is_empty(), "{} at q = {q}, v = {v}", scheme.name());
             let fall = GRAVITY * h;
-            // Stewart–Trinkle forms φ/h, whose size is that of a speed.
-            let speed = v.abs() + if outcome.active { q.abs() / h } else { 0.0 };
+            // Stewart–Trinkle forms φ/h, whose size is that of a speed, and Schatzman–Paoli up to twice that.
+            let speed = v.abs() + if outcome.active { 2.0 * q.abs() / h } else { 0.0 };
             let velocity_error = next.state.velocity[0] - outcome.motion.velocity.to_f64().value();
             let position_error = next.state.position[0] - outcome.motion.position.to_f64().value();
             assert!(velocity_error.abs() <= ball_velocity(speed, fall), "{}: v off by {velocity_error}", scheme.name());
@@ -154,6 +173,16 @@ mod tests {
     #[test]
     fn stewart_trinkle_in_floats_agrees_with_the_exact_step() {
         agree(&StewartTrinkle::default(), |ball, now, h| ball.stewart_trinkle(now, h));
+    }
+
+    #[test]
+    fn schatzman_paoli_in_floats_agrees_with_the_exact_step() {
+        agree(&SchatzmanPaoli, |ball, now, h| ball.schatzman_paoli(now, h));
+    }
+
+    #[test]
+    fn generalised_alpha_in_floats_agrees_with_the_exact_step() {
+        agree(&GeneralisedAlpha::default(), |ball, now, h| ball.generalised_alpha(now, h));
     }
 
     #[test]

@@ -14,17 +14,23 @@ pub mod anitescu;
 pub(crate) mod assembly;
 pub mod euler;
 pub mod exact_particle;
+pub mod generalised_alpha;
 pub mod moreau_jean;
+pub mod moreau_jean_projection;
 mod names;
 mod nearby;
 pub mod runge_kutta_flip;
+pub mod schatzman_paoli;
 pub mod stewart_trinkle;
 
 pub use anitescu::Anitescu;
 pub use euler::Euler;
+pub use generalised_alpha::GeneralisedAlpha;
 pub use moreau_jean::{Activation, MoreauJean, RestitutionRule};
+pub use moreau_jean_projection::MoreauJeanProjection;
 pub use names::{NAMES, Parameters, by_name};
 pub use runge_kutta_flip::RungeKuttaFlip;
+pub use schatzman_paoli::SchatzmanPaoli;
 pub use stewart_trinkle::StewartTrinkle;
 
 /// What a scheme assembled for one step: the problem of the active contacts, and what turns impulses into velocities.
@@ -59,6 +65,22 @@ pub trait Scheme: Send + Sync {
     fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem>;
     /// The next configuration from the velocities before and after the step.
     fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64>;
+    /// The configuration after [`Scheme::advance`], corrected for the contacts that the step held; the same one by default.
+    ///
+    /// # Errors
+    /// If the correction does not come to an end.
+    fn settle(&self, mechanism: &dyn Mechanism, assembled: &StepProblem, position: DVector<f64>) -> Result<DVector<f64>> {
+        let _ = (mechanism, assembled);
+        Ok(position)
+    }
+    /// The scheme that makes the next step of a motion, if this one remembers more than the state; `None`: the same scheme again.
+    ///
+    /// # Errors
+    /// If what is to be remembered cannot be computed.
+    fn successor(&self, mechanism: &dyn Mechanism, before: &State, step: &Step, h: f64) -> Result<Option<Box<dyn Scheme>>> {
+        let _ = (mechanism, before, step, h);
+        Ok(None)
+    }
 }
 
 /// The outcome of one step.
@@ -136,7 +158,7 @@ fn finish(
             |((&contact, &place), part): ((&usize, &Option<Place>), &[f64])| ContactImpulse { contact, impulse: part.to_vec(), place };
         impulses = places.zip(solution.impulse.as_slice().chunks(rows)).map(one).collect();
     }
-    let position = scheme.advance(mechanism, state, &velocity, h);
+    let position = scheme.settle(mechanism, &assembled, scheme.advance(mechanism, state, &velocity, h))?;
     let state = State { time: state.time + h, position, velocity };
     Ok(Step { state, impulses, assembled, solution })
 }
@@ -186,8 +208,13 @@ pub fn run(
     let start = initial.time;
     let mut state = initial;
     let mut previous = Vec::new();
+    let mut remembering: Option<Box<dyn Scheme>> = None;
     for k in 1..=steps {
-        let Step { state: next, impulses, .. } = step_after(scheme, solver, mechanism, &state, h, &previous)?;
+        let current = remembering.as_deref().unwrap_or(scheme);
+        let made = step_after(current, solver, mechanism, &state, h, &previous)?;
+        let successor = current.successor(mechanism, &state, &made, h)?;
+        remembering = successor.or(remembering);
+        let Step { state: next, impulses, .. } = made;
         state = State { time: start + k as f64 * h, ..next };
         observe(&state, &impulses);
         previous = impulses;

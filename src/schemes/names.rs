@@ -1,15 +1,28 @@
 //! Schemes by name, for the command line.
 
-use super::{Activation, Anitescu, Euler, MoreauJean, RestitutionRule, RungeKuttaFlip, Scheme, StewartTrinkle};
+use super::{
+    Activation, Anitescu, Euler, GeneralisedAlpha, MoreauJean, MoreauJeanProjection, RestitutionRule, RungeKuttaFlip, SchatzmanPaoli,
+    Scheme, StewartTrinkle,
+};
 use crate::{Error, Result};
 
 /// The names [`by_name`] knows.
-pub const NAMES: [&str; 6] = ["moreau-jean", "stewart-trinkle", "anitescu", "explicit-euler", "semi-implicit-euler", "runge-kutta-flip"];
+pub const NAMES: [&str; 9] = [
+    "moreau-jean",
+    "moreau-jean-projection",
+    "schatzman-paoli",
+    "generalised-alpha",
+    "stewart-trinkle",
+    "anitescu",
+    "explicit-euler",
+    "semi-implicit-euler",
+    "runge-kutta-flip",
+];
 
 /// The parameters of all schemes; each scheme takes those it has.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
-    /// θ of Moreau–Jean.
+    /// θ of Moreau–Jean, with projection and without.
     pub theta: f64,
     /// Activation rule of Moreau–Jean.
     pub activation: Activation,
@@ -17,12 +30,20 @@ pub struct Parameters {
     pub restitution: RestitutionRule,
     /// Friction directions of Stewart–Trinkle at spatial contacts.
     pub directions: usize,
+    /// ρ of generalised-α.
+    pub spectral_radius: f64,
 }
 
 impl Default for Parameters {
     fn default() -> Self {
         let MoreauJean { theta, activation, restitution } = MoreauJean::default();
-        Parameters { theta, activation, restitution, directions: StewartTrinkle::default().directions }
+        Parameters {
+            theta,
+            activation,
+            restitution,
+            directions: StewartTrinkle::default().directions,
+            spectral_radius: GeneralisedAlpha::default().spectral_radius(),
+        }
     }
 }
 
@@ -31,13 +52,20 @@ impl Default for Parameters {
 /// # Errors
 /// An unknown name (the message lists the known ones), θ outside \[0, 1\] or fewer than three directions.
 pub fn by_name(name: &str, parameters: Parameters) -> Result<Box<dyn Scheme>> {
-    let Parameters { theta, activation, restitution, directions } = parameters;
+    let Parameters { theta, activation, restitution, directions, spectral_radius } = parameters;
     match name {
         "moreau-jean" => {
             let scheme = MoreauJean { theta, activation, restitution };
             scheme.validate()?;
             Ok(Box::new(scheme))
         }
+        "moreau-jean-projection" => {
+            let scheme = MoreauJeanProjection { theta };
+            scheme.validate()?;
+            Ok(Box::new(scheme))
+        }
+        "generalised-alpha" => Ok(Box::new(GeneralisedAlpha::new(spectral_radius)?)),
+        "schatzman-paoli" => Ok(Box::new(SchatzmanPaoli)),
         "stewart-trinkle" => {
             let scheme = StewartTrinkle { directions };
             scheme.validate()?;
@@ -102,7 +130,7 @@ mod tests {
     #[test]
     fn unknown_names_are_answered_with_the_known_ones() {
         let message = |result: Result<Box<dyn Scheme>>| result.err().expect("must be refused").to_string();
-        assert!(message(by_name("euler", Parameters::default())).contains("moreau-jean, stewart-trinkle, anitescu"));
+        assert!(message(by_name("euler", Parameters::default())).contains("generalised-alpha, stewart-trinkle, anitescu"));
         assert!(Activation::by_name("c").expect_err("refused").to_string().contains("free-velocity-forecast"));
         assert!(message(by_name("moreau-jean", Parameters { theta: f64::NAN, ..Parameters::default() })).contains("theta"));
         assert!(message(by_name("stewart-trinkle", Parameters { directions: 2, ..Parameters::default() })).contains("directions"));

@@ -16,6 +16,7 @@ use std::fmt;
 
 mod anitescu;
 mod explicit_euler;
+mod generalised_alpha;
 mod measured;
 mod moreau_jean;
 mod on_a_ball;
@@ -24,6 +25,7 @@ mod on_a_spring;
 mod report;
 mod runge_kutta_flip;
 mod semi_implicit_euler;
+mod siconos;
 mod stewart_trinkle;
 mod theta;
 
@@ -116,6 +118,8 @@ pub static ALL: &[&System] = &[
     &semi_implicit_euler::SYSTEM,
     &theta::SYSTEM,
     &runge_kutta_flip::SYSTEM,
+    &siconos::SYSTEM,
+    &generalised_alpha::SYSTEM,
 ];
 
 impl fmt::Display for Level {

@@ -51,6 +51,11 @@ impl<S: Scheme> Scheme for Planted<S> {
         Ok(step)
     }
 
+    fn settle(&self, mechanism: &dyn Mechanism, assembled: &StepProblem, position: DVector<f64>) -> Result<DVector<f64>> {
+        let ahead = if self.mistake == Mistake::Ahead { f64::EPSILON.sqrt() } else { 0.0 };
+        Ok(self.scheme.settle(mechanism, assembled, position)?.add_scalar(ahead))
+    }
+
     fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
         let reached = self.scheme.advance(mechanism, state, velocity_post, h);
         let ahead = if self.mistake == Mistake::Ahead { 0.5 * h } else { 0.0 };

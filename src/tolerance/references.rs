@@ -54,6 +54,21 @@ pub fn sap_sliding_gap() -> f64 {
 /// through the rotational part of w and on depths through d.
 pub const CREEP_GEOMETRY: f64 = 1e-4;
 
+/// What issue and README promise of a step against Siconos's, in m, m/s and N·s: larger than rounding allows, [`siconos_step`].
+pub const SICONOS_PER_STEP: f64 = 1e-12;
+
+/// Distance of one step from Siconos's with direct solvers on both sides, for numbers of the given size: 64 operations, and the 1e-14 m at which its
+/// projection ends.
+pub fn siconos_step(size: f64) -> f64 {
+    crate::tolerance::rounding(64, size) + 1e-14
+}
+
+/// Distance of a whole run \[m\]: steps add up, and none of the stored motions makes a deviation grow (elastic impacts keep it, others and
+/// friction shrink it; the bead swings in a bowl).
+pub fn siconos_run(steps: usize, step: f64) -> f64 {
+    steps as f64 * step
+}
+
 /// Headroom of the measured sensitivities: amplification and stopping effect come from one perturbation each, and a start differs
 /// in at most 8 independent ways that matter (six velocities of a body, friction and normal data) from the one perturbed.
 const HEADROOM: f64 = 8.0;

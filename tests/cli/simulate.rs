@@ -112,7 +112,9 @@ fn a_scene_comes_from_a_file_too() {
 #[test]
 fn bad_options_are_refused_by_name_and_nothing_is_written() {
     let folder = Folder::new("simulate-bad");
-    let cases: [(&[&str], &[&str]); 19] = [
+    let cases: [(&[&str], &[&str]); 21] = [
+        (&["--scheme", "generalised-alpha", "--spectral-radius", "2"], &["--spectral-radius", "2"]),
+        (&["--spectral-radius", "0.5"], &["--spectral-radius", "belongs to generalised-alpha"]),
         (&["--step", "0"], &["--step", "0"]),
         (&["--step", "-0.01"], &["--step", "-0.01"]),
         (&["--step", "NaN"], &["--step", "NaN"]),

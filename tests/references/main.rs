@@ -11,6 +11,7 @@ mod document;
 mod dumps;
 mod dumps_native;
 mod momentum;
+mod siconos;
 mod stack;
 mod trajectories;
 
@@ -27,6 +28,10 @@ fn main() {
             let stem = file.file_name().map(|name| name.to_string_lossy().replace(".json", "")).unwrap_or_default();
             trials.push(Trial::test(format!("{engine}/{stem}"), move || judge(&file)));
         }
+    }
+    for file in stored(&root.join("siconos")) {
+        let stem = file.file_name().map(|name| name.to_string_lossy().replace(".json", "")).unwrap_or_default();
+        trials.push(Trial::test(format!("siconos/{stem}"), move || conclude(siconos::check(&file)?)));
     }
     assert!(!trials.is_empty(), "no stored reference under {}", root.display());
     let folder = root.join("mujoco");
@@ -54,6 +59,11 @@ fn judge(file: &Path) -> Result<(), Failed> {
         "trajectory/1" => trajectories::check(&document)?,
         other => return Err(format!("{}: unknown schema `{other}`", file.display()).into()),
     });
+    conclude(findings)
+}
+
+/// Prints what holds if asked, and fails with what does not.
+fn conclude(findings: Vec<Finding>) -> Result<(), Failed> {
     let (held, failed): (Vec<&Finding>, Vec<&Finding>) = findings.iter().partition(|finding| finding.holds());
     if std::env::var_os("MOREAU_FINDINGS").is_some() {
         held.iter().for_each(|finding| println!("  {finding}"));

@@ -4,6 +4,7 @@ pub(super) mod creep;
 pub(super) mod curve;
 pub(super) mod push_out;
 pub(super) mod rod;
+pub(super) mod siconos;
 pub(super) mod soft;
 pub(super) mod spring;
 pub(super) mod stored;

@@ -3,6 +3,7 @@
 use super::Claim;
 
 mod differences;
+mod siconos;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[differences::CLAIMS];
+pub const CLAIMS: &[&[Claim]] = &[differences::CLAIMS, siconos::CLAIMS];

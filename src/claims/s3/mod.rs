@@ -9,6 +9,7 @@ pub(super) mod elastic;
 mod lcp;
 mod order;
 mod pendulum;
+mod siconos;
 pub(super) mod smooth_energy;
 mod solvers;
 mod step;
@@ -25,4 +26,5 @@ pub const CLAIMS: &[&[Claim]] = &[
     elastic::CLAIMS,
     contact_energy::CLAIMS,
     drift::CLAIMS,
+    siconos::CLAIMS,
 ];

@@ -7,8 +7,16 @@ mod drift;
 pub(super) mod energy;
 mod exercises;
 pub(super) mod jitter;
+mod literature;
 mod stabilisation;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] =
-    &[drift::CLAIMS, stabilisation::CLAIMS, constraint_drift::CLAIMS, energy::CLAIMS, jitter::CLAIMS, exercises::CLAIMS];
+pub const CLAIMS: &[&[Claim]] = &[
+    drift::CLAIMS,
+    stabilisation::CLAIMS,
+    constraint_drift::CLAIMS,
+    literature::CLAIMS,
+    energy::CLAIMS,
+    jitter::CLAIMS,
+    exercises::CLAIMS,
+];

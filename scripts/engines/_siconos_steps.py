@@ -1,4 +1,4 @@
-"""Steps of Siconos on four small systems: `/usr/bin/python3 scripts/engines/siconos_steps.py < run.json`.
+"""Steps of Siconos on four small systems: `/usr/bin/python3 scripts/engines/_siconos_steps.py < run.json`.
 
 Reads one run {system, scheme, time_step, steps} on standard input and writes the states and
 impulses after every step, with nothing between Siconos and the file: no shape, no collision

@@ -1,0 +1,257 @@
+//! Stored steps of Siconos, taken again by our schemes from each of Siconos's own states.
+//!
+//! ```text
+//!     (q_k, v_k) stored ──► one step of ours ──► |q − q_{k+1}| , |v − v_{k+1}| , |r − r_{k+1}|
+//! ```
+//! Siconos's solvers were direct ones, so that nothing but rounding may lie between. One thing differs, and is modelled here: for a
+//! nonlinear constraint `MoreauJeanOSI` of 4.4.0 takes H at q_k + h v_k, not at q_k ([`Ahead`]).
+
+use crate::contact::Contact;
+use crate::mechanics::{BallChain, BeadInCircle, BodyState, LinearForce, Mechanism, Plane, PointMass, State};
+use crate::schemes::{MoreauJean, MoreauJeanProjection, Scheme, step};
+use crate::solvers::LemkePivoting;
+use crate::tolerance::references::siconos_step;
+use crate::{Error, Result};
+use nalgebra::{DMatrix, DVector, dvector};
+use serde::Deserialize;
+
+/// A run of Siconos, format `siconos-steps/1`.
+#[derive(Clone, Debug, Deserialize)]
+pub struct SiconosSteps {
+    system: Stored,
+    scheme: Integrator,
+    /// h \[s\].
+    pub time_step: f64,
+    /// q at the start and after every step.
+    pub positions: Vec<Vec<f64>>,
+    /// v likewise.
+    pub velocities: Vec<Vec<f64>>,
+    /// r of every contact in every step \[N·s\], normal first.
+    pub impulses: Vec<Vec<f64>>,
+    provenance: Provenance,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+enum Stored {
+    Ball { mass: f64, gravity: f64, restitution: f64 },
+    Block { mass: f64, gravity: [f64; 2], friction: f64, restitution: f64 },
+    Chain { masses: Vec<f64>, radii: Vec<f64>, restitution: f64 },
+    Bead { mass: f64, radius: f64, gravity: f64, restitution: f64 },
+}
+
+#[derive(Clone, Debug, Deserialize)]
+struct Integrator {
+    class: String,
+    theta: f64,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+struct Provenance {
+    version: String,
+}
+
+impl SiconosSteps {
+    /// Reads a stored run.
+    ///
+    /// # Errors
+    /// If the text is not such a run, or its lists differ in length.
+    pub fn from_json(text: &str) -> Result<Self> {
+        let run: SiconosSteps = serde_json::from_str(text)?;
+        let states = run.impulses.len() + 1;
+        if run.positions.len() != states || run.velocities.len() != states || states == 1 {
+            let problem = format!("are {} for {} steps", run.positions.len(), run.impulses.len());
+            return Err(Error::invalid("positions", problem, "store the start and one row per step"));
+        }
+        Ok(run)
+    }
+
+    /// The version of Siconos that made the run.
+    pub fn version(&self) -> &str {
+        &self.provenance.version
+    }
+
+    /// Whether the run was made with combined projection.
+    pub fn is_projected(&self) -> bool {
+        self.scheme.class == "MoreauJeanCombinedProjectionOSI"
+    }
+
+    /// Our scheme of the same name, with θ changed by `off`.
+    ///
+    /// # Errors
+    /// If the run's integrator is none of ours.
+    pub fn scheme(&self, off: f64) -> Result<Box<dyn Scheme>> {
+        let theta = self.scheme.theta + off;
+        match self.scheme.class.as_str() {
+            "MoreauJeanOSI" => Ok(Box::new(MoreauJean { theta, ..MoreauJean::default() })),
+            "MoreauJeanCombinedProjectionOSI" => Ok(Box::new(MoreauJeanProjection { theta })),
+            other => Err(Error::Unsupported(format!("no scheme of ours is Siconos's {other}"))),
+        }
+    }
+
+    /// The mechanism itself.
+    ///
+    /// # Errors
+    /// If a stored parameter cannot be meant.
+    pub fn mechanism(&self) -> Result<Box<dyn Mechanism>> {
+        Ok(match &self.system {
+            Stored::Ball { mass, gravity, restitution } => {
+                let floor = Plane::new(dvector![1.0], 0.0, 0.0, *restitution)?;
+                Box::new(PointMass::new("ball", *mass, dvector![-gravity], vec![floor])?)
+            }
+            Stored::Block { mass, gravity: [along, down], friction, restitution } => {
+                let slope = Plane::new(dvector![0.0, 1.0], 0.0, *friction, *restitution)?;
+                Box::new(PointMass::new("block", *mass, dvector![*along, -down], vec![slope])?)
+            }
+            Stored::Chain { masses, radii, restitution } => Box::new(BallChain::new(masses.clone(), radii.clone(), *restitution)?),
+            Stored::Bead { mass, radius, gravity, restitution } => {
+                Box::new(BeadInCircle::new(*mass, *radius, *gravity, 0.0, *restitution)?)
+            }
+        })
+    }
+
+    /// The mechanism as Siconos sees it in a step from this state.
+    fn seen_from(&self, state: &State) -> Result<Box<dyn Mechanism>> {
+        let mechanism = self.mechanism()?;
+        if self.is_projected() || !matches!(self.system, Stored::Bead { .. }) {
+            return Ok(mechanism);
+        }
+        let position = mechanism.integrate(&state.position, &state.velocity, self.time_step);
+        Ok(Box::new(Ahead { mechanism, position }))
+    }
+
+    /// The stored state after k steps.
+    pub fn state(&self, k: usize) -> State {
+        let [position, velocity] = [&self.positions, &self.velocities].map(|rows| DVector::from_column_slice(&rows[k]));
+        State { time: k as f64 * self.time_step, position, velocity }
+    }
+
+    /// The largest |Δq| \[m\], |Δv| \[m/s\] and |Δr| \[N·s\] of all single steps of a scheme against the stored ones.
+    ///
+    /// # Errors
+    /// Those of the scheme.
+    pub fn deviations(&self, scheme: &dyn Scheme) -> Result<[f64; 3]> {
+        self.compare(|state| self.seen_from(state), scheme)
+    }
+
+    /// The same with H at q_k, where our schemes take it.
+    ///
+    /// # Errors
+    /// Those of the scheme.
+    pub fn deviations_with_present_normals(&self, scheme: &dyn Scheme) -> Result<[f64; 3]> {
+        self.compare(|_| self.mechanism(), scheme)
+    }
+
+    fn compare(&self, mechanism: impl Fn(&State) -> Result<Box<dyn Mechanism>>, scheme: &dyn Scheme) -> Result<[f64; 3]> {
+        let mut worst = [0.0f64; 3];
+        for (k, stored) in self.impulses.iter().enumerate() {
+            let (state, wanted) = (self.state(k), self.state(k + 1));
+            let mechanism = mechanism(&state)?;
+            let made = step(scheme, &LemkePivoting, mechanism.as_ref(), &state, self.time_step)?;
+            let contacts = mechanism.contacts(&state.position).len();
+            let rows = stored.len() / contacts;
+            let mut impulses = vec![0.0; stored.len()];
+            for one in &made.impulses {
+                impulses[one.contact * rows..][..rows].copy_from_slice(&one.impulse[..rows]);
+            }
+            let apart = impulses.iter().zip(stored).map(|(ours, theirs)| (ours - theirs).abs()).fold(0.0, f64::max);
+            let [position, velocity] = [(made.state.position - wanted.position).amax(), (made.state.velocity - wanted.velocity).amax()];
+            for (largest, one) in worst.iter_mut().zip([position, velocity, apart]) {
+                *largest = largest.max(one);
+            }
+        }
+        Ok(worst)
+    }
+
+    /// The largest |Δq| \[m\] of a whole motion of a scheme from the stored start.
+    ///
+    /// # Errors
+    /// Those of the scheme.
+    pub fn whole_run(&self, scheme: &dyn Scheme) -> Result<f64> {
+        let (mut state, mut worst) = (self.state(0), 0.0f64);
+        for k in 1..self.positions.len() {
+            let mechanism = self.seen_from(&state)?;
+            state = step(scheme, &LemkePivoting, mechanism.as_ref(), &state, self.time_step)?.state;
+            worst = worst.max((&state.position - self.state(k).position).amax());
+        }
+        Ok(worst)
+    }
+
+    /// How far one step may be from the stored one, in each of the three units.
+    pub fn tolerance(&self) -> f64 {
+        let largest =
+            [&self.positions, &self.velocities, &self.impulses].into_iter().flatten().flatten().fold(1.0, |a: f64, b| a.max(b.abs()));
+        siconos_step(largest)
+    }
+}
+
+/// A mechanism with its own gaps at q and its contact normals at another place: Siconos's q_k + h v_k.
+struct Ahead {
+    mechanism: Box<dyn Mechanism>,
+    position: DVector<f64>,
+}
+
+impl Mechanism for Ahead {
+    fn name(&self) -> &str {
+        self.mechanism.name()
+    }
+
+    fn degrees_of_freedom(&self) -> usize {
+        self.mechanism.degrees_of_freedom()
+    }
+
+    fn rows_per_contact(&self) -> usize {
+        self.mechanism.rows_per_contact()
+    }
+
+    fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64> {
+        self.mechanism.mass_matrix(position)
+    }
+
+    fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64> {
+        self.mechanism.force(position, velocity)
+    }
+
+    fn contacts(&self, position: &DVector<f64>) -> Vec<Contact> {
+        let ahead = self.mechanism.contacts(&self.position).into_iter();
+        self.mechanism.contacts(position).into_iter().zip(ahead).map(|(here, there)| Contact { jacobian: there.jacobian, ..here }).collect()
+    }
+
+    fn potential_energy(&self, position: &DVector<f64>) -> f64 {
+        self.mechanism.potential_energy(position)
+    }
+
+    fn linear_force(&self) -> Option<LinearForce> {
+        self.mechanism.linear_force()
+    }
+
+    fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState> {
+        self.mechanism.bodies(position, velocity)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::schemes::Activation;
+
+    const BALL: &str = include_str!("../../references/siconos/ball__moreau-jean__h0.01.json");
+
+    #[test]
+    fn another_activation_rule_is_not_siconos_s() {
+        let run = SiconosSteps::from_json(BALL).expect("stored");
+        for (activation, same) in
+            [(Activation::HalfStepForecast, true), (Activation::Gap, false), (Activation::FreeVelocityForecast, false)]
+        {
+            let scheme = MoreauJean { activation, ..MoreauJean::default() };
+            let apart = run.deviations(&scheme).expect("steps");
+            assert_eq!(apart.iter().all(|one| *one <= run.tolerance()), same, "{activation:?}: {apart:?}");
+        }
+    }
+
+    #[test]
+    fn a_run_without_steps_is_refused() {
+        let text = BALL.replacen("\"impulses\":", "\"other\":[],\"impulses\":[],\"rest\":", 1);
+        assert!(SiconosSteps::from_json(&text).is_err() && SiconosSteps::from_json("{}").is_err());
+    }
+}

@@ -1,0 +1,106 @@
+//! What is stored of Siconos: facts about its release, read from the Debian packages by a script, and its own steps.
+
+use crate::checks::siconos_steps::SiconosSteps;
+use crate::{Error, Result};
+use serde::Deserialize;
+
+const FACTS: &str = include_str!("../../../references/facts/siconos.json");
+const ELASTIC_PROJECTED: &str = include_str!("../../../references/siconos/ball_elastic__projection__h0.01.json");
+const CHAIN_PROJECTED: &str = include_str!("../../../references/siconos/chain__projection__h0.01.json");
+const SLIDE: &str = include_str!("../../../references/siconos/block_slide__moreau-jean__h0.01.json");
+
+/// What the Debian packages of Siconos hold.
+#[derive(Debug, Deserialize)]
+pub struct Facts {
+    /// Version of the packages.
+    pub version: String,
+    /// Headers of integrators, laws and simulations, without extension.
+    pub headers: Vec<String>,
+    /// Of these, the classes that Python shows.
+    pub python: Vec<String>,
+    /// Names of sources that the compiler left in the libraries.
+    pub sources: Vec<String>,
+    /// Functions of `gfc3d_ipm.c` in the library.
+    pub functions: Vec<String>,
+    /// Identifiers of solvers for friction.
+    pub solvers: Vec<String>,
+    /// Lines of bibliography in the headers.
+    pub cited: Vec<String>,
+}
+
+impl Facts {
+    /// The stored facts.
+    ///
+    /// # Errors
+    /// If the stored file is not what it should be.
+    pub fn stored() -> Result<Self> {
+        Ok(serde_json::from_str(FACTS)?)
+    }
+
+    /// Whether one of the headers cites a text that contains these words.
+    pub fn cites(&self, words: &str) -> bool {
+        self.cited.iter().any(|line| line.contains(words))
+    }
+
+    /// Whether there is a header of this class.
+    pub fn has(&self, class: &str) -> bool {
+        self.headers.iter().any(|name| name == class)
+    }
+
+    /// Whether a library was compiled from this source.
+    pub fn compiled(&self, source: &str) -> bool {
+        self.sources.iter().any(|name| name == source)
+    }
+
+    /// Whether there is a solver with this identifier.
+    pub fn solves_with(&self, solver: &str) -> bool {
+        self.solvers.iter().any(|name| name == solver)
+    }
+}
+
+/// E_end/E_0 of Siconos's elastic ball under combined projection over 5 s, and Σ m g q_k/E_0 over the steps that were projected from q_k.
+///
+/// # Errors
+/// If the stored file is not what it should be.
+pub fn projected_energy() -> Result<[f64; 2]> {
+    let run = SiconosSteps::from_json(ELASTIC_PROJECTED)?;
+    let mechanism = run.mechanism()?;
+    let start = mechanism.energy(&run.state(0));
+    let last = run.impulses.len();
+    let hits = (0..last).filter(|k| run.impulses[*k][0] > 0.0);
+    let taken: f64 = hits.map(|k| mechanism.potential_energy(&run.state(k).position)).sum();
+    Ok([mechanism.energy(&run.state(last)) / start, taken / start])
+}
+
+/// Moves (Δq₁ m₁, Δq₂ m₂, …) of Siconos's chain of masses 1, 2, 4 kg by the projection in its impact \[kg·m\], and the same without masses \[m\].
+///
+/// # Errors
+/// If the stored file is not what it should be.
+pub fn projected_moves() -> Result<[Vec<f64>; 2]> {
+    let run = SiconosSteps::from_json(CHAIN_PROJECTED)?;
+    let hit = run.impulses.iter().position(|r| r[0] > 0.0).ok_or_else(|| Error::Unsupported("the chain collides".into()))?;
+    let (before, after) = (run.state(hit), run.state(hit + 1));
+    let moved = &after.position - &before.position - (&before.velocity + &after.velocity) * (0.5 * run.time_step);
+    let masses = run.mechanism()?.mass_matrix(&before.position).diagonal();
+    Ok([moved.component_mul(&masses).as_slice().to_vec(), moved.as_slice().to_vec()])
+}
+
+/// Largest |u_n⁺ + e u_n| \[m/s\] in the steps of Siconos's block that slide in contact, the smallest |u_t⁺| in them, and the largest |r_t/r_n + μ|.
+///
+/// # Errors
+/// If the stored file is not what it should be.
+pub fn slide() -> Result<[f64; 3]> {
+    let run = SiconosSteps::from_json(SLIDE)?;
+    let contact = run.mechanism()?.contacts(&run.state(0).position).swap_remove(0);
+    let mut found = [0.0f64, f64::INFINITY, 0.0];
+    // from the second half on the bounces are over
+    for k in run.impulses.len() / 2..run.impulses.len() {
+        let (before, velocity, impulse) = (run.state(k).velocity, run.state(k + 1).velocity, &run.impulses[k]);
+        if impulse[0] > 0.0 {
+            found[0] = found[0].max((velocity[1] + contact.restitution * before[1]).abs());
+            found[1] = found[1].min(velocity[0].abs());
+            found[2] = found[2].max((impulse[1] / impulse[0] + contact.friction).abs());
+        }
+    }
+    Ok(found)
+}

@@ -1,0 +1,106 @@
+//! What §9 says of Siconos's projection and of the schemes of higher order it announces.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::experiments::siconos::{Facts, projected_energy, projected_moves};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::scalar::{Rational, ratio};
+use crate::tolerance::claims::pathology::elastic_drop;
+use crate::tolerance::rounding;
+use nalgebra::DMatrix;
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S9.siconos-class",
+        statement: "Siconos's CombinedProjectedMoreauJeanOSI is a coordinate projection of this kind: it injects no artificial energy and is geometrically clean.",
+        verdict: Verdict::False,
+        evidence: Evidence::Measured,
+        correct_statement: "The class is MoreauJeanCombinedProjectionOSI. It takes energy: the step of an impact ends on φ = 0 from whatever height q it started, and an elastic ball loses m g q each time. And it moves bodies along H_nᵀ, not along M⁻¹H_nᵀ: the nearest place in the coordinates, not in the kinetic metric.",
+        argument: "Siconos 4.4.0, elastic ball from 1 m, h = 1/100 s, θ = 1/2: after 5 s E/E₀ = 0.8778, less by exactly Σ m g q over the steps that were projected. Masses 1, 2, 4 kg in a row: the moves of the projection add up to zero, those times the masses do not, so that the centre of mass moves.",
+        control: "Energy conserved.",
+        sources: &[
+            "chapter §9, constraint drift, (3)",
+            "stored steps of Siconos 4.4.0, see tests/references; S9.projection-energy for clipping at φ ≤ 0",
+        ],
+        check: combined_projection,
+    },
+    Claim {
+        id: "S9.refs",
+        statement: "Chen, Acary, Brüls 2013 (IJNME 96:487): nonsmooth generalised-α with adjustable numerical damping, compatible with HHT; Acary 2013 (CMAME 256:224): projected event-capturing Runge–Kutta with adaptive steps; Brüls, Acary, Cardona 2014: Lie-group generalised-α.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::Cited,
+        correct_statement: "The three papers exist; two are described as others are titled. CMAME 256:224–250 is on projected event-capturing schemes with contact and friction; the higher-order event-capturing schemes are Acary, Appl. Numer. Math. 62 (2012) 1259. Brüls, Acary and Cardona, CMAME 281 (2014) 131, is on enforcing constraints at position and velocity level at once. The papers were not read. The damping claimed for generalised-α is true.",
+        argument: "Volume, pages and title of Acary 2013 stand in Siconos's headers. Generalised-α with α_m = (2ρ−1)/(ρ+1), α_f = ρ/(ρ+1) has for an infinitely stiff spring the characteristic polynomial (x + ρ)³, exactly, for ρ = 0, 1/4, 1/2, 3/4; HHT is the same rule with α_m = 0.",
+        control: "The trapezoidal rule, whose polynomial is that of ρ = 1.",
+        sources: &[
+            "chapter §9, higher order",
+            "Siconos 4.4.0, MoreauJeanCombinedProjectionOSI.hpp; Chung and Hulbert, J. Appl. Mech. 60 (1993) 371",
+        ],
+        check: literature,
+    },
+];
+
+fn combined_projection(reading: Reading) -> Result<Vec<Finding>> {
+    let [kept, taken] = projected_energy()?;
+    let [weighted, lengths] = projected_moves()?;
+    let facts = Facts::stored()?;
+    let expected = reading.pick(1.0 - taken, 1.0);
+    Ok(vec![
+        Finding::equal("E(5 s)/E(0) of Siconos's elastic ball, 1 less Σ m g q", kept, expected, elastic_drop(500), "1"),
+        Finding::at_least("what it lost", taken, 0.12, "1"),
+        Finding::equal("sum of the balls' moves", lengths.iter().sum(), 0.0, rounding(64, 1.0), "m"),
+        Finding::at_least("the same, each times its mass", weighted.iter().sum::<f64>().abs(), 0.001, "kg·m"),
+        Finding::decision("4.4.0 has a class of the printed name", facts.has("CombinedProjectedMoreauJeanOSI"), false),
+        Finding::decision("4.4.0 has MoreauJeanCombinedProjectionOSI", facts.has("MoreauJeanCombinedProjectionOSI"), true),
+    ])
+}
+
+/// The step of generalised-α in (d, v, a) with h = 1 for ä = −Ω d, in the limit Ω → ∞; δ = α_f, μ = α_m.
+///
+/// (1−δ) d⁺ + δ d = 0 there, and d⁺ = d + v + (½ − β) a + β a⁺, v⁺ = v + (1 − γ) a + γ a⁺.
+fn stiff_step(mean_acceleration: &Rational, mean_force: &Rational) -> DMatrix<Rational> {
+    let (one, half) = (ratio(1, 1), ratio(1, 2));
+    let gamma = &half + mean_force - mean_acceleration;
+    let sum = &one + mean_force - mean_acceleration;
+    let beta = ratio(1, 4) * &sum * &sum;
+    let next = -(mean_force / (&one - mean_force));
+    let acceleration = [(&next - &one) / &beta, -(&one / &beta), -((&half - &beta) / &beta)];
+    let velocity: Vec<Rational> = acceleration.iter().map(|entry| &gamma * entry).collect();
+    let zero = ratio(0, 1);
+    let rows = [
+        vec![next, zero.clone(), zero],
+        vec![velocity[0].clone(), &one + &velocity[1], &one - &gamma + &velocity[2]],
+        acceleration.to_vec(),
+    ];
+    DMatrix::from_row_slice(3, 3, &rows.concat())
+}
+
+/// The coefficients (c₀, c₁, c₂) of x³ + c₂x² + c₁x + c₀ of a 3×3 matrix: −det, the sum of the principal minors, −trace.
+fn characteristic(matrix: &DMatrix<Rational>) -> [Rational; 3] {
+    let minor = |[i, j]: [usize; 2], [k, l]: [usize; 2]| &matrix[(i, k)] * &matrix[(j, l)] - &matrix[(i, l)] * &matrix[(j, k)];
+    let principal = minor([0, 1], [0, 1]) + minor([0, 2], [0, 2]) + minor([1, 2], [1, 2]);
+    let determinant =
+        &matrix[(0, 0)] * minor([1, 2], [1, 2]) - &matrix[(0, 1)] * minor([1, 2], [0, 2]) + &matrix[(0, 2)] * minor([1, 2], [0, 1]);
+    [-determinant, principal, -(&matrix[(0, 0)] + &matrix[(1, 1)] + &matrix[(2, 2)])]
+}
+
+fn literature(reading: Reading) -> Result<Vec<Finding>> {
+    let facts = Facts::stored()?;
+    let mut findings = Vec::new();
+    for quarter in 0..4 {
+        let radius = ratio(quarter, 4);
+        let (above, two) = (&radius + ratio(1, 1), ratio(2, 1));
+        let (force, acceleration) = (&radius / &above, (&two * &radius - ratio(1, 1)) / &above);
+        let [force, acceleration] = match reading {
+            Reading::Recorded => [force, acceleration],
+            Reading::Control => [ratio(1, 2), ratio(1, 2)],
+        };
+        let step = stiff_step(&acceleration, &force);
+        let wanted = [radius.clone() * &radius * &radius, ratio(3, 1) * &radius * &radius, ratio(3, 1) * &radius];
+        findings.push(Finding::decision(format!("x³ + … = (x + ρ)³ at ρ = {quarter}/4"), characteristic(&step) == wanted, true));
+    }
+    findings.push(Finding::decision("CMAME 256:224–250, 2013 is cited by Siconos", facts.cites("256:224 – 250, 2013"), true));
+    findings.push(Finding::decision("as projected event-capturing schemes", facts.cites("Projected event-capturing time-stepping"), true));
+    findings.push(Finding::decision("with Runge and Kutta in its title", facts.cites("Runge"), false));
+    Ok(findings)
+}
