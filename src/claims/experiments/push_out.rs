@@ -26,8 +26,13 @@ pub struct Drop<T> {
 
 /// The elastic ball under Moreau–Jean with θ = ½ and h = 1/100 s, its position projected onto q ≥ 0 after each step or not.
 pub fn elastic_drop<T: Scalar>(activation: Activation, project: bool) -> Drop<T> {
+    elastic_throw(T::zero(), activation, project)
+}
+
+/// The same, thrown upwards with a velocity \[m/s\].
+pub fn elastic_throw<T: Scalar>(velocity: T, activation: Activation, project: bool) -> Drop<T> {
     let (ball, h) = (ball(T::one()), T::ratio(1, 100));
-    let mut now = Motion { position: T::one(), velocity: T::zero() };
+    let mut now = Motion { position: T::one(), velocity };
     let start = ball.energy(&now);
     let mut drop = Drop { energy: T::one(), lift: T::zero(), projections: 0 };
     for _ in 0..2000 {

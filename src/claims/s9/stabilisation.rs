@@ -2,9 +2,9 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::experiments::push_out::{ball, biased_gain, biased_step, elastic_drop, projected_gain, sunk};
+use crate::claims::experiments::push_out::{ball, biased_gain, biased_step, elastic_drop, elastic_throw, projected_gain, sunk};
 use crate::claims::{Claim, Evidence, Reading, Verdict};
-use crate::scalar::{Rational, ratio};
+use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
 use crate::schemes::exact_particle::{Ball, Motion};
 use crate::tolerance::claims::pathology as tolerance;
@@ -41,9 +41,9 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::False,
         evidence: Evidence::Exact,
         correct_statement: "Projection leaves the kinetic energy alone but lifts the body, ΔE = m g δ. How often depends on the activation rule (with the forecast φ + h v_free ≤ 0 never), \
-                            and, for an elastic ball on the floor after its first projection, on rounding.",
+                            and on the start: a ball dropped from rest comes back to exactly φ = 0 after its first projection, so that rounding decides; thrown, it is projected at every impact.",
         argument: "Elastic ball (e = 1) from 1 m, g = 10 m/s², h = 1/100 s, θ = 1/2, 20 s: in rationals with the rules φ ≤ 0 and φ + ½hv ≤ 0 there is one projection and E/E₀ = 81/80, all of it m g δ; from then on every \
-                   landing is exactly at φ = 0. In double precision those landings fall on either side of zero and the ball is projected again and again: E/E₀ = 1.152. Without projection, and with φ + h v_free ≤ 0: 1.",
+                   landing is exactly at φ = 0. In double precision those landings fall on either side of zero and the ball is projected again and again: E/E₀ = 1.152. Thrown upwards with 3/100 m/s, no landing is at φ = 0 and E/E₀ = 1.529 in rationals, 20 projections under φ ≤ 0 and none under the other two rules. Without projection, and with φ + h v_free ≤ 0: 1.",
         control: "The same drop without projection.",
         sources: &["chapter §9, constraint drift, (3) and table of stabilisations"],
         check: projection,
@@ -121,6 +121,7 @@ fn projection(reading: Reading) -> Result<Vec<Finding>> {
     let forecast = elastic_drop::<Rational>(Activation::FreeVelocityForecast, true);
     let untouched = elastic_drop::<Rational>(Activation::Gap, false);
     let rounded = elastic_drop::<f64>(Activation::Gap, true);
+    let thrown = Activation::ALL.map(|rule| elastic_throw::<Rational>(ratio(3, 100), rule, true));
     Ok(vec![
         Finding::exact("E(20 s)/E(0) with projection, φ ≤ 0", &projected.energy, &ratio(81, 80), "1"),
         Finding::exact("its part that is not the lift m g δ", &(&projected.energy - &projected.lift), &ratio(1, 1), "1"),
@@ -129,6 +130,10 @@ fn projection(reading: Reading) -> Result<Vec<Finding>> {
         Finding::exact("E(20 s)/E(0) without projection", &untouched.energy, &ratio(1, 1), "1"),
         Finding::at_least("E(20 s)/E(0) in double precision", rounded.energy, 81.0 / 80.0, "1"),
         Finding::equal("its part that is not the lift", rounded.energy - rounded.lift, 1.0, tolerance::elastic_drop(2000), "1"),
+        Finding::count("projections of a thrown ball, φ ≤ 0", thrown[0].projections, 20),
+        Finding::exact("its energy that is not the lift", &(&thrown[0].energy - &thrown[0].lift), &ratio(1, 1), "1"),
+        Finding::at_least("its E(20 s)/E(0)", Scalar::to_f64(&thrown[0].energy), 1.5289, "1"),
+        Finding::count("projections of a thrown ball, the other rules", thrown[1].projections + thrown[2].projections, 0),
         Finding::at_least("projections in double precision", rounded.projections as f64, 2.0, "1"),
     ])
 }
