@@ -54,7 +54,7 @@ fn a_scheme_that_fails_is_reported_and_the_others_go_on() {
 
 #[test]
 fn what_cannot_be_meant_is_refused_by_name() {
-    moreau(&["compare", "bouncing-ball", "--schemes", "moreau-jeans"]).is_refused(&["--schemes", "did you mean `moreau-jean`?"]);
+    moreau(&["compare", "bouncing-ball", "--schemes", "moreau-jeans"]).is_refused(&["--schemes", "did you mean `moreau-jean`"]);
     moreau(&["compare", "bouncing-ball", "--schemes", "anitescu,anitescu"]).is_refused(&["--schemes", "twice"]);
     moreau(&["compare", "bouncing-bell"]).is_refused(&["SCENE", "did you mean `bouncing-ball`"]);
     moreau(&["compare", "bouncing-ball", "--step", "0"]).is_refused(&["--step"]);
