@@ -4,7 +4,7 @@
 //!     (q_k, v_k) stored ──► one step of ours ──► |q − q_{k+1}| , |v − v_{k+1}| , |r − r_{k+1}|
 //! ```
 //! Siconos's solvers were direct ones, so that nothing but rounding may lie between. One thing differs, and is modelled here: for a
-//! nonlinear constraint `MoreauJeanOSI` of 4.4.0 takes H at q_k + h v_k, not at q_k ([`Ahead`]).
+//! nonlinear constraint `MoreauJeanOSI` of 4.4.0 takes H at q_k + h v_k, not at q_k.
 
 use crate::contact::Contact;
 use crate::mechanics::{BallChain, BeadInCircle, BodyState, LinearForce, Mechanism, Plane, PointMass, State};
