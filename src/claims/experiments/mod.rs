@@ -2,6 +2,7 @@
 
 pub(super) mod creep;
 pub(super) mod curve;
+pub(super) mod identifiers;
 pub(super) mod push_out;
 pub(super) mod rod;
 pub(super) mod siconos;

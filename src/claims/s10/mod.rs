@@ -4,6 +4,7 @@ use super::Claim;
 
 mod differences;
 mod siconos;
+mod step_sizes;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[differences::CLAIMS, siconos::CLAIMS];
+pub const CLAIMS: &[&[Claim]] = &[differences::CLAIMS, siconos::CLAIMS, step_sizes::CLAIMS];

@@ -7,6 +7,7 @@ use crate::scalar::{Rational, ratio};
 use nalgebra::{DMatrix, DVector};
 
 mod copositive;
+mod literature;
 mod matrix;
 mod painleve;
 pub(in crate::claims) mod polyhedral;
@@ -15,8 +16,16 @@ mod solvability;
 mod stepping;
 
 /// The claims, one slice per file, in the order of the section.
-pub const CLAIMS: &[&[Claim]] =
-    &[matrix::CLAIMS, copositive::CLAIMS, solvability::CLAIMS, painleve::CLAIMS, stepping::CLAIMS, polyhedral::CLAIMS, solutions::CLAIMS];
+pub const CLAIMS: &[&[Claim]] = &[
+    matrix::CLAIMS,
+    copositive::CLAIMS,
+    solvability::CLAIMS,
+    painleve::CLAIMS,
+    stepping::CLAIMS,
+    polyhedral::CLAIMS,
+    solutions::CLAIMS,
+    literature::CLAIMS,
+];
 
 /// The chapter's 4×4 matrix: unit point mass, d = ±x, μ = 1/2, unknowns (λ, β₁, β₂, σ).
 fn chapter_matrix() -> Result<DMatrix<Rational>> {

@@ -1,0 +1,73 @@
+//! §4, the papers it rests on: where they are, and what “the first proof” can mean.
+
+use super::{chapter_matrix, integers};
+use crate::Result;
+use crate::certificate::copositivity::copositive;
+use crate::certificate::definiteness::quadratic_form;
+use crate::checks::Finding;
+use crate::checks::stewart_trinkle::{chapter_example, reference};
+use crate::claims::experiments::identifiers::{issn_agrees, sici_agrees, volume_and_page};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::scalar::ratio;
+use crate::solvers::lemke::{LemkeOutcome, lemke};
+use nalgebra::DVector;
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S4.cites",
+        statement: "Stewart and Trinkle, IJNME 39:2673 (1996); Anitescu and Potra, Nonlinear Dynamics 14:231 (1997); Stewart, ARMA 145:215 (1998).",
+        verdict: Verdict::True,
+        evidence: Evidence::Cited,
+        correct_statement: "As stated, volume and first page: 39 (15), 2673–2691; 14 (3), 231–247; 145 (3), 215–260.",
+        argument: "The first paper's DOI contains its SICI, which names volume 39 and page 2673 and ends in a check character that agrees with them (mod 37); so does the ISSN in it (mod 11). The other two DOIs carry neither volume nor page: for them the reference lists of other papers agree with the chapter, two for each.",
+        control: "Page 2763, two digits exchanged: the check character is another.",
+        sources: &[
+            "chapter §4, and the list of papers at its end",
+            "doi:10.1002/(SICI)1097-0207(19960815)39:15<2673::AID-NME972>3.0.CO;2-I; doi:10.1023/A:1008292328909; doi:10.1007/s002050050129",
+        ],
+        check: places,
+    },
+    Claim {
+        id: "S4.first-proof",
+        statement: "Anitescu and Potra's is the first proof of solvability that does not need the matrix of the complementarity problem to be positive definite.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::NotDecidable,
+        correct_statement: "Who was first is not decided here; Pang and Trinkle had existence results for several bodies with Coulomb friction in print a year before. What the sentence says of the matrix is so: it is not even semidefinite, it is copositive, and Lemke's method solves the step.",
+        argument: "The chapter's example, μ = 1/2: xᵀMx = −1 at x = (1, 0, 0, −4), since the quadratic form holds μ λ σ; copositive, decided exactly; a closing contact is solved by Lemke in rationals.",
+        control: "μ = 0, where the form is that of the Delassus operator, 1 ≥ 0 at this x.",
+        sources: &[
+            "chapter §4, essential insight on copositive-plus",
+            "Pang and Trinkle, Math. Program. 73 (1996) 199, for the title and year",
+        ],
+        check: not_definite,
+    },
+];
+
+/// The SICI in the DOI of Stewart and Trinkle's paper.
+const SICI: &str = "1097-0207(19960815)39:15<2673::AID-NME972>3.0.CO;2-I";
+
+fn places(reading: Reading) -> Result<Vec<Finding>> {
+    let sici = SICI.replace("<2673", reading.pick("<2673", "<2763"));
+    let (volume, page) = volume_and_page(&sici).unwrap_or_default();
+    Ok(vec![
+        Finding::decision("the SICI's check character agrees", sici_agrees(&sici), true),
+        Finding::count("its volume", volume as usize, 39),
+        Finding::count("its first page", page as usize, 2673),
+        Finding::decision("the ISSN's check digit agrees", issn_agrees(&sici[..9]), true),
+    ])
+}
+
+fn not_definite(reading: Reading) -> Result<Vec<Finding>> {
+    let mut matrix = chapter_matrix()?;
+    if reading == Reading::Control {
+        matrix[(3, 0)] = ratio(0, 1);
+    }
+    let closing = reference(&chapter_example(ratio(0, 1), [ratio(0, 1), ratio(-1, 1)]))?;
+    let covering = DVector::from_element(closing.size(), ratio(1, 1));
+    let solved = matches!(lemke(&closing, &covering)?, LemkeOutcome::Solution { .. });
+    Ok(vec![
+        Finding::exact("xᵀMx at x = (1, 0, 0, −4)", &quadratic_form(&matrix, &integers(&[1, 0, 0, -4])), &ratio(-1, 1), "J"),
+        Finding::decision("copositive", copositive(&matrix)?.holds(), true),
+        Finding::decision("Lemke solves a closing contact", solved, true),
+    ])
+}
