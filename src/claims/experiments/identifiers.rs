@@ -12,7 +12,7 @@
 /// Whether the check character of an ISSN agrees with its digits.
 pub fn issn_agrees(issn: &str) -> bool {
     let digits: Vec<u32> = issn.chars().filter(|c| *c != '-').map(|c| c.to_digit(10).unwrap_or(10)).collect();
-    digits.len() == 8 && digits.iter().zip((1..=8).rev()).map(|(digit, weight)| digit * weight).sum::<u32>() % 11 == 0
+    digits.len() == 8 && digits.iter().zip((1..=8).rev()).map(|(digit, weight)| digit * weight).sum::<u32>().is_multiple_of(11)
 }
 
 /// The value of a character of a SICI.
@@ -25,7 +25,7 @@ pub fn sici_agrees(sici: &str) -> bool {
     let letters: Vec<char> = sici.chars().collect();
     let Some((check, body)) = letters.split_last() else { return false };
     let sum: u32 = body.iter().rev().enumerate().map(|(k, letter)| value(*letter) * if k % 2 == 0 { 3 } else { 1 }).sum();
-    (sum + value(*check)) % 37 == 0
+    (sum + value(*check)).is_multiple_of(37)
 }
 
 /// (volume, first page) of a SICI.

@@ -25,7 +25,7 @@ fn mu() -> Rational {
 fn coulomb(u: &[Rational; 2], r: &[Rational; 2]) -> bool {
     let zero = ratio(0, 1);
     let lifted = &u[0] + mu() * u[1].magnitude();
-    let admissible = r[1].magnitude() <= mu() * &r[0] && &lifted >= &(mu() * u[1].magnitude());
+    let admissible = r[1].magnitude() <= mu() * &r[0] && lifted >= mu() * u[1].magnitude();
     admissible && &r[0] * lifted + &r[1] * &u[1] == zero
 }
 
