@@ -237,6 +237,14 @@ pub mod claims {
     /// its transient (1 + t/t_c) e^{−t/t_c}, t_c = 0.02 s, is 13.5 e^{−12.5} = 5e-5; 2⁻¹⁰ is above that and far below what another t_c makes.
     pub const SAME_CREEP: f64 = 1.0 / 1024.0;
 
+    /// Error of the height w²/(2g) to which a body that leaves the floor at w \[m/s\] rises under steps h: the launch is off by at most
+    /// δ = g h (1 + μ), the load of the first step, hence the height by (2wδ + δ²)/(2g); the free flight q⁺ = q + h v⁺ rises by at most w h
+    /// less, and is sampled to within g h².
+    pub fn rolling_hop(launch: f64, friction: f64, gravity: f64, h: f64) -> f64 {
+        let off = gravity * h * (1.0 + friction);
+        (2.0 * launch * off + off * off) / (2.0 * gravity) + launch * h + gravity * h * h
+    }
+
     /// Step of the Runge–Kutta integration of a soft impact in `S2.soft-limit`, in units of √(m/k).
     pub const SOFT_STEP: f64 = 1.0 / 256.0;
 

@@ -3,8 +3,9 @@
 use super::Claim;
 
 mod differences;
+mod instances;
 mod siconos;
 mod step_sizes;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[differences::CLAIMS, siconos::CLAIMS, step_sizes::CLAIMS];
+pub const CLAIMS: &[&[Claim]] = &[differences::CLAIMS, siconos::CLAIMS, step_sizes::CLAIMS, instances::CLAIMS];
