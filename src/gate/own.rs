@@ -205,7 +205,8 @@ fn laws(solver: &str) -> Vec<String> {
         "auto" => &["frictionless", "coulomb", "associated", "polyhedral-coulomb", "polyhedral-associated"],
         "pgs" => &["frictionless", "coulomb", "associated", "polyhedral-coulomb"],
         "lemke" => &["frictionless", "polyhedral-coulomb", "polyhedral-associated"],
-        "apgd" => &["frictionless", "associated"],
+        "apgd" | "bb" => &["frictionless", "associated"],
+        "psor" | "admm" => &["frictionless", "coulomb", "associated"],
         "clarabel" => &["frictionless", "associated", "polyhedral-associated"],
         _ => &[],
     };

@@ -15,7 +15,6 @@
 use super::ContactSolver;
 use super::stopping::Stopping;
 use crate::Result;
-use crate::cones::second_order;
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::solvers as tolerance;
 use nalgebra::{DMatrix, DVector};
@@ -92,7 +91,7 @@ impl AcceleratedProjectedGradient {
             next.copy_from(&point);
             next.axpy(-step, &point_product, 1.0);
             next.axpy(-step, &q, 1.0);
-            project(problem, &mut next);
+            super::project(problem, &mut next);
             next_product.gemv(1.0, &operator, &next, 0.0);
             let uphill = (0..next.len()).map(|k| (point[k] - next[k]) * (next[k] - impulse[k])).sum::<f64>() > 0.0;
             let beta = match self.momentum {
@@ -132,16 +131,10 @@ pub fn largest_eigenvalue_bound(operator: &DMatrix<f64>) -> f64 {
     rows.min(operator.norm())
 }
 
-fn step_length(operator: &DMatrix<f64>) -> f64 {
+/// 1/L \[kg\].
+pub(super) fn step_length(operator: &DMatrix<f64>) -> f64 {
     let bound = largest_eigenvalue_bound(operator);
     if bound > 0.0 { 1.0 / bound } else { 1.0 }
-}
-
-fn project(problem: &ContactProblem, impulse: &mut DVector<f64>) {
-    let frictionless = problem.law == Law::Frictionless;
-    for (k, contact) in impulse.as_mut_slice().chunks_exact_mut(problem.rows_per_contact).enumerate() {
-        second_order::project(contact, if frictionless { 0.0 } else { problem.friction[k] });
-    }
 }
 
 /// point ← new + β (new − old).

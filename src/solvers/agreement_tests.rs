@@ -80,6 +80,35 @@ fn three_algorithms_agree_on_the_velocities_of_the_convex_laws() {
 }
 
 #[test]
+fn the_solvers_of_chrono_and_pinocchio_agree_with_the_others_on_the_convex_laws() {
+    for seed in 0..20 {
+        for (law, rows) in [(Law::Frictionless, 3), (Law::Associated, 2), (Law::Associated, 3)] {
+            let problem = random(law, rows, 1 + seed as usize % 4, 4, 10.0, 0.6, seed);
+            let sweeps = certified(&problem, &ProjectedGaussSeidel::default());
+            for solver in
+                [&BarzilaiBorwein::default() as &dyn ContactSolver, &AlternatingDirections::default(), &ProjectedOverRelaxation::default()]
+            {
+                agree(&problem, &sweeps, &certified(&problem, solver));
+            }
+        }
+    }
+}
+
+#[test]
+fn sweeps_and_alternating_directions_solve_coulomb_with_and_without_compliance() {
+    for seed in 0..20 {
+        for friction in [0.0, 0.3, 1.0] {
+            let mut problem = random(Law::Coulomb, 3, 1 + seed as usize % 4, 6, 10.0, friction, seed);
+            certified(&problem, &AlternatingDirections::default());
+            certified(&problem, &ProjectedOverRelaxation::default());
+            problem.compliance =
+                Some(Compliance { coordinates: Coordinates::Contact, diagonal: DVector::from_element(problem.rows(), 0.1) });
+            certified(&problem, &AlternatingDirections::default());
+        }
+    }
+}
+
+#[test]
 fn coulomb_answers_pass_the_certificate_with_redundant_contacts_and_extreme_friction() {
     for seed in 0..40 {
         for friction in [0.0, 0.3, 1.0] {
@@ -196,7 +225,12 @@ fn edges_of_a_polyhedral_cone_are_frictionless_contacts() {
 fn an_asymmetric_delassus_operator_is_refused_by_name_where_symmetry_is_needed() {
     let mut problem = random(Law::Associated, 3, 2, 6, 1.0, 0.5, 3);
     problem.delassus[(0, 3)] += 1e-3;
-    for solver in [&AcceleratedProjectedGradient::default() as &dyn ContactSolver, &ClarabelPolished] {
+    for solver in [
+        &AcceleratedProjectedGradient::default() as &dyn ContactSolver,
+        &ClarabelPolished,
+        &BarzilaiBorwein::default(),
+        &AlternatingDirections::default(),
+    ] {
         let message = solver.solve(&problem, None).unwrap_err().to_string();
         assert!(message.contains(solver.name()) && message.contains("symmetric"), "{message}");
     }
@@ -208,8 +242,13 @@ fn laws_outside_the_scope_are_refused_by_name() {
     let coulomb = random(Law::Coulomb, 3, 2, 6, 1.0, 0.5, 3);
     assert!(AcceleratedProjectedGradient::default().solve(&coulomb, None).is_err());
     assert!(ClarabelPolished.solve(&coulomb, None).is_err());
+    assert!(BarzilaiBorwein::default().solve(&coulomb, None).unwrap_err().to_string().contains("pgs"));
     let polyhedral = random(Law::PolyhedralAssociated { directions: 4 }, 3, 2, 6, 1.0, 0.5, 3);
-    assert!(ProjectedGaussSeidel::default().solve(&polyhedral, None).unwrap_err().to_string().contains("lemke"));
+    for solver in
+        [&ProjectedGaussSeidel::default() as &dyn ContactSolver, &ProjectedOverRelaxation::default(), &AlternatingDirections::default()]
+    {
+        assert!(solver.solve(&polyhedral, None).unwrap_err().to_string().contains("lemke"));
+    }
     certified(&polyhedral, &Reference);
     certified(&coulomb, &Reference);
 }

@@ -1,11 +1,14 @@
 //! Contact solvers, one per file. None of them judges itself: [`crate::certificate`] does.
 
-use crate::problem::{Compliance, ContactProblem, Coordinates, Solution};
+use crate::cones::second_order;
+use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
 use crate::{Error, Result};
 use nalgebra::DVector;
 
 mod accelerated_projected_gradient;
+mod alternating_directions;
 mod anderson;
+mod barzilai_borwein;
 mod clarabel;
 pub mod enumeration;
 pub mod lemke;
@@ -13,14 +16,18 @@ mod lemke_pivoting;
 mod one_contact;
 mod polyhedral_contact;
 mod projected_gauss_seidel;
+mod projected_over_relaxation;
 mod reference;
 mod stopping;
 mod within_step;
 
 pub use accelerated_projected_gradient::{AcceleratedProjectedGradient, Momentum, largest_eigenvalue_bound, objective};
+pub use alternating_directions::AlternatingDirections;
+pub use barzilai_borwein::BarzilaiBorwein;
 pub use clarabel::{ClarabelPolished, Polished};
 pub use lemke_pivoting::LemkePivoting;
 pub use projected_gauss_seidel::ProjectedGaussSeidel;
+pub use projected_over_relaxation::ProjectedOverRelaxation;
 pub use reference::{NAMES, Reference, by_name};
 pub use within_step::WithinStep;
 
@@ -65,8 +72,20 @@ fn compliance(problem: &ContactProblem, row: usize) -> f64 {
     }
 }
 
+/// μ of the cone that the law uses at contact k: 0 without friction.
+fn cone_friction(problem: &ContactProblem, k: usize) -> f64 {
+    if problem.law == Law::Frictionless { 0.0 } else { problem.friction[k] }
+}
+
+/// Replaces every contact's impulse by its projection on the second-order cone.
+fn project(problem: &ContactProblem, impulse: &mut DVector<f64>) {
+    for (k, contact) in impulse.as_mut_slice().chunks_exact_mut(problem.rows_per_contact).enumerate() {
+        second_order::project(contact, cone_friction(problem, k));
+    }
+}
+
 /// The error of a solver for convex laws that is given another one, with a solver that takes it.
-fn not_convex(solver: &str, law: crate::problem::Law) -> Error {
+fn not_convex(solver: &str, law: Law) -> Error {
     let cure = if law.directions().is_some() { "lemke" } else { "pgs" };
     Error::solver(solver, format!("does not solve the law `{}`; use `{cure}`", law.name()))
 }

@@ -1,14 +1,15 @@
 //! The solver to use when nothing is said, and solvers by name.
 
 use super::stopping::Stopping;
-use super::{AcceleratedProjectedGradient, ClarabelPolished, ContactSolver, LemkePivoting, ProjectedGaussSeidel};
+use super::{AcceleratedProjectedGradient, AlternatingDirections, BarzilaiBorwein, ClarabelPolished, ContactSolver, LemkePivoting};
+use super::{ProjectedGaussSeidel, ProjectedOverRelaxation};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::solvers::FIRST_SWEEPS;
 use crate::{Error, Result};
 use nalgebra::DVector;
 
 /// The names [`by_name`] knows.
-pub const NAMES: [&str; 5] = ["auto", "lemke", "pgs", "apgd", "clarabel"];
+pub const NAMES: [&str; 8] = ["auto", "lemke", "pgs", "psor", "apgd", "bb", "admm", "clarabel"];
 
 /// The default choice: Lemke for the polyhedral laws, accelerated block projected Gauss–Seidel for the others. At spatial contacts Stewart–Trinkle's
 /// law is first tried by a bounded number of sweeps, for Lemke's tableau has (2 + d)² entries per pair of contacts.
@@ -51,6 +52,9 @@ pub fn by_name(name: &str) -> Result<Box<dyn ContactSolver>> {
         "auto" => Ok(Box::new(Reference)),
         "lemke" => Ok(Box::new(LemkePivoting)),
         "apgd" => Ok(Box::new(AcceleratedProjectedGradient::default())),
+        "bb" => Ok(Box::new(BarzilaiBorwein::default())),
+        "admm" => Ok(Box::new(AlternatingDirections::default())),
+        "psor" => Ok(Box::new(ProjectedOverRelaxation::default())),
         "clarabel" => Ok(Box::new(ClarabelPolished)),
         "pgs" => Ok(Box::new(ProjectedGaussSeidel::default())),
         _ => Err(Error::Unsupported(format!("there is no solver `{name}`; use one of {}", NAMES.join(", ")))),

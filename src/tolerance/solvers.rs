@@ -67,6 +67,27 @@ pub const ROUNDS: usize = 20;
 /// needs more is ill conditioned and left to the other solvers.
 pub const GRADIENT_STEPS: usize = 200_000;
 
+/// Iterations of the alternating directions: each costs a triangular solve, two matrix products, so that 100 000 are worth what
+/// [`GRADIENT_STEPS`] are; what needs more is left to the other solvers.
+pub const ALTERNATIONS: usize = 100_000;
+
+/// Proximal weight η of the alternating directions in units of the mean diagonal entry of W + R: Pinocchio's default, a millionth, which leaves
+/// the fixed points alone and makes a singular W definite.
+pub const ADMM_PROXIMAL: f64 = 1e-6;
+
+/// Bounds of the penalty ρ in the same units, Pinocchio's: a millionth and a million keep ten digits of W in W + ρI.
+pub const PENALTIES: (f64, f64) = (1e-6, 1e6);
+
+/// How far the primal residual of the alternating directions may exceed the dual one, or the other way round, before ρ changes: ten, as in the
+/// literature and in Pinocchio. Only the number of iterations depends on it.
+pub const BALANCE: f64 = 10.0;
+
+/// Past values of the objective that a Barzilai–Borwein step must stay below: ten, as Birgin, Martínez and Raydan take. Only the number of steps depends on it.
+pub const PAST_VALUES: usize = 10;
+
+/// Share γ of the predicted fall that a Barzilai–Borwein step must achieve, 10⁻⁴ as there; any γ < ½ is met by the exact minimum along the direction.
+pub const ARMIJO: f64 = 1e-4;
+
 /// Relative asymmetry max|W − Wᵀ|/max|W| up to which W counts as symmetric: the rounding of sums of 1000 products, 2000 ε ≈ 4e-13.
 pub const SYMMETRY: f64 = 2000.0 * EPSILON;
 
