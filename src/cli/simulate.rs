@@ -26,7 +26,7 @@ pub struct Arguments {
     /// A built-in scene or a file scene/1.
     #[arg(long, value_name = "NAME|FILE", required_unless_present = "list")]
     scene: Option<String>,
-    /// The time-stepping scheme: moreau-jean, moreau-jean-projection, schatzman-paoli, generalised-alpha, stewart-trinkle, anitescu, explicit-euler, semi-implicit-euler or runge-kutta-flip.
+    /// The time-stepping scheme: moreau-jean, moreau-jean-projection, schatzman-paoli, generalised-alpha, stewart-trinkle, anitescu, chrono, bullet, explicit-euler, semi-implicit-euler or runge-kutta-flip.
     #[arg(long, value_name = "NAME", default_value = "moreau-jean")]
     scheme: String,
     /// Time step h [s].
@@ -71,11 +71,13 @@ pub struct Arguments {
 }
 
 /// The schemes whose impacts use e.
-const RESTITUTING: [&str; 7] = [
+const RESTITUTING: [&str; 9] = [
     "moreau-jean",
     "moreau-jean-projection",
     "schatzman-paoli",
     "generalised-alpha",
+    "chrono",
+    "bullet",
     "explicit-euler",
     "semi-implicit-euler",
     "runge-kutta-flip",

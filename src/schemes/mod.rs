@@ -12,6 +12,8 @@ use nearby::Nearby;
 
 pub mod anitescu;
 pub(crate) mod assembly;
+pub mod bullet;
+pub mod chrono;
 pub mod euler;
 pub mod exact_particle;
 pub mod generalised_alpha;
@@ -24,6 +26,8 @@ pub mod schatzman_paoli;
 pub mod stewart_trinkle;
 
 pub use anitescu::Anitescu;
+pub use bullet::{Bodies, Bullet};
+pub use chrono::Chrono;
 pub use euler::Euler;
 pub use generalised_alpha::GeneralisedAlpha;
 pub use moreau_jean::{Activation, MoreauJean, RestitutionRule};

@@ -1,19 +1,21 @@
 //! Schemes by name, for the command line.
 
 use super::{
-    Activation, Anitescu, Euler, GeneralisedAlpha, MoreauJean, MoreauJeanProjection, RestitutionRule, RungeKuttaFlip, SchatzmanPaoli,
-    Scheme, StewartTrinkle,
+    Activation, Anitescu, Bullet, Chrono, Euler, GeneralisedAlpha, MoreauJean, MoreauJeanProjection, RestitutionRule, RungeKuttaFlip,
+    SchatzmanPaoli, Scheme, StewartTrinkle,
 };
 use crate::{Error, Result};
 
 /// The names [`by_name`] knows.
-pub const NAMES: [&str; 9] = [
+pub const NAMES: [&str; 11] = [
     "moreau-jean",
     "moreau-jean-projection",
     "schatzman-paoli",
     "generalised-alpha",
     "stewart-trinkle",
     "anitescu",
+    "chrono",
+    "bullet",
     "explicit-euler",
     "semi-implicit-euler",
     "runge-kutta-flip",
@@ -72,6 +74,8 @@ pub fn by_name(name: &str, parameters: Parameters) -> Result<Box<dyn Scheme>> {
             Ok(Box::new(scheme))
         }
         "anitescu" => Ok(Box::new(Anitescu)),
+        "chrono" => Ok(Box::new(Chrono::default())),
+        "bullet" => Ok(Box::new(Bullet::default())),
         "explicit-euler" => Ok(Box::new(Euler::Explicit)),
         "semi-implicit-euler" => Ok(Box::new(Euler::SemiImplicit)),
         "runge-kutta-flip" => Ok(Box::new(RungeKuttaFlip)),
