@@ -24,7 +24,9 @@ from reference.scenes import all_scenes  # noqa: E402
 from reference.tolerance import loose_kinds  # noqa: E402
 
 SCRIPTS = Path(__file__).resolve().parent
-ENGINES = ("mujoco", "drake", "siconos")
+DEFAULT = ("mujoco", "drake", "siconos")
+OPTIONAL = ("bullet", "pinocchio")  # run without being named only where they are installed already
+ENGINES = DEFAULT + OPTIONAL
 EPILOG = """
 examples:
   scripts/generate_references.py                      write all files (some minutes)
@@ -38,6 +40,7 @@ in each file.  As a control, one stored number of every kind is moved by ten tim
 if that goes unnoticed, the check itself fails.  Missing and additional files are differences.
 
 An engine that cannot be installed is reported as "not run"; with --require it is a failure.
+mujoco and drake are installed on demand, the others only when --only or --require names them.
 
 exit status: 0 everything agrees (or was written), 1 there are differences,
              2 wrong usage, or a required engine did not run
@@ -70,7 +73,8 @@ def arguments():
     parser.add_argument("--check", action="store_true",
                         help="compare with the stored files and write nothing")
     parser.add_argument("--only", type=engine_list, metavar="ENGINE[,ENGINE]", default=[],
-                        help=f"engines to run (default: {','.join(ENGINES)})")
+                        help=f"engines to run (default: {','.join(DEFAULT)}, and those installed "
+                             f"among {','.join(OPTIONAL)})")
     parser.add_argument("--require", type=engine_list, metavar="ENGINE[,ENGINE]", default=[],
                         help="engines that must run")
     parser.add_argument("--match", metavar="TEXT", default="",
@@ -110,7 +114,7 @@ class Run:
 
     def job(self, engine, job, description):
         """Make one document; store it, or compare it."""
-        scene = json.loads(json.dumps(self.scenes[job.scene]))
+        scene = json.loads(json.dumps(self.scenes.get(getattr(job, "scene", None))))
         path = self.options.references / job.path
         if self.options.check and not path.exists():
             return self.fail(job.path, ["missing"])
@@ -132,6 +136,9 @@ class Run:
 
     def engine(self, name, jobs):
         """All jobs of one engine; raises NotInstalled when it cannot run at all."""
+        named = name in DEFAULT or name in self.options.only or name in self.options.require
+        if not (named or environment.is_current(name, SCRIPTS, self.options.environments)):
+            raise environment.NotInstalled(f"not installed; --only {name} installs it")
         python = environment.python_of(name, SCRIPTS, self.options.environments, report)
         with open(os.devnull, "wb") as log:
             with Engine(python, SCRIPTS / "engines" / f"{name}.py", log) as engine:

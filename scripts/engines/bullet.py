@@ -43,7 +43,7 @@ FIXED = ("contact_margin",)
 OPTIONS = {
     "cone_friction": True, "iterations": 50, "ground_shape": ("plane", "box"),
     "friction_erp": 0.2, "global_cfm": 0.0,
-    "maximal_coordinates": False, "split_impulse": True, "warm_starting_factor": 0.1,
+    "maximal_coordinates": False, "rigid_ground": False, "split_impulse": True, "warm_starting_factor": 0.1,
 }
 
 
@@ -108,6 +108,7 @@ class World:
             shape = self._call("createCollisionShape", pybullet.GEOM_PLANE, planeNormal=[0, 0, 1])
         self._material(self._call(
             "createMultiBody", 0, shape, baseOrientation=[x, y, z, w],
+            useMaximalCoordinates=self.values["rigid_ground"],
             basePosition=[o - depth * n for o, n in zip(self.origin, normal)]), GROUND,
             collisionMargin=self.values["collision_margin"])
 

@@ -3,9 +3,42 @@
 import copy
 
 from reference.compare import comparable, largest_changes
+from reference.packages import package
+from reference.plan import Package, Solve
 from reference.tolerance import PERTURBATION
 
 SCRIPT_VERSION = 1
+
+
+def answer(engine, job, description):
+    """The answer of a solver to a problem, and where it comes from."""
+    return {"schema": "answer/1", "problem": job.problem,
+            "answer": engine.ask("solve", problem=job.problem, options=job.options),
+            "provenance": {
+                "script": "scripts/generate_references.py", "script_version": SCRIPT_VERSION,
+                "engine": description["name"], "version": description["version"],
+                "request": "solve", "options": job.options, "steps": 1}}
+
+
+def answer_sensitivity(engine, job, base):
+    """{kind: [A, D]} of an answer: another free velocity, half the stopping tolerance."""
+    def measure(problem, options):
+        other = {**base, "problem": problem,
+                 "answer": engine.ask("solve", problem=problem, options=options)}
+        changes = largest_changes(comparable(base), comparable(other))
+        return {kind: change for kind, change in changes.items() if kind.startswith("answer/")}
+
+    moved = copy.deepcopy(job.problem)
+    moved["free_velocity"] = [u + PERTURBATION for u in moved["free_velocity"]]
+    tolerance = {"tolerance": job.options["tolerance"] / 2}
+    return _pairs(measure(moved, job.options), measure(job.problem, {**job.options, **tolerance}))
+
+
+def _pairs(change, stopping):
+    """{kind: [A, D]} from the changes under the perturbation and under half the tolerance."""
+    return {kind: [float(f"{change.get(kind, 0.0) / PERTURBATION:.2e}"),
+                   float(f"{stopping.get(kind, 0.0):.2e}")]
+            for kind in sorted(set(change) | set(stopping))}
 
 
 def ask(engine, job, scene, options):
@@ -23,6 +56,10 @@ def steps_of(job, scene):
 
 def document(engine, job, scene, description):
     """The document without its sensitivity: the engine's answer and where it comes from."""
+    if isinstance(job, Solve):
+        return answer(engine, job, description)
+    if isinstance(job, Package):
+        return package(job.engine, engine.python, engine.python.parents[2])
     result = ask(engine, job, scene, job.options)
     result["provenance"] = {
         "script": "scripts/generate_references.py", "script_version": SCRIPT_VERSION,
@@ -50,6 +87,11 @@ def perturbed(scene):
 
 def sensitivity(engine, job, scene, base):
     """{kind: [A, D]} of `reference.tolerance`."""
+    if isinstance(job, Solve):
+        return answer_sensitivity(engine, job, base)
+    if isinstance(job, Package):
+        return {}
+
     def measure(other_scene, options):
         other = ask(engine, job, other_scene, options)
         return largest_changes(comparable(base), comparable(other))
@@ -59,6 +101,4 @@ def sensitivity(engine, job, scene, base):
     if job.engine == "mujoco":
         tolerance = job.options.get("tolerance", 1e-8)
         stopping = measure(scene, {**job.options, "tolerance": tolerance / 2})
-    return {kind: [float(f"{change.get(kind, 0.0) / PERTURBATION:.2e}"),
-                   float(f"{stopping.get(kind, 0.0):.2e}")]
-            for kind in sorted(set(change) | set(stopping))}
+    return _pairs(change, stopping)

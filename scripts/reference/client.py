@@ -14,6 +14,7 @@ class Engine:
     """One running adapter; use as a context manager."""
 
     def __init__(self, python, script, log):
+        self.python = python
         self.process = subprocess.Popen([str(python), str(script)], stdin=subprocess.PIPE,
                                         stdout=subprocess.PIPE, stderr=log)
         self.number = 0

@@ -1,10 +1,13 @@
 """Which files exist: scene × engine configuration × time step, and which steps are dumped.
 
 Trajectories are called `<scene>__<config>__h<step>.json`; a dump of the step from t = k h to
-(k+1) h is called `<scene>__<config>__h<step>__step<k>.dump.json`.
+(k+1) h is called `<scene>__<config>__h<step>__step<k>.dump.json`.  A solver's answer to a problem
+is called `<problem>.json`.
 """
 
 from dataclasses import dataclass, field
+
+from reference.problems import all_problems
 
 STEPS = (1e-2, 5e-3, 2e-3, 1e-3)
 
@@ -33,6 +36,32 @@ class Job:
         if self.is_dump:
             name += f"__step{self.step}.dump"
         return f"{self.engine}/{name}.json"
+
+
+@dataclass(frozen=True)
+class Solve:
+    """One reference file with a solver's answer to a contact problem of `reference.problems`."""
+
+    engine: str
+    problem: dict
+    options: dict
+
+    @property
+    def path(self):
+        """Path below `references/`."""
+        return f"{self.engine}/{self.problem['name']}.json"
+
+
+@dataclass(frozen=True)
+class Package:
+    """One reference file with what an engine's pinned package holds, see `reference.packages`."""
+
+    engine: str
+
+    @property
+    def path(self):
+        """Path below `references/`."""
+        return f"{self.engine}/package.json"
 
 
 MUJOCO_SOLVERS = {
@@ -91,6 +120,35 @@ def _drake():
         yield Job("drake", scene, "sap", h, step=step, options=DRAKE["sap"])
 
 
+CONVERGED = {"residual_threshold": 0.0, "iterations": 500}
+BULLET = {
+    "multi": CONVERGED,
+    "rigid": {**CONVERGED, "maximal_coordinates": True, "rigid_ground": True},
+    "box": {**CONVERGED, "ground_shape": "box"},
+    "box-default": {"ground_shape": "box"},
+}
+
+
+def _bullet():
+    for h in STEPS[:2]:
+        for scene in ("ball_sunk", "ball_deep", "ball_bounce"):
+            for config in ("multi", "rigid"):
+                yield Job("bullet", scene, config, h, sample_every=1, options=BULLET[config])
+        for scene in ("block_stick", "block_slide"):
+            for config in ("box", "box-default"):
+                yield Job("bullet", scene, config, h, sample_every=2, options=BULLET[config])
+
+
+# Far below the default 1e-6 and 1e-10 of Pinocchio and of its adapter, so that the answer and not
+# the stopping rule is stored; the relative rule would end an iteration that has not converged.
+PINOCCHIO = {"tolerance": 1e-13, "relative_tolerance": 1e-16, "iterations": 200000}
+
+
+def _pinocchio():
+    for problem in all_problems().values():
+        yield Solve("pinocchio", problem, PINOCCHIO)
+
+
 # Motions that the engine itself does not reproduce when its stopping tolerance or the initial
 # state changes by next to nothing (`tolerance.MEANINGFUL`); they would check nothing.
 NOT_REPRODUCIBLE = {
@@ -105,5 +163,6 @@ NOT_REPRODUCIBLE = {
 
 def all_jobs():
     """Every reference file, engine by engine."""
-    return [job for job in (*_mujoco(), *_drake()) if job.is_dump or
-            (job.engine, job.scene, job.config, job.time_step) not in NOT_REPRODUCIBLE]
+    motions = [job for job in (*_mujoco(), *_drake()) if job.is_dump or
+               (job.engine, job.scene, job.config, job.time_step) not in NOT_REPRODUCIBLE]
+    return [*motions, *_bullet(), *_pinocchio(), Package("bullet"), Package("pinocchio")]

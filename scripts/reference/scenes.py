@@ -69,6 +69,12 @@ def all_scenes():
         _scene("ball_rest", "A 1 kg sphere settles on the ground: one contact.", LEVEL,
                [_ball(START_GAP)], 0.5, 1.0,
                {"drake": {"stiffness": 1e5, "dissipation": 50.0, "relaxation_time": 0.005}}),
+        _scene("ball_sunk", "A 1 kg sphere starts 1 cm deep in the ground.", LEVEL, [_ball(-0.01)],
+               0.5, 0.4, {}),
+        _scene("ball_deep", "A 1 kg sphere starts 6 cm deep in the ground.", LEVEL,
+               [_ball(-0.06)], 0.5, 0.4, {}),
+        _scene("ball_bounce", "A 1 kg sphere falls 0.2 m and rebounds with e = 0.5.", LEVEL,
+               [_ball(0.2)], 0.5, 0.8, {}, restitution=0.5),
         _block_on_incline("block_stick", "A 1 kg block on a 20 degree incline; 0.5 > tan 20: "
                           "it must not move.", 0.5),
         _block_on_incline("block_slide", "A 1 kg block on a 20 degree incline; 0.3 < tan 20: "

@@ -1,8 +1,10 @@
 """The comparison, the tolerances, the files' text and the plan; no engine needed."""
 
 import copy
+import io
 import json
 import sys
+import tarfile
 import tempfile
 import unittest
 from pathlib import Path
@@ -10,10 +12,12 @@ from pathlib import Path
 SCRIPTS = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(SCRIPTS), str(SCRIPTS / "engines")]
 
+import _problem  # noqa: E402
 from _scene import Recorder, solid_inertia, step_count  # noqa: E402
-from reference import documents  # noqa: E402
+from reference import documents, packages  # noqa: E402
 from reference.compare import check, comparable, numbers_by_kind, tolerances_of  # noqa: E402
-from reference.plan import all_jobs  # noqa: E402
+from reference.plan import Job, all_jobs  # noqa: E402
+from reference.problems import all_problems  # noqa: E402
 from reference.scenes import all_scenes  # noqa: E402
 from reference.tolerance import EPSILON, loose_kinds  # noqa: E402
 
@@ -124,13 +128,34 @@ class Plan(unittest.TestCase):
     def test_paths_are_unique_and_scenes_exist(self):
         jobs = all_jobs()
         self.assertEqual(len({job.path for job in jobs}), len(jobs))
-        self.assertLessEqual({job.scene for job in jobs}, set(all_scenes()))
+        scenes = {job.scene for job in jobs if isinstance(job, Job)}
+        self.assertLessEqual(scenes, set(all_scenes()))
 
     def test_every_motion_ends_on_a_sample(self):
         for job in all_jobs():
-            if not job.is_dump:
+            if isinstance(job, Job) and not job.is_dump:
                 steps = step_count(all_scenes()[job.scene], job.time_step)
                 self.assertEqual(steps % job.sample_every, 0, job.path)
+
+    def test_every_problem_is_one_that_the_adapters_read(self):
+        for name, document in all_problems().items():
+            problem = _problem.read(document)
+            self.assertEqual(problem.name, name)
+            self.assertGreater(min(problem.delassus[i][i] for i in range(problem.rows)), 0.0)
+
+
+class Packages(unittest.TestCase):
+    def test_lines_are_found_by_file_and_expression_and_lose_their_comment(self):
+        text = b"a = 1;  // one\nb = 2;\n"
+        with tempfile.TemporaryDirectory() as folder:
+            archive = Path(folder) / "package.tar.gz"
+            with tarfile.open(archive, "w:gz") as tar:
+                for name in ("p/x.h", "p/y.h"):
+                    member = tarfile.TarInfo(name)
+                    member.size = len(text)
+                    tar.addfile(member, io.BytesIO(text))
+            found = packages._lines(archive, {r"/x\.h$": r"a = "})
+        self.assertEqual(found, [{"file": "p/x.h", "text": "a = 1;"}])
 
 
 if __name__ == "__main__":
