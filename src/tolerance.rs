@@ -227,6 +227,7 @@ pub mod checks {
 
 /// Tolerances of [`crate::claims`].
 pub mod claims {
+    pub mod engines;
     pub mod impact;
     pub mod integrators;
     pub mod pathology;

@@ -22,6 +22,7 @@ pub mod s7;
 pub mod s8;
 pub mod s9;
 mod section;
+pub mod v;
 
 pub use registry::{Outcome, Status, all, find, group_of, judge, matches_group};
 pub use section::{SECTIONS, Section, place};

@@ -35,7 +35,7 @@ pub struct Outcome {
 
 /// Every registered claim, in the chapter's order.
 pub fn all() -> impl Iterator<Item = &'static Claim> {
-    let sections: [&[&[Claim]]; 13] = [
+    let sections: [&[&[Claim]]; 14] = [
         super::front::CLAIMS,
         super::s0::CLAIMS,
         super::s2::CLAIMS,
@@ -49,6 +49,7 @@ pub fn all() -> impl Iterator<Item = &'static Claim> {
         super::s10::CLAIMS,
         super::s12::CLAIMS,
         super::manual::CLAIMS,
+        super::v::CLAIMS,
     ];
     sections.into_iter().flatten().copied().flatten()
 }

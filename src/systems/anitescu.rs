@@ -45,16 +45,19 @@ pub static SYSTEM: System = System {
             against: "Clarabel 0.11, polished",
             quantity: "contact velocities of each step of a stack of five boxes",
             unit: "m/s",
-            measure: || stack_against_clarabel(&Anitescu, &Reference),
+            measure: || stack_against_clarabel(&Anitescu, &Reference, 20),
         },
     ],
 };
 
-/// The first 20 steps h = 1/100 s of the scene `box-stack`, each problem solved twice.
-fn stack_against_clarabel(scheme: &dyn Scheme, solver: &dyn ContactSolver) -> Result<Measured> {
+/// The first steps h = 1/100 s of the scene `box-stack`, each problem solved twice.
+///
+/// # Errors
+/// Those of the scheme and the solver.
+pub fn stack_against_clarabel(scheme: &dyn Scheme, solver: &dyn ContactSolver, steps: usize) -> Result<Measured> {
     let (mechanism, mut state) = named("box-stack")?.mechanism()?;
     let mut comparisons = Vec::new();
-    for _ in 0..20 {
+    for _ in 0..steps {
         let taken = step(scheme, solver, mechanism.as_ref(), &state, 0.01)?;
         if let (Some(problem), Some(answer)) = (&taken.assembled.problem, &taken.solution) {
             comparisons.push(apart(problem, answer, &ClarabelPolished.solve(problem, None)?)?);

@@ -15,6 +15,8 @@ use serde::Serialize;
 use std::fmt;
 
 mod anitescu;
+mod bullet;
+mod chrono;
 mod explicit_euler;
 mod generalised_alpha;
 mod measured;
@@ -22,6 +24,8 @@ mod moreau_jean;
 mod on_a_ball;
 mod on_a_slope;
 mod on_a_spring;
+mod pinocchio;
+pub mod replay;
 mod report;
 mod runge_kutta_flip;
 mod semi_implicit_euler;
@@ -114,6 +118,9 @@ pub static ALL: &[&System] = &[
     &moreau_jean::SYSTEM,
     &stewart_trinkle::SYSTEM,
     &anitescu::SYSTEM,
+    &chrono::SYSTEM,
+    &bullet::SYSTEM,
+    &pinocchio::SYSTEM,
     &explicit_euler::SYSTEM,
     &semi_implicit_euler::SYSTEM,
     &theta::SYSTEM,

@@ -69,6 +69,25 @@ pub fn siconos_run(steps: usize, step: f64) -> f64 {
     steps as f64 * step
 }
 
+/// Difference \[m/s\] up to which two solvers' velocities count as the same: contact velocities here are 0.01 to 10 m/s, so that five to eight digits agree.
+/// Pinocchio's ADMM stops at residuals of 10⁻¹³, which fall by a factor q = 10^(−13/N) in each of N ≤ 1000 iterations: what is left is at most
+/// 10⁻¹³/(1 − q) ≤ 4·10⁻¹², divided by its penalty and multiplied by ‖W + R‖, whose quotient the balance of the residuals keeps below 10⁴.
+pub const SAME_VELOCITY: f64 = 1e-7;
+
+/// Velocity error \[m/s\] that one step of ours leaves at speeds up to `speed`: the solver's stopping rule on data of that size, and 64 roundings.
+pub fn replayed_step(speed: f64) -> f64 {
+    (crate::tolerance::solvers::STOP + 64.0 * f64::EPSILON) * speed
+}
+
+/// PyBullet's default `solverResidualThreshold` \[m²/s²\].
+pub const BULLET_RESIDUAL: f64 = 1e-7;
+
+/// Velocity error \[m/s\] of a body whose sweeps Bullet ended at the residual threshold `stop` \[m²/s²\]: the last sweep changed no row's velocity by more
+/// than √stop, and sweeps over the twelve rows of four corners, whose error halves at least, leave at most twice as much.
+pub fn bullet_sweeps(stop: f64) -> f64 {
+    2.0 * stop.sqrt()
+}
+
 /// Headroom of the measured sensitivities: amplification and stopping effect come from one perturbation each, and a start differs
 /// in at most 8 independent ways that matter (six velocities of a body, friction and normal data) from the one perturbed.
 const HEADROOM: f64 = 8.0;

@@ -8,7 +8,7 @@ use serde_json::Value;
 use std::path::Path;
 
 /// The engine versions the repository pins.
-const VERSIONS: [(&str, &str); 2] = [("mujoco", "3.17.0"), ("drake", "1.51.1")];
+pub const VERSIONS: [(&str, &str); 4] = [("mujoco", "3.17.0"), ("drake", "1.51.1"), ("bullet", "3.2.7"), ("pinocchio", "4.1.0")];
 
 /// One stored file.
 pub struct Document {
@@ -38,7 +38,7 @@ impl Document {
         self.value["provenance"]["config"].as_str().unwrap_or("")
     }
 
-    /// `mujoco` or `drake`.
+    /// `mujoco`, `drake`, ….
     pub fn engine(&self) -> &str {
         self.value["provenance"]["engine"].as_str().unwrap_or("")
     }

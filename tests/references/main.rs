@@ -4,8 +4,10 @@
 //! derived; a step problem is solved again by our solvers and the engine's answer judged by our certificate.
 //! `MOREAU_FINDINGS=1` prints every finding, not only those that fail.
 
+mod answers;
 mod ball;
 mod block;
+mod bullet;
 mod convexity;
 mod document;
 mod dumps;
@@ -23,7 +25,7 @@ use std::path::{Path, PathBuf};
 fn main() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("references");
     let mut trials = Vec::new();
-    for engine in ["mujoco", "drake"] {
+    for engine in ["mujoco", "drake", "bullet", "pinocchio"] {
         for file in stored(&root.join(engine)) {
             let stem = file.file_name().map(|name| name.to_string_lossy().replace(".json", "")).unwrap_or_default();
             trials.push(Trial::test(format!("{engine}/{stem}"), move || judge(&file)));
@@ -53,12 +55,13 @@ fn stored(folder: &Path) -> Vec<PathBuf> {
 
 fn judge(file: &Path) -> Result<(), Failed> {
     let document = Document::read(file)?;
-    let mut findings = document.provenance()?;
-    findings.extend(match document.schema() {
-        "dump/1" => dumps::check(&document)?,
-        "trajectory/1" => trajectories::check(&document)?,
+    let findings = match document.schema() {
+        "answer/1" => answers::check(&document)?,
+        "package/1" => answers::package(&document)?,
+        "dump/1" => [document.provenance()?, dumps::check(&document)?].concat(),
+        "trajectory/1" => [document.provenance()?, trajectories::check(&document)?].concat(),
         other => return Err(format!("{}: unknown schema `{other}`", file.display()).into()),
-    });
+    };
     conclude(findings)
 }
 

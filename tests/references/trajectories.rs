@@ -1,7 +1,7 @@
 //! A stored motion: what every engine owes, then what its own contact model predicts for the scene.
 
 use crate::document::Document;
-use crate::{ball, block, momentum, stack};
+use crate::{ball, block, bullet, momentum, stack};
 use libtest_mimic::Failed;
 use moreau::checks::Finding;
 use moreau::trajectory::Trajectory;
@@ -10,6 +10,10 @@ use moreau::trajectory::Trajectory;
 pub fn check(document: &Document) -> Result<Vec<Finding>, Failed> {
     let trajectory = Trajectory::from_json(&document.text)?;
     let mut findings = sampling(document, &trajectory)?;
+    if document.engine() == "bullet" {
+        findings.extend(bullet::check(document, &trajectory)?);
+        return Ok(findings);
+    }
     findings.extend(momentum::check(document, &trajectory)?);
     findings.extend(match trajectory.scene.name.as_str() {
         "ball_drop" | "ball_drop_elastic" | "ball_rest" => ball::check(document, &trajectory)?,

@@ -6,6 +6,7 @@ mod differences;
 mod instances;
 mod siconos;
 mod step_sizes;
+pub(super) mod three_engines;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[differences::CLAIMS, siconos::CLAIMS, step_sizes::CLAIMS, instances::CLAIMS];
+pub const CLAIMS: &[&[Claim]] = &[differences::CLAIMS, siconos::CLAIMS, step_sizes::CLAIMS, instances::CLAIMS, three_engines::CLAIMS];

@@ -1,0 +1,82 @@
+//! Project Chrono's NSC: Anitescu's step with a bound on how fast a penetration is undone; four algorithms for its convex problem.
+//!
+//! ```text
+//!     K_μ ∋ r ⟂ u⁺ + max(φ/h, −v_r) n ∈ K_μ*
+//! ```
+
+use super::{Agreement, Cone, ContactLaw, Level, Measured, System, anitescu, on_a_slope};
+use crate::mechanics::{PointMass, State};
+use crate::schemes::{Chrono, Scheme, simulate};
+use crate::solvers::{Reference, by_name};
+use crate::tolerance::rounding;
+use crate::{Error, Result};
+use nalgebra::dvector;
+
+pub static SYSTEM: System = System {
+    name: "Chrono NSC",
+    level: Level::Position,
+    cone: Cone::SecondOrder,
+    law: ContactLaw::Associated,
+    algorithm: "projected over-relaxation, Barzilai–Borwein, accelerated projected gradient, ADMM",
+    restitution: "Newton's e above a rebound speed",
+    position_update: "q + h v⁺",
+    schemes: &["chrono"],
+    held_against: &[
+        Agreement {
+            against: "closed form",
+            quantity: "gap of a sliding block, μ h v",
+            unit: "m",
+            measure: || on_a_slope::sliding_gap(&Chrono::default()),
+        },
+        Agreement {
+            against: "closed form",
+            quantity: "creep of a block that sticks",
+            unit: "m/s",
+            measure: || on_a_slope::creep(&Chrono::default()),
+        },
+        Agreement {
+            against: "closed form",
+            quantity: "depth undone at the recovery speed",
+            unit: "m",
+            measure: || recovery(&Chrono::default()),
+        },
+        Agreement {
+            against: "Clarabel 0.11, polished",
+            quantity: "contact velocities of a stack of five boxes, the four algorithms",
+            unit: "m/s",
+            measure: || four_algorithms(&Chrono::default()),
+        },
+    ],
+};
+
+/// Depth of a ball of 1 kg at rest 0.1 m deep against d − k h v_r, for the ten steps h = 1/64 s that need v_r = 0.6 m/s \[m\].
+fn recovery(scheme: &dyn Scheme) -> Result<Measured> {
+    let (depth, h, steps) = (0.1, 1.0 / 64.0, 10);
+    let start = State { time: 0.0, position: dvector![-depth], velocity: dvector![0.0] };
+    let run = simulate(scheme, &Reference, &PointMass::ball_on_floor(1.0, 9.81, 0.0), start, h, steps)?;
+    let compare = |(k, state): (usize, &State)| {
+        let difference = (state.position[0] + depth - 0.6 * h * k as f64).abs();
+        Measured { difference, tolerance: rounding(16 * (k + 1), depth) }
+    };
+    Measured::worst(run.samples.iter().enumerate().map(compare)).ok_or_else(|| Error::Unsupported("no step was taken".into()))
+}
+
+fn four_algorithms(scheme: &dyn Scheme) -> Result<Measured> {
+    let found = ["psor", "bb", "apgd", "admm"].map(|name| anitescu::stack_against_clarabel(scheme, by_name(name)?.as_ref(), 5));
+    Measured::worst(found.into_iter().collect::<Result<Vec<_>>>()?).ok_or_else(|| Error::Unsupported("no algorithm was asked".into()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::planted::{Mistake, caught, planted};
+    use super::*;
+    use crate::schemes::Anitescu;
+
+    #[test]
+    fn a_mistake_puts_every_agreement_out_of_its_tolerance() {
+        caught(on_a_slope::sliding_gap(&planted(Chrono::default(), Mistake::HalfFriction)));
+        caught(on_a_slope::creep(&planted(Chrono::default(), Mistake::HalfFriction)));
+        // Anitescu's step undoes any depth at once
+        caught(recovery(&Anitescu));
+    }
+}
