@@ -49,6 +49,10 @@ pub mod solvers;
 pub mod integrators {
     /// Entries of DᵀJD − J of a step with an impact, of size 10 and computed from fewer than 1024 operations of relative error ε.
     pub const VARIATIONAL_STEP: f64 = 2.0 * 1024.0 * 10.0 * super::EPSILON;
+
+    /// Error of a condition of order of Dormand–Prince's continuous extension: its published coefficients are fractions accurate to ten
+    /// digits, at most 12 in size, summed over seven stages.
+    pub const PUBLISHED_EXTENSION: f64 = 7.0 * 12.0 * 0.5e-10;
 }
 
 /// Tolerances of [`crate::schemes`].
@@ -91,6 +95,7 @@ pub mod schemes {
     }
 }
 
+pub mod event_driven;
 pub mod gate;
 pub mod impact_laws;
 pub mod references;
@@ -227,7 +232,9 @@ pub mod checks {
 
 /// Tolerances of [`crate::claims`].
 pub mod claims {
+    pub mod elastic;
     pub mod engines;
+    pub mod events;
     pub mod impact;
     pub mod integrators;
     pub mod pathology;

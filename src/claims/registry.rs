@@ -35,9 +35,10 @@ pub struct Outcome {
 
 /// Every registered claim, in the chapter's order.
 pub fn all() -> impl Iterator<Item = &'static Claim> {
-    let sections: [&[&[Claim]]; 14] = [
+    let sections: [&[&[Claim]]; 16] = [
         super::front::CLAIMS,
         super::s0::CLAIMS,
+        super::s1::CLAIMS,
         super::s2::CLAIMS,
         super::s3::CLAIMS,
         super::s4::CLAIMS,
@@ -47,6 +48,7 @@ pub fn all() -> impl Iterator<Item = &'static Claim> {
         super::s8::CLAIMS,
         super::s9::CLAIMS,
         super::s10::CLAIMS,
+        super::s11::CLAIMS,
         super::s12::CLAIMS,
         super::manual::CLAIMS,
         super::v::CLAIMS,

@@ -26,10 +26,10 @@ pub struct Arguments {
     /// A built-in scene or a file scene/1.
     #[arg(long, value_name = "NAME|FILE", required_unless_present = "list")]
     scene: Option<String>,
-    /// The time-stepping scheme: moreau-jean, moreau-jean-projection, schatzman-paoli, generalised-alpha, stewart-trinkle, anitescu, chrono, bullet, explicit-euler, semi-implicit-euler or runge-kutta-flip.
+    /// The time-stepping scheme: moreau-jean, moreau-jean-projection, schatzman-paoli, generalised-alpha, stewart-trinkle, anitescu, chrono, bullet, explicit-euler, semi-implicit-euler, runge-kutta-flip, event-driven, xpbd or pbd.
     #[arg(long, value_name = "NAME", default_value = "moreau-jean")]
     scheme: String,
-    /// Time step h [s].
+    /// Time step h [s]; of event-driven the time between samples.
     #[arg(long, value_name = "SECONDS", default_value_t = 0.001, allow_hyphen_values = true)]
     step: f64,
     /// Simulated time [s]; the scene's own if absent.

@@ -12,6 +12,7 @@
 use crate::scalar::Scalar;
 use nalgebra::{DMatrix, DVector};
 
+mod dormand_prince;
 mod explicit_euler;
 pub mod impact_flow;
 pub mod jacobian;
@@ -24,6 +25,7 @@ pub mod symplectic;
 mod theta;
 pub mod variational;
 
+pub use dormand_prince::DormandPrinceStep;
 pub use explicit_euler::ExplicitEuler;
 pub use runge_kutta::RungeKutta;
 pub use semi_implicit_euler::{Damping, SemiImplicitEuler};

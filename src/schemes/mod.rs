@@ -15,12 +15,14 @@ pub(crate) mod assembly;
 pub mod bullet;
 pub mod chrono;
 pub mod euler;
+pub mod events;
 pub mod exact_particle;
 pub mod generalised_alpha;
 pub mod moreau_jean;
 pub mod moreau_jean_projection;
 mod names;
 mod nearby;
+pub mod position_based;
 pub mod runge_kutta_flip;
 pub mod schatzman_paoli;
 pub mod stewart_trinkle;
@@ -29,10 +31,12 @@ pub use anitescu::Anitescu;
 pub use bullet::{Bodies, Bullet};
 pub use chrono::Chrono;
 pub use euler::Euler;
+pub use events::Events;
 pub use generalised_alpha::GeneralisedAlpha;
 pub use moreau_jean::{Activation, MoreauJean, RestitutionRule};
 pub use moreau_jean_projection::MoreauJeanProjection;
 pub use names::{NAMES, Parameters, by_name};
+pub use position_based::{PositionBased, Softness};
 pub use runge_kutta_flip::RungeKuttaFlip;
 pub use schatzman_paoli::SchatzmanPaoli;
 pub use stewart_trinkle::StewartTrinkle;
@@ -67,6 +71,11 @@ pub trait Scheme: Send + Sync {
     /// # Errors
     /// If the mass matrix is not positive definite or the mechanism is outside the scheme's scope.
     fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem>;
+    /// The step of a scheme that poses several contact problems in it, or none, and therefore takes it by itself; `None` for the others.
+    fn own_step(&self, solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, h: f64) -> Option<Result<Step>> {
+        let _ = (solver, mechanism, state, h);
+        None
+    }
     /// The next configuration from the velocities before and after the step.
     fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64>;
     /// The configuration after [`Scheme::advance`], corrected for the contacts that the step held; the same one by default.
@@ -117,6 +126,9 @@ fn step_after(
     h: f64,
     previous: &[ContactImpulse],
 ) -> Result<Step> {
+    if let Some(step) = scheme.own_step(solver, mechanism, state, h) {
+        return step;
+    }
     let mut reach = 2.0 * mechanism.reach(&state.velocity, h);
     if reach.is_finite() {
         reach = reach.max(2.0 * mechanism.reach(&assembly::forecast(mechanism, state, h)?, h));

@@ -1,13 +1,13 @@
 //! Schemes by name, for the command line.
 
 use super::{
-    Activation, Anitescu, Bullet, Chrono, Euler, GeneralisedAlpha, MoreauJean, MoreauJeanProjection, RestitutionRule, RungeKuttaFlip,
-    SchatzmanPaoli, Scheme, StewartTrinkle,
+    Activation, Anitescu, Bullet, Chrono, Euler, Events, GeneralisedAlpha, MoreauJean, MoreauJeanProjection, PositionBased,
+    RestitutionRule, RungeKuttaFlip, SchatzmanPaoli, Scheme, StewartTrinkle,
 };
 use crate::{Error, Result};
 
 /// The names [`by_name`] knows.
-pub const NAMES: [&str; 11] = [
+pub const NAMES: [&str; 14] = [
     "moreau-jean",
     "moreau-jean-projection",
     "schatzman-paoli",
@@ -19,6 +19,9 @@ pub const NAMES: [&str; 11] = [
     "explicit-euler",
     "semi-implicit-euler",
     "runge-kutta-flip",
+    "event-driven",
+    "xpbd",
+    "pbd",
 ];
 
 /// The parameters of all schemes; each scheme takes those it has.
@@ -79,6 +82,9 @@ pub fn by_name(name: &str, parameters: Parameters) -> Result<Box<dyn Scheme>> {
         "explicit-euler" => Ok(Box::new(Euler::Explicit)),
         "semi-implicit-euler" => Ok(Box::new(Euler::SemiImplicit)),
         "runge-kutta-flip" => Ok(Box::new(RungeKuttaFlip)),
+        "xpbd" => Ok(Box::new(PositionBased::XPBD)),
+        "pbd" => Ok(Box::new(PositionBased::PBD)),
+        "event-driven" => Ok(Box::new(Events::default())),
         _ => Err(unknown("scheme", name, &NAMES)),
     }
 }

@@ -17,6 +17,7 @@ use std::fmt;
 mod anitescu;
 mod bullet;
 mod chrono;
+mod event_driven;
 mod explicit_euler;
 mod generalised_alpha;
 mod measured;
@@ -25,6 +26,7 @@ mod on_a_ball;
 mod on_a_slope;
 mod on_a_spring;
 mod pinocchio;
+mod position_based;
 pub mod replay;
 mod report;
 mod runge_kutta_flip;
@@ -127,6 +129,8 @@ pub static ALL: &[&System] = &[
     &runge_kutta_flip::SYSTEM,
     &siconos::SYSTEM,
     &generalised_alpha::SYSTEM,
+    &position_based::SYSTEM,
+    &event_driven::SYSTEM,
 ];
 
 impl fmt::Display for Level {

@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 mod copositive;
 mod literature;
 mod matrix;
-mod painleve;
+pub(in crate::claims) mod painleve;
 pub(in crate::claims) mod polyhedral;
 mod solutions;
 mod solvability;

@@ -55,7 +55,7 @@ pub const CLAIMS: &[Claim] = &[
 ];
 
 /// The rod sliding with v_t = −1, with this friction and normal free velocity, φ = 0.
-pub(super) fn rod(friction: Rational, normal_velocity: Rational) -> System {
+pub(in crate::claims) fn rod(friction: Rational, normal_velocity: Rational) -> System {
     let zero = || ratio(0, 1);
     System {
         mass: DVector::from_vec(vec![ratio(1, 1), ratio(1, 1), ratio(1, 3)]),

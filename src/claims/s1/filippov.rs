@@ -1,0 +1,133 @@
+//! Filippov's sliding mode, and sticking as one.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::{BeltOscillator, DryFrictionOscillator};
+use crate::event_driven::EventDriven;
+use crate::event_driven::filippov::{DryFriction, Mode, Side, Switch, advance, share_above};
+use crate::event_driven::flight::{Control, Location};
+use crate::scalar::{Rational, ratio};
+use crate::tolerance::claims::events::{ACCURACY, LOCATED_ORDER, SWITCHING};
+use crate::trajectory::{Level, fit_order};
+use nalgebra::{DVector, dvector};
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S1.filippov",
+        statement: "On the switching surface the sliding mode is the convex combination ẋ = α f₊ + (1−α) f₋, and α is fixed uniquely by ṡ = 0.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "For one surface that both fields point at, ∇s·f₊ < 0 < ∇s·f₋: α = ∇s·f₋/(∇s·f₋ − ∇s·f₊) ∈ (0, 1). Where both point away the same α exists, but the motion may leave; where one crosses there is none in [0, 1]. \
+            Where two surfaces meet, four fields and three conditions leave a family.",
+        argument: "Rational fields: ṡ = 0 exactly, with α inside (0, 1) in the attracting and the repelling case and outside in the crossing one. Two surfaces with f = (∓1, ∓1, …): weights (a, ½−a, ½−a, a) keep both for every a, and the third \
+            component moves at any speed from 0 to 1.",
+        control: "The weights exchanged, α for f₋.",
+        sources: &["chapter §1, Filippov systems and sliding modes", "Filippov 1988, §4"],
+        check: convex_combination,
+    },
+    Claim {
+        id: "S1.stick-sliding",
+        statement: "Sticking under Coulomb friction is a sliding mode on v_t = 0, slipping is regular motion.",
+        verdict: Verdict::True,
+        evidence: Evidence::Certified,
+        correct_statement: "As stated.",
+        argument: "The dry-friction oscillator (δ = 0.15, q₀ = 1) integrated as a Filippov system enters the sliding mode after 3 half-cycles and stays, with α = ½(1 − q/δ); on the belt it is in the mode for 2Δ/v_b in each period: both as the closed forms of Coulomb's law say.",
+        control: "A belt on which the mass never sticks (sticking and slipping friction equal).",
+        sources: &["chapter §1, relation to contact"],
+        check: sticking,
+    },
+    Claim {
+        id: "S1.pk",
+        statement: "The event-driven method of Piiroinen and Kuznetsov (ACM TOMS, 2008) detects entering and leaving the sliding mode exactly and integrates it accurately, more finely than time-stepping.",
+        verdict: Verdict::True,
+        evidence: Evidence::Cited,
+        correct_statement: "As stated, “exactly” meaning to the accuracy of the integrator and the root finder. The paper was not read; what its kind of method can do is measured on one of our own.",
+        argument: "Belt: releases follow each other after the period of the closed form to 10⁻⁹ s. With fixed steps and located switches the state has order 5, with switches noticed at the end of a step they are late by a part of h.",
+        control: "Switches noticed at the end of a step.",
+        sources: &["chapter §1, advantage of event-driven methods", "Piiroinen and Kuznetsov, ACM TOMS 34(3), 2008 (not read)"],
+        check: detection,
+    },
+];
+
+/// ∇s·f of the combination with the weight α at f₊, for fields given by their components along ∇s.
+fn combined(above: &Rational, below: &Rational, reading: Reading) -> [Rational; 2] {
+    let share = below / (below - above);
+    let weight = reading.pick(share.clone(), ratio(1, 1) - &share);
+    [&weight * above + (ratio(1, 1) - &weight) * below, share]
+}
+
+fn convex_combination(reading: Reading) -> Result<Vec<Finding>> {
+    let inside = |share: &Rational| *share > ratio(0, 1) && *share < ratio(1, 1);
+    let mut findings = Vec::new();
+    for (name, above, below, expected) in [("attracting", -3, 2, true), ("repelling", 3, -2, true), ("crossing", 3, 2, false)] {
+        let [rate, share] = combined(&ratio(above, 7), &ratio(below, 5), reading);
+        findings.push(Finding::exact(format!("ṡ, {name}"), &rate, &ratio(0, 1), "1"));
+        findings.push(Finding::decision(format!("α in (0, 1), {name}"), inside(&share), expected));
+    }
+    let fields = [[-1, -1, 1], [-1, 1, 0], [1, -1, 0], [1, 1, 1]];
+    for a in [ratio(0, 1), ratio(1, 5), ratio(1, 2)] {
+        let b = ratio(1, 2) - &a;
+        let weights = [a.clone(), b.clone(), b, a.clone()];
+        let speed = |axis: usize| (0..4).fold(ratio(0, 1), |sum, k| sum + &weights[k] * ratio(fields[k][axis], 1));
+        findings.push(Finding::exact(format!("ṡ₁ on two surfaces, a = {a}"), &speed(0), &ratio(0, 1), "1"));
+        findings.push(Finding::exact(format!("ṡ₂ on two surfaces, a = {a}"), &speed(1), &ratio(0, 1), "1"));
+        findings.push(Finding::exact(format!("speed along both, a = {a}"), &speed(2), &(ratio(2, 1) * &a), "1"));
+    }
+    Ok(findings)
+}
+
+const BELT: DryFriction = DryFriction { frequency: 3.0, belt: 0.2, sticking: 0.7, slipping: 0.5 };
+
+fn carried(system: &DryFriction, method: &EventDriven, time: f64) -> Result<(DVector<f64>, Vec<Switch>)> {
+    advance(method, system, &dvector![0.0, system.belt], time)
+}
+
+/// Times at which a mode begins.
+fn begins(switches: &[Switch], mode: Mode) -> Vec<f64> {
+    switches.iter().filter(|switch| switch.mode == mode).map(|switch| switch.time).collect()
+}
+
+fn sticking(reading: Reading) -> Result<Vec<Finding>> {
+    let friction = DryFriction { frequency: 2.0, belt: 0.0, sticking: 0.15, slipping: 0.15 };
+    let exact = DryFrictionOscillator::new(1.0, 4.0, 0.6, 1.0)?;
+    let (end, switches) = advance(&EventDriven::default(), &friction, &dvector![1.0, 0.0], 7.0)?;
+    let entered = begins(&switches, Mode::Sliding);
+    let belt = BeltOscillator::new(BELT.frequency, BELT.belt, BELT.sticking, BELT.slipping)?;
+    let (_, cycles) = carried(&BELT, &EventDriven::default(), 10.0)?;
+    let (stuck, released) = (begins(&cycles, Mode::Sliding), begins(&cycles, Mode::Beside(Side::Below)));
+    // the first sliding phase begins at the start, the second after the first slip
+    let duration = released[1] - stuck[1];
+    let expected = reading.pick(belt.stick_duration(), 0.0);
+    Ok(vec![
+        Finding::equal("length of a sticking phase on the belt", duration, expected, SWITCHING, "s"),
+        Finding::count("sliding modes of the dry-friction oscillator", entered.len(), 1),
+        Finding::equal("begin of its sliding mode", entered[0], exact.sticking_time(), SWITCHING, "s"),
+        Finding::equal("where it sticks", end[0], exact.state(7.0).0, ACCURACY, "m"),
+        Finding::equal("α there", share_above(&friction, &end), 0.5 * (1.0 - exact.state(7.0).0 / 0.15), SWITCHING, "1"),
+    ])
+}
+
+/// h \[s\] that does not divide the time of a release, 3.5 s.
+const LATE_STEP: f64 = 0.13;
+
+fn detection(reading: Reading) -> Result<Vec<Finding>> {
+    let exact = BeltOscillator::new(BELT.frequency, BELT.belt, BELT.sticking, BELT.slipping)?;
+    let location = reading.pick(Location::Root, Location::EndOfStep);
+    let method = |control, location| EventDriven { control, location, ..EventDriven::default() };
+    let (_, cycles) = carried(&BELT, &EventDriven::default(), 10.0)?;
+    let released = begins(&cycles, Mode::Beside(Side::Below));
+    let level = |h: f64| -> Result<Level> {
+        let (end, _) = carried(&BELT, &method(Control::Fixed(h), location), 8.0)?;
+        Ok(Level { time_step: h, error: (end[0] - exact.carried_from_zero(8.0).0).abs() })
+    };
+    let order = fit_order([0.1, 0.05, 0.025].into_iter().map(level).collect::<Result<_>>()?)?.slope;
+    let (_, late) = carried(&BELT, &method(Control::Fixed(LATE_STEP), Location::EndOfStep), 4.0)?;
+    let delay = begins(&late, Mode::Beside(Side::Below))[0] - BELT.sticking / BELT.belt;
+    Ok(vec![
+        Finding::at_least("order of q at 8 s", order, LOCATED_ORDER, "1"),
+        Finding::equal("time between two releases", released[1] - released[0], exact.period(), SWITCHING, "s"),
+        Finding::at_least("delay of a release noticed at the end of a step of 0.13 s", delay, SWITCHING, "s"),
+        Finding::at_most("delay of a release noticed at the end of a step of 0.13 s", delay, LATE_STEP, "s"),
+    ])
+}

@@ -1,0 +1,160 @@
+//! Time-stepping: what its limit is, how it takes an impact, and its order between impacts.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::checks::convergence::{Stop, plastic_ball};
+use crate::checks::stewart_trinkle::reference;
+use crate::claims::s4::painleve::rod;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::defects::convergence::{Altered, Mistake};
+use crate::mechanics::{OscillatorWithStop, State};
+use crate::scalar::{Rational, Scalar, ratio};
+use crate::schemes::exact_particle::{Ball, Motion};
+use crate::schemes::{Activation, MoreauJean, RestitutionRule, RungeKuttaFlip, Scheme, StewartTrinkle, simulate};
+use crate::solvers::Reference;
+use crate::solvers::enumeration::all_solutions;
+use crate::tolerance::claims::ORDER_GAP;
+use crate::trajectory::{Level, fit_order};
+use nalgebra::dvector;
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S1.ts-unique",
+        statement: "In Zeno and Painlevé situations, where event-driven methods are undefined, time-stepping gives the unique correct limit.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "A limit of a subsequence. For the ball that falls under gravity the limit is unique; where two sliding forces exist a step itself has three answers at every h, which tend to two different motions, \
+            and the solver's pivoting decides between them. The chapter's §4 says so: existence is not uniqueness.",
+        argument: "Rod at cos = 3/5, μ = 3/2 > 13/9, upward normal free acceleration b = 5 m/s²: P_n = 0, 125h/2 or 9/25 − 73h/20 for h = 10⁻³ … 10⁻⁶, exactly three answers. \
+            The first two vanish with h, the third tends to the impact (9/25, 13/25) N·s.",
+        control: "μ = 1 < μ_P: one answer.",
+        sources: &["chapter §1, history; the pitfall in the same section; §4, existence and uniqueness"],
+        check: several_limits,
+    },
+    Claim {
+        id: "S1.stewart98",
+        statement: "Stewart (1998) proves that the limit h → 0 of the scheme is a solution of the measure differential inclusion.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Measured,
+        correct_statement: "A limit of a subsequence, of plastic impacts (e = 0), under conditions on the friction cone that the chapter does not name. The paper was not read; what it concludes is checked on one motion, and why a subsequence is needed is shown.",
+        argument: "Stewart–Trinkle on a plastic ball: sup|q|, ∫|v| and the graphs converge with order 1 within derived constants. On Painlevé's rod with two sliding forces, μ = 3/2, answers chosen in turn have P_n → 0 and → 9/25: the sequence has two limits, \
+            each of which is a solution.",
+        control: "Stewart–Trinkle with a trapezoidal position update, which rebounds.",
+        sources: &[
+            "chapter §1, pitfalls; §4",
+            "Stewart, Convergence of a time-stepping scheme for rigid-body dynamics and resolution of Painlevé's problem (1998), not read",
+        ],
+        check: convergence,
+    },
+    Claim {
+        id: "S1.implicit-impact",
+        statement: "Not detecting events does not mean ignoring impacts: the impact is the atom in the impulse of a step's complementarity problem, with no event detection.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated. P = m(1+e)|v| + m g h in the step of the impact, m g h in a step at rest, 0 in flight: the first stays as h → 0, the second is the weight times h.",
+        argument: "Moreau–Jean on a ball of 3/2 kg, e = 1/2, v = −2 m/s at the floor, h = 10⁻¹ … 10⁻⁴ in rationals: P − m g h = 9/2 N·s at every h.",
+        control: "An impulse that vanishes with h, as that of a bounded force.",
+        sources: &["chapter §1, pitfalls"],
+        check: atom,
+    },
+    Claim {
+        id: "S1.order12",
+        statement: "Between impacts time-stepping is of order 1 to 2 (θ method, semi-implicit Euler).",
+        verdict: Verdict::True,
+        evidence: Evidence::Measured,
+        correct_statement: "As stated: order 2 for θ = ½ and linear forces, 1 for other θ and for Stewart–Trinkle.",
+        argument: "q̈ = −4q, stop out of reach, error of q at 2 s for h = 2⁻⁶ … 2⁻⁹ s.",
+        control: "The classical Runge–Kutta method in place of θ = ½.",
+        sources: &["chapter §1, table"],
+        check: order,
+    },
+];
+
+/// Normal impulses of the rod's answers at the step h with b = 5 m/s², smallest first.
+fn answers(friction: &Rational, h: &Rational) -> Result<Vec<Rational>> {
+    let set = all_solutions(&reference(&rod(friction.clone(), ratio(5, 1) * h))?)?;
+    let mut impulses: Vec<Rational> = set.points.iter().map(|z| z[0].clone()).collect();
+    impulses.sort();
+    impulses.dedup();
+    Ok(impulses)
+}
+
+fn several_limits(reading: Reading) -> Result<Vec<Finding>> {
+    let friction = reading.pick(ratio(3, 2), ratio(1, 1));
+    let mut findings = Vec::new();
+    for exponent in [3, 4, 5, 6] {
+        let h = ratio(1, 10i64.pow(exponent));
+        let found = answers(&friction, &h)?;
+        findings.push(Finding::count(format!("different answers of the step at h = 1e-{exponent} s"), found.len(), 3));
+        let expected = [ratio(0, 1), ratio(125, 2) * &h, ratio(9, 25) - ratio(73, 20) * &h];
+        for ((found, expected), name) in found.iter().zip(&expected).zip(["open", "sliding", "impact"]) {
+            findings.push(Finding::exact(format!("P_n, {name}, h = 1e-{exponent} s"), found, expected, "N·s"));
+        }
+    }
+    Ok(findings)
+}
+
+fn convergence(reading: Reading) -> Result<Vec<Finding>> {
+    let (scheme, wrong) = (StewartTrinkle::default(), Altered(Mistake::TrapezoidalPosition));
+    let subject: &dyn Scheme = reading.pick(&scheme, &wrong);
+    let mut findings = plastic_ball(subject, Stop::On)?;
+    for exponent in [5u32, 6] {
+        let found = answers(&ratio(3, 2), &ratio(1, 10i64.pow(exponent)))?;
+        let chosen = if exponent % 2 == 1 { &found[0] } else { &found[found.len() - 1] };
+        let limit = if exponent % 2 == 1 { 0.0 } else { 0.36 };
+        let distance = (Scalar::to_f64(chosen) - limit).abs();
+        findings.push(Finding::at_most(
+            format!("|P_n − {limit}| of the answer chosen at h = 1e-{exponent} s"),
+            distance,
+            3.65 / 10f64.powi(exponent as i32),
+            "N·s",
+        ));
+    }
+    Ok(findings)
+}
+
+fn atom(reading: Reading) -> Result<Vec<Finding>> {
+    let ball = Ball { mass: ratio(3, 2), gravity: ratio(981, 100), restitution: ratio(1, 2) };
+    let half = ratio(1, 2);
+    let mut findings = Vec::new();
+    for exponent in 1..=4u32 {
+        let h = ratio(1, 10i64.pow(exponent));
+        let weight = &ball.mass * &ball.gravity * &h;
+        let step =
+            |position: Rational, velocity: Rational| ball.moreau_jean(&Motion { position, velocity }, &half, Activation::Gap, &h).impulse;
+        let expected = reading.pick(ratio(9, 2), &h * ratio(45, 1));
+        let impact = step(ratio(0, 1), ratio(-2, 1)) - &weight;
+        findings.push(Finding::exact(format!("P − m g h of the impact, h = 1e-{exponent} s"), &impact, &expected, "N·s"));
+        findings.push(Finding::exact(format!("P at rest, h = 1e-{exponent} s"), &step(ratio(0, 1), ratio(0, 1)), &weight, "N·s"));
+        findings.push(Finding::exact(format!("P in flight, h = 1e-{exponent} s"), &step(ratio(1, 1), ratio(-2, 1)), &ratio(0, 1), "N·s"));
+    }
+    Ok(findings)
+}
+
+/// Order of a scheme in q at 2 s on q̈ = −4q.
+fn smooth_order(scheme: &dyn Scheme) -> Result<f64> {
+    let spring = OscillatorWithStop::new(1.0, 4.0, 0.0, -100.0, 0.0)?;
+    let level = |exponent: i32| -> Result<Level> {
+        let steps = 1usize << (exponent + 1);
+        let time_step = 2.0 / steps as f64;
+        let start = State { time: 0.0, position: dvector![1.0], velocity: dvector![0.0] };
+        let end = simulate(scheme, &Reference, &spring, start, time_step, steps)?.last().position[0];
+        Ok(Level { time_step, error: (end - 4f64.cos()).abs() })
+    };
+    Ok(fit_order((6..=9).map(level).collect::<Result<_>>()?)?.slope)
+}
+
+fn order(reading: Reading) -> Result<Vec<Finding>> {
+    let theta = |theta| MoreauJean { theta, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
+    let (midpoint, implicit, fourth) = (theta(0.5), theta(1.0), RungeKuttaFlip);
+    let subject: &dyn Scheme = reading.pick(&midpoint, &fourth);
+    let cases: [(&str, &dyn Scheme, f64); 3] = [
+        ("Moreau–Jean, θ = ½", subject, 2.0),
+        ("Moreau–Jean, θ = 1", &implicit, 1.0),
+        ("Stewart–Trinkle", &StewartTrinkle::default(), 1.0),
+    ];
+    let finding = |(name, scheme, expected): (&str, &dyn Scheme, f64)| -> Result<Finding> {
+        Ok(Finding::equal(format!("order of {name}"), smooth_order(scheme)?, expected, ORDER_GAP, "1"))
+    };
+    cases.into_iter().map(finding).collect()
+}

@@ -1,0 +1,142 @@
+//! Event-driven methods: where they are defined, and what many contacts cost them.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::s4::painleve::rod;
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::BouncingBall;
+use crate::event_driven::EventDriven;
+use crate::mechanics::planar::{PlanarBody, Shape};
+use crate::mechanics::{Mechanism, PainleveRod, PlanarBodies, Plane, PointMass, State};
+use crate::problem::Lcp;
+use crate::scalar::{Rational, ratio};
+use crate::solvers::Reference;
+use crate::solvers::enumeration::all_solutions;
+use crate::tolerance::claims::events::ACCURACY;
+use nalgebra::{DMatrix, DVector, dvector};
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S1.ed-undefined",
+        statement: "Event-driven methods are mathematically undefined at Zeno accumulations and at Painlevé's paradox.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "Before an accumulation of impacts every time is reached after finitely many events; beyond it the method is defined by a continuation rule, or not at all. \
+            At Painlevé's paradox the contact forces between events do not exist or are not unique, for μ > μ_P only, and there the method is undefined.",
+        argument: "The ball with e = 4/5 has 10 impacts until 9/10 T∞ and 21 until 99/100. With the declared rule, a bounce shorter than 2⁻²⁰ s is plastic, the method agrees with the closed form before and after T∞. \
+            Rod at cos = 3/5, μ = 2: 0 ≤ λ ⟂ −(4/5)λ + b ≥ 0 has no solution for b = −1 and two for b = 1; the method stops and says so. With μ = 1 it goes on.",
+        control: "The rod with μ = 1 < μ_P = 13/9.",
+        sources: &["chapter §1, history and table", "Champneys and Várkonyi, The Painlevé paradox in contact mechanics (2016)"],
+        check: undefined,
+    },
+    Claim {
+        id: "S1.scale",
+        statement: "Event-driven methods are acceptable for up to about ten contacts, time-stepping scales well to 10⁶.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::NotDecidable,
+        correct_statement: "“Acceptable” and “well” are judgements, and no number is a limit. What can be said: the work of an event-driven method grows with the number of events, which contacts add up; \
+            that of a time-stepping method with the number of steps, which they do not.",
+        argument: "Twelve balls over one floor, dropped from different heights with e = 4/5: the event-driven method meets the sum of their impacts, as many events as the closed forms count, and stays within 10⁻¹⁰ of them. One ball alone meets its own.",
+        control: "The events of the first ball in place of the sum.",
+        sources: &["chapter §1, table and bridge to robotics"],
+        check: many_contacts,
+    },
+];
+
+/// Number of impacts of the ball with e = 4/5 until the share p of T∞ = 9, in units of t₁: exactly.
+fn impacts_until(share: &Rational) -> usize {
+    let end = share * ratio(9, 1);
+    let (mut time, mut flight, mut count) = (ratio(1, 1), ratio(2, 1), 0);
+    while time <= end {
+        count += 1;
+        flight *= ratio(4, 5);
+        time += &flight;
+    }
+    count
+}
+
+fn undefined(reading: Reading) -> Result<Vec<Finding>> {
+    let friction = reading.pick(2, 1);
+    let system = rod(ratio(friction, 1), ratio(0, 1));
+    let inverse = |k: usize| ratio(1, 1) / &system.mass[k];
+    let product =
+        |a: usize, b: usize| (0..3).fold(ratio(0, 1), |sum, k| sum + &system.jacobian[(a, k)] * &system.jacobian[(b, k)] * inverse(k));
+    let slope = product(0, 0) + ratio(friction, 1) * product(0, 1);
+    let forces = |b: i64| all_solutions(&Lcp::new(DMatrix::from_element(1, 1, slope.clone()), DVector::from_element(1, ratio(b, 1))));
+    let mut findings = vec![
+        Finding::count("sliding forces of the rod for b = −1", forces(-1)?.points.len(), 0),
+        Finding::count("sliding forces of the rod for b = +1", forces(1)?.points.len(), 2),
+    ];
+    let body = PainleveRod::new(1.0, 1.0, 9.81, friction as f64, 0.0)?;
+    let start = State { time: 0.0, position: dvector![0.0, 0.8, 0.8f64.atan2(0.6)], velocity: dvector![-1.0, 0.0, 0.0] };
+    let refused = EventDriven::default().advance(&Reference, &body, &start, 1.0 / 64.0).is_err();
+    findings.push(Finding::decision("the event-driven method stops at the rod", refused, true));
+    findings.push(Finding::count("impacts until 9/10 of T∞", impacts_until(&ratio(9, 10)), 10));
+    findings.push(Finding::count("impacts until 99/100 of T∞", impacts_until(&ratio(99, 100)), 21));
+    findings.extend(through_the_accumulation()?);
+    Ok(findings)
+}
+
+/// The bouncing ball before and after T∞ against its closed form.
+fn through_the_accumulation() -> Result<Vec<Finding>> {
+    let exact = BouncingBall::new(9.81, 1.0, 0.8)?;
+    let ball = PointMass::ball_on_floor(1.0, 9.81, 0.8);
+    let start = State { time: 0.0, position: dvector![1.0], velocity: dvector![0.0] };
+    let compare = |share: f64| -> Result<Finding> {
+        let time = share * exact.accumulation_time();
+        let end = EventDriven::default().advance(&Reference, &ball, &start, time)?.state;
+        let (q, v) = exact.state(time);
+        let error = (end.position[0] - q).abs().max((end.velocity[0] - v).abs());
+        Ok(Finding::at_most(format!("error of q [m] and v [m/s] at {share} T∞"), error, ACCURACY, "1"))
+    };
+    [0.5, 0.9, 1.1].into_iter().map(compare).collect()
+}
+
+/// Disks that fall onto one floor, far apart.
+fn rain(count: usize) -> Result<(PlanarBodies, State)> {
+    let disk = |k: usize| PlanarBody::solid(format!("disk{k}"), Shape::Disk { radius: 0.1 }, 1.0);
+    let bodies = (0..count).map(disk).collect::<Result<Vec<_>>>()?;
+    let floor = Plane::new(dvector![0.0, 1.0], 0.0, 0.0, 0.8)?;
+    let mechanism = PlanarBodies::new("rain", bodies, [0.0, -9.81], floor)?;
+    let places = (0..count).flat_map(|k| [k as f64, 0.1 + height(k), 0.0]);
+    let position = DVector::from_iterator(3 * count, places);
+    Ok((mechanism, State { time: 0.0, velocity: DVector::zeros(3 * count), position }))
+}
+
+/// Height of the k-th drop \[m\].
+fn height(k: usize) -> f64 {
+    1.0 + k as f64 / 16.0
+}
+
+fn many_contacts(reading: Reading) -> Result<Vec<Finding>> {
+    const TIME: f64 = 1.5;
+    let mut findings = Vec::new();
+    for count in [12usize, 1] {
+        let (mechanism, start) = rain(count)?;
+        let motion = EventDriven::default().advance(&Reference, &mechanism, &start, TIME)?;
+        let balls = (0..count).map(|k| BouncingBall::new(9.81, height(k), 0.8)).collect::<Result<Vec<_>>>()?;
+        let impacts: Vec<usize> = balls.iter().map(|ball| ball.impacts_until(TIME).unwrap_or(0)).collect();
+        let expected = reading.pick(impacts.iter().sum(), impacts[0]);
+        findings.push(Finding::count(format!("events of {count} balls until 1.5 s"), motion.events, expected));
+        let error = balls.iter().enumerate().map(|(k, ball)| (motion.state.position[3 * k + 1] - 0.1 - ball.state(TIME).0).abs());
+        findings.push(Finding::at_most(format!("error of the heights of {count} balls"), error.fold(0.0, f64::max), ACCURACY, "m"));
+    }
+    let (mechanism, _) = rain(12)?;
+    findings.push(Finding::count("degrees of freedom of twelve balls", mechanism.degrees_of_freedom(), 36));
+    Ok(findings)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Scalar;
+
+    #[test]
+    fn the_impacts_before_a_share_of_the_accumulation_time_are_those_of_the_closed_form() {
+        let ball = BouncingBall::new(9.81, 1.0, 0.8).expect("valid");
+        for share in [ratio(9, 10), ratio(99, 100)] {
+            let time = Scalar::to_f64(&share) * ball.accumulation_time();
+            assert_eq!(ball.impacts_until(time), Some(impacts_until(&share)));
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! The event-driven method behind the interface of the time-stepping schemes: h is the time between samples, not the step of a method.
+//!
+//! A step of h poses as many impact and force problems as it meets events; see [`crate::event_driven`].
+
+use super::{Scheme, Step, StepProblem};
+use crate::event_driven::EventDriven;
+use crate::mechanics::{Mechanism, State};
+use crate::solvers::ContactSolver;
+use crate::{Error, Result};
+use nalgebra::{DMatrix, DVector};
+
+/// Event-driven motion, sampled every h.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Events {
+    /// The method.
+    pub method: EventDriven,
+}
+
+impl Scheme for Events {
+    fn name(&self) -> String {
+        "event-driven".into()
+    }
+
+    /// Always an error: there is no single problem of a step.
+    fn assemble(&self, mechanism: &dyn Mechanism, _state: &State, _h: f64) -> Result<StepProblem> {
+        let reason = "event-driven poses a problem at each event, not one for a step";
+        Err(Error::Unsupported(format!("{}: {reason}", mechanism.name())))
+    }
+
+    fn own_step(&self, solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, h: f64) -> Option<Result<Step>> {
+        Some(self.method.advance(solver, mechanism, state, h).map(|motion| {
+            let mass = mechanism.mass_matrix(&motion.state.position);
+            let assembled = StepProblem {
+                problem: None,
+                active: motion.impulses.iter().map(|one| one.contact).collect(),
+                places: motion.impulses.iter().map(|one| one.place).collect(),
+                jacobian: DMatrix::zeros(0, motion.state.velocity.len()),
+                free_velocity: motion.state.velocity.clone(),
+                effective_mass: mass,
+            };
+            Step { state: motion.state, impulses: motion.impulses, assembled, solution: None }
+        }))
+    }
+
+    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
+        mechanism.integrate(&state.position, velocity_post, h)
+    }
+}

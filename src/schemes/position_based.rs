@@ -1,0 +1,318 @@
+//! Position-based dynamics, PBD and XPBD: positions are predicted, pushed out contact by contact, and velocities read off them.
+//!
+//! ```text
+//!     q̃ = q + h v_free ,   v_free = v + h M⁻¹F
+//!     k sweeps over the contacts:   ΔΛ_n = max(−Λ_n, −(φ + α̃ Λ_n)/(w_n + α̃)) ,   Λ_t projected on |Λ_t| ≤ μΛ_n ,   q ← q + M⁻¹Hᵀ ΔΛ
+//!     α̃ = α/h² (XPBD);   PBD: α = 0 and the share s of ΔΛ
+//!     v = (q⁺ − q)/h ,   then at contacts with Λ_n > 0:   u_n ← max(−e ũ_n, 0) ,  ũ = H v_free ,  e = 0 below |ũ_n| = 2h|H M⁻¹F|_n
+//! ```
+//! In impulses r = Λ/h the position problem is the one of [`Scheme::assemble`]: u = W r + u_free, y = u + φ/h + R r with R = α/h² on normals and a
+//! friction cone in tangential displacement. A sweep of XPBD is a sweep of Gauss–Seidel on it, with gaps taken anew at each contact.
+
+use super::assembly::{self, check_input, normal_only};
+use super::{Scheme, Step, StepProblem};
+use crate::contact::delassus::MassFactor;
+use crate::contact::delassus::delassus;
+use crate::contact::{Contact, ContactImpulse};
+use crate::mechanics::{Mechanism, State};
+use crate::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law};
+use crate::solvers::ContactSolver;
+use crate::{Error, Result};
+use nalgebra::{DMatrix, DVector};
+
+/// What makes a contact soft.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Softness {
+    /// α \[m/N\] of XPBD.
+    Compliance(f64),
+    /// s ∈ (0, 1\] of PBD.
+    Share(f64),
+}
+
+/// Position-based dynamics.
+///
+/// # Source
+/// Müller et al. (2007); Macklin, Müller and Chentanez (2016); Müller et al. (2020). Friction is projected with the positions, static and dynamic
+/// alike.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PositionBased {
+    /// What makes a contact soft.
+    pub softness: Softness,
+    /// k.
+    pub sweeps: usize,
+}
+
+impl PositionBased {
+    /// XPBD with hard contacts and twenty sweeps.
+    pub const XPBD: PositionBased = PositionBased { softness: Softness::Compliance(0.0), sweeps: 20 };
+    /// PBD with the share ½ and ten sweeps.
+    pub const PBD: PositionBased = PositionBased { softness: Softness::Share(0.5), sweeps: 10 };
+
+    /// Checks that α ≥ 0, s ∈ (0, 1\] and k ≥ 1.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] otherwise.
+    pub fn validate(&self) -> Result<()> {
+        let soft = match self.softness {
+            Softness::Compliance(alpha) => alpha.is_finite() && alpha >= 0.0,
+            Softness::Share(share) => share > 0.0 && share <= 1.0,
+        };
+        if soft && self.sweeps >= 1 {
+            return Ok(());
+        }
+        Err(Error::invalid(
+            "softness",
+            format!("is {:?} with {} sweeps", self.softness, self.sweeps),
+            "use α ≥ 0 or s in (0, 1], and at least one sweep",
+        ))
+    }
+
+    /// α̃ and the share of each correction.
+    fn weights(&self, h: f64) -> [f64; 2] {
+        match self.softness {
+            Softness::Compliance(alpha) => [alpha / (h * h), 1.0],
+            Softness::Share(share) => [0.0, share],
+        }
+    }
+}
+
+/// A step in the making.
+struct Positions<'a> {
+    mechanism: &'a dyn Mechanism,
+    factor: MassFactor<f64>,
+    /// q now.
+    position: DVector<f64>,
+    /// The motion since the start of the step, h v \[m\].
+    motion: DVector<f64>,
+    /// Λ, row by row \[N·s²\].
+    multipliers: DVector<f64>,
+}
+
+impl Positions<'_> {
+    /// One contact of one sweep.
+    fn project(&mut self, index: usize, [scaled, share]: [f64; 2]) {
+        let contact = &self.mechanism.contacts(&self.position)[index];
+        let rows = contact.jacobian.nrows();
+        let first = index * rows;
+        let known = self.multipliers[first];
+        let weight = self.weight(contact, 0);
+        let wanted = -share * (contact.gap + scaled * known) / (weight + scaled);
+        self.push(contact, 0, wanted.max(-known), first);
+        let limit = contact.friction * self.multipliers[first];
+        let before: Vec<f64> = (1..rows).map(|row| self.multipliers[first + row]).collect();
+        let slide = &contact.jacobian * &self.motion;
+        let after: Vec<f64> = (1..rows).map(|row| before[row - 1] - share * slide[row] / self.weight(contact, row)).collect();
+        let size = after.iter().map(|part| part * part).sum::<f64>().sqrt();
+        let kept = if size > limit { limit / size } else { 1.0 };
+        for row in 1..rows {
+            self.push(contact, row, after[row - 1] * kept - before[row - 1], first + row);
+        }
+    }
+
+    /// H M⁻¹Hᵀ of one row.
+    fn weight(&self, contact: &Contact, row: usize) -> f64 {
+        let direction = contact.jacobian.row(row).transpose();
+        direction.dot(&self.factor.solve(&direction))
+    }
+
+    fn push(&mut self, contact: &Contact, row: usize, change: f64, place: usize) {
+        if change != 0.0 {
+            let moved = self.factor.solve(&(contact.jacobian.row(row).transpose() * change));
+            self.position = self.mechanism.integrate(&self.position, &moved, 1.0);
+            self.motion += moved;
+            self.multipliers[place] += change;
+        }
+    }
+}
+
+/// Where the velocities are corrected, and by which impulses.
+fn bounce(
+    mechanism: &dyn Mechanism,
+    done: &Positions,
+    free: &DVector<f64>,
+    pull: &DVector<f64>,
+    h: f64,
+    velocity: &mut DVector<f64>,
+) -> DVector<f64> {
+    let contacts = mechanism.contacts(&done.position);
+    let mut impulses = &done.multipliers / h;
+    for (index, contact) in contacts.iter().enumerate() {
+        let normal = index * contact.jacobian.nrows();
+        if done.multipliers[normal] <= 0.0 {
+            continue;
+        }
+        let direction = contact.jacobian.row(0).transpose();
+        let (arriving, speed) = (direction.dot(free), direction.dot(velocity));
+        let slow = 2.0 * h * direction.dot(pull).abs();
+        let target = if arriving.abs() <= slow { 0.0 } else { (-contact.restitution * arriving).max(0.0) };
+        let impulse = (target - speed) / done.weight(contact, 0);
+        impulses[normal] += impulse;
+        *velocity += done.factor.solve(&(direction * impulse));
+    }
+    impulses
+}
+
+impl Scheme for PositionBased {
+    fn name(&self) -> String {
+        match self.softness {
+            Softness::Compliance(alpha) => format!("xpbd α={alpha} sweeps={}", self.sweeps),
+            Softness::Share(share) => format!("pbd s={share} sweeps={}", self.sweeps),
+        }
+    }
+
+    /// The position problem with the gaps linearised at q, as impulses: what the sweeps of XPBD tend to.
+    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
+        check_input(mechanism, state, h)?;
+        let free_velocity = assembly::forecast(mechanism, state, h)?;
+        let effective_mass = mechanism.mass_matrix(&state.position);
+        let contacts = mechanism.contacts(&state.position);
+        let rows = mechanism.rows_per_contact();
+        let mut jacobian = DMatrix::zeros(rows * contacts.len(), state.velocity.len());
+        let mut shift = DVector::zeros(rows * contacts.len());
+        for (k, contact) in contacts.iter().enumerate() {
+            jacobian.rows_mut(k * rows, rows).copy_from(&contact.jacobian);
+            shift.rows_mut(k * rows, rows).copy_from(&normal_only(contact.gap / h, rows));
+        }
+        let [scaled, _] = self.weights(h);
+        let diagonal = DVector::from_fn(rows * contacts.len(), |row, _| if row % rows == 0 { scaled } else { 0.0 });
+        let problem = ContactProblem {
+            name: format!("{} {} t={}", mechanism.name(), self.name(), state.time),
+            rows_per_contact: rows,
+            law: if rows == 1 { Law::Frictionless } else { Law::Coulomb },
+            friction: contacts.iter().map(|contact| contact.friction).collect(),
+            free_velocity: &jacobian * &free_velocity,
+            shift,
+            delassus: delassus(&effective_mass, &jacobian)?,
+            compliance: (scaled > 0.0).then_some(Compliance { coordinates: Coordinates::Contact, diagonal }),
+            dynamics: Some(Dynamics { mass: effective_mass.clone(), jacobian: jacobian.clone() }),
+        };
+        let places = contacts.iter().map(|contact| contact.place).collect();
+        let problem = (!contacts.is_empty()).then_some(problem);
+        Ok(StepProblem { problem, active: (0..contacts.len()).collect(), places, effective_mass, free_velocity, jacobian })
+    }
+
+    fn own_step(&self, _solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, h: f64) -> Option<Result<Step>> {
+        Some(self.step(mechanism, state, h))
+    }
+
+    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
+        mechanism.integrate(&state.position, velocity_post, h)
+    }
+}
+
+impl PositionBased {
+    fn step(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Step> {
+        check_input(mechanism, state, h)?;
+        let free = assembly::forecast(mechanism, state, h)?;
+        let mass = mechanism.mass_matrix(&state.position);
+        let factor = MassFactor::new(&mass)?;
+        let pull = factor.solve(&mechanism.force(&state.position, &state.velocity));
+        let predicted = mechanism.integrate(&state.position, &free, h);
+        let (count, rows) = (mechanism.contacts(&predicted).len(), mechanism.rows_per_contact());
+        let mut done = Positions { mechanism, factor, position: predicted, motion: &free * h, multipliers: DVector::zeros(rows * count) };
+        for _ in 0..self.sweeps {
+            (0..count).for_each(|index| done.project(index, self.weights(h)));
+        }
+        let mut velocity = &done.motion / h;
+        let impulses = bounce(mechanism, &done, &free, &pull, h, &mut velocity);
+        let places: Vec<_> = mechanism.contacts(&done.position).iter().map(|contact| contact.place).collect();
+        let acting: Vec<usize> = (0..count).filter(|&k| done.multipliers[k * rows] > 0.0).collect();
+        let impulse =
+            |&k: &usize| ContactImpulse { contact: k, impulse: impulses.rows(k * rows, rows).iter().copied().collect(), place: places[k] };
+        let impulses = acting.iter().map(impulse).collect();
+        let assembled = StepProblem {
+            problem: None,
+            places: acting.iter().map(|&k| places[k]).collect(),
+            active: acting,
+            effective_mass: mass,
+            free_velocity: free,
+            jacobian: DMatrix::zeros(0, velocity.len()),
+        };
+        let state = State { time: state.time + h, position: done.position, velocity };
+        Ok(Step { state, impulses, assembled, solution: None })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::closed_forms::PositionBasedContact;
+    use crate::mechanics::{BallChain, PointMass};
+    use crate::schemes::{simulate, step};
+    use crate::solvers::{ProjectedGaussSeidel, Reference};
+    use crate::tolerance::rounding;
+    use nalgebra::dvector;
+
+    fn at(position: f64, velocity: f64) -> State {
+        State { time: 0.0, position: dvector![position], velocity: dvector![velocity] }
+    }
+
+    fn xpbd(compliance: f64) -> PositionBased {
+        PositionBased { softness: Softness::Compliance(compliance), sweeps: 20 }
+    }
+
+    fn settle(scheme: PositionBased, h: f64) -> f64 {
+        let ball = PointMass::ball_on_floor(2.0, 9.81, 0.0);
+        simulate(&scheme, &Reference, &ball, at(0.0, 0.0), h, 4000).expect("valid").last().position[0]
+    }
+
+    #[test]
+    fn the_rest_depth_of_xpbd_is_that_of_its_compliance_at_every_step_and_pbds_is_not() {
+        for h in [0.01, 0.0025] {
+            let exact = PositionBasedContact { mass: 2.0, gravity: 9.81, time_step: h };
+            let depth = exact.rest_depth_of_compliance(1e-4);
+            assert!((settle(xpbd(1e-4), h) + depth).abs() <= rounding(512, depth), "h = {h}");
+            for sweeps in [1, 3] {
+                let depth = exact.rest_depth_of_share(0.5, sweeps);
+                let found = settle(PositionBased { softness: Softness::Share(0.5), sweeps: sweeps as usize }, h);
+                assert!((found + depth).abs() <= rounding(512, depth), "h = {h}, {sweeps} sweeps: {found} {depth}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_landing_and_a_rebound_are_those_of_the_closed_form() {
+        let (h, e) = (0.0625, 0.5);
+        let exact = PositionBasedContact { mass: 2.0, gravity: 10.0, time_step: h };
+        let ball = PointMass::ball_on_floor(2.0, 10.0, e);
+        for (gap, speed) in [(0.05, -2.0), (0.02, -0.5), (-0.01, -1.0)] {
+            for compliance in [0.0, 1e-3] {
+                let after = step(&xpbd(compliance), &Reference, &ball, &at(gap, speed), h).expect("valid").state;
+                assert!((after.position[0] - exact.landing(compliance, gap, speed).0).abs() <= rounding(64, 1.0));
+                assert!((after.velocity[0] - exact.rebound(e, speed)).abs() <= rounding(64, 4.0), "{gap} {speed}: {after:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_sweeps_tend_to_the_solution_of_the_assembled_problem() {
+        let chain = BallChain::new(vec![1.0, 2.0, 0.5], vec![0.1; 3], 0.0).expect("valid");
+        let start = State { time: 0.0, position: dvector![0.0, 0.21, 0.42], velocity: dvector![3.0, 0.0, -1.0] };
+        let (scheme, h) = (PositionBased { sweeps: 400, ..xpbd(1e-4) }, 0.0625);
+        let problem = scheme.assemble(&chain, &start, h).expect("valid").problem.expect("contacts");
+        let solved = ProjectedGaussSeidel::default().solve(&problem, None).expect("solvable").impulse;
+        let taken = step(&scheme, &Reference, &chain, &start, h).expect("valid");
+        // positions first: the impulses of the velocity pass are taken out again
+        let moved = (&taken.state.position - &start.position) / h;
+        let jacobian = &problem.dynamics.as_ref().expect("given").jacobian;
+        let expected = &problem.free_velocity + &problem.delassus * &solved;
+        assert!((jacobian * moved - expected).amax() <= 1e-10);
+    }
+
+    #[test]
+    fn a_block_sticks_or_slides_down_its_slope() {
+        let angle = 0.35f64;
+        for (friction, expected) in [(0.5, 0.0), (0.3, 9.81 * (angle.sin() - 0.3 * angle.cos()))] {
+            let block = PointMass::block_on_incline(2.0, 9.81, angle, friction, 0.0);
+            let start = State { time: 0.0, position: dvector![0.0, 0.0], velocity: dvector![0.0, 0.0] };
+            let end = simulate(&PositionBased::XPBD, &Reference, &block, start, 0.01, 100).expect("valid");
+            assert!((end.last().velocity[0] - expected).abs() <= rounding(100 * 64, 10.0), "μ = {friction}: {}", end.last().velocity[0]);
+        }
+    }
+
+    #[test]
+    fn parameters_that_cannot_be_meant_are_refused() {
+        assert!(xpbd(-1.0).validate().is_err() && PositionBased { sweeps: 0, ..PositionBased::PBD }.validate().is_err());
+        assert!(PositionBased::XPBD.validate().is_ok() && PositionBased { softness: Softness::Share(1.5), sweeps: 1 }.validate().is_err());
+    }
+}
