@@ -89,7 +89,7 @@ mod tests {
         caught(velocity(SUNK, &Bullet { error_reduction: 0.2, ..Bullet::default() }));
         caught(velocity(BOUNCE, &rigid()));
         caught(velocity(RIGID_BOUNCE, &Bullet::default()));
-        caught(position(DEEP, &Bullet::default()));
+        caught(position(DEEP, &Bullet { error_reduction: 0.2, ..rigid() }));
         caught(velocity(SLIDE, &planted(boxes(), Mistake::HalfFriction)));
     }
 }

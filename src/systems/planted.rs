@@ -58,7 +58,7 @@ impl<S: Scheme> Scheme for Planted<S> {
 
     fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
         let reached = self.scheme.advance(mechanism, state, velocity_post, h);
-        let ahead = if self.mistake == Mistake::Ahead { 0.5 * h } else { 0.0 };
-        reached + (velocity_post - &state.velocity) * ahead
+        // only where positions have as many entries as velocities: not with quaternions
+        if self.mistake == Mistake::Ahead { reached + (velocity_post - &state.velocity) * (0.5 * h) } else { reached }
     }
 }
