@@ -16,7 +16,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from reference import build, documents, environment, siconos  # noqa: E402
+from reference import build, documents, environment, facts, siconos  # noqa: E402
 from reference.client import Engine, EngineError  # noqa: E402
 from reference.compare import check, comparable, numbers_by_kind, tolerances_of  # noqa: E402
 from reference.plan import all_jobs  # noqa: E402
@@ -27,6 +27,7 @@ SCRIPTS = Path(__file__).resolve().parent
 DEFAULT = ("mujoco", "drake", "siconos")
 OPTIONAL = ("bullet", "pinocchio")  # run without being named only where they are installed already
 ENGINES = DEFAULT + OPTIONAL
+FACTS = ("mujoco",)
 EPILOG = """
 examples:
   scripts/generate_references.py                      write all files (some minutes)
@@ -134,6 +135,20 @@ class Run:
             documents.write(path, fresh)
         self.done += 1
 
+    def facts(self, engine, name, description):
+        """What the engine says of itself; store it, or compare it."""
+        path, place = self.options.references / "facts" / f"{name}.json", f"facts/{name}.json"
+        if self.options.check and not path.exists():
+            return self.fail(place, ["missing"])
+        fresh = facts.document(engine, json.loads(json.dumps(self.scenes[facts.SCENE])), description)
+        if self.options.check:
+            messages = facts.differences_of(documents.read(path), fresh)
+            if messages:
+                self.fail(place, messages)
+        else:
+            documents.write(path, fresh)
+        self.done += 1
+
     def engine(self, name, jobs):
         """All jobs of one engine; raises NotInstalled when it cannot run at all."""
         named = name in DEFAULT or name in self.options.only or name in self.options.require
@@ -149,6 +164,11 @@ class Run:
                         self.job(engine, job, description)
                     except (EngineError, ValueError) as problem:
                         self.fail(job.path, [str(problem)])
+                if name in FACTS and self.options.match in f"facts/{name}.json":
+                    try:
+                        self.facts(engine, name, description)
+                    except (EngineError, ValueError) as problem:
+                        self.fail(f"facts/{name}.json", [str(problem)])
         progress("")
         report(f"{name} {description['version']}: {len(jobs)} files")
 

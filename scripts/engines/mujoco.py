@@ -18,6 +18,7 @@ import numpy as np  # noqa: E402
 sys.path.insert(0, _here)
 
 import _mujoco_dump  # noqa: E402
+import _mujoco_facts  # noqa: E402
 from _protocol import Unsupported, serve  # noqa: E402
 from _scene import (GROUND, initial_state, pair_friction, record, rotation_to_normal,  # noqa: E402
                     solid_inertia)
@@ -170,5 +171,11 @@ def dump(request):
     return _mujoco_dump.dump_of(model, data, request["step"], options)
 
 
+def facts(request):
+    """{scene} → defaults, choices and small experiments; a request of our own scripts alone."""
+    options = in_force("mujoco", PARAMETERS, OPTIONS, {"options": {}, "scene": request["scene"]})
+    return _mujoco_facts.facts(start, request["scene"], options)
+
+
 if __name__ == "__main__":
-    serve({"describe": describe, "simulate": simulate, "dump": dump})
+    serve({"describe": describe, "simulate": simulate, "dump": dump, "facts": facts})

@@ -9,7 +9,8 @@ use crate::report::json::pretty;
 use crate::report::motion::{Motion, Quantity, lines};
 use crate::report::plot;
 use crate::scenes::{self, ExactMotion, Linkage, Scene, Staged};
-use crate::schemes::{self, Activation, Parameters, RestitutionRule, Scheme};
+use crate::schemes::mujoco::{Cone, Softness};
+use crate::schemes::{self, Activation, Mujoco, Parameters, RestitutionRule, Scheme};
 use crate::trajectory::{Engine, Trajectory};
 use crate::{Error, Result, solvers};
 use serde::Serialize;
@@ -26,7 +27,7 @@ pub struct Arguments {
     /// A built-in scene or a file scene/1.
     #[arg(long, value_name = "NAME|FILE", required_unless_present = "list")]
     scene: Option<String>,
-    /// The time-stepping scheme: moreau-jean, moreau-jean-projection, schatzman-paoli, generalised-alpha, stewart-trinkle, anitescu, chrono, bullet, explicit-euler, semi-implicit-euler, runge-kutta-flip, event-driven, xpbd or pbd.
+    /// The time-stepping scheme: moreau-jean, moreau-jean-projection, schatzman-paoli, generalised-alpha, stewart-trinkle, anitescu, chrono, bullet, mujoco, explicit-euler, semi-implicit-euler, runge-kutta-flip, event-driven, xpbd or pbd.
     #[arg(long, value_name = "NAME", default_value = "moreau-jean")]
     scheme: String,
     /// Time step h [s]; of event-driven the time between samples.
@@ -53,6 +54,21 @@ pub struct Arguments {
     /// ρ of generalised-alpha, the share that a step keeps of infinitely stiff motion, from 0 to 1 (0.8).
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     spectral_radius: Option<f64>,
+    /// Friction cone of mujoco in space: pyramidal (default) or elliptic.
+    #[arg(long, value_name = "NAME")]
+    cone: Option<String>,
+    /// solref of mujoco: time constant [s] and damping ratio, or −stiffness [1/s²] and −damping [1/s].
+    #[arg(long, value_name = "A,B", value_delimiter = ',', allow_hyphen_values = true)]
+    solref: Option<Vec<f64>>,
+    /// solimp of mujoco: impedance at the surface and beyond the width, width [m], midpoint, power.
+    #[arg(long, value_name = "D0,DW,WIDTH,MID,POWER", value_delimiter = ',')]
+    solimp: Option<Vec<f64>>,
+    /// impratio of mujoco, normal over tangential regularisation.
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    impratio: Option<f64>,
+    /// margin of mujoco: gap below which a contact is active [m].
+    #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
+    margin: Option<f64>,
     /// Who solves the contact problems.
     #[arg(long, value_name = "NAME", default_value = "auto", help = super::solve::solver_help())]
     solver: String,
@@ -88,6 +104,7 @@ Examples:
   moreau simulate --list
   moreau simulate --scene bouncing-ball --step 0.01 --plot ball.svg
   moreau simulate --scene bouncing-ball --theta 1 --activation D --restitution 0.8 --duration 5
+  moreau simulate --scene incline-stick --scheme mujoco --cone elliptic --impratio 10
   moreau simulate --scene incline-slide --scheme anitescu --out slide.json --format json
   moreau simulate --scene my-scene.json --scheme stewart-trinkle";
 
@@ -120,7 +137,7 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<()> {
         Some(linkage) => (arguments.build_linkage(linkage)?, None, None),
         None => {
             let (scene, note) = arguments.build_scene(scene, scheme.as_ref())?;
-            (scene.staged()?, Some(scene), note)
+            (arguments.stage(&scene)?, Some(scene), note)
         }
     };
     let steps = count_steps(staged.duration, arguments.step)?;
@@ -181,6 +198,11 @@ impl Arguments {
             ("--activation", self.activation.is_some(), &["moreau-jean"]),
             ("--spectral-radius", self.spectral_radius.is_some(), &["generalised-alpha"]),
             ("--friction-directions", self.friction_directions.is_some(), &["stewart-trinkle"]),
+            ("--cone", self.cone.is_some(), &["mujoco"]),
+            ("--solref", self.solref.is_some(), &["mujoco"]),
+            ("--solimp", self.solimp.is_some(), &["mujoco"]),
+            ("--impratio", self.impratio.is_some(), &["mujoco"]),
+            ("--margin", self.margin.is_some(), &["mujoco"]),
         ];
         if !schemes::NAMES.contains(&self.scheme.as_str()) {
             let known = format!("use one of {}", schemes::NAMES.join(", "));
@@ -204,8 +226,34 @@ impl Arguments {
             restitution: self.restitution_rule.as_deref().map_or(Ok(default.restitution), RestitutionRule::by_name).map_err(option)?,
             directions: self.friction_directions.unwrap_or(default.directions),
             spectral_radius: self.spectral_radius.unwrap_or(default.spectral_radius),
+            mujoco: self.mujoco()?,
         };
         schemes::by_name(&self.scheme, parameters).map_err(option)
+    }
+
+    /// The scene's mechanism. How soft a body rests depends on the number of its contact points, which is that of the body in space.
+    fn stage(&self, scene: &Scene) -> Result<Staged> {
+        let staged = scene.staged()?;
+        if self.scheme != "mujoco" {
+            return Ok(staged);
+        }
+        let (mechanism, start) = scene.spatial_mechanism()?;
+        Ok(Staged { mechanism, start, exact: None, ..staged })
+    }
+
+    /// Cone and softness of mujoco.
+    fn mujoco(&self) -> Result<Mujoco> {
+        let softness = Softness::default();
+        Ok(Mujoco {
+            cone: self.cone.as_deref().map_or(Ok(Cone::default()), Cone::by_name).map_err(option)?,
+            softness: Softness {
+                reference: self.solref.as_deref().map_or(Ok(softness.reference), |given| numbers("--solref", given))?,
+                impedance: self.solimp.as_deref().map_or(Ok(softness.impedance), |given| numbers("--solimp", given))?,
+                impedance_ratio: self.impratio.unwrap_or(softness.impedance_ratio),
+                margin: self.margin.unwrap_or(softness.margin),
+                ..softness
+            },
+        })
     }
 
     /// The linkage with the options applied.
@@ -243,8 +291,20 @@ impl Arguments {
             scene.material.restitution = restitution;
             scene.material.pairs.iter_mut().for_each(|pair| pair.restitution = None);
         }
-        Ok((scene, plastic.then_some("this scheme has no restitution: every impact is plastic, e = 0 in place of the scene's")))
+        let note = if self.scheme == "mujoco" {
+            "soft contact has no restitution: how far a body bounces follows from solref and solimp, not from the scene's e"
+        } else {
+            "this scheme has no restitution: every impact is plastic, e = 0 in place of the scene's"
+        };
+        Ok((scene, plastic.then_some(note)))
     }
+}
+
+/// As many numbers as there have to be.
+fn numbers<const N: usize>(field: &str, given: &[f64]) -> Result<[f64; N]> {
+    given
+        .try_into()
+        .map_err(|_| Error::invalid(field, format!("has {} numbers", given.len()), format!("give {N}, with commas between them")))
 }
 
 /// A rule by its letter or its name.

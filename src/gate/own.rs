@@ -208,6 +208,8 @@ fn laws(solver: &str) -> Vec<String> {
         "apgd" | "bb" => &["frictionless", "associated"],
         "psor" | "admm" => &["frictionless", "coulomb", "associated"],
         "clarabel" => &["frictionless", "associated", "polyhedral-associated"],
+        // for soft problems with mass and Jacobian
+        "newton" | "cg" | "gauss-pgs" => &["frictionless", "associated", "polyhedral-associated"],
         _ => &[],
     };
     names.iter().map(|name| name.to_string()).collect()

@@ -80,6 +80,17 @@ pub trait Mechanism: Send + Sync {
         let _ = reach;
         self.contacts(position)
     }
+    /// The candidates of [`Mechanism::contacts_within`], their rows taken at the point halfway between the two points that touch: both bodies
+    /// are looked at there. Where the gap is zero nothing changes; by default nothing ever does.
+    fn contacts_halfway(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
+        self.contacts_within(position, reach)
+    }
+    /// Σ 1/m over the two bodies of a contact \[1/kg\]: how easily a push at their centres moves them apart. `None` if the mechanism does not
+    /// consist of free bodies.
+    fn inverse_mass(&self, contact: &Contact) -> Option<f64> {
+        let _ = contact;
+        None
+    }
     /// An upper bound of h (‖u_n‖ + μ‖u_t‖) over every contact candidate there could be, at the velocity v \[m\]: a contact with a
     /// larger gap does not close in a step h with this velocity. Infinite by default: no bound is known.
     fn reach(&self, velocity: &DVector<f64>, h: f64) -> f64 {

@@ -163,6 +163,10 @@ impl Mechanism for PointMass {
         self.planes.iter().enumerate().map(contact).collect()
     }
 
+    fn inverse_mass(&self, _contact: &Contact) -> Option<f64> {
+        Some(1.0 / self.mass)
+    }
+
     fn potential_energy(&self, position: &DVector<f64>) -> f64 {
         -self.mass * self.gravity.dot(position)
     }

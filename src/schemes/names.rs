@@ -1,13 +1,13 @@
 //! Schemes by name, for the command line.
 
 use super::{
-    Activation, Anitescu, Bullet, Chrono, Euler, Events, GeneralisedAlpha, MoreauJean, MoreauJeanProjection, PositionBased,
+    Activation, Anitescu, Bullet, Chrono, Euler, Events, GeneralisedAlpha, MoreauJean, MoreauJeanProjection, Mujoco, PositionBased,
     RestitutionRule, RungeKuttaFlip, SchatzmanPaoli, Scheme, StewartTrinkle,
 };
 use crate::{Error, Result};
 
 /// The names [`by_name`] knows.
-pub const NAMES: [&str; 14] = [
+pub const NAMES: [&str; 15] = [
     "moreau-jean",
     "moreau-jean-projection",
     "schatzman-paoli",
@@ -16,6 +16,7 @@ pub const NAMES: [&str; 14] = [
     "anitescu",
     "chrono",
     "bullet",
+    "mujoco",
     "explicit-euler",
     "semi-implicit-euler",
     "runge-kutta-flip",
@@ -37,6 +38,8 @@ pub struct Parameters {
     pub directions: usize,
     /// ρ of generalised-α.
     pub spectral_radius: f64,
+    /// Cone and softness of MuJoCo.
+    pub mujoco: Mujoco,
 }
 
 impl Default for Parameters {
@@ -48,6 +51,7 @@ impl Default for Parameters {
             restitution,
             directions: StewartTrinkle::default().directions,
             spectral_radius: GeneralisedAlpha::default().spectral_radius(),
+            mujoco: Mujoco::default(),
         }
     }
 }
@@ -55,9 +59,9 @@ impl Default for Parameters {
 /// The scheme with this name.
 ///
 /// # Errors
-/// An unknown name (the message lists the known ones), θ outside \[0, 1\] or fewer than three directions.
+/// An unknown name (the message lists the known ones), θ outside \[0, 1\], fewer than three directions or a softness that cannot be meant.
 pub fn by_name(name: &str, parameters: Parameters) -> Result<Box<dyn Scheme>> {
-    let Parameters { theta, activation, restitution, directions, spectral_radius } = parameters;
+    let Parameters { theta, activation, restitution, directions, spectral_radius, mujoco } = parameters;
     match name {
         "moreau-jean" => {
             let scheme = MoreauJean { theta, activation, restitution };
@@ -79,6 +83,10 @@ pub fn by_name(name: &str, parameters: Parameters) -> Result<Box<dyn Scheme>> {
         "anitescu" => Ok(Box::new(Anitescu)),
         "chrono" => Ok(Box::new(Chrono::default())),
         "bullet" => Ok(Box::new(Bullet::default())),
+        "mujoco" => {
+            mujoco.validate()?;
+            Ok(Box::new(mujoco))
+        }
         "explicit-euler" => Ok(Box::new(Euler::Explicit)),
         "semi-implicit-euler" => Ok(Box::new(Euler::SemiImplicit)),
         "runge-kutta-flip" => Ok(Box::new(RungeKuttaFlip)),

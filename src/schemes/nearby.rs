@@ -53,6 +53,15 @@ impl Mechanism for Nearby<'_> {
         self.mechanism.contacts_within(position, reach.min(self.reach))
     }
 
+    /// Not cut short: who asks for a reach of its own has its own reason for it.
+    fn contacts_halfway(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
+        self.mechanism.contacts_halfway(position, reach)
+    }
+
+    fn inverse_mass(&self, contact: &Contact) -> Option<f64> {
+        self.mechanism.inverse_mass(contact)
+    }
+
     fn reach(&self, velocity: &DVector<f64>, h: f64) -> f64 {
         self.mechanism.reach(velocity, h)
     }

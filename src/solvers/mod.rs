@@ -11,6 +11,7 @@ mod anderson;
 mod barzilai_borwein;
 mod clarabel;
 pub mod enumeration;
+pub mod gauss;
 pub mod lemke;
 mod lemke_pivoting;
 mod one_contact;
@@ -25,6 +26,7 @@ pub use accelerated_projected_gradient::{AcceleratedProjectedGradient, Momentum,
 pub use alternating_directions::AlternatingDirections;
 pub use barzilai_borwein::BarzilaiBorwein;
 pub use clarabel::{ClarabelPolished, Polished};
+pub use gauss::{GaussConjugateGradient, GaussNewton, GaussSweeps};
 pub use lemke_pivoting::LemkePivoting;
 pub use projected_gauss_seidel::ProjectedGaussSeidel;
 pub use projected_over_relaxation::ProjectedOverRelaxation;

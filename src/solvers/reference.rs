@@ -2,16 +2,16 @@
 
 use super::stopping::Stopping;
 use super::{AcceleratedProjectedGradient, AlternatingDirections, BarzilaiBorwein, ClarabelPolished, ContactSolver, LemkePivoting};
-use super::{ProjectedGaussSeidel, ProjectedOverRelaxation};
+use super::{GaussConjugateGradient, GaussNewton, GaussSweeps, ProjectedGaussSeidel, ProjectedOverRelaxation};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::solvers::FIRST_SWEEPS;
 use crate::{Error, Result};
 use nalgebra::DVector;
 
 /// The names [`by_name`] knows.
-pub const NAMES: [&str; 8] = ["auto", "lemke", "pgs", "psor", "apgd", "bb", "admm", "clarabel"];
+pub const NAMES: [&str; 11] = ["auto", "lemke", "pgs", "psor", "apgd", "bb", "admm", "clarabel", "newton", "cg", "gauss-pgs"];
 
-/// The default choice: Lemke for the polyhedral laws, accelerated block projected Gauss–Seidel for the others. At spatial contacts Stewart–Trinkle's
+/// The default choice: Newton's method for soft convex laws whose mass and Jacobian are known, Lemke for the polyhedral laws, accelerated block projected Gauss–Seidel for the others. At spatial contacts Stewart–Trinkle's
 /// law is first tried by a bounded number of sweeps, for Lemke's tableau has (2 + d)² entries per pair of contacts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reference;
@@ -22,6 +22,11 @@ impl ContactSolver for Reference {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+        if problem.compliance.is_some()
+            && let Ok(solution) = GaussNewton::default().solve(problem, warm_start)
+        {
+            return Ok(solution);
+        }
         match problem.law.directions() {
             Some(_) if problem.rows_per_contact == 3 => match sweeps(problem, warm_start)? {
                 Some(solution) => Ok(solution),
@@ -57,6 +62,9 @@ pub fn by_name(name: &str) -> Result<Box<dyn ContactSolver>> {
         "psor" => Ok(Box::new(ProjectedOverRelaxation::default())),
         "clarabel" => Ok(Box::new(ClarabelPolished)),
         "pgs" => Ok(Box::new(ProjectedGaussSeidel::default())),
+        "newton" => Ok(Box::new(GaussNewton::default())),
+        "cg" => Ok(Box::new(GaussConjugateGradient::default())),
+        "gauss-pgs" => Ok(Box::new(GaussSweeps::default())),
         _ => Err(Error::Unsupported(format!("there is no solver `{name}`; use one of {}", NAMES.join(", ")))),
     }
 }

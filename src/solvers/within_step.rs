@@ -28,6 +28,9 @@ impl ContactSolver for WithinStep {
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         let polyhedral = problem.law.directions().is_some();
         let swept = !polyhedral || (problem.rows_per_contact == 3 && matches!(problem.law, Law::PolyhedralCoulomb { .. }));
+        if problem.compliance.is_some() {
+            return Reference.solve(problem, warm_start);
+        }
         let Some(start) = warm_start.filter(|_| swept) else { return Reference.solve(problem, warm_start) };
         match rounds(problem, start)? {
             Answer::Good(solution) => Ok(solution),

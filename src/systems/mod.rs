@@ -22,6 +22,7 @@ mod explicit_euler;
 mod generalised_alpha;
 mod measured;
 mod moreau_jean;
+mod mujoco;
 mod on_a_ball;
 mod on_a_slope;
 mod on_a_spring;
@@ -123,6 +124,7 @@ pub static ALL: &[&System] = &[
     &chrono::SYSTEM,
     &bullet::SYSTEM,
     &pinocchio::SYSTEM,
+    &mujoco::SYSTEM,
     &explicit_euler::SYSTEM,
     &semi_implicit_euler::SYSTEM,
     &theta::SYSTEM,

@@ -16,6 +16,11 @@ pub fn mujoco_gradient(tolerance: f64, mass: &DMatrix<f64>) -> f64 {
     tolerance * mass.trace()
 }
 
+/// How near a stored step of MuJoCo's Newton is to the minimiser, relative to the velocity change and to the impulses: it stops where the gradient over
+/// tr M falls below `tolerance` = 1e-8 m/s², while the change of acceleration is of the size of gravity; with the inertia of a rotation two
+/// hundred times below the mass that is 1e-8/9.81·√200.
+pub const REPLAYED_STEP: f64 = 1.5e-8;
+
 /// SAP's relative tolerance (`SapSolverParameters::rel_tolerance` in Drake 1.51).
 pub const SAP_RELATIVE: f64 = 1e-6;
 

@@ -118,3 +118,24 @@ pub const PROXIMAL: f64 = 1.0 / 1_048_576.0;
 /// Steps of a bracketed root search in \[0, 1\] that halves at least every third step: 3·53 until neighbours, and as many again
 /// for roots down to 2⁻¹⁰⁶.
 pub const ROOT_STEPS: usize = 2 * 3 * 53;
+
+/// Slope of a line search relative to that at its start at which a step is exact, 2⁻⁴⁰: the step is off by less than that part of itself,
+/// and Newton's method squares its error only down to 2⁻⁴⁰ of the last one, below what a solution needs after two steps.
+pub const LINE_SLOPE: f64 = 1.0 / (1u64 << 40) as f64;
+
+/// Steps of Newton's method on a soft convex problem; each changes the zone of at least one contact or squares the error. A limit
+/// against endless loops, not a part of any bound.
+pub const NEWTON_STEPS: usize = 200;
+
+/// Fall of the cost ½ΔᵀMΔ + s, relative to it, that is more than rounding, 2⁻⁴²: a sum of at most 500 squares has the relative error 2·500 ε.
+pub const COST_FLOOR: f64 = 1.0 / (1u64 << 42) as f64;
+
+/// Steps of Newton's method in a row that reduce neither cost nor gradient after which rounding is all that is left: a step with an exact
+/// line search reduces the cost, unless it is as small as rounding; three leave room for one bad draw.
+pub const NEWTON_STALLED: usize = 3;
+
+/// Steps of conjugate gradients: on a quadratic with condition κ ≤ 10⁶ an error falls by e⁻²⁸ = [`STOP`] in 14 √κ = 14 000.
+pub const CONJUGATE_STEPS: usize = 14_000;
+
+/// The same for conjugate gradients, whose gradient does not fall in every step: nv directions make one round, and nv is about 100 at most here.
+pub const CONJUGATE_STALLED: usize = 100;

@@ -50,6 +50,24 @@ fn a_bouncing_ball_leaves_a_summary_a_trajectory_and_a_picture() {
 }
 
 #[test]
+fn the_softness_of_mujoco_is_that_of_its_options() {
+    let depth = |options: &[&str]| {
+        let arguments = ["simulate", "--scene", "incline-stick", "--scheme", "mujoco", "--step", "0.002", "--format", "json"];
+        quantity(&moreau(&[&arguments[..], options].concat()), "deepest penetration").expect("soft")
+    };
+    let soft = depth(&["--cone", "elliptic"]);
+    assert!(soft > 0.0 && depth(&["--cone", "elliptic", "--solref=-1000,-50"]) > soft, "2500 and 100 by default");
+    assert!(depth(&["--cone", "elliptic", "--solimp", "0.99,0.99,0.001,0.5,2"]) < soft);
+    let refused = |options: &[&str], words: &[&str]| moreau(&[&["simulate", "--scene", "ball-drop"], options].concat()).is_refused(words);
+    refused(&["--cone", "elliptic"], &["--cone", "belongs to mujoco"]);
+    refused(&["--scheme", "mujoco", "--cone", "round"], &["--cone", "pyramidal or elliptic"]);
+    refused(&["--scheme", "mujoco", "--solref", "0.02"], &["--solref", "give 2"]);
+    refused(&["--scheme", "mujoco", "--solref", "0.02,0"], &["solref", "positive"]);
+    refused(&["--scheme", "mujoco", "--solimp", "2,0.9,0.001,0.5,2"], &["solimp"]);
+    refused(&["--scheme", "mujoco", "--impratio", "0"], &["impratio"]);
+}
+
+#[test]
 fn options_of_a_scheme_change_the_motion() {
     let restitution = |options: &[&str]| {
         let arguments = [&["simulate", "--scene", "bouncing-ball", "--step", "0.01", "--format", "json"][..], options].concat();

@@ -8,12 +8,15 @@ mod answers;
 mod ball;
 mod block;
 mod bullet;
+mod contact_dimensions;
 mod convexity;
 mod document;
 mod dumps;
 mod dumps_native;
 mod momentum;
 mod siconos;
+mod soft_motion;
+mod soft_step;
 mod stack;
 mod trajectories;
 
@@ -41,6 +44,13 @@ fn main() {
         let folder = folder.clone();
         let name = format!("mujoco_{solver}_leaves_some_step_unconverged_and_the_certificate_says_so");
         trials.push(Trial::test(name, move || dumps::some_unconverged(&folder, solver)));
+    }
+    for dimension in [1, 3, 4, 6] {
+        for cone in ["elliptic", "pyramidal"] {
+            let root = root.clone();
+            let name = format!("mujoco_one_contact_with_{dimension}_directions_{cone}");
+            trials.push(Trial::test(name, move || conclude(contact_dimensions::check(&root, &format!("{cone} {dimension}"))?)));
+        }
     }
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }

@@ -1,7 +1,7 @@
 //! A stored motion: what every engine owes, then what its own contact model predicts for the scene.
 
 use crate::document::Document;
-use crate::{ball, block, bullet, momentum, stack};
+use crate::{ball, block, bullet, momentum, soft_motion, stack};
 use libtest_mimic::Failed;
 use moreau::checks::Finding;
 use moreau::trajectory::Trajectory;
@@ -15,6 +15,7 @@ pub fn check(document: &Document) -> Result<Vec<Finding>, Failed> {
         return Ok(findings);
     }
     findings.extend(momentum::check(document, &trajectory)?);
+    findings.extend(soft_motion::check(document, &trajectory)?);
     findings.extend(match trajectory.scene.name.as_str() {
         "ball_drop" | "ball_drop_elastic" | "ball_rest" => ball::check(document, &trajectory)?,
         "block_stick" => block::stick(document, &trajectory)?,

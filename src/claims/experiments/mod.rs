@@ -3,10 +3,12 @@
 pub(super) mod creep;
 pub(super) mod curve;
 pub(super) mod identifiers;
+pub(super) mod mujoco;
 pub(super) mod push_out;
 pub(super) mod rod;
 pub(super) mod siconos;
 pub(super) mod soft;
+pub(super) mod soft_stack;
 pub(super) mod spring;
 pub(super) mod stored;
 pub(super) mod tower;

@@ -3,8 +3,9 @@
 use super::Claim;
 
 mod filippov;
+mod integrators;
 mod time_stepping;
 mod tracking;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[tracking::CLAIMS, time_stepping::CLAIMS, filippov::CLAIMS];
+pub const CLAIMS: &[&[Claim]] = &[tracking::CLAIMS, time_stepping::CLAIMS, filippov::CLAIMS, integrators::CLAIMS];

@@ -4,9 +4,11 @@ use super::Claim;
 
 mod differences;
 mod instances;
+mod mujoco;
 mod siconos;
 mod step_sizes;
 pub(super) mod three_engines;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[differences::CLAIMS, siconos::CLAIMS, step_sizes::CLAIMS, instances::CLAIMS, three_engines::CLAIMS];
+pub const CLAIMS: &[&[Claim]] =
+    &[differences::CLAIMS, mujoco::CLAIMS, siconos::CLAIMS, step_sizes::CLAIMS, instances::CLAIMS, three_engines::CLAIMS];

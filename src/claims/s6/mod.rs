@@ -2,9 +2,12 @@
 
 use super::Claim;
 
+mod algorithms;
 mod cones;
 mod duality;
+mod engine;
 mod impedance;
+mod opinions;
 mod program;
 mod reference;
 mod smooth;
@@ -12,5 +15,15 @@ mod solvers;
 mod time_constant;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] =
-    &[reference::CLAIMS, time_constant::CLAIMS, impedance::CLAIMS, duality::CLAIMS, smooth::CLAIMS, cones::CLAIMS, solvers::CLAIMS];
+pub const CLAIMS: &[&[Claim]] = &[
+    reference::CLAIMS,
+    time_constant::CLAIMS,
+    impedance::CLAIMS,
+    duality::CLAIMS,
+    smooth::CLAIMS,
+    cones::CLAIMS,
+    solvers::CLAIMS,
+    engine::CLAIMS,
+    algorithms::CLAIMS,
+    opinions::CLAIMS,
+];

@@ -2,7 +2,8 @@
 
 use super::Claim;
 
+mod mujoco;
 mod pinocchio;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[pinocchio::CLAIMS];
+pub const CLAIMS: &[&[Claim]] = &[mujoco::CLAIMS, pinocchio::CLAIMS];

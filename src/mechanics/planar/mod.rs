@@ -147,6 +147,11 @@ impl Mechanism for PlanarBodies {
         contacts
     }
 
+    fn inverse_mass(&self, contact: &Contact) -> Option<f64> {
+        let (first, second) = contact.place.as_ref()?.bodies;
+        Some([Some(first), second].into_iter().flatten().map(|body| 1.0 / self.bodies[body].mass()).sum())
+    }
+
     fn potential_energy(&self, position: &DVector<f64>) -> f64 {
         let energy =
             |(k, body): (usize, &PlanarBody)| -body.mass() * (self.gravity[0] * position[3 * k] + self.gravity[1] * position[3 * k + 1]);

@@ -110,6 +110,31 @@ impl SpatialBodies {
         Contact { gap: touch.gap, jacobian, friction, restitution, label, place: Some(place) }
     }
 
+    /// The candidates with a gap of at most `reach`, their rows taken at the points of the two bodies that `points` chooses.
+    fn candidates(&self, position: &DVector<f64>, reach: f64, points: impl Fn(&Touch) -> [Vector3<f64>; 2]) -> Vec<Contact> {
+        let poses = self.poses(position);
+        let mut contacts = Vec::new();
+        let mut keep = |first: usize, second: Option<usize>, touches: Vec<Touch>| {
+            let near = touches.iter().filter(|touch| touch.gap <= reach);
+            contacts.extend(near.map(|touch| self.contact(first, second, &Touch { points: points(touch), ..*touch }, &poses)));
+        };
+        if let Some(ground) = &self.ground {
+            for (first, body) in self.bodies.iter().enumerate() {
+                keep(first, None, ground_touches(body.shape(), &poses[first], ground));
+            }
+        }
+        for first in 0..self.bodies.len() {
+            for second in first + 1..self.bodies.len() {
+                let (own, other) = (self.bodies[first].shape(), self.bodies[second].shape());
+                let distance = (poses[first].centre - poses[second].centre).norm();
+                if distance - own.radius() - other.radius() <= reach {
+                    keep(first, Some(second), pair_touches(own, &poses[first], other, &poses[second]));
+                }
+            }
+        }
+        contacts
+    }
+
     /// (m g, τ) per body with the given torques in the body frame.
     fn weights(&self, torque: impl Fn(usize, &SpatialBody) -> Vector3<f64>) -> DVector<f64> {
         let mut force = DVector::zeros(self.degrees_of_freedom());
@@ -174,27 +199,16 @@ impl Mechanism for SpatialBodies {
     }
 
     fn contacts_within(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
-        let poses = self.poses(position);
-        let mut contacts = Vec::new();
-        let mut keep = |first: usize, second: Option<usize>, touches: Vec<Touch>| {
-            let near = touches.iter().filter(|touch| touch.gap <= reach);
-            contacts.extend(near.map(|touch| self.contact(first, second, touch, &poses)));
-        };
-        if let Some(ground) = &self.ground {
-            for (first, body) in self.bodies.iter().enumerate() {
-                keep(first, None, ground_touches(body.shape(), &poses[first], ground));
-            }
-        }
-        for first in 0..self.bodies.len() {
-            for second in first + 1..self.bodies.len() {
-                let (own, other) = (self.bodies[first].shape(), self.bodies[second].shape());
-                let distance = (poses[first].centre - poses[second].centre).norm();
-                if distance - own.radius() - other.radius() <= reach {
-                    keep(first, Some(second), pair_touches(own, &poses[first], other, &poses[second]));
-                }
-            }
-        }
-        contacts
+        self.candidates(position, reach, |touch| touch.points)
+    }
+
+    fn contacts_halfway(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
+        self.candidates(position, reach, |touch| [touch.points[0] - touch.normal * (0.5 * touch.gap); 2])
+    }
+
+    fn inverse_mass(&self, contact: &Contact) -> Option<f64> {
+        let (first, second) = contact.place.as_ref()?.bodies;
+        Some([Some(first), second].into_iter().flatten().map(|body| 1.0 / self.bodies[body].mass()).sum())
     }
 
     /// A contact point of body k is within its radius R_k or, beside a face, a sixteenth of the gap φ outside. With s = Σ(‖ẋ_k‖ + ‖Ω_k‖ R_k)

@@ -262,3 +262,18 @@ fn a_contact_beyond_the_reach_does_not_close_in_the_step() {
     }
     assert!(beyond > 1000 && mechanism.reach(&DVector::from_element(12, 1e3), 1.0) == f64::INFINITY);
 }
+
+#[test]
+fn halfway_rows_are_those_of_the_point_between_the_two_that_touch() {
+    // A ball of radius 1/2 whose centre is 1/4 above the floor: it touches 1/4 below, halfway is 1/8 below, 3/8 under its centre.
+    let ball = SpatialBody::solid("ball", Shape::Sphere { radius: 0.5 }, 2.0).expect("valid");
+    let ground = Plane::new(dvector![0.0, 0.0, 1.0], 0.0, 0.5, 0.0).expect("a unit normal");
+    let bodies = SpatialBodies::new("ball", vec![ball], [0.0, 0.0, -9.81], ground).expect("valid");
+    let position = dvector![0.0, 0.0, 0.25, 1.0, 0.0, 0.0, 0.0];
+    let [material, halfway] = [bodies.contacts(&position).remove(0), bodies.contacts_halfway(&position, 0.0).remove(0)];
+    assert_eq!((material.gap, halfway.gap), (-0.25, -0.25));
+    // t₁ = x: a spin about y moves the lowest point by −0.5 and the point halfway by −0.375.
+    assert_eq!((material.jacobian[(1, 4)], halfway.jacobian[(1, 4)]), (-0.5, -0.375));
+    assert_eq!(bodies.inverse_mass(&halfway), Some(0.5));
+    assert!(bodies.contacts_halfway(&position, -0.5).is_empty());
+}

@@ -1,0 +1,172 @@
+//! What MuJoCo 3.17.0 has and does, as stored: integrators, solvers, the reference frame of its accelerations.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::experiments::mujoco::facts;
+use crate::claims::experiments::stored::{Faller, update_residuals};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::integrators::stability::invariants;
+use crate::scalar::{Rational, ratio};
+use crate::tolerance::claims::integrators::FALL;
+use crate::tolerance::claims::soft::{COMPUTED, SAME_OPTIMUM};
+use nalgebra::DMatrix;
+
+const STORED: &str = "MuJoCo 3.17.0, asked by scripts/generate_references.py, answers in references/facts/mujoco.json";
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S6.soft-convex-step",
+        statement: "MuJoCo gives up rigid contact: it uses a soft model in continuous time and writes each step as a convex optimisation.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Measured,
+        correct_statement: "As stated for the integrators Euler, implicit, implicitfast and RK4, whose accelerations do not know the step. The integrator `discrete` of newer versions solves for the step itself.",
+        argument: "The acceleration of a sliding block does not change to the last bit when h is halved under Euler (timeconst above 2h), and changes by 0.32 under discrete.",
+        control: "discrete in place of Euler.",
+        sources: &["chapter §6, philosophy", STORED],
+        check: continuous_time,
+    },
+    Claim {
+        id: "S6.au",
+        statement: "The unconstrained acceleration of the contact rows is a_u = J M⁻¹(τ − c) + J̇v.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Measured,
+        correct_statement: "That is the acceleration of material points. MuJoCo leaves J̇v out for contacts: its problem has J M⁻¹(τ − c) − a_ref.",
+        argument: "A box with one corner 1 mm in the floor, turning at 5 rad/s: J̇v of the normal row, by differences, is 3.28 m/s²; efc_b − J a_smooth + a_ref is 0.",
+        control: "J̇v as part of efc_b.",
+        sources: &["chapter §6, step 2", STORED],
+        check: omitted_rate,
+    },
+    Claim {
+        id: "S6.newton-desc",
+        statement: "Newton: exact second-order method with a factored Hessian, updated incrementally, quadratic convergence; the default.",
+        verdict: Verdict::True,
+        evidence: Evidence::Cited,
+        correct_statement: "As stated. That updates are incremental is a matter of the source code and does not show in results.",
+        argument: "opt.solver of an empty model is Newton. On a stack of three that slides and turns, elliptic, our own Newton goes from a relative gradient of 1e-2 to 1e-10 in at most three steps, conjugate gradients need more.",
+        control: "Conjugate gradients in place of Newton.",
+        sources: &["chapter §6, table of solvers", STORED],
+        check: super::algorithms::second_order,
+    },
+    Claim {
+        id: "S6.all-cones",
+        statement: "All three solvers take pyramidal and elliptic cones, dense and sparse.",
+        verdict: Verdict::True,
+        evidence: Evidence::Measured,
+        correct_statement: "As stated.",
+        argument: "One state of a sliding block under 3 solvers, 2 cones and 2 Jacobians, run to the end: accelerations agree within a cone to 3e-7 m/s² (PGS; the others to 1e-13), the two cones differ by more than 1 m/s².",
+        control: "The pyramid's acceleration in place of the elliptic one.",
+        sources: &["chapter §6, table of solvers", STORED],
+        check: all_twelve,
+    },
+    Claim {
+        id: "S6.euler-default",
+        statement: "The main integrator is semi-implicit Euler; there are implicitfast and RK4 as well.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Measured,
+        correct_statement: "Euler is the default, and with damping at joints it is not the textbook's rule: dampers are implicit. There are also implicit and, in newer versions, discrete.",
+        argument: "integrator = 0 = Euler. A mass of 1 kg at 1 m/s with a damper of 1000 N·s/m, h = 10 ms: Euler leaves 1/11 m/s, as v/(1 + hC/m); with explicit forces it would be 1 − 10 = −9.",
+        control: "The explicit damper.",
+        sources: &["chapter §6, step 6", STORED],
+        check: default_integrator,
+    },
+    Claim {
+        id: "S6.semi-implicit-update",
+        statement: "The velocity is advanced first, then the position with the new velocity; that is more stable than the explicit rule.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated; for the undamped spring up to hω = 2.",
+        argument: "Stored fall: q⁺ − q − h v⁺ = 0 to rounding, with the old velocity it is g h². One step on a spring, hω = 1/2: |det| = 1 and |trace| < 2 for the semi-implicit rule, det = 5/4 for the explicit one.",
+        control: "The explicit rule.",
+        sources: &["chapter §6, step 6", "stored run of MuJoCo 3.17.0, Euler"],
+        check: new_velocity,
+    },
+    Claim {
+        id: "S6.implicitfast",
+        statement: "implicitfast treats velocity-dependent forces implicitly and is more stable at large steps.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Measured,
+        correct_statement: "It does for passive forces and actuators. It leaves out Coriolis and gyroscopic terms (but for bodies that float freely, in newer versions), and contact forces are not among them either.",
+        argument: "1 kg at 1 m/s with a velocity servo of 1000 N·s/m, h = 10 ms: Euler gives −9 m/s, implicitfast 1/11. A torque-free top on a ball joint gains the same energy under implicitfast as under Euler, 0.77 % in 1 s; implicit loses instead.",
+        control: "implicit for the top.",
+        sources: &["chapter §6, step 6", STORED],
+        check: implicit_fast,
+    },
+];
+
+fn continuous_time(reading: Reading) -> Result<Vec<Finding>> {
+    let facts = facts()?;
+    let change = |name: &str| facts.number(&["computed", "acceleration_change_when_h_halves", name]);
+    Ok(vec![
+        Finding::equal("change of a when h is halved, Euler", change(reading.pick("EULER", "DISCRETE"))?, 0.0, COMPUTED, "m/s²"),
+        Finding::at_least("change of a when h is halved, discrete", change("DISCRETE")?, 0.1, "m/s²"),
+    ])
+}
+
+fn omitted_rate(reading: Reading) -> Result<Vec<Finding>> {
+    let facts = facts()?;
+    let of = |key: &str| facts.numbers(&["computed", "turning_corner", key]);
+    let (rate, held) = (of("jacobian_rate_times_velocity")?[0], of("efc_b_minus_smooth_plus_reference")?[0]);
+    Ok(vec![
+        Finding::at_least("J̇v of the normal row", rate, 1.0, "m/s²"),
+        Finding::equal("what of it efc_b holds", held, reading.pick(0.0, rate), COMPUTED, "m/s²"),
+    ])
+}
+
+fn all_twelve(reading: Reading) -> Result<Vec<Finding>> {
+    let facts = facts()?;
+    let distances = facts.numbers(&["computed", "distance_from_newton"])?;
+    let last = |cone: &str| facts.numbers(&["computed", "cg_iterates", cone, "7"]);
+    let between = (last(reading.pick("elliptic", "pyramidal"))? - last("pyramidal")?).amax();
+    Ok(vec![
+        Finding::count("solvers × cones × Jacobians", distances.len(), 12),
+        Finding::at_most("largest distance from Newton with the same cone", distances.amax(), SAME_OPTIMUM, "m/s²"),
+        Finding::at_least("distance of the two cones", between, 1.0, "m/s²"),
+    ])
+}
+
+fn default_integrator(reading: Reading) -> Result<Vec<Finding>> {
+    let facts = facts()?;
+    let left = facts.number(&["computed", "velocity_after_a_step", "Euler damper"])?;
+    let has = |name: &str| facts.has(&["stated", "integrators"], name);
+    Ok(vec![
+        Finding::equal("velocity after a step with a damper, Euler", left, reading.pick(1.0 / 11.0, -9.0), COMPUTED, "m/s"),
+        Finding::equal("default integrator", facts.number(&["stated", "defaults", "integrator"])?, 0.0, 0.0, "1"),
+        Finding::decision("implicitfast and RK4 exist", has("IMPLICITFAST") && has("RK4"), true),
+        Finding::decision("implicit and discrete exist", has("IMPLICIT") && has("DISCRETE"), true),
+    ])
+}
+
+/// det and trace of the step (x, v) on a spring with hω = 1/2, with the old or the new velocity moving x.
+fn spring_step(new: bool) -> [Rational; 2] {
+    let (one, h) = (ratio(1, 1), ratio(1, 2));
+    let corner = if new { &one - &h * &h } else { one.clone() };
+    invariants(&DMatrix::from_row_slice(2, 2, &[corner, h.clone(), -h, one]))
+}
+
+fn new_velocity(reading: Reading) -> Result<Vec<Finding>> {
+    let [with_new, with_old] = update_residuals(Faller::MuJoCo)?;
+    let invariants = spring_step(reading.pick(true, false));
+    let two = ratio(2, 1);
+    Ok(vec![
+        Finding::decision(
+            "one eigenvalue pair of size 1, hω = 1/2",
+            invariants.contains(&ratio(1, 1)) && invariants.iter().all(|x| *x < two),
+            true,
+        ),
+        Finding::at_most("|q⁺ − q − h v⁺| of the stored fall", with_new, FALL, "m"),
+        Finding::at_least("|q⁺ − q − h v| of the stored fall", with_old, 0.0001, "m"),
+    ])
+}
+
+fn implicit_fast(reading: Reading) -> Result<Vec<Finding>> {
+    let facts = facts()?;
+    let motor = |name: &str| facts.number(&["computed", "velocity_after_a_step", &format!("{name} motor")]);
+    let top = |name: &str| facts.number(&["computed", "energy_of_a_top", &format!("{name} ball")]);
+    let fast = top(reading.pick("implicitfast", "implicit"))?;
+    Ok(vec![
+        Finding::equal("energy of a top on a ball joint after 1 s, implicitfast against Euler", fast, top("Euler")?, COMPUTED, "1"),
+        Finding::equal("velocity after a step with a servo, Euler", motor("Euler")?, -9.0, 10.0 * COMPUTED, "m/s"),
+        Finding::equal("velocity after a step with a servo, implicitfast", motor("implicitfast")?, 1.0 / 11.0, COMPUTED, "m/s"),
+        Finding::at_least("energy gained by the top under Euler", top("Euler")? - 1.0, 0.005, "1"),
+    ])
+}

@@ -1,0 +1,223 @@
+//! What §6 says of cost, scale, fidelity, reversibility and gradients: what of it can be decided.
+
+use crate::Result;
+use crate::certificate::residuals;
+use crate::checks::Finding;
+use crate::claims::experiments::soft_stack::{self, STEP};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::closed_forms::drake_sap::{SapContact, TANGENTIAL_RATIO};
+use crate::closed_forms::mujoco_contact::ContactParameters;
+use crate::mechanics::{PointMass, State};
+use crate::problem::{Compliance, ContactProblem, Law};
+use crate::schemes::mujoco::{Cone, Mujoco};
+use crate::schemes::{Anitescu, Scheme, run, step};
+use crate::solvers::gauss::GaussProgram;
+use crate::solvers::{AcceleratedProjectedGradient, ContactSolver, GaussNewton};
+use crate::tolerance::claims::soft::{AT_TOUCH, SOLVED, TOUCH};
+use crate::tolerance::rounding;
+use crate::tolerance::solvers::GOOD_ENOUGH;
+use nalgebra::{DVector, dvector};
+
+const MODEL: &str = "MuJoCo documentation, Computation (3.17)";
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S6.mjx-gradients",
+        statement: "Gradients are well defined everywhere, so MJX is differentiable.",
+        verdict: Verdict::False,
+        evidence: Evidence::Certified,
+        correct_statement: "The optimum is a Lipschitz function of the step's data while the set of contacts stays the same. The step as a function of the state jumps where a moving contact enters that set, so it has no gradient there.",
+        argument: "A ball of 1 kg that falls at 1 m/s, 10⁻¹² m above and below touch: v⁺ differs by d₀ h (g + b v) = 0.207 m/s, the same at a thousandth of the distance. MJX itself was not run; its issue tracker reports NaN gradients (1517, 2841).",
+        control: "The ball at rest without weight, where nothing jumps.",
+        sources: &["chapter §6, consequences", MODEL, "github.com/google-deepmind/mujoco, issues 1517 and 2841"],
+        check: jump_at_touch,
+    },
+    Claim {
+        id: "S6.time-reversible",
+        statement: "Soft, convex and continuous in time means reversible in time: the inverse dynamics have a closed form.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Certified,
+        correct_statement: "Forces follow from accelerations in closed form, f = −∇s(Ja − a_ref). That is invertibility; the motion itself is not reversible, since contact dissipates.",
+        argument: "Stack of three: an arbitrary change of velocity has a closed-form push that causes it, and Newton finds it again from the push. A ball dropped from 0.2 m and turned round after half a second comes back to its bed on the floor, 0.2 m below its start.",
+        control: "A reversible drop.",
+        sources: &["chapter §6, consequences", "Todorov, Convex and analytically-invertible dynamics with contacts and constraints (2014)"],
+        check: reversal,
+    },
+    Claim {
+        id: "S6.hard-engine-cost",
+        statement: "Hard constraints need exact collision detection and the solution of complementarity problems, and are hard to run in parallel on GPUs.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::NotDecidable,
+        correct_statement: "Speed on a machine is no mathematical statement. What can be decided: hard contact alone does not make a step a complementarity problem that needs more than convex minimisation; Coulomb's law does. Soft contact reads the same gaps.",
+        argument: "The hard step of Anitescu for a stack of three is solved by projected gradients to the certificate, as MuJoCo's soft step is. With Coulomb's law in place of the associated one the method refuses: no convex problem is left.",
+        control: "Coulomb's law.",
+        sources: &["chapter §6, philosophy"],
+        check: hard_and_convex,
+    },
+    Claim {
+        id: "S6.pyr-faster",
+        statement: "Pyramidal cones are faster to compute.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::NotDecidable,
+        correct_statement: "It depends on the model, as MuJoCo's documentation says. A pyramid has four rows for three but a piecewise quadratic cost.",
+        argument: "Rows on a stack of ten: 160 edges against 120 components; Newton steps are counted for both.",
+        control: "The same number of rows.",
+        sources: &["chapter §6, step 4", MODEL],
+        check: row_counts,
+    },
+    Claim {
+        id: "S6.less-rigid-than-sap",
+        statement: "Contact is less rigid than in Drake's SAP or in Siconos.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::NotDecidable,
+        correct_statement: "Against Siconos, whose contact is rigid, always. SAP and MuJoCo are both soft, by parameters: either can be made the softer one.",
+        argument: "Depth of 1 kg on one contact: 3.67e-4 m in MuJoCo by default, 9.81e-5 m in SAP with 1e5 N/m; with solref (−10⁶, −10³) MuJoCo's is the smaller.",
+        control: "MuJoCo's default in both comparisons.",
+        sources: &["chapter §6, consequences", MODEL],
+        check: depths,
+    },
+    Claim {
+        id: "S6.gpu-scale",
+        statement: "It is made for reinforcement learning in a million parallel environments.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::NotDecidable,
+        correct_statement: "No mathematical statement. What a step needs for it holds: environments do not couple, so that each can be stepped alone.",
+        argument: "The program of two stacks side by side has the minimisers of the two as its minimiser, to the solver's stopping rule.",
+        control: "Two stacks coupled by their mass.",
+        sources: &["chapter §6, philosophy"],
+        check: independent_worlds,
+    },
+];
+
+/// v⁺ of a ball of 1 kg at a gap and velocity.
+fn after_step(gravity: f64, gap: f64, velocity: f64) -> Result<f64> {
+    let ball = PointMass::ball_on_floor(1.0, gravity, 0.0);
+    let state = State { time: 0.0, position: dvector![gap], velocity: dvector![velocity] };
+    Ok(step(&Mujoco::default(), &GaussNewton::default(), &ball, &state, STEP)?.state.velocity[0])
+}
+
+fn jump_at_touch(reading: Reading) -> Result<Vec<Finding>> {
+    let (gravity, velocity) = reading.pick((9.81, -1.0), (0.0, 0.0));
+    let (_, damping) = ContactParameters::default().stiffness_and_damping(STEP);
+    let expected = 0.9 * STEP * (9.81 + damping);
+    let jump = |gap: f64| -> Result<f64> { Ok(after_step(gravity, -gap, velocity)? - after_step(gravity, gap, velocity)?) };
+    let tolerance = AT_TOUCH * expected;
+    let [near, nearer] = TOUCH;
+    Ok(vec![
+        Finding::equal("jump of v⁺ across touch, 10⁻¹² m away", jump(near)?, expected, tolerance, "m/s"),
+        Finding::equal("jump of v⁺ across touch, 10⁻¹⁵ m away", jump(nearer)?, expected, tolerance, "m/s"),
+    ])
+}
+
+/// How far a ball dropped from 0.2 m is from its start after half a second, a reversal and half a second.
+fn return_error() -> Result<f64> {
+    let ball = PointMass::ball_on_floor(1.0, 9.81, 0.0);
+    let start = State { time: 0.0, position: dvector![0.2], velocity: dvector![0.0] };
+    let half = |state: State| run(&Mujoco::default(), &GaussNewton::default(), &ball, state, STEP, 250, |_, _| ());
+    let turned = half(start)?;
+    let back = half(State { velocity: -&turned.velocity, ..turned })?;
+    Ok((back.position[0] - 0.2).abs())
+}
+
+fn reversal(reading: Reading) -> Result<Vec<Finding>> {
+    let problem = soft_stack::problem(3, 1.0, Cone::Elliptic)?;
+    let program = GaussProgram::of_problem("newton", &problem)?;
+    let wanted = DVector::from_fn(program.velocities(), |k, _| 0.01 * ((7 * k + 3) % 11) as f64 - 0.05);
+    let push = program.gradient(&wanted, &program.impulse(&program.violation(&wanted)));
+    // with the push, free motion is faster by M⁻¹p: offsets by HM⁻¹p, and the change is counted from there
+    let free = program.accelerate(&push);
+    let offset = program.offset() + program.jacobian() * &free;
+    let pieces = program.pieces().map(|(_, piece)| piece.clone()).collect();
+    let pushed = GaussProgram::new(program.mass().clone(), program.jacobian().clone(), offset, pieces)?;
+    let found = GaussNewton::default().minimise(&pushed, DVector::zeros(free.len()))?.change + free;
+    let lost = return_error()?;
+    Ok(vec![
+        Finding::at_most("change of velocity found again from its push, relative", (&found - &wanted).norm() / wanted.norm(), SOLVED, "1"),
+        reading.pick(
+            Finding::at_least("distance from the start after turning round", lost, 0.1, "m"),
+            Finding::at_most("distance from the start after turning round", lost, rounding(500, 1.0), "m"),
+        ),
+    ])
+}
+
+fn hard_and_convex(reading: Reading) -> Result<Vec<Finding>> {
+    let (mechanism, state) = soft_stack::stack(3, 1.0)?;
+    let hard = Anitescu.assemble(&mechanism, &state, STEP)?.problem;
+    let mut findings = Vec::new();
+    for (name, problem) in [("hard", hard), ("soft", Some(soft_stack::problem(3, 1.0, Cone::Elliptic)?))] {
+        let mut problem = problem.ok_or_else(|| crate::Error::Unsupported("the boxes overlap and touch".into()))?;
+        problem.law = reading.pick(problem.law, Law::Coulomb);
+        let answer = AcceleratedProjectedGradient::default().solve(&problem, None);
+        let solved = answer.is_ok_and(|answer| residuals(&problem, &answer).is_ok_and(|judged| judged.is_solution(GOOD_ENOUGH)));
+        findings.push(Finding::decision(format!("the {name} step is solved by projected gradients"), solved, true));
+    }
+    Ok(findings)
+}
+
+fn row_counts(reading: Reading) -> Result<Vec<Finding>> {
+    let rows = |cone: Cone| -> Result<(usize, usize)> {
+        let problem = soft_stack::problem(10, 1.0, cone)?;
+        Ok((GaussProgram::of_problem("newton", &problem)?.rows(), GaussNewton::default().solve(&problem, None)?.iterations))
+    };
+    let (pyramid, round) = (rows(Cone::Pyramidal)?, rows(reading.pick(Cone::Elliptic, Cone::Pyramidal))?);
+    Ok(vec![
+        Finding::count("rows of pyramids", pyramid.0, 160),
+        Finding::count("rows of round cones", round.0, 120),
+        Finding::at_most("Newton steps, pyramids", pyramid.1 as f64, 20.0, "1"),
+        Finding::at_most("Newton steps, round cones", round.1 as f64, 20.0, "1"),
+    ])
+}
+
+fn depths(reading: Reading) -> Result<Vec<Finding>> {
+    let depth = |reference: [f64; 2]| ContactParameters { reference, ..ContactParameters::default() }.rest_depth(STEP, 1.0, 9.81);
+    let sap = SapContact {
+        time_step: STEP,
+        stiffness: 1e5,
+        relaxation_time: 0.005,
+        diagonal_mean: 1.0,
+        tangential_ratio: TANGENTIAL_RATIO,
+        friction: 0.5,
+    };
+    let sap = -sap.rest_gap(9.81);
+    let standard = ContactParameters::default().reference;
+    Ok(vec![
+        Finding::at_least("MuJoCo's default depth over SAP's", depth(standard)? / sap, 1.0, "1"),
+        Finding::at_most("MuJoCo's stiff depth over SAP's", depth(reading.pick([-1e6, -1e3], standard))? / sap, 1.0, "1"),
+    ])
+}
+
+fn independent_worlds(reading: Reading) -> Result<Vec<Finding>> {
+    let alone = soft_stack::problem(3, 1.0, Cone::Elliptic)?;
+    let both = side_by_side(&alone, reading.pick(0.0, 0.5))?;
+    let (one, two) = (GaussNewton::default().solve(&alone, None)?.impulse, GaussNewton::default().solve(&both, None)?.impulse);
+    let n = one.len();
+    let far = (two.rows(0, n) - &one).norm().max((two.rows(n, n) - &one).norm()) / one.norm();
+    Ok(vec![Finding::at_most("impulses of two worlds in one problem against each alone, relative", far, SOLVED, "1")])
+}
+
+/// Two copies of a problem in one, their masses coupled by this part of the mass.
+fn side_by_side(problem: &ContactProblem, coupling: f64) -> Result<ContactProblem> {
+    let missing = || crate::Error::Unsupported("a soft step has mass, Jacobian and compliance".into());
+    let dynamics = problem.dynamics.as_ref().ok_or_else(missing)?;
+    let compliance = problem.compliance.as_ref().ok_or_else(missing)?;
+    let double = |x: &DVector<f64>| DVector::from_iterator(2 * x.len(), x.iter().chain(x.iter()).copied());
+    let blocks = |matrix: &nalgebra::DMatrix<f64>, beside: f64| {
+        let (n, m) = matrix.shape();
+        let mut both = nalgebra::DMatrix::zeros(2 * n, 2 * m);
+        for (row, column, scale) in [(0, 0, 1.0), (n, m, 1.0), (0, m, beside), (n, 0, beside)] {
+            both.view_mut((row, column), (n, m)).copy_from(&(matrix * scale));
+        }
+        both
+    };
+    let (mass, jacobian) = (blocks(&dynamics.mass, coupling), blocks(&dynamics.jacobian, 0.0));
+    Ok(ContactProblem {
+        name: "two worlds".into(),
+        friction: problem.friction.iter().chain(&problem.friction).copied().collect(),
+        free_velocity: double(&problem.free_velocity),
+        shift: double(&problem.shift),
+        delassus: crate::contact::delassus::delassus(&mass, &jacobian)?,
+        compliance: Some(Compliance { coordinates: compliance.coordinates, diagonal: double(&compliance.diagonal) }),
+        dynamics: Some(crate::problem::Dynamics { mass, jacobian }),
+        ..problem.clone()
+    })
+}

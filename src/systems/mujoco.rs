@@ -1,0 +1,139 @@
+//! MuJoCo: soft contact, a strictly convex problem for the accelerations, held against stored runs of the engine itself.
+//!
+//! ```text
+//!     min ½‖a − a₀‖²_M + s(H a − a_ref)   ⇔   K ∋ f ⟂ (W + R) f + H a₀ − a_ref ∈ K* ,   R > 0
+//! ```
+
+use super::{Agreement, Cone, ContactLaw, Level, Measured, System};
+use crate::closed_forms::mujoco_contact::ContactParameters;
+use crate::mechanics::{PointMass, State};
+use crate::problem::{ContactProblem, Solution};
+use crate::schemes::mujoco::{Cone as Shape, Softness};
+use crate::schemes::{Mujoco, Scheme, run};
+use crate::solvers::{ContactSolver, GaussNewton, GaussSweeps};
+use crate::tolerance::references::{REPLAYED_STEP, stored_number};
+use crate::tolerance::rounding;
+use crate::trajectory::Trajectory;
+use crate::{Error, Result};
+use nalgebra::dvector;
+use serde_json::Value;
+
+const BALL: &str = include_str!("../../references/mujoco/ball_drop__newton-elliptic__h0.01.json");
+const STICKING: &str = include_str!("../../references/mujoco/block_stick__newton-elliptic__h0.01.json");
+const SLIDING: &str = include_str!("../../references/mujoco/block_slide__newton-pyramidal__h0.01.json");
+const STACK: &str = include_str!("../../references/mujoco/five_box_stack__newton-pyramidal__h0.01.json");
+const STEP: &str = include_str!("../../references/mujoco/block_stick__newton-elliptic__h0.002__step400.dump.json");
+
+const ELLIPTIC: Mujoco = Mujoco { cone: Shape::Elliptic, softness: Softness::STANDARD };
+const PYRAMIDAL: Mujoco = Mujoco { cone: Shape::Pyramidal, softness: Softness::STANDARD };
+
+pub static SYSTEM: System = System {
+    name: "MuJoCo",
+    level: Level::Acceleration,
+    cone: Cone::Polyhedral,
+    law: ContactLaw::Compliant,
+    algorithm: "Newton, conjugate gradients, or Gauss–Seidel; the cone may be round, too",
+    restitution: "none: solref damps",
+    position_update: "q + h v⁺",
+    schemes: &["mujoco"],
+    held_against: &[
+        Agreement {
+            against: "MuJoCo 3.17.0",
+            quantity: "impulses of a stored step, block on a slope, relative",
+            unit: "",
+            measure: || stored_step(&GaussNewton::default()),
+        },
+        Agreement {
+            against: "MuJoCo 3.17.0",
+            quantity: "place of a dropped ball over 2 s",
+            unit: "m",
+            measure: || replay(BALL, &ELLIPTIC),
+        },
+        Agreement {
+            against: "MuJoCo 3.17.0",
+            quantity: "place of a block that creeps on a slope over 1 s, round cone",
+            unit: "m",
+            measure: || replay(STICKING, &ELLIPTIC),
+        },
+        Agreement {
+            against: "MuJoCo 3.17.0",
+            quantity: "place of a block that slides and hops over 1 s, pyramid",
+            unit: "m",
+            measure: || replay(SLIDING, &PYRAMIDAL),
+        },
+        Agreement {
+            against: "MuJoCo 3.17.0",
+            quantity: "places of a stack of five boxes over 1 s, pyramid",
+            unit: "m",
+            measure: || replay(STACK, &PYRAMIDAL),
+        },
+        Agreement { against: "closed form", quantity: "depth of a ball at rest", unit: "m", measure: || rest_depth(&ELLIPTIC) },
+        Agreement {
+            against: "MuJoCo 3.17.0",
+            quantity: "impulses of Gauss–Seidel along rays and discs, the same stored step, relative",
+            unit: "",
+            measure: || stored_step(&GaussSweeps::default()),
+        },
+    ],
+};
+
+/// Positions of a stored motion against the scheme's, with what the engine itself determines of them as tolerance.
+fn replay(text: &str, scheme: &dyn Scheme) -> Result<Measured> {
+    let stored = Trajectory::from_json(text)?;
+    let missing = || Error::invalid("provenance", "lacks the sensitivity", "run scripts/generate_references.py");
+    let provenance = stored.provenance.as_ref().ok_or_else(missing)?;
+    let sensitivity = &provenance["sensitivity"]["bodies/position"];
+    let number = |value: &Value| value.as_f64().ok_or_else(missing);
+    let (steps, every) = (number(&provenance["steps"])?, number(&provenance["sample_every"])? as usize);
+    let (mechanism, start) = stored.scene.spatial_mechanism()?;
+    let (mut difference, mut size, mut n) = (0.0f64, 0.0f64, 0usize);
+    let observe = |state: &State, _: &[crate::contact::ContactImpulse]| {
+        n += 1;
+        if n.is_multiple_of(every) {
+            for (body, track) in mechanism.bodies(&state.position, &state.velocity).iter().zip(&stored.bodies) {
+                for (ours, theirs) in body.position.iter().zip(track.position[n / every]) {
+                    difference = difference.max((ours - theirs).abs());
+                    size = size.max(theirs.abs());
+                }
+            }
+        }
+    };
+    run(scheme, &GaussNewton::default(), mechanism.as_ref(), start, stored.time_step, steps as usize, observe)?;
+    Ok(Measured { difference, tolerance: stored_number(number(&sensitivity[0])?, number(&sensitivity[1])?, steps, size) })
+}
+
+/// ‖r − r_engine‖/‖r_engine‖ of a stored step.
+fn stored_step(solver: &dyn ContactSolver) -> Result<Measured> {
+    let document: Value = serde_json::from_str(STEP)?;
+    let problem = ContactProblem::from_json(&document["problem"].to_string())?;
+    let engine = Solution::from_json(&document["answer"].to_string())?;
+    let ours = solver.solve(&problem, None)?;
+    Ok(Measured { difference: (ours.impulse - &engine.impulse).norm() / engine.impulse.norm(), tolerance: REPLAYED_STEP })
+}
+
+/// A ball of 1 kg after two seconds on the floor against k d² δ = (1 − d) g.
+fn rest_depth(scheme: &dyn Scheme) -> Result<Measured> {
+    let ball = PointMass::ball_on_floor(1.0, 9.81, 0.0);
+    let start = State { time: 0.0, position: dvector![0.001], velocity: dvector![0.0] };
+    let end = run(scheme, &GaussNewton::default(), &ball, start, 0.001, 2000, |_, _| ())?;
+    let expected = ContactParameters::default().rest_depth(0.001, 1.0, 9.81)?;
+    // velocities of size g h are balanced to rounding, and the stiffness of 2000/s² turns what is left over a step into less than itself in metres
+    Ok(Measured { difference: (end.position[0] + expected).abs(), tolerance: rounding(64, 9.81 * 0.001) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::planted::{Mistake, caught, planted};
+    use super::*;
+
+    #[test]
+    fn a_mistake_puts_every_agreement_out_of_its_tolerance() {
+        caught(replay(BALL, &planted(ELLIPTIC, Mistake::Heavy)));
+        caught(replay(STICKING, &planted(ELLIPTIC, Mistake::Heavy)));
+        caught(replay(SLIDING, &planted(PYRAMIDAL, Mistake::HalfFriction)));
+        caught(replay(STACK, &planted(PYRAMIDAL, Mistake::Heavy)));
+        caught(rest_depth(&planted(ELLIPTIC, Mistake::Heavy)));
+        caught(stored_step(&GaussSweeps { sweeps: 1, ..GaussSweeps::default() }));
+        caught(stored_step(&GaussNewton { steps: 0, ..GaussNewton::default() }));
+    }
+}
