@@ -235,6 +235,7 @@ pub mod claims {
     pub mod elastic;
     pub mod engines;
     pub mod events;
+    pub mod drake;
     pub mod impact;
     pub mod integrators;
     pub mod pathology;

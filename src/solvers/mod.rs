@@ -16,9 +16,11 @@ pub mod lemke;
 mod lemke_pivoting;
 mod one_contact;
 mod polyhedral_contact;
+pub mod primal_newton;
 mod projected_gauss_seidel;
 mod projected_over_relaxation;
 mod reference;
+mod sap;
 mod stopping;
 mod within_step;
 
@@ -31,6 +33,7 @@ pub use lemke_pivoting::LemkePivoting;
 pub use projected_gauss_seidel::ProjectedGaussSeidel;
 pub use projected_over_relaxation::ProjectedOverRelaxation;
 pub use reference::{NAMES, Reference, by_name};
+pub use sap::SemiAnalyticPrimal;
 pub use within_step::WithinStep;
 
 /// An algorithm that proposes a solution of a contact problem.

@@ -32,6 +32,15 @@ pub fn sap_gradient(mass: &DMatrix<f64>, momentum: &DVector<f64>, contact_impuls
     SAP_RELATIVE * size(momentum).max(size(contact_impulse)) / scale.min()
 }
 
+/// Kinetic distance ‖v − v*‖_M \[kg^½·m/s\] at which SAP may stop: its objective is strongly convex with M, so that the distance is at most
+/// ‖g‖_{M⁻¹} ≤ λ_max(D⁻¹ M⁻¹ D⁻¹)^½ ‖D g‖, and ‖D g‖ is at most 1e-6 of the larger of ‖D M v‖ and ‖D Jᵀγ‖.
+pub fn sap_velocity(mass: &DMatrix<f64>, momentum: &DVector<f64>, contact_impulse: &DVector<f64>) -> f64 {
+    let scale = mass.diagonal().map(|m| 1.0 / m.sqrt());
+    let size = |vector: &DVector<f64>| scale.component_mul(vector).norm();
+    let scaled = DMatrix::from_fn(mass.nrows(), mass.ncols(), |i, j| scale[i] * mass[(i, j)] * scale[j]);
+    SAP_RELATIVE * size(momentum).max(size(contact_impulse)) / scaled.symmetric_eigenvalues().min().sqrt()
+}
+
 /// Momentum \[N·s\] that `steps` steps of SAP (also behind Similar and Lagged) may leave unbalanced at one body of mass `body`:
 /// √m · 1e-6 ‖D p‖ per step, with p at most Σ m (v + g h).
 pub fn sap_momentum(body: f64, total: f64, speed: f64, steps: f64) -> f64 {
@@ -103,4 +112,22 @@ const HEADROOM: f64 = 8.0;
 /// The same rule decides in `scripts/reference/tolerance.py` whether a regenerated file is the stored one.
 pub fn stored_number(amplification: f64, stopping: f64, steps: f64, size: f64) -> f64 {
     HEADROOM * (amplification * steps * f64::EPSILON + stopping) + 64.0 * f64::EPSILON * size
+}
+
+/// Distance in the kinetic norm \[kg^½·m/s\] that the stopping errors of all steps, Σ δ, may bring a motion away from its exact one: they add up while the
+/// same contacts stay closed (see [`crate::checks::replay`]), with the headroom for contacts that open in one of the two only.
+pub fn replayed(injected: f64) -> f64 {
+    HEADROOM * injected
+}
+
+/// Rounding of `steps` steps from a stored sample, whose velocities and positions divided by h are of the given size \[m/s\]: a matrix of six rows is
+/// factored in each.
+pub fn sample_rounding(steps: usize, size: f64) -> f64 {
+    crate::tolerance::rounding(64 * steps, size)
+}
+
+/// Kinetic distance \[kg^½·m/s\] at which TAMSI may stop: an iteration that changes the contact velocities by less than v_s/100 is its last. Newton's method
+/// then squares the error, of which no use is made; a contact velocity weighs at most the largest mass.
+pub fn tamsi_velocity(mass: &DMatrix<f64>, stiction_tolerance: f64) -> f64 {
+    0.01 * stiction_tolerance * mass.diagonal().max().sqrt()
 }

@@ -15,6 +15,7 @@ use moreau::checks::Finding;
 use moreau::problem::{ContactProblem, Law, Solution};
 use moreau::solvers::{
     AcceleratedProjectedGradient, ClarabelPolished, ContactSolver, GaussConjugateGradient, GaussNewton, LemkePivoting, ProjectedGaussSeidel,
+    SemiAnalyticPrimal,
 };
 use moreau::tolerance::references as tolerance;
 use std::path::Path;
@@ -85,7 +86,12 @@ fn judge(document: &Document) -> Result<Judgement, Failed> {
 fn solve_again(problem: &ContactProblem, generators: &Generators, findings: &mut Vec<Finding>) -> Result<(Solution, f64), Failed> {
     let mut solvers: Vec<Box<dyn ContactSolver>> = match problem.law {
         Law::PolyhedralAssociated { .. } => vec![Box::new(LemkePivoting), Box::new(ClarabelPolished)],
-        _ => vec![Box::new(ProjectedGaussSeidel::default()), Box::new(AcceleratedProjectedGradient::default()), Box::new(ClarabelPolished)],
+        _ => vec![
+            Box::new(ProjectedGaussSeidel::default()),
+            Box::new(AcceleratedProjectedGradient::default()),
+            Box::new(ClarabelPolished),
+            Box::new(SemiAnalyticPrimal),
+        ],
     };
     solvers.push(Box::new(GaussNewton::default()));
     solvers.push(Box::new(GaussConjugateGradient::default()));

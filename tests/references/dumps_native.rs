@@ -6,8 +6,9 @@ use moreau::checks::Finding;
 use moreau::closed_forms::drake_sap::{SapContact, TANGENTIAL_RATIO};
 use moreau::closed_forms::mujoco_contact::ContactParameters;
 use moreau::problem::{ContactProblem, Solution};
+use moreau::solvers::{ContactSolver, SemiAnalyticPrimal};
 use moreau::tolerance::references as tolerance;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use serde_json::Value;
 
 /// Findings about the arrays the engine stored beside its step.
@@ -82,9 +83,24 @@ fn drake(document: &Document, problem: &ContactProblem) -> Result<Vec<Finding>, 
         }
     }
     let sliding = tolerance::sap_sliding_gap();
+    let (distance, allowed) = next_velocities(document, problem)?;
     Ok(vec![
+        Finding::at_most("next velocities against our SAP's, in kinetic norm", distance, allowed, "kg^½·m/s"),
         Finding::at_most("R against SAP's formula", worst[0], tolerance::ENGINE_ROUNDING, "1"),
         Finding::at_most("shift against φ/(h + τ)", worst[1], tolerance::ENGINE_ROUNDING, "1"),
         Finding::at_most("sliding gap against (h + τ)[μ‖v_t‖ − (R_n + μ²R_t) r_n − u_n]", worst[2], sliding, "1"),
     ])
+}
+
+/// ‖v_next − v_free − M⁻¹Hᵀr‖_M with r from our own SAP, and how far the engine's stopping rule allows it to be.
+fn next_velocities(document: &Document, problem: &ContactProblem) -> Result<(f64, f64), Failed> {
+    let dynamics = problem.dynamics.as_ref().ok_or("a stored step gives mass and Jacobian")?;
+    let inverse = dynamics.mass.clone().cholesky().ok_or("the mass is positive definite")?;
+    let received = dynamics.jacobian.tr_mul(&SemiAnalyticPrimal.solve(problem, None)?.impulse);
+    let [free, next] = ["v_free", "v_next"].map(|key| document.vector(&["native", key]));
+    let (free, next) = (free?, next?);
+    let difference = &next - free - inverse.solve(&received);
+    let kinetic = |vector: &DVector<f64>| vector.dot(&(&dynamics.mass * vector)).sqrt();
+    let allowed = tolerance::sap_velocity(&dynamics.mass, &(&dynamics.mass * &next), &received);
+    Ok((kinetic(&difference), allowed + moreau::tolerance::rounding(64, kinetic(&next))))
 }
