@@ -232,10 +232,10 @@ pub mod checks {
 
 /// Tolerances of [`crate::claims`].
 pub mod claims {
+    pub mod drake;
     pub mod elastic;
     pub mod engines;
     pub mod events;
-    pub mod drake;
     pub mod impact;
     pub mod integrators;
     pub mod pathology;

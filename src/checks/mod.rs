@@ -7,6 +7,7 @@ pub mod convergence;
 pub mod delassus;
 pub mod energy;
 mod finding;
+pub mod replay;
 pub mod siconos_steps;
 pub mod stewart_trinkle;
 pub mod zeno;

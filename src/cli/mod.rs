@@ -6,6 +6,7 @@
 mod certify;
 mod compare;
 mod defects;
+mod drake_options;
 mod engine;
 mod gate;
 mod near;

@@ -1,5 +1,6 @@
 //! `moreau simulate`: a scene through a scheme, with numbers, a file and a picture.
 
+use super::drake_options::DrakeOptions;
 use super::near::suggestion;
 use super::output::{keep_input, print};
 use super::scene::{count_steps, find, finite, positive};
@@ -27,7 +28,7 @@ pub struct Arguments {
     /// A built-in scene or a file scene/1.
     #[arg(long, value_name = "NAME|FILE", required_unless_present = "list")]
     scene: Option<String>,
-    /// The time-stepping scheme: moreau-jean, moreau-jean-projection, schatzman-paoli, generalised-alpha, stewart-trinkle, anitescu, chrono, bullet, mujoco, explicit-euler, semi-implicit-euler, runge-kutta-flip, event-driven, xpbd or pbd.
+    /// The time-stepping scheme: moreau-jean, moreau-jean-projection, schatzman-paoli, generalised-alpha, stewart-trinkle, anitescu, chrono, bullet, mujoco, explicit-euler, semi-implicit-euler, runge-kutta-flip, event-driven, xpbd, pbd, drake-sap, drake-similar, drake-lagged or drake-tamsi.
     #[arg(long, value_name = "NAME", default_value = "moreau-jean")]
     scheme: String,
     /// Time step h [s]; of event-driven the time between samples.
@@ -69,6 +70,8 @@ pub struct Arguments {
     /// margin of mujoco: gap below which a contact is active [m].
     #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
     margin: Option<f64>,
+    #[command(flatten)]
+    drake: DrakeOptions,
     /// Who solves the contact problems.
     #[arg(long, value_name = "NAME", default_value = "auto", help = super::solve::solver_help())]
     solver: String,
@@ -219,6 +222,7 @@ impl Arguments {
                 format!("it belongs to {}", owners.join(" and ")),
             ));
         }
+        let drake = self.drake.material(&self.scheme)?;
         let default = Parameters::default();
         let parameters = Parameters {
             theta: self.theta.unwrap_or(default.theta),
@@ -227,6 +231,7 @@ impl Arguments {
             directions: self.friction_directions.unwrap_or(default.directions),
             spectral_radius: self.spectral_radius.unwrap_or(default.spectral_radius),
             mujoco: self.mujoco()?,
+            drake,
         };
         schemes::by_name(&self.scheme, parameters).map_err(option)
     }

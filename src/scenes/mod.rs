@@ -1,5 +1,6 @@
 //! Scenes: files `scene/1` that describe bodies to any simulator, named ones, and the mechanisms they stand for.
 
+mod corner_spheres;
 mod exact;
 mod linkages;
 mod named;

@@ -14,6 +14,7 @@ pub mod anitescu;
 pub(crate) mod assembly;
 pub mod bullet;
 pub mod chrono;
+pub mod drake;
 pub mod euler;
 pub mod events;
 pub mod exact_particle;
@@ -31,6 +32,7 @@ pub mod stewart_trinkle;
 pub use anitescu::Anitescu;
 pub use bullet::{Bodies, Bullet};
 pub use chrono::Chrono;
+pub use drake::{DrakeLagged, DrakeSap, DrakeSimilar, DrakeTamsi};
 pub use euler::Euler;
 pub use events::Events;
 pub use generalised_alpha::GeneralisedAlpha;
@@ -46,7 +48,7 @@ pub use stewart_trinkle::StewartTrinkle;
 /// What a scheme assembled for one step: the problem of the active contacts, and what turns impulses into velocities.
 #[derive(Clone, Debug)]
 pub struct StepProblem {
-    /// The contact problem of the active contacts; `None` if no contact is active.
+    /// The contact problem of the active contacts; `None` if no contact is active, or if the scheme's law is none of [`crate::problem::Law`].
     pub problem: Option<ContactProblem>,
     /// Indices of the active contacts into [`Mechanism::contacts`].
     pub active: Vec<usize>,
@@ -77,6 +79,15 @@ pub trait Scheme: Send + Sync {
     fn own_step(&self, solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, h: f64) -> Option<Result<Step>> {
         let _ = (solver, mechanism, state, h);
         None
+    }
+    /// The impulses of a scheme whose law is no relation between r and y and that therefore assembles no [`ContactProblem`]; none for the others,
+    /// whose problem goes to a solver.
+    ///
+    /// # Errors
+    /// [`crate::Error::Solver`] if the scheme's own iteration breaks down.
+    fn own_answer(&self, mechanism: &dyn Mechanism, state: &State, assembled: &StepProblem, h: f64) -> Result<Option<Solution>> {
+        let _ = (mechanism, state, assembled, h);
+        Ok(None)
     }
     /// The next configuration from the velocities before and after the step.
     fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64>;
@@ -166,7 +177,10 @@ fn finish(
 ) -> Result<Step> {
     let rows = mechanism.rows_per_contact();
     let start = carry_over(previous, &assembled.active, &assembled.places, rows);
-    let solution = assembled.problem.as_ref().map(|problem| solver.solve(problem, Some(&start))).transpose()?;
+    let solution = match &assembled.problem {
+        Some(problem) => Some(solver.solve(problem, Some(&start))?),
+        None => scheme.own_answer(mechanism, state, &assembled, h)?,
+    };
     let mut velocity = assembled.free_velocity.clone();
     let mut impulses = Vec::new();
     if let Some(solution) = &solution {

@@ -1,13 +1,14 @@
 //! Schemes by name, for the command line.
 
+use super::drake::Material;
 use super::{
-    Activation, Anitescu, Bullet, Chrono, Euler, Events, GeneralisedAlpha, MoreauJean, MoreauJeanProjection, Mujoco, PositionBased,
-    RestitutionRule, RungeKuttaFlip, SchatzmanPaoli, Scheme, StewartTrinkle,
+    Activation, Anitescu, Bullet, Chrono, DrakeLagged, DrakeSap, DrakeSimilar, DrakeTamsi, Euler, Events, GeneralisedAlpha, MoreauJean,
+    MoreauJeanProjection, Mujoco, PositionBased, RestitutionRule, RungeKuttaFlip, SchatzmanPaoli, Scheme, StewartTrinkle,
 };
 use crate::{Error, Result};
 
 /// The names [`by_name`] knows.
-pub const NAMES: [&str; 15] = [
+pub const NAMES: [&str; 19] = [
     "moreau-jean",
     "moreau-jean-projection",
     "schatzman-paoli",
@@ -23,6 +24,10 @@ pub const NAMES: [&str; 15] = [
     "event-driven",
     "xpbd",
     "pbd",
+    "drake-sap",
+    "drake-similar",
+    "drake-lagged",
+    "drake-tamsi",
 ];
 
 /// The parameters of all schemes; each scheme takes those it has.
@@ -40,6 +45,8 @@ pub struct Parameters {
     pub spectral_radius: f64,
     /// Cone and softness of MuJoCo.
     pub mujoco: Mujoco,
+    /// Compliant contact of Drake's schemes.
+    pub drake: Material,
 }
 
 impl Default for Parameters {
@@ -52,6 +59,7 @@ impl Default for Parameters {
             directions: StewartTrinkle::default().directions,
             spectral_radius: GeneralisedAlpha::default().spectral_radius(),
             mujoco: Mujoco::default(),
+            drake: Material::default(),
         }
     }
 }
@@ -59,9 +67,10 @@ impl Default for Parameters {
 /// The scheme with this name.
 ///
 /// # Errors
-/// An unknown name (the message lists the known ones), θ outside \[0, 1\], fewer than three directions or a softness that cannot be meant.
+/// An unknown name (the message lists the known ones), θ outside \[0, 1\], fewer than three directions, a softness that cannot be meant or a material that is none.
 pub fn by_name(name: &str, parameters: Parameters) -> Result<Box<dyn Scheme>> {
-    let Parameters { theta, activation, restitution, directions, spectral_radius, mujoco } = parameters;
+    let Parameters { theta, activation, restitution, directions, spectral_radius, mujoco, drake: material } = parameters;
+    material.validate()?;
     match name {
         "moreau-jean" => {
             let scheme = MoreauJean { theta, activation, restitution };
@@ -93,6 +102,10 @@ pub fn by_name(name: &str, parameters: Parameters) -> Result<Box<dyn Scheme>> {
         "xpbd" => Ok(Box::new(PositionBased::XPBD)),
         "pbd" => Ok(Box::new(PositionBased::PBD)),
         "event-driven" => Ok(Box::new(Events::default())),
+        "drake-sap" => Ok(Box::new(DrakeSap { material })),
+        "drake-similar" => Ok(Box::new(DrakeSimilar { material })),
+        "drake-lagged" => Ok(Box::new(DrakeLagged { material })),
+        "drake-tamsi" => Ok(Box::new(DrakeTamsi { material })),
         _ => Err(unknown("scheme", name, &NAMES)),
     }
 }

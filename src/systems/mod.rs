@@ -17,6 +17,7 @@ use std::fmt;
 mod anitescu;
 mod bullet;
 mod chrono;
+mod drake;
 mod event_driven;
 mod explicit_euler;
 mod generalised_alpha;
@@ -125,6 +126,10 @@ pub static ALL: &[&System] = &[
     &bullet::SYSTEM,
     &pinocchio::SYSTEM,
     &mujoco::SYSTEM,
+    &drake::SAP,
+    &drake::SIMILAR,
+    &drake::LAGGED,
+    &drake::TAMSI,
     &explicit_euler::SYSTEM,
     &semi_implicit_euler::SYSTEM,
     &theta::SYSTEM,

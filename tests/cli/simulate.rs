@@ -173,3 +173,22 @@ fn trajectory_and_picture_are_written_together_or_not_at_all() {
     moreau(&["simulate", "--scene", "ball-drop", "--out", &out, "--plot", &again]).is_refused(&["--plot", "--out"]);
     assert!(folder.names().is_empty(), "{:?}", folder.names());
 }
+
+#[test]
+fn drakes_schemes_take_their_material_and_refuse_what_does_nothing() {
+    let slide = ["simulate", "--scene", "incline-slide", "--step", "0.01"];
+    for scheme in ["drake-sap", "drake-similar", "drake-lagged", "drake-tamsi"] {
+        let run = moreau(&[&slide[..], &["--scheme", scheme, "--stiffness", "2000"]].concat());
+        assert_eq!((run.code, run.message.as_str()), (0, ""), "{scheme}");
+    }
+    let refused = |scheme, option, value| moreau(&[&slide[..], &["--scheme", scheme, option, value]].concat());
+    for (scheme, option, value, owner) in [
+        ("drake-lagged", "--relaxation-time", "0.005", "drake-sap"),
+        ("drake-sap", "--dissipation", "10", "drake-tamsi"),
+        ("anitescu", "--stiffness", "1", "drake-lagged"),
+        ("drake-sap", "--stiffness", "0", "positive"),
+    ] {
+        let run = refused(scheme, option, value);
+        assert!(run.code == 2 && run.message.contains(option) && run.message.contains(owner), "{scheme} {option}: {}", run.message);
+    }
+}

@@ -14,6 +14,7 @@ mod document;
 mod dumps;
 mod dumps_native;
 mod momentum;
+mod replay;
 mod siconos;
 mod soft_motion;
 mod soft_step;

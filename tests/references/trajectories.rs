@@ -1,7 +1,7 @@
 //! A stored motion: what every engine owes, then what its own contact model predicts for the scene.
 
 use crate::document::Document;
-use crate::{ball, block, bullet, momentum, soft_motion, stack};
+use crate::{ball, block, bullet, momentum, replay, soft_motion, stack};
 use libtest_mimic::Failed;
 use moreau::checks::Finding;
 use moreau::trajectory::Trajectory;
@@ -23,6 +23,9 @@ pub fn check(document: &Document) -> Result<Vec<Finding>, Failed> {
         "five_box_stack" => stack::check(document, &trajectory)?,
         other => return Err(format!("no check knows the scene `{other}`").into()),
     });
+    if replay::applies(document, &trajectory) {
+        findings.extend(replay::check(&trajectory)?);
+    }
     Ok(findings)
 }
 
