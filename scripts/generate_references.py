@@ -3,7 +3,8 @@
 
 For every engine this makes a virtual environment from scripts/requirements-<engine>.txt, starts
 scripts/engines/<engine>.py in it, and asks it through the protocol moreau-engine/1 for the
-motions and single steps listed in scripts/reference/plan.py.  Siconos, a Debian package, is run
+motions and single steps listed in scripts/reference/plan.py, and for what it says of itself,
+of Drake by scripts/engines/_drake_facts.py.  Siconos, a Debian package, is run
 by scripts/reference/siconos.py.  The result does not depend on the date, the machine's name or
 the order of the runs.
 """
@@ -16,7 +17,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from reference import build, documents, environment, facts, siconos  # noqa: E402
+from reference import build, documents, environment, facts, package_facts, siconos  # noqa: E402
 from reference.client import Engine, EngineError  # noqa: E402
 from reference.compare import check, comparable, numbers_by_kind, tolerances_of  # noqa: E402
 from reference.plan import all_jobs  # noqa: E402
@@ -149,12 +150,25 @@ class Run:
             documents.write(path, fresh)
         self.done += 1
 
+    def package_facts(self, name, python):
+        """Store what the engine says of itself, or compare it."""
+        path = self.options.references / "facts" / f"{name}.json"
+        fresh = package_facts.ask(name, python, SCRIPTS)
+        if not self.options.check:
+            documents.write(path, fresh)
+        elif not path.exists():
+            self.fail(f"facts/{name}.json", ["missing"])
+        elif messages := package_facts.differences(documents.read(path), fresh):
+            self.fail(f"facts/{name}.json", messages)
+
     def engine(self, name, jobs):
         """All jobs of one engine; raises NotInstalled when it cannot run at all."""
         named = name in DEFAULT or name in self.options.only or name in self.options.require
         if not (named or environment.is_current(name, SCRIPTS, self.options.environments)):
             raise environment.NotInstalled(f"not installed; --only {name} installs it")
         python = environment.python_of(name, SCRIPTS, self.options.environments, report)
+        if name in package_facts.ENGINES:
+            self.package_facts(name, python)
         with open(os.devnull, "wb") as log:
             with Engine(python, SCRIPTS / "engines" / f"{name}.py", log) as engine:
                 description = engine.ask("describe")

@@ -3,6 +3,7 @@
 use super::Claim;
 
 mod differences;
+mod drake;
 mod instances;
 mod mujoco;
 mod siconos;
@@ -11,4 +12,4 @@ pub(super) mod three_engines;
 
 /// The claims, one slice per file.
 pub const CLAIMS: &[&[Claim]] =
-    &[differences::CLAIMS, mujoco::CLAIMS, siconos::CLAIMS, step_sizes::CLAIMS, instances::CLAIMS, three_engines::CLAIMS];
+    &[differences::CLAIMS, drake::CLAIMS, mujoco::CLAIMS, siconos::CLAIMS, step_sizes::CLAIMS, instances::CLAIMS, three_engines::CLAIMS];

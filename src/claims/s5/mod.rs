@@ -3,6 +3,7 @@
 use super::Claim;
 
 mod cone;
+mod drake;
 mod gliding;
 mod gradient;
 mod nonconvexity;
@@ -12,4 +13,4 @@ mod vanishing;
 
 /// The claims, one slice per file.
 pub const CLAIMS: &[&[Claim]] =
-    &[program::CLAIMS, cone::CLAIMS, gradient::CLAIMS, gliding::CLAIMS, nonconvexity::CLAIMS, vanishing::CLAIMS];
+    &[program::CLAIMS, cone::CLAIMS, gradient::CLAIMS, gliding::CLAIMS, drake::CLAIMS, nonconvexity::CLAIMS, vanishing::CLAIMS];

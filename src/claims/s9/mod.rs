@@ -3,6 +3,7 @@
 use super::Claim;
 
 mod constraint_drift;
+mod drake;
 mod drift;
 pub(super) mod energy;
 mod exercises;
@@ -15,6 +16,7 @@ pub const CLAIMS: &[&[Claim]] = &[
     drift::CLAIMS,
     stabilisation::CLAIMS,
     constraint_drift::CLAIMS,
+    drake::CLAIMS,
     literature::CLAIMS,
     energy::CLAIMS,
     jitter::CLAIMS,

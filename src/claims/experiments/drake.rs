@@ -1,0 +1,93 @@
+//! Drake: what the installed package says of itself (stored by the scripts), and a block on the slope it slides down at constant speed.
+//!
+//! On tan α = μ gravity and friction balance, so that a block slides on at its speed v and settles at one gap φ:
+//! ```text
+//!     SAP        φ = (h + τ) [μ v − (R_n + μ² R_t) r_n]
+//!     Lagged     φ = −m g cos α/k
+//! ```
+
+use crate::mechanics::{PointMass, State};
+use crate::schemes::drake::Material;
+use crate::schemes::{Parameters, by_name, simulate};
+use crate::solvers::SemiAnalyticPrimal;
+use crate::tolerance::claims::drake::SETTLING_TIME;
+use crate::trajectory::Trajectory;
+use crate::{Error, Result};
+use nalgebra::dvector;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// Names and defaults read from Drake's Python module, and what its own documentation says, in its words.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Facts {
+    /// Default of a plant.
+    pub default_approximation: String,
+    /// Default of a plant.
+    pub default_solver: String,
+    /// The solver each approximation takes.
+    pub solvers: BTreeMap<String, String>,
+    /// Which approximations glide.
+    pub gliding_of: String,
+    /// Which does not.
+    pub without_gliding: String,
+    /// Which may fail to find a solution, being non-convex.
+    pub may_fail: String,
+    /// SAP's dissipation.
+    pub dissipation_of_sap: String,
+    /// When TAMSI goes.
+    pub tamsi_removed_from: String,
+    /// How often a phrase occurs in the documentation of the plant's module.
+    pub mentions: BTreeMap<String, usize>,
+}
+
+/// The facts of the pinned release, Drake 1.51.1.
+///
+/// # Errors
+/// [`Error::Json`] if the stored file is not what the script writes.
+pub fn facts() -> Result<Facts> {
+    Ok(serde_json::from_str(include_str!("../../../references/facts/drake.json"))?)
+}
+
+/// Material of the sliding block: k = 2000 N/m, τ = 5 ms, d = 10 s/m, and a slip scale of 1 µm/s.
+pub const MATERIAL: Material =
+    Material { stiffness: 2000.0, relaxation_time: 0.005, dissipation: 10.0, stiction_tolerance: 1.0 / 1_048_576.0 };
+/// μ.
+pub const FRICTION: f64 = 0.3;
+const GRAVITY: f64 = 9.81;
+
+/// φ \[m\] of a block of 1 kg that slides at `speed` down the slope tan α = μ, once it has settled.
+///
+/// # Errors
+/// Those of the scheme, and if the block leaves the ground.
+pub fn sliding_gap(scheme: &str, h: f64, speed: f64) -> Result<f64> {
+    let scheme = by_name(scheme, Parameters { drake: MATERIAL, ..Parameters::default() })?;
+    let slope = PointMass::block_on_incline(1.0, GRAVITY, FRICTION.atan(), FRICTION, 0.0);
+    let start = State { time: 0.0, position: dvector![0.0, -GRAVITY / MATERIAL.stiffness], velocity: dvector![speed, 0.0] };
+    let recording = simulate(scheme.as_ref(), &SemiAnalyticPrimal, &slope, start, h, (SETTLING_TIME / h).round() as usize)?;
+    let gap = recording.last().position[1];
+    if gap < 0.0 { Ok(gap) } else { Err(Error::Unsupported("the block left the ground".into())) }
+}
+
+/// How much a slide at 0.7 m/s lifts the block above one at 0.2 m/s \[m\].
+///
+/// # Errors
+/// As [`sliding_gap`].
+pub fn lift(scheme: &str, h: f64) -> Result<f64> {
+    Ok(sliding_gap(scheme, h, 0.7)? - sliding_gap(scheme, h, 0.2)?)
+}
+
+/// [`lift`] under SAP in closed form, (h + τ) μ Δv \[m\].
+pub fn predicted_lift(h: f64) -> f64 {
+    (h + MATERIAL.relaxation_time) * FRICTION * (0.7 - 0.2)
+}
+
+/// Depth \[m\] at which a ball of 1 kg on k = 1e5 N/m lies at the end of the stored run, SAP, h = 1 ms.
+///
+/// # Errors
+/// If the stored file is not what it should be.
+pub fn rest_depth() -> Result<f64> {
+    let run = Trajectory::from_json(include_str!("../../../references/drake/ball_rest__sap__h0.001.json"))?;
+    let radius = run.scene.bodies[0].sphere.map_or(0.0, |sphere| sphere.radius);
+    let last = run.bodies[0].position.last().ok_or_else(|| Error::Unsupported("the run has samples".into()))?;
+    Ok(radius - last[2])
+}
