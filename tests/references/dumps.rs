@@ -14,8 +14,8 @@ use moreau::certificate::{Residuals, residuals};
 use moreau::checks::Finding;
 use moreau::problem::{ContactProblem, Law, Solution};
 use moreau::solvers::{
-    AcceleratedProjectedGradient, ClarabelPolished, ContactSolver, GaussConjugateGradient, GaussNewton, LemkePivoting, ProjectedGaussSeidel,
-    SemiAnalyticPrimal,
+    AcceleratedProjectedGradient, ClarabelPolished, ContactSolver, GaussConjugateGradient, GaussNewton, LemkePivoting,
+    ProjectedGaussSeidel, SemiAnalyticPrimal,
 };
 use moreau::tolerance::references as tolerance;
 use std::path::Path;
