@@ -160,6 +160,7 @@ class Run:
             self.fail(f"facts/{name}.json", ["missing"])
         elif messages := package_facts.differences(documents.read(path), fresh):
             self.fail(f"facts/{name}.json", messages)
+        self.done += 1
 
     def engine(self, name, jobs):
         """All jobs of one engine; raises NotInstalled when it cannot run at all."""
@@ -167,7 +168,7 @@ class Run:
         if not (named or environment.is_current(name, SCRIPTS, self.options.environments)):
             raise environment.NotInstalled(f"not installed; --only {name} installs it")
         python = environment.python_of(name, SCRIPTS, self.options.environments, report)
-        if name in package_facts.ENGINES:
+        if name in package_facts.ENGINES and self.options.match in f"facts/{name}.json":
             self.package_facts(name, python)
         with open(os.devnull, "wb") as log:
             with Engine(python, SCRIPTS / "engines" / f"{name}.py", log) as engine:

@@ -14,6 +14,8 @@ sys.path.pop(0)  # not to look for the engine's own modules in this folder
 import pydrake.multibody.plant as plant  # noqa: E402
 from pydrake.multibody.plant import (DiscreteContactApproximation,  # noqa: E402
                                      MultibodyPlant, MultibodyPlantConfig)
+from pydrake.systems.analysis import Simulator  # noqa: E402
+from pydrake.systems.framework import LeafSystem  # noqa: E402
 
 
 def solver_of(approximation):
@@ -21,6 +23,15 @@ def solver_of(approximation):
     model = MultibodyPlant(1e-3)
     model.set_discrete_contact_approximation(approximation)
     return model.get_discrete_contact_solver().name
+
+
+def continuous_integrator():
+    """The integrator of a plant without a time step: its class, and whether it controls its error."""
+    model = MultibodyPlant(0.0)
+    model.Finalize()
+    integrator = Simulator(model).get_integrator()
+    return {"name": type(integrator).__name__,
+            "controls_error": not integrator.get_fixed_step_mode()}
 
 
 def words(text):
@@ -54,6 +65,8 @@ def main():
         "default_solver": default.get_discrete_contact_solver().name,
         "solvers": {name: solver_of(value) for name, value in
                     sorted(DiscreteContactApproximation.__members__.items())},
+        "continuous_integrator": continuous_integrator(),
+        "locates_events": hasattr(LeafSystem, "MakeWitnessFunction"),
         "gliding_of": found(r"approximations, (\w+ and \w+) introduce a spurious effect of "
                             r"\"gliding\" in sliding contact", told),
         "gliding_order": found(r"This artifact is (\S+) but", told),

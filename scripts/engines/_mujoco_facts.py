@@ -4,6 +4,9 @@
 rounding may move.  Every experiment starts cold (no warm start) at a state given here.
 """
 
+import re
+from pathlib import Path
+
 import mujoco
 import numpy as np
 
@@ -36,6 +39,13 @@ def _members(enumeration, prefix):
             for name, value in enumeration.__members__.items() if name.startswith(prefix)}
 
 
+def sources():
+    """Names of C sources that the compiler left in the library."""
+    library = next(Path(mujoco.__file__).parent.glob("libmujoco*"))
+    names = re.findall(rb"/engine/(engine_[a-z0-9_]+\.c)\b", library.read_bytes())
+    return sorted({name.decode() for name in names})
+
+
 def stated():
     """Defaults of an empty model, and the names of what can be chosen."""
     model = mujoco.MjModel.from_xml_string(BALL)
@@ -52,6 +62,7 @@ def stated():
                      **{key: float(getattr(option, key)) for key in numbers},
                      "solref": model.geom_solref[0].tolist(),
                      "solimp": model.geom_solimp[0].tolist()},
+        "sources": sources(),
         "inverse_functions": sorted(name for name in dir(mujoco) if name.startswith("mj_inverse")),
     }
 

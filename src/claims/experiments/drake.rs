@@ -26,6 +26,10 @@ pub struct Facts {
     pub default_solver: String,
     /// The solver each approximation takes.
     pub solvers: BTreeMap<String, String>,
+    /// The integrator of a plant without a time step.
+    pub continuous_integrator: Integrator,
+    /// Whether a system may have functions whose zeros are located.
+    pub locates_events: bool,
     /// Which approximations glide.
     pub gliding_of: String,
     /// Which does not.
@@ -38,6 +42,15 @@ pub struct Facts {
     pub tamsi_removed_from: String,
     /// How often a phrase occurs in the documentation of the plant's module.
     pub mentions: BTreeMap<String, usize>,
+}
+
+/// An integrator of Drake's.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Integrator {
+    /// Its class.
+    pub name: String,
+    /// Whether it chooses its step from an estimate of its error.
+    pub controls_error: bool,
 }
 
 /// The facts of the pinned release, Drake 1.51.1.

@@ -68,6 +68,11 @@ impl Stored {
         self.at(path).is_ok_and(|found| found.get(key).is_some())
     }
 
+    /// Whether the list at a path holds this text.
+    pub fn lists(&self, path: &[&str], text: &str) -> bool {
+        self.at(path).ok().and_then(Value::as_array).is_some_and(|list| list.iter().any(|entry| entry == text))
+    }
+
     /// The text at a path, empty if there is none.
     pub fn text(&self, path: &[&str]) -> String {
         self.at(path).ok().and_then(Value::as_str).unwrap_or_default().to_string()

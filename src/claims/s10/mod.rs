@@ -5,8 +5,8 @@ use super::Claim;
 mod differences;
 mod drake;
 mod instances;
-mod mujoco;
-mod siconos;
+pub(super) mod mujoco;
+pub(super) mod siconos;
 mod step_sizes;
 pub(super) mod three_engines;
 

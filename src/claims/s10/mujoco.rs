@@ -8,7 +8,21 @@ use crate::claims::{Claim, Evidence, Reading, Verdict};
 use crate::problem::Law;
 use crate::schemes::mujoco::Cone;
 
-pub const CLAIMS: &[Claim] = &[Claim {
+pub const CLAIMS: &[Claim] = &[ROW, PATH];
+
+const PATH: Claim = Claim {
+    id: "S10.path-mujoco",
+    statement: "MuJoCo: src/engine/engine_solver.c with mj_solPGS, mj_solCG and mj_solNewton, engine_core_constraint.c; MJX: mujoco/mjx/_src/solver.py.",
+    verdict: Verdict::Conditional,
+    evidence: Evidence::Cited,
+    correct_statement: "The two C files are right. In the repository MJX's file is mjx/mujoco/mjx/_src/solver.py; what the chapter gives is its path in the package.",
+    argument: "The library of the pinned release names the C files that it was compiled from, as the compiler left them. The functions and MJX's file: repository at commit a725507 of August 2026, not asked of a package.",
+    control: "engine_pgs.c in place of engine_solver.c.",
+    sources: &["chapter §10, source files", "MuJoCo 3.17.0, answers in references/facts/mujoco.json", "MuJoCo's repository at a725507"],
+    check: paths,
+};
+
+const ROW: Claim = Claim {
     id: "S10.mujoco-row",
     statement: "MuJoCo: semi-implicit Euler, implicitfast, RK4; PGS, CG, Newton; a quadratic or second-order cone program; no explicit impact law; h from 1 to 10 ms; differentiable.",
     verdict: Verdict::Conditional,
@@ -18,7 +32,13 @@ pub const CLAIMS: &[Claim] = &[Claim {
     control: "One cone in place of the two.",
     sources: &["chapter §10, table", "MuJoCo 3.17.0, answers in references/facts/mujoco.json"],
     check: row,
-}];
+};
+
+pub(in crate::claims) fn paths(reading: Reading) -> Result<Vec<Finding>> {
+    let facts = facts()?;
+    let compiled = |name: &str| Finding::decision(format!("compiled from {name}"), facts.lists(&["stated", "sources"], name), true);
+    Ok(vec![compiled(reading.pick("engine_solver.c", "engine_pgs.c")), compiled("engine_core_constraint.c")])
+}
 
 fn row(reading: Reading) -> Result<Vec<Finding>> {
     let facts = facts()?;

@@ -73,7 +73,7 @@ fn school(reading: Reading) -> Result<Vec<Finding>> {
     ])
 }
 
-fn paths(reading: Reading) -> Result<Vec<Finding>> {
+pub(in crate::claims) fn paths(reading: Reading) -> Result<Vec<Finding>> {
     let facts = Facts::stored()?;
     let folder = reading.pick("simulationTools", "simulation");
     let contact = "numerics/src/FrictionContact";

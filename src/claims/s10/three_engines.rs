@@ -245,14 +245,14 @@ fn path_chrono(reading: Reading) -> Result<Vec<Finding>> {
     Ok(names.map(|name| Finding::decision(name, CHRONO_SOLVERS.contains(&name), true)).to_vec())
 }
 
-fn path_bullet(reading: Reading) -> Result<Vec<Finding>> {
+pub(in crate::claims) fn path_bullet(reading: Reading) -> Result<Vec<Finding>> {
     let folder = reading.pick("ConstraintSolver", "MLCPSolvers");
     let path = format!("src/BulletDynamics/{folder}/btSequentialImpulseConstraintSolver.cpp");
     let multibody = "src/BulletDynamics/Featherstone/btMultiBodyConstraintSolver.cpp";
     Ok(vec![Finding::decision(&*path, has(BULLET, &path)?, true), Finding::decision(multibody, has(BULLET, multibody)?, true)])
 }
 
-fn path_pinocchio(reading: Reading) -> Result<Vec<Finding>> {
+pub(in crate::claims) fn path_pinocchio(reading: Reading) -> Result<Vec<Finding>> {
     let printed = reading.pick(false, true);
     Ok(vec![
         Finding::decision("the printed path in 4.1.0", has(PINOCCHIO, "include/pinocchio/algorithm/admm-solver.hxx")?, printed),

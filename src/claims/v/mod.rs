@@ -2,8 +2,10 @@
 
 use super::Claim;
 
+mod drake;
 mod mujoco;
+mod paths;
 mod pinocchio;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] = &[mujoco::CLAIMS, pinocchio::CLAIMS];
+pub const CLAIMS: &[&[Claim]] = &[drake::CLAIMS, mujoco::CLAIMS, paths::CLAIMS, pinocchio::CLAIMS];

@@ -1,0 +1,29 @@
+//! Which simulators step through events and which locate them.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::experiments::{drake, siconos};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+
+pub const CLAIMS: &[Claim] = &[Claim {
+    id: "S1.all-ts",
+    statement: "The engines of ROS, MuJoCo, Drake, Bullet, Pinocchio and Isaac are all time-stepping; only Siconos has both routes.",
+    verdict: Verdict::False,
+    evidence: Evidence::Cited,
+    correct_statement: "Siconos has both. Drake has more than time-stepping, too: a plant with time step 0 is a continuous system whose integrator controls its error, with compliant contact and no located impact, and a system of one's own may have witness functions, whose zeros the simulator locates. \
+        ROS and Pinocchio are not simulators.",
+    argument: "Asked of the packages: Siconos 4.4.0 has the classes TimeStepping and EventDriven; Drake 1.51.1 integrates a plant with time step 0 by RungeKutta3Integrator under error control, and LeafSystem has MakeWitnessFunction. Bullet and Isaac were not asked.",
+    control: "Drake without witness functions.",
+    sources: &["chapter §1, table of the two routes", "references/facts/siconos.json", "references/facts/drake.json"],
+    check: routes,
+}];
+
+fn routes(reading: Reading) -> Result<Vec<Finding>> {
+    let (siconos, drake) = (siconos::Facts::stored()?, drake::facts()?);
+    Ok(vec![
+        Finding::decision("Drake locates zeros of witness functions", drake.locates_events, reading.pick(true, false)),
+        Finding::decision("Drake's continuous plant is integrated under error control", drake.continuous_integrator.controls_error, true),
+        Finding::decision("by a Runge–Kutta method", drake.continuous_integrator.name == "RungeKutta3Integrator", true),
+        Finding::decision("Siconos has both", siconos.has("TimeStepping") && siconos.has("EventDriven"), true),
+    ])
+}
