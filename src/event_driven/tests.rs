@@ -1,13 +1,13 @@
+//! The event-driven method against closed forms: oscillators, belts and balls through all their events.
+
 use super::filippov::{DryFriction, Mode, Side, advance, share_above};
 use super::*;
 use crate::closed_forms::{BeltOscillator, BouncingBall, DryFrictionOscillator, StopOscillator};
 use crate::mechanics::{BallChain, OscillatorWithStop, PainleveRod, PointMass};
 use crate::scenes::named;
 use crate::solvers::Reference;
+use crate::tolerance::claims::events::ACCURACY;
 use nalgebra::dvector;
-
-/// What the issue asks for, far above the method's own tolerance.
-const ACCURACY: f64 = 1e-10;
 
 fn at(position: f64, velocity: f64) -> State {
     State { time: 0.0, position: dvector![position], velocity: dvector![velocity] }

@@ -21,111 +21,71 @@ macro_rules! stored {
     };
 }
 
-pub static SAP: System = System {
-    name: "Drake SAP",
-    level: Level::Position,
-    cone: Cone::SecondOrder,
-    law: ContactLaw::Compliant,
-    algorithm: "Newton on velocities, analytic projection, exact line search",
-    restitution: RESTITUTION,
-    position_update: POSITION,
-    schemes: &["drake-sap"],
-    held_against: &[
-        Agreement {
-            against: ENGINE,
-            quantity: "velocity of a block that sticks and creeps, whole motion, h = 10 ms",
-            unit: "kg^½·m/s",
-            measure: || whole(stored!("block_stick__sap__h0.01")),
-        },
-        Agreement {
-            against: ENGINE,
-            quantity: "velocity of a sliding block, whole motion, h = 1 ms",
-            unit: "kg^½·m/s",
-            measure: || whole(stored!("block_slide__sap__h0.001")),
-        },
-        Agreement {
-            against: ENGINE,
-            quantity: "velocity after a step from each sample, sliding and hopping, h = 10 ms",
-            unit: "kg^½·m/s",
-            measure: || one_step(stored!("block_slide__sap__h0.01")),
-        },
-    ],
-};
+/// One of Drake's approximations: all compliant, written on the gap at the end of the step, with the round cone.
+const fn drake(
+    name: &'static str,
+    algorithm: &'static str,
+    schemes: &'static [&'static str],
+    held_against: &'static [Agreement],
+) -> System {
+    System {
+        name,
+        level: Level::Position,
+        cone: Cone::SecondOrder,
+        law: ContactLaw::Compliant,
+        algorithm,
+        restitution: RESTITUTION,
+        position_update: POSITION,
+        schemes,
+        held_against,
+    }
+}
 
-pub static SIMILAR: System = System {
-    name: "Drake Similar",
-    level: Level::Position,
-    cone: Cone::SecondOrder,
-    law: ContactLaw::Compliant,
-    algorithm: "Newton on velocities, convex potential, exact line search",
-    restitution: RESTITUTION,
-    position_update: POSITION,
-    schemes: &["drake-similar"],
-    held_against: &[
-        Agreement {
-            against: ENGINE,
-            quantity: "velocity of a sliding block, whole motion, h = 1 ms",
-            unit: "kg^½·m/s",
-            measure: || whole(stored!("block_slide__similar__h0.001")),
-        },
-        Agreement {
-            against: ENGINE,
-            quantity: "velocity after a step from each sample, sticking, h = 10 ms",
-            unit: "kg^½·m/s",
-            measure: || one_step(stored!("block_stick__similar__h0.01")),
-        },
-    ],
-};
+/// Velocities, weighed by the mass, against a stored motion of Drake's.
+const fn velocity(quantity: &'static str, measure: fn() -> Result<Measured>) -> Agreement {
+    Agreement { against: ENGINE, quantity, unit: "kg^½·m/s", measure }
+}
 
-pub static LAGGED: System = System {
-    name: "Drake Lagged",
-    level: Level::Position,
-    cone: Cone::SecondOrder,
-    law: ContactLaw::Compliant,
-    algorithm: "Newton on velocities, convex potential, exact line search",
-    restitution: RESTITUTION,
-    position_update: POSITION,
-    schemes: &["drake-lagged"],
-    held_against: &[
-        Agreement {
-            against: ENGINE,
-            quantity: "velocity of a sliding block, whole motion, h = 1 ms",
-            unit: "kg^½·m/s",
-            measure: || whole(stored!("block_slide__lagged__h0.001")),
-        },
-        Agreement {
-            against: ENGINE,
-            quantity: "velocity after a step from each sample, sticking, h = 10 ms",
-            unit: "kg^½·m/s",
-            measure: || one_step(stored!("block_stick__lagged__h0.01")),
-        },
+pub static SAP: System = drake(
+    "Drake SAP",
+    "Newton on velocities, analytic projection, exact line search",
+    &["drake-sap"],
+    &[
+        velocity("velocity of a block that sticks and creeps, whole motion, h = 10 ms", || whole(stored!("block_stick__sap__h0.01"))),
+        velocity("velocity of a sliding block, whole motion, h = 1 ms", || whole(stored!("block_slide__sap__h0.001"))),
+        velocity("velocity after a step from each sample, sliding and hopping, h = 10 ms", || one_step(stored!("block_slide__sap__h0.01"))),
     ],
-};
+);
 
-pub static TAMSI: System = System {
-    name: "Drake TAMSI",
-    level: Level::Position,
-    cone: Cone::SecondOrder,
-    law: ContactLaw::Compliant,
-    algorithm: "Newton on velocities, residual halved along each step",
-    restitution: RESTITUTION,
-    position_update: POSITION,
-    schemes: &["drake-tamsi"],
-    held_against: &[
-        Agreement {
-            against: ENGINE,
-            quantity: "velocity of a sliding block, whole motion, h = 1 ms",
-            unit: "kg^½·m/s",
-            measure: || whole(stored!("block_slide__tamsi__h0.001")),
-        },
-        Agreement {
-            against: ENGINE,
-            quantity: "velocity after a step from each sample, sticking, h = 10 ms",
-            unit: "kg^½·m/s",
-            measure: || one_step(stored!("block_stick__tamsi__h0.01")),
-        },
+pub static SIMILAR: System = drake(
+    "Drake Similar",
+    "Newton on velocities, convex potential, exact line search",
+    &["drake-similar"],
+    &[
+        velocity("velocity of a sliding block, whole motion, h = 1 ms", || whole(stored!("block_slide__similar__h0.001"))),
+        velocity("velocity after a step from each sample, sticking, h = 10 ms", || one_step(stored!("block_stick__similar__h0.01"))),
     ],
-};
+);
+
+pub static LAGGED: System = drake(
+    "Drake Lagged",
+    "Newton on velocities, convex potential, exact line search",
+    &["drake-lagged"],
+    &[
+        velocity("velocity of a sliding block, whole motion, h = 1 ms", || whole(stored!("block_slide__lagged__h0.001"))),
+        velocity("velocity after a step from each sample, sticking, h = 10 ms", || one_step(stored!("block_stick__lagged__h0.01"))),
+    ],
+);
+
+pub static TAMSI: System = drake(
+    "Drake TAMSI",
+    "Newton on velocities, residual halved along each step",
+    &["drake-tamsi"],
+    &[
+        velocity("velocity of a sliding block, whole motion, h = 1 ms", || whole(stored!("block_slide__tamsi__h0.001"))),
+        velocity("velocity after a step from each sample, sticking, h = 10 ms", || one_step(stored!("block_stick__tamsi__h0.01"))),
+    ],
+);
 
 /// The velocity of the whole stored motion, in the kinetic norm: of a body of 1 kg, the speed.
 fn whole(stored: &str) -> Result<Measured> {
