@@ -1,7 +1,7 @@
 //! The material of Drake's schemes on the command line.
 
+use super::scheme_options::Owned;
 use crate::schemes::drake::Material;
-use crate::{Error, Result};
 
 /// One option per number of [`Material`].
 #[derive(clap::Args)]
@@ -21,31 +21,26 @@ pub struct DrakeOptions {
 }
 
 impl DrakeOptions {
+    /// Which options were given.
+    pub fn owned(&self) -> [Owned; 4] {
+        let of = |option, given, owners| Owned { option, given, owners };
+        let regularised = &["drake-similar", "drake-lagged", "drake-tamsi"];
+        [
+            of("--stiffness", self.stiffness.is_some(), &["drake-sap", "drake-similar", "drake-lagged", "drake-tamsi"][..]),
+            of("--relaxation-time", self.relaxation_time.is_some(), &["drake-sap"]),
+            of("--dissipation", self.dissipation.is_some(), regularised),
+            of("--stiction-tolerance", self.stiction_tolerance.is_some(), regularised),
+        ]
+    }
+
     /// The material, each number Drake's default unless given.
-    ///
-    /// # Errors
-    /// An option that does nothing in this scheme, or a number that is none of a material.
-    pub fn material(&self, scheme: &str) -> Result<Material> {
-        let [all, sap, regularised]: [&[&str]; 3] = [
-            &["drake-sap", "drake-similar", "drake-lagged", "drake-tamsi"],
-            &["drake-sap"],
-            &["drake-similar", "drake-lagged", "drake-tamsi"],
-        ];
-        let own = [
-            ("--stiffness", self.stiffness, all),
-            ("--relaxation-time", self.relaxation_time, sap),
-            ("--dissipation", self.dissipation, regularised),
-            ("--stiction-tolerance", self.stiction_tolerance, regularised),
-        ];
-        if let Some((option, _, owners)) = own.iter().find(|(_, given, owners)| given.is_some() && !owners.contains(&scheme)) {
-            return Err(Error::invalid(*option, format!("does nothing in {scheme}"), format!("it belongs to {}", owners.join(", "))));
-        }
+    pub fn material(&self) -> Material {
         let default = Material::default();
-        Ok(Material {
+        Material {
             stiffness: self.stiffness.unwrap_or(default.stiffness),
             relaxation_time: self.relaxation_time.unwrap_or(default.relaxation_time),
             dissipation: self.dissipation.unwrap_or(default.dissipation),
             stiction_tolerance: self.stiction_tolerance.unwrap_or(default.stiction_tolerance),
-        })
+        }
     }
 }

@@ -30,7 +30,7 @@ pub mod filippov;
 pub mod flight;
 pub mod forces;
 pub mod impact;
-mod root;
+pub(crate) mod root;
 
 /// The method and its declared rules.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,14 +93,26 @@ impl EventDriven {
         Err(Error::solver("event-driven", format!("met more than {EVENT_LIMIT} events before t = {} s", state.time + duration)))
     }
 
-    fn check(&self, mechanism: &dyn Mechanism, state: &State, duration: f64) -> Result<()> {
-        if !(duration.is_finite() && duration > 0.0) {
-            return Err(Error::invalid("time_step", format!("is {duration}"), "use a positive number of seconds"));
-        }
+    /// Checks the step or tolerance and τ.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] names the one that cannot be meant.
+    pub fn validate(&self) -> Result<()> {
         let (Control::Fixed(size) | Control::Tolerance(size)) = self.control;
         if !(size.is_finite() && size > 0.0) {
             return Err(Error::invalid("control", format!("is {:?}", self.control), "use a positive step or tolerance"));
         }
+        if !(self.shortest_flight.is_finite() && self.shortest_flight >= 0.0) {
+            return Err(Error::invalid("shortest_flight", format!("is {}", self.shortest_flight), "use a number of seconds, 0 or more"));
+        }
+        Ok(())
+    }
+
+    fn check(&self, mechanism: &dyn Mechanism, state: &State, duration: f64) -> Result<()> {
+        if !(duration.is_finite() && duration > 0.0) {
+            return Err(Error::invalid("time_step", format!("is {duration}"), "use a positive number of seconds"));
+        }
+        self.validate()?;
         let rows = mechanism.rows_per_contact();
         if rows > 2 || state.position.len() != mechanism.degrees_of_freedom() || state.velocity.len() != state.position.len() {
             let scope = "event-driven moves mechanisms on a line or in the plane, not in space";

@@ -28,6 +28,7 @@ pub mod position_based;
 pub mod runge_kutta_flip;
 pub mod schatzman_paoli;
 pub mod stewart_trinkle;
+pub mod variational;
 
 pub use anitescu::Anitescu;
 pub use bullet::{Bodies, Bullet};
@@ -44,6 +45,7 @@ pub use position_based::{PositionBased, Softness};
 pub use runge_kutta_flip::RungeKuttaFlip;
 pub use schatzman_paoli::SchatzmanPaoli;
 pub use stewart_trinkle::StewartTrinkle;
+pub use variational::Variational;
 
 /// What a scheme assembled for one step: the problem of the active contacts, and what turns impulses into velocities.
 #[derive(Clone, Debug)]

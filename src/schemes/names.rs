@@ -3,12 +3,14 @@
 use super::drake::Material;
 use super::{
     Activation, Anitescu, Bullet, Chrono, DrakeLagged, DrakeSap, DrakeSimilar, DrakeTamsi, Euler, Events, GeneralisedAlpha, MoreauJean,
-    MoreauJeanProjection, Mujoco, PositionBased, RestitutionRule, RungeKuttaFlip, SchatzmanPaoli, Scheme, StewartTrinkle,
+    MoreauJeanProjection, Mujoco, PositionBased, RestitutionRule, RungeKuttaFlip, SchatzmanPaoli, Scheme, Softness, StewartTrinkle,
+    Variational,
 };
+use crate::event_driven::EventDriven;
 use crate::{Error, Result};
 
 /// The names [`by_name`] knows.
-pub const NAMES: [&str; 19] = [
+pub const NAMES: [&str; 20] = [
     "moreau-jean",
     "moreau-jean-projection",
     "schatzman-paoli",
@@ -22,6 +24,7 @@ pub const NAMES: [&str; 19] = [
     "semi-implicit-euler",
     "runge-kutta-flip",
     "event-driven",
+    "variational",
     "xpbd",
     "pbd",
     "drake-sap",
@@ -43,6 +46,14 @@ pub struct Parameters {
     pub directions: usize,
     /// ρ of generalised-α.
     pub spectral_radius: f64,
+    /// α of XPBD \[m/N\].
+    pub compliance: f64,
+    /// s of PBD.
+    pub share: f64,
+    /// Sweeps of XPBD and PBD; each its own number if absent.
+    pub sweeps: Option<usize>,
+    /// τ of the event-driven method \[s\].
+    pub shortest_flight: f64,
     /// Cone and softness of MuJoCo.
     pub mujoco: Mujoco,
     /// Compliant contact of Drake's schemes.
@@ -58,6 +69,10 @@ impl Default for Parameters {
             restitution,
             directions: StewartTrinkle::default().directions,
             spectral_radius: GeneralisedAlpha::default().spectral_radius(),
+            compliance: 0.0,
+            share: 0.5,
+            sweeps: None,
+            shortest_flight: EventDriven::default().shortest_flight,
             mujoco: Mujoco::default(),
             drake: Material::default(),
         }
@@ -69,7 +84,7 @@ impl Default for Parameters {
 /// # Errors
 /// An unknown name (the message lists the known ones), θ outside \[0, 1\], fewer than three directions, a softness that cannot be meant or a material that is none.
 pub fn by_name(name: &str, parameters: Parameters) -> Result<Box<dyn Scheme>> {
-    let Parameters { theta, activation, restitution, directions, spectral_radius, mujoco, drake: material } = parameters;
+    let Parameters { theta, activation, restitution, directions, spectral_radius, mujoco, drake: material, .. } = parameters;
     material.validate()?;
     match name {
         "moreau-jean" => {
@@ -99,15 +114,28 @@ pub fn by_name(name: &str, parameters: Parameters) -> Result<Box<dyn Scheme>> {
         "explicit-euler" => Ok(Box::new(Euler::Explicit)),
         "semi-implicit-euler" => Ok(Box::new(Euler::SemiImplicit)),
         "runge-kutta-flip" => Ok(Box::new(RungeKuttaFlip)),
-        "xpbd" => Ok(Box::new(PositionBased::XPBD)),
-        "pbd" => Ok(Box::new(PositionBased::PBD)),
-        "event-driven" => Ok(Box::new(Events::default())),
+        "xpbd" => {
+            position_based(PositionBased { softness: Softness::Compliance(parameters.compliance), ..PositionBased::XPBD }, &parameters)
+        }
+        "pbd" => position_based(PositionBased { softness: Softness::Share(parameters.share), ..PositionBased::PBD }, &parameters),
+        "event-driven" => {
+            let method = EventDriven { shortest_flight: parameters.shortest_flight, ..EventDriven::default() };
+            method.validate()?;
+            Ok(Box::new(Events { method }))
+        }
+        "variational" => Ok(Box::new(Variational)),
         "drake-sap" => Ok(Box::new(DrakeSap { material })),
         "drake-similar" => Ok(Box::new(DrakeSimilar { material })),
         "drake-lagged" => Ok(Box::new(DrakeLagged { material })),
         "drake-tamsi" => Ok(Box::new(DrakeTamsi { material })),
         _ => Err(unknown("scheme", name, &NAMES)),
     }
+}
+
+fn position_based(scheme: PositionBased, parameters: &Parameters) -> Result<Box<dyn Scheme>> {
+    let scheme = PositionBased { sweeps: parameters.sweeps.unwrap_or(scheme.sweeps), ..scheme };
+    scheme.validate()?;
+    Ok(Box::new(scheme))
 }
 
 impl Activation {

@@ -53,18 +53,16 @@ impl PositionBased {
     /// # Errors
     /// [`Error::Invalid`] otherwise.
     pub fn validate(&self) -> Result<()> {
-        let soft = match self.softness {
-            Softness::Compliance(alpha) => alpha.is_finite() && alpha >= 0.0,
-            Softness::Share(share) => share > 0.0 && share <= 1.0,
-        };
-        if soft && self.sweeps >= 1 {
-            return Ok(());
+        match self.softness {
+            Softness::Compliance(alpha) if !(alpha.is_finite() && alpha >= 0.0) => {
+                Err(Error::invalid("compliance", format!("is {alpha}"), "use a finite α ≥ 0"))
+            }
+            Softness::Share(share) if !(share > 0.0 && share <= 1.0) => {
+                Err(Error::invalid("share", format!("is {share}"), "use s above 0 and at most 1"))
+            }
+            _ if self.sweeps == 0 => Err(Error::invalid("sweeps", "is 0", "take at least one")),
+            _ => Ok(()),
         }
-        Err(Error::invalid(
-            "softness",
-            format!("is {:?} with {} sweeps", self.softness, self.sweeps),
-            "use α ≥ 0 or s in (0, 1], and at least one sweep",
-        ))
     }
 
     /// α̃ and the share of each correction.

@@ -36,6 +36,7 @@ mod semi_implicit_euler;
 mod siconos;
 mod stewart_trinkle;
 mod theta;
+mod variational;
 
 pub use measured::Measured;
 pub use report::{AgreementReport, Report, SystemReport};
@@ -138,6 +139,7 @@ pub static ALL: &[&System] = &[
     &generalised_alpha::SYSTEM,
     &position_based::SYSTEM,
     &event_driven::SYSTEM,
+    &variational::SYSTEM,
 ];
 
 impl fmt::Display for Level {

@@ -128,11 +128,45 @@ fn a_scene_comes_from_a_file_too() {
 }
 
 #[test]
+fn the_options_of_the_position_based_and_event_driven_schemes_reach_them() {
+    let asked = |scene: &str, scheme: &str, options: &[&str], name: &str| {
+        let arguments = ["simulate", "--scene", scene, "--scheme", scheme, "--step", "0.01", "--format", "json"];
+        quantity(&moreau(&[&arguments[..], options].concat()), name).expect("a number")
+    };
+    // a ball of 1 kg rests at the depth m g α, and comes deeper where it lands
+    let depth = |alpha: &str| asked("ball-drop", "xpbd", &["--compliance", alpha, "--duration", "3"], "deepest penetration");
+    assert!(depth("0") < 1e-12 && depth("1e-4") > 9.81e-4 && depth("1e-3") > 9.81e-3);
+    let sunk = |options: &[&str]| asked("ball-drop", "pbd", options, "deepest penetration");
+    assert!(sunk(&["--share", "1"]) < sunk(&["--share", "0.1", "--sweeps", "1"]));
+    // with e = ½ and t₁ = 0.45 s flights last 0.45, 0.23 and 0.11 s; without the rule there are infinitely many
+    let rebounds = |options: &[&str]| asked("bouncing-ball", "event-driven", options, "settling time");
+    assert!(rebounds(&["--shortest-flight", "0.2"]) < rebounds(&["--shortest-flight", "0.01"]));
+    let every = ["simulate", "--scene", "bouncing-ball", "--scheme", "event-driven", "--shortest-flight", "0"];
+    let run = moreau(&every);
+    assert!(run.code == 1 && run.message.contains("events before t"), "{}", run.message);
+}
+
+#[test]
+fn a_variational_step_is_for_elastic_impacts() {
+    let run = moreau(&["simulate", "--scene", "elastic-ball", "--scheme", "variational", "--step", "0.01", "--format", "json"]);
+    assert!(quantity(&run, "deepest penetration").expect("a number") <= 1e-12);
+    moreau(&["simulate", "--scene", "bouncing-ball", "--scheme", "variational"]).is_refused(&["e = 1", "e = 0.5"]);
+    let run = moreau(&["simulate", "--scene", "bouncing-ball", "--scheme", "variational", "--restitution", "1"]);
+    assert!(run.output.contains("variational"));
+}
+
+#[test]
 fn bad_options_are_refused_by_name_and_nothing_is_written() {
     let folder = Folder::new("simulate-bad");
-    let cases: [(&[&str], &[&str]); 21] = [
+    let cases: [(&[&str], &[&str]); 27] = [
         (&["--scheme", "generalised-alpha", "--spectral-radius", "2"], &["--spectral-radius", "2"]),
         (&["--spectral-radius", "0.5"], &["--spectral-radius", "belongs to generalised-alpha"]),
+        (&["--scheme", "xpbd", "--compliance", "-1"], &["--compliance", "-1"]),
+        (&["--scheme", "pbd", "--share", "1.5"], &["--share", "1.5"]),
+        (&["--scheme", "pbd", "--sweeps", "0"], &["--sweeps", "at least one"]),
+        (&["--scheme", "pbd", "--compliance", "0.1"], &["--compliance", "belongs to xpbd"]),
+        (&["--scheme", "event-driven", "--shortest-flight", "-1"], &["--shortest-flight", "-1"]),
+        (&["--scheme", "mujoco", "--restitution", "0.5"], &["--restitution", "belongs to moreau-jean, ", "event-driven"]),
         (&["--step", "0"], &["--step", "0"]),
         (&["--step", "-0.01"], &["--step", "-0.01"]),
         (&["--step", "NaN"], &["--step", "NaN"]),

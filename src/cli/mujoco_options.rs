@@ -1,0 +1,65 @@
+//! Cone and softness of mujoco on the command line.
+
+use super::scheme_options::{Owned, option};
+use crate::schemes::Mujoco;
+use crate::schemes::mujoco::{Cone, Softness};
+use crate::{Error, Result};
+
+/// One option per parameter of [`Mujoco`].
+#[derive(clap::Args)]
+pub struct MujocoOptions {
+    /// Friction cone of mujoco in space: pyramidal (default) or elliptic.
+    #[arg(long, value_name = "NAME")]
+    cone: Option<String>,
+    /// solref of mujoco: time constant [s] and damping ratio, or −stiffness [1/s²] and −damping [1/s].
+    #[arg(long, value_name = "A,B", value_delimiter = ',', allow_hyphen_values = true)]
+    solref: Option<Vec<f64>>,
+    /// solimp of mujoco: impedance at the surface and beyond the width, width [m], midpoint, power.
+    #[arg(long, value_name = "D0,DW,WIDTH,MID,POWER", value_delimiter = ',')]
+    solimp: Option<Vec<f64>>,
+    /// impratio of mujoco, normal over tangential regularisation.
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    impratio: Option<f64>,
+    /// margin of mujoco: gap below which a contact is active [m].
+    #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
+    margin: Option<f64>,
+}
+
+impl MujocoOptions {
+    /// Which options were given.
+    pub fn owned(&self) -> [Owned; 5] {
+        let of = |option, given| Owned { option, given, owners: &["mujoco"] };
+        [
+            of("--cone", self.cone.is_some()),
+            of("--solref", self.solref.is_some()),
+            of("--solimp", self.solimp.is_some()),
+            of("--impratio", self.impratio.is_some()),
+            of("--margin", self.margin.is_some()),
+        ]
+    }
+
+    /// The parameters, each MuJoCo's default unless given.
+    ///
+    /// # Errors
+    /// An unknown cone, or too few or too many numbers.
+    pub fn mujoco(&self) -> Result<Mujoco> {
+        let softness = Softness::default();
+        Ok(Mujoco {
+            cone: self.cone.as_deref().map_or(Ok(Cone::default()), Cone::by_name).map_err(option)?,
+            softness: Softness {
+                reference: self.solref.as_deref().map_or(Ok(softness.reference), |given| numbers("--solref", given))?,
+                impedance: self.solimp.as_deref().map_or(Ok(softness.impedance), |given| numbers("--solimp", given))?,
+                impedance_ratio: self.impratio.unwrap_or(softness.impedance_ratio),
+                margin: self.margin.unwrap_or(softness.margin),
+                ..softness
+            },
+        })
+    }
+}
+
+/// As many numbers as there have to be.
+fn numbers<const N: usize>(field: &str, given: &[f64]) -> Result<[f64; N]> {
+    given
+        .try_into()
+        .map_err(|_| Error::invalid(field, format!("has {} numbers", given.len()), format!("give {N}, with commas between them")))
+}
