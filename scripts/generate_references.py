@@ -2,7 +2,7 @@
 """Make, or check, the files under references/ with the real engines.
 
 For every engine this makes a virtual environment from scripts/requirements-<engine>.txt, starts
-scripts/engines/<engine>.py in it, and asks it through the protocol moreau-engine/1 for the
+scripts/engines/<engine>.py in it (Rapier's adapter is built with cargo), and asks it through the protocol moreau-engine/1 for the
 motions and single steps listed in scripts/reference/plan.py, and for what it says of itself,
 of Drake by scripts/engines/_drake_facts.py.  Siconos, a Debian package, is run
 by scripts/reference/siconos.py.  The result does not depend on the date, the machine's name or
@@ -26,7 +26,7 @@ from reference.tolerance import loose_kinds  # noqa: E402
 
 SCRIPTS = Path(__file__).resolve().parent
 DEFAULT = ("mujoco", "drake", "siconos")
-OPTIONAL = ("bullet", "pinocchio")  # run without being named only where they are installed already
+OPTIONAL = ("bullet", "pinocchio", "dart", "rapier")  # run without being named only where they are installed already
 ENGINES = DEFAULT + OPTIONAL
 FACTS = ("mujoco",)
 EPILOG = """
@@ -165,13 +165,13 @@ class Run:
     def engine(self, name, jobs):
         """All jobs of one engine; raises NotInstalled when it cannot run at all."""
         named = name in DEFAULT or name in self.options.only or name in self.options.require
-        if not (named or environment.is_current(name, SCRIPTS, self.options.environments)):
+        if not (named or environment.is_installed(name, SCRIPTS, self.options.environments)):
             raise environment.NotInstalled(f"not installed; --only {name} installs it")
-        python = environment.python_of(name, SCRIPTS, self.options.environments, report)
+        command = environment.command_of(name, SCRIPTS, self.options.environments, report)
         if name in package_facts.ENGINES and self.options.match in f"facts/{name}.json":
-            self.package_facts(name, python)
+            self.package_facts(name, command[0])
         with open(os.devnull, "wb") as log:
-            with Engine(python, SCRIPTS / "engines" / f"{name}.py", log) as engine:
+            with Engine(command, log) as engine:
                 description = engine.ask("describe")
                 for number, job in enumerate(jobs, 1):
                     progress(f"{name} {number}/{len(jobs)} {job.path}")

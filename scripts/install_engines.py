@@ -60,22 +60,11 @@ def commands_by_engine():
     return result
 
 
-def _build_rapier():
-    folder = SCRIPTS / "engines" / "rapier"
-    for feature in RAPIER_VERSIONS:
-        report(f"rapier: building {feature}")
-        done = subprocess.run(
-            ["cargo", "build", "--release", "--quiet", "--manifest-path",
-             str(folder / "Cargo.toml"), "--no-default-features", "--features", feature,
-             "--target-dir", str(folder / "target" / feature)])
-        if done.returncode != 0:
-            raise environment.NotInstalled(f"cargo could not build {feature}")
-
-
 def install(engine):
     """Install what can be; raises NotInstalled or OSError with the reason."""
     if engine == "rapier":
-        _build_rapier()
+        for version in RAPIER_VERSIONS:
+            environment.build_rapier(SCRIPTS, version, report)
     elif (SCRIPTS / f"requirements-{engine}.txt").exists():
         environment.python_of(engine, SCRIPTS, ENVIRONMENTS, report)
 

@@ -13,10 +13,10 @@ class EngineError(Exception):
 class Engine:
     """One running adapter; use as a context manager."""
 
-    def __init__(self, python, script, log):
-        self.python = python
-        self.process = subprocess.Popen([str(python), str(script)], stdin=subprocess.PIPE,
-                                        stdout=subprocess.PIPE, stderr=log)
+    def __init__(self, command, log):
+        self.command = command
+        self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                        stderr=log)
         self.number = 0
 
     def __enter__(self):

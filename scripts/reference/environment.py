@@ -1,9 +1,13 @@
-"""One virtual environment per engine, made on demand from its pinned requirements."""
+"""How an engine is started: one virtual environment per Python engine, made on demand from its pinned
+requirements, and one program per version of Rapier, built with cargo."""
 
 import hashlib
 import shutil
 import subprocess
 import sys
+
+
+RAPIER_VERSION = "v0_36"  # of the stored motions
 
 
 class NotInstalled(Exception):
@@ -43,3 +47,37 @@ def python_of(engine, scripts, root, report):
             raise NotInstalled(lines[-1])
     (folder / "installed").write_text(stamp_of(requirements))
     return python
+
+
+def rapier_program(scripts, version):
+    """The adapter built against one version of Rapier; it need not be there."""
+    return scripts / "engines" / "rapier" / "target" / version / "release" / "moreau-engine-rapier"
+
+
+def build_rapier(scripts, version, report):
+    """Build the adapter against one version of Rapier; raises NotInstalled when cargo cannot."""
+    report(f"rapier: building {version}")
+    folder = scripts / "engines" / "rapier"
+    done = subprocess.run(
+        ["cargo", "build", "--release", "--quiet", "--manifest-path", str(folder / "Cargo.toml"),
+         "--no-default-features", "--features", version,
+         "--target-dir", str(folder / "target" / version)])
+    if done.returncode != 0:
+        raise NotInstalled(f"cargo could not build {version}")
+
+
+def is_installed(engine, scripts, root):
+    """Whether the adapter of `engine` can be started without installing anything."""
+    if engine == "rapier":
+        return rapier_program(scripts, RAPIER_VERSION).exists()
+    return is_current(engine, scripts, root)
+
+
+def command_of(engine, scripts, root, report):
+    """The command that starts the adapter of `engine`, which is installed when missing."""
+    if engine != "rapier":
+        python = python_of(engine, scripts, root, report)
+        return [str(python), str(scripts / "engines" / f"{engine}.py")]
+    if not is_installed(engine, scripts, root):
+        build_rapier(scripts, RAPIER_VERSION, report)
+    return [str(rapier_program(scripts, RAPIER_VERSION))]

@@ -1,13 +1,15 @@
 """What the pinned packages themselves hold: names of files, lines of source, default settings.
 
-Of Pinocchio the wheel in its environment is asked, whose files include the headers.  Bullet's
-wheel has no sources, so its source distribution is downloaded with pip, once, and read unpacked.
+Of Pinocchio the wheel in its environment is asked, whose files include the headers, and of DART its
+wheel, which has no sources but tells its defaults.  Bullet's wheel has no sources either, so its
+source distribution is downloaded with pip, once, and read unpacked.  Cargo keeps Rapier's sources.
 """
 
 import json
 import re
 import subprocess
 import tarfile
+from pathlib import Path
 
 # engine → (package, what is read, names of files, expressions whose lines are kept)
 SUBJECTS = {
@@ -23,6 +25,13 @@ SUBJECTS = {
                                                      r"numIterations) = [0-9]",
             r"/bt(SequentialImpulse|MultiBody)ConstraintSolver\.cpp$":
                 r"velocityError = restitution - rel_vel;"}),
+    "dart": ("dartpy", "wheel", (r"^tests/unit/constraint/test_", r"\.dist-info/licenses/"), {}),
+    "rapier": ("rapier3d-f64", "crate", (
+        r"/solver/(velocity_solver|staged_island_solver/solve)\.rs$",
+        r"/contact_constraint/contact_with_(coulomb|twist)_friction\.rs$"), {
+            r"/dynamics/integration_parameters\.rs$":
+                r"(natural_frequency|damping_ratio): N::splat|"
+                r"(num_\w+_iterations|normalized_\w+|warmstart_coefficient): [0-9]"}),
 }
 
 ASK_WHEEL = """
@@ -38,9 +47,26 @@ print(json.dumps({"solve_ncp": settings.solve_ncp, "mu_prox": settings.mu_prox,
                   "admm_update_rule": str(settings.admm_update_rule).lower().split(".")[-1]}))
 """
 
+ASK_DART = """
+import dartpy, json
+world = dartpy.simulation.World()
+solver = world.getConstraintSolver()
+node = dartpy.dynamics.Skeleton("").createFreeJointAndBodyNodePair()[1]
+shape = node.createShapeNode(dartpy.dynamics.SphereShape(1.0))
+shape.createDynamicsAspect()
+surface = shape.getDynamicsAspect()
+print(json.dumps({"time_step": world.getTimeStep(),
+                  "solver": type(solver.getBoxedLcpSolver()).__name__,
+                  "collision_detector": solver.getCollisionDetector().getType(),
+                  "split_impulse": solver.isSplitImpulseEnabled(),
+                  "friction": surface.getFrictionCoeff(),
+                  "restitution": surface.getRestitutionCoeff()}))
+"""
+ASK = {"pinocchio": ASK_PINOCCHIO, "dart": ASK_DART}
 
-def _run(python, *arguments):
-    done = subprocess.run([str(python), *arguments], capture_output=True, text=True)
+
+def _run(program, *arguments):
+    done = subprocess.run([str(program), *arguments], capture_output=True, text=True)
     if done.returncode != 0:
         raise ValueError((done.stderr or done.stdout).strip().splitlines()[-1])
     return done.stdout
@@ -57,31 +83,51 @@ def _source(python, package, root):
     return version, archive
 
 
-def _lines(archive, patterns):
-    """[{file, text}] of the lines that the patterns ask for, in the archive's order of names."""
-    found = []
+def _archive(archive, patterns):
+    """(names, texts of those that a pattern looks into) of an archive."""
+    texts = {}
     with tarfile.open(archive) as tar:
-        for member in sorted(tar.getmembers(), key=lambda member: member.name):
-            for name, line in patterns.items():
-                if member.isfile() and re.search(name, member.name):
-                    text = tar.extractfile(member).read().decode("utf-8", "replace")
-                    found += [{"file": member.name, "text": part.split("//")[0].strip()}
-                              for part in text.splitlines() if re.search(line, part)]
-    return found
+        for member in tar.getmembers():
+            if member.isfile() and any(re.search(name, member.name) for name in patterns):
+                texts[member.name] = tar.extractfile(member).read().decode("utf-8", "replace")
+        return tar.getnames(), texts
 
 
-def package(engine, python, root):
-    """The document `package/1` of an engine."""
+def _crate(name, patterns):
+    """(version, names, texts of those that a pattern looks into) of the source that cargo keeps."""
+    manifest = Path(__file__).resolve().parents[1] / "engines" / "rapier" / "Cargo.toml"
+    told = json.loads(_run("cargo", "metadata", "--format-version", "1", "--locked", "--manifest-path",
+                           str(manifest)))
+    crate = next(one for one in told["packages"] if one["name"] == name)
+    root = Path(crate["manifest_path"]).parent
+    files = {f"{root.name}/{path.relative_to(root).as_posix()}": path
+             for path in root.rglob("*") if path.is_file()}
+    texts = {file: path.read_text(encoding="utf-8") for file, path in files.items()
+             if any(re.search(pattern, file) for pattern in patterns)}
+    return crate["version"], list(files), texts
+
+
+def _lines(texts, patterns):
+    """[{file, text}] of the lines that the patterns ask for, in the order of the files' names."""
+    return [{"file": file, "text": part.split("//")[0].strip()}
+            for file, text in sorted(texts.items())
+            for name, line in patterns.items() if re.search(name, file)
+            for part in text.splitlines() if re.search(line, part)]
+
+
+def package(engine, command):
+    """The document `package/1` of an engine whose adapter is started by the command."""
     name, kind, names, patterns = SUBJECTS[engine]
+    settings, texts = {}, {}
     if kind == "wheel":
-        version, files = json.loads(_run(python, "-c", ASK_WHEEL, name))
-        lines, settings = [], json.loads(_run(python, "-c", ASK_PINOCCHIO))
+        version, files = json.loads(_run(command[0], "-c", ASK_WHEEL, name))
+        settings = json.loads(_run(command[0], "-c", ASK[engine]))
+    elif kind == "crate":
+        version, files, texts = _crate(name, patterns)
     else:
-        version, archive = _source(python, name, root)
-        with tarfile.open(archive) as tar:
-            files = tar.getnames()
-        lines, settings = _lines(archive, patterns), {}
+        version, archive = _source(command[0], name, Path(command[0]).parents[2])
+        files, texts = _archive(archive, patterns)
     kept = sorted(file for file in files if any(re.search(pattern, file) for pattern in names))
     return {"schema": "package/1", "package": name, "version": version, "read": kind,
-            "files": kept, "lines": lines, "settings": settings,
+            "files": kept, "lines": _lines(texts, patterns), "settings": settings,
             "provenance": {"script": "scripts/generate_references.py", "engine": engine}}

@@ -13,6 +13,7 @@ D       the engine's stopping tolerance.  MuJoCo: the largest change of the kind
         tolerance is halved for the whole run (0 when that changes no iteration).  Drake, whose
         tolerances Python cannot change: the whole change under δ, which is ten million times
         rounding and so changes the number of iterations in more steps than rounding can.
+        DART and Rapier stop at no tolerance: 0.
 8       headroom: A and D are measured on one perturbation each.
 64 ε    forming the number itself, out of terms of size s: a velocity at rest, 1e-17 m/s, is the
         difference of two that are not.

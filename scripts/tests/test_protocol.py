@@ -95,7 +95,7 @@ class Process(unittest.TestCase):
             script = Path(folder) / "adapter.py"
             script.write_text(ADAPTER.format(engines=str(SCRIPTS / "engines")))
             with open(Path(folder) / "log", "wb") as log, \
-                    Engine(sys.executable, script, log) as engine:
+                    Engine([sys.executable, str(script)], log) as engine:
                 self.assertEqual(engine.ask("noisy"), {"ok": True})
                 with self.assertRaisesRegex(EngineError, "unsupported"):
                     engine.ask("describe")

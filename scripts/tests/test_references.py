@@ -178,7 +178,9 @@ class Packages(unittest.TestCase):
                     member = tarfile.TarInfo(name)
                     member.size = len(text)
                     tar.addfile(member, io.BytesIO(text))
-            found = packages._lines(archive, {r"/x\.h$": r"a = "})
+            names, texts = packages._archive(archive, {r"/x\.h$": r"a = "})
+        self.assertEqual((names, list(texts)), (["p/x.h", "p/y.h"], ["p/x.h"]))
+        found = packages._lines(texts, {r"/x\.h$": r"a = "})
         self.assertEqual(found, [{"file": "p/x.h", "text": "a = 1;"}])
 
 

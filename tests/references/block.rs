@@ -21,26 +21,26 @@ use moreau::closed_forms::mujoco_creep::HeldBody;
 use moreau::closed_forms::regularised_friction::FrictionCurve;
 use moreau::tolerance::references as tolerance;
 use moreau::trajectory::Trajectory;
-use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Matrix2, Matrix3, Quaternion, UnitQuaternion, Vector3};
 use serde_json::Value;
 
 /// The block in the frame of its incline at one sample.
-struct Block {
-    normal: Vector3<f64>,
+pub struct Block {
+    pub normal: Vector3<f64>,
     /// Down the slope.
-    slope: Vector3<f64>,
-    position: Vector3<f64>,
-    velocity: Vector3<f64>,
-    rotation: Matrix3<f64>,
-    half: Vector3<f64>,
-    mass: f64,
+    pub slope: Vector3<f64>,
+    pub position: Vector3<f64>,
+    pub velocity: Vector3<f64>,
+    pub rotation: Matrix3<f64>,
+    pub half: Vector3<f64>,
+    pub mass: f64,
     /// g sin α and g cos α \[m/s²\].
-    pull: f64,
-    press: f64,
+    pub pull: f64,
+    pub press: f64,
 }
 
 impl Block {
-    fn at(trajectory: &Trajectory, sample: usize) -> Result<Self, Failed> {
+    pub fn at(trajectory: &Trajectory, sample: usize) -> Result<Self, Failed> {
         let (scene, track) = (&trajectory.scene, &trajectory.bodies[0]);
         let normal = Vector3::from(scene.ground.ok_or("the scene has a ground")?.normal);
         let gravity = Vector3::from(scene.gravity);
@@ -60,13 +60,32 @@ impl Block {
     }
 
     /// Levers \[m\] of the four lower corners, each coordinate shortened by `inset` sideways.
-    fn corners(&self, inset: f64) -> [Vector3<f64>; 4] {
+    pub fn corners(&self, inset: f64) -> [Vector3<f64>; 4] {
         [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]]
             .map(|[x, y]| self.rotation * Vector3::new(x * (self.half.x - inset), y * (self.half.y - inset), -self.half.z))
     }
 
     fn depth(&self, lever: &Vector3<f64>) -> f64 {
         -(self.position + lever).dot(&self.normal)
+    }
+
+    /// Principal moments of inertia of the solid block \[kg·m²\].
+    pub fn inertia(&self) -> Vector3<f64> {
+        let square = self.half.map(|half| half * half);
+        Vector3::new(square.y + square.z, square.x + square.z, square.x + square.y) * (self.mass / 3.0)
+    }
+
+    /// R diag(J) Rᵀ.
+    fn world_inertia(&self) -> Matrix3<f64> {
+        self.rotation * Matrix3::from_diagonal(&self.inertia()) * self.rotation.transpose()
+    }
+
+    /// K \[1/kg\]: the tangential velocity of a point at the lever, down the slope and across, per impulse there.
+    pub fn tangential_response(&self, lever: &Vector3<f64>) -> Matrix2<f64> {
+        let inverse = self.world_inertia().try_inverse().unwrap_or_else(|| Matrix3::repeat(f64::NAN));
+        let tangents = [self.slope, self.normal.cross(&self.slope)];
+        let turned = tangents.map(|tangent| lever.cross(&tangent));
+        Matrix2::from_fn(|i, j| tangents[i].dot(&tangents[j]) / self.mass + turned[i].dot(&(inverse * turned[j])))
     }
 }
 
@@ -109,9 +128,7 @@ fn mujoco_creep(trajectory: &Trajectory, block: &Block, friction: f64, pyramidal
 /// σ h m g sin α / Σ 1/w_i, with the mass matrix of the tilted block in world axes and corner spheres of the stored radius.
 fn sap_creep(trajectory: &Trajectory, block: &Block) -> f64 {
     let radius = trajectory.engine.options.get("corner_radius").and_then(Value::as_f64).unwrap_or(0.0);
-    let square = block.half.map(|half| half * half);
-    let inertia = Vector3::new(square.y + square.z, square.x + square.z, square.x + square.y) * (block.mass / 3.0);
-    let world = block.rotation * Matrix3::from_diagonal(&inertia) * block.rotation.transpose();
+    let world = block.world_inertia();
     let means = block.corners(radius).map(|lever| diagonal_mean(block.mass, world.diagonal(), lever));
     shared_creep(trajectory.time_step, &means, block.mass * block.pull)
 }

@@ -8,7 +8,8 @@ use serde_json::Value;
 use std::path::Path;
 
 /// The engine versions the repository pins.
-pub const VERSIONS: [(&str, &str); 4] = [("mujoco", "3.17.0"), ("drake", "1.51.1"), ("bullet", "3.2.7"), ("pinocchio", "4.1.0")];
+pub const VERSIONS: [(&str, &str); 6] =
+    [("mujoco", "3.17.0"), ("drake", "1.51.1"), ("bullet", "3.2.7"), ("pinocchio", "4.1.0"), ("dart", "6.20.0"), ("rapier", "0.36.1")];
 
 /// One stored file.
 pub struct Document {

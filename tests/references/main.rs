@@ -10,10 +10,13 @@ mod block;
 mod bullet;
 mod contact_dimensions;
 mod convexity;
+mod dart;
 mod document;
 mod dumps;
 mod dumps_native;
 mod momentum;
+mod planted;
+mod rapier;
 mod replay;
 mod siconos;
 mod soft_motion;
@@ -29,7 +32,7 @@ use std::path::{Path, PathBuf};
 fn main() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("references");
     let mut trials = Vec::new();
-    for engine in ["mujoco", "drake", "bullet", "pinocchio"] {
+    for engine in ["mujoco", "drake", "bullet", "pinocchio", "dart", "rapier"] {
         for file in stored(&root.join(engine)) {
             let stem = file.file_name().map(|name| name.to_string_lossy().replace(".json", "")).unwrap_or_default();
             trials.push(Trial::test(format!("{engine}/{stem}"), move || judge(&file)));

@@ -1,7 +1,7 @@
 //! A stored motion: what every engine owes, then what its own contact model predicts for the scene.
 
 use crate::document::Document;
-use crate::{ball, block, bullet, momentum, replay, soft_motion, stack};
+use crate::{ball, block, bullet, dart, momentum, rapier, replay, soft_motion, stack};
 use libtest_mimic::Failed;
 use moreau::checks::Finding;
 use moreau::trajectory::Trajectory;
@@ -10,9 +10,14 @@ use moreau::trajectory::Trajectory;
 pub fn check(document: &Document) -> Result<Vec<Finding>, Failed> {
     let trajectory = Trajectory::from_json(&document.text)?;
     let mut findings = sampling(document, &trajectory)?;
-    if document.engine() == "bullet" {
-        findings.extend(bullet::check(document, &trajectory)?);
-        return Ok(findings);
+    let whole = match document.engine() {
+        "bullet" => Some(bullet::check(document, &trajectory)?),
+        "dart" => Some(dart::check(document, &trajectory)?),
+        "rapier" => Some(rapier::check(document, &trajectory)?),
+        _ => None,
+    };
+    if let Some(own) = whole {
+        return Ok([findings, own].concat());
     }
     findings.extend(momentum::check(document, &trajectory)?);
     findings.extend(soft_motion::check(document, &trajectory)?);
