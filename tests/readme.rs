@@ -23,7 +23,7 @@ fn the_readme_states_the_verdict_counts_of_the_registry() {
 #[test]
 fn the_readme_states_the_number_of_stored_runs() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("references");
-    let engines = ["mujoco", "drake", "siconos", "bullet", "pinocchio"];
+    let engines = ["mujoco", "drake", "siconos", "bullet", "pinocchio", "dart", "rapier"];
     let files = engines.map(|engine| std::fs::read_dir(root.join(engine)).expect("the folder is packed").count());
     let expected = format!("({} stored runs, single steps and answers, one named test each)", files.iter().sum::<usize>());
     assert!(README.contains(&expected), "README.md should say: {expected}");
