@@ -145,16 +145,23 @@ class World:
             self._check_on_ground(position)
             yield position, (w, x, y, z), *self._call("getBaseVelocity", handle)
 
-    def step(self):
-        """One step and its contacts."""
+    def points(self):
+        """One step and its contact points in the order in which it took them: the bodies a and b,
+        the points on them, the normal from b to a, the distance, the impulse on a."""
         self._call("stepSimulation")
         for point in self._call("getContactPoints"):
-            _, a, b, _, _, _, _, normal, distance, force, along1, tangent1, along2, tangent2 = point
+            (_, a, b, _, _, on_a, on_b, normal, distance,
+             force, along1, tangent1, along2, tangent2) = point
             if distance > self.values["processing_threshold"]:
                 continue  # it keeps the impulse of an earlier step
-            yield self.names[a], self.names[b], normal, [
+            yield self.names[a], self.names[b], on_a, on_b, normal, distance, [
                 self.time_step * (force * n + along1 * s + along2 * t)
                 for n, s, t in zip(normal, tangent1, tangent2)]
+
+    def step(self):
+        """One step and its contacts."""
+        for a, b, _, _, normal, _, impulse in self.points():
+            yield a, b, normal, impulse
 
     def _check_on_ground(self, position):
         if self.ground is None or self.values["ground_shape"] == "plane":
@@ -178,5 +185,44 @@ def simulate(request):
         world.close()
 
 
+def _point(a, on_a, on_b, normal, distance, impulse):
+    """A contact point seen from the body that is not the ground."""
+    if a != GROUND:
+        return {"position": list(on_a), "normal": list(normal), "distance": distance,
+                "impulse": impulse}
+    return {"position": list(on_b), "normal": [-x for x in normal], "distance": distance,
+            "impulse": [-x for x in impulse]}
+
+
+def steps(request):
+    """{scene, time_step, steps, options} → bullet-steps/1: the states of a single body at the start
+    and after every step, and the contact points of every step."""
+    scene = request["scene"]
+    if len(scene["bodies"]) != 1:
+        raise Unsupported("bullet-steps/1 holds a single body")
+    values = in_force("bullet", PARAMETERS, OPTIONS, request, FIXED)
+    world = World(scene, request["time_step"], values)
+    body = {"position": [], "orientation": [], "linear_velocity": [], "angular_velocity": []}
+    points = []
+
+    def store():
+        for key, value in zip(body, next(world.states())):
+            body[key].append(list(value))
+
+    try:
+        store()
+        for _ in range(request["steps"]):
+            made = [_point(a, on_a, on_b, normal, distance, impulse) for
+                    a, _, on_a, on_b, normal, distance, impulse in world.points()]
+            points.append({key: [one[key] for one in made] for key in
+                           ("position", "normal", "distance", "impulse")})
+            store()
+    finally:
+        world.close()
+    return {"schema": "bullet-steps/1", "scene": scene, "time_step": request["time_step"],
+            "engine": {"name": "bullet", "version": VERSION, "options": values},
+            "bodies": body, "native": {"points": points}}
+
+
 if __name__ == "__main__":
-    serve({"describe": describe, "simulate": simulate})
+    serve({"describe": describe, "simulate": simulate, "steps": steps})

@@ -47,12 +47,16 @@ def ask(engine, job, scene, options):
     fields = {"scene": scene, "time_step": job.time_step, "options": options}
     if job.is_dump:
         return engine.ask("dump", step=job.step, **fields)
+    if job.steps:
+        return engine.ask("steps", steps=job.steps, **fields)
     return engine.ask("simulate", sample_every=job.sample_every, **fields)
 
 
 def steps_of(job, scene):
     """Steps the engine makes for the file."""
-    return job.step + 1 if job.is_dump else round(scene["duration"] / job.time_step)
+    if job.is_dump:
+        return job.step + 1
+    return job.steps or round(scene["duration"] / job.time_step)
 
 
 def document(engine, job, scene, description):
@@ -66,12 +70,13 @@ def document(engine, job, scene, description):
         "script": "scripts/generate_references.py", "script_version": SCRIPT_VERSION,
         "engine": description["name"], "version": description["version"],
         "scene": f"scenes/{job.scene}.json", "config": job.config,
-        "request": "dump" if job.is_dump else "simulate", "options": job.options,
+        "request": "dump" if job.is_dump else "steps" if job.steps else "simulate",
+        "options": job.options,
         "time_step": job.time_step, "steps": steps_of(job, scene),
     }
     if job.is_dump:
         result["provenance"]["step"] = job.step
-    else:
+    elif not job.steps:
         result["provenance"]["sample_every"] = job.sample_every
     return result
 

@@ -1,7 +1,8 @@
 """Which files exist: scene × engine configuration × time step, and which steps are dumped.
 
 Trajectories are called `<scene>__<config>__h<step>.json`; a dump of the step from t = k h to
-(k+1) h is called `<scene>__<config>__h<step>__step<k>.dump.json`.  A solver's answer to a problem
+(k+1) h is called `<scene>__<config>__h<step>__step<k>.dump.json`, a motion with the contact points
+of every step `<scene>__<config>__h<step>.steps.json`.  A solver's answer to a problem
 is called `<problem>.json`.
 """
 
@@ -23,6 +24,7 @@ class Job:
     time_step: float
     sample_every: int = 0
     step: int = -1
+    steps: int = 0
     options: dict = field(default_factory=dict)
 
     @property
@@ -36,6 +38,8 @@ class Job:
         name = f"{self.scene}__{self.config}__h{self.time_step:g}"
         if self.is_dump:
             name += f"__step{self.step}.dump"
+        elif self.steps:
+            name += ".steps"
         return f"{self.engine}/{name}.json"
 
 
@@ -140,6 +144,34 @@ def _bullet():
                 yield Job("bullet", scene, config, h, sample_every=2, options=BULLET[config])
 
 
+def _sweeps(count):
+    return {"ground_shape": "box", "residual_threshold": 0.0, "iterations": count}
+
+
+RIGID = {"ground_shape": "box", "maximal_coordinates": True, "rigid_ground": True}
+BULLET_STEPS = (
+    ("block_slide", "box-default", BULLET["box-default"], 1e-2, 100),
+    ("block_slide", "box-default", BULLET["box-default"], 5e-3, 100),
+    ("block_slide", "box-1-sweep", _sweeps(1), 1e-2, 20),
+    ("block_slide", "box-5-sweeps", _sweeps(5), 1e-2, 20),
+    ("block_stick", "box-default", BULLET["box-default"], 1e-2, 30),
+    ("block_stick", "box-default", BULLET["box-default"], 5e-3, 30),
+    ("block_stick", "rigid-cold", {**RIGID, "iterations": 3, "warm_starting_factor": 0.0}, 1e-2, 20),
+    ("block_stick", "rigid-warm", {**RIGID, "iterations": 3, "warm_starting_factor": 0.85}, 1e-2, 20),
+    ("block_oblique", "box-default", BULLET["box-default"], 5e-3, 40),
+    ("block_oblique", "pyramid", {"ground_shape": "box", "cone_friction": False}, 5e-3, 40),
+    ("block_oblique", "rigid", RIGID, 5e-3, 40),
+    ("block_landing", "pyramid", {**BULLET["box"], "cone_friction": False}, 1e-2, 2),
+    ("block_landing", "box", BULLET["box"], 1e-2, 2),
+    ("ball_oblique", "pyramid", {"ground_shape": "box", "cone_friction": False}, 1e-2, 12),
+)
+
+
+def _bullet_steps():
+    for scene, config, options, h, steps in BULLET_STEPS:
+        yield Job("bullet", scene, config, h, steps=steps, options=options)
+
+
 # Far below the default 1e-6 and 1e-10 of Pinocchio and of its adapter, so that the answer and not
 # the stopping rule is stored; the relative rule would end an iteration that has not converged.
 PINOCCHIO = {"tolerance": 1e-13, "relative_tolerance": 1e-16, "iterations": 200000}
@@ -205,4 +237,4 @@ def all_jobs():
     motions = [job for job in (*_mujoco(), *_drake(), *_dart(), *_rapier()) if job.is_dump or
                (job.engine, job.scene, job.config, job.time_step) not in NOT_REPRODUCIBLE]
     packages = [Package(engine) for engine in SUBJECTS]
-    return [*motions, *_bullet(), *_pinocchio(), *packages]
+    return [*motions, *_bullet(), *_bullet_steps(), *_pinocchio(), *packages]

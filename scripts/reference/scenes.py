@@ -33,6 +33,12 @@ def _box(name, half_extents, position, orientation=(1.0, 0.0, 0.0, 0.0)):
             "linear_velocity": [0.0] * 3, "angular_velocity": [0.0] * 3}
 
 
+def _kicked(body, speed):
+    """The body sliding at 30 degrees to the x axis."""
+    angle = math.pi / 6
+    return {**body, "linear_velocity": [speed * math.cos(angle), speed * math.sin(angle), 0.0]}
+
+
 def _block_on_incline(name, description, friction):
     half_height = 0.05
     position = [x * (half_height + START_GAP) for x in TILTED["normal"]]
@@ -79,6 +85,17 @@ def all_scenes():
                           "it must not move.", 0.5),
         _block_on_incline("block_slide", "A 1 kg block on a 20 degree incline; 0.3 < tan 20: "
                           "it slides with g (sin - 0.3 cos) = 0.58970 m/s2.", 0.3),
+        _scene("block_oblique", "A 1 kg block slides on the level at 30 degrees to the x axis, "
+               "0.5 m/s.", LEVEL, [_kicked(_box("block", [0.1, 0.1, 0.05],
+                                                [0.0, 0.0, 0.05 + START_GAP]), 0.5)],
+               0.1, 0.4, {}),
+        _scene("ball_oblique", "A 1 kg sphere starts to slide on the level at 30 degrees to the x "
+               "axis, 1 m/s.", LEVEL, [_kicked(_ball(START_GAP), 1.0)], 0.3, 0.4, {}),
+        _scene("block_landing", "A 1 kg block, 0.1 mm deep, turns about all its axes as it lands: a "
+               "corner is pressed and then lifted by the others.", LEVEL,
+               [{**_box("block", [0.1, 0.1, 0.05], [0.0, 0.0, 0.0499]),
+                 "linear_velocity": [-0.17, -0.28, 0.12],
+                 "angular_velocity": [1.9, 2.8, 0.68]}], 0.5, 0.1, {}),
         _scene("five_box_stack", "Five 1 kg boxes, each a little narrower, stand on each other.", LEVEL,
                _five_boxes(), 0.5, 1.0,
                {"drake": {"stiffness": 1e5, "dissipation": 20.0, "relaxation_time": 0.005}}),

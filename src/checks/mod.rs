@@ -2,6 +2,7 @@
 //!
 //! A check derives its expected value from a closed form, exact arithmetic or a proven bound – never from the subject.
 
+pub mod bullet_steps;
 pub mod cone_projection;
 pub mod convergence;
 pub mod delassus;

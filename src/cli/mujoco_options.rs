@@ -1,14 +1,14 @@
-//! Cone and softness of mujoco on the command line.
+//! Cone and softness of mujoco on the command line; the cone is bullet's, too.
 
 use super::scheme_options::{Owned, option};
-use crate::schemes::Mujoco;
 use crate::schemes::mujoco::{Cone, Softness};
+use crate::schemes::{Friction, Mujoco};
 use crate::{Error, Result};
 
 /// One option per parameter of [`Mujoco`].
 #[derive(clap::Args)]
 pub struct MujocoOptions {
-    /// Friction cone of mujoco in space: pyramidal (default) or elliptic.
+    /// Friction cone in space, pyramidal or elliptic, of mujoco (pyramidal by default) or bullet (elliptic by default).
     #[arg(long, value_name = "NAME")]
     cone: Option<String>,
     /// solref of mujoco: time constant [s] and damping ratio, or −stiffness [1/s²] and −damping [1/s].
@@ -30,7 +30,7 @@ impl MujocoOptions {
     pub fn owned(&self) -> [Owned; 5] {
         let of = |option, given| Owned { option, given, owners: &["mujoco"] };
         [
-            of("--cone", self.cone.is_some()),
+            Owned { option: "--cone", given: self.cone.is_some(), owners: &["mujoco", "bullet"] },
             of("--solref", self.solref.is_some()),
             of("--solimp", self.solimp.is_some()),
             of("--impratio", self.impratio.is_some()),
@@ -54,6 +54,15 @@ impl MujocoOptions {
                 ..softness
             },
         })
+    }
+
+    /// Bullet's friction under the cone of this name, its round one unless given.
+    ///
+    /// # Errors
+    /// An unknown cone.
+    pub fn friction(&self) -> Result<Friction> {
+        let cone = self.cone.as_deref().map_or(Ok(Cone::Elliptic), Cone::by_name).map_err(option)?;
+        Ok(if cone == Cone::Elliptic { Friction::Cone } else { Friction::Pyramid })
     }
 }
 

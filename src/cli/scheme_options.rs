@@ -3,7 +3,7 @@
 use super::drake_options::DrakeOptions;
 use super::mujoco_options::MujocoOptions;
 use super::near::suggestion;
-use crate::schemes::{self, Activation, Parameters, RestitutionRule, Scheme};
+use crate::schemes::{self, Activation, Bullet, Parameters, RestitutionRule, Scheme};
 use crate::{Error, Result};
 
 /// The options of all schemes; one that does nothing in the chosen scheme is an error.
@@ -118,6 +118,7 @@ impl SchemeOptions {
             sweeps: self.sweeps.or(default.sweeps),
             shortest_flight: self.shortest_flight.unwrap_or(default.shortest_flight),
             mujoco: self.mujoco.mujoco()?,
+            bullet: Bullet { friction: self.mujoco.friction()?, ..default.bullet },
             drake: self.drake.material(),
         })
     }

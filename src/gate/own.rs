@@ -204,6 +204,7 @@ fn laws(solver: &str) -> Vec<String> {
     let names: &[&str] = match solver {
         "auto" => &["frictionless", "coulomb", "associated", "polyhedral-coulomb", "polyhedral-associated"],
         "pgs" => &["frictionless", "coulomb", "associated", "polyhedral-coulomb"],
+        "sequential-impulses" => &["frictionless", "coulomb"],
         "lemke" => &["frictionless", "polyhedral-coulomb", "polyhedral-associated"],
         "apgd" | "bb" => &["frictionless", "associated"],
         "psor" | "admm" => &["frictionless", "coulomb", "associated"],

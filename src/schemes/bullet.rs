@@ -5,8 +5,8 @@
 //!     −s = ē |u_n| − d/h        while d = φ + slop > 0 ,
 //!     −s = ē |u_n| − ERP d/h    afterwards ,          ē = e if u_n ≤ −v_t, and 0 below that threshold .
 //! ```
-//! Contacts take part up to the gap `margin`. Bullet solves the problem by at most 50 sweeps of sequential impulses (Gauss–Seidel, normals first, then
-//! friction with the bound μ r_n of the moment); the scheme asks its solver for the answer that these sweeps tend to.
+//! Contacts take part up to the gap `margin`. Bullet solves the problem by at most 50 sweeps of [`crate::solvers::SequentialImpulses`]; with that
+//! solver the scheme takes Bullet's steps, with another one those that the sweeps tend to.
 //!
 //! **Two families of bodies**, and they step differently ([`Bodies`]). Multibodies, PyBullet's default: u_n = H v_free, the velocity after the
 //! forces, so that an elastic ball gains g h in every impact; w = 0, whatever `useSplitImpulse` says. Rigid bodies: u_n = H v, before the forces;
@@ -16,8 +16,9 @@
 //! ```
 //! the body moves without being given a velocity. Either way the depth shrinks by the factor 1 − ERP in every step.
 //!
-//! Boxed friction, |r_t₁| ≤ μ r_n and |r_t₂| ≤ μ r_n, each against its own slip, is the polyhedral law with four directions in tangents turned by 45° and
-//! with √2 μ; in the plane box and cone are one. PyBullet takes the cone unless told otherwise, and so does this scheme.
+//! **Friction** ([`Friction`]) of multibodies is the round cone unless told otherwise, of rigid bodies always boxed: |r_t₁| ≤ μ r_n and |r_t₂| ≤ μ r_n, each
+//! against its own slip. A box is the polyhedral law with four directions in tangents turned by 45° and with √2 μ; which tangents, says `tangents.rs`.
+//! In the plane box and cone are one.
 
 use super::assembly::{self, Candidate, Rules, normal_only};
 use super::{Scheme, StepProblem};
@@ -28,6 +29,18 @@ use crate::problem::{ContactProblem, Law};
 use crate::solvers::{ContactSolver, ProjectedGaussSeidel};
 use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
+
+mod tangents;
+
+/// How friction of multibodies is bounded (`enableConeFriction`).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Friction {
+    /// ‖r_t‖ ≤ μ r_n.
+    #[default]
+    Cone,
+    /// |r_t₁|, |r_t₂| ≤ μ r_n: along the diagonals √2 times as much.
+    Pyramid,
+}
 
 /// Which of Bullet's two families of bodies steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -48,6 +61,8 @@ pub enum Bodies {
 pub struct Bullet {
     /// Multibodies or rigid bodies.
     pub bodies: Bodies,
+    /// The cone of multibodies.
+    pub friction: Friction,
     /// ERP of contacts (`contactERP`), the share of a depth that a step undoes.
     pub error_reduction: f64,
     /// `contactSlop` \[m\]: gaps are counted from this depth on.
@@ -74,7 +89,14 @@ pub fn sphere_margin(radius: f64) -> f64 {
 impl Default for Bullet {
     /// PyBullet's values, and the margin of a sphere of 0.1 m, 3.5 mm.
     fn default() -> Self {
-        Bullet { bodies: Bodies::Multi, error_reduction: 0.08, slop: 0.000_01, restitution_threshold: 0.2, margin: sphere_margin(0.1) }
+        Bullet {
+            bodies: Bodies::Multi,
+            friction: Friction::Cone,
+            error_reduction: 0.08,
+            slop: 0.000_01,
+            restitution_threshold: 0.2,
+            margin: sphere_margin(0.1),
+        }
     }
 }
 
@@ -99,6 +121,11 @@ impl Bullet {
     /// Whether split impulses undo this contact's depth.
     fn is_split(&self, contact: &Contact) -> bool {
         self.bodies == Bodies::Rigid && contact.gap + self.slop <= SPLIT_DEPTH
+    }
+
+    /// Whether friction is bounded row by row.
+    fn is_boxed(&self) -> bool {
+        self.bodies == Bodies::Rigid || self.friction == Friction::Pyramid
     }
 
     /// w of the module's equations; zero without deep contacts \[m/s\].
@@ -151,19 +178,25 @@ impl Rules for Bullet {
     }
 
     fn law(&self, rows_per_contact: usize) -> Law {
-        if rows_per_contact == 1 { Law::Frictionless } else { Law::Coulomb }
+        match rows_per_contact {
+            1 => Law::Frictionless,
+            3 if self.is_boxed() => Law::PolyhedralCoulomb { directions: 4 },
+            _ => Law::Coulomb,
+        }
     }
 }
 
 impl Scheme for Bullet {
     fn name(&self) -> String {
         let bodies = if self.bodies == Bodies::Multi { "multi" } else { "rigid" };
-        format!("bullet bodies={bodies} erp={} slop={} margin={}", self.error_reduction, self.slop, self.margin)
+        let friction = if self.is_boxed() { "pyramid" } else { "cone" };
+        format!("bullet bodies={bodies} friction={friction} erp={} slop={} margin={}", self.error_reduction, self.slop, self.margin)
     }
 
     fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
         self.validate()?;
-        let assembled = assembly::assemble("bullet", self, mechanism, state, h)?;
+        let mut assembled = assembly::assemble("bullet", self, mechanism, state, h)?;
+        tangents::turn(&mut assembled, self.bodies, self.is_boxed());
         // here an error can be told, in `advance` it cannot
         self.push(mechanism, state, h)?;
         Ok(assembled)
@@ -242,27 +275,30 @@ mod tests {
         close(rebound(Bodies::Multi, 0.0035, 0.01), -0.01 - 9.81 * h);
     }
 
+    /// What one step takes off the speed of a block that slides on the level in this direction.
+    fn braked(scheme: &Bullet, slip: [f64; 2]) -> [f64; 2] {
+        let floor = crate::mechanics::Plane::new(dvector![0.0, 0.0, 1.0], 0.0, 0.25, 0.0).expect("a unit normal");
+        let point = PointMass::new("block", 1.0, dvector![0.0, 0.0, -9.81], vec![floor]).expect("valid");
+        let state = run(scheme, &point, dvector![0.0, 0.0, -scheme.slop], dvector![slip[0], slip[1], 0.0], 1.0 / 64.0, 1).swap_remove(1);
+        [slip[0] - state.velocity[0], slip[1] - state.velocity[1]]
+    }
+
     #[test]
-    fn boxed_friction_is_the_law_with_four_directions_in_tangents_turned_by_45_degrees() {
-        // a 3-4-5 slide, W = 1, μ = 0.3: each tangent is braked by μ r_n on its own; the cone brakes along the slip
-        let (mu, free) = (0.3, [-1.0, 0.6, -0.8]);
-        let turn = std::f64::consts::FRAC_1_SQRT_2;
-        let turned = DVector::from_vec(vec![free[0], turn * (free[1] + free[2]), turn * (free[2] - free[1])]);
-        let problem = ContactProblem {
-            name: "box".into(),
-            rows_per_contact: 3,
-            law: Law::PolyhedralCoulomb { directions: 4 },
-            friction: vec![mu * 2f64.sqrt()],
-            free_velocity: turned,
-            shift: DVector::zeros(3),
-            delassus: DMatrix::identity(3, 3),
-            compliance: None,
-            dynamics: None,
+    fn under_the_pyramid_a_block_is_braked_by_mu_g_along_an_axis_and_by_sqrt_2_mu_g_along_a_diagonal() {
+        let (speed, brake) = (3.0, 0.25 * 9.81 / 64.0);
+        let cone = Bullet::default();
+        let pyramid = Bullet { friction: Friction::Pyramid, ..cone };
+        let rigid = Bullet { bodies: Bodies::Rigid, ..cone };
+        let close = |found: [f64; 2], expected: [f64; 2]| {
+            assert!((0..2).all(|i| (found[i] - expected[i]).abs() <= rounding(256, speed)), "{found:?} against {expected:?}");
         };
-        let r = crate::solvers::LemkePivoting.solve(&problem, None).expect("one contact").impulse;
-        let back = [r[0], turn * (r[1] - r[2]), turn * (r[1] + r[2])];
-        for (found, boxed) in back.into_iter().zip([1.0, -mu, mu]) {
-            assert!((found - boxed).abs() <= rounding(64, 1.0), "{back:?}");
+        for scheme in [cone, pyramid, rigid] {
+            close(braked(&scheme, [speed, 0.0]), [brake, 0.0]);
+        }
+        close(braked(&pyramid, [0.6 * speed, 0.8 * speed]), [brake, brake]);
+        // rigid bodies lay their box along the slip, and then it is Coulomb's cone
+        for scheme in [cone, rigid] {
+            close(braked(&scheme, [0.6 * speed, 0.8 * speed]), [0.6 * brake, 0.8 * brake]);
         }
     }
 

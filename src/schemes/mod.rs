@@ -31,7 +31,7 @@ pub mod stewart_trinkle;
 pub mod variational;
 
 pub use anitescu::Anitescu;
-pub use bullet::{Bodies, Bullet};
+pub use bullet::{Bodies, Bullet, Friction};
 pub use chrono::Chrono;
 pub use drake::{DrakeLagged, DrakeSap, DrakeSimilar, DrakeTamsi};
 pub use euler::Euler;

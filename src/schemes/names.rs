@@ -56,6 +56,8 @@ pub struct Parameters {
     pub shortest_flight: f64,
     /// Cone and softness of MuJoCo.
     pub mujoco: Mujoco,
+    /// Bodies, friction and margins of Bullet.
+    pub bullet: Bullet,
     /// Compliant contact of Drake's schemes.
     pub drake: Material,
 }
@@ -74,6 +76,7 @@ impl Default for Parameters {
             sweeps: None,
             shortest_flight: EventDriven::default().shortest_flight,
             mujoco: Mujoco::default(),
+            bullet: Bullet::default(),
             drake: Material::default(),
         }
     }
@@ -84,7 +87,7 @@ impl Default for Parameters {
 /// # Errors
 /// An unknown name (the message lists the known ones), θ outside \[0, 1\], fewer than three directions, a softness that cannot be meant or a material that is none.
 pub fn by_name(name: &str, parameters: Parameters) -> Result<Box<dyn Scheme>> {
-    let Parameters { theta, activation, restitution, directions, spectral_radius, mujoco, drake: material, .. } = parameters;
+    let Parameters { theta, activation, restitution, directions, spectral_radius, mujoco, bullet, drake: material, .. } = parameters;
     material.validate()?;
     match name {
         "moreau-jean" => {
@@ -106,7 +109,10 @@ pub fn by_name(name: &str, parameters: Parameters) -> Result<Box<dyn Scheme>> {
         }
         "anitescu" => Ok(Box::new(Anitescu)),
         "chrono" => Ok(Box::new(Chrono::default())),
-        "bullet" => Ok(Box::new(Bullet::default())),
+        "bullet" => {
+            bullet.validate()?;
+            Ok(Box::new(bullet))
+        }
         "mujoco" => {
             mujoco.validate()?;
             Ok(Box::new(mujoco))

@@ -340,3 +340,22 @@ fn an_answer_that_leaves_the_numbers_is_no_answer() {
         assert!(message.contains(solver.name()), "{message}");
     }
 }
+
+#[test]
+fn sequential_impulses_answer_the_square_as_lemke_does_unless_a_contact_keeps_friction_without_a_normal_impulse() {
+    let (mut same, mut kept) = (0, 0);
+    for seed in 0..60 {
+        let problem = random(Law::PolyhedralCoulomb { directions: 4 }, 3, 3, 12, 2.0, 0.2, seed);
+        let sweeps = SequentialImpulses { sweeps: 20_000, residual: 0.0, ..SequentialImpulses::default() };
+        let solution = sweeps.solve(&problem, None).unwrap();
+        let stale = solution.impulse.as_slice().chunks(3).any(|r| r[0] == 0.0 && (r[1] != 0.0 || r[2] != 0.0));
+        assert_eq!(residuals(&problem, &solution).unwrap().is_solution(1e-8), !stale, "seed {seed}");
+        if stale {
+            kept += 1;
+        } else {
+            agree(&problem, &solution, &certified(&problem, &LemkePivoting));
+            same += 1;
+        }
+    }
+    assert!(same >= 30 && kept >= 1, "{same} agree, {kept} keep friction");
+}

@@ -21,6 +21,7 @@ mod projected_gauss_seidel;
 mod projected_over_relaxation;
 mod reference;
 mod sap;
+mod sequential_impulses;
 mod stopping;
 mod within_step;
 
@@ -34,6 +35,7 @@ pub use projected_gauss_seidel::ProjectedGaussSeidel;
 pub use projected_over_relaxation::ProjectedOverRelaxation;
 pub use reference::{NAMES, Reference, by_name};
 pub use sap::SemiAnalyticPrimal;
+pub use sequential_impulses::SequentialImpulses;
 pub use within_step::WithinStep;
 
 /// An algorithm that proposes a solution of a contact problem.

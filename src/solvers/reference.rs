@@ -2,14 +2,17 @@
 
 use super::stopping::Stopping;
 use super::{AcceleratedProjectedGradient, AlternatingDirections, BarzilaiBorwein, ClarabelPolished, ContactSolver, LemkePivoting};
-use super::{GaussConjugateGradient, GaussNewton, GaussSweeps, ProjectedGaussSeidel, ProjectedOverRelaxation, SemiAnalyticPrimal};
+use super::{
+    GaussConjugateGradient, GaussNewton, GaussSweeps, ProjectedGaussSeidel, ProjectedOverRelaxation, SemiAnalyticPrimal, SequentialImpulses,
+};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::solvers::FIRST_SWEEPS;
 use crate::{Error, Result};
 use nalgebra::DVector;
 
 /// The names [`by_name`] knows.
-pub const NAMES: [&str; 12] = ["auto", "lemke", "pgs", "psor", "apgd", "bb", "admm", "clarabel", "newton", "cg", "gauss-pgs", "sap"];
+pub const NAMES: [&str; 13] =
+    ["auto", "lemke", "pgs", "psor", "apgd", "bb", "admm", "clarabel", "newton", "cg", "gauss-pgs", "sap", "sequential-impulses"];
 
 /// The default choice: Newton's method for soft convex laws whose mass and Jacobian are known, Lemke for the polyhedral laws, accelerated block projected Gauss–Seidel for the others. At spatial contacts Stewart–Trinkle's
 /// law is first tried by a bounded number of sweeps, for Lemke's tableau has (2 + d)² entries per pair of contacts.
@@ -62,6 +65,7 @@ pub fn by_name(name: &str) -> Result<Box<dyn ContactSolver>> {
         "psor" => Ok(Box::new(ProjectedOverRelaxation::default())),
         "clarabel" => Ok(Box::new(ClarabelPolished)),
         "sap" => Ok(Box::new(SemiAnalyticPrimal)),
+        "sequential-impulses" => Ok(Box::new(SequentialImpulses::default())),
         "pgs" => Ok(Box::new(ProjectedGaussSeidel::default())),
         "newton" => Ok(Box::new(GaussNewton::default())),
         "cg" => Ok(Box::new(GaussConjugateGradient::default())),

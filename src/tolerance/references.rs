@@ -102,6 +102,13 @@ pub fn bullet_sweeps(stop: f64) -> f64 {
     2.0 * stop.sqrt()
 }
 
+/// Distance of one step from Bullet's with the same contact points, for velocities of the given size \[m/s\]: each of the `rows` rows reads and writes
+/// a velocity of six entries in every sweep, 24 products, and what a sweep has rounded the following ones at most keep. Impulses \[N·s\] are those
+/// velocities times 1 kg, and a body of the scenes is not heavier.
+pub fn bullet_step(sweeps: usize, rows: usize, size: f64) -> f64 {
+    crate::tolerance::rounding(24 * rows * sweeps, size)
+}
+
 /// Headroom of the measured sensitivities: amplification and stopping effect come from one perturbation each, and a start differs
 /// in at most 8 independent ways that matter (six velocities of a body, friction and normal data) from the one perturbed.
 const HEADROOM: f64 = 8.0;

@@ -59,7 +59,7 @@ fn the_softness_of_mujoco_is_that_of_its_options() {
     assert!(soft > 0.0 && depth(&["--cone", "elliptic", "--solref=-1000,-50"]) > soft, "2500 and 100 by default");
     assert!(depth(&["--cone", "elliptic", "--solimp", "0.99,0.99,0.001,0.5,2"]) < soft);
     let refused = |options: &[&str], words: &[&str]| moreau(&[&["simulate", "--scene", "ball-drop"], options].concat()).is_refused(words);
-    refused(&["--cone", "elliptic"], &["--cone", "belongs to mujoco"]);
+    refused(&["--cone", "elliptic"], &["--cone", "belongs to mujoco, bullet"]);
     refused(&["--scheme", "mujoco", "--cone", "round"], &["--cone", "pyramidal or elliptic"]);
     refused(&["--scheme", "mujoco", "--solref", "0.02"], &["--solref", "give 2"]);
     refused(&["--scheme", "mujoco", "--solref", "0.02,0"], &["solref", "positive"]);

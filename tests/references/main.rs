@@ -8,6 +8,7 @@ mod answers;
 mod ball;
 mod block;
 mod bullet;
+mod bullet_steps;
 mod contact_dimensions;
 mod convexity;
 mod dart;
@@ -72,6 +73,7 @@ fn judge(file: &Path) -> Result<(), Failed> {
     let findings = match document.schema() {
         "answer/1" => answers::check(&document)?,
         "package/1" => answers::package(&document)?,
+        "bullet-steps/1" => [document.provenance()?, bullet_steps::check(&document)?].concat(),
         "dump/1" => [document.provenance()?, dumps::check(&document)?].concat(),
         "trajectory/1" => [document.provenance()?, trajectories::check(&document)?].concat(),
         other => return Err(format!("{}: unknown schema `{other}`", file.display()).into()),
