@@ -76,7 +76,8 @@ def main():
         "dissipation_of_sap": found(r"Dissipation is modeled using a linear (\S+) model", told),
         "tamsi_removed_from": found(r"removed from Drake on or after (\S+)\.", told),
         "mentions": {name: everything.count(name) for name in
-                     ("coordinate projection", "midpoint", "contact")},
+                     ("coordinate projection", "midpoint", "contact",
+                      "timesteppingrigidbodyplant", "multibodyplant")},
     }, ensure_ascii=False, indent=1))
 
 

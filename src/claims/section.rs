@@ -14,7 +14,7 @@ const fn section(group: &'static str, title: &'static str) -> Section {
 }
 
 /// Every section that claims may belong to: front matter and summary tables first, then §0 to §12, then the manual at the end.
-pub const SECTIONS: [Section; 18] = [
+pub const SECTIONS: [Section; 19] = [
     section("P", "Preface and project"),
     section("M", "Table of misconceptions"),
     section("T", "Tables of theorems and symbols"),
@@ -32,6 +32,7 @@ pub const SECTIONS: [Section; 18] = [
     section("S11", "§11 Convergence proofs"),
     section("S12", "§12 A worked example"),
     section("R", "Troubleshooting manual"),
+    section("Pr", "Advice for practice"),
     section("V", "Versions and default values"),
 ];
 

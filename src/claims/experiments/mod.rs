@@ -1,4 +1,5 @@
-//! Small experiments that several claims share: a tower under truncated sweeps, a bead on a curve, energy by projection, a frictional impact.
+//! Small experiments that several claims share: a tower under truncated sweeps, a bead on a curve, energy by projection, a frictional
+//! impact, a wall hit between two steps.
 
 pub(super) mod creep;
 pub(super) mod curve;
@@ -13,3 +14,4 @@ pub(super) mod soft_stack;
 pub(super) mod spring;
 pub(super) mod stored;
 pub(super) mod tower;
+pub(super) mod wall;

@@ -3,8 +3,9 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::checks::convergence::{Stop, plastic_ball};
-use crate::checks::stewart_trinkle::reference;
-use crate::claims::s4::painleve::rod;
+use crate::claims::experiments::wall::{Stepping, approach};
+use crate::claims::s4::painleve::answers;
+use crate::claims::s11::compactness::{mass_apart, weakly};
 use crate::claims::{Claim, Evidence, Reading, Verdict};
 use crate::defects::convergence::{Altered, Mistake};
 use crate::mechanics::{OscillatorWithStop, State};
@@ -12,7 +13,6 @@ use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::exact_particle::{Ball, Motion};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, RungeKuttaFlip, Scheme, StewartTrinkle, simulate};
 use crate::solvers::Reference;
-use crate::solvers::enumeration::all_solutions;
 use crate::tolerance::claims::ORDER_GAP;
 use crate::trajectory::{Level, fit_order};
 use nalgebra::dvector;
@@ -47,6 +47,17 @@ pub const CLAIMS: &[Claim] = &[
         check: convergence,
     },
     Claim {
+        id: "S1.weakstar",
+        statement: "At impacts time-stepping is accurate in a robust sense: it converges weakly* to the solution of the measure differential inclusion.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "For subsequences, where the limit is a solution (S1.stewart98). Weakly* is said of the impulses; velocities converge in the mean and, away from the impacts, pointwise. Neither converges in a stronger sense: not the mass of the difference, not the largest error of v.",
+        argument: "Moreau–Jean, e = ½, on a wall hit at ⅓ s, h = 2⁻⁴ … 2⁻⁸ in rationals: ∫g dP_h → (3/2) g(⅓) for three functions with errors ≤ 6h; the mass of P_h − (3/2) δ_⅓ is 3 and v_h(⅓ + h/3) = −1, not ½, at every h.",
+        control: "Convergence in mass.",
+        sources: &["chapter §1, table"],
+        check: robust,
+    },
+    Claim {
         id: "S1.implicit-impact",
         statement: "Not detecting events does not mean ignoring impacts: the impact is the atom in the impulse of a step's complementarity problem, with no event detection.",
         verdict: Verdict::True,
@@ -70,21 +81,12 @@ pub const CLAIMS: &[Claim] = &[
     },
 ];
 
-/// Normal impulses of the rod's answers at the step h with b = 5 m/s², smallest first.
-fn answers(friction: &Rational, h: &Rational) -> Result<Vec<Rational>> {
-    let set = all_solutions(&reference(&rod(friction.clone(), ratio(5, 1) * h))?)?;
-    let mut impulses: Vec<Rational> = set.points.iter().map(|z| z[0].clone()).collect();
-    impulses.sort();
-    impulses.dedup();
-    Ok(impulses)
-}
-
 fn several_limits(reading: Reading) -> Result<Vec<Finding>> {
     let friction = reading.pick(ratio(3, 2), ratio(1, 1));
     let mut findings = Vec::new();
     for exponent in [3, 4, 5, 6] {
         let h = ratio(1, 10i64.pow(exponent));
-        let found = answers(&friction, &h)?;
+        let found = answers(&friction, &(ratio(5, 1) * &h))?;
         findings.push(Finding::count(format!("different answers of the step at h = 1e-{exponent} s"), found.len(), 3));
         let expected = [ratio(0, 1), ratio(125, 2) * &h, ratio(9, 25) - ratio(73, 20) * &h];
         for ((found, expected), name) in found.iter().zip(&expected).zip(["open", "sliding", "impact"]) {
@@ -99,7 +101,7 @@ fn convergence(reading: Reading) -> Result<Vec<Finding>> {
     let subject: &dyn Scheme = reading.pick(&scheme, &wrong);
     let mut findings = plastic_ball(subject, Stop::On)?;
     for exponent in [5u32, 6] {
-        let found = answers(&ratio(3, 2), &ratio(1, 10i64.pow(exponent)))?;
+        let found = answers(&ratio(3, 2), &ratio(5, 10i64.pow(exponent)))?;
         let chosen = if exponent % 2 == 1 { &found[0] } else { &found[found.len() - 1] };
         let limit = if exponent % 2 == 1 { 0.0 } else { 0.36 };
         let distance = (Scalar::to_f64(chosen) - limit).abs();
@@ -109,6 +111,20 @@ fn convergence(reading: Reading) -> Result<Vec<Finding>> {
             3.65 / 10f64.powi(exponent as i32),
             "N·s",
         ));
+    }
+    Ok(findings)
+}
+
+fn robust(reading: Reading) -> Result<Vec<Finding>> {
+    let mass = ratio(3, 2);
+    let mut findings = Vec::new();
+    for k in 4..=8u32 {
+        let motion = approach(Stepping::MoreauJean, k);
+        findings.extend(weakly(&motion, &mass, &format!("h = 2^-{k}")));
+        let apart = reading.pick(ratio(3, 1), ratio(4, 1) * &motion.step);
+        findings.push(Finding::exact(format!("mass of P_h − (3/2) δ, h = 2^-{k}"), &mass_apart(&motion, &mass), &apart, "N·s"));
+        let late = motion.velocity_at(&(ratio(1, 3) + &motion.step * ratio(1, 3)));
+        findings.push(Finding::exact(format!("v_h(1/3 + h/3), h = 2^-{k}"), &late, &ratio(-1, 1), "m/s"));
     }
     Ok(findings)
 }

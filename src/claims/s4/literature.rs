@@ -6,6 +6,7 @@ use crate::certificate::copositivity::copositive;
 use crate::certificate::definiteness::quadratic_form;
 use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{chapter_example, reference};
+use crate::claims::experiments::drake::facts;
 use crate::claims::experiments::identifiers::{issn_agrees, sici_agrees, volume_and_page};
 use crate::claims::{Claim, Evidence, Reading, Verdict};
 use crate::scalar::ratio;
@@ -28,6 +29,17 @@ pub const CLAIMS: &[Claim] = &[
         check: places,
     },
     Claim {
+        id: "S4.drake-name",
+        statement: "Early Drake (TimeSteppingRigidBodyPlant) derives from Stewart and Trinkle.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Cited,
+        correct_statement: "A class of that name existed from September 2017 to April 2018, in multibody/dev, with a polygonal friction cone; whether it derives from the paper was not checked. The pinned release does not know it any more.",
+        argument: "Drake's repository: added by commit 0e218d926b, removed by fc428c0fa2. The documentation of the plant's module in 1.51.1 does not have the name, but the MultibodyPlant that took its place.",
+        control: "The name of the present plant.",
+        sources: &["chapter §4, motivation", "Drake 1.51.1 (references/facts/drake.json); its repository's history"],
+        check: early_drake,
+    },
+    Claim {
         id: "S4.first-proof",
         statement: "Anitescu and Potra's is the first proof of solvability that does not need the matrix of the complementarity problem to be positive definite.",
         verdict: Verdict::Ambiguous,
@@ -46,6 +58,11 @@ pub const CLAIMS: &[Claim] = &[
 /// The SICI in the DOI of Stewart and Trinkle's paper.
 const SICI: &str = "1097-0207(19960815)39:15<2673::AID-NME972>3.0.CO;2-I";
 
+/// The year in that SICI.
+pub(in crate::claims) fn scheme_year() -> Option<usize> {
+    SICI.split_once('(')?.1.get(..4)?.parse().ok()
+}
+
 fn places(reading: Reading) -> Result<Vec<Finding>> {
     let sici = SICI.replace("<2673", reading.pick("<2673", "<2763"));
     let (volume, page) = volume_and_page(&sici).unwrap_or_default();
@@ -54,6 +71,15 @@ fn places(reading: Reading) -> Result<Vec<Finding>> {
         Finding::count("its volume", volume as usize, 39),
         Finding::count("its first page", page as usize, 2673),
         Finding::decision("the ISSN's check digit agrees", issn_agrees(&sici[..9]), true),
+    ])
+}
+
+fn early_drake(reading: Reading) -> Result<Vec<Finding>> {
+    let facts = facts()?;
+    let mentions = |name: &str| facts.mentions.get(name).copied().unwrap_or_default();
+    Ok(vec![
+        Finding::count("mentions of the name", mentions(reading.pick("timesteppingrigidbodyplant", "multibodyplant")), 0),
+        Finding::decision("mentions of MultibodyPlant", mentions("multibodyplant") > 0, true),
     ])
 }
 

@@ -7,13 +7,13 @@ use crate::scalar::{Rational, ratio};
 use nalgebra::{DMatrix, DVector};
 
 mod copositive;
-mod literature;
+pub(in crate::claims) mod literature;
 mod matrix;
 pub(in crate::claims) mod painleve;
 pub(in crate::claims) mod polyhedral;
 mod solutions;
 mod solvability;
-mod stepping;
+pub(in crate::claims) mod stepping;
 
 /// The claims, one slice per file, in the order of the section.
 pub const CLAIMS: &[&[Claim]] = &[

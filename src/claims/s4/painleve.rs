@@ -69,6 +69,22 @@ pub(in crate::claims) fn rod(friction: Rational, normal_velocity: Rational) -> S
     }
 }
 
+/// Normal impulses \[N·s\] of the step's answers for u_n of the free motion \[m/s\], smallest first.
+pub(in crate::claims) fn answers(friction: &Rational, normal_velocity: &Rational) -> Result<Vec<Rational>> {
+    let set = all_solutions(&reference(&rod(friction.clone(), normal_velocity.clone()))?)?;
+    let mut impulses: Vec<Rational> = set.points.iter().map(|z| z[0].clone()).collect();
+    impulses.sort();
+    impulses.dedup();
+    Ok(impulses)
+}
+
+/// How many forces λ_n ≥ 0 ⟂ (W_nn + μ W_nt) λ_n + b ≥ 0 a slide to the left allows, b in m/s².
+pub(in crate::claims) fn sliding_forces(friction: &Rational, b: i64) -> Result<usize> {
+    let block = rod_delassus()?;
+    let slope = &block[(0, 0)] + friction * &block[(0, 1)];
+    Ok(all_solutions(&Lcp::new(DMatrix::from_element(1, 1, slope), integers(&[b])))?.points.len())
+}
+
 /// The different velocities after the step among these solutions.
 pub(super) fn velocities(system: &System, set: &SolutionSet) -> Vec<DVector<Rational>> {
     let mut velocities: Vec<DVector<Rational>> = Vec::new();
@@ -89,14 +105,12 @@ fn rod_delassus() -> Result<DMatrix<Rational>> {
 fn paradox(reading: Reading) -> Result<Vec<Finding>> {
     let friction = reading.pick(ratio(2, 1), ratio(1, 1));
     let block = rod_delassus()?;
-    let slope = &block[(0, 0)] + &friction * &block[(0, 1)];
-    let solutions = |b: i64| all_solutions(&Lcp::new(DMatrix::from_element(1, 1, slope.clone()), integers(&[b])));
     let threshold = -&block[(0, 0)] / &block[(0, 1)];
     let tangent = ratio(4, 3);
     let closed_form = (ratio(4, 1) + &tangent * &tangent) / (ratio(3, 1) * tangent);
     Ok(vec![
-        Finding::count("sliding forces for b = −1", solutions(-1)?.points.len(), 0),
-        Finding::count("sliding forces for b = +1", solutions(1)?.points.len(), 2),
+        Finding::count("sliding forces for b = −1", sliding_forces(&friction, -1)?, 0),
+        Finding::count("sliding forces for b = +1", sliding_forces(&friction, 1)?, 2),
         Finding::exact("μ_P = W_nn/|W_nt|", &threshold, &ratio(13, 9), "1"),
         Finding::exact("(4 + tan²)/(3 tan)", &closed_form, &ratio(13, 9), "1"),
     ])

@@ -140,7 +140,7 @@ fn plastic_ball(gravity: Rational) -> Ball<Rational> {
 }
 
 /// Velocity after two steps from φ = h/5, v = −1, with the constraint φ + hv⁺ ≥ 0 but q⁺ = q + ½h(v + v⁺).
-fn trapezoidal_rebound(h: &Rational) -> Rational {
+pub(in crate::claims) fn trapezoidal_rebound(h: &Rational) -> Rational {
     let ball = plastic_ball(ratio(0, 1));
     let mut now = Motion { position: h / ratio(5, 1), velocity: ratio(-1, 1) };
     for _ in 0..2 {

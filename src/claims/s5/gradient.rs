@@ -80,7 +80,7 @@ fn error_after_ten_steps(eta: &Rational) -> Rational {
 }
 
 /// Masses in a row, the first pressed against the others: N tridiagonal with 2 and −1.
-fn pressed_row(contacts: usize) -> ContactProblem {
+pub(super) fn pressed_row(contacts: usize) -> ContactProblem {
     ContactProblem {
         name: "pressed row".into(),
         rows_per_contact: 1,
@@ -110,6 +110,19 @@ fn largest_ratio(momentum: Momentum, bound: fn(f64, f64, f64) -> f64) -> Result<
         largest = largest.max((objective(&problem, impulse) - best - rounding) / bound(size, radius, k as f64));
     })?;
     Ok(largest)
+}
+
+/// In how many of 300 iterations the distance to the solution grows.
+pub(super) fn grown(problem: &ContactProblem, momentum: Momentum) -> Result<usize> {
+    let exact = LemkePivoting.solve(problem, None)?.impulse;
+    let rounding = tolerance::rounding(problem.rows(), exact.norm());
+    let (mut before, mut count) = (exact.norm(), 0);
+    AcceleratedProjectedGradient { momentum, iterations: 300, ..Default::default() }.solve_observed(problem, None, |_, impulse| {
+        let distance = (impulse - &exact).norm();
+        count += usize::from(distance > before + rounding);
+        before = distance;
+    })?;
+    Ok(count)
 }
 
 fn rates(reading: Reading) -> Result<Vec<Finding>> {

@@ -6,11 +6,20 @@ mod cone;
 mod drake;
 mod gliding;
 mod gradient;
+mod literature;
 mod nonconvexity;
 pub(in crate::claims) mod planar_step;
 mod program;
 mod vanishing;
 
 /// The claims, one slice per file.
-pub const CLAIMS: &[&[Claim]] =
-    &[program::CLAIMS, cone::CLAIMS, gradient::CLAIMS, gliding::CLAIMS, drake::CLAIMS, nonconvexity::CLAIMS, vanishing::CLAIMS];
+pub const CLAIMS: &[&[Claim]] = &[
+    program::CLAIMS,
+    cone::CLAIMS,
+    gradient::CLAIMS,
+    gliding::CLAIMS,
+    drake::CLAIMS,
+    nonconvexity::CLAIMS,
+    vanishing::CLAIMS,
+    literature::CLAIMS,
+];

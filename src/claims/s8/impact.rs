@@ -100,7 +100,7 @@ pub const CLAIMS: &[Claim] = &[
 ];
 
 /// A flow without friction across the disk, under the acceleration (1/2, −3).
-fn loaded(restitution: Rational) -> DMatrix<Rational> {
+pub(in crate::claims) fn loaded(restitution: Rational) -> DMatrix<Rational> {
     disk_flow(restitution, Tangent::Frictionless, ratio(0, 1), &[(1, 2), (-3, 1)])
 }
 
@@ -118,7 +118,7 @@ fn sphere_flow(restitution: &Rational) -> DMatrix<Rational> {
 }
 
 /// The flow of a ball across its impact at a speed, g = 10 m/s², from `speed`/1000 s before it to as long after.
-fn ball_flow(restitution: &Rational, speed: &Rational) -> DMatrix<Rational> {
+pub(in crate::claims) fn ball_flow(restitution: &Rational, speed: &Rational) -> DMatrix<Rational> {
     let flow = ImpactFlow {
         gap: Floor,
         acceleration: entries(&[(-10, 1)]),
@@ -181,7 +181,7 @@ fn plastic(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 /// D of a Moreau–Jean step of a ball of 1 kg that touches the floor at −2 m/s, h = 1/10 s, g = 10 m/s².
-fn moreau_jean(restitution: &Rational, theta: &Rational) -> DMatrix<Rational> {
+pub(in crate::claims) fn moreau_jean(restitution: &Rational, theta: &Rational) -> DMatrix<Rational> {
     let constant = |x: &Rational| Dual::constant(x.clone());
     let ball = Ball { mass: constant(&ratio(1, 1)), gravity: constant(&ratio(10, 1)), restitution: constant(restitution) };
     let (theta, h) = (constant(theta), constant(&ratio(1, 10)));

@@ -5,12 +5,12 @@ use super::Claim;
 mod damped;
 mod engines;
 mod explicit;
-mod impact;
+pub(in crate::claims) mod impact;
 mod implicit;
 mod semi_implicit;
 pub(in crate::claims) mod spring;
-mod symplectic;
-mod systems;
+pub(in crate::claims) mod symplectic;
+pub(in crate::claims) mod systems;
 
 /// The claims, one slice per file.
 pub const CLAIMS: &[&[Claim]] =

@@ -1,6 +1,8 @@
 //! Which steps are symplectic: semi-implicit Euler, corrections of the penetration, the variational integrator.
 
-use super::systems::{Bowl, Coupled, FreeInPolar, MassOfPlace, entries, identity, mirror_step, projected_step, variational_start};
+use super::systems::{
+    Bowl, Coupled, CurvedFloor, FreeInPolar, MassOfPlace, entries, identity, mirror_step, projected_step, variational_start,
+};
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::s8::spring::{SEMI_IMPLICIT, is_stable};
@@ -128,29 +130,36 @@ fn corrections(reading: Reading) -> Result<Vec<Finding>> {
     ])
 }
 
-fn variational(reading: Reading) -> Result<Vec<Finding>> {
+/// The variational integrator, a start whose step of ½ hits the wall, and the impact's unknowns.
+fn hitting() -> (Variational<Bowl, CurvedFloor>, Phase<Rational>, Guess<Rational>) {
     let integrator = Variational { potential: Bowl, gap: Bowl::wall() };
     let time = ratio(1, 4);
     let (start, jump) = variational_start(&integrator, &time);
-    let h = ratio(1, 2);
-    let guess = Guess { time: time.clone(), jump: jump.clone(), newton_steps: 1 };
-    let constant = Guess { time: Dual::constant(time), jump: Dual::constant(jump.clone()), newton_steps: 1 };
-    let step = |x: &DVector<Dual<Rational>>| {
-        let after = integrator.step_with_impact(&Phase::from_stacked(x), &Dual::constant(h.clone()), &constant);
-        let kept = Dual::constant(reading.pick(ratio(1, 1), ratio(4, 5)));
-        Phase { velocity: after.velocity * kept, ..after }.stacked()
-    };
-    let step_jacobian = jacobian(&start.stacked(), step);
-    let after = integrator.step_with_impact(&start, &h, &guess);
+    (integrator, start, Guess { time, jump, newton_steps: 1 })
+}
+
+/// D of that step with its velocity at the end multiplied by `kept`.
+pub(in crate::claims) fn kept_step(kept: &Rational) -> DMatrix<Rational> {
+    let (integrator, start, guess) = hitting();
+    let constant = Guess { time: Dual::constant(guess.time), jump: Dual::constant(guess.jump), newton_steps: 1 };
+    jacobian(&start.stacked(), |x| {
+        let after = integrator.step_with_impact(&Phase::from_stacked(x), &Dual::constant(ratio(1, 2)), &constant);
+        Phase { velocity: after.velocity * Dual::constant(kept.clone()), ..after }.stacked()
+    })
+}
+
+fn variational(reading: Reading) -> Result<Vec<Finding>> {
+    let (integrator, start, guess) = hitting();
+    let after = integrator.step_with_impact(&start, &ratio(1, 2), &guess);
     let gaps = [&start, &after].map(|at| integrator.gap.value(&at.position));
     Ok(vec![
-        vanishes("DᵀJD − J", &defect(&step_jacobian, &identity(2))),
+        vanishes("DᵀJD − J", &defect(&kept_step(&reading.pick(ratio(1, 1), ratio(4, 5))), &identity(2))),
         Finding::decision(
             "the body leaves the wall as it came",
             after.position == start.position && after.velocity == -&start.velocity,
             true,
         ),
         Finding::decision("and is outside it before and after", gaps.iter().all(|gap| *gap > ratio(0, 1)), true),
-        Finding::decision("the impact turns the velocity", jump > ratio(0, 1), true),
+        Finding::decision("the impact turns the velocity", guess.jump > ratio(0, 1), true),
     ])
 }

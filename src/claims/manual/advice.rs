@@ -1,0 +1,30 @@
+//! The advice for practice at the end of the chapter, as far as it states something.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::experiments::drake::{MATERIAL, lift, predicted_lift};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::tolerance::claims::drake as tolerance;
+
+pub const CLAIMS: &[Claim] = &[Claim {
+    id: "Pr.sap-gliding",
+    statement: "Drake SAP's O(h) gliding is visible at h of 5 to 10 ms and buys steps five to ten times as long.",
+    verdict: Verdict::Ambiguous,
+    evidence: Evidence::NotDecidable,
+    correct_statement: "Of kSap and kSimilar, not of Drake's default, kLagged. What is visible and what five times is compared with are not said. The lift itself is (h + τ) μ v: millimetres at these steps for a slide of 1 m/s.",
+    argument: "Slide at 0.7 instead of 0.2 m/s, μ = 0.3, τ = 5 ms: SAP lifts the block by 1.5 mm at h = 5 ms and by 2.25 mm at 10 ms; Lagged, which does not glide, takes the same steps and lifts it by nothing.",
+    control: "Lagged in place of SAP.",
+    sources: &["chapter, advice for research practice", "S5.sap-doc"],
+    check: gliding,
+}];
+
+fn gliding(reading: Reading) -> Result<Vec<Finding>> {
+    let settled = |h: f64| tolerance::settled(9.81 / MATERIAL.stiffness, (tolerance::SETTLING_TIME / h) as usize);
+    let mut findings = Vec::new();
+    for h in [0.005, 0.01] {
+        let lifted = lift(reading.pick("drake-sap", "drake-lagged"), h)?;
+        findings.push(Finding::equal(format!("lift of a faster slide at h = {h} s, SAP"), lifted, predicted_lift(h), settled(h), "m"));
+        findings.push(Finding::equal(format!("the same at h = {h} s, Lagged"), lift("drake-lagged", h)?, 0.0, settled(h), "m"));
+    }
+    Ok(findings)
+}

@@ -1,0 +1,160 @@
+//! §11, convergence with friction: what Painlevé's configurations need, and who proved what when.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::s4::literature::scheme_year;
+use crate::claims::s4::painleve::{answers, sliding_forces};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::scalar::{Rational, ratio};
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S11.painleve",
+        statement: "Stewart (1998) constructs the solution with an atom; so a solution exists in Painlevé's configurations, as a measure, and the paradox of a hundred years is dissolved for good.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "Existence is; uniqueness is not. Where no sliding force exists the step has one answer, an impulse that stays finite as h → 0. Where two exist it has three, of which the construction takes one.",
+        argument: "The rod with tan θ = 4/3, μ = 2: for b = −5 m/s² no sliding force and one answer, P_n = 9/25 + (73/20) h; for b = +5 m/s² three answers, at h = 10⁻³, 10⁻⁴ and 10⁻⁵, in rationals.",
+        control: "μ = 1, below μ_P = 13/9: one answer each, without an impulse that stays.",
+        sources: &["chapter §11, Painlevé as a by-product", "Stewart 1998 (not read)"],
+        check: painleve,
+    },
+    Claim {
+        id: "S11.friction-split",
+        statement: "The proof above (Stewart's, whose by-product is the solution of Painlevé's paradox) is the case without friction; with friction convergence was first shown in 2007.",
+        verdict: Verdict::Inconsistent,
+        evidence: Evidence::Exact,
+        correct_statement: "Painlevé's paradox needs friction, μ > μ_P > 0, and so does the Stewart–Trinkle scheme whose limit the proof takes. A proof that resolves it is one with friction.",
+        argument: "The rod at b = −1: with μ = 0, 1 and 13/9 − 1/100 there is one sliding force, with 13/9 + 1/100 and 2 there is none.",
+        control: "A paradox at μ = 0.",
+        sources: &["chapter §11, four steps; Painlevé as a by-product; convergence with friction"],
+        check: needs_friction,
+    },
+    Claim {
+        id: "S11.dmm",
+        statement: "Dzonou and Monteiro Marques (Nonlinear Anal. TMA 2007) give the first rigorous result with friction, by de Saxcé's bipotential, for small μ and Lipschitz M.",
+        verdict: Verdict::False,
+        evidence: Evidence::Cited,
+        correct_statement: "Not the first: by the chapter's own account Stewart's proof of 1998 has friction, enough of it for Painlevé, and Monteiro Marques's book of 1993 has “Shocks and Dry Friction” in its title. No such paper of 2007 was found; what was found of these authors (2007, 2009) is about one constraint without friction, in its abstract.",
+        argument: "The rod is without a sliding force only above μ_P = 13/9, exactly, which the earlier proof covers and a result for small μ does not. The years: 1993 and 1998, before 2007.",
+        control: "Painlevé's rod at μ = 1/10.",
+        sources: &[
+            "chapter §11, convergence with friction",
+            "Monteiro Marques, Differential Inclusions in Nonsmooth Mechanical Problems: Shocks and Dry Friction (1993), for title and year",
+            "Dzonou, Monteiro Marques and Paoli, Nonlinear Dynamics 58 (2009) 361 (abstract)",
+        ],
+        check: first,
+    },
+    Claim {
+        id: "S11.discontinuous-friction",
+        statement: "With friction step 4 fails because Coulomb's law is not semicontinuous: the force's direction jumps between sliding and sticking, so that the closed graph is lost.",
+        verdict: Verdict::False,
+        evidence: Evidence::Exact,
+        correct_statement: "As a set-valued law Coulomb's has a closed graph, which is what step 4 uses; only the single-valued sign jumps (and the set is not lower semicontinuous). What friction takes away is monotonicity: the law is not the normal-cone relation of a fixed set.",
+        argument: "Slips (3, 4)/5·10⁻ᵏ with r = (1, −(3, 4)μ/5): all in the law, and so is the limit, slip 0 with the same r. Two states of sliding with r = (1, −μ), slip 2, and (10, −10μ), slip 1: ⟨Δu, Δr⟩ = +9μ, where a monotone law has ≤ 0. Lifted by u_n = μ|u_t|, as in the associated law: 0.",
+        control: "The single-valued law, r_t = 0 at slip 0.",
+        sources: &["chapter §11, convergence with friction; exercise 2"],
+        check: closed_graph,
+    },
+    Claim {
+        id: "S11.ten-years",
+        statement: "With friction, which is not semicontinuous, the proof took ten years.",
+        verdict: Verdict::Ambiguous,
+        evidence: Evidence::NotDecidable,
+        correct_statement: "History, told from two dates the chapter gives, 1998 and 2007. Counted from the scheme to the proof that covers Painlevé's configurations, and so friction, it took two.",
+        argument: "The scheme: 1996, from the SICI of its paper. The proof that resolves the paradox, which exists above μ_P = 13/9 only: 1998.",
+        control: "Ten years from the scheme to the proof.",
+        sources: &["chapter §11, pitfalls", "S11.friction-split", "S4.cites"],
+        check: years,
+    },
+];
+
+fn painleve(reading: Reading) -> Result<Vec<Finding>> {
+    let friction = reading.pick(ratio(2, 1), ratio(1, 1));
+    let mut findings = vec![Finding::count("sliding forces for b < 0", sliding_forces(&friction, -1)?, 0)];
+    for exponent in [3, 4, 5] {
+        let h = ratio(1, 10i64.pow(exponent));
+        let falling = answers(&friction, &(ratio(-5, 1) * &h))?;
+        findings.push(Finding::count(format!("answers for b < 0, h = 1e-{exponent} s"), falling.len(), 1));
+        let expected = ratio(9, 25) + ratio(73, 20) * &h;
+        findings.push(Finding::exact(format!("P_n, h = 1e-{exponent} s"), &falling[0], &expected, "N·s"));
+        let rising = answers(&friction, &(ratio(5, 1) * &h))?;
+        findings.push(Finding::count(format!("answers for b > 0, h = 1e-{exponent} s"), rising.len(), 3));
+    }
+    Ok(findings)
+}
+
+/// μ_P of the rod with tan θ = 4/3.
+fn painleve_friction() -> Rational {
+    ratio(13, 9)
+}
+
+fn needs_friction(reading: Reading) -> Result<Vec<Finding>> {
+    let without = reading.pick(1, 0);
+    let close = ratio(1, 100);
+    let cases =
+        [(ratio(0, 1), without), (ratio(1, 1), 1), (painleve_friction() - &close, 1), (painleve_friction() + &close, 0), (ratio(2, 1), 0)];
+    let finding = |(friction, expected): (Rational, usize)| -> Result<Finding> {
+        Ok(Finding::count(format!("sliding forces for b = −1, μ = {friction}"), sliding_forces(&friction, -1)?, expected))
+    };
+    cases.into_iter().map(finding).collect()
+}
+
+/// The years the chapter and a book's title page give for a proof with friction.
+const EARLIER: [usize; 2] = [1993, 1998];
+const CLAIMED: usize = 2007;
+
+fn first(reading: Reading) -> Result<Vec<Finding>> {
+    let friction = reading.pick(ratio(2, 1), ratio(1, 10));
+    let mut findings = vec![
+        Finding::count("sliding forces of Painlevé's rod for b = −1", sliding_forces(&friction, -1)?, 0),
+        Finding::count("the same at small friction, μ = 1/10", sliding_forces(&ratio(1, 10), -1)?, 1),
+    ];
+    findings.extend(EARLIER.map(|year| Finding::decision(format!("{year} is before the year claimed"), year < CLAIMED, true)));
+    Ok(findings)
+}
+
+/// Whether (u_t, r) is in Coulomb's law of a closed contact, exactly: ‖r_t‖ ≤ μ r_n, and r_t = −μ r_n u_t/‖u_t‖ where the body slides.
+fn in_coulombs_law(friction: &Rational, slip: [&Rational; 2], impulse: [&Rational; 3]) -> bool {
+    let zero = ratio(0, 1);
+    let [x, y] = slip;
+    let [normal, along, across] = impulse;
+    let limit = friction * normal;
+    let within = along * along + across * across;
+    if *x == zero && *y == zero {
+        return *normal >= zero && within <= &limit * &limit;
+    }
+    let opposite = along * x + across * y < zero && along * y == across * x;
+    *normal >= zero && opposite && within == &limit * &limit
+}
+
+fn closed_graph(reading: Reading) -> Result<Vec<Finding>> {
+    let (friction, zero, one) = (ratio(1, 2), ratio(0, 1), ratio(1, 1));
+    let force = [ratio(-3, 5) * &friction, ratio(-4, 5) * &friction];
+    let mut findings = Vec::new();
+    for k in [0, 3, 6, 9] {
+        let small = ratio(1, 10i64.pow(k));
+        let slip = [ratio(3, 5) * &small, ratio(4, 5) * &small];
+        let member = in_coulombs_law(&friction, [&slip[0], &slip[1]], [&one, &force[0], &force[1]]);
+        findings.push(Finding::decision(format!("slip 1e-{k} m/s with this impulse is in the law"), member, true));
+    }
+    let single_valued = force.iter().all(|part| *part == zero);
+    let member = in_coulombs_law(&friction, [&zero, &zero], [&one, &force[0], &force[1]]);
+    findings.push(Finding::decision("and so is the limit, slip 0", reading.pick(member, single_valued), true));
+    findings.push(Finding::decision("not beyond the cone", in_coulombs_law(&friction, [&zero, &zero], [&one, &friction, &one]), false));
+    // ⟨Δu, Δr⟩ of (slip 2, r = (1, −μ)) and (slip 1, r = (10, −10μ)), the normal velocities 0 or μ times the slip
+    let [normal, along] = [ratio(1 - 10, 1), (ratio(10, 1) - &one) * &friction];
+    let lifted = &friction * ratio(2 - 1, 1);
+    findings.push(Finding::exact("⟨Δu, Δr⟩ of Coulomb's law", &along, &ratio(9, 2), "J"));
+    findings.push(Finding::exact("⟨Δu, Δr⟩ with the associated law's lift", &(lifted * normal + &along), &zero, "J"));
+    Ok(findings)
+}
+
+fn years(reading: Reading) -> Result<Vec<Finding>> {
+    let scheme = scheme_year().unwrap_or_default();
+    Ok(vec![
+        Finding::count("years from the scheme to the proof that resolves the paradox", EARLIER[1] - scheme, reading.pick(2, 10)),
+        Finding::count("sliding forces at μ = 2, b = −1", sliding_forces(&ratio(2, 1), -1)?, 0),
+        Finding::count("sliding forces at μ = 0, b = −1", sliding_forces(&ratio(0, 1), -1)?, 1),
+    ])
+}

@@ -1,0 +1,191 @@
+//! §11, why contact and the symplectic form do not go together: projections, reflections, and what is between them.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::claims::s8::impact::{ball_flow, loaded};
+use crate::claims::s8::spring::{SEMI_IMPLICIT, theta};
+use crate::claims::s8::symplectic::{kept_step, vanishes};
+use crate::claims::s8::systems::{Coupled, Floor, across, entries, identity, mirror_step, projected_step};
+use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::integrators::impact_flow::{ImpactFlow, Tangent};
+use crate::integrators::jacobian::jacobian;
+use crate::integrators::symplectic::{defect, form, volume};
+use crate::integrators::{ExplicitEuler, Method, Phase, SpringDamper};
+use crate::scalar::{Dual, Rational, Scalar, ratio};
+use nalgebra::{DMatrix, DVector};
+
+pub const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "S11.projection-singular",
+        statement: "Projecting the velocity onto what the contact allows has a singular Jacobian; a map with a singular Jacobian is not symplectic.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated: v ↦ v − M⁻¹n (nᵀM⁻¹n)⁻¹ nᵀv has the eigenvalue 0, and DᵀJD = J gives (det D)² = 1.",
+        argument: "Two coupled masses, M = (2, 1; 1, 3), n = (0, 1), in rationals: det D = 0, and DᵀJD ≠ J. In one dimension D = diag(1, 0).",
+        control: "The reflection v ↦ v − 2M⁻¹n (nᵀM⁻¹n)⁻¹ nᵀv.",
+        sources: &["chapter §11, symplectic incompatibility"],
+        check: velocity_projection,
+    },
+    Claim {
+        id: "S11.any-projection",
+        statement: "So every contact correction that contains a projection destroys symplecticity.",
+        verdict: Verdict::True,
+        evidence: Evidence::Exact,
+        correct_statement: "As stated, where it acts on an open set of states: one that is put back on the wall has lost the depth it had.",
+        argument: "A semi-implicit step of two coupled masses in a cubic potential, put back on the wall where it ends below: det D = 0 exactly.",
+        control: "The mirror image in the wall in place of the projection: a correction that projects nothing.",
+        sources: &["chapter §11, symplectic incompatibility"],
+        check: position_projection,
+    },
+    Claim {
+        id: "S11.reflection-symplectic",
+        statement: "The exception: for e = 1 without correction the collision is a reflection v → −v, which keeps the energy and is symplectic.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "The flow across the collision is. The reflection by itself, (q, v) ↦ (q, −v) at fixed q, keeps the energy too, with determinant −1 and DᵀJD = −J: it reverses the form. That the time of the impact moves with the start makes the difference.",
+        argument: "Ball on a floor, e = 1, in rationals: the flow from before to after the impact has det D = 1 and DᵀJD = J; the reflection det D = −1 and DᵀJD = −J.",
+        control: "The reflection in place of the flow.",
+        sources: &["chapter §11, symplectic incompatibility; exercise 3(d)"],
+        check: reflection,
+    },
+    Claim {
+        id: "S11.no-symplectic-contact",
+        statement: "That is why no improved symplectic contact integrator can succeed completely: the obstacle is geometric, not technical.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "For e < 1 the motion itself does not keep the form, so no method should; and no projection can. For e = 1 such integrators exist: variational ones, and those whose correction is a mirror image.",
+        argument: "The exact flow across an impact with e = 4/5 has det D = 16/25. For e = 1 a variational step with an impact in it, two coordinates, cubic potential, curved wall: DᵀJD − J = 0 in rationals; a mirrored step the same.",
+        control: "The variational step with its velocity cut to 4/5.",
+        sources: &["chapter §11, essential insight on symplecticity", "S8.kmow", "S8.cirak-west"],
+        check: exceptions,
+    },
+    Claim {
+        id: "S11.explicit-or-implicit",
+        statement: "Every operation that corrects penetration destroys symplecticity, whether explicit or implicit.",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "Of a projection that is so, whatever method made the step. A mirror image leaves it to the method: symplectic after a symplectic step, not after another.",
+        argument: "A spring stepped by explicit Euler, semi-implicit Euler, the midpoint rule and implicit Euler, h ω = 1/4, then projected: det D = 0 for all four. Mirrored: 17/16, 1, 1 and 16/17.",
+        control: "Determinant 0 for the mirrored steps too.",
+        sources: &["chapter §11, pitfalls"],
+        check: either,
+    },
+    Claim {
+        id: "S11.ex3",
+        statement: "Exercise: the Jacobian of the projection v < 0 ↦ 0 is singular, so it cannot be symplectic; and the elastic reflection is an exception – what is its Jacobian?",
+        verdict: Verdict::Conditional,
+        evidence: Evidence::Exact,
+        correct_statement: "The projection: diag(1, 0). The reflection: diag(1, −1), determinant −1, which is not symplectic. The exception is the flow across the impact: over a time T without forces −(1, T; 0, 1), determinant 1.",
+        argument: "One dimension, in rationals with dual numbers: determinants 0, −1 and 1.",
+        control: "Determinant 1 for the reflection.",
+        sources: &["chapter §11, exercise 3"],
+        check: exercise,
+    },
+];
+
+/// The map v ↦ v − share · M⁻¹n (nᵀM⁻¹n)⁻¹ nᵀv of two coupled masses: share 1 projects, 2 reflects. M⁻¹n = (−1, 2)/5.
+fn pushed(share: i64) -> DMatrix<Rational> {
+    jacobian(&entries(&[(1, 2), (1, 100), (2, 1), (-3, 1)]), |x| {
+        let lost = x[3].clone() * Dual::ratio(share, 2);
+        DVector::from_vec(vec![x[0].clone(), x[1].clone(), x[2].clone() + lost.clone(), x[3].clone() - lost * Dual::ratio(2, 1)])
+    })
+}
+
+fn is_symplectic(d: &DMatrix<Rational>, mass: &DMatrix<Rational>) -> bool {
+    defect(d, mass).iter().all(|entry| *entry == ratio(0, 1))
+}
+
+fn velocity_projection(reading: Reading) -> Result<Vec<Finding>> {
+    let map = pushed(reading.pick(1, 2));
+    Ok(vec![
+        Finding::exact("det D of the projection", &volume(&map), &ratio(0, 1), "1"),
+        Finding::decision("the projection is symplectic", is_symplectic(&map, &Coupled::mass()), false),
+        Finding::exact("det D in one dimension", &volume(&in_one_dimension(0)), &ratio(0, 1), "1"),
+    ])
+}
+
+fn position_projection(reading: Reading) -> Result<Vec<Finding>> {
+    let now = entries(&[(1, 2), (1, 100), (2, 1), (-3, 1)]);
+    let h = Dual::constant(ratio(1, 20));
+    let subject = jacobian(&now, |x| {
+        let before = Phase::from_stacked(x);
+        reading.pick(projected_step(&before, &h), mirror_step(&before, &h)).stacked()
+    });
+    Ok(vec![
+        Finding::exact("det D of the corrected step", &volume(&subject), &ratio(0, 1), "1"),
+        Finding::decision("the corrected step is symplectic", is_symplectic(&subject, &Coupled::mass()), false),
+    ])
+}
+
+/// D of (q, v) ↦ (q, factor · v).
+fn in_one_dimension(factor: i64) -> DMatrix<Rational> {
+    jacobian(&entries(&[(0, 1), (-2, 1)]), |x| DVector::from_vec(vec![x[0].clone(), x[1].clone() * Dual::ratio(factor, 1)]))
+}
+
+fn reflection(reading: Reading) -> Result<Vec<Finding>> {
+    let (flow, reflected) = (ball_flow(&ratio(1, 1), &ratio(1, 10)), in_one_dimension(-1));
+    let subject = reading.pick(&flow, &reflected);
+    let reversed = defect(&reflected, &identity(1)) + form(&identity(1)) * ratio(2, 1);
+    Ok(vec![
+        Finding::exact("det D across the impact", &volume(subject), &ratio(1, 1), "1"),
+        vanishes("DᵀJD − J across the impact", &defect(subject, &identity(1))),
+        Finding::exact("det D of the reflection", &volume(&reflected), &ratio(-1, 1), "1"),
+        vanishes("DᵀJD + J of the reflection", &reversed),
+    ])
+}
+
+fn exceptions(reading: Reading) -> Result<Vec<Finding>> {
+    let h = Dual::constant(ratio(1, 20));
+    let now = entries(&[(1, 2), (1, 100), (2, 1), (-3, 1)]);
+    let mirrored = jacobian(&now, |x| mirror_step(&Phase::from_stacked(x), &h).stacked());
+    Ok(vec![
+        Finding::exact("det D of the flow, e = 4/5", &volume(&loaded(ratio(4, 5))), &ratio(16, 25), "1"),
+        vanishes("DᵀJD − J of the variational step", &defect(&kept_step(&reading.pick(ratio(1, 1), ratio(4, 5))), &identity(2))),
+        vanishes("DᵀJD − J of the mirrored step", &defect(&mirrored, &Coupled::mass())),
+    ])
+}
+
+/// D of a step of the spring, ω = 1, and then of the correction diag(depth, speed) of a state behind the wall.
+fn corrected(method: &impl Method, [depth, speed]: [i64; 2]) -> Rational {
+    let spring = SpringDamper { stiffness_per_mass: ratio(1, 1), damping_per_mass: ratio(0, 1) };
+    let step = method.jacobian(&spring, &Phase::of_one(ratio(1, 100), ratio(-1, 1)), &ratio(1, 4));
+    let correction = DMatrix::from_diagonal(&DVector::from_vec(vec![ratio(depth, 1), ratio(speed, 1)]));
+    volume(&(correction * step))
+}
+
+fn either(reading: Reading) -> Result<Vec<Finding>> {
+    let all = |correction| {
+        [
+            ("explicit Euler", corrected(&ExplicitEuler, correction), ratio(17, 16)),
+            ("semi-implicit Euler", corrected(&SEMI_IMPLICIT, correction), ratio(1, 1)),
+            ("midpoint rule", corrected(&theta(1, 2), correction), ratio(1, 1)),
+            ("implicit Euler", corrected(&theta(1, 1), correction), ratio(16, 17)),
+        ]
+    };
+    let mut findings = Vec::new();
+    for (name, found, _) in all([0, 1]) {
+        findings.push(Finding::exact(format!("det D of {name}, projected"), &found, &ratio(0, 1), "1"));
+    }
+    for (name, found, expected) in all([-1, -1]) {
+        findings.push(Finding::exact(format!("det D of {name}, mirrored"), &found, &reading.pick(expected, ratio(0, 1)), "1"));
+    }
+    Ok(findings)
+}
+
+fn exercise(reading: Reading) -> Result<Vec<Finding>> {
+    let free = ImpactFlow {
+        gap: Floor,
+        acceleration: entries(&[(0, 1)]),
+        restitution: ratio(1, 1),
+        tangent: Tangent::Frictionless,
+        friction: ratio(0, 1),
+    };
+    let flow = across(&free, &entries(&[(0, 1)]), &entries(&[(-2, 1)]), &ratio(1, 3), &ratio(1, 2));
+    let expected = DMatrix::from_row_slice(2, 2, &[ratio(-1, 1), ratio(-1, 2), ratio(0, 1), ratio(-1, 1)]);
+    Ok(vec![
+        Finding::exact("det D of the projection", &volume(&in_one_dimension(0)), &ratio(0, 1), "1"),
+        Finding::exact("det D of the reflection", &volume(&in_one_dimension(-1)), &reading.pick(ratio(-1, 1), ratio(1, 1)), "1"),
+        Finding::exact("det D of the flow across the impact", &volume(&flow), &ratio(1, 1), "1"),
+        vanishes("D + (1, T; 0, 1) of the flow, T = 1/2 s", &(flow - expected)),
+    ])
+}
