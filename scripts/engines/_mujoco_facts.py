@@ -203,6 +203,34 @@ def one_contact():
     return steps
 
 
+def inverse(start, scene, options, time_step=2e-3):
+    """mj_inverse at a sliding block: the force that another acceleration than the free one asks for.
+
+    `discrete` reads the same numbers as (v⁺ − v)/h of the integrator implicitfast.
+    """
+    table = {}
+    for cone in ("elliptic", "pyramidal"):
+        for name, friction in (("3", {}), ("6", {"torsional": 0.02, "rolling": 0.001})):
+            model, data = _at(start, scene, time_step, {
+                **options, **friction, "cone": cone, "integrator": "implicitfast",
+                "tolerance": 1e-20}, SLIDING_STEP)
+            mujoco.mj_forward(model, data)
+            data.qacc += [0.3, -0.2, -3.0, 1.0, -2.0, 0.5]
+            mujoco.mj_inverse(model, data)
+            forces, local = [], np.zeros(6)  # on the block, in the world: force, then torque
+            for contact in range(data.ncon):
+                mujoco.mj_contactForce(model, data, contact, local)
+                frame = data.contact.frame[contact].reshape(3, 3)
+                forces.append([*(frame.T @ local[:3]).tolist(), *(frame.T @ local[3:]).tolist()])
+            found = table[f"{cone} {name}"] = {
+                **{key: getattr(data, key).tolist() for key in
+                   ("qpos", "qvel", "qacc", "qfrc_inverse")}, "forces": forces}
+            model.opt.enableflags |= int(mujoco.mjtEnableBit.mjENBL_INVDISCRETE)
+            mujoco.mj_inverse(model, data)
+            found["discrete"] = data.qfrc_inverse.tolist()
+    return table
+
+
 def facts(start, scene, options):
     """All of it; `scene` is the block that slides on the incline."""
     return {"stated": stated(),
@@ -214,4 +242,5 @@ def facts(start, scene, options):
                 "velocity_after_a_step": damped(),
                 "energy_of_a_top": turning_top(),
                 "one_contact": one_contact(),
+                "inverse": inverse(start, scene, options),
             }}

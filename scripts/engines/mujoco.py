@@ -6,7 +6,12 @@ Every step solves, with A = J M⁻¹ Jᵀ, the reference acceleration a_ref and 
     v⁺ = v + h (a_smooth + M⁻¹ Jᵀ f),    q⁺ = q ⊕ h v⁺.
 
 Contacts are evaluated at the state before the step, so the impulse h f of the step from t_k to
-t_{k+1} belongs to (t_k, t_{k+1}] and is recorded with the sample that ends it.
+t_{k+1} belongs to (t_k, t_{k+1}] and is recorded with the sample that ends it.  After a step of
+RK4 only the last of its four sets of contacts is left, which is no impulse of the step: none is
+reported.
+
+Torsional and rolling friction [m] are options that only a request can give; the first makes four
+contact directions of three, the second six.
 """
 
 import sys
@@ -19,6 +24,7 @@ sys.path.insert(0, _here)
 
 import _mujoco_dump  # noqa: E402
 import _mujoco_facts  # noqa: E402
+import _mujoco_geometry  # noqa: E402
 from _protocol import Unsupported, serve  # noqa: E402
 from _scene import (GROUND, initial_state, pair_friction, record, rotation_to_normal,  # noqa: E402
                     solid_inertia)
@@ -37,11 +43,22 @@ OPTIONS = {
     "iterations": 100, "ls_iterations": 50, "ls_tolerance": 0.01,
     "noslip_iterations": 0,
 }
+ROTATIONAL = ("torsional", "rolling")
+
+
+def _in_force(request):
+    given = request.get("options") or {}
+    rotational = {name: 0.0 for name in ROTATIONAL if name in given}
+    values = in_force("mujoco", PARAMETERS, OPTIONS | rotational, request)
+    lengths = [values.get(name, 0.0) for name in ROTATIONAL]
+    if min(lengths) < 0 or lengths[1] > 0 >= lengths[0]:
+        raise ValueError("torsional and rolling friction are lengths, and rolling needs torsional")
+    return values
 
 
 def describe(request):
     """Name, version and contact model under the request's options."""
-    values = in_force("mujoco", PARAMETERS, OPTIONS, request)
+    values = _in_force(request)
     model = contact_model("compliant", "mujoco", PARAMETERS, values)
     if values["solref"][0] < 0:  # (−stiffness, −damping) per unit of effective mass
         model["parameters"]["solref"]["unit"] = ["1/s^2", "1/s"]
@@ -49,14 +66,14 @@ def describe(request):
         "name": "mujoco", "version": mujoco.__version__, "precision": "double",
         "contact_model": model, "restitution": False,
         "friction": "cone" if values["cone"] == "elliptic" else "pyramid",
-        "reports_contacts": True, "levels": ["simulate", "dump"],
+        "reports_contacts": values["integrator"] != "RK4", "levels": ["simulate", "dump"],
         "options": options_of(OPTIONS, values),
     }
 
 
 def _settings(request):
     require_declared_restitution("mujoco", request["scene"])
-    return in_force("mujoco", PARAMETERS, OPTIONS, request)
+    return _in_force(request)
 
 
 def _numbers(values):
@@ -65,9 +82,10 @@ def _numbers(values):
 
 def _pair(scene, a, b, options):
     friction = pair_friction(scene, a, b)
-    dimension = 3 if friction > 0 else 1
+    torsional, rolling = (options.get(name, 0.0) for name in ROTATIONAL)
+    dimension = (6 if rolling > 0 else 4 if torsional > 0 else 3) if friction > 0 else 1
     return (f'<pair geom1="{a}" geom2="{b}" condim="{dimension}" '
-            f'friction="{friction!r} {friction!r} 0 0 0" '
+            f'friction="{_numbers([friction, friction, torsional, rolling, rolling])}" '
             f'solref="{_numbers(options["solref"])}" solimp="{_numbers(options["solimp"])}"/>')
 
 
@@ -139,6 +157,8 @@ class World:
     def step(self):
         """One step and its contacts with the impulses h f; f acts on the second geom."""
         mujoco.mj_step(self.model, self.data)
+        if self.model.opt.integrator == mujoco.mjtIntegrator.mjINT_RK4:
+            return
         force, names = np.zeros(6), self.model.geom
         for i, contact in enumerate(self.data.contact):
             mujoco.mj_contactForce(self.model, self.data, i, force)
@@ -171,11 +191,20 @@ def dump(request):
     return _mujoco_dump.dump_of(model, data, request["step"], options)
 
 
+def geometry(request):
+    """{scene, time_step, steps, options} → contact-geometry/1: where every step finds contacts."""
+    options = _settings(request)
+    model, data = start(request["scene"], request["time_step"], options)
+    engine = {"name": "mujoco", "version": mujoco.__version__, "options": options}
+    return _mujoco_geometry.geometry_of(model, data, request, engine)
+
+
 def facts(request):
     """{scene} → defaults, choices and small experiments; a request of our own scripts alone."""
-    options = in_force("mujoco", PARAMETERS, OPTIONS, {"options": {}, "scene": request["scene"]})
+    options = _in_force({"options": {}, "scene": request["scene"]})
     return _mujoco_facts.facts(start, request["scene"], options)
 
 
 if __name__ == "__main__":
-    serve({"describe": describe, "simulate": simulate, "dump": dump, "facts": facts})
+    serve({"describe": describe, "simulate": simulate, "dump": dump, "geometry": geometry,
+           "facts": facts})

@@ -49,6 +49,8 @@ def ask(engine, job, scene, options):
         return engine.ask("dump", step=job.step, **fields)
     if job.steps:
         return engine.ask("steps", steps=job.steps, **fields)
+    if job.contacts:
+        return engine.ask("geometry", steps=job.contacts, **fields)
     return engine.ask("simulate", sample_every=job.sample_every, **fields)
 
 
@@ -56,7 +58,14 @@ def steps_of(job, scene):
     """Steps the engine makes for the file."""
     if job.is_dump:
         return job.step + 1
-    return job.steps or round(scene["duration"] / job.time_step)
+    return job.steps or job.contacts or round(scene["duration"] / job.time_step)
+
+
+def request_of(job):
+    """The protocol's word for what a job asks."""
+    if job.is_dump:
+        return "dump"
+    return "steps" if job.steps else "geometry" if job.contacts else "simulate"
 
 
 def document(engine, job, scene, description):
@@ -70,13 +79,12 @@ def document(engine, job, scene, description):
         "script": "scripts/generate_references.py", "script_version": SCRIPT_VERSION,
         "engine": description["name"], "version": description["version"],
         "scene": f"scenes/{job.scene}.json", "config": job.config,
-        "request": "dump" if job.is_dump else "steps" if job.steps else "simulate",
-        "options": job.options,
+        "request": request_of(job), "options": job.options,
         "time_step": job.time_step, "steps": steps_of(job, scene),
     }
     if job.is_dump:
         result["provenance"]["step"] = job.step
-    elif not job.steps:
+    elif not (job.steps or job.contacts):
         result["provenance"]["sample_every"] = job.sample_every
     return result
 

@@ -2,7 +2,8 @@
 
 Trajectories are called `<scene>__<config>__h<step>.json`; a dump of the step from t = k h to
 (k+1) h is called `<scene>__<config>__h<step>__step<k>.dump.json`, a motion with the contact points
-of every step `<scene>__<config>__h<step>.steps.json`.  A solver's answer to a problem
+of every step `<scene>__<config>__h<step>.steps.json`, the contact points alone of the first k
+steps `<scene>__<config>__h<step>__contacts<k>.json`.  A solver's answer to a problem
 is called `<problem>.json`.
 """
 
@@ -25,6 +26,7 @@ class Job:
     sample_every: int = 0
     step: int = -1
     steps: int = 0
+    contacts: int = 0
     options: dict = field(default_factory=dict)
 
     @property
@@ -40,6 +42,8 @@ class Job:
             name += f"__step{self.step}.dump"
         elif self.steps:
             name += ".steps"
+        if self.contacts:
+            name += f"__contacts{self.contacts}"
         return f"{self.engine}/{name}.json"
 
 
@@ -76,7 +80,11 @@ MUJOCO_SOLVERS = {
 MUJOCO_NEWTON = ("newton-elliptic", "newton-pyramidal")
 DRAKE = {name: {"approximation": name} for name in ("sap", "similar", "lagged", "tamsi")}
 SAMPLE_INTERVAL = {"ball_drop": 1e-2, "ball_drop_elastic": 1e-2, "ball_rest": 2e-2,
-                   "block_stick": 1e-2, "block_slide": 1e-2, "five_box_stack": 5e-2}
+                   "block_stick": 1e-2, "block_slide": 1e-2, "five_box_stack": 5e-2,
+                   "box_tumble": 2e-2, "ball_spin": 2e-2, "ball_roll": 2e-2}
+# The engine goes on until the cost falls by 1e-20 of the inertia: the gradient is below 1e-9 N.
+CONVERGED_MUJOCO = {"tolerance": 1e-20}
+REPLAYED_STEPS = 500
 
 
 def _motion(engine, scene, config, options, time_step):
@@ -109,6 +117,34 @@ def _mujoco():
     for config in MUJOCO_NEWTON:
         for scene, h, step in (("ball_rest", 1e-3, 900), ("block_stick", 2e-3, 400)):
             yield Job("mujoco", scene, config, h, step=step, options=MUJOCO_SOLVERS[config])
+
+
+def _mujoco_converged():
+    """Newton run to the end: motions, their contact points, and steps."""
+    h = 2e-3
+    for config in MUJOCO_NEWTON:
+        options, name = {**MUJOCO_SOLVERS[config], **CONVERGED_MUJOCO}, f"{config}-converged"
+        for scene in ("ball_drop", "block_stick", "block_slide", "five_box_stack", "box_tumble"):
+            yield _motion("mujoco", scene, name, options, h)
+        for scene, time_step, step in (
+                ("ball_rest", 1e-3, 900), ("block_stick", h, 20), ("block_stick", h, 400),
+                ("block_slide", h, 100), ("five_box_stack", h, 8)):
+            yield Job("mujoco", scene, name, time_step, step=step, options=options)
+        for scene in ("ball_drop", "block_slide"):
+            yield Job("mujoco", scene, name, h, contacts=REPLAYED_STEPS, options=options)
+        for integrator in ("implicitfast", "RK4"):
+            for scene in ("ball_drop", "block_stick", "block_slide", "box_tumble"):
+                yield _motion("mujoco", scene, f"{config}-{integrator.lower()}",
+                              {**options, "integrator": integrator}, h)
+        for scene, rotational in (("ball_spin", {"torsional": 0.01}),
+                                  ("ball_roll", {"torsional": 0.01, "rolling": 0.01})):
+            yield _motion("mujoco", scene, f"{config}-{list(rotational)[-1]}",
+                          {**options, **rotational}, h)
+    elliptic = {**MUJOCO_SOLVERS["newton-elliptic"], **CONVERGED_MUJOCO}
+    for time_step in (1e-2, 5e-3, 1e-3):
+        yield _motion("mujoco", "block_slide", "newton-elliptic-converged", elliptic, time_step)
+    yield Job("mujoco", "five_box_stack", "newton-elliptic-converged", h, contacts=REPLAYED_STEPS,
+              options=elliptic)
 
 
 def _drake():
@@ -234,7 +270,8 @@ NOT_REPRODUCIBLE = {
 
 def all_jobs():
     """Every reference file, engine by engine."""
-    motions = [job for job in (*_mujoco(), *_drake(), *_dart(), *_rapier()) if job.is_dump or
+    engines = (*_mujoco(), *_mujoco_converged(), *_drake(), *_dart(), *_rapier())
+    motions = [job for job in engines if job.is_dump or
                (job.engine, job.scene, job.config, job.time_step) not in NOT_REPRODUCIBLE]
     packages = [Package(engine) for engine in SUBJECTS]
     return [*motions, *_bullet(), *_bullet_steps(), *_pinocchio(), *packages]

@@ -60,6 +60,10 @@ def _five_boxes():
                  [0.0, 0.0, (2 * i + 1) * half_height + (i + 1) * START_GAP]) for i in range(5)]
 
 
+def _turning(body, linear, angular):
+    return {**body, "linear_velocity": linear, "angular_velocity": angular}
+
+
 def all_scenes():
     """name → scene."""
     scenes = [
@@ -99,5 +103,12 @@ def all_scenes():
         _scene("five_box_stack", "Five 1 kg boxes, each a little narrower, stand on each other.", LEVEL,
                _five_boxes(), 0.5, 1.0,
                {"drake": {"stiffness": 1e5, "dissipation": 20.0, "relaxation_time": 0.005}}),
+        _scene("box_tumble", "A 1 kg box of three different sides tumbles, falls and lands.", LEVEL,
+               [_turning(_box("box", [0.1, 0.06, 0.03], [0.0, 0.0, 0.5]), [0.2, 0.1, 0.5],
+                         [5.0, 8.0, 2.0])], 0.5, 1.0, {}),
+        _scene("ball_spin", "A 1 kg sphere on the ground spins about the normal at 15 rad/s.", LEVEL,
+               [_turning(_ball(START_GAP), [0.0] * 3, [0.0, 0.0, 15.0])], 0.5, 1.0, {}),
+        _scene("ball_roll", "A 1 kg sphere rolls on the ground at 0.5 m/s.", LEVEL,
+               [_turning(_ball(START_GAP), [0.5, 0.0, 0.0], [0.0, 5.0, 0.0])], 0.5, 1.0, {}),
     ]
     return {scene["name"]: scene for scene in scenes}

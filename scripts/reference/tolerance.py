@@ -28,7 +28,7 @@ EPSILON = 2.0 ** -52
 PERTURBATION = 1e-9
 HEADROOM = 8.0
 
-COMPUTED = ("bodies", "contacts", "problem", "answer", "native", "checks")
+COMPUTED = ("bodies", "contacts", "problem", "answer", "native", "checks", "geometry", "end")
 COUNTS = ("answer/iterations", "native/iterations")
 CHECKS_TOLERANCE = 1e-5
 

@@ -1,7 +1,7 @@
-//! Cone and softness of mujoco on the command line; the cone is bullet's, too.
+//! Cone, softness, friction against rotation and integrator of mujoco on the command line; the cone is bullet's, too.
 
 use super::scheme_options::{Owned, option};
-use crate::schemes::mujoco::{Cone, Softness};
+use crate::schemes::mujoco::{Cone, Integrator, Rotational, Softness};
 use crate::schemes::{Friction, Mujoco};
 use crate::{Error, Result};
 
@@ -23,11 +23,20 @@ pub struct MujocoOptions {
     /// margin of mujoco: gap below which a contact is active [m].
     #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
     margin: Option<f64>,
+    /// Torsional friction of mujoco in space, torque about the normal over the normal force [m].
+    #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
+    torsional: Option<f64>,
+    /// Rolling friction of mujoco in space, torque about a tangent over the normal force [m]; needs --torsional.
+    #[arg(long, value_name = "METRES", allow_hyphen_values = true)]
+    rolling: Option<f64>,
+    /// Integrator of mujoco: euler (default), implicitfast or rk4.
+    #[arg(long, value_name = "NAME")]
+    integrator: Option<String>,
 }
 
 impl MujocoOptions {
     /// Which options were given.
-    pub fn owned(&self) -> [Owned; 5] {
+    pub fn owned(&self) -> [Owned; 8] {
         let of = |option, given| Owned { option, given, owners: &["mujoco"] };
         [
             Owned { option: "--cone", given: self.cone.is_some(), owners: &["mujoco", "bullet"] },
@@ -35,13 +44,16 @@ impl MujocoOptions {
             of("--solimp", self.solimp.is_some()),
             of("--impratio", self.impratio.is_some()),
             of("--margin", self.margin.is_some()),
+            of("--torsional", self.torsional.is_some()),
+            of("--rolling", self.rolling.is_some()),
+            of("--integrator", self.integrator.is_some()),
         ]
     }
 
     /// The parameters, each MuJoCo's default unless given.
     ///
     /// # Errors
-    /// An unknown cone, or too few or too many numbers.
+    /// An unknown cone or integrator, or too few or too many numbers.
     pub fn mujoco(&self) -> Result<Mujoco> {
         let softness = Softness::default();
         Ok(Mujoco {
@@ -53,6 +65,8 @@ impl MujocoOptions {
                 margin: self.margin.unwrap_or(softness.margin),
                 ..softness
             },
+            rotational: Rotational { torsional: self.torsional.unwrap_or(0.0), rolling: self.rolling.unwrap_or(0.0) },
+            integrator: self.integrator.as_deref().map_or(Ok(Integrator::default()), Integrator::by_name).map_err(option)?,
         })
     }
 

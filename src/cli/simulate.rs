@@ -60,6 +60,7 @@ Examples:
   moreau simulate --scene bouncing-ball --step 0.01 --plot ball.svg
   moreau simulate --scene bouncing-ball --theta 1 --activation D --restitution 0.8 --duration 5
   moreau simulate --scene incline-stick --scheme mujoco --cone elliptic --impratio 10
+  moreau simulate --scene rolling-sphere --scheme mujoco --integrator rk4 --torsional 0.01 --rolling 0.01
   moreau simulate --scene incline-slide --scheme anitescu --out slide.json --format json
   moreau simulate --scene my-scene.json --scheme stewart-trinkle";
 

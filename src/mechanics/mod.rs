@@ -93,6 +93,17 @@ pub trait Mechanism: Send + Sync {
         let _ = contact;
         None
     }
+    /// The relative angular velocity of the two bodies of a contact about its n, t₁ and t₂, as rows times v \[rad/s\]. `None` if the mechanism does
+    /// not consist of bodies that turn by themselves in space.
+    fn contact_rotation(&self, position: &DVector<f64>, contact: &Contact) -> Option<DMatrix<f64>> {
+        let _ = (position, contact);
+        None
+    }
+    /// ∂F/∂v of the gyroscopic torques of free bodies, nv × nv \[N·m·s\]. `None` if the mechanism does not consist of free bodies.
+    fn gyroscopic_slope(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Option<DMatrix<f64>> {
+        let _ = (position, velocity);
+        None
+    }
     /// An upper bound of h (‖u_n‖ + μ‖u_t‖) over every contact candidate there could be, at the velocity v \[m\]: a contact with a
     /// larger gap does not close in a step h with this velocity. Infinite by default: no bound is known.
     fn reach(&self, velocity: &DVector<f64>, h: f64) -> f64 {

@@ -62,6 +62,14 @@ impl Mechanism for Nearby<'_> {
         self.mechanism.inverse_mass(contact)
     }
 
+    fn contact_rotation(&self, position: &DVector<f64>, contact: &Contact) -> Option<DMatrix<f64>> {
+        self.mechanism.contact_rotation(position, contact)
+    }
+
+    fn gyroscopic_slope(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Option<DMatrix<f64>> {
+        self.mechanism.gyroscopic_slope(position, velocity)
+    }
+
     fn reach(&self, velocity: &DVector<f64>, h: f64) -> f64 {
         self.mechanism.reach(velocity, h)
     }

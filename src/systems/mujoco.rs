@@ -8,10 +8,10 @@ use super::{Agreement, Cone, ContactLaw, Level, Measured, System};
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::mechanics::{PointMass, State};
 use crate::problem::{ContactProblem, Solution};
-use crate::schemes::mujoco::{Cone as Shape, Softness};
+use crate::schemes::mujoco::{Cone as Shape, Integrator, Rotational};
 use crate::schemes::{Mujoco, Scheme, run};
 use crate::solvers::{ContactSolver, GaussNewton, GaussSweeps};
-use crate::tolerance::references::{REPLAYED_STEP, stored_number};
+use crate::tolerance::references::{self as tolerance, REPLAYED_STEP, stored_number};
 use crate::tolerance::rounding;
 use crate::trajectory::Trajectory;
 use crate::{Error, Result};
@@ -24,8 +24,18 @@ const SLIDING: &str = include_str!("../../references/mujoco/block_slide__newton-
 const STACK: &str = include_str!("../../references/mujoco/five_box_stack__newton-pyramidal__h0.01.json");
 const STEP: &str = include_str!("../../references/mujoco/block_stick__newton-elliptic__h0.002__step400.dump.json");
 
-const ELLIPTIC: Mujoco = Mujoco { cone: Shape::Elliptic, softness: Softness::STANDARD };
-const PYRAMIDAL: Mujoco = Mujoco { cone: Shape::Pyramidal, softness: Softness::STANDARD };
+const CONVERGED_STEP: &str = include_str!("../../references/mujoco/block_slide__newton-elliptic-converged__h0.002__step100.dump.json");
+const CONVERGED_SLIDE: &str = include_str!("../../references/mujoco/block_slide__newton-elliptic-converged__h0.002.json");
+const TUMBLE: &str = include_str!("../../references/mujoco/box_tumble__newton-elliptic-implicitfast__h0.002.json");
+const STAGES: &str = include_str!("../../references/mujoco/box_tumble__newton-pyramidal-rk4__h0.002.json");
+const ROLL: &str = include_str!("../../references/mujoco/ball_roll__newton-elliptic-rolling__h0.002.json");
+
+const ELLIPTIC: Mujoco = Mujoco::standard(Shape::Elliptic);
+const PYRAMIDAL: Mujoco = Mujoco::standard(Shape::Pyramidal);
+
+const FAST: Mujoco = Mujoco { integrator: Integrator::ImplicitFast, ..ELLIPTIC };
+const RK4: Mujoco = Mujoco { integrator: Integrator::RungeKutta, ..PYRAMIDAL };
+const ROLLING: Mujoco = Mujoco { rotational: Rotational { torsional: 0.01, rolling: 0.01 }, ..ELLIPTIC };
 
 pub static SYSTEM: System = System {
     name: "MuJoCo",
@@ -34,14 +44,14 @@ pub static SYSTEM: System = System {
     law: ContactLaw::Compliant,
     algorithm: "Newton, conjugate gradients, or Gauss–Seidel; the cone may be round, too",
     restitution: "none: solref damps",
-    position_update: "q + h v⁺",
+    position_update: "q + h v⁺; RK4: q + h/6 (v₁ + 2v₂ + 2v₃ + v₄)",
     schemes: &["mujoco"],
     held_against: &[
         Agreement {
             against: "MuJoCo 3.17.0",
             quantity: "impulses of a stored step, block on a slope, relative",
             unit: "",
-            measure: || stored_step(&GaussNewton::default()),
+            measure: || stored_step(STEP, &GaussNewton::default(), REPLAYED_STEP),
         },
         Agreement {
             against: "MuJoCo 3.17.0",
@@ -67,12 +77,42 @@ pub static SYSTEM: System = System {
             unit: "m",
             measure: || replay(STACK, &PYRAMIDAL),
         },
+        Agreement {
+            against: "MuJoCo 3.17.0, run to the end",
+            quantity: "impulses of a stored step, sliding block, round cone, relative",
+            unit: "",
+            measure: || stored_step(CONVERGED_STEP, &GaussNewton::default(), tolerance::CONVERGED_STEP),
+        },
+        Agreement {
+            against: "MuJoCo 3.17.0, run to the end",
+            quantity: "place of a block that slides and hops over 1 s, round cone",
+            unit: "m",
+            measure: || replay(CONVERGED_SLIDE, &ELLIPTIC),
+        },
+        Agreement {
+            against: "MuJoCo 3.17.0, run to the end",
+            quantity: "place of a box that tumbles and lands, implicitfast",
+            unit: "m",
+            measure: || replay(TUMBLE, &FAST),
+        },
+        Agreement {
+            against: "MuJoCo 3.17.0, run to the end",
+            quantity: "place of a box that tumbles and lands, RK4, pyramid",
+            unit: "m",
+            measure: || replay(STAGES, &RK4),
+        },
+        Agreement {
+            against: "MuJoCo 3.17.0, run to the end",
+            quantity: "place of a ball that rolling friction stops, six contact directions",
+            unit: "m",
+            measure: || replay(ROLL, &ROLLING),
+        },
         Agreement { against: "closed form", quantity: "depth of a ball at rest", unit: "m", measure: || rest_depth(&ELLIPTIC) },
         Agreement {
             against: "MuJoCo 3.17.0",
             quantity: "impulses of Gauss–Seidel along rays and discs, the same stored step, relative",
             unit: "",
-            measure: || stored_step(&GaussSweeps::default()),
+            measure: || stored_step(STEP, &GaussSweeps::default(), REPLAYED_STEP),
         },
     ],
 };
@@ -103,12 +143,12 @@ fn replay(text: &str, scheme: &dyn Scheme) -> Result<Measured> {
 }
 
 /// ‖r − r_engine‖/‖r_engine‖ of a stored step.
-fn stored_step(solver: &dyn ContactSolver) -> Result<Measured> {
-    let document: Value = serde_json::from_str(STEP)?;
+fn stored_step(text: &str, solver: &dyn ContactSolver, tolerance: f64) -> Result<Measured> {
+    let document: Value = serde_json::from_str(text)?;
     let problem = ContactProblem::from_json(&document["problem"].to_string())?;
     let engine = Solution::from_json(&document["answer"].to_string())?;
     let ours = solver.solve(&problem, None)?;
-    Ok(Measured { difference: (ours.impulse - &engine.impulse).norm() / engine.impulse.norm(), tolerance: REPLAYED_STEP })
+    Ok(Measured { difference: (ours.impulse - &engine.impulse).norm() / engine.impulse.norm(), tolerance })
 }
 
 /// A ball of 1 kg after two seconds on the floor against k d² δ = (1 − d) g.
@@ -133,7 +173,19 @@ mod tests {
         caught(replay(SLIDING, &planted(PYRAMIDAL, Mistake::HalfFriction)));
         caught(replay(STACK, &planted(PYRAMIDAL, Mistake::Heavy)));
         caught(rest_depth(&planted(ELLIPTIC, Mistake::Heavy)));
-        caught(stored_step(&GaussSweeps { sweeps: 1, ..GaussSweeps::default() }));
-        caught(stored_step(&GaussNewton { steps: 0, ..GaussNewton::default() }));
+        caught(replay(CONVERGED_SLIDE, &planted(ELLIPTIC, Mistake::HalfFriction)));
+        caught(stored_step(STEP, &GaussSweeps { sweeps: 1, ..GaussSweeps::default() }, REPLAYED_STEP));
+        for text in [STEP, CONVERGED_STEP] {
+            caught(stored_step(text, &GaussNewton { steps: 0, ..GaussNewton::default() }, REPLAYED_STEP));
+        }
+    }
+
+    #[test]
+    fn another_integrator_or_less_rolling_friction_is_another_motion() {
+        caught(replay(TUMBLE, &ELLIPTIC));
+        caught(replay(TUMBLE, &Mujoco { integrator: Integrator::RungeKutta, ..ELLIPTIC }));
+        caught(replay(STAGES, &PYRAMIDAL));
+        caught(replay(ROLL, &ELLIPTIC));
+        caught(replay(ROLL, &Mujoco { rotational: Rotational { torsional: 0.01, rolling: 0.0101 }, ..ELLIPTIC }));
     }
 }

@@ -21,6 +21,17 @@ pub fn mujoco_gradient(tolerance: f64, mass: &DMatrix<f64>) -> f64 {
 /// hundred times below the mass that is 1e-8/9.81·√200.
 pub const REPLAYED_STEP: f64 = 1.5e-8;
 
+/// `tolerance` of the stored runs of MuJoCo's Newton that go on until rounding is nearly all that is left: their gradient is below 1e-9 N where forces are
+/// 10 N, measured over all of them.
+pub const CONVERGED_MUJOCO: f64 = 1e-20;
+
+/// What issue and README promise of a step of MuJoCo's Newton run to the end, relative to accelerations and forces. Its steps end in a quadratic zone or
+/// close to it, where the last one leaves less than the 1e-10 of the line above.
+pub const CONVERGED_STEP: f64 = 1e-9;
+
+/// What they promise of a motion of 500 steps \[m\], where the engine was run to the end.
+pub const REPLAYED_MOTION: f64 = 1e-8;
+
 /// SAP's relative tolerance (`SapSolverParameters::rel_tolerance` in Drake 1.51).
 pub const SAP_RELATIVE: f64 = 1e-6;
 
@@ -49,12 +60,19 @@ pub fn sap_momentum(body: f64, total: f64, speed: f64, steps: f64) -> f64 {
 
 /// Momentum \[N·s\] that `steps` steps of MuJoCo's CG may leave unbalanced at one body of mass `body`.
 ///
-/// CG stops when a step improves the cost ½‖q̈ − q̈₀‖²_M + s(Jq̈ − a_ref) by less than `tolerance` · tr M. A step improves it by at least
-/// ‖g‖²_{M⁻¹}/2L, what steepest descent would, with L = 1 + Σ A_ii/R_i. Here A_ii ≤ 4 Â_i (corners of these boxes),
-/// R ≥ (1 − d_w)/d_w Â with d_w = 0.95, and there are at most 60 rows: ‖g‖_{M⁻¹} ≤ √(2 L tolerance tr M), √m of it on one body.
+/// It stops where [`last_improvement`] says; √m of that is on one body.
 pub fn cg_momentum(tolerance: f64, rows: f64, mass_trace: f64, body: f64, h: f64, steps: f64) -> f64 {
+    last_improvement(tolerance, rows, mass_trace) * body.sqrt() * h * steps
+}
+
+/// Gradient in the norm of M⁻¹ \[kg^½·m/s²\] that may be left where a step of MuJoCo's solvers improves the cost ½‖q̈ − q̈₀‖²_M + s(Jq̈ − a_ref) by less than
+/// `tolerance` · tr M, which ends them.
+///
+/// A step improves it by at least ‖g‖²_{M⁻¹}/2L, what steepest descent would, with L = 1 + Σ A_ii/R_i. Here A_ii ≤ 4 Â_i (corners of these boxes),
+/// R ≥ (1 − d_w)/d_w Â with d_w = 0.95, and there are at most 60 rows: ‖g‖_{M⁻¹} ≤ √(2 L tolerance tr M).
+pub fn last_improvement(tolerance: f64, rows: f64, mass_trace: f64) -> f64 {
     let lipschitz = 1.0 + 4.0 * rows * 0.95 / (1.0 - 0.95);
-    (2.0 * lipschitz * tolerance * mass_trace * body).sqrt() * h * steps
+    (2.0 * lipschitz * tolerance * mass_trace).sqrt()
 }
 
 /// Relative accuracy of the sliding gap read from a SAP step: the three terms that make the gap up are larger than it by at most 10,

@@ -65,6 +65,9 @@ fn the_softness_of_mujoco_is_that_of_its_options() {
     refused(&["--scheme", "mujoco", "--solref", "0.02,0"], &["solref", "positive"]);
     refused(&["--scheme", "mujoco", "--solimp", "2,0.9,0.001,0.5,2"], &["solimp"]);
     refused(&["--scheme", "mujoco", "--impratio", "0"], &["impratio"]);
+    refused(&["--integrator", "rk4"], &["--integrator", "belongs to mujoco"]);
+    refused(&["--scheme", "mujoco", "--integrator", "heun"], &["--integrator", "implicitfast"]);
+    refused(&["--scheme", "mujoco", "--rolling", "0.01"], &["--rolling", "both"]);
 }
 
 #[test]

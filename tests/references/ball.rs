@@ -76,6 +76,23 @@ fn free_flight(ball: &Ball, document: &Document, trajectory: &Trajectory) -> Res
     Ok(Finding::at_most("free flight against the semi-implicit closed form", worst, moreau::tolerance::rounding(steps + 1, size), "m, m/s"))
 }
 
+/// RK4 follows the parabola z_0 − ½ g t² exactly while the ball has not touched.
+pub fn parabola(document: &Document, trajectory: &Trajectory) -> Result<Finding, Failed> {
+    let (track, gravity) = (&trajectory.bodies[0], -trajectory.scene.gravity[2]);
+    let start = track.position[0][2];
+    let radius = trajectory.scene.bodies[0].sphere.ok_or("the ball is a sphere")?.radius;
+    let exact = BouncingBall::new(gravity, start - radius, 0.0)?;
+    let flight = trajectory.times.iter().take_while(|&&t| t < exact.first_impact_time() - trajectory.time_step);
+    let off = |(k, &t): (usize, &f64)| {
+        let height = start - 0.5 * gravity * t * t;
+        (track.position[k][2] - height).abs().max((track.linear_velocity[k][2] + gravity * t).abs())
+    };
+    let worst = flight.enumerate().map(off).fold(0.0, f64::max);
+    let steps = document.number(&["provenance", "steps"])? as usize;
+    let allowed = moreau::tolerance::rounding(8 * steps, start + exact.impact_speed(1));
+    Ok(Finding::at_most("free flight of RK4 against the parabola", worst, allowed, "m, m/s"))
+}
+
 /// Recomputes the whole motion with the contact impulse of `impulse(depth, velocity)`.
 fn replay(document: &Document, trajectory: &Trajectory, ball: &Ball, impulse: impl Fn(f64, f64) -> f64) -> Result<Vec<Finding>, Failed> {
     let track = &trajectory.bodies[0];

@@ -125,7 +125,12 @@ fn threshold(document: &Document, problem: &ContactProblem, answer: &Solution, g
     let gradient = match document.engine() {
         "mujoco" => {
             let [option, h] = [document.number(&["native", "tolerance"])?, document.number(&["native", "time_step"])?];
-            tolerance::mujoco_gradient(option, &dynamics.mass) * h
+            let pushed = dynamics.jacobian.tr_mul(&answer.impulse).norm();
+            let rounded = moreau::tolerance::rounding(problem.rows() * dynamics.mass.ncols(), pushed);
+            let left = tolerance::mujoco_gradient(option, &dynamics.mass) * h;
+            // where the limit of the gradient is below its rounding, the other rule, that of the cost, has stopped the engine
+            let by_cost = tolerance::last_improvement(option, problem.rows() as f64, dynamics.mass.trace());
+            if left > rounded { left } else { by_cost * dynamics.mass.diagonal().max().sqrt() * h + rounded }
         }
         _ => {
             let momentum = &dynamics.mass * document.vector(&["native", "v_next"])?;

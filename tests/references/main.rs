@@ -15,15 +15,19 @@ mod dart;
 mod document;
 mod dumps;
 mod dumps_native;
+mod inverse;
 mod momentum;
 mod planted;
 mod rapier;
 mod replay;
+mod replayed_contacts;
 mod siconos;
 mod soft_motion;
 mod soft_step;
 mod stack;
+mod top;
 mod trajectories;
+mod turning;
 
 use document::Document;
 use libtest_mimic::{Arguments, Failed, Trial};
@@ -57,6 +61,14 @@ fn main() {
             trials.push(Trial::test(name, move || conclude(contact_dimensions::check(&root, &format!("{cone} {dimension}"))?)));
         }
     }
+    for name in ["elliptic 3", "elliptic 6", "pyramidal 3", "pyramidal 6"] {
+        let (root, trial) = (root.clone(), format!("mujoco_inverse_dynamics_{}", name.replace(' ', "_")));
+        trials.push(Trial::test(trial, move || conclude(inverse::check(&root, name)?)));
+    }
+    for name in ["Euler", "implicitfast", "RK4"] {
+        let (root, trial) = (root.clone(), format!("mujoco_energy_of_a_top_under_{name}"));
+        trials.push(Trial::test(trial, move || conclude(top::check(&root, name)?)));
+    }
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }
 
@@ -75,6 +87,7 @@ fn judge(file: &Path) -> Result<(), Failed> {
         "package/1" => answers::package(&document)?,
         "bullet-steps/1" => [document.provenance()?, bullet_steps::check(&document)?].concat(),
         "dump/1" => [document.provenance()?, dumps::check(&document)?].concat(),
+        "contact-geometry/1" => [document.provenance()?, replayed_contacts::check(&document)?].concat(),
         "trajectory/1" => [document.provenance()?, trajectories::check(&document)?].concat(),
         other => return Err(format!("{}: unknown schema `{other}`", file.display()).into()),
     };

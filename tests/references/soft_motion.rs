@@ -1,4 +1,4 @@
-//! A stored MuJoCo motion again, by our scheme with our own contact geometry and our own Newton.
+//! A stored MuJoCo motion again, by our scheme with our own contact geometry and our own Newton: every integrator, with and without torsion and rolling.
 //!
 //! Gaps and points of a sphere and of a box's corners on a plane are the engine's; two boxes on each other meet at the same corners. What
 //! the engine does not determine itself (rounding amplified by the motion, its stopping rule) is measured and stored with each file.
@@ -7,9 +7,11 @@ use crate::document::Document;
 use crate::soft_step::softness;
 use libtest_mimic::Failed;
 use moreau::checks::Finding;
-use moreau::schemes::mujoco::{Cone, Mujoco};
+use moreau::scenes::{Body, Cuboid};
+use moreau::schemes::mujoco::{Cone, Integrator, Mujoco, Rotational};
 use moreau::schemes::run;
 use moreau::solvers::GaussNewton;
+use moreau::tolerance::references::{CONVERGED_MUJOCO, REPLAYED_MOTION, replayed_step};
 use moreau::trajectory::Trajectory;
 use nalgebra::Vector3;
 use serde_json::Value;
@@ -22,15 +24,14 @@ pub fn check(document: &Document, trajectory: &Trajectory) -> Result<Vec<Finding
     if document.engine() != "mujoco" || !document.config().starts_with("newton") {
         return Ok(Vec::new());
     }
-    let cone = if document.config().contains("pyramidal") { Cone::Pyramidal } else { Cone::Elliptic };
-    let scheme = Mujoco { cone, softness: softness(&Value::Object(trajectory.engine.options.clone()))? };
+    let scheme = scheme(&Value::Object(trajectory.engine.options.clone()))?;
     let [steps, every] = ["steps", "sample_every"].map(|key| document.number(&["provenance", key]));
     let (mut steps, every) = (steps? as usize, every? as usize);
     if trajectory.scene.bodies.len() > 1 {
         steps = steps.min(STACK_STEPS);
     }
     let (mechanism, start) = trajectory.scene.spatial_mechanism()?;
-    let (mut worst, mut n) = ([0.0f64; 2], 0usize);
+    let (mut worst, mut n) = ([0.0f64; 3], 0usize);
     let observe = |state: &moreau::mechanics::State, _: &[moreau::contact::ContactImpulse]| {
         n += 1;
         if !n.is_multiple_of(every) {
@@ -40,15 +41,61 @@ pub fn check(document: &Document, trajectory: &Trajectory) -> Result<Vec<Finding
             let far = |ours: [f64; 3], theirs: [f64; 3]| (Vector3::from(ours) - Vector3::from(theirs)).amax();
             worst[0] = worst[0].max(far(body.position, track.position[n / every]));
             worst[1] = worst[1].max(far(body.linear_velocity, track.linear_velocity[n / every]));
+            worst[2] = worst[2].max(far(body.angular_velocity, track.angular_velocity[n / every]));
         }
     };
     run(&scheme, &GaussNewton::default(), mechanism.as_ref(), start, trajectory.time_step, steps, observe)?;
     let size = |of: &dyn Fn(&moreau::trajectory::BodyTrack) -> Vec<[f64; 3]>| {
         trajectory.bodies.iter().flat_map(of).map(|x| Vector3::from(x).amax()).fold(0.0, f64::max)
     };
-    let (place, speed) = (size(&|track| track.position.clone()), size(&|track| track.linear_velocity.clone()));
-    Ok(vec![
+    let place = size(&|track| track.position.clone());
+    let speed = size(&|track| track.linear_velocity.clone());
+    let spin = size(&|track| track.angular_velocity.clone());
+    // what our own Newton leaves in one step, as the speed of the lightest lever; contacts damp it within some steps
+    let gyration = trajectory.scene.bodies.iter().map(smallest_gyration).fold(f64::INFINITY, f64::min);
+    let own = replayed_step(speed) / gyration;
+    let mut findings = vec![
         Finding::at_most("position against our scheme", worst[0], document.accuracy("bodies/position", place)?, "m"),
         Finding::at_most("velocity against our scheme", worst[1], document.accuracy("bodies/linear_velocity", speed)?, "m/s"),
-    ])
+        Finding::at_most(
+            "angular velocity against our scheme",
+            worst[2],
+            document.accuracy("bodies/angular_velocity", spin)? + own,
+            "rad/s",
+        ),
+    ];
+    if is_converged(document) {
+        findings.push(Finding::at_most("position against our scheme, engine run to the end", worst[0], REPLAYED_MOTION, "m"));
+    }
+    Ok(findings)
+}
+
+/// √(J/m) about the axis of least inertia \[m\].
+fn smallest_gyration(body: &Body) -> f64 {
+    let square = match (body.sphere, body.cuboid) {
+        (Some(sphere), _) => 0.4 * sphere.radius * sphere.radius,
+        (_, Some(Cuboid { half_extents: mut half })) => {
+            half.sort_by(f64::total_cmp);
+            (half[0] * half[0] + half[1] * half[1]) / 3.0
+        }
+        _ => 0.0,
+    };
+    square.sqrt()
+}
+
+/// Whether the engine went on until rounding was all that is left.
+pub fn is_converged(document: &Document) -> bool {
+    document.value["provenance"]["options"]["tolerance"].as_f64() == Some(CONVERGED_MUJOCO)
+}
+
+/// Our scheme with everything a run was given.
+pub fn scheme(options: &Value) -> Result<Mujoco, Failed> {
+    let integrator = options["integrator"].as_str().ok_or("options.integrator is a name")?;
+    let length = |key: &str| options[key].as_f64().unwrap_or(0.0);
+    Ok(Mujoco {
+        cone: Cone::by_name(options["cone"].as_str().ok_or("options.cone is a name")?)?,
+        softness: softness(options)?,
+        rotational: Rotational { torsional: length("torsional"), rolling: length("rolling") },
+        integrator: Integrator::by_name(&integrator.to_lowercase())?,
+    })
 }

@@ -8,6 +8,7 @@
 
 use crate::document::Document;
 use crate::dumps_native::parameters;
+use crate::soft_motion::is_converged;
 use libtest_mimic::Failed;
 use moreau::checks::Finding;
 use moreau::problem::ContactProblem;
@@ -115,6 +116,10 @@ fn step(document: &Document, problem: &ContactProblem) -> Result<Vec<Finding>, F
         ));
         let relative = (distance / energy(&stored)).max(difference / size(&force));
         findings.push(Finding::at_most("qacc and efc_force against our Newton, relative", relative, tolerance::REPLAYED_STEP, "1"));
+        if is_converged(document) {
+            let promised = tolerance::CONVERGED_STEP;
+            findings.push(Finding::at_most("the same, engine run to the end", relative, promised, "1"));
+        }
     }
     Ok(findings)
 }

@@ -3,7 +3,7 @@
 use crate::mechanics::spatial::{Shape, SpatialBody};
 use crate::mechanics::{Plane, SpatialBodies, State};
 use crate::problem::ContactProblem;
-use crate::schemes::mujoco::{Cone, Mujoco, Softness};
+use crate::schemes::mujoco::{Cone, Mujoco};
 use crate::schemes::{Scheme, StepProblem};
 use crate::{Error, Result};
 use nalgebra::{DVector, dvector};
@@ -55,6 +55,6 @@ pub fn ball(cone: Cone) -> Result<ContactProblem> {
 }
 
 fn assemble(mechanism: &SpatialBodies, state: &State, cone: Cone) -> Result<ContactProblem> {
-    let StepProblem { problem, .. } = Mujoco { cone, softness: Softness::default() }.assemble(mechanism, state, STEP)?;
+    let StepProblem { problem, .. } = Mujoco::standard(cone).assemble(mechanism, state, STEP)?;
     problem.ok_or_else(|| Error::Unsupported("the boxes overlap and touch".into()))
 }

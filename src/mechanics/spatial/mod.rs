@@ -25,7 +25,7 @@ use crate::contact::{Contact, Place};
 use crate::tolerance::mechanics::BESIDE;
 use crate::{Error, Result};
 use features::{Touch, ground_touches, pair_touches};
-use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, UnitQuaternion, Vector3};
 use shape::Pose;
 
 /// Spheres and boxes in space under gravity, over an optional ground plane.
@@ -209,6 +209,33 @@ impl Mechanism for SpatialBodies {
     fn inverse_mass(&self, contact: &Contact) -> Option<f64> {
         let (first, second) = contact.place.as_ref()?.bodies;
         Some([Some(first), second].into_iter().flatten().map(|body| 1.0 / self.bodies[body].mass()).sum())
+    }
+
+    /// R Ω of the first body less that of the second.
+    fn contact_rotation(&self, position: &DVector<f64>, contact: &Contact) -> Option<DMatrix<f64>> {
+        let place = contact.place.as_ref()?;
+        let mut rows = DMatrix::zeros(3, self.degrees_of_freedom());
+        for (body, sign) in [(Some(place.bodies.0), 1.0), (place.bodies.1, -1.0)] {
+            let Some(body) = body else { continue };
+            let rotation = Pose::of(body, position).rotation;
+            for (row, direction) in place.frame.into_iter().enumerate() {
+                let own = rotation.tr_mul(&Vector3::from(direction)) * sign;
+                (0..3).for_each(|axis| rows[(row, 6 * body + 3 + axis)] = own[axis]);
+            }
+        }
+        Some(rows)
+    }
+
+    /// −∂(Ω × JΩ)/∂Ω = \[JΩ\]ₓ − \[Ω\]ₓ J for every body.
+    fn gyroscopic_slope(&self, _position: &DVector<f64>, velocity: &DVector<f64>) -> Option<DMatrix<f64>> {
+        let mut slope = DMatrix::zeros(self.degrees_of_freedom(), self.degrees_of_freedom());
+        for (k, body) in self.bodies.iter().enumerate() {
+            let spin = spin(k, velocity);
+            let momentum = body.moments().component_mul(&spin);
+            let block = momentum.cross_matrix() - spin.cross_matrix() * Matrix3::from_diagonal(body.moments());
+            slope.fixed_view_mut::<3, 3>(6 * k + 3, 6 * k + 3).copy_from(&block);
+        }
+        Some(slope)
     }
 
     /// A contact point of body k is within its radius R_k or, beside a face, a sixteenth of the gap φ outside. With s = Σ(‖ẋ_k‖ + ‖Ω_k‖ R_k)

@@ -277,3 +277,34 @@ fn halfway_rows_are_those_of_the_point_between_the_two_that_touch() {
     assert_eq!(bodies.inverse_mass(&halfway), Some(0.5));
     assert!(bodies.contacts_halfway(&position, -0.5).is_empty());
 }
+
+#[test]
+fn the_gyroscopic_slope_is_the_derivative_of_the_force() {
+    let bodies = pair(cuboid("a", [0.1, 0.2, 0.4]), cuboid("b", [0.3, 0.1, 0.2]));
+    let q = configuration(&[[0.0, 0.0, 3.0, 0.3, -0.2, 0.5], [4.0, 0.0, 3.0, 0.0, 1.0, 0.0]]);
+    let v = DVector::from_fn(12, |row, _| 1.5 - 0.7 * row as f64);
+    let slope = bodies.gyroscopic_slope(&q, &v).expect("free bodies");
+    for column in 0..12 {
+        // the torque is quadratic in v: its central difference over ±1 is exact
+        let moved = |by: f64| bodies.force(&q, &(&v + DVector::from_fn(12, |row, _| if row == column { by } else { 0.0 })));
+        let difference = (moved(1.0) - moved(-1.0)) * 0.5;
+        assert!((difference - slope.column(column)).amax() <= rounding(32, 64.0), "{column}");
+    }
+}
+
+#[test]
+fn the_rotation_of_a_contact_is_the_relative_spin_in_its_frame() {
+    let bodies = pair(ball("a", 0.5), ball("b", 0.25));
+    let q = configuration(&[[0.0, 0.0, 3.0, 0.3, -0.2, 0.5], [0.4, 0.5, 3.0, 0.0, 1.0, 0.0]]);
+    let v = DVector::from_fn(12, |row, _| 1.5 - 0.7 * row as f64);
+    for contact in bodies.contacts(&q) {
+        let place = contact.place.expect("bodies have places");
+        let states = bodies.bodies(&q, &v);
+        let spin = |body: usize| Vector3::from(states[body].angular_velocity);
+        let relative = spin(place.bodies.0) - place.bodies.1.map_or(Vector3::zeros(), spin);
+        let found = bodies.contact_rotation(&q, &contact).expect("free bodies") * &v;
+        for (row, direction) in place.frame.into_iter().enumerate() {
+            assert!((found[row] - relative.dot(&Vector3::from(direction))).abs() <= rounding(32, 8.0), "{} {row}", contact.label);
+        }
+    }
+}

@@ -13,19 +13,29 @@
 //!     v⁺ = v + h (M + hC)⁻¹ (F + Hᵀf) .
 //! ```
 //!
+//! That is the integrator Euler; implicitfast and RK4 are in [`Integrator`]. Torsional and rolling friction ([`Rotational`]) add rows that the waist does not
+//! have: then the program of Gauss's principle is built and solved here. What a given acceleration asks for is in [`InverseDynamics`].
+//!
 //! DIFFERENCE. In the plane both cones are the same two edges; the elliptic rows are used, and a planar box has two corners where MuJoCo's box
 //! has four, so that each carries more and rests deeper.
 
+mod integrator;
+mod inverse;
+mod rows;
 mod softness;
 
+pub use integrator::Integrator;
+pub use inverse::{ContactForce, InverseDynamics};
+pub use rows::Rotational;
 pub use softness::Softness;
 
 use super::assembly::check_input;
-use super::{Scheme, StepProblem};
+use super::{Scheme, Step, StepProblem};
 use crate::contact::Contact;
 use crate::contact::delassus::{MassFactor, delassus};
 use crate::mechanics::{Mechanism, State};
 use crate::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law};
+use crate::solvers::ContactSolver;
 use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -63,6 +73,10 @@ pub struct Mujoco {
     pub cone: Cone,
     /// How soft the contacts are.
     pub softness: Softness,
+    /// Friction against rotation at contacts in space.
+    pub rotational: Rotational,
+    /// How a step follows from the accelerations.
+    pub integrator: Integrator,
 }
 
 /// One active contact with what MuJoCo knows of it.
@@ -73,12 +87,23 @@ struct Soft {
 }
 
 impl Mujoco {
-    /// Checks cone and softness.
+    /// MuJoCo's defaults with this cone.
+    pub const fn standard(cone: Cone) -> Self {
+        Mujoco { cone, softness: Softness::STANDARD, rotational: Rotational::NONE, integrator: Integrator::Euler }
+    }
+
+    /// Checks softness and lengths.
     ///
     /// # Errors
     /// [`Error::Invalid`] names the number that cannot be meant.
     pub fn validate(&self) -> Result<()> {
-        self.softness.validate()
+        self.softness.validate()?;
+        self.rotational.validate()
+    }
+
+    /// Whether a step is that of the waist: one problem in three rows a contact, and Euler's update.
+    fn is_plain(&self) -> bool {
+        self.integrator == Integrator::Euler && self.rotational == Rotational::NONE
     }
 
     fn active(&self, mechanism: &dyn Mechanism, position: &DVector<f64>, factor: &MassFactor<f64>) -> Vec<Soft> {
@@ -127,21 +152,9 @@ impl Mujoco {
         };
         DVector::from_vec(contacts.iter().flat_map(of).collect())
     }
-}
 
-impl Scheme for Mujoco {
-    fn name(&self) -> String {
-        match self.cone {
-            Cone::Pyramidal => "mujoco".into(),
-            Cone::Elliptic => "mujoco elliptic".into(),
-        }
-    }
-
-    fn has_restitution(&self) -> bool {
-        false
-    }
-
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
+    /// The contact problem of a state in three rows a contact, and Euler's update.
+    fn waist(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
         check_input(mechanism, state, h)?;
         let mass = mechanism.mass_matrix(&state.position);
         let force = mechanism.force(&state.position, &state.velocity);
@@ -172,6 +185,33 @@ impl Scheme for Mujoco {
         let active = contacts.iter().map(|soft| soft.index).collect();
         let places = contacts.iter().map(|soft| soft.contact.place).collect();
         Ok(StepProblem { problem, active, places, effective_mass: damped, free_velocity, jacobian })
+    }
+}
+
+impl Scheme for Mujoco {
+    fn name(&self) -> String {
+        let cone = if self.cone == Cone::Elliptic { " elliptic" } else { "" };
+        format!("mujoco{cone}{}{}", self.rotational.suffix(), self.integrator.suffix())
+    }
+
+    fn has_restitution(&self) -> bool {
+        false
+    }
+
+    /// Only with Euler and without friction against rotation: the other steps are not one problem of the waist.
+    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
+        if self.is_plain() {
+            return self.waist(mechanism, state, h);
+        }
+        Err(Error::Unsupported(format!(
+            "{}: a step of {} is not one contact problem of three rows a contact",
+            mechanism.name(),
+            self.name()
+        )))
+    }
+
+    fn own_step(&self, solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, h: f64) -> Option<Result<Step>> {
+        (!self.is_plain()).then(|| self.integrate(solver, mechanism, state, h))
     }
 
     fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
