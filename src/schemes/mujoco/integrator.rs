@@ -59,9 +59,9 @@ impl Integrator {
 }
 
 /// F + Hᵀf at a state with the contacts' h f.
-struct Pushed {
-    force: DVector<f64>,
-    impulses: Vec<ContactImpulse>,
+pub(super) struct Pushed {
+    pub force: DVector<f64>,
+    pub impulses: Vec<ContactImpulse>,
 }
 
 impl Mujoco {
@@ -96,13 +96,7 @@ impl Mujoco {
     fn pushed(&self, solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Pushed> {
         let force = mechanism.force(&state.position, &state.velocity);
         if self.rotational != Rotational::NONE {
-            let (force, contacts) = self.pushed_with_rotation(mechanism, state, &force, h)?;
-            let impulse = |(rows, impulse): (super::rows::SoftRows, DVector<f64>)| ContactImpulse {
-                contact: rows.index,
-                impulse: impulse.as_slice().to_vec(),
-                place: rows.place,
-            };
-            return Ok(Pushed { force, impulses: contacts.into_iter().map(impulse).collect() });
+            return self.pushed_with_rotation(mechanism, state, &force, h);
         }
         let StepProblem { problem, active, places, jacobian, .. } = self.waist(mechanism, state, h)?;
         let Some(problem) = problem else { return Ok(Pushed { force, impulses: Vec::new() }) };

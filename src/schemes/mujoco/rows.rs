@@ -7,9 +7,10 @@
 //! ```
 //! ω_n, … is the relative angular velocity \[rad/s\], so that its force is a torque \[N·m\] and its coefficient a length \[m\].
 
+use super::integrator::Pushed;
 use super::{Cone, Mujoco, Soft};
-use crate::contact::Place;
 use crate::contact::delassus::MassFactor;
+use crate::contact::{ContactImpulse, Place};
 use crate::mechanics::{Mechanism, State};
 use crate::solvers::GaussNewton;
 use crate::solvers::gauss::{GaussProgram, SoftPiece};
@@ -132,13 +133,7 @@ impl Mujoco {
     }
 
     /// F + Hᵀf at a state, and h f of every active contact, by Newton's method on Gauss's program with all rows.
-    pub(super) fn pushed_with_rotation(
-        &self,
-        mechanism: &dyn Mechanism,
-        state: &State,
-        force: &DVector<f64>,
-        h: f64,
-    ) -> Result<(DVector<f64>, Vec<(SoftRows, DVector<f64>)>)> {
+    pub(super) fn pushed_with_rotation(&self, mechanism: &dyn Mechanism, state: &State, force: &DVector<f64>, h: f64) -> Result<Pushed> {
         let mass = mechanism.mass_matrix(&state.position);
         let free = MassFactor::new(&mass)?.solve(force);
         let contacts = self.soft_rows(mechanism, &state.position, &state.velocity, h)?;
@@ -154,14 +149,14 @@ impl Mujoco {
         let pieces = contacts.iter().flat_map(|contact| contact.pieces.clone()).collect();
         let program = GaussProgram::new(mass, jacobian, offset, pieces)?;
         let answer = GaussNewton::default().minimise(&program, DVector::zeros(program.velocities()))?;
-        let pushed = force + program.jacobian().tr_mul(&answer.impulse) / h;
         let mut first = 0;
-        let impulse = |contact: SoftRows| {
-            let own = contact.edges.tr_mul(&answer.impulse.rows(first, contact.edges.nrows()));
+        let own = |contact: &SoftRows| {
+            let impulse = contact.edges.tr_mul(&answer.impulse.rows(first, contact.edges.nrows()));
             first += contact.edges.nrows();
-            (contact, own)
+            ContactImpulse { contact: contact.index, impulse: impulse.as_slice().to_vec(), place: contact.place }
         };
-        Ok((pushed, contacts.into_iter().map(impulse).collect()))
+        let impulses = contacts.iter().map(own).collect();
+        Ok(Pushed { force: force + program.jacobian().tr_mul(&answer.impulse) / h, impulses })
     }
 }
 
@@ -189,13 +184,13 @@ mod tests {
                 let (mechanism, mut state) = named(scene).and_then(|scene| scene.spatial_mechanism()).expect("built in");
                 for _ in 0..10 {
                     let force = mechanism.force(&state.position, &state.velocity);
-                    let (pushed, contacts) = scheme.pushed_with_rotation(mechanism.as_ref(), &state, &force, 0.005).expect("valid");
+                    let pushed = scheme.pushed_with_rotation(mechanism.as_ref(), &state, &force, 0.005).expect("valid");
                     let made = step(&scheme, &GaussNewton::default(), mechanism.as_ref(), &state, 0.005).expect("valid");
-                    let change = MassFactor::new(&mechanism.mass_matrix(&state.position)).expect("positive").solve(&pushed) * 0.005;
+                    let change = MassFactor::new(&mechanism.mass_matrix(&state.position)).expect("positive").solve(&pushed.force) * 0.005;
                     let far = (&state.velocity + change - &made.state.velocity).amax();
                     // both end at the same relative gradient, whose effect on one velocity the lever of a corner multiplies by ten
                     assert!(far <= 20.0 * crate::tolerance::solvers::STOP, "{scene} {cone:?}: {far}");
-                    assert_eq!(contacts.len(), made.impulses.len());
+                    assert_eq!(pushed.impulses.len(), made.impulses.len());
                     state = made.state;
                 }
             }
