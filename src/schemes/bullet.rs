@@ -6,7 +6,7 @@
 //!     −s = ē |u_n| − ERP d/h    afterwards ,          ē = e if u_n ≤ −v_t, and 0 below that threshold .
 //! ```
 //! Contacts take part up to the gap `margin`. Bullet solves the problem by at most 50 sweeps of [`crate::solvers::SequentialImpulses`]; with that
-//! solver the scheme takes Bullet's steps, with another one those that the sweeps tend to.
+//! solver the scheme takes Bullet's steps, with another one those of the law, which the sweeps tend to with the two exceptions told there.
 //!
 //! **Two families of bodies**, and they step differently ([`Bodies`]). Multibodies, PyBullet's default: u_n = H v_free, the velocity after the
 //! forces, so that an elastic ball gains g h in every impact; w = 0, whatever `useSplitImpulse` says. Rigid bodies: u_n = H v, before the forces;
