@@ -5,7 +5,7 @@ For every engine this makes a virtual environment from scripts/requirements-<eng
 scripts/engines/<engine>.py in it (Rapier's adapter is built with cargo), and asks it through the protocol moreau-engine/1 for the
 motions and single steps listed in scripts/reference/plan.py, and for what it says of itself,
 of Drake by scripts/engines/_drake_facts.py.  Siconos, a Debian package, is run
-by scripts/reference/siconos.py.  The result does not depend on the date, the machine's name or
+by scripts/reference/siconos.py, some of it by a C++ program that needs g++ and libsiconos-kernel-dev.  The result does not depend on the date, the machine's name or
 the order of the runs.
 """
 
@@ -205,7 +205,11 @@ def main():
         jobs = [job for job in all_jobs() if job.engine == name]
         try:
             if name == siconos.FOLDER:
-                report(f"siconos: {siconos.write_or_check(run, SCRIPTS)} files")
+                left_out, made = siconos.write_or_check(run, SCRIPTS)
+                report(f"siconos: {made} files")
+                for path, why in left_out.items():
+                    report(f"{path}: not run: {why}")
+                not_run += [name] * bool(left_out)
                 continue
             run.stray_files(name, jobs)
             run.engine(name, [job for job in jobs if options.match in job.path])

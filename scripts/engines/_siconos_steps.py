@@ -1,18 +1,22 @@
-"""Steps of Siconos on four small systems: `/usr/bin/python3 scripts/engines/_siconos_steps.py < run.json`.
+"""Steps of Siconos on small systems: `/usr/bin/python3 scripts/engines/_siconos_steps.py < runs.json`.
 
-Reads one run {system, scheme, time_step, steps} on standard input and writes the states and
+Reads runs {system, scheme, time_step, steps} on standard input and writes the states and
 impulses after every step, with nothing between Siconos and the file: no shape, no collision
 detection, a linear relation where the constraint is linear.
 
     system  {"kind": "ball", "mass", "gravity", "restitution"}                   q = height
             {"kind": "block", "mass", "gravity": [along, down], "friction", "restitution"}
                                                                                  q = (along, normal)
+            {"kind": "puck", "mass", "gravity": [along, across, down], "friction", "restitution"}
+                                                                                 q = (along, across, normal)
             {"kind": "chain", "masses", "radii", "restitution"}                  q = centres
             {"kind": "bead", "mass", "radius", "gravity", "restitution"}         q = (x, z)
-    scheme  {"class": name of Siconos's integrator, "theta"}
+            {"kind": "stop", "mass", "stiffness", "stop", "restitution"}         q = elongation
+    scheme  {"class": name of Siconos's integrator, "theta"}; LsodarOSI: see `_siconos_events`
 
 Solvers are direct ones, so that a step is exact to rounding: Lemke for normal impulses,
-enumeration for planar friction and for the projection's mixed problem.
+enumeration for planar friction and for the projection's mixed problem; for spatial friction
+Newton's method on Alart and Curnier's function, until its residual is 1e-15.
 """
 
 import json
@@ -24,8 +28,12 @@ _here = sys.path.pop(0)  # siconos.py beside this file has the name of the packa
 import numpy as np  # noqa: E402
 import siconos.kernel as kernel  # noqa: E402
 import siconos.numerics as numerics  # noqa: E402
+sys.path.insert(0, _here)
+
+import _siconos_events  # noqa: E402
 
 TOLERANCE = 1e-14  # m; when a projection ends
+SPATIAL_TOLERANCE = 1e-15  # Siconos's residual of a spatial friction problem
 FAR = 1e9  # s
 
 
@@ -65,6 +73,22 @@ def _block(system, start):
     return [body], [(law, relation, [body])]
 
 
+def _puck(system, start):
+    mass, (along, across, down) = system["mass"], system["gravity"]
+    body = _lagrangian(start, [mass] * 3, [mass * along, mass * across, -mass * down])
+    law = kernel.NewtonImpactFrictionNSL(system["restitution"], 0.0, system["friction"], 3)
+    rows = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+    return [body], [(law, kernel.LagrangianLinearTIR(rows), [body])]
+
+
+def _stop(system, start):
+    body = _lagrangian(start, [system["mass"]], [0.0])
+    body.setKPtr(np.array([[system["stiffness"]]]))
+    law = kernel.NewtonImpactNSL(system["restitution"])
+    relation = kernel.LagrangianLinearTIR(np.array([[1.0]]), [-system["stop"]])
+    return [body], [(law, relation, [body])]
+
+
 def _chain(system, start):
     bodies = [_lagrangian({key: [start[key][i]] for key in start}, [mass], [0.0])
               for i, mass in enumerate(system["masses"])]
@@ -85,12 +109,22 @@ def _bead(system, start):
     return [body], [(law, Circle(system["radius"]), [body])]
 
 
-SYSTEMS = {"ball": _ball, "block": _block, "chain": _chain, "bead": _bead}
+SYSTEMS = {"ball": _ball, "block": _block, "puck": _puck, "chain": _chain, "bead": _bead, "stop": _stop}
+ROWS = {"block": 2, "puck": 3}
+
+
+def _solver(rows):
+    if rows == 1:
+        return kernel.LCP(numerics.SICONOS_LCP_LEMKE)
+    if rows == 2:
+        return kernel.FrictionContact(2, numerics.SICONOS_FRICTION_2D_ENUM)
+    options = kernel.solver_options_create(numerics.SICONOS_FRICTION_3D_NSN_AC)
+    options.dparam[numerics.SICONOS_DPARAM_TOL] = SPATIAL_TOLERANCE
+    return kernel.FrictionContact(3, options)
 
 
 def _stepping(world, instants, integrator, rows, scheme):
-    velocity = (kernel.FrictionContact(2, numerics.SICONOS_FRICTION_2D_ENUM) if rows == 2
-                else kernel.LCP(numerics.SICONOS_LCP_LEMKE))
+    velocity = _solver(rows)
     if "Projection" not in scheme["class"]:
         return kernel.TimeStepping(world, instants, integrator, velocity), [velocity]
     position = kernel.MLCPProjectOnConstraints(numerics.SICONOS_MLCP_ENUM, 1.0)
@@ -106,6 +140,8 @@ def run(request):
     """{positions, velocities, impulses}: the start, then one row per step."""
     system, scheme = request["system"], request["scheme"]
     bodies, links = SYSTEMS[system["kind"]](system, request["start"])
+    if scheme["class"] == "LsodarOSI":
+        return _siconos_events.run(request, bodies[0], *links[0][:2])
     world = kernel.NonSmoothDynamicalSystem(0.0, FAR)
     for body in bodies:
         world.insertDynamicalSystem(body)
@@ -116,7 +152,7 @@ def run(request):
     integrator = getattr(kernel, scheme["class"])(scheme["theta"])
     instants = kernel.TimeDiscretisation(0.0, request["time_step"])
     stepping, kept = _stepping(world, instants, integrator,
-                               2 if system["kind"] == "block" else 1, scheme)
+                               ROWS.get(system["kind"], 1), scheme)
     flat = 2 if system["kind"] == "bead" else None
 
     def state():

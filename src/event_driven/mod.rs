@@ -58,6 +58,17 @@ pub struct Motion {
     pub impulses: Vec<ContactImpulse>,
     /// How many events there were.
     pub events: usize,
+    /// The impacts, in order.
+    pub impacts: Vec<Collision>,
+}
+
+/// An impact within a motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Collision {
+    /// When, from the start of the motion \[s\].
+    pub elapsed: f64,
+    /// v after it.
+    pub velocity: DVector<f64>,
 }
 
 impl EventDriven {
@@ -72,9 +83,14 @@ impl EventDriven {
         let mut tally = Tally::new(mechanism.rows_per_contact());
         let (mut left, mut step) = (duration, duration / 8.0);
         let mut ahead: Option<[DVector<f64>; 2]> = None;
+        let mut impacts = Vec::new();
         for events in 0..EVENT_LIMIT {
             let contacts = mechanism.contacts(&position);
+            let arriving = velocity.clone();
             let closed = self.resolve(solver, mechanism, &contacts, &position, &mut velocity, &mut tally)?;
+            if velocity != arriving {
+                impacts.push(Collision { elapsed: duration - left, velocity: velocity.clone() });
+            }
             let decide = ahead.take().unwrap_or_else(|| [position.clone(), velocity.clone()]);
             let phase = ContactPhase::new(mechanism, closed, contacts.len(), [&decide[0], &decide[1]])?;
             let start = phase.joined(&position, &velocity);
@@ -85,7 +101,7 @@ impl EventDriven {
             let Some(event) = arrival.event.filter(|_| left > 0.0) else {
                 project(mechanism, &phase.closed, &mut position, &mut velocity)?;
                 let state = State { time: state.time + duration, position, velocity };
-                return Ok(Motion { state, impulses: tally.impulses(), events });
+                return Ok(Motion { state, impulses: tally.impulses(), events, impacts });
             };
             let later = &arrival.state + phase.rate(&arrival.state)? * (LOOK_AHEAD * step.min(left));
             ahead = (!phase.is_gap(event)).then(|| phase.split(&later));

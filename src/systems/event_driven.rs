@@ -6,6 +6,7 @@
 
 use super::{Agreement, Cone, ContactLaw, Level, Measured, System};
 use crate::Result;
+use crate::checks::siconos_events::SiconosEvents;
 use crate::closed_forms::{BeltOscillator, BouncingBall, InclineBlock, StopOscillator};
 use crate::event_driven::EventDriven;
 use crate::event_driven::filippov::{DryFriction, advance};
@@ -35,6 +36,12 @@ pub static SYSTEM: System = System {
             quantity: "position of oscillators with a stop whose impacts end, go on or accumulate",
             unit: "m",
             measure: || stops(&EventDriven::default()),
+        },
+        Agreement {
+            against: "Siconos 4.4.0",
+            quantity: "instant of every impact of balls and oscillators with a stop, times the speed",
+            unit: "m",
+            measure: || siconos(&EventDriven::default()),
         },
         Agreement {
             against: "closed form",
@@ -73,7 +80,7 @@ fn at_rest(position: DVector<f64>) -> State {
 }
 
 fn worst(found: Vec<Measured>) -> Measured {
-    Measured::worst(found).expect("eight parts")
+    Measured::worst(found).expect("there are comparisons")
 }
 
 fn ball(method: &EventDriven) -> Result<Measured> {
@@ -92,6 +99,22 @@ fn stops(method: &EventDriven) -> Result<Measured> {
         found.extend(follow(method, &mechanism, at_rest(dvector![1.0]), 9.7, error)?);
     }
     Ok(worst(found))
+}
+
+const SICONOS: &[&str] = &[
+    include_str!("../../references/siconos/ball__event-driven__h0.1.json"),
+    include_str!("../../references/siconos/ball_lively__event-driven__h0.25.json"),
+    include_str!("../../references/siconos/stop_below__event-driven__h0.25.json"),
+    include_str!("../../references/siconos/stop_above__event-driven__h0.25.json"),
+];
+
+/// |Δt| |v⁻| of every stored impact of Siconos, from its own state after the event before.
+pub(super) fn siconos(method: &EventDriven) -> Result<Measured> {
+    let runs = SICONOS.iter().map(|text| {
+        let run = SiconosEvents::from_json(text)?;
+        Ok(Measured { difference: run.apart(method)?.instant, tolerance: run.tolerance() })
+    });
+    runs.collect::<Result<Vec<_>>>().map(worst)
 }
 
 fn block(method: &EventDriven) -> Result<Measured> {
@@ -125,6 +148,7 @@ mod tests {
         let late = EventDriven { control: Control::Fixed(0.013), location: Location::EndOfStep, ..EventDriven::default() };
         caught(ball(&late));
         caught(stops(&late));
+        caught(siconos(&late));
         caught(block(&late));
         caught(belt(&late));
     }
