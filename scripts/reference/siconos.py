@@ -31,8 +31,10 @@ PROJECTION = {"class": "MoreauJeanCombinedProjectionOSI", "theta": 0.5}
 SCHATZMAN_PAOLI = {"class": "SchatzmanPaoliOSI", "theta": 0.5}
 EXPLICIT_SCHATZMAN_PAOLI = {"class": "SchatzmanPaoliOSI", "theta": 0.0}
 EVENT_DRIVEN = {"class": "LsodarOSI"}
+ALPHA = {"class": "NewMarkAlphaOSI", "newton_tolerance": 1e-10, "event_tolerance": 1e-10}
 NAMES = {"MoreauJeanOSI": "moreau-jean", "MoreauJeanCombinedProjectionOSI": "projection",
-         "SchatzmanPaoliOSI": "schatzman-paoli", "LsodarOSI": "event-driven"}
+         "SchatzmanPaoliOSI": "schatzman-paoli", "LsodarOSI": "event-driven",
+         "NewMarkAlphaOSI": "generalised-alpha"}
 
 
 def _ball(restitution):
@@ -48,6 +50,11 @@ def _puck(friction, restitution):
     return {"kind": "puck", "mass": 1.0, "gravity": [0.8 * GRAVITY * SINE, 0.6 * GRAVITY * SINE,
                                                      GRAVITY * COSINE],
             "friction": friction, "restitution": restitution}
+
+
+def _spring(stiffness, damping, gravity, stop):
+    return {"kind": "spring", "mass": 2.0, "stiffness": stiffness, "damping": damping,
+            "gravity": gravity, "stop": stop, "restitution": 0.5}
 
 
 def _stop(stop):
@@ -75,6 +82,7 @@ BEAD = {"position": [0.3, -0.4], "velocity": [1.6, 1.2]}
 
 LOW = {"position": [0.1], "velocity": [0.03]}
 PUCK = {"position": [0.0, 0.0, 0.01], "velocity": [0.2, -0.4, -0.5]}
+LAUNCHED = {"position": [1.0], "velocity": [0.7]}
 STRETCHED = {"position": [1.0], "velocity": [0.0]}
 NEAR_BEAD = {"position": [0.72, -0.64], "velocity": [1.6, 1.2]}
 
@@ -122,6 +130,14 @@ def runs():
         result[f"{FOLDER}/{name}__{NAMES[EVENT_DRIVEN['class']]}__h{step:g}.json"] = {
             "system": system, "scheme": EVENT_DRIVEN, "start": start, "time_step": step,
             "duration": duration}
+    for name, system, radius, step, duration in (
+            ("spring", _spring(52.0, 4.0, 0.0, -10.0), 0.8, 0.01, 1.0),
+            ("spring_trapezoidal", _spring(52.0, 0.0, 0.0, -10.0), 1.0, 0.02, 2.0),
+            ("spring_stiff", _spring(5e4, 0.0, 0.0, -10.0), 0.2, 0.05, 2.0),
+            ("fall", _spring(0.0, 0.0, GRAVITY, 0.0), 0.8, 0.05, 1.0)):
+        result[f"{FOLDER}/{name}__{NAMES[ALPHA['class']]}__h{step:g}.json"] = {
+            "system": system, "scheme": {**ALPHA, "spectral_radius": radius}, "start": LAUNCHED,
+            "time_step": step, "duration": duration}
     return result
 
 
@@ -135,7 +151,7 @@ def _ask(scripts, requests):
 
 
 def _by_driver(request):
-    return request["scheme"]["class"] == SCHATZMAN_PAOLI["class"]
+    return request["scheme"]["class"] in (siconos_driver.SCHATZMAN_PAOLI, siconos_driver.ALPHA)
 
 
 def _answers(scripts, asked):
@@ -157,7 +173,7 @@ def make(scripts):
     asked, result = runs(), {}
     answers, version, not_run = _answers(scripts, asked)
     for path, answer in answers.items():
-        if "times" in answer:
+        if asked[path]["scheme"] == EVENT_DRIVEN:
             answer = {**_lsodar_tolerances(), **answer}
         result[path] = {"schema": f"siconos-{'events' if 'times' in answer else 'steps'}/1",
                         **asked[path], **answer, "provenance": {

@@ -9,6 +9,7 @@ pub mod delassus;
 pub mod energy;
 mod finding;
 pub mod replay;
+pub mod siconos_alpha;
 pub mod siconos_events;
 pub mod siconos_steps;
 pub mod stewart_trinkle;

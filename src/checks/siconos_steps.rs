@@ -171,7 +171,9 @@ impl SiconosSteps {
     pub fn distance_from_central_differences(&self) -> f64 {
         let apart = |k: usize| {
             let ends = self.positions[k].iter().zip(&self.positions[k - 2]);
-            ends.zip(&self.velocities[k]).map(|((after, before), v)| (v - (after - before) / (2.0 * self.time_step)).abs()).fold(0.0, f64::max)
+            ends.zip(&self.velocities[k])
+                .map(|((after, before), v)| (v - (after - before) / (2.0 * self.time_step)).abs())
+                .fold(0.0, f64::max)
         };
         (2..self.positions.len()).map(apart).fold(0.0, f64::max)
     }

@@ -108,6 +108,12 @@ pub fn siconos_double_sum(steps: usize, step: f64) -> f64 {
     (steps * steps) as f64 * step
 }
 
+/// Distance \[m/s\] of one step from Siconos's generalised-α, for velocities and gains of velocity of the given size: rounding, and what Newton's iteration leaves
+/// of the momentum equation, whose tolerance \[N\] is h/m times an error of velocity.
+pub fn siconos_alpha_step(size: f64, newton: f64) -> f64 {
+    siconos_step(size) + newton
+}
+
 /// Error of a flight between two of Siconos's events, in position and velocity alike: `theirs` steps of LSODAR, whose estimated error is below the absolute
 /// tolerance and the relative one times the size, and ten of ours below [`TOLERANCE`](super::event_driven::TOLERANCE) (1 + size). An error of velocity
 /// grows into one of position with the duration \[s\].

@@ -2,11 +2,12 @@
 
 use libtest_mimic::Failed;
 use moreau::checks::Finding;
+use moreau::checks::siconos_alpha::SiconosAlpha;
 use moreau::checks::siconos_events::SiconosEvents;
 use moreau::checks::siconos_steps::SiconosSteps;
 use moreau::event_driven::EventDriven;
 use moreau::event_driven::flight::{Control, Location};
-use moreau::schemes::StewartTrinkle;
+use moreau::schemes::{GeneralisedAlpha, StewartTrinkle};
 use moreau::solvers::LemkePivoting;
 use moreau::tolerance::claims::events::ACCURACY;
 use moreau::tolerance::references::SICONOS_PER_STEP;
@@ -21,6 +22,9 @@ pub fn check(file: &Path) -> Result<Vec<Finding>, Failed> {
     let (name, text) = (file.to_string_lossy(), std::fs::read_to_string(file)?);
     if name.contains("__event-driven") {
         return events(&SiconosEvents::from_json(&text)?);
+    }
+    if name.contains("__generalised-alpha") {
+        return alpha(&SiconosAlpha::from_json(&text)?);
     }
     let run = SiconosSteps::from_json(&text)?;
     if name.contains("bead_bounce") {
@@ -67,7 +71,13 @@ fn two_steps(run: &SiconosSteps) -> Vec<Finding> {
     let shown = (1..run.positions.len()).map(|k| (run.velocities[k][0] - run.state(k).velocity[0]).abs()).fold(0.0, f64::max);
     let largest = run.impulses.iter().flatten().fold(0.0, |a: f64, b| a.max(b.abs()));
     vec![
-        Finding::equal("DIFFERENCE: the velocity shown is (q_k − q_{k−2})/2h", run.distance_from_central_differences(), 0.0, run.tolerances()[1], "m/s"),
+        Finding::equal(
+            "DIFFERENCE: the velocity shown is (q_k − q_{k−2})/2h",
+            run.distance_from_central_differences(),
+            0.0,
+            run.tolerances()[1],
+            "m/s",
+        ),
         Finding::at_least("its distance from (q_k − q_{k−1})/h", shown, 0.1, "m/s"),
         Finding::equal("q_1 = q_0 + h v_0", first, start + run.time_step * velocity, run.tolerances()[0], "m"),
         Finding::at_least("largest impulse: there are impacts", largest, 0.1, "N·s"),
@@ -89,6 +99,28 @@ fn events(run: &SiconosEvents) -> Result<Vec<Finding>, Failed> {
         Finding::decision("control: events noticed a millisecond late are noticed", run.apart(&late)?.instant > allowed, true),
     ];
     findings.extend(after_accumulation(run)?);
+    Ok(findings)
+}
+
+/// The flight agrees. DIFFERENCE: at an impact NewMarkAlphaOSI of 4.4.0 multiplies the velocity by a factor with the unit 1/s, in which e does not occur.
+fn alpha(run: &SiconosAlpha) -> Result<Vec<Finding>, Failed> {
+    let (allowed, [position, velocity]) = (run.tolerances(), run.deviations(&run.scheme()?)?);
+    let other = GeneralisedAlpha::new(run.scheme()?.spectral_radius() - 0.01)?;
+    let noticed = run.deviations(&other)?[1] > allowed[1];
+    let mut findings = vec![
+        pinned(run.version()),
+        Finding::at_most("position after every step of the flight against Siconos's", position, allowed[0], "m"),
+        Finding::at_most("velocity after every step of the flight", velocity, allowed[1], "m/s"),
+    ];
+    let Some(impact) = run.first_impact() else {
+        findings.push(Finding::decision("control: another spectral radius is noticed", noticed, true));
+        return Ok(findings);
+    };
+    findings.extend([
+        Finding::decision("control: under a constant force every spectral radius is the same", noticed, false),
+        Finding::equal("DIFFERENCE: v⁺ = v⁻ (1 − (1−α_m)/((1−α_f) γ) h'/h²)", impact.leaving, impact.predicted, impact.rounding, "m/s"),
+        Finding::at_least("its distance from −e v⁻", (impact.leaving - impact.newton).abs(), 10.0 * impact.arriving.abs(), "m/s"),
+    ]);
     Ok(findings)
 }
 

@@ -1,9 +1,16 @@
-// Steps of Siconos with an integrator that Siconos's Python does not have, on a linear system with linear unilateral constraints:
+// Siconos with two integrators that its Python does not have. Reads runs on standard input, each with the name of its integrator:
 //
-//     M q'' + K q = F ,   g = C q + b >= 0 ,   Newton's e for each row
+//     SchatzmanPaoliOSI   M q'' + K q = F ,   g = C q + b >= 0 ,   Newton's e for each row
+//       dof, constraints, theta, h, steps; then M (its diagonal), K (row by row), F, C (row by row), b, e, q, v
+//       writes q, v and the multipliers after the initialisation and after every step
 //
-// Reads runs on standard input: dof, constraints, theta, h, steps; then M (its diagonal), K (row by row), F, C (row by row), b, e, q, v.
-// Writes q, v and the multipliers on one line after the initialisation and after every step, and an empty line after a run.
+//     NewMarkAlphaOSI     m q'' + c q' + k q = -m g ,   q >= stop ,   Newton's e
+//       m, k, c, g, stop, e, q, v, spectral radius, h, duration, Newton's tolerance, event tolerance
+//       writes t, whether it is an impact, q, v and the impulse at the start and after every event, the first impact being the last
+//
+// and an empty line after a run. The answer goes to the file of the first argument: Siconos reports on standard output.
+#include <LagrangianScleronomousR.hpp>
+#include <NewMarkAlphaOSI.hpp>
 #include <SchatzmanPaoliOSI.hpp>
 #include <SiconosKernel.hpp>
 
@@ -11,9 +18,9 @@
 #include <cstdio>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
 using Numbers = std::vector<double>;
@@ -37,10 +44,10 @@ SP::SimpleMatrix matrix(const Numbers& numbers, size_t columns) {
   return result;
 }
 
-void run(std::istream& in, std::ostream& out, size_t dof) {
-  size_t constraints, steps;
+void schatzman_paoli(std::istream& in, std::ostream& out) {
+  size_t dof, constraints, steps;
   double theta, step;
-  in >> constraints >> theta >> step >> steps;
+  in >> dof >> constraints >> theta >> step >> steps;
   const Numbers masses = read(in, dof), stiffness = read(in, dof * dof), force = read(in, dof);
   const Numbers rows = read(in, constraints * dof), offsets = read(in, constraints), restitutions = read(in, constraints);
   const Numbers position = read(in, dof), velocity = read(in, dof);
@@ -79,12 +86,75 @@ void run(std::istream& in, std::ostream& out, size_t dof) {
   out << '\n';
 }
 
+// NewMarkAlphaOSI turns the sign of a LagrangianLinearTIDS's K and C in every iteration, and takes a linear relation's gap for zero: both are nonlinear here.
+struct Spring : LagrangianDS {
+  const double stiffness, damping;
+
+  Spring(double mass, double k, double c, double q, double v)
+      : LagrangianDS(vector({q}), vector({v}), matrix({mass}, 1)), stiffness(k), damping(c) {
+    _fInt = vector({0.0});
+    _jacobianFIntq = matrix({k}, 1);
+    _jacobianFIntqDot = matrix({c}, 1);
+  }
+  void computeFInt(double) override { computeFInt(0.0, _q[0], _q[1]); }
+  void computeFInt(double, SP::SiconosVector q, SP::SiconosVector v) override { (*_fInt)(0) = stiffness * (*q)(0) + damping * (*v)(0); }
+  void computeJacobianFIntq(double) override {}
+  void computeJacobianFIntq(double, SP::SiconosVector, SP::SiconosVector) override {}
+  void computeJacobianFIntqDot(double) override {}
+  void computeJacobianFIntqDot(double, SP::SiconosVector, SP::SiconosVector) override {}
+};
+
+struct Stop : LagrangianScleronomousR {
+  const double place;
+
+  explicit Stop(double at) : place(at) {
+    _jachq = matrix({1.0}, 1);
+    _dotjachq = matrix({0.0}, 1);
+  }
+  void computeh(const BlockVector& q, BlockVector&, SiconosVector& gap) override { gap.setValue(0, q.getValue(0) - place); }
+  void computeJachq(const BlockVector&, BlockVector&) override {}
+  void computeDotJachq(const BlockVector&, BlockVector&, const BlockVector&) override {}
+};
+
+void newmark_alpha(std::istream& in, std::ostream& out) {
+  const Numbers one = read(in, 13);
+  const double mass = one[0], gravity = one[3], step = one[9], duration = one[10];
+  auto body = std::make_shared<Spring>(mass, one[1], one[2], one[6], one[7]);
+  body->setFExtPtr(vector({-mass * gravity}));
+  auto world = std::make_shared<NonSmoothDynamicalSystem>(0.0, duration);
+  world->insertDynamicalSystem(body);
+  auto contact = std::make_shared<Interaction>(std::make_shared<NewtonImpactNSL>(one[5]), std::make_shared<Stop>(one[4]));
+  world->link(contact, body);
+  auto motion = std::make_shared<EventDriven>(world, std::make_shared<TimeDiscretisation>(0.0, step));
+  motion->insertIntegrator(std::make_shared<NewMarkAlphaOSI>(one[8], false));
+  for (int problem : {SICONOS_OSNSP_ED_IMPACT, SICONOS_OSNSP_ED_SMOOTH_ACC, SICONOS_OSNSP_ED_SMOOTH_POS})
+    motion->insertNonSmoothProblem(std::make_shared<LCP>(), problem);
+  motion->setNewtonTolerance(one[11]);
+  motion->setToleranceED(one[12]);
+  motion->initialize();
+
+  const int non_smooth = 2;
+  bool impact = false;
+  auto write = [&] {
+    out << motion->startingTime() << ' ' << impact << ' ' << (*body->q())(0) << ' ' << (*body->velocity())(0) << ' '
+        << (impact ? (*contact->lambda(1))(0) : 0.0) << '\n';
+  };
+  write();
+  while (motion->hasNextEvent() && !impact) {
+    motion->advanceToEvent();
+    motion->processEvents();
+    impact = motion->eventsManager()->currentEvent()->getType() == non_smooth;
+    write();
+  }
+  out << '\n';
+}
+
 int main(int, char** arguments) {
-  // Siconos reports on standard output, so that the answer goes to a file
   std::ofstream out(arguments[1]);
   out.precision(std::numeric_limits<double>::max_digits10);
   try {
-    for (size_t dof; std::cin >> dof;) run(std::cin, out, dof);
+    for (std::string integrator; std::cin >> integrator;)
+      (integrator == "NewMarkAlphaOSI" ? newmark_alpha : schatzman_paoli)(std::cin, out);
   } catch (const std::exception& problem) {
     std::cerr << problem.what() << '\n';
     return 1;
