@@ -3,7 +3,7 @@
 //! ```text
 //!     (1−α_m) a⁺ + α_m a = (1−α_f) M⁻¹F(q⁺, v⁺) + α_f M⁻¹F(q, v) ,      K_μ ∋ r ⟂ y + μ‖y_t‖ n ∈ K_μ* ,   y = u⁺ + e u_n n
 //! ```
-//! Siconos's class of that name is the smooth method within its event-driven strategy: the two are compared in flight, see [`crate::checks::siconos_alpha`].
+//! Siconos's class of that name is the smooth method within its event-driven strategy: single steps in flight are compared, see [`crate::checks::siconos_alpha`].
 
 use super::{Agreement, Cone, ContactLaw, Level, Measured, System, on_a_ball, on_a_spring};
 use crate::checks::siconos_alpha::SiconosAlpha;
@@ -28,7 +28,7 @@ pub static SYSTEM: System = System {
         },
         Agreement {
             against: "Siconos 4.4.0",
-            quantity: "velocity after every step between contacts of springs and a fall, NewMarkAlphaOSI at ρ = 1, 0.8 and 0.2",
+            quantity: "velocity after single steps between contacts of springs and a fall, NewMarkAlphaOSI at ρ = 1, 0.8 and 0.2",
             unit: "m/s",
             measure: || siconos(|run| run.scheme()),
         },
