@@ -12,7 +12,7 @@ SCRIPTS = Path(__file__).resolve().parent
 sys.path.insert(0, str(SCRIPTS))
 
 from reference.documents import read  # noqa: E402
-from reference.plan import STEPS, all_jobs  # noqa: E402
+from reference.plan import STEPS, Job, all_jobs  # noqa: E402
 
 REFERENCES = SCRIPTS.parent / "references"
 GRAVITY = 9.81
@@ -119,10 +119,15 @@ MEASURES = (
 )
 
 
+def runs():
+    """The jobs that are motions or steps of one."""
+    return [job for job in all_jobs() if isinstance(job, Job)]
+
+
 def motions():
     """{(scene, engine, config): {h: document}}."""
     result = {}
-    for job in all_jobs():
+    for job in runs():
         if not job.is_dump:
             key = (job.scene, job.engine, job.config)
             result.setdefault(key, {})[job.time_step] = read(REFERENCES / job.path)
@@ -144,7 +149,7 @@ def print_motions():
 def print_stick_dumps():
     """Creep predicted by the compliance in the dumps: v = m g sin α / (b Σ 1/R_t), MuJoCo."""
     print("\n**creep of MuJoCo's elliptic block from its own R_t and b**\n")
-    for job in all_jobs():
+    for job in runs():
         if job.is_dump and job.scene == "block_stick" and job.config == "newton-elliptic":
             native = read(REFERENCES / job.path)["native"]
             tangential = native["efc_R"][1::3]
@@ -169,7 +174,7 @@ def print_drake_dumps():
     print("\n**Drake SAP: closed forms and the rebuilt step**\n")
     print("| dump | w [1/kg] | σ h m g sin α / Σ 1/w [m/s] | Δ law velocity | Δ impulse | λ_min |"
           "\n|---|---|---|---|---|---|")
-    for job in all_jobs():
+    for job in runs():
         if job.is_dump and job.engine == "drake":
             document = read(REFERENCES / job.path)
             native, checks = document["native"], document["checks"]
@@ -187,7 +192,7 @@ def print_drake_dumps():
 def print_drake_gap():
     """Contact gap and (h+τ)(μ|v_t| − (R_n + μ²R_t) r_n) of the sliding block, per dump."""
     print("\n**Drake SAP: sliding gap [m] of each contact against the closed form**\n")
-    for job in all_jobs():
+    for job in runs():
         if job.is_dump and job.engine == "drake" and job.scene == "block_slide":
             document = read(REFERENCES / job.path)
             native, answer = document["native"], document["answer"]
@@ -209,7 +214,7 @@ def print_mujoco_dumps():
     """
     print("\n**MuJoCo dumps: iterations and |f·((A+R) f + b)| / |f·b|**\n")
     print("| dump | contacts | iterations | complementarity |\n|---|---|---|---|")
-    for job in all_jobs():
+    for job in runs():
         if job.is_dump and job.engine == "mujoco":
             document = read(REFERENCES / job.path)
             native, force = document["native"], document["native"]["efc_force"]

@@ -92,6 +92,10 @@ def _motion(engine, scene, config, options, time_step):
     return Job(engine, scene, config, time_step, sample_every=every, options=options)
 
 
+# Every step is stored: one step from each state, through impacts too.
+IMPACTS = (("ball_impact", (1e-3,)), ("block_impact", (1e-3,)), ("stack_landing", (5e-3, 2e-3)))
+
+
 def _mujoco():
     for scene in ("ball_drop", "ball_drop_elastic", "ball_rest"):
         for config in MUJOCO_NEWTON:
@@ -154,6 +158,10 @@ def _drake():
                 yield _motion("drake", scene, config, options, h)
     for h in STEPS[1:]:
         yield _motion("drake", "ball_drop_elastic", "lagged", DRAKE["lagged"], h)
+    for scene, steps in IMPACTS:
+        for config, options in DRAKE.items():
+            for h in steps:
+                yield Job("drake", scene, config, h, sample_every=1, options=options)
     for scene, h, step in (("ball_rest", 1e-3, 20), ("ball_rest", 1e-3, 900),
                            ("block_stick", 1e-3, 20), ("block_stick", 1e-3, 900),
                            ("block_stick", 1e-2, 90), ("block_slide", 1e-3, 300),

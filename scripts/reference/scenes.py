@@ -49,6 +49,18 @@ def _block_on_incline(name, description, friction):
     return _scene(name, description, TILTED, [block], friction, 1.0, {"drake": drake})
 
 
+def _moving(body, position, linear, angular, orientation=(1.0, 0.0, 0.0, 0.0)):
+    return {**body, "position": position, "orientation": list(orientation),
+            "linear_velocity": linear, "angular_velocity": angular}
+
+
+def _landing_boxes():
+    """The five boxes 0.2 mm apart, each sliding over the one below it."""
+    return [{**box, "position": [0.0, 0.0, box["position"][2] + 2e-4 * (i + 1)],
+             "linear_velocity": [0.02 * (-1) ** i, 0.01 * i, -0.1]}
+            for i, box in enumerate(_five_boxes())]
+
+
 def _five_boxes():
     """Each box 5 mm narrower on every side than the one below.
 
@@ -110,5 +122,17 @@ def all_scenes():
                [_turning(_ball(START_GAP), [0.0] * 3, [0.0, 0.0, 15.0])], 0.5, 1.0, {}),
         _scene("ball_roll", "A 1 kg sphere rolls on the ground at 0.5 m/s.", LEVEL,
                [_turning(_ball(START_GAP), [0.5, 0.0, 0.0], [0.0, 5.0, 0.0])], 0.5, 1.0, {}),
+        _scene("ball_impact", "A 1 kg sphere hits the ground obliquely and with spin.", LEVEL,
+               [_moving(_ball(0.0), [0.0, 0.0, 0.101], [2.0, 0.5, -4.0], [0.0, -10.0, 5.0])],
+               0.5, 0.04,
+               {"drake": {"stiffness": 1e5, "dissipation": 0.324, "relaxation_time": 0.002}}),
+        _scene("block_impact", "A 1 kg block hits the ground with a corner and lands on others.",
+               LEVEL, [_moving(_box("block", [0.1, 0.1, 0.05], []), [0.0, 0.0, 0.116],
+                               [1.0, 0.5, -2.0], [3.0, 5.0, -2.0], (0.96, 0.168, 0.224, 0.0))],
+               0.5, 0.12,
+               {"drake": {"stiffness": 2e4, "dissipation": 1.0, "relaxation_time": 0.005}}),
+        _scene("stack_landing", "Five 1 kg boxes land on each other, each sliding over the next.",
+               LEVEL, _landing_boxes(), 0.5, 0.06,
+               {"drake": {"stiffness": 1e5, "dissipation": 20.0, "relaxation_time": 0.005}}),
     ]
     return {scene["name"]: scene for scene in scenes}

@@ -1,6 +1,6 @@
-//! Drake's stored motions of one body made again, step by step, by our scheme of the same law.
+//! Drake's stored motions made again, step by step, by our scheme of the same law.
 //!
-//! The mechanism is the one Drake was given: a sphere, or a box with a sphere in each corner, in Drake's coordinates. What is left is the stopping rule:
+//! The mechanism is the one Drake was given: spheres, and boxes with a sphere in each corner, in Drake's coordinates. What is left is the stopping rule:
 //! ours ends at rounding, Drake's within δ of it in the kinetic norm ([`sap_velocity`](references::sap_velocity), for TAMSI
 //! [`tamsi_velocity`](references::tamsi_velocity)), in every step with contact.
 //! ```text
@@ -10,17 +10,18 @@
 //! *Intervals.* A step is a proximal map, which does not spread velocities apart in the kinetic norm, and a depth enters it divided by h + τ (τ = 0 but for SAP).
 //! *Whole motion.* While the same contacts stay closed a step is the implicit Euler step of monotone forces, of a spring in the gap and of friction in the
 //! velocity: two motions do not move apart in the norm ‖e_v‖²_M + Σ k e_φ², and every step adds its own δ. The factor is for contacts that open in
-//! one of the two only. An impact may amplify more: those motions are held by their intervals.
+//! one of the two only. An impact may amplify more: those motions are held by their intervals; where every step is
+//! stored, an interval is one step and its bound δ alone, through impacts too.
 
 use super::Finding;
-use crate::mechanics::{Mechanism, SphereBody, State};
+use crate::mechanics::{Mechanism, SphereBodies, State};
 use crate::schemes::drake::Material;
 use crate::schemes::{Parameters, Scheme, by_name, run};
 use crate::solvers::SemiAnalyticPrimal;
 use crate::tolerance::references;
 use crate::trajectory::Trajectory;
 use crate::{Error, Result};
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 use serde_json::Value;
 
 /// A stored motion with the scheme and the mechanism that should make it again.
@@ -43,7 +44,7 @@ impl<'a> Replay<'a> {
     /// The scheme of the file's configuration on the file's scene.
     ///
     /// # Errors
-    /// If the file is no motion of Drake's with one body, or does not say how it was made.
+    /// If the file is no motion of Drake's, or does not say how it was made.
     pub fn new(stored: &'a Trajectory) -> Result<Self> {
         let config = provenance(stored, "config").and_then(Value::as_str).ok_or_else(|| missing("provenance.config"))?;
         let scheme = format!("drake-{config}");
@@ -89,10 +90,11 @@ impl<'a> Replay<'a> {
             let injected = references::replayed(ours.errors[..sample * self.every].iter().sum());
             let rounding = references::sample_rounding(sample * self.every, self.size(&stored));
             let mass = self.mechanism.mass_matrix(&stored.position);
-            let away = (&state.position - &stored.position).rows(0, 3).norm();
+            let apart = &state.position - &stored.position;
+            let away = (0..apart.len() / 7).map(|body| apart.rows(7 * body, 3).norm()).fold(0.0, f64::max);
             let time = self.stored.times[sample];
             worst[0].see(self.kinetic(&(&state.velocity - &stored.velocity), &stored), injected + rounding);
-            worst[1].see(away, time * (injected / mass[(0, 0)].sqrt() + rounding));
+            worst[1].see(away, time * (injected / lightest(&mass).sqrt() + rounding));
         }
         let name = |what: &str| format!("{what} of the whole motion by our {}", self.scheme.name());
         let [velocity, place] = worst;
@@ -153,9 +155,16 @@ impl<'a> Replay<'a> {
     }
 
     fn sample(&self, sample: usize) -> State {
-        let track = &self.stored.bodies[0];
-        SphereBody::state(track.position[sample], track.orientation[sample], track.linear_velocity[sample], track.angular_velocity[sample])
+        let tracks = self.stored.bodies.iter();
+        SphereBodies::state(tracks.map(|track| {
+            (track.position[sample], track.orientation[sample], track.linear_velocity[sample], track.angular_velocity[sample])
+        }))
     }
+}
+
+/// The smallest mass of a body, whose six rows begin with it \[kg\].
+fn lightest(mass: &DMatrix<f64>) -> f64 {
+    (0..mass.nrows() / 6).map(|body| mass[(6 * body, 6 * body)]).fold(f64::INFINITY, f64::min)
 }
 
 /// The comparison with the largest share of what is allowed.

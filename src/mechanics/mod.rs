@@ -14,7 +14,7 @@ mod point_mass;
 mod rod_chain;
 mod slider_crank;
 pub mod spatial;
-mod sphere_body;
+mod sphere_bodies;
 #[cfg(test)]
 mod testing;
 
@@ -28,7 +28,7 @@ pub use point_mass::{Plane, PointMass};
 pub use rod_chain::RodChain;
 pub use slider_crank::{SliderCrank, SliderCrankData};
 pub use spatial::SpatialBodies;
-pub use sphere_body::SphereBody;
+pub use sphere_bodies::{SphereBodies, SphereBody};
 
 /// Configuration and velocity of a mechanism.
 #[derive(Clone, Debug, PartialEq)]

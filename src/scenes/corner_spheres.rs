@@ -3,29 +3,35 @@
 //! The corners' centres are at (±(a − ρ), ±(b − ρ), ±(c − ρ)), ρ the radius: faces touch the ground where the box's would, but the feet stand ρ further in.
 
 use super::{Body, Scene};
-use crate::mechanics::{Mechanism, Plane, SphereBody, State};
+use crate::mechanics::{Mechanism, Plane, SphereBodies, SphereBody, State};
 use crate::{Error, Result};
 use nalgebra::DVector;
 
 impl Scene {
-    /// The scene's single body over its ground, boxes with spheres of `corner_radius` \[m\] in their corners, and its initial state.
+    /// The scene's bodies over its ground, boxes with spheres of `corner_radius` \[m\] in their corners that meet the ground and the other boxes, and
+    /// the initial state.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] unless there is one body and a ground; [`Error::Invalid`] as [`Scene::validate`].
+    /// [`Error::Unsupported`] unless there are a body and a ground; [`Error::Invalid`] as [`Scene::validate`].
     pub fn corner_sphere_mechanism(&self, corner_radius: f64) -> Result<(Box<dyn Mechanism>, State)> {
         self.validate()?;
-        let (body, ground) = match (self.bodies.as_slice(), &self.ground) {
-            ([body], Some(ground)) => (body, ground),
-            _ => return Err(Error::Unsupported("corner spheres stand for one body on a ground plane".into())),
+        let (Some(ground), [_, ..]) = (&self.ground, self.bodies.as_slice()) else {
+            return Err(Error::Unsupported("corner spheres stand for bodies on a ground plane".into()));
         };
-        let (spheres, solid) = shape(body, corner_radius)?;
         let material = &self.material;
         let normal = DVector::from_row_slice(&ground.normal).normalize();
         let plane = Plane::new(normal, ground.offset, material.friction, material.restitution)?;
-        let mechanism = SphereBody::new(&body.name, body.mass, body.inertia.unwrap_or(solid), spheres, self.gravity, plane)?;
-        let state = SphereBody::state(body.position, body.orientation, body.linear_velocity, body.angular_velocity);
-        Ok((Box::new(mechanism), state))
+        let bodies = self.bodies.iter().map(|body| sphere_body(body, corner_radius)).collect::<Result<_>>()?;
+        let mechanism = SphereBodies::new(&self.name, bodies, self.gravity, plane)?;
+        let state = |body: &Body| (body.position, body.orientation, body.linear_velocity, body.angular_velocity);
+        Ok((Box::new(mechanism), SphereBodies::state(self.bodies.iter().map(state))))
     }
+}
+
+fn sphere_body(body: &Body, corner_radius: f64) -> Result<SphereBody> {
+    let (spheres, solid) = shape(body, corner_radius)?;
+    let faces = body.cuboid.as_ref().map(|cuboid| cuboid.half_extents);
+    Ok(SphereBody { name: body.name.clone(), mass: body.mass, moments: body.inertia.unwrap_or(solid), spheres, faces })
 }
 
 /// Centre in body axes and radius \[m\].

@@ -54,6 +54,12 @@ pub static SAP: System = drake(
         velocity("velocity of a block that sticks and creeps, whole motion, h = 10 ms", || whole(stored!("block_stick__sap__h0.01"))),
         velocity("velocity of a sliding block, whole motion, h = 1 ms", || whole(stored!("block_slide__sap__h0.001"))),
         velocity("velocity after a step from each sample, sliding and hopping, h = 10 ms", || one_step(stored!("block_slide__sap__h0.01"))),
+        velocity("velocity after every step of a block that falls on three corners in turn, h = 1 ms", || {
+            one_step(stored!("block_impact__sap__h0.001"))
+        }),
+        velocity("velocity after every step of five boxes that land on each other, h = 5 ms", || {
+            one_step(stored!("stack_landing__sap__h0.005"))
+        }),
     ],
 );
 
@@ -64,6 +70,12 @@ pub static SIMILAR: System = drake(
     &[
         velocity("velocity of a sliding block, whole motion, h = 1 ms", || whole(stored!("block_slide__similar__h0.001"))),
         velocity("velocity after a step from each sample, sticking, h = 10 ms", || one_step(stored!("block_stick__similar__h0.01"))),
+        velocity("velocity after every step of a block that falls on three corners in turn, h = 1 ms", || {
+            one_step(stored!("block_impact__similar__h0.001"))
+        }),
+        velocity("velocity after every step of five boxes that land on each other, h = 5 ms", || {
+            one_step(stored!("stack_landing__similar__h0.005"))
+        }),
     ],
 );
 
@@ -74,6 +86,12 @@ pub static LAGGED: System = drake(
     &[
         velocity("velocity of a sliding block, whole motion, h = 1 ms", || whole(stored!("block_slide__lagged__h0.001"))),
         velocity("velocity after a step from each sample, sticking, h = 10 ms", || one_step(stored!("block_stick__lagged__h0.01"))),
+        velocity("velocity after every step of a block that falls on three corners in turn, h = 1 ms", || {
+            one_step(stored!("block_impact__lagged__h0.001"))
+        }),
+        velocity("velocity after every step of five boxes that land on each other, h = 5 ms", || {
+            one_step(stored!("stack_landing__lagged__h0.005"))
+        }),
     ],
 );
 
@@ -84,6 +102,12 @@ pub static TAMSI: System = drake(
     &[
         velocity("velocity of a sliding block, whole motion, h = 1 ms", || whole(stored!("block_slide__tamsi__h0.001"))),
         velocity("velocity after a step from each sample, sticking, h = 10 ms", || one_step(stored!("block_stick__tamsi__h0.01"))),
+        velocity("velocity after every step of a block that falls on three corners in turn, h = 1 ms", || {
+            one_step(stored!("block_impact__tamsi__h0.001"))
+        }),
+        velocity("velocity after every step of five boxes that land on each other, h = 5 ms", || {
+            one_step(stored!("stack_landing__tamsi__h0.005"))
+        }),
     ],
 );
 
@@ -125,5 +149,26 @@ mod tests {
         let stick = stored!("block_stick__lagged__h0.01");
         let material = Replay::material(&Trajectory::from_json(stick).expect("stored")).expect("stored");
         caught(replayed(stick, DrakeTamsi { material }));
+    }
+
+    #[test]
+    fn boxes_that_land_with_other_friction_or_other_corners_are_out_of_tolerance() {
+        for stored in
+            [stored!("stack_landing__sap__h0.005"), stored!("stack_landing__lagged__h0.005"), stored!("stack_landing__tamsi__h0.005")]
+        {
+            let trajectory = Trajectory::from_json(stored).expect("stored");
+            let found = |trajectory: &Trajectory| Ok(measured(Replay::new(trajectory)?.intervals()?));
+            assert!(found(&trajectory).expect("valid").holds());
+            let mut rougher = trajectory.clone();
+            rougher.scene.material.friction *= 1.01;
+            caught(found(&rougher));
+            let mut rounder = trajectory.clone();
+            rounder.engine.options.insert("corner_radius".into(), 0.006.into());
+            caught(found(&rounder));
+            let mut narrower = trajectory.clone();
+            let cuboid = narrower.scene.bodies[0].cuboid.as_mut().expect("a box");
+            cuboid.half_extents[0] *= 0.9;
+            caught(found(&narrower));
+        }
     }
 }

@@ -32,10 +32,12 @@ pub fn check(document: &Document) -> Result<Vec<Finding>, Failed> {
         "block_stick" => block::stick(document, &trajectory)?,
         "block_slide" => block::slide(document, &trajectory)?,
         "five_box_stack" => stack::check(document, &trajectory)?,
+        // momentum above, every step of the engine's own model below
+        "ball_impact" | "block_impact" | "stack_landing" => vec![],
         other => return Err(format!("no check knows the scene `{other}`").into()),
     });
-    if replay::applies(document, &trajectory) {
-        findings.extend(replay::check(&trajectory)?);
+    if document.engine() == "drake" {
+        findings.extend(replay::check(document, &trajectory)?);
     }
     Ok(findings)
 }

@@ -15,7 +15,7 @@ use nalgebra::Vector3;
 
 /// One contact candidate between a first body and a second one (or the ground).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Touch {
+pub(in crate::mechanics) struct Touch {
     /// φ \[m\].
     pub gap: f64,
     /// Unit normal, pointing to the first body.
@@ -51,9 +51,9 @@ pub(super) fn ground_touches(shape: &Shape, pose: &Pose, ground: &Plane) -> Vec<
 pub(super) fn pair_touches(first: &Shape, pose_first: &Pose, second: &Shape, pose_second: &Pose) -> Vec<Touch> {
     match (*first, *second) {
         (Shape::Sphere { radius }, Shape::Sphere { radius: other }) => vec![sphere_sphere(radius, pose_first, other, pose_second)],
-        (Shape::Sphere { radius }, Shape::Box { half_extents }) => vec![sphere_box(radius, pose_first, half_extents, pose_second)],
+        (Shape::Sphere { radius }, Shape::Box { half_extents }) => vec![sphere_box(radius, &pose_first.centre, half_extents, pose_second)],
         (Shape::Box { half_extents }, Shape::Sphere { radius }) => {
-            vec![sphere_box(radius, pose_second, half_extents, pose_first).swapped()]
+            vec![sphere_box(radius, &pose_second.centre, half_extents, pose_first).swapped()]
         }
         (Shape::Box { half_extents }, Shape::Box { half_extents: other }) => box_box(half_extents, pose_first, other, pose_second),
     }
@@ -66,8 +66,8 @@ fn sphere_sphere(radius: f64, first: &Pose, other: f64, second: &Pose) -> Touch 
 }
 
 /// Outside, the nearest point of the box counts; inside, its nearest face, the first of several.
-fn sphere_box(radius: f64, sphere: &Pose, half_extents: [f64; 3], cuboid: &Pose) -> Touch {
-    let centre = cuboid.body(sphere.centre);
+pub(in crate::mechanics) fn sphere_box(radius: f64, sphere: &Vector3<f64>, half_extents: [f64; 3], cuboid: &Pose) -> Touch {
+    let centre = cuboid.body(*sphere);
     let extents = Vector3::from(half_extents);
     let nearest = centre.zip_map(&extents, |x, extent| x.clamp(-extent, extent));
     let (distance, normal, on_box) = if nearest == centre {
@@ -78,10 +78,10 @@ fn sphere_box(radius: f64, sphere: &Pose, half_extents: [f64; 3], cuboid: &Pose)
         on_face[axis] = sign * extents[axis];
         (-depths[axis], cuboid.rotation.column(axis) * sign, on_face)
     } else {
-        let (distance, normal) = direction(cuboid.world(nearest), sphere.centre);
+        let (distance, normal) = direction(cuboid.world(nearest), *sphere);
         (distance, normal, nearest)
     };
-    Touch { gap: distance - radius, normal, points: [sphere.centre - normal * radius, cuboid.world(on_box)], features: [0, 0] }
+    Touch { gap: distance - radius, normal, points: [sphere - normal * radius, cuboid.world(on_box)], features: [0, 0] }
 }
 
 /// Distance and unit vector from a to b; +z where they coincide and every direction would do.

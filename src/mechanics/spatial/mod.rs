@@ -17,6 +17,8 @@ mod features;
 mod gyroscopic;
 mod shape;
 
+pub(in crate::mechanics) use features::{Touch, sphere_box};
+pub(in crate::mechanics) use shape::Pose;
 pub use shape::{Shape, SpatialBody};
 
 use super::{BodyState, Materials, Mechanism, PairMaterial, Plane};
@@ -24,9 +26,8 @@ use crate::contact::frame::spatial_tangents;
 use crate::contact::{Contact, Place};
 use crate::tolerance::mechanics::BESIDE;
 use crate::{Error, Result};
-use features::{Touch, ground_touches, pair_touches};
+use features::{ground_touches, pair_touches};
 use nalgebra::{DMatrix, DVector, Matrix3, UnitQuaternion, Vector3};
-use shape::Pose;
 
 /// Spheres and boxes in space under gravity, over an optional ground plane.
 ///

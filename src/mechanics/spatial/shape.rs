@@ -88,7 +88,7 @@ impl SpatialBody {
 
 /// Place and orientation of a body, x_world = centre + R x_body.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pose {
+pub(in crate::mechanics) struct Pose {
     /// Centre of mass \[m\].
     pub centre: Vector3<f64>,
     /// The orientation as a unit quaternion.

@@ -6,7 +6,7 @@
 //! ```
 //! [`DrakeSap`] is the associated cone law with compliance; [`DrakeSimilar`] and [`DrakeLagged`] follow Hunt and Crossley with friction regularised
 //! so that the step stays convex, and [`DrakeTamsi`] with friction that follows its own normal impulse, which is not.
-//! w depends on the velocities M is written in. Drake writes a free body's in world axes ([`SphereBody`](crate::mechanics::SphereBody)).
+//! w depends on the velocities M is written in. Drake writes a free body's in world axes ([`SphereBodies`](crate::mechanics::SphereBodies)).
 //!
 //! # Source
 //! Drake 1.51's `DiscreteContactApproximation`; the papers are named with each law.
