@@ -128,9 +128,10 @@ def motions():
     """{(scene, engine, config): {h: document}}."""
     result = {}
     for job in runs():
-        if not job.is_dump:
+        document = read(REFERENCES / job.path)
+        if document["schema"] == "trajectory/1":
             key = (job.scene, job.engine, job.config)
-            result.setdefault(key, {})[job.time_step] = read(REFERENCES / job.path)
+            result.setdefault(key, {})[job.time_step] = document
     return result
 
 
