@@ -20,6 +20,7 @@ use crate::schemes::{Bodies, Bullet, Friction, step};
 use crate::solvers::{ContactSolver, SequentialImpulses};
 use crate::tolerance::references::bullet_step;
 use crate::{Error, Result};
+use delegate::delegate;
 use nalgebra::{DMatrix, DVector, Matrix3, Quaternion, UnitQuaternion, Vector3};
 use serde::Deserialize;
 use serde_json::{Map, Value};
@@ -341,24 +342,17 @@ impl Seen<'_> {
 }
 
 impl Mechanism for Seen<'_> {
-    fn name(&self) -> &str {
-        self.mechanism.name()
-    }
-
-    fn degrees_of_freedom(&self) -> usize {
-        self.mechanism.degrees_of_freedom()
-    }
-
-    fn rows_per_contact(&self) -> usize {
-        self.mechanism.rows_per_contact()
-    }
-
-    fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64> {
-        self.mechanism.mass_matrix(position)
-    }
-
-    fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64> {
-        self.mechanism.force(position, velocity)
+    delegate! {
+        to self.mechanism {
+            fn name(&self) -> &str;
+            fn degrees_of_freedom(&self) -> usize;
+            fn rows_per_contact(&self) -> usize;
+            fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64>;
+            fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64>;
+            fn potential_energy(&self, position: &DVector<f64>) -> f64;
+            fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64>;
+            fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState>;
+        }
     }
 
     fn mean_force(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
@@ -368,18 +362,6 @@ impl Mechanism for Seen<'_> {
 
     fn contacts(&self, _position: &DVector<f64>) -> Vec<Contact> {
         self.contacts.clone()
-    }
-
-    fn potential_energy(&self, position: &DVector<f64>) -> f64 {
-        self.mechanism.potential_energy(position)
-    }
-
-    fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
-        self.mechanism.integrate(position, velocity, h)
-    }
-
-    fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState> {
-        self.mechanism.bodies(position, velocity)
     }
 }
 

@@ -17,6 +17,7 @@ use crate::schemes::{MoreauJean, MoreauJeanProjection, SchatzmanPaoli, Scheme, s
 use crate::solvers::{ContactSolver, LemkePivoting, Reference};
 use crate::tolerance::references::{siconos_double_sum, siconos_run, siconos_step};
 use crate::{Error, Result};
+use delegate::delegate;
 use nalgebra::{DMatrix, DVector, dvector};
 use serde::Deserialize;
 
@@ -267,41 +268,22 @@ struct Ahead {
 }
 
 impl Mechanism for Ahead {
-    fn name(&self) -> &str {
-        self.mechanism.name()
-    }
-
-    fn degrees_of_freedom(&self) -> usize {
-        self.mechanism.degrees_of_freedom()
-    }
-
-    fn rows_per_contact(&self) -> usize {
-        self.mechanism.rows_per_contact()
-    }
-
-    fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64> {
-        self.mechanism.mass_matrix(position)
-    }
-
-    fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64> {
-        self.mechanism.force(position, velocity)
+    delegate! {
+        to self.mechanism {
+            fn name(&self) -> &str;
+            fn degrees_of_freedom(&self) -> usize;
+            fn rows_per_contact(&self) -> usize;
+            fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64>;
+            fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64>;
+            fn potential_energy(&self, position: &DVector<f64>) -> f64;
+            fn linear_force(&self) -> Option<LinearForce>;
+            fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState>;
+        }
     }
 
     fn contacts(&self, position: &DVector<f64>) -> Vec<Contact> {
         let ahead = self.mechanism.contacts(&self.position).into_iter();
         self.mechanism.contacts(position).into_iter().zip(ahead).map(|(here, there)| Contact { jacobian: there.jacobian, ..here }).collect()
-    }
-
-    fn potential_energy(&self, position: &DVector<f64>) -> f64 {
-        self.mechanism.potential_energy(position)
-    }
-
-    fn linear_force(&self) -> Option<LinearForce> {
-        self.mechanism.linear_force()
-    }
-
-    fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState> {
-        self.mechanism.bodies(position, velocity)
     }
 }
 

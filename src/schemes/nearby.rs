@@ -10,6 +10,7 @@
 
 use crate::contact::Contact;
 use crate::mechanics::{BodyState, LinearForce, Mechanism, State};
+use delegate::delegate;
 use nalgebra::{DMatrix, DVector};
 
 /// The mechanism with the candidates within `reach` only.
@@ -21,28 +22,26 @@ pub(super) struct Nearby<'a> {
 }
 
 impl Mechanism for Nearby<'_> {
-    fn name(&self) -> &str {
-        self.mechanism.name()
-    }
-
-    fn degrees_of_freedom(&self) -> usize {
-        self.mechanism.degrees_of_freedom()
-    }
-
-    fn rows_per_contact(&self) -> usize {
-        self.mechanism.rows_per_contact()
-    }
-
-    fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64> {
-        self.mechanism.mass_matrix(position)
-    }
-
-    fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64> {
-        self.mechanism.force(position, velocity)
-    }
-
-    fn mean_force(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
-        self.mechanism.mean_force(position, velocity, h)
+    delegate! {
+        to self.mechanism {
+            fn name(&self) -> &str;
+            fn degrees_of_freedom(&self) -> usize;
+            fn rows_per_contact(&self) -> usize;
+            fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64>;
+            fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64>;
+            fn mean_force(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64>;
+            /// Not cut short: who asks for a reach of its own has its own reason for it.
+            fn contacts_halfway(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact>;
+            fn inverse_mass(&self, contact: &Contact) -> Option<f64>;
+            fn contact_rotation(&self, position: &DVector<f64>, contact: &Contact) -> Option<DMatrix<f64>>;
+            fn gyroscopic_slope(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Option<DMatrix<f64>>;
+            fn reach(&self, velocity: &DVector<f64>, h: f64) -> f64;
+            fn potential_energy(&self, position: &DVector<f64>) -> f64;
+            fn linear_force(&self) -> Option<LinearForce>;
+            fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64>;
+            fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState>;
+            fn kinetic_energy(&self, state: &State) -> f64;
+        }
     }
 
     fn contacts(&self, position: &DVector<f64>) -> Vec<Contact> {
@@ -51,46 +50,5 @@ impl Mechanism for Nearby<'_> {
 
     fn contacts_within(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
         self.mechanism.contacts_within(position, reach.min(self.reach))
-    }
-
-    /// Not cut short: who asks for a reach of its own has its own reason for it.
-    fn contacts_halfway(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
-        self.mechanism.contacts_halfway(position, reach)
-    }
-
-    fn inverse_mass(&self, contact: &Contact) -> Option<f64> {
-        self.mechanism.inverse_mass(contact)
-    }
-
-    fn contact_rotation(&self, position: &DVector<f64>, contact: &Contact) -> Option<DMatrix<f64>> {
-        self.mechanism.contact_rotation(position, contact)
-    }
-
-    fn gyroscopic_slope(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Option<DMatrix<f64>> {
-        self.mechanism.gyroscopic_slope(position, velocity)
-    }
-
-    fn reach(&self, velocity: &DVector<f64>, h: f64) -> f64 {
-        self.mechanism.reach(velocity, h)
-    }
-
-    fn potential_energy(&self, position: &DVector<f64>) -> f64 {
-        self.mechanism.potential_energy(position)
-    }
-
-    fn linear_force(&self) -> Option<LinearForce> {
-        self.mechanism.linear_force()
-    }
-
-    fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
-        self.mechanism.integrate(position, velocity, h)
-    }
-
-    fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState> {
-        self.mechanism.bodies(position, velocity)
-    }
-
-    fn kinetic_energy(&self, state: &State) -> f64 {
-        self.mechanism.kinetic_energy(state)
     }
 }

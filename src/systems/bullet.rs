@@ -28,7 +28,7 @@ pub static SYSTEM: System = System {
     level: Level::Velocity,
     cone: Cone::SecondOrder,
     law: ContactLaw::Coulomb,
-    algorithm: "sequential impulses, a given number of sweeps; or their limit",
+    algorithm: "sequential impulses, a given number of sweeps (`--solver sequential-impulses`); or their limit",
     restitution: "Newton's e on the velocity after the forces, less d/h of a gap",
     position_update: "q + h v⁺, and split impulses of deep rigid bodies",
     schemes: &["bullet"],

@@ -35,7 +35,7 @@ pub static SYSTEM: System = System {
     level: Level::Velocity,
     cone: Cone::SecondOrder,
     law: ContactLaw::Coulomb,
-    algorithm: "ADMM with a proximal term and automatic ρ",
+    algorithm: "ADMM with a proximal term and automatic ρ (`--solver admm`)",
     restitution: "the caller's",
     position_update: "q + h v⁺",
     schemes: &["moreau-jean"],

@@ -5,6 +5,7 @@
 
 use crate::document::Document;
 use crate::soft_motion::scheme;
+use delegate::delegate;
 use libtest_mimic::Failed;
 use moreau::checks::Finding;
 use moreau::contact::frame::spatial_tangents;
@@ -54,45 +55,26 @@ impl Stored<'_> {
 }
 
 impl Mechanism for Stored<'_> {
-    fn name(&self) -> &str {
-        self.mechanism.name()
-    }
-
-    fn degrees_of_freedom(&self) -> usize {
-        self.mechanism.degrees_of_freedom()
+    delegate! {
+        to self.mechanism {
+            fn name(&self) -> &str;
+            fn degrees_of_freedom(&self) -> usize;
+            fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64>;
+            fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64>;
+            fn inverse_mass(&self, contact: &Contact) -> Option<f64>;
+            fn potential_energy(&self, position: &DVector<f64>) -> f64;
+            fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64>;
+            fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState>;
+        }
     }
 
     fn rows_per_contact(&self) -> usize {
         3
     }
 
-    fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64> {
-        self.mechanism.mass_matrix(position)
-    }
-
-    fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64> {
-        self.mechanism.force(position, velocity)
-    }
-
     fn contacts(&self, position: &DVector<f64>) -> Vec<Contact> {
         let bodies = self.bodies(position, &DVector::zeros(self.degrees_of_freedom()));
         self.contacts.iter().map(|contact| self.contact(&bodies, *contact)).collect()
-    }
-
-    fn inverse_mass(&self, contact: &Contact) -> Option<f64> {
-        self.mechanism.inverse_mass(contact)
-    }
-
-    fn potential_energy(&self, position: &DVector<f64>) -> f64 {
-        self.mechanism.potential_energy(position)
-    }
-
-    fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
-        self.mechanism.integrate(position, velocity, h)
-    }
-
-    fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState> {
-        self.mechanism.bodies(position, velocity)
     }
 }
 

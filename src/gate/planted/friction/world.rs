@@ -5,6 +5,7 @@ use crate::contact::Contact;
 use crate::mechanics::{BodyState, Mechanism, State};
 use crate::scenes::Scene;
 use crate::schemes::{self, Parameters, Scheme, StepProblem};
+use delegate::delegate;
 use nalgebra::{DMatrix, DVector};
 
 /// ⅔ m r².
@@ -36,20 +37,16 @@ struct Changed {
 }
 
 impl Mechanism for Changed {
-    fn name(&self) -> &str {
-        self.inner.name()
-    }
-
-    fn degrees_of_freedom(&self) -> usize {
-        self.inner.degrees_of_freedom()
-    }
-
-    fn rows_per_contact(&self) -> usize {
-        self.inner.rows_per_contact()
-    }
-
-    fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64> {
-        self.inner.mass_matrix(position)
+    delegate! {
+        to self.inner {
+            fn name(&self) -> &str;
+            fn degrees_of_freedom(&self) -> usize;
+            fn rows_per_contact(&self) -> usize;
+            fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64>;
+            fn potential_energy(&self, position: &DVector<f64>) -> f64;
+            fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64>;
+            fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState>;
+        }
     }
 
     fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64> {
@@ -68,18 +65,6 @@ impl Mechanism for Changed {
         let mut contacts = self.inner.contacts(position);
         contacts.iter_mut().for_each(self.contact);
         contacts
-    }
-
-    fn potential_energy(&self, position: &DVector<f64>) -> f64 {
-        self.inner.potential_energy(position)
-    }
-
-    fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
-        self.inner.integrate(position, velocity, h)
-    }
-
-    fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState> {
-        self.inner.bodies(position, velocity)
     }
 }
 
