@@ -60,13 +60,14 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     keep_input(Path::new(&arguments.scene), "--plot", arguments.plot.as_deref())?;
     let solver = solvers::by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
     let duration = arguments.duration.map(|duration| positive("--duration", duration)).transpose()?;
-    let staged = stage(&arguments.scene, "SCENE")?;
+    let staged = stage(&arguments.scene, "SCENE", "")?;
     let duration = duration.unwrap_or(staged.duration);
     let steps = count_steps(duration, arguments.step)?;
-    let runs: Vec<_> = names.iter().map(|name| (*name, simulate(&staged, name, solver.as_ref(), arguments.step, steps))).collect();
-    let motions: Vec<_> = runs.iter().filter_map(|(name, run)| Some((*name, motion(&staged, run.as_ref().ok()?)))).collect();
-    let outcome = |(name, run): &(&str, Result<Recording>)| match run {
-        Ok(recording) => SchemeOutcome::ran(name, &motion(&staged, recording).summary()),
+    let run = |name: &str| Run::simulate(&arguments.scene, name, solver.as_ref(), arguments.step, steps);
+    let runs: Vec<_> = names.iter().map(|name| (*name, run(name))).collect();
+    let motions: Vec<_> = runs.iter().filter_map(|(name, run)| Some((*name, run.as_ref().ok()?.motion()))).collect();
+    let outcome = |(name, run): &(&str, Result<Run>)| match run {
+        Ok(run) => SchemeOutcome::ran(name, &run.motion().summary()),
         Err(error) => SchemeOutcome::refused(name, error.to_string()),
     };
     let comparison = Comparison {
@@ -88,15 +89,25 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     Ok((!motions.is_empty()).into())
 }
 
-fn simulate(staged: &Staged, scheme: &str, solver: &dyn ContactSolver, h: f64, steps: usize) -> Result<Recording> {
-    let scheme = schemes::by_name(scheme, Parameters::default())?;
-    let recording = schemes::simulate(scheme.as_ref(), solver, staged.mechanism.as_ref(), staged.start.clone(), h, steps)?;
-    finite(&recording)?;
-    Ok(recording)
+/// A scheme's motion and the mechanism that made it.
+struct Run {
+    staged: Staged,
+    recording: Recording,
 }
 
-fn motion<'a>(staged: &'a Staged, recording: &'a Recording) -> Motion<'a> {
-    Motion { mechanism: staged.mechanism.as_ref(), recording, exact: staged.exact.as_ref(), gravity: staged.gravity }
+impl Run {
+    fn simulate(scene: &str, name: &str, solver: &dyn ContactSolver, h: f64, steps: usize) -> Result<Self> {
+        let staged = stage(scene, "SCENE", name)?;
+        let scheme = schemes::by_name(name, Parameters::default())?;
+        let recording = schemes::simulate(scheme.as_ref(), solver, staged.mechanism.as_ref(), staged.start.clone(), h, steps)?;
+        finite(&recording)?;
+        Ok(Run { staged, recording })
+    }
+
+    fn motion(&self) -> Motion<'_> {
+        let Staged { mechanism, exact, gravity, .. } = &self.staged;
+        Motion { mechanism: mechanism.as_ref(), recording: &self.recording, exact: exact.as_ref(), gravity: *gravity }
+    }
 }
 
 impl Arguments {

@@ -9,12 +9,22 @@ use crate::trajectory::Recording;
 use crate::{Error, Result};
 use std::path::Path;
 
-/// A linkage or a scene of bodies, ready to run.
-pub fn stage(name: &str, argument: &str) -> Result<Staged> {
+/// A linkage or a scene of bodies, ready to run with a scheme.
+pub fn stage(name: &str, argument: &str, scheme: &str) -> Result<Staged> {
     match scenes::linkage(name) {
         Some(linkage) => linkage.staged(),
-        None => find(name, argument)?.staged(),
+        None => for_scheme(&find(name, argument)?, scheme),
     }
+}
+
+/// The scene's mechanism. How soft a body rests depends on the number of its contact points, which is that of the body in space.
+pub fn for_scheme(scene: &Scene, scheme: &str) -> Result<Staged> {
+    let staged = scene.staged()?;
+    if scheme != "mujoco" {
+        return Ok(staged);
+    }
+    let (mechanism, start) = scene.spatial_mechanism()?;
+    Ok(Staged { mechanism, start, ..staged })
 }
 
 /// A built-in scene of bodies by name, anything else as a file; `argument` names where it was given.

@@ -1,7 +1,7 @@
 //! `moreau simulate`: a scene through a scheme, with numbers, a file and a picture.
 
 use super::output::{keep_input, print};
-use super::scene::{count_steps, find, finite, positive};
+use super::scene::{count_steps, find, finite, for_scheme, positive};
 use super::scheme_options::SchemeOptions;
 use super::{Answer, Format};
 use crate::files::{is_same_file, write_together};
@@ -93,7 +93,7 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<()> {
         Some(linkage) => (arguments.build_linkage(linkage)?, None, None),
         None => {
             let (scene, note) = arguments.build_scene(scene, scheme.as_ref())?;
-            (arguments.stage(&scene)?, Some(scene), note)
+            (for_scheme(&scene, &arguments.scheme)?, Some(scene), note)
         }
     };
     let steps = count_steps(staged.duration, arguments.step)?;
@@ -144,16 +144,6 @@ impl Arguments {
             }
             _ => Ok(()),
         }
-    }
-
-    /// The scene's mechanism. How soft a body rests depends on the number of its contact points, which is that of the body in space.
-    fn stage(&self, scene: &Scene) -> Result<Staged> {
-        let staged = scene.staged()?;
-        if self.scheme != "mujoco" {
-            return Ok(staged);
-        }
-        let (mechanism, start) = scene.spatial_mechanism()?;
-        Ok(Staged { mechanism, start, exact: None, ..staged })
     }
 
     /// The linkage with the options applied.

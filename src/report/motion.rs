@@ -15,7 +15,7 @@ pub struct Motion<'a> {
     pub mechanism: &'a dyn Mechanism,
     /// Its motion.
     pub recording: &'a Recording,
-    /// The closed form, where there is one; then the mechanism is planar, with (x, z, angle) per body.
+    /// The closed form in the x–z plane, where there is one; the mechanism may be in the plane, with (x, z, angle) per body, or in space.
     pub exact: Option<&'a ExactMotion>,
     /// Gravity \[m/s²\].
     pub gravity: f64,
@@ -88,7 +88,10 @@ impl Motion<'_> {
             Panel { axis: axis.into(), curves: closed.chain(computed).collect() }
         };
         let energy = |state: &State| self.mechanism.energy(state);
-        let total = self.exact_curve(&|state| Some(energy(state))).into_iter().chain([self.curve("kinetic + potential", &energy)]);
+        // the closed form's state is one of the mechanism's in the plane only
+        let is_planar = |state: &State| state.position.len() == self.recording.samples[0].position.len();
+        let exact = self.exact_curve(&|state| is_planar(state).then(|| energy(state)));
+        let total = exact.into_iter().chain([self.curve("kinetic + potential", &energy)]);
         vec![
             panel("position [m]", &|body| body.position, &|state, index| state.position[index]),
             panel("velocity [m/s]", &|body| body.linear_velocity, &|state, index| state.velocity[index]),
@@ -176,8 +179,12 @@ impl Motion<'_> {
     /// max ‖x(t_k) − x_exact(t_k)‖ over bodies and samples \[m\].
     fn position_error(&self, exact: &ExactMotion) -> f64 {
         let error = |state: &State| {
-            let difference = &state.position - exact.state(state.time).position;
-            (0..difference.len() / 3).map(|k| difference[3 * k].hypot(difference[3 * k + 1])).fold(0.0, f64::max)
+            let wanted = exact.state(state.time).position;
+            let off = |(k, body): (usize, BodyState)| {
+                let [x, y, z] = body.position;
+                length([x - wanted[3 * k], y, z - wanted[3 * k + 1]])
+            };
+            self.bodies(state).into_iter().enumerate().map(off).fold(0.0, f64::max)
         };
         self.recording.samples.iter().map(error).fold(0.0, f64::max)
     }
@@ -222,6 +229,24 @@ mod tests {
             assert_eq!(panels.iter().map(|panel| panel.curves.len()).collect::<Vec<_>>(), [2, 2, 2]);
             assert_eq!(panels[0].curves[1].label, "ball z");
         });
+    }
+
+    #[test]
+    fn a_motion_in_space_has_the_same_distance_from_the_closed_form_as_in_the_plane() {
+        let scene = named("ball-drop").expect("a built-in scene");
+        let (planar, start) = scene.mechanism().expect("planar");
+        let exact = scene.exact_motion(&start);
+        let (spatial, turned) = scene.spatial_mechanism().expect("in space too");
+        let summaries = [(planar, start), (spatial, turned)].map(|(mechanism, start)| {
+            let recording = simulate(&MoreauJean::default(), &Reference, mechanism.as_ref(), start, 0.01, 100).expect("a solvable scene");
+            let motion = Motion { mechanism: mechanism.as_ref(), recording: &recording, exact: exact.as_ref(), gravity: 9.81 };
+            let closed =
+                motion.panels().iter().map(|panel| panel.curves.iter().filter(|curve| curve.role == Role::ClosedForm).count()).collect();
+            (motion.position_error(exact.as_ref().expect("a fall")), closed)
+        });
+        let [(in_plane, curves), (in_space, fewer)]: [(f64, Vec<usize>); 2] = summaries;
+        assert!(in_plane > 0.0 && (in_plane - in_space).abs() <= rounding(100_000, 1.0), "{in_plane} {in_space}");
+        assert_eq!((curves, fewer), (vec![1, 1, 1], vec![1, 1, 0]));
     }
 
     #[test]

@@ -14,8 +14,8 @@
 //! Chapter §8; Fetecau, Marsden, Ortiz and West, *Nonsmooth Lagrangian mechanics and variational collision integrators* (2003).
 
 use super::{Scheme, Step, StepProblem, assembly};
-use crate::contact::ContactImpulse;
 use crate::contact::delassus::MassFactor;
+use crate::contact::{Contact, ContactImpulse};
 use crate::event_driven::root::falling_root;
 use crate::mechanics::{Mechanism, State};
 use crate::solvers::ContactSolver;
@@ -83,28 +83,32 @@ impl<'a> Conservative<'a> {
     /// The first contact whose gap falls below zero within `time`, and when.
     fn first_hit(&self, position: &DVector<f64>, velocity: &DVector<f64>, time: f64) -> Result<Option<(usize, f64)>> {
         let before = self.mechanism.contacts(position);
-        let watched = |k: usize, s: f64| -> Result<f64> {
-            let start = before[k].gap;
-            if s == 0.0 {
-                return Ok(if start > 0.0 { start } else { (&before[k].jacobian * velocity)[0] });
-            }
+        let watched = |s: f64| -> Result<Vec<f64>> {
             let there = self.mechanism.contacts(&self.fly(position, velocity, s).position);
-            let gap = there.get(k).ok_or_else(|| self.refuse("contact candidates that stay the same over a step"))?.gap;
-            // a body that leaves a contact is watched for its return
-            Ok(if start > 0.0 { gap } else { (gap - start + rounding(32, gap.abs().max(start.abs()))) / s })
+            if there.len() != before.len() {
+                return Err(self.refuse("contact candidates that stay the same over a step"));
+            }
+            let one = |(start, there): (&Contact, Contact)| match start.gap > 0.0 {
+                true => there.gap,
+                // a body that leaves a contact is watched for its return
+                false if s == 0.0 => (&start.jacobian * velocity)[0],
+                false => (there.gap - start.gap + rounding(32, there.gap.abs().max(start.gap.abs()))) / s,
+            };
+            Ok(before.iter().zip(there).map(one).collect())
         };
+        let mut behind = watched(0.0)?;
         for look in 1..=LOOKS {
             let [low, high] = [look - 1, look].map(|part| part as f64 / LOOKS as f64 * time);
+            let ahead = watched(high)?;
             let mut first: Option<(usize, f64)> = None;
-            for k in 0..before.len() {
-                if watched(k, high)? < 0.0 {
-                    let when = if watched(k, low)? < 0.0 { low } else { falling_root(|s| watched(k, s), low, high)? };
-                    first = first.filter(|&(_, known)| known <= when).or(Some((k, when)));
-                }
+            for k in (0..before.len()).filter(|&k| ahead[k] < 0.0) {
+                let when = if behind[k] < 0.0 { low } else { falling_root(|s| Ok(watched(s)?[k]), low, high)? };
+                first = first.filter(|&(_, known)| known <= when).or(Some((k, when)));
             }
             if first.is_some() {
                 return Ok(first);
             }
+            behind = ahead;
         }
         Ok(None)
     }
