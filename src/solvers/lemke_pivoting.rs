@@ -138,8 +138,10 @@ fn solve_scaled(lcp: &Lcp<f64>, scale: &DVector<f64>) -> Result<(DVector<f64>, u
     // The theorem holds for every positive covering vector; a ray that rounding made does not survive a change of it.
     let rising = DVector::from_fn(lcp.size(), |i, _| 1.0 + i as f64 / lcp.size() as f64);
     let falling = rising.map(|d: f64| 3.0 - d);
+    let alternating = DVector::from_fn(lcp.size(), |i, _| if i % 2 == 0 { 1.0 } else { 2.0 });
+    let opposite = alternating.map(|d: f64| 3.0 - d);
     let mut failure = None;
-    for covering in [DVector::from_element(lcp.size(), 1.0), rising, falling] {
+    for covering in [DVector::from_element(lcp.size(), 1.0), rising, falling, alternating, opposite] {
         match lemke(&scaled, &covering) {
             Ok(LemkeOutcome::Solution { z, pivots }) => return Ok((z.component_mul(scale) * size, pivots)),
             Ok(LemkeOutcome::Ray { .. }) => failure = Some(Error::solver(NAME, SECONDARY_RAY)),
@@ -149,7 +151,7 @@ fn solve_scaled(lcp: &Lcp<f64>, scale: &DVector<f64>) -> Result<(DVector<f64>, u
     Err(failure.expect("every covering vector that does not return leaves a failure"))
 }
 
-const SECONDARY_RAY: &str = "the LCP ended on a secondary ray for three covering vectors; it may have no solution";
+const SECONDARY_RAY: &str = "the LCP ended on a secondary ray for five covering vectors; it may have no solution";
 
 #[cfg(test)]
 mod tests {
