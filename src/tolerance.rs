@@ -381,6 +381,21 @@ pub mod claims {
     }
 }
 
+/// Tolerances of [`crate::certificate`].
+pub mod certificate {
+    /// γ = mε/(1 − mε), the relative rounding error of m operations (Higham, *Accuracy and Stability*, §3.1); infinite where m ε reaches 1.
+    ///
+    /// ε is the spacing at 1, twice the unit roundoff, so that data which are themselves rounded are covered too.
+    pub fn gamma(operations: usize) -> f64 {
+        let part = operations as f64 * super::EPSILON;
+        if part < 1.0 { part / (1.0 - part) } else { f64::INFINITY }
+    }
+
+    /// Rounding of a radial projection onto a disk, relative to its radius: a norm of two components, a quotient and two products, eight
+    /// operations with the radius μ r_n.
+    pub const PROJECTED: f64 = 8.0 * super::EPSILON;
+}
+
 /// Tolerances of [`crate::cli`].
 pub mod cli {
     /// Default of `certify --tolerance`, relative to the scale of each residual's unit.

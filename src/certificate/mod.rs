@@ -7,11 +7,18 @@ mod decision;
 pub mod definiteness;
 pub mod existence;
 pub mod feasibility;
+mod judge;
 pub mod lcp;
 pub mod natural_map;
 pub mod p_matrix;
+mod part;
 mod polyhedral;
 pub mod residuals;
+mod scales;
+mod step;
 
 pub use decision::Decision;
+pub use judge::{Judge, Judged, Worst};
+pub use part::Part;
 pub use residuals::{Residuals, residuals};
+pub use step::{Judgement, StepResidual};

@@ -3,9 +3,9 @@
 //! It vanishes exactly at solutions, for every ρ > 0 \[kg\]. With ρ = 3/tr(W_kk + R_kk), or the number of rows instead of 3,
 //! it is an impulse: a change of units scales it as it scales r, and a rotation of the tangents leaves its norm alone.
 
-use super::polyhedral;
+use super::scales::compliance;
 use crate::cones::{de_saxce, second_order};
-use crate::problem::{Compliance, ContactProblem, Coordinates, Law};
+use crate::problem::{ContactProblem, Law};
 
 /// The friction coefficient of the cone K_μ the law uses: 0 without friction.
 pub(super) fn cone_friction(law: Law, friction: f64) -> f64 {
@@ -20,14 +20,9 @@ pub fn correct(law: Law, friction: f64, y: &mut [f64]) {
 }
 
 /// ‖r − P_K(r − ρ ŷ)‖ \[N·s\] of one contact with impulse r \[N·s\] and law velocity y \[m/s\], both (n, t₁, t₂) as long as the contact has
-/// rows; the law is frictionless, Coulomb, associated or, with three rows, polyhedral Coulomb.
+/// rows; the law is frictionless, Coulomb or associated.
 pub fn natural_map(law: Law, friction: f64, impulse: &[f64], law_velocity: &[f64], rho: f64) -> f64 {
     let rows = impulse.len();
-    if let Law::PolyhedralCoulomb { directions } = law
-        && directions >= 3
-    {
-        return polyhedral::natural_map(friction, impulse, law_velocity, rho, directions);
-    }
     let mut corrected = [0.0; 3];
     corrected[..rows].copy_from_slice(law_velocity);
     correct(law, friction, &mut corrected[..rows]);
@@ -43,19 +38,10 @@ pub fn natural_map(law: Law, friction: f64, impulse: &[f64], law_velocity: &[f64
 /// if there is none: the zeros of the natural map do not depend on it.
 pub fn scales(problem: &ContactProblem) -> Vec<f64> {
     let rows = problem.rows_per_contact;
-    let trace = |contact: usize| -> f64 {
-        (contact * rows..(contact + 1) * rows).map(|k| problem.delassus[(k, k)] + contact_compliance(problem, k)).sum()
-    };
+    let trace =
+        |contact: usize| -> f64 { (contact * rows..(contact + 1) * rows).map(|k| problem.delassus[(k, k)] + compliance(problem, k)).sum() };
     let traces: Vec<f64> = (0..problem.contacts()).map(trace).collect();
     let positive: Vec<f64> = traces.iter().copied().filter(|&t| t > 0.0).collect();
     let fallback = if positive.is_empty() { rows as f64 } else { positive.iter().sum::<f64>() / positive.len() as f64 };
     traces.into_iter().map(|t| rows as f64 / if t > 0.0 { t } else { fallback }).collect()
-}
-
-/// R of one contact row, zero if the compliance acts elsewhere.
-fn contact_compliance(problem: &ContactProblem, row: usize) -> f64 {
-    match &problem.compliance {
-        Some(Compliance { coordinates: Coordinates::Contact, diagonal }) => diagonal[row],
-        _ => 0.0,
-    }
 }

@@ -1,137 +1,122 @@
-//! Residuals of a proposed solution, each in its own unit: how far r is from its cone, ŷ from the dual cone, and both from being
-//! complementary.
+//! Residuals of a proposed solution, each in its own unit and at its own contact: how far r is from its cone, ŷ from the dual cone, and both from
+//! being complementary.
 //!
 //! ```text
-//!     primal            max dist(r, K)                 [N·s]
-//!     dual              max dist(ŷ, K*)                [m/s]     ŷ = y + μ‖y_t‖n for Coulomb, y otherwise
-//!     complementarity   max |r·ŷ|                      [J]
-//!     natural map       ‖r − P_K(r − ρŷ)‖              [N·s]     ρ = rows/tr(W_kk + R_kk) per contact
-//!     velocity          max |u − (W r + u_free)|       [m/s]     the stored u against the impulses
+//!     primal            dist(r, K)                              [N·s]
+//!     dual              dist(ŷ, K*)                             [m/s]     ŷ = y + μ‖y_t‖n for Coulomb, y otherwise
+//!     complementarity   |r·ŷ|                                   [J]
+//!     normal            min(r_n, ρ_n w)                         [N·s]     the natural map in two parts, see `judge`
+//!     tangential        ‖r_t − P_disk(μ r_n)(r_t − ρ_t y_t)‖    [N·s]
+//!     velocity          |u − (W r + u_free)|                    [m/s]     the stored u against the impulses
 //! ```
-//! y = u_free + shift + (W + R) r is computed from r here; a solution's own velocity is only compared. Polyhedral laws
-//! are judged through their complementary pairs (`polyhedral`). Each number is also held against the scale of its unit, because a
-//! single relative residual hides errors.
+//! y = u_free + shift + (W + R) r is computed from r here; a solution's own velocity is only compared. Polyhedral laws are judged by their
+//! complementary pairs (`polyhedral`). Contact by contact each residual is held against max(τ · scale, floor), see `scales`: a light contact beside a heavy
+//! one is judged by its own size.
+//!
+//! For comparison with other programs there are two norms over all contacts that decide nothing: ‖r − P_K(r − ρŷ)‖ with ρ = rows/tr(W_kk + R_kk),
+//! and Siconos's number with ρ = 1 kg.
 
-use super::{natural_map, polyhedral};
-use crate::cones::second_order;
+use super::judge::{Here, Judge, Judged, Worst, check_sizes};
+use super::natural_map;
+use super::polyhedral::{Pairs, worst};
+use crate::Result;
 use crate::problem::{ContactProblem, Law, Solution};
-use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use serde::{Serialize, Serializer, ser::SerializeMap};
 
 /// The residuals of a proposed solution, and the scales they are held against.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Residuals {
+    /// Each residual at the contact where it is worst, with what it is held against.
+    pub judged: Judged,
     /// max over contacts of dist(r, K) \[N·s\].
     pub primal: f64,
     /// max over contacts of dist(ŷ, K*) \[m/s\].
     pub dual: f64,
     /// max over contacts of |r·ŷ| \[J\].
     pub complementarity: f64,
-    /// ‖r − P_K(r − ρŷ)‖ over all contacts \[N·s\].
-    pub natural_map: f64,
     /// max |u − (W r + u_free)| for the stored u \[m/s\].
     pub velocity: f64,
+    /// ‖r − P_K(r − ρŷ)‖ over all contacts \[N·s\]; shown for comparison.
+    pub natural_map: f64,
     /// Siconos's number: the natural map with ρ = 1 kg over max(‖q‖, ‖r‖, ‖u‖), which mixes units; shown for comparison.
     pub siconos: f64,
     /// ‖r‖ \[N·s\].
     pub impulse_scale: f64,
     /// ‖u_free + shift‖ \[m/s\].
     pub velocity_scale: f64,
-    /// max(‖r‖, ‖ρ(u_free + shift)‖ over the contacts with an impulse or a residual) \[N·s\], the scale of the natural map: it does not
+    /// max(‖r‖, ‖ρ(u_free + shift)‖ over the contacts with an impulse or a residual) \[N·s\], the size of the natural map: it does not
     /// vanish with r, and a contact that merely separates fast does not raise it.
     pub natural_map_scale: f64,
-}
-
-/// The residuals of one contact, or of one contact's complementary pairs.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct AtContact {
-    pub primal: f64,
-    pub dual: f64,
-    pub complementarity: f64,
-    pub natural_map: f64,
-    pub natural_map_unit: f64,
 }
 
 /// The residuals of `solution` as an answer to `problem`.
 ///
 /// # Errors
-/// [`Error::Invalid`] if the solution has another size than the problem, or if an edge compliance makes the answer depend on edge impulses
-/// that it does not give.
+/// [`Error::Invalid`](crate::Error::Invalid) if the solution has another size than the problem, or if an edge compliance makes the answer depend on
+/// edge impulses that it does not give.
 pub fn residuals(problem: &ContactProblem, solution: &Solution) -> Result<Residuals> {
     problem.validate()?;
-    sizes(problem, solution)?;
-    let (rows, impulse) = (problem.rows_per_contact, &solution.impulse);
-    let law_velocity = problem.law_velocity(impulse);
-    let rho = natural_map::scales(problem);
+    check_sizes(problem, solution)?;
+    let judged = Judge::default().judge(problem, solution)?;
+    let impulse = &solution.impulse;
     let data = &problem.free_velocity + &problem.shift;
-    let mut total = AtContact::default();
-    let mut weighted_data = 0.0;
-    for (k, &rho) in rho.iter().enumerate() {
-        let range = k * rows..(k + 1) * rows;
-        let (r, y) = (&impulse.as_slice()[range.clone()], &law_velocity.as_slice()[range.clone()]);
-        let here = match problem.law {
-            Law::PolyhedralCoulomb { directions } => polyhedral::stewart_trinkle(problem, solution, directions, k, r, y, rho),
-            Law::PolyhedralAssociated { directions } => polyhedral::edges(problem, solution, directions, k, r, y, rho)?,
-            law => second_order_contact(law, problem.friction[k], r, y, rho),
-        };
-        total.primal = worst(total.primal, here.primal);
-        total.dual = worst(total.dual, here.dual);
-        total.complementarity = worst(total.complementarity, here.complementarity);
-        total.natural_map += here.natural_map.powi(2);
-        total.natural_map_unit += here.natural_map_unit.powi(2);
-        if here.natural_map != 0.0 || r.iter().any(|&r| r != 0.0) {
-            weighted_data += data.as_slice()[range].iter().map(|q| (rho * q).powi(2)).sum::<f64>();
-        }
-    }
+    let map = NaturalMap::new(problem, solution)?;
     let velocity = problem.velocity(impulse);
     let unit_scale = worst(data.norm(), worst(impulse.norm(), velocity.norm()));
     Ok(Residuals {
-        primal: total.primal,
-        dual: total.dual,
-        complementarity: total.complementarity,
-        natural_map: total.natural_map.sqrt(),
-        velocity: (&velocity - &solution.velocity).iter().fold(0.0, |largest, difference| worst(largest, difference.abs())),
-        siconos: if unit_scale > 0.0 { total.natural_map_unit.sqrt() / unit_scale } else { total.natural_map_unit.sqrt() },
+        judged,
+        primal: judged.primal.largest,
+        dual: judged.dual.largest,
+        complementarity: judged.complementarity.largest,
+        velocity: judged.velocity.largest,
+        natural_map: map.own_mass,
+        siconos: if unit_scale > 0.0 { map.one_kilogram / unit_scale } else { map.one_kilogram },
         impulse_scale: impulse.norm(),
         velocity_scale: data.norm(),
-        natural_map_scale: worst(impulse.norm(), weighted_data.sqrt()),
+        natural_map_scale: worst(impulse.norm(), map.data),
     })
 }
 
-fn second_order_contact(law: Law, friction: f64, impulse: &[f64], law_velocity: &[f64], rho: f64) -> AtContact {
-    let mu = natural_map::cone_friction(law, friction);
-    let mut corrected = law_velocity.to_vec();
-    natural_map::correct(law, friction, &mut corrected);
-    AtContact {
-        primal: second_order::distance(impulse, mu),
-        dual: second_order::dual_distance(&corrected, mu),
-        complementarity: impulse.iter().zip(&corrected).map(|(r, y)| r * y).sum::<f64>().abs(),
-        natural_map: natural_map::natural_map(law, friction, impulse, law_velocity, rho),
-        natural_map_unit: natural_map::natural_map(law, friction, impulse, law_velocity, 1.0),
-    }
+/// Norms over all contacts \[N·s\].
+struct NaturalMap {
+    /// With ρ = rows/tr(W_kk + R_kk).
+    own_mass: f64,
+    /// With ρ = 1 kg.
+    one_kilogram: f64,
+    /// ρ(u_free + shift) over the contacts with an impulse or a residual.
+    data: f64,
 }
 
-fn sizes(problem: &ContactProblem, solution: &Solution) -> Result<()> {
-    // in the plane every cone is polyhedral, with the two senses of tangent₁ as directions
-    let d = problem.law.directions().unwrap_or(if problem.rows_per_contact == 2 { 2 } else { 0 });
-    let given = [
-        ("impulse", Some(solution.impulse.len()), problem.rows()),
-        ("velocity", Some(solution.velocity.len()), problem.rows()),
-        ("beta", solution.beta.as_ref().map(DVector::len), d * problem.contacts()),
-        ("sigma", solution.sigma.as_ref().map(DVector::len), problem.contacts()),
-    ];
-    match given.into_iter().find(|(_, size, needed)| size.is_some_and(|size| size != *needed)) {
-        None => Ok(()),
-        Some((field, size, needed)) => {
-            Err(Error::invalid(field, format!("has size {}", size.unwrap_or(0)), format!("the problem `{}` needs {needed}", problem.name)))
+impl NaturalMap {
+    fn new(problem: &ContactProblem, solution: &Solution) -> Result<Self> {
+        let rows = problem.rows_per_contact;
+        let law_velocity = problem.law_velocity(&solution.impulse);
+        let (mut pairs, mut squares) = (Pairs::default(), [0.0; 3]);
+        for (contact, &rho) in natural_map::scales(problem).iter().enumerate() {
+            let range = contact * rows..(contact + 1) * rows;
+            let (r, y) = (&solution.impulse.as_slice()[range.clone()], &law_velocity.as_slice()[range.clone()]);
+            let friction = problem.friction[contact];
+            let here = Here { contact, friction, r, y, weights: [rho; 2], sizes: [0.0; 3], floors: [0.0; 2] };
+            match problem.law {
+                Law::PolyhedralCoulomb { directions } => pairs.fill_stewart_trinkle(solution, directions, &here),
+                Law::PolyhedralAssociated { directions } => pairs.fill_edges(problem, solution, directions, &here)?,
+                _ => {}
+            }
+            let map = |rho: f64| match problem.law.directions() {
+                Some(_) => pairs.natural_map(rho),
+                None => natural_map::natural_map(problem.law, friction, r, y, rho),
+            };
+            let own = map(rho);
+            squares[0] += own * own;
+            squares[1] += map(1.0).powi(2);
+            if own != 0.0 || r.iter().any(|&r| r != 0.0) {
+                squares[2] += range.map(|row| (rho * (problem.free_velocity[row] + problem.shift[row])).powi(2)).sum::<f64>();
+            }
         }
+        let [own_mass, one_kilogram, data] = squares.map(f64::sqrt);
+        Ok(NaturalMap { own_mass, one_kilogram, data })
     }
-}
-
-/// The larger of two numbers, NaN if one is.
-pub(super) fn worst(a: f64, b: f64) -> f64 {
-    if a.is_nan() || a > b { a } else { b }
 }
 
 /// ‖M̂(v⁺ − v) − hF − Hᵀr‖ \[N·s\], the momentum balance of a step.
@@ -148,27 +133,17 @@ pub fn momentum(
 }
 
 impl Residuals {
-    /// Whether every residual is at most `tolerance` times the scale of its unit: impulses ‖r‖, velocities ‖u_free + shift‖,
-    /// energies their product, the natural map its own scale. NaN is never a solution, and neither is an answer whose scales or
-    /// residuals overflow: infinity is at most infinity, which shows nothing.
+    /// Whether every residual is at most max(`tolerance` · scale, rounding) at every contact. NaN is never a solution, and neither is an answer whose
+    /// norms overflow: infinity is at most infinity, which shows nothing.
     pub fn is_solution(&self, tolerance: f64) -> bool {
-        let judged = self.entries().into_iter().filter(|(name, ..)| *name != "siconos");
-        judged.map(|(_, value, _)| value).all(f64::is_finite)
-            && self.primal <= tolerance * self.impulse_scale
-            && self.dual <= tolerance * self.velocity_scale
-            && self.complementarity <= tolerance * self.impulse_scale * self.velocity_scale
-            && self.natural_map <= tolerance * self.natural_map_scale
-            && self.velocity <= tolerance * self.velocity_scale
+        let finite = [self.natural_map, self.impulse_scale, self.velocity_scale, self.natural_map_scale].into_iter().all(f64::is_finite);
+        finite && self.judged.accepts(tolerance)
     }
 
-    /// Name, value and unit of every residual and scale, in the order of the fields.
-    pub fn entries(&self) -> [(&'static str, f64, &'static str); 9] {
+    /// What is shown for comparison and decides nothing: name, value and unit.
+    pub fn norms(&self) -> [(&'static str, f64, &'static str); 5] {
         [
-            ("primal", self.primal, "N·s"),
-            ("dual", self.dual, "m/s"),
-            ("complementarity", self.complementarity, "J"),
             ("natural_map", self.natural_map, "N·s"),
-            ("velocity", self.velocity, "m/s"),
             ("siconos", self.siconos, "1"),
             ("impulse_scale", self.impulse_scale, "N·s"),
             ("velocity_scale", self.velocity_scale, "m/s"),
@@ -177,7 +152,24 @@ impl Residuals {
     }
 }
 
-/// As a map of `{"value": …, "unit": …}`.
+/// A residual in a file; what is not a number or infinite is null.
+#[derive(Serialize)]
+struct Entry {
+    value: f64,
+    unit: &'static str,
+    relative: f64,
+    scale: f64,
+    rounding: f64,
+    contact: usize,
+}
+
+impl Entry {
+    fn new(Worst { part, contact, .. }: Worst, unit: &'static str) -> Self {
+        Entry { value: part.value, unit, relative: part.relative(), scale: part.scale, rounding: part.floor, contact }
+    }
+}
+
+/// As a map of `{"value": …, "unit": …}`, with relative size, scale, rounding and contact where they decide.
 impl Serialize for Residuals {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
         #[derive(Serialize)]
@@ -185,8 +177,11 @@ impl Serialize for Residuals {
             value: f64,
             unit: &'static str,
         }
-        let mut map = serializer.serialize_map(Some(9))?;
-        for (name, value, unit) in self.entries() {
+        let mut map = serializer.serialize_map(Some(11))?;
+        for (name, worst, unit) in self.judged.entries() {
+            map.serialize_entry(name, &Entry::new(worst, unit))?;
+        }
+        for (name, value, unit) in self.norms() {
             map.serialize_entry(name, &Quantity { value, unit })?;
         }
         map.end()

@@ -1,6 +1,7 @@
 //! Tests of the residuals: both sides of every condition, units, and an error a single relative number hides.
 
 use super::*;
+use crate::certificate::Part;
 use crate::problem::{Compliance, Coordinates};
 
 /// Decoupled planar contacts of unit mass with μ = ½.
@@ -16,6 +17,7 @@ fn planar(law: Law, free_velocity: &[f64]) -> ContactProblem {
         delassus: DMatrix::identity(rows, rows),
         compliance: None,
         dynamics: None,
+        bodies: None,
     }
 }
 
@@ -141,7 +143,8 @@ fn sizes_are_checked_and_nan_is_no_solution() {
 fn residuals_are_written_with_units() {
     let found = judged(&planar(Law::Coulomb, &SLIDING), &[1.0, -0.5]);
     let json = serde_json::to_value(found).unwrap();
-    assert_eq!(json["dual"], serde_json::json!({"value": 0.0, "unit": "m/s"}));
+    assert_eq!((&json["dual"]["value"], &json["dual"]["unit"]), (&serde_json::json!(0.0), &serde_json::json!("m/s")));
+    assert_eq!(json["siconos"], serde_json::json!({"value": 0.0, "unit": "1"}));
     assert_eq!(json["complementarity"]["unit"], "J");
 }
 
@@ -154,22 +157,22 @@ fn momentum_sees_a_missing_impulse() {
 }
 
 #[test]
-fn every_residual_alone_decides_on_both_sides_of_its_own_scale() {
+fn every_residual_alone_decides_on_both_sides_of_its_limit() {
     let none = judged(&planar(Law::Coulomb, &SLIDING), &[1.0, -0.5]);
-    assert!(none.impulse_scale != none.velocity_scale && none.is_solution(0.125));
-    let (impulse, velocity, map) = (none.impulse_scale, none.velocity_scale, none.natural_map_scale);
-    type Field = fn(&mut Residuals) -> &mut f64;
-    let fields: [(f64, Field); 5] = [
-        (impulse, |r| &mut r.primal),
-        (velocity, |r| &mut r.dual),
-        (impulse * velocity, |r| &mut r.complementarity),
-        (map, |r| &mut r.natural_map),
-        (velocity, |r| &mut r.velocity),
+    assert!(none.is_solution(0.125));
+    type Field = fn(&mut Judged) -> &mut Worst;
+    let fields: [Field; 6] = [
+        |judged| &mut judged.primal,
+        |judged| &mut judged.dual,
+        |judged| &mut judged.complementarity,
+        |judged| &mut judged.normal,
+        |judged| &mut judged.tangential,
+        |judged| &mut judged.velocity,
     ];
-    for (index, (scale, field)) in fields.into_iter().enumerate() {
-        for (value, accepted) in [(0.125 * scale, true), ((0.125 * scale).next_up(), false), (f64::NAN, false)] {
+    for (index, field) in fields.into_iter().enumerate() {
+        for (value, accepted) in [(0.25, true), (0.25f64.next_up(), false), (f64::NAN, false)] {
             let mut found = none;
-            *field(&mut found) = value;
+            field(&mut found.judged).part = Part { value, scale: 2.0, floor: 0.0 };
             assert_eq!(found.is_solution(0.125), accepted, "residual {index} at {value}");
         }
     }

@@ -128,7 +128,8 @@ impl<'a> Replay<'a> {
         let tamsi = self.scheme.name() == "drake-tamsi";
         let mut rerun = Rerun { samples: vec![start.clone()], errors: Vec::new() };
         let mut before = start.clone();
-        run(self.scheme.as_ref(), &SemiAnalyticPrimal, self.mechanism.as_ref(), start, h, steps, |state, impulses| {
+        run(self.scheme.as_ref(), &SemiAnalyticPrimal, self.mechanism.as_ref(), start, h, steps, |step| {
+            let (state, impulses) = (&step.state, &step.impulses[..]);
             let mass = self.mechanism.mass_matrix(&before.position);
             let received = &mass * (&state.velocity - &before.velocity) - self.mechanism.force(&before.position, &before.velocity) * h;
             rerun.errors.push(match impulses {

@@ -13,8 +13,9 @@ use std::path::PathBuf;
 /// Certify an answer to a contact problem: residuals with units, and whether they are small enough.
 ///
 /// The residuals are computed from the impulses alone; residuals stored in the solution are not read, and its
-/// velocities are only compared. Each residual is held against the scale of its own unit: impulses against ‖r‖,
-/// velocities against ‖free_velocity + shift‖, energies against their product.
+/// velocities are only compared. Each residual is held against the size of the impulses and velocities of its own pair of
+/// bodies, normal and tangential parts apart, and against the rounding of its evaluation; it is shown at the contact where
+/// it is worst.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
@@ -22,7 +23,7 @@ pub struct Arguments {
     problem: PathBuf,
     /// The answer, a file solution/1.
     solution: PathBuf,
-    /// Largest residual accepted, relative to the scale of its unit.
+    /// Largest residual accepted, relative to the scale of its contact.
     #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: f64,
     /// How to write the certificate.
@@ -37,12 +38,18 @@ Examples:
 
 Exit code 0: a solution; 1: not a solution; 2: the files cannot be read or do not fit each other.";
 
+/// Refuses a tolerance that is negative or no number.
+pub fn check_tolerance(option: &str, tolerance: f64) -> Result<()> {
+    if tolerance.is_finite() && tolerance >= 0.0 {
+        return Ok(());
+    }
+    Err(Error::invalid(option, format!("is {tolerance}"), "use a finite number ≥ 0"))
+}
+
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     let tolerance = arguments.tolerance;
-    if !(tolerance.is_finite() && tolerance >= 0.0) {
-        return Err(Error::invalid("--tolerance", format!("is {tolerance}"), "use a finite number ≥ 0"));
-    }
+    check_tolerance("--tolerance", tolerance)?;
     let problem = ContactProblem::read(&arguments.problem)?;
     let solution = Solution::read(&arguments.solution)?;
     let residuals = residuals(&problem, &solution).map_err(|error| error.in_file(&arguments.solution))?;

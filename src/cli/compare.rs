@@ -1,5 +1,6 @@
 //! `moreau compare`: one scene through several schemes, beside each other.
 
+use super::certificate_options::CertificateOptions;
 use super::near::suggestion;
 use super::output::{keep_input, print};
 use super::scene::{count_steps, finite, positive, stage};
@@ -10,9 +11,10 @@ use crate::report::comparison::{Comparison, SchemeOutcome, overlaid};
 use crate::report::json::pretty;
 use crate::report::motion::Motion;
 use crate::report::plot;
+use crate::report::steps::StepSummary;
 use crate::scenes::{ExactMotion, Staged};
-use crate::schemes::{self, Parameters};
-use crate::solvers::{self, ContactSolver};
+use crate::schemes::{self, Certified, Parameters};
+use crate::solvers;
 use crate::trajectory::Recording;
 use crate::{Error, Result};
 use std::path::{Path, PathBuf};
@@ -21,7 +23,8 @@ use std::path::{Path, PathBuf};
 ///
 /// The table tells penetration, energy, effective restitution, creep and settling time per scheme; the picture lays position,
 /// velocity and energy of all of them over the closed form, where the scene has one. A scheme that cannot run the scene is
-/// reported as unsupported with its reason, and the others go on; only if none could run is the answer no (exit code 1).
+/// reported as unsupported with its reason, and the others go on; if none could run the answer is no (exit code 1). Every step is
+/// certified: a scheme with rejected steps is named below the table, and the exit code is 1 unless `--accept-rejected` is given.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
@@ -40,6 +43,8 @@ pub struct Arguments {
     /// Who solves the contact problems.
     #[arg(long, value_name = "NAME", default_value = "auto", help = super::solve::solver_help())]
     solver: String,
+    #[command(flatten)]
+    certificate: CertificateOptions,
     /// Draw the motions over each other into this SVG file.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
@@ -63,11 +68,12 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let staged = stage(&arguments.scene, "SCENE", "")?;
     let duration = duration.unwrap_or(staged.duration);
     let steps = count_steps(duration, arguments.step)?;
-    let run = |name: &str| Run::simulate(&arguments.scene, name, solver.as_ref(), arguments.step, steps);
+    let certified = arguments.certificate.certified(solver.as_ref())?;
+    let run = |name: &str| Run::simulate(&arguments.scene, name, &certified, arguments.step, steps);
     let runs: Vec<_> = names.iter().map(|name| (*name, run(name))).collect();
     let motions: Vec<_> = runs.iter().filter_map(|(name, run)| Some((*name, run.as_ref().ok()?.motion()))).collect();
     let outcome = |(name, run): &(&str, Result<Run>)| match run {
-        Ok(run) => SchemeOutcome::ran(name, &run.motion().summary()),
+        Ok(run) => SchemeOutcome::ran(name, &run.motion().summary(), run.steps()),
         Err(error) => SchemeOutcome::refused(name, error.to_string()),
     };
     let comparison = Comparison {
@@ -86,7 +92,11 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         Format::Text => comparison.text(),
         Format::Json => pretty(&comparison)?,
     })?;
-    Ok((!motions.is_empty()).into())
+    let rejected = runs.iter().filter_map(|(_, run)| run.as_ref().ok()).any(|run| run.steps().rejected > 0);
+    if motions.is_empty() {
+        return Ok(Answer::No);
+    }
+    Ok(arguments.certificate.answer(rejected))
 }
 
 /// A scheme's motion and the mechanism that made it.
@@ -96,12 +106,17 @@ struct Run {
 }
 
 impl Run {
-    fn simulate(scene: &str, name: &str, solver: &dyn ContactSolver, h: f64, steps: usize) -> Result<Self> {
+    fn simulate(scene: &str, name: &str, solver: &Certified, h: f64, steps: usize) -> Result<Self> {
         let staged = stage(scene, "SCENE", name)?;
         let scheme = schemes::by_name(name, Parameters::default())?;
-        let recording = schemes::simulate(scheme.as_ref(), solver, staged.mechanism.as_ref(), staged.start.clone(), h, steps)?;
+        let recording =
+            schemes::simulate_certified(scheme.as_ref(), solver, staged.mechanism.as_ref(), staged.start.clone(), h, steps, |_| Ok(()))?;
         finite(&recording)?;
         Ok(Run { staged, recording })
+    }
+
+    fn steps(&self) -> StepSummary {
+        StepSummary::of(&self.recording, self.staged.mechanism.as_ref())
     }
 
     fn motion(&self) -> Motion<'_> {

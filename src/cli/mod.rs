@@ -3,10 +3,12 @@
 //! Exit codes: 0 the answer is yes, 1 the answer is no, 2 the question could not be understood (and nothing was written),
 //! 3 the engine to be judged could not be run.
 
+mod certificate_options;
 mod certify;
 mod compare;
 mod defects;
 mod drake_options;
+mod dump_options;
 mod engine;
 mod gate;
 mod mujoco_options;

@@ -1,5 +1,7 @@
 //! `moreau simulate`: a scene through a scheme, with numbers, a file and a picture.
 
+use super::certificate_options::CertificateOptions;
+use super::dump_options::DumpOptions;
 use super::output::{keep_input, print};
 use super::scene::{count_steps, find, finite, for_scheme, positive};
 use super::scheme_options::SchemeOptions;
@@ -8,8 +10,9 @@ use crate::files::{is_same_file, write_together};
 use crate::report::json::pretty;
 use crate::report::motion::{Motion, Quantity, lines};
 use crate::report::plot;
+use crate::report::steps::StepSummary;
 use crate::scenes::{self, ExactMotion, Linkage, Scene, Staged};
-use crate::schemes::{self, Scheme};
+use crate::schemes::{self, Scheme, Step};
 use crate::trajectory::{Engine, Trajectory};
 use crate::{Error, Result, solvers};
 use serde::Serialize;
@@ -17,6 +20,7 @@ use std::path::{Path, PathBuf};
 
 /// Simulate a scene with a scheme: summary, trajectory/1 and a picture.
 ///
+/// Every step's contact problem is certified, and the summary says how many answers were rejected: then the exit code is 1.
 /// The summary tells penetration, energy, restitution, rest and creep with units, and the distance from the closed
 /// form where the scene has one. The picture shows position, velocity and energy over time, with the closed form
 /// beneath.
@@ -40,6 +44,10 @@ pub struct Arguments {
     /// Who solves the contact problems.
     #[arg(long, value_name = "NAME", default_value = "auto", help = super::solve::solver_help())]
     solver: String,
+    #[command(flatten)]
+    certificate: CertificateOptions,
+    #[command(flatten)]
+    dumps: DumpOptions,
     /// Write the motion to this file, a trajectory/1.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -62,7 +70,11 @@ Examples:
   moreau simulate --scene incline-stick --scheme mujoco --cone elliptic --impratio 10
   moreau simulate --scene rolling-sphere --scheme mujoco --integrator rk4 --torsional 0.01 --rolling 0.01
   moreau simulate --scene incline-slide --scheme anitescu --out slide.json --format json
-  moreau simulate --scene my-scene.json --scheme stewart-trinkle";
+  moreau simulate --scene my-scene.json --scheme stewart-trinkle
+  moreau simulate --scene my-scene.json --dump-rejected rejected
+  moreau simulate --scene box-stack --dump-step 40 step40.json
+
+Exit code 1: the certificate rejects a step, or a step has no answer; --accept-rejected makes the first a warning.";
 
 /// What was simulated, for the summary.
 #[derive(Serialize)]
@@ -74,18 +86,18 @@ struct Summary<'a> {
     note: Option<&'static str>,
     closed_form: Option<&'static str>,
     quantities: Vec<Quantity>,
+    steps: StepSummary,
 }
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     match &arguments.scene {
-        Some(scene) if !arguments.list => simulate(arguments, scene)?,
-        _ => list(arguments.format)?,
+        Some(scene) if !arguments.list => simulate(arguments, scene),
+        _ => list(arguments.format).map(|()| Answer::Yes),
     }
-    Ok(Answer::Yes)
 }
 
-fn simulate(arguments: &Arguments, scene: &str) -> Result<()> {
+fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
     let scheme = arguments.options.build(&arguments.scheme)?;
     arguments.keep_files(scene)?;
     let solver = solvers::by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
@@ -98,7 +110,10 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<()> {
     };
     let steps = count_steps(staged.duration, arguments.step)?;
     let mechanism = staged.mechanism.as_ref();
-    let recording = schemes::simulate(scheme.as_ref(), solver.as_ref(), mechanism, staged.start, arguments.step, steps)?;
+    let certified = arguments.certificate.certified(solver.as_ref())?;
+    let mut dumps = arguments.dumps.start(steps)?;
+    let observe = |step: &Step| dumps.see(step);
+    let recording = schemes::simulate_certified(scheme.as_ref(), &certified, mechanism, staged.start, arguments.step, steps, observe)?;
     finite(&recording)?;
     let exact = staged.exact;
     let motion = Motion { mechanism, recording: &recording, exact: exact.as_ref(), gravity: staged.gravity };
@@ -110,11 +125,13 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<()> {
         note,
         closed_form: exact.as_ref().map(ExactMotion::law),
         quantities: motion.summary(),
+        steps: StepSummary::of(&recording, mechanism),
     };
     print(&match arguments.format {
         Format::Text => summary.text(),
         Format::Json => pretty(&summary)?,
-    })
+    })?;
+    Ok(arguments.certificate.answer(summary.steps.rejected > 0))
 }
 
 /// Writes the trajectory and the picture, both or none; a linkage has no trajectory.
@@ -193,11 +210,12 @@ impl Summary<'_> {
         let note = self.note.map(|note| format!("note: {note}\n")).unwrap_or_default();
         let form = self.closed_form.unwrap_or("none for this scene");
         format!(
-            "scene {}\nscheme {}, solver {}\nclosed form: {form}\n{note}{}",
+            "scene {}\nscheme {}, solver {}\nclosed form: {form}\n{note}{}{}",
             self.scene,
             self.scheme,
             self.solver,
-            lines(&self.quantities)
+            lines(&self.quantities),
+            self.steps.text()
         )
     }
 }

@@ -1,5 +1,6 @@
 //! `moreau solve`: solves a contact problem and certifies its own answer.
 
+use super::certify::check_tolerance;
 use super::output::{keep_input, print, print_aside};
 use super::{Answer, Format};
 use crate::certificate::residuals;
@@ -24,6 +25,12 @@ pub struct Arguments {
     /// Which algorithm proposes the answer.
     #[arg(long, default_value = "auto", value_name = "NAME", help = solver_help())]
     solver: String,
+    /// Largest residual accepted, relative to the scale of its contact.
+    #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
+    tolerance: f64,
+    /// Most sweeps, steps or pivots of an iterative solver; its own number if absent.
+    #[arg(long, value_name = "NUMBER")]
+    iterations: Option<usize>,
     /// Write the solution to this file, completely or not at all, instead of standard output.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -52,12 +59,14 @@ pub fn solver_help() -> String {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
-    let solver = solvers::by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
+    check_tolerance("--tolerance", arguments.tolerance)?;
+    let solver = solvers::with_iterations(&arguments.solver, arguments.iterations)
+        .map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
     keep_input(&arguments.problem, "--out", arguments.out.as_deref())?;
     let problem = ContactProblem::read(&arguments.problem)?;
     let solution = solver.solve(&problem, None).map_err(|error| error.in_file(&arguments.problem))?;
     let residuals = residuals(&problem, &solution)?;
-    let certificate = Certificate::new(&problem, &solution, &residuals, CERTIFY);
+    let certificate = Certificate::new(&problem, &solution, &residuals, arguments.tolerance);
     let report = match arguments.format {
         Format::Text => certificate.text(),
         Format::Json => pretty(&certificate)?,

@@ -46,6 +46,11 @@ impl Place {
     }
 }
 
+/// The two bodies of every contact, if all contacts have a place.
+pub fn pairs(places: &[Option<Place>]) -> Option<Vec<[Option<usize>; 2]>> {
+    places.iter().map(|place| place.map(|Place { bodies: (first, second), .. }| [Some(first), second])).collect()
+}
+
 /// The impulse of one contact over one step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactImpulse {

@@ -12,11 +12,13 @@
 //! # Source
 //! Lötstedt, *Mechanical systems of rigid bodies subject to unilateral constraints* (1982); Pfeiffer and Glocker (1996).
 
+use crate::certificate::lcp::residuals;
 use crate::contact::Contact;
 use crate::contact::delassus::MassFactor;
 use crate::mechanics::Mechanism;
 use crate::problem::Lcp;
 use crate::solvers::lemke::{LemkeOutcome, lemke};
+use crate::tolerance::cli::CERTIFY;
 use crate::tolerance::cones::DIFFERENCE_STEP;
 use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -102,7 +104,18 @@ impl Accelerations {
         let [size, pull] = [self.lcp.matrix.amax(), self.lcp.vector.amax()].map(|scale| if scale > 0.0 { scale } else { 1.0 });
         let scaled = Lcp::new(self.lcp.matrix.clone(), &self.lcp.vector / pull * size);
         match lemke(&scaled, &DVector::from_element(self.lcp.size(), 1.0))? {
-            LemkeOutcome::Solution { z, .. } => Ok(z * (pull / size)),
+            LemkeOutcome::Solution { z, .. } => {
+                let left = residuals(&scaled, &z);
+                let largest = left.primal.max(left.dual).max(left.complementarity / size);
+                // a NaN is not small either
+                if largest <= CERTIFY * size * (1.0 + z.amax()) {
+                    return Ok(z * (pull / size));
+                }
+                Err(Error::solver(
+                    "event-driven",
+                    format!("finds contact forces with a residual of {largest:.1e}; rescale the units of the scene"),
+                ))
+            }
             LemkeOutcome::Ray { .. } => Err(Error::solver(
                 "event-driven",
                 "finds no contact forces that keep the contacts closed or open (Painlevé's paradox): the method is not defined here",

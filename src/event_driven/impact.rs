@@ -10,8 +10,8 @@
 //! ½ m (½|a_n|τ)². Without it (τ = 0) an event-driven method gets through infinitely many impacts only because floating-point time stops.
 
 use crate::Result;
-use crate::contact::Contact;
 use crate::contact::delassus::{MassFactor, delassus};
+use crate::contact::{Contact, pairs};
 use crate::mechanics::Mechanism;
 use crate::problem::{ContactProblem, Dynamics, Law};
 use crate::solvers::ContactSolver;
@@ -66,6 +66,7 @@ impl Impact<'_> {
             delassus: delassus(&mass, &jacobian)?,
             compliance: None,
             dynamics: Some(Dynamics { mass, jacobian: jacobian.clone() }),
+            bodies: pairs(&self.touching.iter().map(|&k| self.contacts[k].place).collect::<Vec<_>>()),
         };
         let impulse = self.solver.solve(&problem, None)?.impulse;
         Ok(Some((velocity + factor.solve(&jacobian.tr_mul(&impulse)), impulse)))

@@ -42,6 +42,7 @@ impl<F: Fn(&Scene, usize, f64, f64) -> State + Send> Engine for Exact<F> {
             times,
             bodies,
             contacts: Vec::new(),
+            steps: None,
             provenance: None,
         })
     }

@@ -2,12 +2,13 @@
 
 use super::description::{Friction, OneOrMany, Precision};
 use super::{ContactModel, Description, Engine, Kind, Level, Options, Parameter, Refusal, Reply};
+use crate::certificate::{Judgement, StepResidual};
 use crate::cones::second_order;
 use crate::mechanics::{Mechanism, State};
 use crate::problem::{ContactProblem, Solution};
 use crate::scenes::Scene;
-use crate::schemes::{self, Activation, Parameters, Scheme};
-use crate::solvers::{self, ContactSolver, WithinStep};
+use crate::schemes::{self, Activation, Parameters, Scheme, Step};
+use crate::solvers::{self, ContactSolver};
 use crate::tolerance::gate::SAME_TIME;
 use crate::trajectory::{Recorder, Trajectory};
 use crate::{Error, Result};
@@ -29,6 +30,8 @@ pub struct OwnEngine {
     pub law: Law,
     /// Options in force when a request gives none.
     pub parameters: Parameters,
+    /// Whether a step that the certificate rejects is an error. A planted engine is let through: the checks have to see its mistake.
+    pub certified: bool,
     /// The solver when a request names none; see [`crate::solvers::by_name`].
     pub solver_name: String,
     /// The scheme.
@@ -62,9 +65,10 @@ pub fn by_name(name: &str) -> Result<OwnEngine> {
         name: name.into(),
         law,
         parameters,
+        certified: true,
         solver_name: "auto".into(),
         scheme,
-        solver: |name| if name == WithinStep.name() { Ok(Box::new(WithinStep)) } else { solvers::by_name(name) },
+        solver: solvers::by_name,
         mechanism: Scene::spatial_mechanism,
         project: second_order::project,
     };
@@ -169,8 +173,25 @@ impl Engine for OwnEngine {
         let who =
             crate::trajectory::Engine { name: engine.name.clone(), version: env!("CARGO_PKG_VERSION").into(), options: engine.chosen() };
         let mut recorder = Recorder::new(mechanism.as_ref(), scene, who, time_step, sample_every, &start);
-        let observe = |state: &State, impulses: &[_]| recorder.push(state, impulses);
+        let truncated = scheme.is_truncated() || solver.is_truncated();
+        let mut rejected: Option<(usize, f64, StepResidual)> = None;
+        let mut made = 0;
+        let observe = |step: &Step| {
+            made += 1;
+            recorder.push(&step.state, &step.impulses);
+            let judgement = step.judgement(truncated);
+            recorder.push_residual(step.residual, judgement);
+            if let (Judgement::Rejected, Some(residual), None) = (judgement, step.residual, rejected) {
+                rejected = Some((made, step.state.time, residual));
+            }
+        };
         schemes::run(scheme.as_ref(), solver.as_ref(), mechanism.as_ref(), start, time_step, steps, observe).map_err(refusal)?;
+        if let Some((step, time, StepResidual { residual, relative, limit, .. })) = rejected.filter(|_| engine.certified) {
+            let reason = format!(
+                "the certificate rejects step {step} (t = {time} s): {residual} residual {relative:.1e} of its scale, limit {limit:.0e}"
+            );
+            return Err(Refusal::errored(reason));
+        }
         recorder.finish().map_err(Refusal::errored)
     }
 
@@ -207,7 +228,7 @@ fn laws(solver: &str) -> Vec<String> {
         "sequential-impulses" => &["frictionless", "coulomb"],
         "lemke" => &["frictionless", "polyhedral-coulomb", "polyhedral-associated"],
         "apgd" | "bb" => &["frictionless", "associated"],
-        "psor" | "admm" => &["frictionless", "coulomb", "associated"],
+        "psor" | "admm" | "nonsmooth-newton" => &["frictionless", "coulomb", "associated"],
         "clarabel" => &["frictionless", "associated", "polyhedral-associated"],
         // for soft problems with mass and Jacobian
         "newton" | "cg" | "gauss-pgs" => &["frictionless", "associated", "polyhedral-associated"],

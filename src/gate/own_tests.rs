@@ -117,6 +117,7 @@ fn problems_are_solved_for_the_laws_that_are_declared() {
         delassus: DMatrix::identity(3, 3),
         compliance: None,
         dynamics: None,
+        bodies: None,
     };
     let solution = engine.solve(&problem(ContactLaw::Coulomb), &Options::new()).expect("declared");
     assert!((solution.impulse - dvector![1.0, -0.5, 0.0]).amax() <= rounding(16, 1.0));

@@ -110,5 +110,6 @@ fn one_contact() -> ContactProblem {
         delassus: nalgebra::DMatrix::identity(1, 1),
         compliance: None,
         dynamics: None,
+        bodies: None,
     }
 }

@@ -55,6 +55,8 @@ pub struct ContactProblem {
     pub compliance: Option<Compliance>,
     /// M̂ and H, where known.
     pub dynamics: Option<Dynamics>,
+    /// The two bodies of each contact by number, the ground as `None`, where known: contacts of one pair are judged by one size.
+    pub bodies: Option<Vec<[Option<usize>; 2]>>,
 }
 
 impl ContactProblem {
@@ -117,6 +119,7 @@ impl ContactProblem {
         not_negative("friction", &self.friction)?;
         self.validate_law()?;
         self.validate_compliance()?;
+        self.validate_bodies()?;
         self.validate_dynamics()
     }
 
@@ -163,6 +166,20 @@ impl ContactProblem {
             ));
         }
         not_negative("compliance.diagonal", compliance.diagonal.as_slice())
+    }
+
+    fn validate_bodies(&self) -> Result<()> {
+        let Some(bodies) = &self.bodies else { return Ok(()) };
+        if bodies.len() != self.contacts() {
+            let cure = format!("give one pair for each of the {} contacts", self.contacts());
+            return Err(Error::invalid("bodies", format!("has size {}", bodies.len()), cure));
+        }
+        match bodies.iter().position(|[first, second]| first == second) {
+            None => Ok(()),
+            Some(k) => {
+                Err(Error::invalid(format!("bodies[{k}]"), "names the same body twice", "name two bodies, or one and null for the ground"))
+            }
+        }
     }
 
     fn validate_dynamics(&self) -> Result<()> {

@@ -6,8 +6,8 @@
 //! ```
 //! Numbers in SI. `dimension` is the number of rows per contact. A matrix is `rows`, or `triplets` {row, column, value}
 //! counted from 0, each place at most once. Instead of `delassus` a file may give `mass` and `jacobian`. Optional:
-//! `shift` (default 0), `directions` (polyhedral laws), `compliance` {coordinates: contact | edge, diagonal},
-//! `provenance` (anything).
+//! `shift` (default 0), `directions` (polyhedral laws), `compliance` {coordinates: contact | edge, diagonal}, `bodies` (the two bodies of each
+//! contact, the ground as null), `provenance` (anything).
 
 use super::{Compliance, ContactProblem, Coordinates, Dynamics, Law, Solution};
 use crate::contact::delassus::delassus;
@@ -62,6 +62,9 @@ pub(crate) struct ProblemFile {
     /// R, of soft contacts.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     compliance: Option<ComplianceFile>,
+    /// The two bodies of each contact, numbered from 0, the ground as null: contacts of one pair are judged by one size.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    bodies: Option<Vec<[Option<usize>; 2]>>,
     /// How the problem was made; opaque here.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     provenance: Option<serde_json::Value>,
@@ -169,6 +172,7 @@ impl ContactProblem {
             delassus,
             compliance: file.compliance.map(read_compliance).transpose()?,
             dynamics,
+            bodies: file.bodies,
         };
         problem.validate()?;
         Ok(problem)
@@ -194,6 +198,7 @@ impl ContactProblem {
                 coordinates: if compliance.coordinates == Coordinates::Edge { "edge" } else { "contact" }.into(),
                 diagonal: compliance.diagonal.as_slice().to_vec(),
             }),
+            bodies: self.bodies.clone(),
             provenance: None,
         };
         text(&file)

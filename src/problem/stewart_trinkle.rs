@@ -149,6 +149,7 @@ mod tests {
             delassus: DMatrix::from_row_slice(2, 2, &[1.0, 0.5, 0.5, 2.0]),
             compliance: Some(Compliance { coordinates: Coordinates::Contact, diagonal: DVector::from_vec(vec![0.125, 4.0]) }),
             dynamics: None,
+            bodies: None,
         };
         let lcp = problem.stewart_trinkle_lcp().expect("planar Coulomb");
         let expected = [1.125, 0.5, -0.5, 0.0, 0.5, 6.0, -6.0, 1.0, -0.5, -6.0, 6.0, 1.0, 0.5, -1.0, -1.0, 0.0];

@@ -1,6 +1,6 @@
 //! How good an answer to a contact problem is: residuals with units, and whether they are small enough.
 
-use crate::certificate::Residuals;
+use crate::certificate::{Residuals, Worst};
 use crate::number::{significant, with_unit};
 use crate::problem::{ContactProblem, Solution};
 use serde::Serialize;
@@ -45,7 +45,13 @@ impl<'a> Certificate<'a> {
         let mut text = format!("problem `{}`, law {}, contacts: {}\n", self.problem, self.law, self.contacts);
         let mut line = |content: String| writeln!(text, "{content}").expect("writing to a String cannot fail");
         line(format!("solver {solver}, iterations: {}", self.iterations));
-        for (name, value, unit) in self.residuals.entries() {
+        for (name, Worst { part, contact, .. }, unit) in self.residuals.judged.entries() {
+            let [relative, limit] = [part.relative(), part.limit(self.tolerance)].map(significant);
+            let value = with_unit(&significant(part.value), unit);
+            line(format!("  {name:18} {value:16} relative {relative:10} limit {:16} contact {contact}", with_unit(&limit, unit)));
+        }
+        line("for comparison, over all contacts".into());
+        for (name, value, unit) in self.residuals.norms() {
             line(format!("  {name:18} {}", with_unit(&significant(value), unit)));
         }
         let verdict = if self.solution { "a solution" } else { "NOT a solution" };
@@ -73,6 +79,7 @@ mod tests {
             delassus: dmatrix![1.0],
             compliance: None,
             dynamics: None,
+            bodies: None,
         };
         let impulse = dvector![impulse];
         let velocity = problem.velocity(&impulse);

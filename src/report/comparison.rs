@@ -2,6 +2,7 @@
 
 use super::motion::{Motion, Quantity};
 use super::plot::{Panel, Role};
+use super::steps::StepSummary;
 use crate::number::{significant, with_unit};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -43,6 +44,9 @@ pub struct SchemeOutcome {
     pub name: String,
     /// What its motion shows; empty if it did not run.
     pub quantities: Vec<ComparedQuantity>,
+    /// What the certificate says of its steps; absent if it did not run.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub steps: Option<StepSummary>,
     /// Why it did not run to the end.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unsupported: Option<String>,
@@ -61,16 +65,21 @@ pub struct ComparedQuantity {
 
 impl SchemeOutcome {
     /// A scheme that ran.
-    pub fn ran(name: &str, summary: &[Quantity]) -> Self {
+    pub fn ran(name: &str, summary: &[Quantity], steps: StepSummary) -> Self {
         let find = |(wanted, _): &(&str, &str)| summary.iter().find(|quantity| quantity.name == *wanted);
         let compared =
             |quantity: &Quantity| ComparedQuantity { name: quantity.name.into(), value: quantity.value, unit: quantity.unit.into() };
-        SchemeOutcome { name: name.into(), quantities: SHOWN.iter().filter_map(find).map(compared).collect(), unsupported: None }
+        SchemeOutcome {
+            name: name.into(),
+            quantities: SHOWN.iter().filter_map(find).map(compared).collect(),
+            steps: Some(steps),
+            unsupported: None,
+        }
     }
 
     /// A scheme that did not.
     pub fn refused(name: &str, reason: String) -> Self {
-        SchemeOutcome { name: name.into(), quantities: Vec::new(), unsupported: Some(reason) }
+        SchemeOutcome { name: name.into(), quantities: Vec::new(), steps: None, unsupported: Some(reason) }
     }
 }
 
@@ -92,6 +101,10 @@ impl Comparison {
         }
         if !ran.is_empty() {
             text += &aligned(&rows);
+        }
+        for scheme in &ran {
+            let steps = scheme.steps.as_ref().filter(|steps| steps.rejected + steps.unconverged > 0);
+            text += &steps.map(|steps| format!("{}: {}", scheme.name, steps.text())).unwrap_or_default();
         }
         for scheme in &self.schemes {
             if let Some(reason) = &scheme.unsupported {

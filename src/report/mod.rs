@@ -7,5 +7,6 @@ pub mod json;
 pub mod motion;
 pub mod plot;
 pub mod schemas;
+pub mod steps;
 pub mod systems;
 pub mod text;

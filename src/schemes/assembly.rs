@@ -6,8 +6,8 @@
 //! Why F is explicit and its linear part is not: [`super::moreau_jean`].
 
 use super::StepProblem;
-use crate::contact::Contact;
 use crate::contact::delassus::{MassFactor, delassus};
+use crate::contact::{Contact, pairs};
 use crate::mechanics::{Mechanism, State};
 use crate::problem::{ContactProblem, Dynamics, Law};
 use crate::{Error, Result};
@@ -51,6 +51,7 @@ pub(crate) fn assemble(name: &str, rules: &dyn Rules, mechanism: &dyn Mechanism,
     let active: Vec<(usize, Candidate)> = candidates.enumerate().filter(|(_, candidate)| rules.is_active(candidate, h)).collect();
     let rows = mechanism.rows_per_contact();
     let jacobian = stack(active.iter().map(|(_, candidate)| &candidate.contact.jacobian), rows, mechanism.degrees_of_freedom());
+    let places: Vec<_> = active.iter().map(|(_, candidate)| candidate.contact.place).collect();
     let problem = if active.is_empty() {
         None
     } else {
@@ -65,11 +66,11 @@ pub(crate) fn assemble(name: &str, rules: &dyn Rules, mechanism: &dyn Mechanism,
             delassus: delassus(&effective_mass, &jacobian)?,
             compliance: None,
             dynamics: Some(Dynamics { mass: effective_mass.clone(), jacobian: jacobian.clone() }),
+            bodies: pairs(&places),
         })
     };
-    let places = active.iter().map(|(_, candidate)| candidate.contact.place).collect();
     let active = active.iter().map(|(index, _)| *index).collect();
-    Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian })
+    Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian, residual: None })
 }
 
 /// M̂ and v_free of the module's equation.

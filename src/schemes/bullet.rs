@@ -22,8 +22,8 @@
 
 use super::assembly::{self, Candidate, Rules, normal_only};
 use super::{Scheme, StepProblem};
-use crate::contact::Contact;
 use crate::contact::delassus::{MassFactor, delassus};
+use crate::contact::{Contact, pairs};
 use crate::mechanics::{Mechanism, State};
 use crate::problem::{ContactProblem, Law};
 use crate::solvers::{ContactSolver, ProjectedGaussSeidel};
@@ -147,6 +147,7 @@ impl Bullet {
             delassus: delassus(&mass, &normals)?,
             compliance: None,
             dynamics: None,
+            bodies: pairs(&deep.iter().map(|contact| contact.place).collect::<Vec<_>>()),
         };
         let impulse = ProjectedGaussSeidel::accelerated().solve(&problem, None)?.impulse;
         Ok(MassFactor::new(&mass)?.solve(&normals.tr_mul(&impulse)))
@@ -191,6 +192,10 @@ impl Scheme for Bullet {
         let bodies = if self.bodies == Bodies::Multi { "multi" } else { "rigid" };
         let friction = if self.is_boxed() { "pyramid" } else { "cone" };
         format!("bullet bodies={bodies} friction={friction} erp={} slop={} margin={}", self.error_reduction, self.slop, self.margin)
+    }
+
+    fn is_truncated(&self) -> bool {
+        true
     }
 
     fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {

@@ -32,13 +32,14 @@ impl Scheme for Events {
             let mass = mechanism.mass_matrix(&motion.state.position);
             let assembled = StepProblem {
                 problem: None,
+                residual: None,
                 active: motion.impulses.iter().map(|one| one.contact).collect(),
                 places: motion.impulses.iter().map(|one| one.place).collect(),
                 jacobian: DMatrix::zeros(0, motion.state.velocity.len()),
                 free_velocity: motion.state.velocity.clone(),
                 effective_mass: mass,
             };
-            Step { state: motion.state, impulses: motion.impulses, assembled, solution: None }
+            Step { state: motion.state, impulses: motion.impulses, assembled, solution: None, residual: None, rejected: None }
         }))
     }
 

@@ -18,6 +18,7 @@
 use super::assembly::{self, normal_only};
 use super::{Scheme, Step, StepProblem};
 use crate::contact::delassus::{MassFactor, delassus};
+use crate::contact::pairs;
 use crate::mechanics::{Mechanism, State};
 use crate::problem::{ContactProblem, Dynamics, Law};
 use crate::tolerance::schemes::asymmetry;
@@ -160,6 +161,7 @@ impl Scheme for GeneralisedAlpha {
         let jacobian = assembly::stack(blocks.into_iter(), rows, mechanism.degrees_of_freedom());
         let shifts: Vec<DVector<f64>> =
             own().map(|contact| normal_only(contact.restitution * (&contact.jacobian * &state.velocity)[0], rows)).collect();
+        let places: Vec<_> = own().map(|contact| contact.place).collect();
         let problem = ContactProblem {
             name: format!("{} generalised-alpha t={}", mechanism.name(), state.time),
             rows_per_contact: rows,
@@ -170,10 +172,18 @@ impl Scheme for GeneralisedAlpha {
             delassus: delassus(&smooth.effective_mass, &jacobian)?,
             compliance: None,
             dynamics: Some(Dynamics { mass: smooth.effective_mass.clone(), jacobian: jacobian.clone() }),
+            bodies: pairs(&places),
         };
         let problem = (!active.is_empty()).then_some(problem);
-        let places = own().map(|contact| contact.place).collect();
-        Ok(StepProblem { problem, active, places, effective_mass: smooth.effective_mass, free_velocity: smooth.velocity, jacobian })
+        Ok(StepProblem {
+            problem,
+            active,
+            places,
+            effective_mass: smooth.effective_mass,
+            free_velocity: smooth.velocity,
+            jacobian,
+            residual: None,
+        })
     }
 
     fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {

@@ -1,6 +1,7 @@
 //! Time-stepping schemes, one per file: each turns one step into a [`ContactProblem`] and its answer into a state.
 
 use crate::Result;
+use crate::certificate::{Judgement, StepResidual};
 use crate::contact::delassus::MassFactor;
 use crate::contact::{ContactImpulse, Place};
 use crate::mechanics::{Mechanism, State};
@@ -13,6 +14,7 @@ use nearby::Nearby;
 pub mod anitescu;
 pub(crate) mod assembly;
 pub mod bullet;
+mod certified;
 pub mod chrono;
 pub mod drake;
 pub mod euler;
@@ -32,6 +34,7 @@ pub mod variational;
 
 pub use anitescu::Anitescu;
 pub use bullet::{Bodies, Bullet, Friction};
+pub use certified::{Certified, Rejected};
 pub use chrono::Chrono;
 pub use drake::{DrakeLagged, DrakeSap, DrakeSimilar, DrakeTamsi};
 pub use euler::Euler;
@@ -62,6 +65,17 @@ pub struct StepProblem {
     pub free_velocity: DVector<f64>,
     /// H of the active contacts.
     pub jacobian: DMatrix<f64>,
+    /// The worst residual of problems that were solved to assemble this one; none for most schemes.
+    pub residual: Option<StepResidual>,
+}
+
+/// The impulses of a scheme's own law, and how well its own stopping rule is met.
+#[derive(Clone, Debug)]
+pub struct OwnAnswer {
+    /// Impulses and velocities.
+    pub solution: Solution,
+    /// The residual of the law.
+    pub residual: StepResidual,
 }
 
 /// One time-stepping scheme.
@@ -71,6 +85,10 @@ pub trait Scheme: Send + Sync {
     /// Whether the scheme uses the mechanism's coefficients of restitution; without, every impact is plastic or as soft as its contact.
     fn has_restitution(&self) -> bool {
         true
+    }
+    /// Whether the scheme's algorithm is a declared number of sweeps, so that a step its certificate rejects counts as unconverged.
+    fn is_truncated(&self) -> bool {
+        false
     }
     /// Assembles the step of size h from a state.
     ///
@@ -87,7 +105,7 @@ pub trait Scheme: Send + Sync {
     ///
     /// # Errors
     /// [`crate::Error::Solver`] if the scheme's own iteration breaks down.
-    fn own_answer(&self, mechanism: &dyn Mechanism, state: &State, assembled: &StepProblem, h: f64) -> Result<Option<Solution>> {
+    fn own_answer(&self, mechanism: &dyn Mechanism, state: &State, assembled: &StepProblem, h: f64) -> Result<Option<OwnAnswer>> {
         let _ = (mechanism, state, assembled, h);
         Ok(None)
     }
@@ -122,6 +140,17 @@ pub struct Step {
     pub assembled: StepProblem,
     /// The answer, if any contact was active.
     pub solution: Option<Solution>,
+    /// The worst residual of everything the step solved; none if it solved nothing.
+    pub residual: Option<StepResidual>,
+    /// The first contact problem whose answer the certificate rejects.
+    pub rejected: Option<Box<Rejected>>,
+}
+
+impl Step {
+    /// Whether the step is accepted; `truncated` if its scheme or solver declares a number of sweeps.
+    pub fn judgement(&self, truncated: bool) -> Judgement {
+        Judgement::of(self.residual, truncated)
+    }
 }
 
 /// One step: v⁺ = v_free + M̂⁻¹Hᵀr, then the scheme's position update.
@@ -129,20 +158,20 @@ pub struct Step {
 /// # Errors
 /// Those of [`Scheme::assemble`] and [`ContactSolver::solve`].
 pub fn step(scheme: &dyn Scheme, solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Step> {
-    step_after(scheme, solver, mechanism, state, h, &[])
+    step_after(scheme, &Certified::new(solver), mechanism, state, h, &[])
 }
 
 /// A step whose solver starts from the impulses of the step before.
 fn step_after(
     scheme: &dyn Scheme,
-    solver: &dyn ContactSolver,
+    solver: &Certified,
     mechanism: &dyn Mechanism,
     state: &State,
     h: f64,
     previous: &[ContactImpulse],
 ) -> Result<Step> {
     if let Some(step) = scheme.own_step(solver, mechanism, state, h) {
-        return step;
+        return Ok(judged(step?, solver));
     }
     let mut reach = 2.0 * mechanism.reach(&state.velocity, h);
     if reach.is_finite() {
@@ -156,7 +185,7 @@ fn step_after(
             reach = 2.0 * needed;
             continue;
         }
-        let step = finish(scheme, solver, &near, state, h, previous, assembled)?;
+        let step = judged(finish(scheme, solver, &near, state, h, previous, assembled)?, solver);
         let needed = mechanism.reach(&step.state.velocity, h);
         // A bound that is not a number bounds nothing; what it comes from is refused by the next step.
         if needed > reach {
@@ -165,6 +194,13 @@ fn step_after(
             return Ok(step);
         }
     }
+}
+
+/// The step with what was found about its contact problems.
+fn judged(step: Step, solver: &Certified) -> Step {
+    let (residual, rejected) = solver.take();
+    let own = step.residual.map(|own| StepResidual { limit: solver.tolerance(), ..own });
+    Step { residual: StepResidual::worse_of(own, residual), rejected: rejected.map(Box::new), ..step }
 }
 
 /// Solves what was assembled and moves on.
@@ -179,9 +215,9 @@ fn finish(
 ) -> Result<Step> {
     let rows = mechanism.rows_per_contact();
     let start = carry_over(previous, &assembled.active, &assembled.places, rows);
-    let solution = match &assembled.problem {
-        Some(problem) => Some(solver.solve(problem, Some(&start))?),
-        None => scheme.own_answer(mechanism, state, &assembled, h)?,
+    let (solution, own) = match &assembled.problem {
+        Some(problem) => (Some(solver.solve(problem, Some(&start))?), None),
+        None => scheme.own_answer(mechanism, state, &assembled, h)?.map(|answer| (answer.solution, answer.residual)).unzip(),
     };
     let mut velocity = assembled.free_velocity.clone();
     let mut impulses = Vec::new();
@@ -194,7 +230,8 @@ fn finish(
     }
     let position = scheme.settle(mechanism, &assembled, scheme.advance(mechanism, state, &velocity, h))?;
     let state = State { time: state.time + h, position, velocity };
-    Ok(Step { state, impulses, assembled, solution })
+    let residual = StepResidual::worse_of(own, assembled.residual);
+    Ok(Step { state, impulses, assembled, solution, residual, rejected: None })
 }
 
 /// The previous impulses of the contacts that are active now, zero for the others \[N·s\].
@@ -208,7 +245,7 @@ pub(crate) fn carry_over(previous: &[ContactImpulse], active: &[usize], places: 
     start
 }
 
-/// `steps` steps of size h from `initial`, every sample recorded; sample k lies at time initial.time + k h. Each solve starts
+/// `steps` steps of size h from `initial`, every sample recorded with the residual of its step; sample k lies at time initial.time + k h. Each solve starts
 /// from the impulses of the step before at the same contacts.
 ///
 /// # Errors
@@ -221,8 +258,28 @@ pub fn simulate(
     h: f64,
     steps: usize,
 ) -> Result<Recording> {
+    simulate_certified(scheme, &Certified::new(solver), mechanism, initial, h, steps, |_| Ok(()))
+}
+
+/// [`simulate`] with the tolerance of a certifying solver; each step is shown to `observe` too, whose error ends the motion.
+///
+/// # Errors
+/// Those of [`step`] and of `observe`.
+pub fn simulate_certified(
+    scheme: &dyn Scheme,
+    solver: &Certified,
+    mechanism: &dyn Mechanism,
+    initial: State,
+    h: f64,
+    steps: usize,
+    mut observe: impl FnMut(&Step) -> Result<()>,
+) -> Result<Recording> {
     let mut recording = Recording::new(mechanism.name(), scheme.name(), h, initial.clone());
-    run(scheme, solver, mechanism, initial, h, steps, |state, impulses| recording.push(state.clone(), impulses.to_vec()))?;
+    let truncated = scheme.is_truncated() || solver.is_truncated();
+    run_certified(scheme, solver, mechanism, initial, h, steps, |step| {
+        recording.push_judged(step.state.clone(), step.impulses.clone(), step.residual, step.judgement(truncated));
+        observe(step)
+    })?;
     Ok(recording)
 }
 
@@ -237,7 +294,26 @@ pub fn run(
     initial: State,
     h: f64,
     steps: usize,
-    mut observe: impl FnMut(&State, &[ContactImpulse]),
+    mut observe: impl FnMut(&Step),
+) -> Result<State> {
+    run_certified(scheme, &Certified::new(solver), mechanism, initial, h, steps, |step| {
+        observe(step);
+        Ok(())
+    })
+}
+
+/// [`run`] with the tolerance of a certifying solver; an error of `observe` ends the motion.
+///
+/// # Errors
+/// Those of [`step`] and of `observe`.
+pub fn run_certified(
+    scheme: &dyn Scheme,
+    solver: &Certified,
+    mechanism: &dyn Mechanism,
+    initial: State,
+    h: f64,
+    steps: usize,
+    mut observe: impl FnMut(&Step) -> Result<()>,
 ) -> Result<State> {
     let start = initial.time;
     let mut state = initial;
@@ -245,13 +321,12 @@ pub fn run(
     let mut remembering: Option<Box<dyn Scheme>> = None;
     for k in 1..=steps {
         let current = remembering.as_deref().unwrap_or(scheme);
-        let made = step_after(current, solver, mechanism, &state, h, &previous)?;
+        let mut made = step_after(current, solver, mechanism, &state, h, &previous)?;
         let successor = current.successor(mechanism, &state, &made, h)?;
         remembering = successor.or(remembering);
-        let Step { state: next, impulses, .. } = made;
-        state = State { time: start + k as f64 * h, ..next };
-        observe(&state, &impulses);
-        previous = impulses;
+        made.state.time = start + k as f64 * h;
+        observe(&made)?;
+        (state, previous) = (made.state, made.impulses);
     }
     Ok(state)
 }

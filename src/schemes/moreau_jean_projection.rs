@@ -11,9 +11,10 @@
 //! An elastic ball that is projected from the height q loses m g q: unlike clipping at φ ≤ 0, which adds m g δ, this takes energy.
 
 use super::assembly::{self, normal_only};
-use super::{Scheme, StepProblem};
+use super::{Certified, Scheme, StepProblem};
+use crate::certificate::StepResidual;
 use crate::contact::delassus::{MassFactor, delassus};
-use crate::contact::{Contact, Place};
+use crate::contact::{Contact, Place, pairs};
 use crate::mechanics::{Mechanism, State};
 use crate::problem::{ContactProblem, Dynamics, Law};
 use crate::solvers::{ContactSolver, LemkePivoting, Reference};
@@ -100,6 +101,7 @@ impl MoreauJeanProjection {
             delassus: delassus(mass, &jacobian)?,
             compliance: None,
             dynamics: Some(Dynamics { mass: mass.clone(), jacobian }),
+            bodies: pairs(&held.iter().map(|((_, place), _)| *place).collect::<Vec<_>>()),
         })
     }
 }
@@ -115,6 +117,7 @@ impl Scheme for MoreauJeanProjection {
         let (effective_mass, free_velocity) = assembly::free_motion(self.theta, mechanism, state, h)?;
         let mut reached = self.advance(mechanism, state, &free_velocity, h);
         let (mut held, mut problem): (Vec<Held>, Option<ContactProblem>) = (Vec::new(), None);
+        let mut residual = None;
         loop {
             let contacts = mechanism.contacts(&reached).into_iter().enumerate();
             let next: Vec<(Held, Contact)> = contacts
@@ -126,7 +129,9 @@ impl Scheme for MoreauJeanProjection {
             }
             let posed = self.problem(mechanism, state, &next, &effective_mass, &free_velocity)?;
             let solver: &dyn ContactSolver = if posed.rows_per_contact <= 2 { &LemkePivoting } else { &Reference };
-            let solution = solver.solve(&posed, None)?;
+            let certified = Certified::new(solver);
+            let solution = certified.solve(&posed, None)?;
+            residual = StepResidual::worse_of(residual, certified.take().0);
             let jacobian = &posed.dynamics.as_ref().ok_or_else(|| Error::Unsupported("a step has dynamics".into()))?.jacobian;
             let velocity = &free_velocity + MassFactor::new(&effective_mass)?.solve(&jacobian.tr_mul(&solution.impulse));
             held = next.into_iter().map(|(key, _)| key).collect();
@@ -136,7 +141,7 @@ impl Scheme for MoreauJeanProjection {
         let rows = DMatrix::zeros(0, mechanism.degrees_of_freedom());
         let jacobian = problem.as_ref().and_then(|posed| posed.dynamics.as_ref()).map_or(rows, |dynamics| dynamics.jacobian.clone());
         let (active, places) = held.into_iter().unzip();
-        Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian })
+        Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian, residual })
     }
 
     fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {

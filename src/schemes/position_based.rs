@@ -13,7 +13,7 @@ use super::assembly::{self, check_input, normal_only};
 use super::{Scheme, Step, StepProblem};
 use crate::contact::delassus::MassFactor;
 use crate::contact::delassus::delassus;
-use crate::contact::{Contact, ContactImpulse};
+use crate::contact::{Contact, ContactImpulse, pairs};
 use crate::mechanics::{Mechanism, State};
 use crate::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law};
 use crate::solvers::ContactSolver;
@@ -158,6 +158,10 @@ impl Scheme for PositionBased {
         }
     }
 
+    fn is_truncated(&self) -> bool {
+        true
+    }
+
     /// The position problem with the gaps linearised at q, as impulses: what the sweeps of XPBD tend to.
     fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
         check_input(mechanism, state, h)?;
@@ -173,6 +177,7 @@ impl Scheme for PositionBased {
         }
         let [scaled, _] = self.weights(h);
         let diagonal = DVector::from_fn(rows * contacts.len(), |row, _| if row % rows == 0 { scaled } else { 0.0 });
+        let places: Vec<_> = contacts.iter().map(|contact| contact.place).collect();
         let problem = ContactProblem {
             name: format!("{} {} t={}", mechanism.name(), self.name(), state.time),
             rows_per_contact: rows,
@@ -183,10 +188,10 @@ impl Scheme for PositionBased {
             delassus: delassus(&effective_mass, &jacobian)?,
             compliance: (scaled > 0.0).then_some(Compliance { coordinates: Coordinates::Contact, diagonal }),
             dynamics: Some(Dynamics { mass: effective_mass.clone(), jacobian: jacobian.clone() }),
+            bodies: pairs(&places),
         };
-        let places = contacts.iter().map(|contact| contact.place).collect();
         let problem = (!contacts.is_empty()).then_some(problem);
-        Ok(StepProblem { problem, active: (0..contacts.len()).collect(), places, effective_mass, free_velocity, jacobian })
+        Ok(StepProblem { problem, active: (0..contacts.len()).collect(), places, effective_mass, free_velocity, jacobian, residual: None })
     }
 
     fn own_step(&self, _solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, h: f64) -> Option<Result<Step>> {
@@ -220,6 +225,7 @@ impl PositionBased {
         let impulses = acting.iter().map(impulse).collect();
         let assembled = StepProblem {
             problem: None,
+            residual: None,
             places: acting.iter().map(|&k| places[k]).collect(),
             active: acting,
             effective_mass: mass,
@@ -227,7 +233,7 @@ impl PositionBased {
             jacobian: DMatrix::zeros(0, velocity.len()),
         };
         let state = State { time: state.time + h, position: done.position, velocity };
-        Ok(Step { state, impulses, assembled, solution: None })
+        Ok(Step { state, impulses, assembled, solution: None, residual: None, rejected: None })
     }
 }
 

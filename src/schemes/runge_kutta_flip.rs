@@ -14,6 +14,7 @@
 use super::assembly::normal_only;
 use super::{Scheme, StepProblem};
 use crate::contact::delassus::{MassFactor, delassus};
+use crate::contact::pairs;
 use crate::mechanics::{Mechanism, State};
 use crate::problem::{ContactProblem, Dynamics, Law};
 use crate::{Error, Result};
@@ -65,6 +66,7 @@ impl Scheme for RungeKuttaFlip {
             let arriving = (&contact.jacobian * &free_velocity)[0];
             shift.rows_mut(place * rows, rows).copy_from(&normal_only(contact.restitution * arriving.min(0.0), rows));
         }
+        let places: Vec<_> = active.iter().map(|&k| contacts[k].place).collect();
         let problem = ContactProblem {
             name: format!("{} runge-kutta-flip t={}", mechanism.name(), state.time),
             rows_per_contact: rows,
@@ -75,10 +77,10 @@ impl Scheme for RungeKuttaFlip {
             delassus: delassus(&effective_mass, &jacobian)?,
             compliance: None,
             dynamics: Some(Dynamics { mass: effective_mass.clone(), jacobian: jacobian.clone() }),
+            bodies: pairs(&places),
         };
-        let places = active.iter().map(|&k| contacts[k].place).collect();
         let problem = (!active.is_empty()).then_some(problem);
-        Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian })
+        Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian, residual: None })
     }
 
     fn advance(&self, mechanism: &dyn Mechanism, state: &State, _velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {

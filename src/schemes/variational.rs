@@ -14,11 +14,13 @@
 //! Chapter §8; Fetecau, Marsden, Ortiz and West, *Nonsmooth Lagrangian mechanics and variational collision integrators* (2003).
 
 use super::{Scheme, Step, StepProblem, assembly};
+use crate::certificate::StepResidual;
 use crate::contact::delassus::MassFactor;
 use crate::contact::{Contact, ContactImpulse};
 use crate::event_driven::root::falling_root;
 use crate::mechanics::{Mechanism, State};
 use crate::solvers::ContactSolver;
+use crate::tolerance::cli::CERTIFY;
 use crate::tolerance::rounding;
 use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -43,6 +45,15 @@ struct Part {
     velocity: DVector<f64>,
     /// E_d \[J\].
     energy: f64,
+}
+
+/// An impact within a step.
+struct Hit {
+    contact: usize,
+    /// r \[N·s\].
+    impulse: f64,
+    /// What the root of the discrete energy leaves of it, relative to the larger of E_d and the kinetic energy.
+    lost: f64,
 }
 
 impl<'a> Conservative<'a> {
@@ -149,8 +160,8 @@ impl<'a> Conservative<'a> {
         falling_root(kept, plastic, most)
     }
 
-    /// The step, and the contact that was hit with its impulse.
-    fn step(&self, state: &State, h: f64) -> Result<(Part, Option<(usize, f64)>)> {
+    /// The step, and the contact that was hit.
+    fn step(&self, state: &State, h: f64) -> Result<(Part, Option<Hit>)> {
         let Some((hit, time)) = self.first_hit(&state.position, &state.velocity, h)? else {
             return Ok((self.fly(&state.position, &state.velocity, h), None));
         };
@@ -161,7 +172,10 @@ impl<'a> Conservative<'a> {
         if h > time && self.first_hit(&touching.position, &leaving, h - time)?.is_some() {
             return Err(self.refuse("a step with at most one impact; take a smaller one"));
         }
-        Ok((self.fly(&touching.position, &leaving, h - time), Some((hit, impulse))))
+        let after = self.fly(&touching.position, &leaving, h - time);
+        let moving = 0.5 * leaving.dot(&(&self.mass * &leaving));
+        let lost = (after.energy - touching.energy).abs() / moving.max(touching.energy.abs());
+        Ok((after, Some(Hit { contact: hit, impulse, lost })))
     }
 }
 
@@ -191,22 +205,27 @@ fn step(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Step> {
     let (Part { position, velocity, .. }, hit) = conservative.step(state, h)?;
     let rows = mechanism.rows_per_contact();
     let contacts = mechanism.contacts(&position);
+    let rule = "discrete energy of the impact";
+    let judged =
+        |hit: &Hit| StepResidual { rule, residual: "energy", relative: hit.lost, limit: CERTIFY, contact: Some(hit.contact), pair: None };
+    let residual = hit.as_ref().map(judged);
     let impulses: Vec<ContactImpulse> = hit
         .into_iter()
-        .map(|(contact, impulse)| {
+        .map(|Hit { contact, impulse, .. }| {
             let along = (0..rows).map(|row| if row == 0 { impulse } else { 0.0 }).collect();
             ContactImpulse { contact, impulse: along, place: contacts.get(contact).and_then(|one| one.place) }
         })
         .collect();
     let assembled = StepProblem {
         problem: None,
+        residual: None,
         active: impulses.iter().map(|one| one.contact).collect(),
         places: impulses.iter().map(|one| one.place).collect(),
         jacobian: DMatrix::zeros(0, velocity.len()),
         free_velocity: velocity.clone(),
         effective_mass: conservative.mass,
     };
-    Ok(Step { state: State { time: state.time + h, position, velocity }, impulses, assembled, solution: None })
+    Ok(Step { state: State { time: state.time + h, position, velocity }, impulses, assembled, solution: None, residual, rejected: None })
 }
 
 #[cfg(test)]

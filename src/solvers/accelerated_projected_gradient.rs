@@ -78,7 +78,7 @@ impl AcceleratedProjectedGradient {
         let operator = problem.law_delassus();
         let q = &problem.free_velocity + &problem.shift;
         let step = step_length(&operator);
-        let stopping = Stopping::new(problem, self.tolerance);
+        let mut stopping = Stopping::new(problem, self.tolerance);
 
         let mut impulse = super::start(problem, warm_start)?;
         let mut product = &operator * &impulse;

@@ -43,6 +43,7 @@ fn random(law: Law, rows: usize, contacts: usize, velocities: usize, ratio: f64,
         delassus: delassus(&mass, &jacobian).unwrap(),
         compliance: None,
         dynamics: None,
+        bodies: None,
     }
 }
 
@@ -358,4 +359,17 @@ fn sequential_impulses_answer_the_square_as_lemke_does_unless_a_contact_keeps_fr
         }
     }
     assert!(same >= 30 && kept >= 1, "{same} agree, {kept} keep friction");
+}
+
+#[test]
+fn a_limit_of_iterations_is_kept_and_one_outside_its_range_refused() {
+    let problem = random(Law::Coulomb, 3, 4, 6, 10.0, 0.5, 3);
+    for name in ["pgs", "psor", "admm"] {
+        let once = super::with_iterations(name, Some(1)).unwrap().solve(&problem, None).unwrap();
+        assert_eq!(once.iterations, 1, "{name}");
+    }
+    for (name, limit) in [("pgs", 0), ("pgs", tolerance::MOST_ITERATIONS + 1), ("lemke", 5)] {
+        assert!(super::with_iterations(name, Some(limit)).err().unwrap().to_string().contains("iterations"), "{name}");
+    }
+    assert!(super::with_iterations("pgs", Some(tolerance::MOST_ITERATIONS)).is_ok());
 }

@@ -71,7 +71,7 @@ impl ContactSolver for AlternatingDirections {
         let mass = if operator.trace() > 0.0 { problem.rows() as f64 / operator.trace() } else { 1.0 };
         let speed = if data.amax() > 0.0 { data.amax() } else { 1.0 };
         let unit = mass * speed;
-        let stopping = Stopping::new(problem, self.tolerance);
+        let mut stopping = Stopping::new(problem, self.tolerance);
         let mut scaled = Scaled::new(problem, operator * mass, data / speed)?;
         let mut x = start / unit;
         let mut z = scaled.corrected(&(&scaled.operator * &x + &scaled.free));
@@ -158,6 +158,7 @@ mod tests {
             delassus: DMatrix::identity(2, 2),
             compliance: None,
             dynamics: None,
+            bodies: None,
         }
     }
 

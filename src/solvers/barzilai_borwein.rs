@@ -57,7 +57,7 @@ impl ContactSolver for BarzilaiBorwein {
         }
         super::require_symmetry(NAME, problem)?;
         let operator = problem.law_delassus();
-        let stopping = Stopping::new(problem, self.tolerance);
+        let mut stopping = Stopping::new(problem, self.tolerance);
         let mut impulse = super::start(problem, warm_start)?;
         super::project(problem, &mut impulse);
         let mut now = Iterate { gradient: problem.law_velocity(&impulse), impulse };
@@ -126,6 +126,7 @@ mod tests {
             delassus: DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 1.0 / kappa])),
             compliance: None,
             dynamics: None,
+            bodies: None,
         }
     }
 

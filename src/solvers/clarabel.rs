@@ -194,5 +194,6 @@ fn edge_problem(problem: &ContactProblem, directions: usize) -> ContactProblem {
         delassus: (&delassus + delassus.transpose()) * 0.5,
         compliance: compliance.map(|Compliance { diagonal, .. }| Compliance { coordinates: Coordinates::Contact, diagonal }),
         dynamics: None,
+        bodies: None,
     }
 }

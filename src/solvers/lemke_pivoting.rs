@@ -38,6 +38,13 @@ impl ContactSolver for LemkePivoting {
     }
 }
 
+impl LemkePivoting {
+    /// Whether the law of this problem is an LCP.
+    pub fn takes(problem: &ContactProblem) -> bool {
+        Form::of(problem).is_ok()
+    }
+}
+
 /// Which LCP a contact problem is.
 #[derive(Clone, Copy)]
 enum Form {
@@ -171,6 +178,7 @@ mod tests {
             delassus: DMatrix::identity(rows, rows),
             compliance: None,
             dynamics: None,
+            bodies: None,
         }
     }
 
@@ -253,6 +261,7 @@ mod tests {
             delassus: DMatrix::zeros(0, 0),
             compliance: None,
             dynamics: None,
+            bodies: None,
         };
         assert_eq!(LemkePivoting.solve(&empty, None).unwrap().impulse.len(), 0);
     }

@@ -14,6 +14,7 @@ pub mod enumeration;
 pub mod gauss;
 pub mod lemke;
 mod lemke_pivoting;
+mod nonsmooth_newton;
 mod one_contact;
 mod polyhedral_contact;
 pub mod primal_newton;
@@ -23,7 +24,6 @@ mod reference;
 mod sap;
 mod sequential_impulses;
 mod stopping;
-mod within_step;
 
 pub use accelerated_projected_gradient::{AcceleratedProjectedGradient, Momentum, largest_eigenvalue_bound, objective};
 pub use alternating_directions::AlternatingDirections;
@@ -31,17 +31,21 @@ pub use barzilai_borwein::BarzilaiBorwein;
 pub use clarabel::{ClarabelPolished, Polished};
 pub use gauss::{GaussConjugateGradient, GaussNewton, GaussSweeps};
 pub use lemke_pivoting::LemkePivoting;
+pub use nonsmooth_newton::NonsmoothNewton;
 pub use projected_gauss_seidel::ProjectedGaussSeidel;
 pub use projected_over_relaxation::ProjectedOverRelaxation;
-pub use reference::{NAMES, Reference, by_name};
+pub use reference::{NAMES, Reference, by_name, with_iterations};
 pub use sap::SemiAnalyticPrimal;
 pub use sequential_impulses::SequentialImpulses;
-pub use within_step::WithinStep;
 
 /// An algorithm that proposes a solution of a contact problem.
 pub trait ContactSolver: Send + Sync {
     /// The name used on the command line and in files.
     fn name(&self) -> &'static str;
+    /// Whether the algorithm is a declared number of sweeps and promises no solution: what its certificate rejects counts as unconverged.
+    fn is_truncated(&self) -> bool {
+        false
+    }
     /// Proposes a solution, starting from `warm_start` impulses if given.
     ///
     /// # Errors

@@ -33,6 +33,8 @@ pub struct Minimum {
     pub impulse: DVector<f64>,
     /// Newton steps.
     pub iterations: usize,
+    /// ‖D g‖ over the larger of ‖D M x‖ and ‖D Hᵀr‖, D = diag(M)^(−½): Drake's measure of a minimum.
+    pub relative: f64,
 }
 
 /// The step's data and the potential.
@@ -66,7 +68,8 @@ pub fn minimise(
         let impulse = step.impulse(&velocity);
         let (momentum, received) = (&dynamics.mass * &change, dynamics.jacobian.tr_mul(&impulse));
         let gradient = &momentum - &received;
-        let relative = size(&gradient) / size(&momentum).max(size(&received));
+        let terms = size(&momentum).max(size(&received));
+        let relative = if terms > 0.0 { size(&gradient) / terms } else { 0.0 };
         // near the minimum only rounding keeps a step from reducing the gradient
         let stalled = relative >= before && before <= NEAR_MINIMUM;
         let converged = relative <= STOP || gradient.amax() == 0.0;
@@ -78,7 +81,7 @@ pub fn minimise(
             let direction = factor.solve(&-gradient);
             step.line_minimum(&change, &direction).map(|length| direction * length)
         };
-        let Some(direction) = direction else { return Ok(Minimum { change, impulse, iterations }) };
+        let Some(direction) = direction else { return Ok(Minimum { change, impulse, iterations, relative }) };
         change += direction;
         before = relative;
         iterations += 1;

@@ -4,6 +4,8 @@
 //! ```
 //! Each contact is solved to rounding (`one_contact`). For symmetric positive semidefinite W and a convex law the
 //! sweeps descend on ½rᵀ(W+R)r + (u_free+shift)ᵀr and converge; for Coulomb's law they usually do, and the certificate tells.
+//!
+//! The best iterate is kept and returned. Sweeps that no longer halve its residual have stalled and end.
 
 use super::ContactSolver;
 use super::anderson::Anderson;
@@ -19,7 +21,7 @@ use nalgebra::{DVector, Matrix3, Vector3};
 pub struct ProjectedGaussSeidel {
     /// Sweep limit.
     pub sweeps: usize,
-    /// Stops when the natural map of every contact is at most this times max(‖r‖, ρ‖u_free + shift‖).
+    /// Stops when the certificate's residuals of every contact are at most this times their scale.
     pub tolerance: f64,
     /// How many past sweeps Anderson's acceleration extrapolates from; 0 are plain sweeps.
     pub memory: usize,
@@ -56,6 +58,8 @@ struct Sweeper<'a> {
     impulse: DVector<f64>,
     /// y = u_free + shift + (W + R) r \[m/s\], updated column by column.
     law_velocity: DVector<f64>,
+    best: Best,
+    sweeps: usize,
 }
 
 impl ContactSolver for ProjectedGaussSeidel {
@@ -73,31 +77,91 @@ impl ContactSolver for ProjectedGaussSeidel {
         let law_velocity = problem.law_velocity(&impulse);
         let stopping = Stopping::new(problem, self.tolerance);
         let contacts = (0..problem.contacts()).map(|k| prepare(problem, k)).collect::<Result<_>>()?;
-        let mut sweeper = Sweeper { problem, contacts, stopping, impulse, law_velocity };
-        let mut anderson = Anderson::new(self.memory);
-        let mut sweeps = 0;
-        while !sweeper.converged() && sweeps < self.sweeps {
-            let before = sweeper.impulse.clone();
-            let moved = sweeper.sweep();
-            sweeps += 1;
-            if !moved || sweeper.impulse.iter().any(|r| !r.is_finite()) {
-                break;
-            }
-            if self.memory > 0 && sweeps < self.sweeps && !sweeper.converged() {
-                sweeper.jump(anderson.next(&before, &sweeper.impulse));
-            }
+        let best = Best::default();
+        let mut sweeper = Sweeper { problem, contacts, stopping, impulse, law_velocity, best, sweeps: 0 };
+        if self.memory == 0 {
+            sweeper.plain(self)
+        } else {
+            sweeper.accelerated(self)
         }
-        let velocity = problem.velocity(&sweeper.impulse);
-        let impulse = sweeper.impulse;
+        let sweeps = sweeper.sweeps;
+        let impulse = if sweeper.is_finite() { sweeper.best.impulse } else { sweeper.impulse };
+        let velocity = problem.velocity(&impulse);
         super::finite(Solution { impulse, velocity, beta: None, sigma: None, solver: self.name().into(), iterations: sweeps })
     }
 }
 
+/// The best iterate so far, by its largest relative residual, and since when there is no better one worth the name.
+struct Best {
+    relative: f64,
+    impulse: DVector<f64>,
+    /// The residual at the last mark, and the sweep: the next mark is a residual half as large.
+    mark: (f64, usize),
+}
+
+impl Default for Best {
+    fn default() -> Self {
+        Best { relative: f64::INFINITY, impulse: DVector::zeros(0), mark: (f64::INFINITY, 0) }
+    }
+}
+
+impl Best {
+    fn offer(&mut self, relative: f64, impulse: &DVector<f64>, sweep: usize) {
+        if relative < self.relative || self.impulse.is_empty() {
+            self.relative = relative;
+            self.impulse.clone_from(impulse);
+        }
+        if self.relative < 0.5 * self.mark.0 {
+            self.mark = (self.relative, sweep);
+        }
+    }
+}
+
 impl Sweeper<'_> {
+    /// Sweep after sweep.
+    fn plain(&mut self, solver: &ProjectedGaussSeidel) {
+        let patience = tolerance::stalled(self.problem.contacts());
+        while !self.converged(solver.tolerance) && self.sweeps < solver.sweeps && !self.has_stalled(patience) {
+            if !self.sweep() || !self.is_finite() {
+                break;
+            }
+        }
+    }
+
+    /// Sweeps with extrapolated ones in between. A jump that makes the residual grow is taken back, and the sweeps go on without memory.
+    fn accelerated(&mut self, solver: &ProjectedGaussSeidel) {
+        let patience = tolerance::accelerated_stalled(self.problem.contacts());
+        let mut anderson = Anderson::new(solver.memory);
+        let mut before = self.impulse.clone();
+        while !self.converged(solver.tolerance) && self.sweeps < solver.sweeps && !self.has_stalled(patience) {
+            before.clone_from(&self.impulse);
+            if !self.sweep() || !self.is_finite() || self.sweeps == solver.sweeps || self.converged(solver.tolerance) {
+                break;
+            }
+            let image = self.impulse.clone();
+            let plain = self.stopping.relative(&self.impulse, &self.law_velocity);
+            self.jump(anderson.next(&before, &image));
+            let jumped = self.stopping.relative(&self.impulse, &self.law_velocity);
+            if jumped > plain.max(tolerance::GROWTH * self.best.relative) {
+                self.jump(image);
+                anderson = Anderson::new(solver.memory);
+            }
+        }
+    }
+
+    fn has_stalled(&self, patience: usize) -> bool {
+        self.sweeps - self.best.mark.1 > patience
+    }
+
+    fn is_finite(&self) -> bool {
+        self.impulse.iter().all(|r| r.is_finite())
+    }
+
     /// Solves every contact once; returns whether any impulse changed.
     fn sweep(&mut self) -> bool {
         let rows = self.problem.rows_per_contact;
         let mut moved = false;
+        self.sweeps += 1;
         for (k, contact) in self.contacts.iter().enumerate() {
             let first = k * rows;
             let old = padded(&self.impulse.as_slice()[first..first + rows]);
@@ -123,13 +187,17 @@ impl Sweeper<'_> {
         self.impulse = impulse;
     }
 
-    /// Whether the natural map is small at every contact; decided on a freshly computed y, since the updated one carries old rounding.
-    fn converged(&mut self) -> bool {
-        if !self.stopping.holds(&self.impulse, &self.law_velocity) {
+    /// Whether the residual is small at every contact; decided on a freshly computed y, since the updated one carries old rounding.
+    fn converged(&mut self, tolerance: f64) -> bool {
+        let relative = self.stopping.relative(&self.impulse, &self.law_velocity);
+        if relative > tolerance {
+            self.best.offer(relative, &self.impulse, self.sweeps);
             return false;
         }
         self.law_velocity = self.problem.law_velocity(&self.impulse);
-        self.stopping.holds(&self.impulse, &self.law_velocity)
+        let relative = self.stopping.relative(&self.impulse, &self.law_velocity);
+        self.best.offer(relative, &self.impulse, self.sweeps);
+        relative <= tolerance
     }
 }
 
@@ -193,6 +261,7 @@ mod tests {
             delassus: DMatrix::identity(2, 2),
             compliance: None,
             dynamics: None,
+            bodies: None,
         }
     }
 

@@ -53,7 +53,7 @@ impl ContactSolver for ProjectedOverRelaxation {
         }
         let rows = problem.rows_per_contact;
         let steps = step_lengths(problem, self.relaxation)?;
-        let stopping = Stopping::new(problem, self.tolerance);
+        let mut stopping = Stopping::new(problem, self.tolerance);
         let mut impulse = super::start(problem, warm_start)?;
         let mut done = 0;
         loop {
@@ -115,6 +115,7 @@ mod tests {
             delassus: DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 0.1, 0.1])),
             compliance: None,
             dynamics: None,
+            bodies: None,
         }
     }
 

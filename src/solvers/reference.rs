@@ -1,23 +1,101 @@
 //! The solver to use when nothing is said, and solvers by name.
 
-use super::stopping::Stopping;
 use super::{AcceleratedProjectedGradient, AlternatingDirections, BarzilaiBorwein, ClarabelPolished, ContactSolver, LemkePivoting};
 use super::{
-    GaussConjugateGradient, GaussNewton, GaussSweeps, ProjectedGaussSeidel, ProjectedOverRelaxation, SemiAnalyticPrimal, SequentialImpulses,
+    GaussConjugateGradient, GaussNewton, GaussSweeps, NonsmoothNewton, ProjectedGaussSeidel, ProjectedOverRelaxation, SemiAnalyticPrimal,
+    SequentialImpulses,
 };
+use crate::certificate::Judge;
 use crate::problem::{ContactProblem, Law, Solution};
-use crate::tolerance::solvers::FIRST_SWEEPS;
+use crate::tolerance::solvers::{self as tolerance, ENOUGH};
 use crate::{Error, Result};
 use nalgebra::DVector;
 
 /// The names [`by_name`] knows.
-pub const NAMES: [&str; 13] =
-    ["auto", "lemke", "pgs", "psor", "apgd", "bb", "admm", "clarabel", "newton", "cg", "gauss-pgs", "sap", "sequential-impulses"];
+pub const NAMES: [&str; 14] = [
+    "auto",
+    "lemke",
+    "pgs",
+    "psor",
+    "apgd",
+    "bb",
+    "admm",
+    "nonsmooth-newton",
+    "clarabel",
+    "newton",
+    "cg",
+    "gauss-pgs",
+    "sap",
+    "sequential-impulses",
+];
 
-/// The default choice: Newton's method for soft convex laws whose mass and Jacobian are known, Lemke for the polyhedral laws, accelerated block projected Gauss–Seidel for the others. At spatial contacts Stewart–Trinkle's
-/// law is first tried by a bounded number of sweeps, for Lemke's tableau has (2 + d)² entries per pair of contacts.
+/// The default choice: one algorithm after another, in a fixed order, until the certificate's residuals are below [`ENOUGH`]; otherwise the best answer seen.
+///
+/// | for | algorithm |
+/// |---|---|
+/// | soft contacts | Newton on Gauss's principle |
+/// | all but the polyhedral laws in the plane and the polyhedral associated one | accelerated sweeps |
+/// | second-order cones | nonsmooth Newton from what the sweeps found |
+/// | the same again | plain sweeps, and Newton from what they found |
+/// | second-order cones and a symmetric W | alternating directions, a few and then many, and Newton after each |
+/// | second-order cones | over-relaxation |
+/// | one row, the plane, polyhedral laws, no friction | Lemke |
+/// | the associated law | accelerated projected gradient, Clarabel |
+///
+/// Each starts from the best answer of those before. The order and the numbers of iterations are fixed, so that the same problem has the same answer on
+/// every machine; no clock is asked. The answer names the algorithm it came from, with the iterations of all.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reference;
+
+/// One algorithm of [`Reference`], from the impulses to start from.
+type Stage = fn(&ContactProblem, Option<&DVector<f64>>) -> Result<Solution>;
+
+/// The algorithms with the problems they are for, in order.
+const STAGES: [(fn(&ContactProblem) -> bool, Stage); 13] = [
+    (|problem| problem.compliance.is_some(), |problem, start| GaussNewton::default().solve(problem, start)),
+    (is_swept, |problem, start| sweeps(problem, tolerance::MEMORY).solve(problem, start)),
+    (has_second_order_cone, newton),
+    (has_second_order_cone, |problem, start| sweeps(problem, 0).solve(problem, start)),
+    (has_second_order_cone, newton),
+    (has_second_order_cone, |problem, start| {
+        AlternatingDirections { iterations: tolerance::FIRST_ALTERNATIONS, ..Default::default() }.solve(problem, start)
+    }),
+    (has_second_order_cone, newton),
+    (has_second_order_cone, |problem, start| AlternatingDirections::default().solve(problem, start)),
+    (has_second_order_cone, newton),
+    (has_second_order_cone, |problem, start| {
+        ProjectedOverRelaxation { sweeps: tolerance::AUTO_SWEEPS, ..Default::default() }.solve(problem, start)
+    }),
+    (LemkePivoting::takes, |problem, _| LemkePivoting.solve(problem, None)),
+    (|problem| problem.law == Law::Associated, |problem, start| AcceleratedProjectedGradient::default().solve(problem, start)),
+    (
+        |problem| matches!(problem.law, Law::Associated | Law::PolyhedralAssociated { .. }),
+        |problem, _| ClarabelPolished.solve(problem, None),
+    ),
+];
+
+/// Polyhedral Coulomb is swept at spatial contacts only; in the plane it is an LCP better solved as one.
+fn is_swept(problem: &ContactProblem) -> bool {
+    match problem.law {
+        Law::PolyhedralCoulomb { .. } => problem.rows_per_contact == 3,
+        Law::PolyhedralAssociated { .. } => false,
+        _ => true,
+    }
+}
+
+fn has_second_order_cone(problem: &ContactProblem) -> bool {
+    problem.law.directions().is_none()
+}
+
+fn newton(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solution> {
+    NonsmoothNewton::default().solve(problem, start)
+}
+
+/// A polyhedral law gets few sweeps, because Lemke, which comes next, ends.
+fn sweeps(problem: &ContactProblem, memory: usize) -> ProjectedGaussSeidel {
+    let sweeps = if problem.law.directions().is_some() { tolerance::FIRST_SWEEPS } else { tolerance::AUTO_SWEEPS };
+    ProjectedGaussSeidel { sweeps, memory, ..Default::default() }
+}
 
 impl ContactSolver for Reference {
     fn name(&self) -> &'static str {
@@ -25,30 +103,40 @@ impl ContactSolver for Reference {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        if problem.compliance.is_some()
-            && let Ok(solution) = GaussNewton::default().solve(problem, warm_start)
-        {
-            return Ok(solution);
+        problem.validate()?;
+        let (mut judge, mut iterations) = (Judge::default(), 0);
+        let mut best: Option<(f64, Solution)> = None;
+        let mut failure = None;
+        for (takes, stage) in STAGES {
+            if !takes(problem) {
+                continue;
+            }
+            let start = best.as_ref().map(|(_, solution)| &solution.impulse).or(warm_start);
+            let solution = match stage(problem, start) {
+                Ok(solution) => solution,
+                Err(error) => {
+                    failure = failure.or(Some(error));
+                    continue;
+                }
+            };
+            iterations += solution.iterations;
+            let relative = judge.judge(problem, &solution)?.relative();
+            let better = !relative.is_nan() && best.as_ref().is_none_or(|(least, _)| relative < *least);
+            if better {
+                best = Some((relative, solution));
+            }
+            if relative <= ENOUGH {
+                break;
+            }
         }
-        match problem.law.directions() {
-            Some(_) if problem.rows_per_contact == 3 => match sweeps(problem, warm_start)? {
-                Some(solution) => Ok(solution),
-                None => LemkePivoting.solve(problem, warm_start),
-            },
-            Some(_) => LemkePivoting.solve(problem, warm_start),
-            None => ProjectedGaussSeidel::accelerated().solve(problem, warm_start),
+        match (best, failure) {
+            (Some((_, solution)), _) => Ok(Solution { iterations, ..solution }),
+            (None, Some(error)) => Err(error),
+            (None, None) => {
+                Err(Error::solver(self.name(), "no algorithm gave an answer made of numbers; rescale the units of the problem"))
+            }
         }
     }
-}
-
-/// The answer of a bounded number of sweeps, if they converge.
-fn sweeps(problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Option<Solution>> {
-    let Law::PolyhedralCoulomb { .. } = problem.law else { return Ok(None) };
-    problem.validate()?;
-    let solver = ProjectedGaussSeidel { sweeps: FIRST_SWEEPS, ..ProjectedGaussSeidel::accelerated() };
-    let Ok(solution) = solver.solve(problem, warm_start) else { return Ok(None) };
-    let converged = Stopping::new(problem, solver.tolerance).holds(&solution.impulse, &problem.law_velocity(&solution.impulse));
-    Ok(converged.then_some(solution))
 }
 
 /// The solver of this name with its default settings.
@@ -62,6 +150,7 @@ pub fn by_name(name: &str) -> Result<Box<dyn ContactSolver>> {
         "apgd" => Ok(Box::new(AcceleratedProjectedGradient::default())),
         "bb" => Ok(Box::new(BarzilaiBorwein::default())),
         "admm" => Ok(Box::new(AlternatingDirections::default())),
+        "nonsmooth-newton" => Ok(Box::new(NonsmoothNewton::default())),
         "psor" => Ok(Box::new(ProjectedOverRelaxation::default())),
         "clarabel" => Ok(Box::new(ClarabelPolished)),
         "sap" => Ok(Box::new(SemiAnalyticPrimal)),
@@ -72,6 +161,34 @@ pub fn by_name(name: &str) -> Result<Box<dyn ContactSolver>> {
         "gauss-pgs" => Ok(Box::new(GaussSweeps::default())),
         _ => Err(Error::Unsupported(format!("there is no solver `{name}`; use one of {}", NAMES.join(", ")))),
     }
+}
+
+/// The solver of this name with another limit of its iterations, from 1 to [`tolerance::MOST_ITERATIONS`]; with its own if none is given.
+///
+/// # Errors
+/// [`Error::Unsupported`] lists the names there are; [`Error::Invalid`] if the limit is outside its range, or if the solver has none.
+pub fn with_iterations(name: &str, iterations: Option<usize>) -> Result<Box<dyn ContactSolver>> {
+    let Some(limit) = iterations else { return by_name(name) };
+    if !(1..=tolerance::MOST_ITERATIONS).contains(&limit) {
+        let cure = format!("use a number from 1 to {}", tolerance::MOST_ITERATIONS);
+        return Err(Error::invalid("iterations", format!("is {limit}"), cure));
+    }
+    Ok(match name {
+        "apgd" => Box::new(AcceleratedProjectedGradient { iterations: limit, ..Default::default() }),
+        "bb" => Box::new(BarzilaiBorwein { iterations: limit, ..Default::default() }),
+        "admm" => Box::new(AlternatingDirections { iterations: limit, ..Default::default() }),
+        "nonsmooth-newton" => Box::new(NonsmoothNewton { steps: limit, ..Default::default() }),
+        "psor" => Box::new(ProjectedOverRelaxation { sweeps: limit, ..Default::default() }),
+        "sequential-impulses" => Box::new(SequentialImpulses { sweeps: limit, ..Default::default() }),
+        "pgs" => Box::new(ProjectedGaussSeidel { sweeps: limit, ..Default::default() }),
+        "newton" => Box::new(GaussNewton { steps: limit, ..Default::default() }),
+        "cg" => Box::new(GaussConjugateGradient { steps: limit, ..Default::default() }),
+        "gauss-pgs" => Box::new(GaussSweeps { sweeps: limit, ..Default::default() }),
+        _ => {
+            let solver = by_name(name)?;
+            return Err(Error::invalid("iterations", format!("is given to `{}`, which has no such limit", solver.name()), "leave it out"));
+        }
+    })
 }
 
 #[cfg(test)]

@@ -31,6 +31,7 @@ fn compliant(contacts: usize, compliance: [f64; 2], friction: f64, seed: u64) ->
             diagonal: DVector::from_fn(3 * contacts, |row, _| if row % 3 == 0 { normal } else { tangential }),
         }),
         dynamics: Some(Dynamics { mass, jacobian }),
+        bodies: None,
     }
 }
 

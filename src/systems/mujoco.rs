@@ -127,7 +127,8 @@ fn replay(text: &str, scheme: &dyn Scheme) -> Result<Measured> {
     let (steps, every) = (number(&provenance["steps"])?, number(&provenance["sample_every"])? as usize);
     let (mechanism, start) = stored.scene.spatial_mechanism()?;
     let (mut difference, mut size, mut n) = (0.0f64, 0.0f64, 0usize);
-    let observe = |state: &State, _: &[crate::contact::ContactImpulse]| {
+    let observe = |step: &crate::schemes::Step| {
+        let state = &step.state;
         n += 1;
         if n.is_multiple_of(every) {
             for (body, track) in mechanism.bodies(&state.position, &state.velocity).iter().zip(&stored.bodies) {
@@ -155,7 +156,7 @@ fn stored_step(text: &str, solver: &dyn ContactSolver, tolerance: f64) -> Result
 fn rest_depth(scheme: &dyn Scheme) -> Result<Measured> {
     let ball = PointMass::ball_on_floor(1.0, 9.81, 0.0);
     let start = State { time: 0.0, position: dvector![0.001], velocity: dvector![0.0] };
-    let end = run(scheme, &GaussNewton::default(), &ball, start, 0.001, 2000, |_, _| ())?;
+    let end = run(scheme, &GaussNewton::default(), &ball, start, 0.001, 2000, |_| ())?;
     let expected = ContactParameters::default().rest_depth(0.001, 1.0, 9.81)?;
     // velocities of size g h are balanced to rounding, and the stiffness of 2000/s² turns what is left over a step into less than itself in metres
     Ok(Measured { difference: (end.position[0] + expected).abs(), tolerance: rounding(64, 9.81 * 0.001) })

@@ -28,7 +28,8 @@ pub fn replay(stored: &Trajectory, scheme: &dyn Scheme, samples: usize) -> Resul
     let every = (stored.times[1] / h).round() as usize;
     let (mut step, mut position, mut velocity) = (0, 0.0f64, 0.0f64);
     let steps = every * samples;
-    schemes::run(scheme, &ProjectedGaussSeidel::accelerated(), mechanism.as_ref(), start, h, steps, |state, _| {
+    schemes::run(scheme, &ProjectedGaussSeidel::accelerated(), mechanism.as_ref(), start, h, steps, |made| {
+        let state = &made.state;
         step += 1;
         if step % every == 0 {
             let ours = mechanism.bodies(&state.position, &state.velocity);

@@ -43,6 +43,9 @@ pub const STOP: f64 = 4096.0 * EPSILON;
 /// sweeps reach [`STOP`] = e⁻²⁸ for n ≤ 180.
 pub const SWEEPS: usize = 100_000;
 
+/// Most iterations that a user may ask for, ten million: a hundred times [`SWEEPS`]; what needs more needs another algorithm.
+pub const MOST_ITERATIONS: usize = 100 * SWEEPS;
+
 /// Sweeps that Anderson's acceleration remembers: a chain of n bodies has n slow modes, and ten are the piles in view.
 pub const MEMORY: usize = 10;
 
@@ -53,15 +56,51 @@ pub const DEPENDENT: f64 = 1.0 / 67_108_864.0;
 /// (2 + d) n unknowns, 8·1000 n² against 2·1000 n³/3 for d = 8, for the tens of contacts a step has.
 pub const FIRST_SWEEPS: usize = 1000;
 
-/// Relative natural map with which a step of a simulation may end when sweeps have not reached [`STOP`] in [`PATIENT_ROUNDS`], 2⁻²⁰: a
-/// millionth of the step's largest impulse, the size of what the tilt of a contact normal by 10⁻⁶ rad changes.
-pub const GOOD_ENOUGH: f64 = 1.0 / 1_048_576.0;
+/// Relative residual, 2⁻³⁴ ≈ 5.8e-11, with which `auto` takes an answer whose iteration has stalled above [`STOP`]: the geometric middle between [`STOP`]
+/// and the default of the certificate, so that what it takes is accepted with two digits to spare.
+pub const ENOUGH: f64 = 1.0 / (1u64 << 34) as f64;
 
-/// Rounds of [`FIRST_SWEEPS`] in which a step aims at [`STOP`] and nothing else: three of each kind.
-pub const PATIENT_ROUNDS: usize = 6;
+/// Relative residual 2⁻²⁰ below which the rounding of y is worth a pass over W: above it rounding decides only where impulses cancel to a
+/// millionth, and [`FRESH_ROUNDING`] sees to that.
+pub const NEAR_SOLUTION: f64 = 1.0 / 1_048_576.0;
 
-/// Rounds of [`FIRST_SWEEPS`] that a step of a simulation gets at most; what twenty thousand sweeps do not solve needs a hundred times more.
-pub const ROUNDS: usize = 20;
+/// Calls after which the rounding of y is computed anew in any case; a sixteenth of the cost of the sweeps between.
+pub const FRESH_ROUNDING: usize = 16;
+
+/// By how much an extrapolated iterate may exceed the best residual seen before it is dropped: two. Residuals of an accelerated iteration oscillate, and one
+/// that doubles in every step has left the piece on which the iteration is affine.
+pub const GROWTH: f64 = 2.0;
+
+/// Sweeps without halving the residual after which plain sweeps over n contacts have stalled: a chain of n bodies contracts by cos²(π/(n+1)) ≈ 1 − π²/n² a
+/// sweep, which halves the residual in (ln 2/π²) n² < n²/8 sweeps; [`FIRST_SWEEPS`] for short ones.
+pub fn stalled(contacts: usize) -> usize {
+    FIRST_SWEEPS + contacts * contacts / 8
+}
+
+/// The same for accelerated sweeps, which need about one sweep for each of the n slow modes of the chain and its memory again for each change of a contact's state.
+pub fn accelerated_stalled(contacts: usize) -> usize {
+    MEMORY * (MEMORY + contacts)
+}
+
+/// Steps of the nonsmooth Newton method: a step changes the state of some contact or squares the error. A limit against endless loops.
+pub const NONSMOOTH_STEPS: usize = 100;
+
+/// Steps in a row without a better iterate after which it is cycling between states of the contacts: three times the states of one contact, so that one
+/// contact may be tried in each order.
+pub const NONSMOOTH_STALLED: usize = 9;
+
+/// Halvings of a step before the least residual is taken: a contact that changes its state between 1 and 2⁻¹⁰ of a step is found.
+pub const NONSMOOTH_HALVINGS: usize = 10;
+
+/// η on the diagonal of J, whose entries are of order one, 2⁻⁴⁰: rounding moves the step along the null space by ε/η = 2⁻¹² of itself, which vanishes with the
+/// step, and an error falls by η/σ a step at least, σ the smallest singular value of J that is not rounding.
+pub const NONSMOOTH_PROXIMAL: f64 = 1.0 / (1u64 << 40) as f64;
+
+/// Sweeps of each kind that `auto` spends, accelerated and plain, before it goes on to other algorithms.
+pub const AUTO_SWEEPS: usize = 20 * FIRST_SWEEPS;
+
+/// Iterations of the alternating directions within `auto` before Newton's method goes on from them: they tell sticking from sliding long before they converge.
+pub const FIRST_ALTERNATIONS: usize = FIRST_SWEEPS;
 
 /// Steps of the accelerated projected gradient: its bound 2LR²/(k+1)² reaches the relative objective error 2⁻³⁴ at k = 2¹⁷·√2; what
 /// needs more is ill conditioned and left to the other solvers.

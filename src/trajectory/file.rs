@@ -8,7 +8,7 @@
 //!   "contacts": [ { "sample": 1, "bodies": ["ball", "ground"], "normal": [0, 0, 1], "impulse": [0, 0, 0.01] } ] }
 //! ```
 //! Sample 0 is t = 0. A contact at sample k carries the impulse summed over (t_{k−1}, t_k], with the normal from the
-//! second body to the first and the impulse acting on the first.
+//! second body to the first and the impulse acting on the first. `steps` holds the worst residual of every step, not of every sample.
 
 use super::{Recorder, Recording};
 use crate::mechanics::Mechanism;
@@ -42,9 +42,24 @@ pub struct Trajectory {
     /// Impulses between samples, where known.
     #[serde(default)]
     pub contacts: Vec<ContactRecord>,
+    /// How well each step was solved, where the engine certifies its steps.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub steps: Option<StepResiduals>,
     /// How the file was made, where it was stored; opaque here.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub provenance: Option<serde_json::Value>,
+}
+
+/// The worst residual of every step of an engine that certifies its steps, relative to what it is held against; sample k ends step k·n.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StepResiduals {
+    /// Largest relative residual that is accepted.
+    pub limit: f64,
+    /// One entry per step; null where nothing was solved.
+    pub relative: Vec<Option<f64>>,
+    /// Whether the step was accepted.
+    pub accepted: Vec<bool>,
 }
 
 /// The program that computed a trajectory.
@@ -138,6 +153,9 @@ impl Trajectory {
         let mut recorder = Recorder::new(mechanism, scene, engine, recording.time_step, 1, &recording.samples[0]);
         for (state, impulses) in recording.samples[1..].iter().zip(&recording.impulses) {
             recorder.push(state, impulses);
+        }
+        for (residual, judgement) in recording.residuals.iter().zip(&recording.judgements) {
+            recorder.push_residual(*residual, *judgement);
         }
         recorder.finish()
     }

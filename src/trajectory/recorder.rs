@@ -2,6 +2,7 @@
 
 use super::file::{BodyTrack, ContactRecord, Engine, SCHEMA, Trajectory};
 use crate::Result;
+use crate::certificate::{Judgement, StepResidual};
 use crate::contact::{ContactImpulse, Place};
 use crate::mechanics::{Mechanism, State};
 use crate::scenes::Scene;
@@ -49,6 +50,7 @@ impl<'a> Recorder<'a> {
             times: Vec::new(),
             bodies: names.map(|name| BodyTrack::empty(&name)).collect(),
             contacts: Vec::new(),
+            steps: None,
             provenance: None,
         };
         let sample_every = sample_every.max(1);
@@ -68,6 +70,18 @@ impl<'a> Recorder<'a> {
         if self.steps.is_multiple_of(self.sample_every) {
             self.sample(state);
         }
+    }
+
+    /// Adds the worst residual of a step and what it means.
+    pub fn push_residual(&mut self, residual: Option<StepResidual>, judgement: Judgement) {
+        let steps = self.trajectory.steps.get_or_insert_default();
+        if let Some(StepResidual { limit, .. }) = residual {
+            steps.limit = limit;
+        }
+        // a file has no infinite number, and no other number is as far from a solution
+        let written = |StepResidual { relative, .. }: StepResidual| if relative.is_finite() { relative } else { f64::MAX };
+        steps.relative.push(residual.map(written));
+        steps.accepted.push(judgement == Judgement::Accepted);
     }
 
     /// The trajectory so far.

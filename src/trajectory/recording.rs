@@ -1,5 +1,6 @@
 //! A recorded motion: the states at t_k = t_0 + k h and the impulses between them.
 
+use crate::certificate::{Judgement, StepResidual};
 use crate::contact::ContactImpulse;
 use crate::mechanics::State;
 
@@ -16,18 +17,37 @@ pub struct Recording {
     pub samples: Vec<State>,
     /// `impulses[k]` acts over (t_k, t_{k+1}].
     pub impulses: Vec<Vec<ContactImpulse>>,
+    /// The worst residual of the step from t_k to t_{k+1}; none where nothing was solved.
+    pub residuals: Vec<Option<StepResidual>>,
+    /// What it means.
+    pub judgements: Vec<Judgement>,
 }
 
 impl Recording {
     /// A recording that holds the initial state only.
     pub fn new(mechanism: &str, scheme: String, time_step: f64, initial: State) -> Self {
-        Recording { mechanism: mechanism.into(), scheme, time_step, samples: vec![initial], impulses: Vec::new() }
+        Recording {
+            mechanism: mechanism.into(),
+            scheme,
+            time_step,
+            samples: vec![initial],
+            impulses: Vec::new(),
+            residuals: Vec::new(),
+            judgements: Vec::new(),
+        }
     }
 
     /// Appends the state after a step and the impulses that acted during it.
     pub fn push(&mut self, state: State, impulses: Vec<ContactImpulse>) {
+        self.push_judged(state, impulses, None, Judgement::Accepted);
+    }
+
+    /// The same with the worst residual of the step and what it means.
+    pub fn push_judged(&mut self, state: State, impulses: Vec<ContactImpulse>, residual: Option<StepResidual>, judgement: Judgement) {
         self.samples.push(state);
         self.impulses.push(impulses);
+        self.residuals.push(residual);
+        self.judgements.push(judgement);
     }
 
     /// The last state.

@@ -22,7 +22,21 @@ impl Trajectory {
         }
         self.validate_times()?;
         self.validate_bodies()?;
-        self.validate_contacts()
+        self.validate_contacts()?;
+        self.validate_steps()
+    }
+
+    fn validate_steps(&self) -> Result<()> {
+        let Some(super::StepResiduals { limit, relative, accepted }) = &self.steps else { return Ok(()) };
+        if relative.len() != accepted.len() {
+            let problem = format!("has {} entries and `steps.relative` {}", accepted.len(), relative.len());
+            return Err(Error::invalid("steps.accepted", problem, "give one of each per step"));
+        }
+        let is_size = |x: &f64| x.is_finite() && *x >= 0.0;
+        match relative.iter().flatten().chain([limit]).find(|x| !is_size(x)) {
+            None => Ok(()),
+            Some(x) => Err(Error::invalid("steps", format!("holds {x}"), "use finite numbers ≥ 0, and null where nothing was solved")),
+        }
     }
 
     fn validate_times(&self) -> Result<()> {

@@ -177,6 +177,7 @@ fn rounded_step() -> impl Strategy<Value = ContactProblem> {
                     delassus: delassus(&mass, &jacobian).unwrap(),
                     compliance: None,
                     dynamics: None,
+                    bodies: None,
                 }
             })
     })

@@ -53,6 +53,7 @@ impl Tower {
             delassus: &jacobian * jacobian.transpose(),
             compliance: None,
             dynamics: None,
+            bodies: None,
         }
     }
 

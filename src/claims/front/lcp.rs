@@ -108,6 +108,7 @@ fn gauss_seidel(reading: Reading) -> Result<Vec<Finding>> {
         delassus: delassus(&DMatrix::identity(3, 3), &jacobian)?,
         compliance: None,
         dynamics: None,
+        bodies: None,
     };
     let solve = |start: DVector<f64>| ProjectedGaussSeidel::default().solve(&problem, Some(&start));
     let (zero, diagonal) = (solve(DVector::zeros(4))?, solve(dvector![1.0, 0.0, 0.0, 1.0])?);

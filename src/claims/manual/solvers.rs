@@ -55,6 +55,7 @@ fn problem(law: Law, rows: usize, delassus: DMatrix<f64>, free: Vec<f64>, fricti
         delassus,
         compliance: None,
         dynamics: None,
+        bodies: None,
     }
 }
 

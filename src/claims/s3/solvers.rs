@@ -72,6 +72,7 @@ fn four_legs(reading: Reading) -> Result<Vec<Finding>> {
         delassus: &jacobian * jacobian.transpose(),
         compliance: None,
         dynamics: None,
+        bodies: None,
     };
     let solver = ProjectedGaussSeidel::default();
     let cold = solver.solve(&problem, None)?.impulse;

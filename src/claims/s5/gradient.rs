@@ -95,6 +95,7 @@ pub(super) fn pressed_row(contacts: usize) -> ContactProblem {
         }),
         compliance: None,
         dynamics: None,
+        bodies: None,
     }
 }
 

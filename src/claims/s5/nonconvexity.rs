@@ -165,6 +165,7 @@ fn four_combinations(reading: Reading) -> Result<Vec<Finding>> {
                 delassus: DMatrix::identity(3, 3),
                 compliance: None,
                 dynamics: None,
+                bodies: None,
             };
             let solution = Reference.solve(&problem, None)?;
             let bound = tolerance::solvers::STOP;

@@ -195,7 +195,7 @@ fn few_iterations(reading: Reading) -> Result<Vec<Finding>> {
             let problem = soft_stack::problem(boxes, ratio, cone)?;
             let program = GaussProgram::of_problem("newton", &problem)?;
             let start = DVector::zeros(program.velocities());
-            let Minimiser { change, impulse, iterations } = match reading {
+            let Minimiser { change, impulse, iterations, .. } = match reading {
                 Reading::Recorded => GaussNewton { tolerance: SOLVED, ..GaussNewton::default() }.minimise(&program, start)?,
                 Reading::Control => {
                     GaussConjugateGradient { tolerance: SOLVED, ..GaussConjugateGradient::default() }.minimise(&program, start)

@@ -179,6 +179,7 @@ pub fn contacts_alone() -> (Program, ContactProblem) {
         delassus: pair.delassus().map(|entry| Scalar::to_f64(&entry)),
         compliance: Some(Compliance { coordinates: Coordinates::Contact, diagonal: rounded(pair.regularisation.clone()) }),
         dynamics: None,
+        bodies: None,
     };
     (pair, problem)
 }

@@ -14,8 +14,8 @@ use crate::schemes::{Anitescu, Scheme, run, step};
 use crate::solvers::gauss::GaussProgram;
 use crate::solvers::{AcceleratedProjectedGradient, ContactSolver, GaussNewton};
 use crate::tolerance::claims::soft::{AT_TOUCH, SOLVED, TOUCH};
+use crate::tolerance::cli::CERTIFY;
 use crate::tolerance::rounding;
-use crate::tolerance::solvers::GOOD_ENOUGH;
 use nalgebra::{DVector, dvector};
 
 const MODEL: &str = "MuJoCo documentation, Computation (3.17)";
@@ -113,7 +113,7 @@ fn jump_at_touch(reading: Reading) -> Result<Vec<Finding>> {
 fn return_error() -> Result<f64> {
     let ball = PointMass::ball_on_floor(1.0, 9.81, 0.0);
     let start = State { time: 0.0, position: dvector![0.2], velocity: dvector![0.0] };
-    let half = |state: State| run(&Mujoco::default(), &GaussNewton::default(), &ball, state, STEP, 250, |_, _| ());
+    let half = |state: State| run(&Mujoco::default(), &GaussNewton::default(), &ball, state, STEP, 250, |_| ());
     let turned = half(start)?;
     let back = half(State { velocity: -&turned.velocity, ..turned })?;
     Ok((back.position[0] - 0.2).abs())
@@ -148,7 +148,7 @@ fn hard_and_convex(reading: Reading) -> Result<Vec<Finding>> {
         let mut problem = problem.ok_or_else(|| crate::Error::Unsupported("the boxes overlap and touch".into()))?;
         problem.law = reading.pick(problem.law, Law::Coulomb);
         let answer = AcceleratedProjectedGradient::default().solve(&problem, None);
-        let solved = answer.is_ok_and(|answer| residuals(&problem, &answer).is_ok_and(|judged| judged.is_solution(GOOD_ENOUGH)));
+        let solved = answer.is_ok_and(|answer| residuals(&problem, &answer).is_ok_and(|judged| judged.is_solution(CERTIFY)));
         findings.push(Finding::decision(format!("the {name} step is solved by projected gradients"), solved, true));
     }
     Ok(findings)

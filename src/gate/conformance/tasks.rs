@@ -32,6 +32,7 @@ fn problem_with(law: Law) -> ContactProblem {
         delassus: DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 1.0, 1.0, 0.5, 0.5, 0.5])),
         compliance: None,
         dynamics: None,
+        bodies: None,
     }
 }
 

@@ -117,7 +117,7 @@ impl Engine for EachStep {
 }
 
 fn first_sample(one: &Trajectory, scene: &Scene) -> Trajectory {
-    let mut whole = Trajectory { scene: scene.clone(), times: vec![0.0], contacts: Vec::new(), ..one.clone() };
+    let mut whole = Trajectory { scene: scene.clone(), times: vec![0.0], contacts: Vec::new(), steps: None, ..one.clone() };
     for track in &mut whole.bodies {
         track.position.truncate(1);
         track.orientation.truncate(1);

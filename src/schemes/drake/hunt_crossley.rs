@@ -6,12 +6,12 @@
 //! ```
 //! δ = −φ > 0 is the depth at the start of the step. n falls with z from its value at z = 0 to zero at min(δ/h, 1/d), and is zero beyond.
 
-use super::{Material, SIGMA, response};
+use super::{Material, SIGMA, own_answer, response};
 use crate::Result;
 use crate::contact::Contact;
 use crate::mechanics::State;
 use crate::problem::{Dynamics, Solution};
-use crate::schemes::StepProblem;
+use crate::schemes::{OwnAnswer, StepProblem};
 use crate::solvers::primal_newton::{Potential, minimise};
 use nalgebra::{DMatrix, DVector};
 
@@ -68,7 +68,7 @@ pub(super) fn touches(material: Material, contacts: &[Contact], assembled: &Step
 }
 
 /// The minimum of a convex law's step; none without contact.
-pub(super) fn answer(name: &str, assembled: &StepProblem, potential: &dyn Potential, rows: usize) -> Result<Option<Solution>> {
+pub(super) fn answer(name: &str, assembled: &StepProblem, potential: &dyn Potential, rows: usize) -> Result<Option<OwnAnswer>> {
     if assembled.active.is_empty() {
         return Ok(None);
     }
@@ -77,7 +77,9 @@ pub(super) fn answer(name: &str, assembled: &StepProblem, potential: &dyn Potent
     let start = DVector::zeros(dynamics.mass.nrows());
     let minimum = minimise(name, &dynamics, &free_velocity, rows, potential, start)?;
     let velocity = free_velocity + &dynamics.jacobian * minimum.change;
-    Ok(Some(Solution { impulse: minimum.impulse, velocity, beta: None, sigma: None, solver: name.into(), iterations: minimum.iterations }))
+    let solution =
+        Solution { impulse: minimum.impulse, velocity, beta: None, sigma: None, solver: name.into(), iterations: minimum.iterations };
+    Ok(Some(own_answer(solution, minimum.relative)))
 }
 
 /// (n, r_t) as one vector.

@@ -14,8 +14,7 @@ use super::hunt_crossley::{answer, blocks, stacked, touches};
 use super::{Material, Touch, assemble_touching};
 use crate::Result;
 use crate::mechanics::{Mechanism, State};
-use crate::problem::Solution;
-use crate::schemes::{Scheme, StepProblem};
+use crate::schemes::{OwnAnswer, Scheme, StepProblem};
 use crate::solvers::primal_newton::Potential;
 use nalgebra::{DMatrix, DVector};
 
@@ -58,7 +57,7 @@ impl Scheme for DrakeLagged {
         assemble_touching("drake-lagged", mechanism, state, h)
     }
 
-    fn own_answer(&self, mechanism: &dyn Mechanism, state: &State, assembled: &StepProblem, h: f64) -> Result<Option<Solution>> {
+    fn own_answer(&self, mechanism: &dyn Mechanism, state: &State, assembled: &StepProblem, h: f64) -> Result<Option<OwnAnswer>> {
         let contacts = mechanism.contacts(&state.position);
         let law = Lagged(touches(self.material, &contacts, assembled, state, h));
         answer("drake-lagged", assembled, &law, mechanism.rows_per_contact())

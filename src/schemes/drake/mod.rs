@@ -11,10 +11,12 @@
 //! # Source
 //! Drake 1.51's `DiscreteContactApproximation`; the papers are named with each law.
 
-use super::StepProblem;
 use super::assembly::{self, Candidate, Rules};
+use super::{OwnAnswer, StepProblem};
+use crate::certificate::StepResidual;
 use crate::mechanics::{Mechanism, State};
-use crate::problem::Law;
+use crate::problem::{Law, Solution};
+use crate::tolerance::cli::CERTIFY;
 use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -78,6 +80,13 @@ impl Material {
 fn response(mass: &DMatrix<f64>, rows: &DMatrix<f64>) -> f64 {
     let inverse = DMatrix::from_diagonal(&mass.diagonal().map(|m| 1.0 / m));
     (rows * inverse * rows.transpose()).norm() / 3.0
+}
+
+/// An answer with Drake's measure of it, ‖D(M(v⁺ − v_free) − Hᵀr)‖ relative to its larger term, D = diag(M)^(−½).
+fn own_answer(solution: Solution, relative: f64) -> OwnAnswer {
+    let residual =
+        StepResidual { rule: "step of the regularised law", residual: "momentum", relative, limit: CERTIFY, contact: None, pair: None };
+    OwnAnswer { solution, residual }
 }
 
 /// What the laws outside the waist share: contacts with φ < 0, explicit forces, and no contact problem.

@@ -14,8 +14,7 @@ use super::hunt_crossley::{answer, blocks, stacked, touches};
 use super::{Material, Touch, assemble_touching};
 use crate::Result;
 use crate::mechanics::{Mechanism, State};
-use crate::problem::Solution;
-use crate::schemes::{Scheme, StepProblem};
+use crate::schemes::{OwnAnswer, Scheme, StepProblem};
 use crate::solvers::primal_newton::Potential;
 use nalgebra::{DMatrix, DVector};
 
@@ -66,7 +65,7 @@ impl Scheme for DrakeSimilar {
         assemble_touching("drake-similar", mechanism, state, h)
     }
 
-    fn own_answer(&self, mechanism: &dyn Mechanism, state: &State, assembled: &StepProblem, h: f64) -> Result<Option<Solution>> {
+    fn own_answer(&self, mechanism: &dyn Mechanism, state: &State, assembled: &StepProblem, h: f64) -> Result<Option<OwnAnswer>> {
         let contacts = mechanism.contacts(&state.position);
         let law = Similar(touches(self.material, &contacts, assembled, state, h));
         answer("drake-similar", assembled, &law, mechanism.rows_per_contact())

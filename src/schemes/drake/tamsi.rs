@@ -16,7 +16,7 @@ use super::hunt_crossley::{stacked, touches};
 use super::{Material, Touch, assemble_touching};
 use crate::mechanics::{Mechanism, State};
 use crate::problem::Solution;
-use crate::schemes::{Scheme, StepProblem};
+use crate::schemes::{OwnAnswer, Scheme, StepProblem};
 use crate::tolerance::solvers::{LINE_STEPS, NEAR_MINIMUM, NEWTON_STEPS, STOP};
 use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -128,16 +128,18 @@ impl Scheme for DrakeTamsi {
         assemble_touching(NAME, mechanism, state, h)
     }
 
-    fn own_answer(&self, mechanism: &dyn Mechanism, state: &State, assembled: &StepProblem, h: f64) -> Result<Option<Solution>> {
+    fn own_answer(&self, mechanism: &dyn Mechanism, state: &State, assembled: &StepProblem, h: f64) -> Result<Option<OwnAnswer>> {
         if assembled.active.is_empty() {
             return Ok(None);
         }
         let touches = touches(self.material, &mechanism.contacts(&state.position), assembled, state, h);
         let scale = assembled.effective_mass.diagonal().map(|m| 1.0 / m.sqrt());
         let equation = Equation { assembled, touches: &touches, rows: mechanism.rows_per_contact(), scale };
-        let (velocity, Residual { impulse, .. }, iterations) = equation.solve(&state.velocity)?;
+        let (velocity, Residual { impulse, size, terms, .. }, iterations) = equation.solve(&state.velocity)?;
         let velocity = &assembled.jacobian * velocity;
-        Ok(Some(Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations }))
+        let relative = if terms > 0.0 { size / terms } else { 0.0 };
+        let solution = Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations };
+        Ok(Some(super::own_answer(solution, relative)))
     }
 
     fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {

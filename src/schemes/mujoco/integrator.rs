@@ -11,6 +11,7 @@
 //! contacts anew and poses its own problem.
 
 use super::{Mujoco, Rotational};
+use crate::certificate::StepResidual;
 use crate::contact::ContactImpulse;
 use crate::contact::delassus::MassFactor;
 use crate::mechanics::{Mechanism, State};
@@ -62,6 +63,8 @@ impl Integrator {
 pub(super) struct Pushed {
     pub force: DVector<f64>,
     pub impulses: Vec<ContactImpulse>,
+    /// How well Gauss's program was solved where no solver of the waist did it.
+    pub residual: Option<StepResidual>,
 }
 
 impl Mujoco {
@@ -76,7 +79,7 @@ impl Mujoco {
         let acceleration = self.effective_mass(mechanism, state, h).lu().solve(&pushed.force).ok_or_else(singular)?;
         let velocity = &state.velocity + acceleration * h;
         let position = mechanism.integrate(&state.position, &velocity, h);
-        Ok(made(mechanism, State { time: state.time + h, position, velocity }, pushed.impulses))
+        Ok(made(mechanism, State { time: state.time + h, position, velocity }, pushed.impulses, pushed.residual))
     }
 
     /// M + hC, with implicitfast M + hC − hG.
@@ -99,30 +102,31 @@ impl Mujoco {
             return self.pushed_with_rotation(mechanism, state, &force, h);
         }
         let StepProblem { problem, active, places, jacobian, .. } = self.waist(mechanism, state, h)?;
-        let Some(problem) = problem else { return Ok(Pushed { force, impulses: Vec::new() }) };
+        let Some(problem) = problem else { return Ok(Pushed { force, impulses: Vec::new(), residual: None }) };
         let impulse = solver.solve(&problem, None)?.impulse;
         let parts = impulse.as_slice().chunks(problem.rows_per_contact);
         let impulses = active.iter().zip(places).zip(parts);
         let impulses = impulses.map(|((&contact, place), part)| ContactImpulse { contact, impulse: part.to_vec(), place }).collect();
-        Ok(Pushed { force: force + jacobian.tr_mul(&impulse) / h, impulses })
+        Ok(Pushed { force: force + jacobian.tr_mul(&impulse) / h, impulses, residual: None })
     }
 
     fn runge_kutta(&self, solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Step> {
         let (mut mean_velocity, mut mean_acceleration) = (DVector::zeros(state.velocity.len()), DVector::zeros(state.velocity.len()));
         let mut impulses: Vec<ContactImpulse> = Vec::new();
-        let mut stage = state.clone();
+        let (mut stage, mut residual) = (state.clone(), None);
         for (share, ahead) in [(1.0 / 6.0, 0.5), (1.0 / 3.0, 0.5), (1.0 / 3.0, 1.0), (1.0 / 6.0, 0.0)] {
             let pushed = self.pushed(solver, mechanism, &stage, h)?;
             let acceleration = MassFactor::new(&mechanism.mass_matrix(&stage.position))?.solve(&pushed.force);
             mean_velocity += &stage.velocity * share;
             mean_acceleration += &acceleration * share;
+            residual = StepResidual::worse_of(residual, pushed.residual);
             pushed.impulses.into_iter().for_each(|impulse| add(&mut impulses, impulse, share));
             let position = mechanism.integrate(&state.position, &stage.velocity, ahead * h);
             stage = State { time: state.time + ahead * h, position, velocity: &state.velocity + acceleration * (ahead * h) };
         }
         let velocity = &state.velocity + mean_acceleration * h;
         let position = mechanism.integrate(&state.position, &mean_velocity, h);
-        Ok(made(mechanism, State { time: state.time + h, position, velocity }, impulses))
+        Ok(made(mechanism, State { time: state.time + h, position, velocity }, impulses, residual))
     }
 }
 
@@ -135,16 +139,17 @@ fn add(impulses: &mut Vec<ContactImpulse>, stage: ContactImpulse, share: f64) {
     }
 }
 
-fn made(mechanism: &dyn Mechanism, state: State, impulses: Vec<ContactImpulse>) -> Step {
+fn made(mechanism: &dyn Mechanism, state: State, impulses: Vec<ContactImpulse>, residual: Option<StepResidual>) -> Step {
     let assembled = StepProblem {
         problem: None,
+        residual: None,
         active: impulses.iter().map(|one| one.contact).collect(),
         places: impulses.iter().map(|one| one.place).collect(),
         jacobian: DMatrix::zeros(0, state.velocity.len()),
         free_velocity: state.velocity.clone(),
         effective_mass: mechanism.mass_matrix(&state.position),
     };
-    Step { state, impulses, assembled, solution: None }
+    Step { state, impulses, assembled, solution: None, residual, rejected: None }
 }
 
 #[cfg(test)]

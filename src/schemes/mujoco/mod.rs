@@ -31,8 +31,8 @@ pub use softness::Softness;
 
 use super::assembly::check_input;
 use super::{Scheme, Step, StepProblem};
-use crate::contact::Contact;
 use crate::contact::delassus::{MassFactor, delassus};
+use crate::contact::{Contact, pairs};
 use crate::mechanics::{Mechanism, State};
 use crate::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law};
 use crate::solvers::ContactSolver;
@@ -164,6 +164,7 @@ impl Mujoco {
         let free_velocity = &state.velocity + MassFactor::new(&damped)?.solve(&force) * h;
         let contacts = self.active(mechanism, &state.position, &factor);
         let rows = mechanism.rows_per_contact();
+        let places: Vec<_> = contacts.iter().map(|soft| soft.contact.place).collect();
         let mut jacobian = DMatrix::zeros(rows * contacts.len(), mechanism.degrees_of_freedom());
         contacts.iter().enumerate().for_each(|(k, soft)| jacobian.rows_mut(k * rows, rows).copy_from(&soft.contact.jacobian));
         let problem = if contacts.is_empty() {
@@ -180,11 +181,11 @@ impl Mujoco {
                 delassus: delassus(&mass, &jacobian)?,
                 compliance: Some(compliance),
                 dynamics: Some(Dynamics { mass, jacobian: jacobian.clone() }),
+                bodies: pairs(&places),
             })
         };
         let active = contacts.iter().map(|soft| soft.index).collect();
-        let places = contacts.iter().map(|soft| soft.contact.place).collect();
-        Ok(StepProblem { problem, active, places, effective_mass: damped, free_velocity, jacobian })
+        Ok(StepProblem { problem, active, places, effective_mass: damped, free_velocity, jacobian, residual: None })
     }
 }
 

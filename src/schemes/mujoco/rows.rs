@@ -9,11 +9,13 @@
 
 use super::integrator::Pushed;
 use super::{Cone, Mujoco, Soft};
+use crate::certificate::StepResidual;
 use crate::contact::delassus::MassFactor;
 use crate::contact::{ContactImpulse, Place};
 use crate::mechanics::{Mechanism, State};
 use crate::solvers::GaussNewton;
 use crate::solvers::gauss::{GaussProgram, SoftPiece};
+use crate::tolerance::cli::CERTIFY;
 use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -156,7 +158,11 @@ impl Mujoco {
             ContactImpulse { contact: contact.index, impulse: impulse.as_slice().to_vec(), place: contact.place }
         };
         let impulses = contacts.iter().map(own).collect();
-        Ok(Pushed { force: force + program.jacobian().tr_mul(&answer.impulse) / h, impulses })
+        let relative = answer.relative_gradient;
+        let residual =
+            StepResidual { rule: "minimum of Gauss's program", residual: "gradient", relative, limit: CERTIFY, contact: None, pair: None };
+        let force = force + program.jacobian().tr_mul(&answer.impulse) / h;
+        Ok(Pushed { force, impulses, residual: (!contacts.is_empty()).then_some(residual) })
     }
 }
 

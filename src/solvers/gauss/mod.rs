@@ -34,6 +34,8 @@ pub struct Minimiser {
     pub impulse: DVector<f64>,
     /// Iterations made.
     pub iterations: usize,
+    /// The gradient of the program, relative to its larger term.
+    pub relative_gradient: f64,
 }
 
 /// The best iterate so far, and how long nothing better has come.
@@ -65,7 +67,7 @@ impl<'a> Progress<'a> {
     }
 
     fn ends(self, iterations: usize) -> Minimiser {
-        Minimiser { change: self.change, impulse: self.impulse, iterations }
+        Minimiser { change: self.change, impulse: self.impulse, iterations, relative_gradient: self.gradient }
     }
 }
 

@@ -59,7 +59,8 @@ impl GaussSweeps {
             }
         }
         let change = program.accelerate(&program.jacobian().tr_mul(&impulse));
-        Ok(Minimiser { change, impulse, iterations })
+        let relative_gradient = program.relative_gradient(&change, &impulse);
+        Ok(Minimiser { change, impulse, iterations, relative_gradient })
     }
 }
 
@@ -131,6 +132,10 @@ fn on_disc(matrix: &DMatrix<f64>, linear: &DVector<f64>, friction: &[f64], radiu
 impl ContactSolver for GaussSweeps {
     fn name(&self) -> &'static str {
         "gauss-pgs"
+    }
+
+    fn is_truncated(&self) -> bool {
+        true
     }
 
     /// Always from r = 0.

@@ -116,6 +116,7 @@ mod tests {
             times: vec![time],
             bodies: bodies.collect(),
             contacts: Vec::new(),
+            steps: None,
             provenance: None,
         }
     }

@@ -26,6 +26,7 @@ fn squeezed(law: Law, spatial: bool, squeeze: f64) -> crate::Result<ContactProbl
         delassus: delassus(&mass, &jacobian)?,
         compliance: None,
         dynamics: None,
+        bodies: None,
     })
 }
 

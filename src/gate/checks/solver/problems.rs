@@ -101,6 +101,7 @@ pub fn solved(
         delassus,
         compliance: None,
         dynamics: None,
+        bodies: None,
     };
     problem.validate().map_err(|error| Error::invalid("problem", error.to_string(), "a manufactured problem is valid"))?;
     Ok(Solved { problem, witness })

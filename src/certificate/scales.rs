@@ -1,0 +1,126 @@
+//! What the residuals of a contact are held against: impulses and velocities of its own pair of bodies, and the rounding of its own rows.
+//!
+//! ```text
+//!     ρ_n = 1/(W_nn + R_nn) ,   ρ_t = tangential rows / tr(W_tt + R_tt)                                        [kg]
+//!     s_n = max |r_n|, ρ_n |q_n|, ρ_n |(W r)_n|       s_r = max |r_n|                                           [N·s]
+//!     s_t = max μ|r_n|, ‖r_t‖, ρ_t ‖q_t‖, ρ_t ‖(W r)_t‖       over the contacts of the same two bodies            [N·s]
+//!     floor = γ (Σ_j |W_kj||r_j| + |u_free| + |shift| + R_k|r_k|) ,   γ = mε/(1 − mε) ,   m = 2 rows + 8         [m/s]
+//! ```
+//! with q = u_free + shift and (W r) with R r in it, net: what cancels between the contacts of a body is no excuse for another body. Normal
+//! and tangential parts stay apart, so that fast sliding does not widen what a normal impulse is held against.
+//!
+//! `DIFFERENCE` One ρ = rows/tr(W_kk) for a whole contact would accept a normal velocity that is wrong by W_tt/W_nn times τ.
+
+use crate::problem::{Compliance, ContactProblem, Coordinates, Dynamics};
+use crate::tolerance::certificate::gamma;
+
+/// The weights and scales of a problem's contacts at an answer; its memory is used again for the next problem.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scales {
+    /// ρ_n and ρ_t per contact \[kg\].
+    pub weights: Vec<[f64; 2]>,
+    /// The first contact of the same two bodies.
+    group: Vec<usize>,
+    /// Floor per row \[m/s\].
+    pub floors: Vec<f64>,
+    /// s_n, s_r, s_t per contact \[N·s\]; of a group at its first contact.
+    sizes: Vec<[f64; 3]>,
+}
+
+impl Scales {
+    /// Weights and groups of a problem; the floors are 0 until they are asked for.
+    pub fn prepare(&mut self, problem: &ContactProblem) {
+        let (rows, contacts) = (problem.rows_per_contact, problem.contacts());
+        self.floors.clear();
+        self.floors.resize(problem.rows(), 0.0);
+        self.weights.clear();
+        self.weights.extend((0..contacts).map(|k| {
+            let diagonal = |row: usize| problem.delassus[(row, row)] + compliance(problem, row);
+            let tangential: f64 = (k * rows + 1..(k + 1) * rows).map(diagonal).sum();
+            [inverse(1.0, diagonal(k * rows)), inverse((rows - 1) as f64, tangential)]
+        }));
+        // A block without a trace has no mass of its own. Every mass > 0 has the same zeros: the largest of the problem is the strictest.
+        let largest = self.weights.iter().flatten().copied().filter(|rho| rho.is_finite()).fold(0.0, f64::max);
+        let instead = if largest > 0.0 { largest } else { 1.0 };
+        self.weights.iter_mut().flatten().filter(|rho| !rho.is_finite()).for_each(|rho| *rho = instead);
+        self.find_groups(problem);
+    }
+
+    fn find_groups(&mut self, problem: &ContactProblem) {
+        self.group.clear();
+        for k in 0..problem.contacts() {
+            let first = match (&problem.bodies, &problem.dynamics) {
+                (Some(bodies), _) => (0..k).find(|&j| same_pair(bodies[j], bodies[k])),
+                (None, Some(dynamics)) => (0..k).find(|&j| self.group[j] == j && same_support(dynamics, problem.rows_per_contact, [j, k])),
+                (None, None) => None,
+            };
+            self.group.push(first.map_or(k, |j| self.group[j]));
+        }
+    }
+
+    /// The floors at the impulses r; one pass over |W|.
+    pub fn set_floors(&mut self, problem: &ContactProblem, impulse: &[f64]) {
+        let data = problem.free_velocity.iter().zip(&problem.shift);
+        let own = |(row, (free, shift)): (usize, (&f64, &f64))| free.abs() + shift.abs() + compliance(problem, row) * impulse[row].abs();
+        self.floors.clear();
+        self.floors.extend(data.enumerate().map(own));
+        for (column, r) in impulse.iter().enumerate().filter(|(_, r)| **r != 0.0) {
+            let entries = problem.delassus.column(column);
+            self.floors.iter_mut().zip(entries.iter()).for_each(|(floor, w)| *floor += w.abs() * r.abs());
+        }
+        let gamma = gamma(2 * problem.rows() + 8);
+        self.floors.iter_mut().for_each(|floor| *floor *= gamma);
+    }
+
+    /// The sizes at r and y = q + (W + R) r.
+    pub fn set_sizes(&mut self, problem: &ContactProblem, impulse: &[f64], law_velocity: &[f64]) {
+        let rows = problem.rows_per_contact;
+        self.sizes.clear();
+        self.sizes.resize(problem.contacts(), [0.0; 3]);
+        for (k, (r, y)) in impulse.chunks_exact(rows).zip(law_velocity.chunks_exact(rows)).enumerate() {
+            let q = |row: usize| problem.free_velocity[k * rows + row] + problem.shift[k * rows + row];
+            let tangent = |part: &dyn Fn(usize) -> f64| (1..rows).fold(0.0, |norm: f64, row| norm.hypot(part(row)));
+            let [normal, tangential] = self.weights[k];
+            let own = [
+                r[0].abs().max(normal * q(0).abs()).max(normal * (y[0] - q(0)).abs()),
+                r[0].abs(),
+                (problem.friction[k] * r[0].abs())
+                    .max(tangent(&|row| r[row]))
+                    .max(tangential * tangent(&q))
+                    .max(tangential * tangent(&|row| y[row] - q(row))),
+            ];
+            let sizes = &mut self.sizes[self.group[k]];
+            sizes.iter_mut().zip(own).for_each(|(size, own)| *size = size.max(own));
+        }
+    }
+
+    /// s_n, s_r and s_t of contact k \[N·s\].
+    pub fn at(&self, contact: usize) -> [f64; 3] {
+        self.sizes[self.group[contact]]
+    }
+}
+
+fn same_pair([a, b]: [Option<usize>; 2], [c, d]: [Option<usize>; 2]) -> bool {
+    (a, b) == (c, d) || (a, b) == (d, c)
+}
+
+/// Whether two contacts act on the same velocities.
+fn same_support(dynamics: &Dynamics, rows: usize, contacts: [usize; 2]) -> bool {
+    dynamics.jacobian.column_iter().all(|column| {
+        let [one, other] = contacts.map(|k| column.rows(k * rows, rows).iter().any(|entry| *entry != 0.0));
+        one == other
+    })
+}
+
+/// R of one contact row \[1/kg\], zero if the compliance acts on edges.
+pub(super) fn compliance(problem: &ContactProblem, row: usize) -> f64 {
+    match &problem.compliance {
+        Some(Compliance { coordinates: Coordinates::Contact, diagonal }) => diagonal[row],
+        _ => 0.0,
+    }
+}
+
+/// count/trace, infinite if the trace is not positive.
+fn inverse(count: f64, trace: f64) -> f64 {
+    if trace > 0.0 { count / trace } else { f64::INFINITY }
+}

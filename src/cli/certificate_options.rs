@@ -1,0 +1,35 @@
+//! What `simulate` and `compare` do about steps that the certificate rejects.
+
+use super::output::print_aside;
+use super::{Answer, certify};
+use crate::Result;
+use crate::schemes::Certified;
+use crate::solvers::ContactSolver;
+use crate::tolerance::cli::CERTIFY;
+
+/// How steps are judged.
+#[derive(clap::Args)]
+pub struct CertificateOptions {
+    /// Largest residual of a step that is accepted, relative to the scale of its contact.
+    #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
+    certify_tolerance: f64,
+    /// End with exit code 0 and a warning although the certificate rejects steps.
+    #[arg(long)]
+    accept_rejected: bool,
+}
+
+impl CertificateOptions {
+    /// The solver with its answers certified.
+    pub fn certified<'a>(&self, solver: &'a dyn ContactSolver) -> Result<Certified<'a>> {
+        certify::check_tolerance("--certify-tolerance", self.certify_tolerance)?;
+        Ok(Certified::with_tolerance(solver, self.certify_tolerance))
+    }
+
+    /// No, if steps were rejected and that is not accepted.
+    pub fn answer(&self, rejected: bool) -> Answer {
+        if rejected && self.accept_rejected {
+            print_aside("warning: the certificate rejects steps of this motion; --accept-rejected lets it pass\n");
+        }
+        (!rejected || self.accept_rejected).into()
+    }
+}

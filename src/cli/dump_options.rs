@@ -1,0 +1,75 @@
+//! `--dump-step` and `--dump-rejected`: the contact problem and the answer of a step as files.
+
+use crate::certificate::residuals;
+use crate::files::write_together;
+use crate::problem::{ContactProblem, Solution};
+use crate::schemes::Step;
+use crate::{Error, Result};
+use std::path::{Path, PathBuf};
+
+/// Which steps are written.
+#[derive(clap::Args)]
+pub struct DumpOptions {
+    /// Write the contact problem of step N (from 1) to FILE, and its answer beside it to FILE with `-solution` before the ending.
+    #[arg(long, num_args = 2, value_names = ["N", "FILE"])]
+    dump_step: Vec<String>,
+    /// Write problem and answer of every step that the certificate rejects into this folder, which is made if it is not there.
+    #[arg(long, value_name = "FOLDER")]
+    dump_rejected: Option<PathBuf>,
+}
+
+/// What is to be written, while the motion runs.
+pub struct Dumps<'a> {
+    step: Option<(usize, &'a Path)>,
+    rejected: Option<&'a Path>,
+    seen: usize,
+}
+
+impl DumpOptions {
+    /// Checks the step and makes the folder.
+    pub fn start(&self, steps: usize) -> Result<Dumps<'_>> {
+        let step = match &self.dump_step[..] {
+            [number, file] => {
+                let wanted = number.parse().ok().filter(|wanted| (1..=steps).contains(wanted));
+                let wrong =
+                    || Error::invalid("--dump-step", format!("asks for step `{number}`"), format!("use a number from 1 to {steps}"));
+                Some((wanted.ok_or_else(wrong)?, Path::new(file)))
+            }
+            _ => None,
+        };
+        if let Some(folder) = &self.dump_rejected {
+            std::fs::create_dir_all(folder).map_err(|source| Error::Write { file: folder.clone(), source })?;
+        }
+        Ok(Dumps { step, rejected: self.dump_rejected.as_deref(), seen: 0 })
+    }
+}
+
+impl Dumps<'_> {
+    /// Writes the step if it is asked for.
+    pub fn see(&mut self, step: &Step) -> Result<()> {
+        self.seen += 1;
+        if let Some((wanted, file)) = self.step.filter(|(wanted, _)| *wanted == self.seen) {
+            let missing = || {
+                let cure = "ask for a step with a contact, of a scheme that poses one problem a step";
+                Error::invalid("--dump-step", format!("asks for step {wanted}, which has no contact problem"), cure)
+            };
+            let posed = step.assembled.problem.as_ref().zip(step.solution.as_ref());
+            let (problem, solution) = posed.or(step.rejected.as_ref().map(|one| (&one.problem, &one.solution))).ok_or_else(missing)?;
+            write(problem, solution, file)?;
+        }
+        match (self.rejected, &step.rejected) {
+            (Some(folder), Some(one)) => write(&one.problem, &one.solution, &folder.join(format!("step-{:06}.json", self.seen))),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Writes `name.json` and `name-solution.json`.
+fn write(problem: &ContactProblem, solution: &Solution, file: &Path) -> Result<()> {
+    let stem = file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    let ending = file.extension().map(|ending| format!(".{}", ending.to_string_lossy())).unwrap_or_default();
+    let beside = file.with_file_name(format!("{stem}-solution{ending}"));
+    let found = serde_json::to_value(residuals(problem, solution)?)?;
+    let (problem, solution) = (problem.to_json(), solution.to_json(Some(&problem.name), Some(found)));
+    write_together(&[(file, problem.as_bytes()), (&beside, solution.as_bytes())])
+}

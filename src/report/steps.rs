@@ -1,0 +1,103 @@
+//! What the certificate says of the steps of a motion: how many it rejects, and the worst of them.
+
+use crate::certificate::{Judgement, StepResidual};
+use crate::mechanics::Mechanism;
+use crate::number::{significant, with_unit};
+use crate::trajectory::Recording;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// The steps of a motion as their certificates see them.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct StepSummary {
+    /// How many steps there are.
+    pub steps: usize,
+    /// How many of them had something to solve.
+    pub solved: usize,
+    /// Steps whose residual exceeds its limit.
+    pub rejected: usize,
+    /// The same, of a scheme or solver whose algorithm is a declared number of sweeps.
+    pub unconverged: usize,
+    /// The step that exceeds its limit most, or comes nearest to it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub worst: Option<WorstStep>,
+}
+
+/// The worst step of a motion.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct WorstStep {
+    /// Its number, from 1.
+    pub step: usize,
+    /// The time at its end \[s\].
+    pub time: f64,
+    /// Who judges: `certificate`, or the stopping rule of the scheme's own law.
+    pub rule: &'static str,
+    /// Which residual.
+    pub residual: &'static str,
+    /// Its relative size; absent if it is not a number.
+    pub relative: Option<f64>,
+    /// What is accepted.
+    pub limit: f64,
+    /// The two bodies, or the number of the contact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub contact: Option<String>,
+}
+
+impl StepSummary {
+    /// The summary of a recorded motion.
+    pub fn of(recording: &Recording, mechanism: &dyn Mechanism) -> Self {
+        let count = |wanted: Judgement| recording.judgements.iter().filter(|one| **one == wanted).count();
+        let mut worst: Option<(usize, StepResidual)> = None;
+        for (step, residual) in recording.residuals.iter().enumerate().filter_map(|(k, residual)| Some((k + 1, (*residual)?))) {
+            if worst.is_none_or(|(_, known)| known.worse(residual) != known) {
+                worst = Some((step, residual));
+            }
+        }
+        let described = |(step, residual): (usize, StepResidual)| WorstStep {
+            step,
+            time: recording.samples[step].time,
+            rule: residual.rule,
+            residual: residual.residual,
+            relative: Some(residual.relative).filter(|relative| relative.is_finite()),
+            limit: residual.limit,
+            contact: contact(&residual, recording, mechanism),
+        };
+        StepSummary {
+            steps: recording.judgements.len(),
+            solved: recording.residuals.iter().flatten().count(),
+            rejected: count(Judgement::Rejected),
+            unconverged: count(Judgement::Unconverged),
+            worst: worst.map(described),
+        }
+    }
+
+    /// One line, two if steps are unconverged by declaration.
+    pub fn text(&self) -> String {
+        let StepSummary { steps, rejected, unconverged, .. } = self;
+        let worst = self.worst.as_ref().map(|worst| format!(", worst {}", worst.text())).unwrap_or_default();
+        let line = |what: &str, count: usize, worst: &str| format!("{what}: {count} of {steps}{worst}\n");
+        match unconverged {
+            0 => line("steps the certificate rejects", *rejected, &worst),
+            _ => line("steps unconverged by declaration", *unconverged, &worst),
+        }
+    }
+}
+
+impl WorstStep {
+    /// `normal 0.9 (limit 1e-8) at t = 0.35 s, contact box/ground`.
+    pub fn text(&self) -> String {
+        let relative = self.relative.map_or("not a number".into(), significant);
+        let rule = if self.rule == "certificate" { String::new() } else { format!(" of the {}", self.rule) };
+        let contact = self.contact.as_ref().map(|contact| format!(", contact {contact}")).unwrap_or_default();
+        let time = with_unit(&significant(self.time), "s");
+        format!("{} residual{rule} {relative} (limit {}) at t = {time}{contact}", self.residual, significant(self.limit))
+    }
+}
+
+/// `box/ground`, or the number of the contact where it has no bodies.
+fn contact(residual: &StepResidual, recording: &Recording, mechanism: &dyn Mechanism) -> Option<String> {
+    let Some(pair) = residual.pair else { return residual.contact.map(|contact| contact.to_string()) };
+    let bodies = mechanism.bodies(&recording.samples[0].position, &recording.samples[0].velocity);
+    let name = |body: Option<usize>| body.map_or("ground", |body| bodies.get(body).map_or("?", |body| body.name.as_str()));
+    Some(pair.map(name).join("/"))
+}

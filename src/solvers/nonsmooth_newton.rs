@@ -1,0 +1,255 @@
+//! Nonsmooth Newton on Alart and Curnier's equations, which are the certificate's natural map in two parts:
+//!
+//! ```text
+//!     a = r_n − ρ_n w ,   z = r_t − ρ_t y_t ,   y = A r + q ,   A = W + R ,   w = y_n, or y_n − μ‖y_t‖ for the associated law
+//!     F_n = r_n − max(a, 0) ,      F_t = r_t − P_disk(μ max(a, 0))(z) ,      J d = −F ,   r ← r + s d
+//! ```
+//! Where contacts do not change between open, sticking and sliding the error squares in every step; far from a solution nothing is promised. So it goes on from
+//! what sweeps have found, and ends problems on which they creep: a box on four corners, whose W has rank six of twelve.
+//!
+//! **Rank.** Several impulses give one velocity, and J is singular along them. η on the diagonal of the rows that ask for a velocity makes it regular, moves r along the
+//! null space by rounding/η only, and leaves the zeros of F alone.
+//!
+//! The step s is the first of 1, ½, ¼, … that reduces the certificate's residual, or else the one with the least; the best iterate is returned.
+//!
+//! # Source
+//! Alart and Curnier, *A mixed formulation for frictional contact problems prone to Newton like solution methods*, Comput. Methods Appl. Mech. Eng. 92 (1991).
+
+use super::ContactSolver;
+use super::stopping::Stopping;
+use crate::certificate::Judge;
+use crate::problem::{ContactProblem, Law, Solution};
+use crate::tolerance::solvers as tolerance;
+use crate::{Error, Result};
+use nalgebra::{DMatrix, DVector};
+
+/// Nonsmooth Newton for the frictionless, Coulomb and associated laws; W may be asymmetric and rank deficient.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NonsmoothNewton {
+    /// Step limit.
+    pub steps: usize,
+    /// Relative residual at which it stops.
+    pub tolerance: f64,
+}
+
+impl Default for NonsmoothNewton {
+    fn default() -> Self {
+        NonsmoothNewton { steps: tolerance::NONSMOOTH_STEPS, tolerance: tolerance::STOP }
+    }
+}
+
+const NAME: &str = "nonsmooth-newton";
+
+impl ContactSolver for NonsmoothNewton {
+    fn name(&self) -> &'static str {
+        NAME
+    }
+
+    fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+        problem.validate()?;
+        if problem.law.directions().is_some() {
+            return Err(Error::solver(NAME, format!("does not solve the law `{}`; use `lemke`", problem.law.name())));
+        }
+        let equations = Equations::new(problem);
+        let mut stopping = Stopping::new(problem, self.tolerance);
+        let mut impulse = super::start(problem, warm_start)?;
+        let mut best = (f64::INFINITY, impulse.clone());
+        let (mut steps, mut since) = (0, 0);
+        loop {
+            let law_velocity = problem.law_velocity(&impulse);
+            let relative = stopping.relative(&impulse, &law_velocity);
+            since += 1;
+            if relative < best.0 {
+                (best, since) = ((relative, impulse.clone()), 0);
+            }
+            if relative <= self.tolerance || steps == self.steps || since == tolerance::NONSMOOTH_STALLED {
+                break;
+            }
+            let (residual, jacobian) = equations.linearise(&impulse, &law_velocity);
+            let Some(direction) = jacobian.lu().solve(&-&residual).filter(|d| d.iter().all(|x| x.is_finite())) else { break };
+            impulse = equations.shortened(&impulse, &direction, residual.norm());
+            steps += 1;
+        }
+        let impulse = best.1;
+        let velocity = problem.velocity(&impulse);
+        super::finite(Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations: steps })
+    }
+}
+
+/// F and J of a problem.
+struct Equations<'a> {
+    problem: &'a ContactProblem,
+    operator: DMatrix<f64>,
+    /// ρ_n, ρ_t per contact \[kg\].
+    weights: Vec<[f64; 2]>,
+}
+
+impl<'a> Equations<'a> {
+    fn new(problem: &'a ContactProblem) -> Self {
+        Equations { problem, operator: problem.law_delassus(), weights: Judge::weights(problem) }
+    }
+
+    /// r + s d for the first s that reduces ‖F‖, or for s = 1 where none does: a cycle is left by a jump.
+    fn shortened(&self, from: &DVector<f64>, direction: &DVector<f64>, norm: f64) -> DVector<f64> {
+        let at = |length: f64| from + direction * length;
+        let smaller = |impulse: &DVector<f64>| self.residual(impulse, &self.problem.law_velocity(impulse)).norm() < norm;
+        (0..tolerance::NONSMOOTH_HALVINGS).map(|k| at(0.5f64.powi(k as i32))).find(smaller).unwrap_or_else(|| at(1.0))
+    }
+
+    /// F(r).
+    fn residual(&self, impulse: &DVector<f64>, law_velocity: &DVector<f64>) -> DVector<f64> {
+        self.linearise(impulse, law_velocity).0
+    }
+
+    /// F(r) and J(r), y = A r + q given.
+    fn linearise(&self, impulse: &DVector<f64>, law_velocity: &DVector<f64>) -> (DVector<f64>, DMatrix<f64>) {
+        let size = self.problem.rows();
+        let (mut residual, mut jacobian) = (DVector::zeros(size), DMatrix::zeros(size, size));
+        for k in 0..self.problem.contacts() {
+            self.contact(k, impulse, law_velocity, &mut residual, &mut jacobian);
+        }
+        (residual, jacobian)
+    }
+
+    fn contact(
+        &self,
+        k: usize,
+        impulse: &DVector<f64>,
+        law_velocity: &DVector<f64>,
+        residual: &mut DVector<f64>,
+        jacobian: &mut DMatrix<f64>,
+    ) {
+        let (rows, [rho_n, rho_t]) = (self.problem.rows_per_contact, self.weights[k]);
+        let (normal, mu) = (k * rows, super::cone_friction(self.problem, k));
+        let tangents = normal + 1..normal + rows;
+        let slip = law_velocity.rows(normal + 1, rows - 1).norm();
+        let associated = self.problem.law == Law::Associated && slip > 0.0;
+        let w = law_velocity[normal] - if associated { mu * slip } else { 0.0 };
+        let a = impulse[normal] - rho_n * w;
+        // ∂w/∂r, needed where the contact presses
+        let mut slope = self.operator.row(normal).into_owned();
+        if associated {
+            tangents.clone().for_each(|row| slope -= self.operator.row(row) * (mu * law_velocity[row] / slip));
+        }
+        if a > 0.0 {
+            residual[normal] = rho_n * w;
+            jacobian.row_mut(normal).copy_from(&(&slope * rho_n));
+            jacobian[(normal, normal)] += tolerance::NONSMOOTH_PROXIMAL;
+        } else {
+            residual[normal] = impulse[normal];
+            jacobian[(normal, normal)] = 1.0;
+        }
+        let radius = mu * a.max(0.0);
+        let z: Vec<f64> = tangents.clone().map(|row| impulse[row] - rho_t * law_velocity[row]).collect();
+        let length = z.iter().fold(0.0, |norm: f64, z| norm.hypot(*z));
+        if length <= radius {
+            for row in tangents {
+                residual[row] = rho_t * law_velocity[row];
+                jacobian.row_mut(row).copy_from(&(self.operator.row(row) * rho_t));
+                jacobian[(row, row)] += tolerance::NONSMOOTH_PROXIMAL;
+            }
+            return;
+        }
+        let unit: Vec<f64> = z.iter().map(|z| z / length).collect();
+        for (i, row) in tangents.clone().enumerate() {
+            residual[row] = impulse[row] - radius * unit[i];
+            jacobian[(row, row)] = 1.0;
+            if radius == 0.0 {
+                continue;
+            }
+            // −ẑ μ ∂a/∂r
+            let mut change = &slope * (unit[i] * mu * rho_n);
+            change[normal] -= unit[i] * mu;
+            // −(radius/‖z‖) (I − ẑẑᵀ) ∂z/∂r
+            for (j, column) in tangents.clone().enumerate() {
+                let across = if i == j { 1.0 } else { 0.0 } - unit[i] * unit[j];
+                let share = radius / length * across;
+                change += self.operator.row(column) * (share * rho_t);
+                change[column] -= share;
+            }
+            let updated = jacobian.row(row) + change;
+            jacobian.row_mut(row).copy_from(&updated);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certificate::residuals;
+    use crate::contact::delassus::delassus;
+    use crate::problem::Dynamics;
+    use crate::solvers::ProjectedGaussSeidel;
+    use nalgebra::dmatrix;
+
+    /// A cube of 1 kg and edge 2 m on four corners, pushed sideways and turned about the vertical: rank six of twelve.
+    fn four_corners(law: Law, sideways: f64, turning: f64) -> ContactProblem {
+        let mut jacobian = DMatrix::zeros(12, 6);
+        for (k, [x, y]) in [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]].into_iter().enumerate() {
+            let rows = dmatrix![
+                0.0, 0.0, 1.0, y, -x, 0.0;
+                1.0, 0.0, 0.0, 0.0, -1.0, -y;
+                0.0, 1.0, 0.0, 1.0, 0.0, x
+            ];
+            jacobian.rows_mut(3 * k, 3).copy_from(&rows);
+        }
+        let mass = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 1.0, 1.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0]));
+        let free = DVector::from_vec(vec![sideways, 0.0, -1.0, 0.0, 0.0, turning]);
+        ContactProblem {
+            name: "four corners".into(),
+            rows_per_contact: 3,
+            law,
+            friction: vec![0.5; 4],
+            free_velocity: &jacobian * free,
+            shift: DVector::zeros(12),
+            delassus: delassus(&mass, &jacobian).unwrap(),
+            compliance: None,
+            dynamics: Some(Dynamics { mass, jacobian }),
+            bodies: Some(vec![[Some(0), None]; 4]),
+        }
+    }
+
+    #[test]
+    fn it_finishes_what_sweeps_began_where_the_impulses_are_not_unique() {
+        for law in [Law::Frictionless, Law::Coulomb, Law::Associated] {
+            for (sideways, turning) in [(0.1, 0.0), (2.0, 0.0), (0.5, 1.0), (0.3, -3.0)] {
+                let problem = four_corners(law, sideways, turning);
+                let begun = ProjectedGaussSeidel { sweeps: 20, ..Default::default() }.solve(&problem, None).unwrap();
+                let solution = NonsmoothNewton::default().solve(&problem, Some(&begun.impulse)).unwrap();
+                assert!(residuals(&problem, &solution).unwrap().is_solution(tolerance::STOP), "{law:?} {sideways} {turning}");
+                let swept = ProjectedGaussSeidel::default().solve(&problem, None).unwrap();
+                // several impulses, one velocity
+                assert!((&swept.velocity - &solution.velocity).amax() <= tolerance::ENOUGH, "{law:?} {sideways} {turning}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_jacobian_is_the_derivative_of_the_equations() {
+        let step = crate::tolerance::cones::DIFFERENCE_STEP;
+        for law in [Law::Frictionless, Law::Coulomb, Law::Associated] {
+            let problem = four_corners(law, 0.7, 0.9);
+            let equations = Equations::new(&problem);
+            let at = |impulse: &DVector<f64>| equations.linearise(impulse, &problem.law_velocity(impulse));
+            // one contact presses and sticks or slides, one is open
+            let impulse = DVector::from_vec(vec![0.4, -0.05, 0.02, 0.3, -0.1, -0.1, -0.8, 0.0, 0.0, 0.1, 0.3, 0.2]);
+            let (_, jacobian) = at(&impulse);
+            for column in 0..12 {
+                let shifted = |by: f64| {
+                    let mut moved = impulse.clone();
+                    moved[column] += by;
+                    at(&moved).0
+                };
+                let slope = (shifted(step) - shifted(-step)) / (2.0 * step);
+                let bound = tolerance::NONSMOOTH_PROXIMAL + crate::tolerance::cones::difference_error(0.05, 4.0);
+                assert!((jacobian.column(column) - slope).amax() <= bound, "{law:?} column {column}");
+            }
+        }
+    }
+
+    #[test]
+    fn polyhedral_laws_are_refused_by_name() {
+        let problem = four_corners(Law::PolyhedralCoulomb { directions: 4 }, 0.1, 0.0);
+        assert!(NonsmoothNewton::default().solve(&problem, None).unwrap_err().to_string().contains("lemke"));
+    }
+}
