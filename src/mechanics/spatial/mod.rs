@@ -288,6 +288,8 @@ impl Mechanism for SpatialBodies {
 }
 
 #[cfg(test)]
+mod face_tests;
+#[cfg(test)]
 mod motion_tests;
 #[cfg(test)]
 mod tests;
