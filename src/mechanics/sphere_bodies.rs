@@ -119,7 +119,7 @@ impl SphereBodies {
         let normal = Vector3::new(self.ground.normal[0], self.ground.normal[1], self.ground.normal[2]);
         let gap = normal.dot(&centre) - self.ground.offset - radius;
         let lowest = centre - normal * radius;
-        Touch { gap, normal, points: [lowest, lowest - normal * gap], features: [feature as u32, 0] }
+        Touch::new(gap, normal, [lowest, lowest - normal * gap], [feature as u32, 0])
     }
 }
 

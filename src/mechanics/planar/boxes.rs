@@ -8,8 +8,9 @@
 //!    incident face. If the intervals do not overlap, both candidates are the two nearest end points.
 //!
 //! In every case the gap is a distance between material features, so dφ/dt = H_n v holds wherever the choice is
-//! locally constant.
+//! locally constant. Parallel faces share one normal, along which both gaps are measured, see `faces`.
 
+use super::faces::Faces;
 use super::features::{Touch, along, direction, dot};
 use super::shape::{Pose, corners};
 
@@ -28,13 +29,18 @@ struct End {
 
 /// The two candidates of a pair of boxes, normals pointing to the first.
 pub(super) fn box_box(half_extents: [f64; 2], first: &Pose, other: [f64; 2], second: &Pose) -> [Touch; 2] {
-    let (faces_first, faces_second) = (faces(half_extents, first), faces(other, second));
+    manifold([half_extents, other], [first, second], Faces::new)
+}
+
+/// The candidates of a pair of boxes whose facing faces, given by their outward normals, share what `share` says.
+pub(super) fn manifold(half_extents: [[f64; 2]; 2], poses: [&Pose; 2], share: impl Fn([f64; 2], [f64; 2]) -> Option<Faces>) -> [Touch; 2] {
+    let [faces_first, faces_second] = [0, 1].map(|body| faces(half_extents[body], poses[body]));
     let (separation_first, best_first) = farthest(&faces_first, &faces_second);
     let (separation_second, best_second) = farthest(&faces_second, &faces_first);
     if separation_second > separation_first {
-        clip(&faces_second[best_second], &faces_first)
+        clip(&faces_second[best_second], &faces_first, share)
     } else {
-        clip(&faces_first[best_first], &faces_second).map(Touch::swapped)
+        clip(&faces_first[best_first], &faces_second, share).map(Touch::swapped)
     }
 }
 
@@ -62,7 +68,7 @@ fn farthest(faces: &[Face; 4], other: &[Face; 4]) -> (f64, usize) {
 }
 
 /// The candidates with normals pointing to the incident box.
-fn clip(reference: &Face, others: &[Face; 4]) -> [Touch; 2] {
+fn clip(reference: &Face, others: &[Face; 4], share: impl Fn([f64; 2], [f64; 2]) -> Option<Faces>) -> [Touch; 2] {
     let mut incident = &others[0];
     for face in &others[1..] {
         if dot(face.normal, reference.normal) < dot(incident.normal, reference.normal) {
@@ -80,7 +86,8 @@ fn clip(reference: &Face, others: &[Face; 4]) -> [Touch; 2] {
         let touch = Touch { gap: distance, normal, points: [on_incident.vertex, on_reference.vertex] };
         return [touch, touch];
     }
-    [low, high].map(|end| measure(&end, reference, incident))
+    let shared = share(incident.normal, reference.normal);
+    [low, high].map(|end| measure(&end, reference, incident, shared.as_ref()))
 }
 
 fn later(a: End, b: End) -> End {
@@ -91,14 +98,13 @@ fn earlier(a: End, b: End) -> End {
     if a.place < b.place { a } else { b }
 }
 
-/// The signed distance of a vertex from the face of the other box.
-fn measure(end: &End, reference: &Face, incident: &Face) -> Touch {
+/// The signed distance of a vertex from the face of the other box, along the shared normal if there is one.
+fn measure(end: &End, reference: &Face, incident: &Face, shared: Option<&Faces>) -> Touch {
     let face = if end.incident { reference } else { incident };
-    let gap = dot(face.normal, end.vertex) - dot(face.normal, face.ends[0]);
-    let foot = along(end.vertex, -gap, face.normal);
-    if end.incident {
-        Touch { gap, normal: face.normal, points: [end.vertex, foot] }
-    } else {
-        Touch { gap, normal: face.normal.map(|x| -x), points: [foot, end.vertex] }
-    }
+    let own = if end.incident { face.normal } else { face.normal.map(|x| -x) };
+    let normal = shared.map_or(own, |shared| shared.turn(own));
+    let gap = (dot(face.normal, end.vertex) - dot(face.normal, face.ends[0])) / dot(own, normal);
+    let points = if end.incident { [end.vertex, along(end.vertex, -gap, normal)] } else { [along(end.vertex, gap, normal), end.vertex] };
+    let touch = Touch { gap, normal, points };
+    shared.map_or(touch, |shared| shared.join(touch))
 }

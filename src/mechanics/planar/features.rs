@@ -1,9 +1,10 @@
 //! Where planar bodies touch: gap, normal and the material points whose relative velocity the contact sees.
 //!
 //! Every gap is a distance between material features (vertex, face, centre), so its time derivative is exactly
-//! n · (v_first − v_second) at the two points.
+//! n · (v_first − v_second) at the two points; parallel faces of two boxes share a normal, see `faces`.
 
 use super::boxes::box_box;
+use super::faces::level;
 use super::shape::{Pose, Shape, corners};
 use crate::contact::frame::planar_tangent;
 use crate::mechanics::Plane;
@@ -15,7 +16,7 @@ pub(super) struct Touch {
     pub gap: f64,
     /// Unit normal, pointing to the first body.
     pub normal: [f64; 2],
-    /// The points of the first and of the second body that touch, in the world.
+    /// The points of the first and of the second body that touch, in the world; between parallel faces one point for both.
     pub points: [[f64; 2]; 2],
 }
 
@@ -50,8 +51,23 @@ pub(super) fn ground_touches(shape: &Shape, pose: &Pose, ground: &Plane) -> Vec<
     };
     match shape {
         Shape::Disk { radius } => vec![touch(pose.centre, *radius)],
-        Shape::Box { half_extents } => corners(*half_extents).map(|corner| touch(pose.world(corner), 0.0)).to_vec(),
+        Shape::Box { half_extents } => {
+            let mut touches = corners(*half_extents).map(|corner| touch(pose.world(corner), 0.0));
+            level_lowest_face(&mut touches, pose, normal);
+            touches.to_vec()
+        }
     }
+}
+
+/// The two corners of the face that looks at the ground are seen at one height if that face is parallel to it.
+fn level_lowest_face(touches: &mut [Touch; 4], pose: &Pose, normal: [f64; 2]) {
+    // face k looks along −z, +x, +z, −x and joins the corners k and k + 1
+    let outward = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]].map(|face| pose.rotate(face));
+    let lowest = (0..4).min_by(|one, other| dot(outward[*one], normal).total_cmp(&dot(outward[*other], normal)));
+    let lowest = lowest.expect("a box has four faces");
+    let ends = [lowest, (lowest + 1) % 4];
+    let levelled = level(ends.map(|corner| touches[corner]), outward[lowest], normal);
+    ends.into_iter().zip(levelled).for_each(|(corner, touch)| touches[corner] = touch);
 }
 
 /// The candidates of a pair of shapes: one, or two for a pair of boxes.

@@ -8,6 +8,7 @@
 //! with normal (sin α, cos α).
 
 mod boxes;
+mod faces;
 mod features;
 mod shape;
 

@@ -3,7 +3,7 @@
 use super::super::testing::assert_consistent;
 use super::*;
 use crate::contact::delassus::delassus;
-use crate::tolerance::rounding;
+use crate::tolerance::{mechanics, rounding};
 use nalgebra::dvector;
 
 fn level(friction: f64) -> Plane {
@@ -114,6 +114,81 @@ fn delassus_operator_of_a_rolling_disk_shows_its_inertia() {
     let q = dvector![0.0, 0.4, 0.0];
     let w = delassus(&wheel.mass_matrix(&q), &wheel.contacts(&q)[0].jacobian).expect("SPD");
     assert!((w[(0, 0)] - 0.5).abs() + w[(0, 1)].abs() + (w[(1, 1)] - 1.5).abs() <= rounding(8, 2.0), "1/m, 0, 1/m + r²/I: {w}");
+}
+
+/// The singular values of the n and t rows of the candidates, the largest first.
+fn singular_values(bodies: &PlanarBodies, q: &DVector<f64>, touches: &[Touch], rows: std::ops::Range<usize>) -> Vec<f64> {
+    let poses: Vec<Pose> = (0..bodies.bodies.len()).map(|body| bodies.pose(body, q)).collect();
+    let second = (poses.len() > 1).then_some(1);
+    let blocks = touches.iter().map(|touch| bodies.contact(0, second, touch, &poses, 0).jacobian.rows_range(rows.clone()).into_owned());
+    let all: Vec<_> = blocks.flat_map(|block| block.row_iter().map(|row| row.into_owned()).collect::<Vec<_>>()).collect();
+    let mut values: Vec<f64> = DMatrix::from_rows(&all).singular_values().iter().copied().collect();
+    values.sort_by(|one, other| other.total_cmp(one));
+    values
+}
+
+#[test]
+fn two_points_of_a_face_have_three_velocities_and_one_tangential_one_and_with_own_normals_more() {
+    let (low, top) = ([0.5, 0.1], [0.3, 0.2]);
+    let tower = pair(cuboid("top", top), cuboid("low", low));
+    // one row for each of the two velocities of 2 points, of size 1 and levers below 1
+    let bound = rounding(16, 4.0);
+    for (tilt, turn) in (0..=24).flat_map(|k| [-1.0, 0.3, 2.0].map(|turn| (10f64.powf(-12.0 + 0.25 * f64::from(k)), turn))) {
+        let ([sine, cosine], height) = ([f64::sin(turn), f64::cos(turn)], low[1] + top[1] + 1e-3);
+        // the upper box hangs over the end of the lower one: one corner of each lies over a face of the other
+        let centre = [0.1 + 0.3 * cosine + height * sine, 0.2 + height * cosine - 0.3 * sine];
+        let q = dvector![centre[0], centre[1], turn + tilt, 0.1, 0.2, turn];
+        let poses = [tower.pose(0, &q), tower.pose(1, &q)];
+        let shared = boxes::box_box(top, &poses[0], low, &poses[1]);
+        let own = boxes::manifold([top, low], [&poses[0], &poses[1]], |_, _| None);
+        let beyond = |touches: &[Touch]| {
+            let (all, tangential) = (singular_values(&tower, &q, touches, 0..2), singular_values(&tower, &q, touches, 1..2));
+            assert!(all.len() == 4 && all[2] > 0.1 && tangential[0] > 0.1);
+            all[3].max(tangential[1])
+        };
+        assert!(shared[0].normal == shared[1].normal && beyond(&shared) <= bound, "tilt {tilt:e}: {:e}", beyond(&shared));
+        assert!(tilt < 1e-10 || beyond(&own) > bound, "tilt {tilt:e}: {:e}", beyond(&own));
+    }
+}
+
+#[test]
+fn two_corners_of_a_face_on_the_ground_slide_alike_and_bare_ones_by_the_tilt_apart() {
+    let bound = rounding(16, 4.0);
+    for tilt in (0..=24).map(|k| 10f64.powf(-12.0 + 0.25 * f64::from(k))) {
+        let block = PlanarBodies::new("block", vec![cuboid("block", [0.5, 0.2])], [0.0, -9.81], level(0.5)).expect("valid");
+        let q = dvector![0.3, 0.2, std::f64::consts::FRAC_PI_2 * 2.0 + tilt];
+        let touches = ground_touches(block.bodies[0].shape(), &block.pose(0, &q), &level(0.5));
+        let mut lowest: Vec<Touch> = touches.into_iter().filter(|touch| touch.gap < 0.2).collect();
+        let apart = |touches: &[Touch]| singular_values(&block, &q, touches, 1..2)[1];
+        assert!(lowest.len() == 2 && apart(&lowest) <= bound, "tilt {tilt:e}: {:e}", apart(&lowest));
+        let [left, right] = [0, 1].map(|k| block.contacts(&q)[[2, 3][k]].jacobian.row(1).into_owned());
+        assert!((left - right).amax() <= bound, "the mechanism lists the levelled corners");
+        let corners = shape::corners([0.5, 0.2]).map(|corner| block.pose(0, &q).world(corner));
+        for (touch, corner) in lowest.iter_mut().zip([corners[2], corners[3]]) {
+            touch.points = [corner; 2];
+        }
+        assert!(tilt < 1e-10 || apart(&lowest) > bound, "tilt {tilt:e}: {:e}", apart(&lowest));
+    }
+}
+
+#[test]
+fn gaps_of_parallel_faces_in_the_plane_change_at_the_rate_of_their_rows_up_to_the_tilt() {
+    let (low, top) = ([0.5, 0.1], [0.3, 0.2]);
+    let tower = pair(cuboid("top", top), cuboid("low", low));
+    let h = mechanics::DIFFERENCE_STEP;
+    for part in [0.5, 0.9, 1.5, 2.5] {
+        let q = dvector![0.4, 0.5, 0.02 + part * mechanics::PARALLEL_FACES, 0.1, 0.2, 0.02];
+        let v = dvector![0.7, -0.3, 0.2, -0.4, 0.1, -0.3];
+        let [now, after, before] = [0.0, h, -h].map(|time| between(&tower, &(&q + &v * time)));
+        for (k, contact) in now.iter().enumerate() {
+            let (measured, rates) = ((after[k].gap - before[k].gap) / (2.0 * h), &contact.jacobian * &v);
+            let slip = rates[1].abs() + contact.gap.abs();
+            let angle = if part < 2.0 { 0.5 * mechanics::PARALLEL_FACES } else { 0.0 };
+            let (error, bound) = ((measured - rates[0]).abs(), angle * slip + mechanics::central_difference(1.0, 2.0));
+            assert!(error <= bound, "{part}: {error:e} above {bound:e}");
+            assert!(part != 0.9 || error > 0.5 * bound, "the bound is not void: {error:e}");
+        }
+    }
 }
 
 #[test]

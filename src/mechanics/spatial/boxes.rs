@@ -7,7 +7,10 @@
 //!     corner c over a face with normal n through f     φ = n·(c − f)                  points c and c − φ n
 //!     edges through a, b with directions d, e          φ = n·(a′ − b′), n ∥ d × e     a′, b′ the feet of the common perpendicular
 //! ```
-//! Both have dφ/dt = n·(v_first − v_second) at those points, exactly. Along the separating axis every point of the clipped faces is at
+//! Both have dφ/dt = n·(v_first − v_second) at those points, exactly. Parallel faces share one normal, see `faces`: then the gap is
+//! measured along it, from corner to face and between the points of two edges that lie over each other.
+//!
+//! Along the separating axis every point of the clipped faces is at
 //! least as far as the boxes are separated, and φ has the same sign with a factor cos of an angle: no candidate is deeper
 //! than the boxes overlap, and none is negative while they do not.
 //!
@@ -19,6 +22,7 @@
 //! only, so the crossing lies within ψ L of the line between its neighbours, and its gap is theirs, interpolated, up to ψ L times
 //! the tilt of the faces. Such crossings are left out.
 
+use super::faces::Faces;
 use super::features::{Touch, direction};
 use super::shape::Pose;
 use crate::tolerance::mechanics::{BESIDE, PARALLEL, SAME_POINT};
@@ -30,11 +34,22 @@ use parry3d_f64::shape::{Cuboid, FeatureId, Segment};
 
 /// The candidates of a pair of boxes, normals pointing to the first.
 pub(super) fn box_box(half_extents: [f64; 3], first: &Pose, other: [f64; 3], second: &Pose) -> Vec<Touch> {
-    let pair = Pair::new([half_extents, other], [first, second]);
+    manifold([half_extents, other], [first, second], Faces::new)
+}
+
+/// The candidates of a pair of boxes whose facing faces, given by their outward normals, share what `share` says.
+pub(super) fn manifold(
+    half_extents: [[f64; 3]; 2],
+    poses: [&Pose; 2],
+    share: impl Fn(&Vector3<f64>, &Vector3<f64>) -> Option<Faces>,
+) -> Vec<Touch> {
+    let pair = Pair::new(half_extents, poses);
     let mut manifold = ContactManifold::<(), ()>::new();
     contact_manifold_cuboid_cuboid(&pair.relative, &pair.cuboids[0], &pair.cuboids[1], f64::MAX, &mut manifold);
     let mut touches: Vec<Touch> = Vec::new();
-    for touch in manifold.points.iter().filter_map(|point| pair.measure(point, &manifold)) {
+    let [own, opposite] = pair.facing(&manifold);
+    let faces = share(&own, &opposite);
+    for touch in manifold.points.iter().filter_map(|point| pair.measure(point, &manifold, faces.as_ref())) {
         if touch.gap > 0.0 && pair.overshoot(&touch) > BESIDE * touch.gap + SAME_POINT * pair.size {
             continue;
         }
@@ -75,26 +90,41 @@ impl<'a> Pair<'a> {
         self.poses[body].world(Vector3::new(point.x, point.y, point.z) * self.size)
     }
 
-    fn measure(&self, point: &TrackedContact<()>, manifold: &ContactManifold<(), ()>) -> Option<Touch> {
+    /// The outward normals of the two faces that are clipped: those that look along the library's axis most directly.
+    fn facing(&self, manifold: &ContactManifold<(), ()>) -> [Vector3<f64>; 2] {
+        let axes = [manifold.local_n1, manifold.local_n2];
+        [0, 1].map(|body| {
+            let axis = Vector3::new(axes[body].x, axes[body].y, axes[body].z);
+            let most = axis.iamax();
+            self.poses[body].rotation.column(most) * if axis[most] < 0.0 { -1.0 } else { 1.0 }
+        })
+    }
+
+    fn measure(&self, point: &TrackedContact<()>, manifold: &ContactManifold<(), ()>, faces: Option<&Faces>) -> Option<Touch> {
         let points = [self.world(0, point.local_p1), self.world(1, point.local_p2)];
+        let turn = |own: Vector3<f64>| faces.map_or(own, |faces| faces.turn(own));
+        let along = |own: Vector3<f64>, normal: &Vector3<f64>| own.dot(&(points[0] - points[1])) / own.dot(normal);
         let (normal, feet) = match (point.fid1.unpack(), point.fid2.unpack()) {
             (FeatureId::Vertex(_), FeatureId::Face(face)) => {
-                let normal = self.face(1, face);
-                (normal, [points[0], points[0] - normal * normal.dot(&(points[0] - points[1]))])
+                let own = self.face(1, face);
+                let normal = turn(own);
+                (normal, [points[0], points[0] - normal * along(own, &normal)])
             }
             (FeatureId::Face(face), FeatureId::Vertex(_)) => {
-                let normal = -self.face(0, face);
-                (normal, [points[1] + normal * normal.dot(&(points[0] - points[1])), points[1]])
+                let own = -self.face(0, face);
+                let normal = turn(own);
+                (normal, [points[1] + normal * along(own, &normal), points[1]])
             }
             (FeatureId::Edge(edge), FeatureId::Edge(other)) => {
                 let axis = manifold.local_n1;
                 let outward = self.poses[0].rotation * -Vector3::new(axis.x, axis.y, axis.z);
-                self.perpendicular([edge, other], points, outward)?
+                self.crossing([edge, other], points, outward, turn)?
             }
             _ => return None,
         };
         let gap = normal.dot(&(feet[0] - feet[1]));
-        Some(Touch { gap, normal, points: feet, features: [point.fid1.0, point.fid2.0] })
+        let touch = Touch::new(gap, normal, feet, [point.fid1.0, point.fid2.0]);
+        Some(faces.map_or(touch, |faces| faces.join(touch)))
     }
 
     /// How far the boxes are apart along the axis the library has chosen \[m\]; they are at least as far from each other.
@@ -125,22 +155,24 @@ impl<'a> Pair<'a> {
         self.poses[body].rotation.column((number % 3) as usize) * sign
     }
 
-    /// Normal and feet of the common perpendicular of two edges, from two points on them; the normal has the sense of `outward`.
-    fn perpendicular(
+    /// Normal and feet of two edges that cross, from two points on them: `turn` of their common perpendicular, which has the sense of
+    /// `outward`, and the points where one edge lies over the other along the normal.
+    fn crossing(
         &self,
         edges: [u32; 2],
         points: [Vector3<f64>; 2],
         outward: Vector3<f64>,
+        turn: impl Fn(Vector3<f64>) -> Vector3<f64>,
     ) -> Option<(Vector3<f64>, [Vector3<f64>; 2])> {
         let [own, other] = [0, 1].map(|body| self.poses[body].rotation.column(edge_axis(edges[body])).into_owned());
         let cross = own.cross(&other);
         let length = cross.norm();
         let sign = if cross.dot(&outward) < 0.0 { -1.0 } else { 1.0 };
-        let normal = cross * (sign / length);
-        // a + s d − b − t e is along n: multiply by e × n and d × n.
-        let (difference, square) = (points[0] - points[1], length * length);
-        let along = difference.cross(&other).dot(&cross) / square;
-        let across = difference.cross(&own).dot(&cross) / square;
+        let normal = turn(cross * (sign / length));
+        // a − s d − (b − t e) is along n: multiply by e × n and d × n.
+        let (difference, volume) = (points[0] - points[1], cross.dot(&normal));
+        let along = difference.cross(&other).dot(&normal) / volume;
+        let across = difference.cross(&own).dot(&normal) / volume;
         let feet = [points[0] - own * along, points[1] - other * across];
         (length >= PARALLEL).then_some((normal, feet))
     }
@@ -156,7 +188,7 @@ impl<'a> Pair<'a> {
                 let points = [self.world(0, a), self.world(1, b)];
                 let (gap, normal) = direction(points[1], points[0]);
                 if best.is_none_or(|best| gap < best.gap) {
-                    best = Some(Touch { gap, normal, points, features: [own, other] });
+                    best = Some(Touch::new(gap, normal, points, [own, other]));
                 }
             }
         }

@@ -6,9 +6,10 @@
 //!     sphere, box    φ = signed distance of the centre from the box − r
 //! ```
 //! Every gap is a distance between material features (corner, edge, face, centre), so its time derivative is exactly
-//! n · (v_first − v_second) at the two points.
+//! n · (v_first − v_second) at the two points; parallel faces of two boxes share a normal, see `faces`.
 
 use super::boxes::box_box;
+use super::faces::level;
 use super::shape::{Pose, Shape, corners};
 use crate::mechanics::Plane;
 use nalgebra::Vector3;
@@ -22,15 +23,23 @@ pub(in crate::mechanics) struct Touch {
     pub normal: Vector3<f64>,
     /// The points of the first and of the second body that touch, in the world.
     pub points: [Vector3<f64>; 2],
+    /// The points of the first and of the second body whose velocities its rows are: `points`, but between parallel faces one point for both.
+    pub seen: [Vector3<f64>; 2],
     /// Numbers of the features of the first and of the second body.
     pub features: [u32; 2],
 }
 
 impl Touch {
+    /// A candidate whose rows are taken at the points that touch.
+    pub fn new(gap: f64, normal: Vector3<f64>, points: [Vector3<f64>; 2], features: [u32; 2]) -> Self {
+        Touch { gap, normal, points, seen: points, features }
+    }
+
     /// The same candidate with first and second body exchanged.
     pub fn swapped(self) -> Self {
-        let ([first, second], [own, other]) = (self.points, self.features);
-        Touch { normal: -self.normal, points: [second, first], features: [other, own], ..self }
+        let exchanged = |[first, second]: [Vector3<f64>; 2]| [second, first];
+        let [own, other] = self.features;
+        Touch { normal: -self.normal, points: exchanged(self.points), seen: exchanged(self.seen), features: [other, own], ..self }
     }
 }
 
@@ -39,12 +48,28 @@ pub(super) fn ground_touches(shape: &Shape, pose: &Pose, ground: &Plane) -> Vec<
     let normal = Vector3::new(ground.normal[0], ground.normal[1], ground.normal[2]);
     let touch = |point: Vector3<f64>, radius: f64, feature: u32| {
         let touching = point - normal * radius;
-        Touch { gap: normal.dot(&point) - ground.offset - radius, normal, points: [touching, touching], features: [feature, 0] }
+        Touch::new(normal.dot(&point) - ground.offset - radius, normal, [touching, touching], [feature, 0])
     };
     match shape {
         Shape::Sphere { radius } => vec![touch(pose.centre, *radius, 0)],
-        Shape::Box { half_extents } => (0..).zip(corners(*half_extents)).map(|(k, corner)| touch(pose.world(corner), 0.0, k)).collect(),
+        Shape::Box { half_extents } => {
+            let all = (0..).zip(corners(*half_extents)).map(|(k, corner)| touch(pose.world(corner), 0.0, k));
+            let mut touches: Vec<Touch> = all.collect();
+            level_lowest_face(&mut touches, pose, &normal);
+            touches
+        }
     }
+}
+
+/// The four corners of the face that looks at the ground are seen at one height if that face is parallel to it.
+fn level_lowest_face(touches: &mut [Touch], pose: &Pose, normal: &Vector3<f64>) {
+    let upward = pose.rotation.tr_mul(normal);
+    let axis = upward.iamax();
+    // corner k has the sign of bit k of its number, x first
+    let (bit, up) = (4 >> axis, upward[axis] > 0.0);
+    let outward = pose.rotation.column(axis) * if up { -1.0 } else { 1.0 };
+    let mut lowest: Vec<&mut Touch> = touches.iter_mut().filter(|touch| (touch.features[0] & bit == 0) == up).collect();
+    level(&mut lowest, &outward, normal);
 }
 
 /// The candidates of a pair of shapes: one with a sphere, a manifold of a pair of boxes.
@@ -62,7 +87,7 @@ pub(super) fn pair_touches(first: &Shape, pose_first: &Pose, second: &Shape, pos
 fn sphere_sphere(radius: f64, first: &Pose, other: f64, second: &Pose) -> Touch {
     let (distance, normal) = direction(second.centre, first.centre);
     let points = [first.centre - normal * radius, second.centre + normal * other];
-    Touch { gap: distance - radius - other, normal, points, features: [0, 0] }
+    Touch::new(distance - radius - other, normal, points, [0, 0])
 }
 
 /// Outside, the nearest point of the box counts; inside, its nearest face, the first of several.
@@ -81,7 +106,7 @@ pub(in crate::mechanics) fn sphere_box(radius: f64, sphere: &Vector3<f64>, half_
         let (distance, normal) = direction(cuboid.world(nearest), *sphere);
         (distance, normal, nearest)
     };
-    Touch { gap: distance - radius, normal, points: [sphere - normal * radius, cuboid.world(on_box)], features: [0, 0] }
+    Touch::new(distance - radius, normal, [sphere - normal * radius, cuboid.world(on_box)], [0, 0])
 }
 
 /// Distance and unit vector from a to b; +z where they coincide and every direction would do.

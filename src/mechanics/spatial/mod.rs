@@ -13,6 +13,7 @@
 //! [`Mechanism::mean_force`].
 
 mod boxes;
+mod faces;
 mod features;
 mod gyroscopic;
 mod shape;
@@ -24,7 +25,7 @@ pub use shape::{Shape, SpatialBody};
 use super::{BodyState, Materials, Mechanism, PairMaterial, Plane};
 use crate::contact::frame::spatial_tangents;
 use crate::contact::{Contact, Place};
-use crate::tolerance::mechanics::BESIDE;
+use crate::tolerance::mechanics::{BESIDE, PARALLEL_FACES};
 use crate::{Error, Result};
 use features::{ground_touches, pair_touches};
 use nalgebra::{DMatrix, DVector, Matrix3, UnitQuaternion, Vector3};
@@ -97,9 +98,9 @@ impl SpatialBodies {
                 }
             }
         };
-        place(first, touch.points[0], 1.0);
+        place(first, touch.seen[0], 1.0);
         if let Some(second) = second {
-            place(second, touch.points[1], -1.0);
+            place(second, touch.seen[1], -1.0);
         }
         let (friction, restitution) = self.materials.of(first, second);
         let [own, other] = touch.features;
@@ -111,13 +112,13 @@ impl SpatialBodies {
         Contact { gap: touch.gap, jacobian, friction, restitution, label, place: Some(place) }
     }
 
-    /// The candidates with a gap of at most `reach`, their rows taken at the points of the two bodies that `points` chooses.
-    fn candidates(&self, position: &DVector<f64>, reach: f64, points: impl Fn(&Touch) -> [Vector3<f64>; 2]) -> Vec<Contact> {
+    /// The candidates with a gap of at most `reach`, their rows taken at the points of the two bodies that `seen` chooses.
+    fn candidates(&self, position: &DVector<f64>, reach: f64, seen: impl Fn(&Touch) -> [Vector3<f64>; 2]) -> Vec<Contact> {
         let poses = self.poses(position);
         let mut contacts = Vec::new();
         let mut keep = |first: usize, second: Option<usize>, touches: Vec<Touch>| {
             let near = touches.iter().filter(|touch| touch.gap <= reach);
-            contacts.extend(near.map(|touch| self.contact(first, second, &Touch { points: points(touch), ..*touch }, &poses)));
+            contacts.extend(near.map(|touch| self.contact(first, second, &Touch { seen: seen(touch), ..*touch }, &poses)));
         };
         if let Some(ground) = &self.ground {
             for (first, body) in self.bodies.iter().enumerate() {
@@ -200,7 +201,7 @@ impl Mechanism for SpatialBodies {
     }
 
     fn contacts_within(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
-        self.candidates(position, reach, |touch| touch.points)
+        self.candidates(position, reach, |touch| touch.seen)
     }
 
     fn contacts_halfway(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
@@ -239,18 +240,19 @@ impl Mechanism for SpatialBodies {
         Some(slope)
     }
 
-    /// A contact point of body k is within its radius R_k or, beside a face, a sixteenth of the gap φ outside. With s = Σ(‖ẋ_k‖ + ‖Ω_k‖ R_k)
-    /// and w = Σ‖Ω_k‖ over the two fastest bodies, h(|u_n| + μ‖u_t‖) ≤ h(1 + μ)(s + w φ/16), which is below φ for every φ above
-    /// h(1 + μ) s / (1 − h(1 + μ) w/16).
+    /// The rows of a contact of body k see a point within its radius R_k. Three things move it outside: beside a face a sixteenth of the
+    /// gap φ, halfway between parallel faces φ/2, levelled over the ground half the diameter times the tilt θ₀. With
+    /// s = Σ(‖ẋ_k‖ + ‖Ω_k‖ R_k (1 + θ₀)) and w = Σ‖Ω_k‖ over the two fastest bodies and β = ½ + 1/16, h(|u_n| + μ‖u_t‖) ≤
+    /// h(1 + μ)(s + β w φ), which is below φ for every φ above h(1 + μ) s / (1 − h(1 + μ) β w).
     fn reach(&self, velocity: &DVector<f64>, h: f64) -> f64 {
         let (mut speeds, mut turns) = ([0.0; 2], [0.0; 2]);
         for (k, body) in self.bodies.iter().enumerate() {
             let turn = spin(k, velocity).norm();
-            largest(&mut speeds, velocity.fixed_rows::<3>(6 * k).norm() + turn * body.shape().radius());
+            largest(&mut speeds, velocity.fixed_rows::<3>(6 * k).norm() + turn * body.shape().radius() * (1.0 + PARALLEL_FACES));
             largest(&mut turns, turn);
         }
         let factor = h * (1.0 + self.materials.largest_friction());
-        let left = 1.0 - factor * (turns[0] + turns[1]) * BESIDE;
+        let left = 1.0 - factor * (turns[0] + turns[1]) * (0.5 + BESIDE);
         if left > 0.0 { factor * (speeds[0] + speeds[1]) / left } else { f64::INFINITY }
     }
 
@@ -285,6 +287,8 @@ impl Mechanism for SpatialBodies {
     }
 }
 
+#[cfg(test)]
+mod face_tests;
 #[cfg(test)]
 mod motion_tests;
 #[cfg(test)]

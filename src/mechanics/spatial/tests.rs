@@ -5,7 +5,7 @@ use super::*;
 use crate::tolerance::{mechanics, rounding};
 use nalgebra::dvector;
 
-fn cuboid(name: &str, half_extents: [f64; 3]) -> SpatialBody {
+pub(super) fn cuboid(name: &str, half_extents: [f64; 3]) -> SpatialBody {
     SpatialBody::solid(name, Shape::Box { half_extents }, 1.5).expect("valid")
 }
 
@@ -17,7 +17,7 @@ fn slope() -> Plane {
     Plane::new(dvector![0.36, 0.48, 0.8], 0.1, 0.5, 0.0).expect("a unit normal")
 }
 
-fn pair(first: SpatialBody, second: SpatialBody) -> SpatialBodies {
+pub(super) fn pair(first: SpatialBody, second: SpatialBody) -> SpatialBodies {
     SpatialBodies::new("pair", vec![first, second], [0.3, -0.2, -9.81], slope()).expect("valid")
 }
 
@@ -66,10 +66,10 @@ fn every_pair_of_shapes_has_gap_rates_equal_to_its_jacobian() {
 }
 
 /// Uniform numbers in \[−1, 1) from a fixed seed (SplitMix64).
-struct Numbers(u64);
+pub(super) struct Numbers(pub u64);
 
 impl Numbers {
-    fn next(&mut self) -> f64 {
+    pub fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
