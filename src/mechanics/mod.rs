@@ -1,6 +1,8 @@
 //! Mechanisms: M(q) v̇ = F(q, v) + Hᵀ(q) λ with unilateral contacts φ(q) ≥ 0.
 
 use crate::contact::Contact;
+#[cfg(doc)]
+use crate::contact::Place;
 use nalgebra::{DMatrix, DVector};
 
 mod ball_chain;
@@ -81,6 +83,10 @@ pub trait Mechanism: Send + Sync {
     fn contacts_within(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
         let _ = reach;
         self.contacts(position)
+    }
+    /// The candidates between two bodies of [`Place::bodies`], as [`Mechanism::contacts`] lists them.
+    fn contacts_between(&self, position: &DVector<f64>, bodies: (usize, Option<usize>)) -> Vec<Contact> {
+        self.contacts(position).into_iter().filter(|contact| contact.place.is_some_and(|place| place.bodies == bodies)).collect()
     }
     /// The candidates of [`Mechanism::contacts_within`], their rows taken at the point halfway between the two points that touch: both bodies
     /// are looked at there. Where the gap is zero nothing changes; by default nothing ever does.

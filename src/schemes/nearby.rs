@@ -30,6 +30,7 @@ impl Mechanism for Nearby<'_> {
             fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64>;
             fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64>;
             fn mean_force(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64>;
+            fn contacts_between(&self, position: &DVector<f64>, bodies: (usize, Option<usize>)) -> Vec<Contact>;
             /// Not cut short: who asks for a reach of its own has its own reason for it.
             fn contacts_halfway(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact>;
             fn inverse_mass(&self, contact: &Contact) -> Option<f64>;

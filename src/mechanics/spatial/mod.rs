@@ -83,12 +83,12 @@ impl SpatialBodies {
         (0..self.bodies.len()).map(|body| Pose::of(body, position)).collect()
     }
 
-    fn contact(&self, first: usize, second: Option<usize>, touch: &Touch, poses: &[Pose]) -> Contact {
+    fn contact(&self, first: usize, second: Option<usize>, touch: &Touch, pose: &dyn Fn(usize) -> Pose) -> Contact {
         let [t1, t2] = spatial_tangents(touch.normal.into());
         let frame = [touch.normal.into(), t1, t2];
         let mut jacobian = DMatrix::zeros(3, 6 * self.bodies.len());
         let mut place = |body: usize, point: Vector3<f64>, sign: f64| {
-            let pose = &poses[body];
+            let pose = pose(body);
             for (row, direction) in frame.into_iter().map(Vector3::from).enumerate() {
                 let arm = pose.rotation.tr_mul(&(point - pose.centre).cross(&direction));
                 for axis in 0..3 {
@@ -117,7 +117,7 @@ impl SpatialBodies {
         let mut contacts = Vec::new();
         let mut keep = |first: usize, second: Option<usize>, touches: Vec<Touch>| {
             let near = touches.iter().filter(|touch| touch.gap <= reach);
-            contacts.extend(near.map(|touch| self.contact(first, second, &Touch { points: points(touch), ..*touch }, &poses)));
+            contacts.extend(near.map(|touch| self.contact(first, second, &Touch { points: points(touch), ..*touch }, &|body| poses[body])));
         };
         if let Some(ground) = &self.ground {
             for (first, body) in self.bodies.iter().enumerate() {
@@ -201,6 +201,16 @@ impl Mechanism for SpatialBodies {
 
     fn contacts_within(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
         self.candidates(position, reach, |touch| touch.points)
+    }
+
+    fn contacts_between(&self, position: &DVector<f64>, (first, second): (usize, Option<usize>)) -> Vec<Contact> {
+        let pose = |body: usize| Pose::of(body, position);
+        let touches = match (second, &self.ground) {
+            (None, None) => Vec::new(),
+            (None, Some(ground)) => ground_touches(self.bodies[first].shape(), &pose(first), ground),
+            (Some(other), _) => pair_touches(self.bodies[first].shape(), &pose(first), self.bodies[other].shape(), &pose(other)),
+        };
+        touches.iter().map(|touch| self.contact(first, second, touch, &pose)).collect()
     }
 
     fn contacts_halfway(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
