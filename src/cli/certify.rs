@@ -1,5 +1,6 @@
 //! `moreau certify`: judges an answer to a contact problem without knowing where it came from.
 
+use super::limits::MemoryOption;
 use super::output::print;
 use super::{Answer, Format};
 use crate::certificate::residuals;
@@ -25,6 +26,8 @@ pub struct Arguments {
     /// Largest residual accepted, relative to the scale of its unit.
     #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: f64,
+    #[command(flatten)]
+    memory: MemoryOption,
     /// How to write the certificate.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -39,6 +42,7 @@ Exit code 0: a solution; 1: not a solution; 2: the files cannot be read or do no
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
+    arguments.memory.apply()?;
     let tolerance = arguments.tolerance;
     if !(tolerance.is_finite() && tolerance >= 0.0) {
         return Err(Error::invalid("--tolerance", format!("is {tolerance}"), "use a finite number ≥ 0"));

@@ -1,8 +1,9 @@
 //! `moreau compare`: one scene through several schemes, beside each other.
 
+use super::limits::MemoryOption;
 use super::near::suggestion;
 use super::output::{keep_input, print};
-use super::scene::{count_steps, finite, positive, stage};
+use super::scene::{count_steps, positive, stage};
 use super::{Answer, Format};
 use crate::files::write_together;
 use crate::number::significant;
@@ -43,6 +44,8 @@ pub struct Arguments {
     /// Draw the motions over each other into this SVG file.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
+    #[command(flatten)]
+    memory: MemoryOption,
     /// How to write the table.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -56,6 +59,7 @@ Examples:
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
+    arguments.memory.apply()?;
     let names = arguments.names()?;
     keep_input(Path::new(&arguments.scene), "--plot", arguments.plot.as_deref())?;
     let solver = solvers::by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
@@ -100,7 +104,6 @@ impl Run {
         let staged = stage(scene, "SCENE", name)?;
         let scheme = schemes::by_name(name, Parameters::default())?;
         let recording = schemes::simulate(scheme.as_ref(), solver, staged.mechanism.as_ref(), staged.start.clone(), h, steps)?;
-        finite(&recording)?;
         Ok(Run { staged, recording })
     }
 

@@ -9,6 +9,7 @@ mod defects;
 mod drake_options;
 mod engine;
 mod gate;
+mod limits;
 mod mujoco_options;
 mod near;
 mod output;

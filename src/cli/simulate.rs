@@ -1,7 +1,8 @@
 //! `moreau simulate`: a scene through a scheme, with numbers, a file and a picture.
 
+use super::limits::MemoryOption;
 use super::output::{keep_input, print};
-use super::scene::{count_steps, find, finite, for_scheme, positive};
+use super::scene::{count_steps, find, for_scheme, positive};
 use super::scheme_options::SchemeOptions;
 use super::{Answer, Format};
 use crate::files::{is_same_file, write_together};
@@ -49,6 +50,8 @@ pub struct Arguments {
     /// List the scenes, schemes and solvers there are.
     #[arg(long)]
     list: bool,
+    #[command(flatten)]
+    memory: MemoryOption,
     /// How to write the summary.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -86,6 +89,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
 }
 
 fn simulate(arguments: &Arguments, scene: &str) -> Result<()> {
+    arguments.memory.apply()?;
     let scheme = arguments.options.build(&arguments.scheme)?;
     arguments.keep_files(scene)?;
     let solver = solvers::by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
@@ -99,7 +103,6 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<()> {
     let steps = count_steps(staged.duration, arguments.step)?;
     let mechanism = staged.mechanism.as_ref();
     let recording = schemes::simulate(scheme.as_ref(), solver.as_ref(), mechanism, staged.start, arguments.step, steps)?;
-    finite(&recording)?;
     let exact = staged.exact;
     let motion = Motion { mechanism, recording: &recording, exact: exact.as_ref(), gravity: staged.gravity };
     write(arguments, &motion, scene.as_ref(), solver.name())?;

@@ -3,10 +3,11 @@
 use crate::Result;
 use crate::contact::delassus::MassFactor;
 use crate::contact::{ContactImpulse, Place};
-use crate::mechanics::{Mechanism, State};
+use crate::mechanics::{Mechanism, State, afford};
+use crate::memory;
 use crate::problem::{ContactProblem, Solution};
 use crate::solvers::ContactSolver;
-use crate::trajectory::Recording;
+use crate::trajectory::{LocatedImpact, Recording};
 use nalgebra::{DMatrix, DVector};
 use nearby::Nearby;
 
@@ -18,6 +19,7 @@ pub mod drake;
 pub mod euler;
 pub mod events;
 pub mod exact_particle;
+mod finite;
 pub mod generalised_alpha;
 pub mod moreau_jean;
 pub mod moreau_jean_projection;
@@ -122,6 +124,8 @@ pub struct Step {
     pub assembled: StepProblem,
     /// The answer, if any contact was active.
     pub solution: Option<Solution>,
+    /// The impacts within the step, of a scheme that locates them; `None` of the others.
+    pub impacts: Option<Vec<LocatedImpact>>,
 }
 
 /// One step: v⁺ = v_free + M̂⁻¹Hᵀr, then the scheme's position update.
@@ -149,6 +153,7 @@ fn step_after(
         reach = reach.max(2.0 * mechanism.reach(&assembly::forecast(mechanism, state, h)?, h));
     }
     loop {
+        afford(mechanism, &state.position, reach)?;
         let near = Nearby { mechanism, reach };
         let assembled = scheme.assemble(&near, state, h)?;
         let needed = mechanism.reach(&state.velocity, h).max(mechanism.reach(&assembled.free_velocity, h));
@@ -194,7 +199,7 @@ fn finish(
     }
     let position = scheme.settle(mechanism, &assembled, scheme.advance(mechanism, state, &velocity, h))?;
     let state = State { time: state.time + h, position, velocity };
-    Ok(Step { state, impulses, assembled, solution })
+    Ok(Step { state, impulses, assembled, solution, impacts: None })
 }
 
 /// The previous impulses of the contacts that are active now, zero for the others \[N·s\].
@@ -212,7 +217,7 @@ pub(crate) fn carry_over(previous: &[ContactImpulse], active: &[usize], places: 
 /// from the impulses of the step before at the same contacts.
 ///
 /// # Errors
-/// Those of [`step`].
+/// Those of [`run`], or if the recording needs more memory than the limit.
 pub fn simulate(
     scheme: &dyn Scheme,
     solver: &dyn ContactSolver,
@@ -221,15 +226,20 @@ pub fn simulate(
     h: f64,
     steps: usize,
 ) -> Result<Recording> {
+    let sample = memory::matrix(initial.position.len() + initial.velocity.len(), 1) + size_of::<State>() as u128;
+    memory::require(&format!("recording {steps} steps of {}", mechanism.name()), steps as u128 * sample)?;
     let mut recording = Recording::new(mechanism.name(), scheme.name(), h, initial.clone());
-    run(scheme, solver, mechanism, initial, h, steps, |state, impulses| recording.push(state.clone(), impulses.to_vec()))?;
+    follow(scheme, solver, mechanism, initial, h, steps, |step| {
+        recording.push(step.state.clone(), step.impulses.clone());
+        recording.locate(step.impacts.as_deref());
+    })?;
     Ok(recording)
 }
 
 /// The motion of [`simulate`], shown step by step to `observe` and not kept; returns the last state.
 ///
 /// # Errors
-/// Those of [`step`].
+/// Those of [`step`]; [`crate::Error::Solver`] where a position, a velocity or the energy is not finite.
 pub fn run(
     scheme: &dyn Scheme,
     solver: &dyn ContactSolver,
@@ -239,19 +249,33 @@ pub fn run(
     steps: usize,
     mut observe: impl FnMut(&State, &[ContactImpulse]),
 ) -> Result<State> {
+    follow(scheme, solver, mechanism, initial, h, steps, |step| observe(&step.state, &step.impulses))
+}
+
+/// [`run`] with every step shown whole.
+fn follow(
+    scheme: &dyn Scheme,
+    solver: &dyn ContactSolver,
+    mechanism: &dyn Mechanism,
+    initial: State,
+    h: f64,
+    steps: usize,
+    mut observe: impl FnMut(&Step),
+) -> Result<State> {
     let start = initial.time;
+    finite::finite(&scheme.name(), mechanism, 0, &initial)?;
     let mut state = initial;
     let mut previous = Vec::new();
     let mut remembering: Option<Box<dyn Scheme>> = None;
     for k in 1..=steps {
         let current = remembering.as_deref().unwrap_or(scheme);
-        let made = step_after(current, solver, mechanism, &state, h, &previous)?;
+        let mut made = step_after(current, solver, mechanism, &state, h, &previous)?;
         let successor = current.successor(mechanism, &state, &made, h)?;
         remembering = successor.or(remembering);
-        let Step { state: next, impulses, .. } = made;
-        state = State { time: start + k as f64 * h, ..next };
-        observe(&state, &impulses);
-        previous = impulses;
+        made.state.time = start + k as f64 * h;
+        finite::finite(&scheme.name(), mechanism, k, &made.state)?;
+        observe(&made);
+        Step { state, impulses: previous, .. } = made;
     }
     Ok(state)
 }

@@ -12,12 +12,13 @@
 
 use super::assembly::{self, check_input, normal_only};
 use super::{Scheme, Step, StepProblem};
+use crate::contact::ContactImpulse;
 use crate::contact::delassus::MassFactor;
 use crate::contact::delassus::delassus;
-use crate::contact::ContactImpulse;
 use crate::mechanics::{Mechanism, State};
 use crate::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law};
 use crate::solvers::ContactSolver;
+use crate::tolerance::limits::SWEEPS;
 use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use sweeps::{Held, Positions};
@@ -55,7 +56,7 @@ impl PositionBased {
     /// PBD with the share ½ and ten sweeps.
     pub const PBD: PositionBased = PositionBased { softness: Softness::Share(0.5), sweeps: 10 };
 
-    /// Checks that α ≥ 0, s ∈ (0, 1\] and k ≥ 1.
+    /// Checks that α ≥ 0, s ∈ (0, 1\] and 1 ≤ k ≤ [`SWEEPS`].
     ///
     /// # Errors
     /// [`Error::Invalid`] otherwise.
@@ -67,7 +68,9 @@ impl PositionBased {
             Softness::Share(share) if !(share > 0.0 && share <= 1.0) => {
                 Err(Error::invalid("share", format!("is {share}"), "use s above 0 and at most 1"))
             }
-            _ if self.sweeps == 0 => Err(Error::invalid("sweeps", "is 0", "take at least one")),
+            _ if !(1..=SWEEPS).contains(&self.sweeps) => {
+                Err(Error::invalid("sweeps", format!("is {}", self.sweeps), format!("use a whole number from 1 to {SWEEPS}")))
+            }
             _ => Ok(()),
         }
     }
@@ -138,7 +141,7 @@ impl PositionBased {
         let pull = factor.solve(&mechanism.force(&state.position, &state.velocity));
         let predicted = mechanism.integrate(&state.position, &free, h);
         let start = Positions::new(mechanism, &factor, predicted, &free * h);
-        let done = start.swept(self.sweeps, self.weights(h), SPARE * mechanism.reach(&free, h));
+        let done = start.swept(self.sweeps, self.weights(h), SPARE * mechanism.reach(&free, h))?;
         let mut velocity = &done.motion / h;
         let impulses = bounce(&done, &free, &pull, h, &mut velocity);
         let assembled = StepProblem {
@@ -150,7 +153,7 @@ impl PositionBased {
             jacobian: DMatrix::zeros(0, velocity.len()),
         };
         let state = State { time: state.time + h, position: done.position, velocity };
-        Ok(Step { state, impulses, assembled, solution: None })
+        Ok(Step { state, impulses, assembled, solution: None, impacts: None })
     }
 }
 
@@ -278,6 +281,9 @@ mod tests {
 
     #[test]
     fn parameters_that_cannot_be_meant_are_refused() {
+        assert!(PositionBased { sweeps: SWEEPS, ..PositionBased::PBD }.validate().is_ok());
+        let message = PositionBased { sweeps: SWEEPS + 1, ..PositionBased::PBD }.validate().expect_err("too many").to_string();
+        assert!(message.contains("from 1 to 10000"), "{message}");
         assert!(xpbd(-1.0).validate().is_err() && PositionBased { sweeps: 0, ..PositionBased::PBD }.validate().is_err());
         assert!(PositionBased::XPBD.validate().is_ok() && PositionBased { softness: Softness::Share(1.5), sweeps: 1 }.validate().is_err());
     }

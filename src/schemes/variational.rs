@@ -17,7 +17,7 @@ use super::{Scheme, Step, StepProblem, assembly};
 use crate::contact::delassus::MassFactor;
 use crate::contact::{Contact, ContactImpulse};
 use crate::event_driven::root::falling_root;
-use crate::mechanics::{Mechanism, State};
+use crate::mechanics::{Mechanism, State, afford};
 use crate::solvers::ContactSolver;
 use crate::tolerance::rounding;
 use crate::{Error, Result};
@@ -120,7 +120,9 @@ impl<'a> Conservative<'a> {
         if (0..contacts.len()).any(|k| k != hit && approaches(k)) {
             return Err(self.refuse("one contact at a time, because its energy decides one impulse only"));
         }
-        let contact = &contacts[hit];
+        let Some(contact) = contacts.get(hit) else {
+            return Err(self.refuse("contact candidates that stay the same over a step"));
+        };
         let normal = contact.jacobian.row(0).transpose();
         let thrown = self.factor.solve(&normal);
         let slides = |motion: &DVector<f64>| (&contact.jacobian * motion).iter().skip(1).any(|u| u.abs() > rounding(64, motion.amax()));
@@ -187,6 +189,7 @@ impl Scheme for Variational {
 
 fn step(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Step> {
     assembly::check_input(mechanism, state, h)?;
+    afford(mechanism, &state.position, f64::INFINITY)?;
     let conservative = Conservative::new(mechanism, state, h)?;
     let (Part { position, velocity, .. }, hit) = conservative.step(state, h)?;
     let rows = mechanism.rows_per_contact();
@@ -206,7 +209,7 @@ fn step(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Step> {
         free_velocity: velocity.clone(),
         effective_mass: conservative.mass,
     };
-    Ok(Step { state: State { time: state.time + h, position, velocity }, impulses, assembled, solution: None })
+    Ok(Step { state: State { time: state.time + h, position, velocity }, impulses, assembled, solution: None, impacts: None })
 }
 
 #[cfg(test)]

@@ -3,6 +3,15 @@
 use crate::contact::ContactImpulse;
 use crate::mechanics::State;
 
+/// An impact that its scheme has located within a step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LocatedImpact {
+    /// When \[s\].
+    pub time: f64,
+    /// u_n of every contact candidate before and after it \[m/s\].
+    pub normal_velocities: Vec<[f64; 2]>,
+}
+
 /// States of a mechanism at equidistant times, and the contact impulses of each step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recording {
@@ -16,18 +25,27 @@ pub struct Recording {
     pub samples: Vec<State>,
     /// `impulses[k]` acts over (t_k, t_{k+1}].
     pub impulses: Vec<Vec<ContactImpulse>>,
+    /// The impacts, of a scheme that locates them; `None` of the others.
+    pub impacts: Option<Vec<LocatedImpact>>,
 }
 
 impl Recording {
     /// A recording that holds the initial state only.
     pub fn new(mechanism: &str, scheme: String, time_step: f64, initial: State) -> Self {
-        Recording { mechanism: mechanism.into(), scheme, time_step, samples: vec![initial], impulses: Vec::new() }
+        Recording { mechanism: mechanism.into(), scheme, time_step, samples: vec![initial], impulses: Vec::new(), impacts: None }
     }
 
     /// Appends the state after a step and the impulses that acted during it.
     pub fn push(&mut self, state: State, impulses: Vec<ContactImpulse>) {
         self.samples.push(state);
         self.impulses.push(impulses);
+    }
+
+    /// Appends the impacts located within a step.
+    pub fn locate(&mut self, impacts: Option<&[LocatedImpact]>) {
+        if let Some(impacts) = impacts {
+            self.impacts.get_or_insert_default().extend_from_slice(impacts);
+        }
     }
 
     /// The last state.

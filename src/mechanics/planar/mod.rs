@@ -147,6 +147,19 @@ impl Mechanism for PlanarBodies {
         contacts
     }
 
+    /// The corners of a box or one point of a circle with the ground, two of a pair of boxes and one of another pair.
+    fn most_candidates(&self) -> Option<usize> {
+        Some(self.count_within(&DVector::zeros(0), f64::INFINITY))
+    }
+
+    /// All are listed, whatever the reach.
+    fn count_within(&self, _position: &DVector<f64>, _reach: f64) -> usize {
+        let boxes = self.bodies.iter().filter(|body| matches!(body.shape(), Shape::Box { .. })).count();
+        let pairs = |n: usize| n.saturating_mul(n.saturating_sub(1)) / 2;
+        let ground = if self.ground.is_some() { self.bodies.len() + 3 * boxes } else { 0 };
+        pairs(self.bodies.len()).saturating_add(pairs(boxes)).saturating_add(ground)
+    }
+
     fn inverse_mass(&self, contact: &Contact) -> Option<f64> {
         let (first, second) = contact.place.as_ref()?.bodies;
         Some([Some(first), second].into_iter().flatten().map(|body| 1.0 / self.bodies[body].mass()).sum())

@@ -24,6 +24,8 @@ pub use shape::{Shape, SpatialBody};
 use super::{BodyState, Materials, Mechanism, PairMaterial, Plane};
 use crate::contact::frame::spatial_tangents;
 use crate::contact::{Contact, Place};
+use crate::number::significant;
+use crate::tolerance::limits::PRECESSION_PARTS;
 use crate::tolerance::mechanics::BESIDE;
 use crate::{Error, Result};
 use features::{ground_touches, pair_touches};
@@ -115,9 +117,16 @@ impl SpatialBodies {
     fn candidates(&self, position: &DVector<f64>, reach: f64, points: impl Fn(&Touch) -> [Vector3<f64>; 2]) -> Vec<Contact> {
         let poses = self.poses(position);
         let mut contacts = Vec::new();
+        self.touches(&poses, reach, |first, second, touch| {
+            contacts.push(self.contact(first, second, &Touch { points: points(touch), ..*touch }, &|body| poses[body]));
+        });
+        contacts
+    }
+
+    /// Shows where bodies touch with a gap of at most `reach`, in the order of the candidates.
+    fn touches(&self, poses: &[Pose], reach: f64, mut show: impl FnMut(usize, Option<usize>, &Touch)) {
         let mut keep = |first: usize, second: Option<usize>, touches: Vec<Touch>| {
-            let near = touches.iter().filter(|touch| touch.gap <= reach);
-            contacts.extend(near.map(|touch| self.contact(first, second, &Touch { points: points(touch), ..*touch }, &|body| poses[body])));
+            touches.iter().filter(|touch| touch.gap <= reach).for_each(|touch| show(first, second, touch));
         };
         if let Some(ground) = &self.ground {
             for (first, body) in self.bodies.iter().enumerate() {
@@ -133,7 +142,6 @@ impl SpatialBodies {
                 }
             }
         }
-        contacts
     }
 
     /// (m g, τ) per body with the given torques in the body frame.
@@ -195,12 +203,39 @@ impl Mechanism for SpatialBodies {
         })
     }
 
+    fn check_speed(&self, velocity: &DVector<f64>, h: f64) -> Result<()> {
+        let fast = |k: &usize| gyroscopic::is_too_fast(self.bodies[*k].moments(), &spin(*k, velocity), h);
+        let Some(k) = (0..self.bodies.len()).find(fast) else { return Ok(()) };
+        let turn = spin(k, velocity).norm() * h;
+        let problem = format!("of {} turns it by {} rad in a step of {h} s", self.bodies[k].name(), significant(turn));
+        let cure = format!(
+            "use a smaller step: the free rotation of a body that is not round is computed in at most {PRECESSION_PARTS} parts of half a radian a step"
+        );
+        Err(Error::invalid("angular_velocity", problem, cure))
+    }
+
     fn contacts(&self, position: &DVector<f64>) -> Vec<Contact> {
         self.contacts_within(position, f64::INFINITY)
     }
 
     fn contacts_within(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
         self.candidates(position, reach, |touch| touch.points)
+    }
+
+    /// A sphere has one candidate with the ground and a box its eight corners; a pair has one, or sixteen of two boxes: eight corners and eight crossings
+    /// of the edges of two faces.
+    fn most_candidates(&self) -> Option<usize> {
+        let boxes = self.bodies.iter().filter(|body| matches!(body.shape(), Shape::Box { .. })).count();
+        let pairs = |n: usize| n.saturating_mul(n.saturating_sub(1)) / 2;
+        let others = pairs(self.bodies.len()).saturating_sub(pairs(boxes));
+        let ground = if self.ground.is_some() { self.bodies.len() + 7 * boxes } else { 0 };
+        Some(pairs(boxes).saturating_mul(16).saturating_add(others).saturating_add(ground))
+    }
+
+    fn count_within(&self, position: &DVector<f64>, reach: f64) -> usize {
+        let mut count = 0;
+        self.touches(&self.poses(position), reach, |_, _, _| count += 1);
+        count
     }
 
     fn contacts_between(&self, position: &DVector<f64>, (first, second): (usize, Option<usize>)) -> Vec<Contact> {

@@ -144,7 +144,7 @@ fn made(mechanism: &dyn Mechanism, state: State, impulses: Vec<ContactImpulse>) 
         free_velocity: state.velocity.clone(),
         effective_mass: mechanism.mass_matrix(&state.position),
     };
-    Step { state, impulses, assembled, solution: None }
+    Step { state, impulses, assembled, solution: None, impacts: None }
 }
 
 #[cfg(test)]

@@ -12,9 +12,10 @@
 //! than `reach` stays one of these as long as the pushes of the sweep bring no two points nearer than `reach` in all, of which
 //! [`Mechanism::reach`] gives a bound. Where the bound is exceeded the step begins again with a larger reach. So the answer is that of all candidates.
 
+use crate::Result;
 use crate::contact::delassus::MassFactor;
 use crate::contact::{Contact, Identity};
-use crate::mechanics::Mechanism;
+use crate::mechanics::{Mechanism, afford};
 use nalgebra::DVector;
 
 /// A contact that was met and what it has pushed.
@@ -47,13 +48,17 @@ impl<'a> Positions<'a> {
     }
 
     /// These positions after some sweeps; `reach` \[m\] is where the search for candidates begins.
-    pub fn swept(&self, sweeps: usize, weights: [f64; 2], mut reach: f64) -> Self {
+    ///
+    /// # Errors
+    /// Those of [`afford`].
+    pub fn swept(&self, sweeps: usize, weights: [f64; 2], mut reach: f64) -> Result<Self> {
         loop {
+            afford(self.mechanism, &self.position, reach)?;
             let mut tried = self.clone();
             let needed = (0..sweeps).map(|_| tried.sweep(weights, reach)).find(|nearer| *nearer > reach);
             match needed {
                 Some(nearer) => reach = 2.0 * nearer,
-                None => return tried,
+                None => return Ok(tried),
             }
         }
     }
