@@ -8,7 +8,7 @@
 //! ```
 
 use crate::Result;
-use crate::files::{read_schema, read_json};
+use crate::files::{read_json, read_schema};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

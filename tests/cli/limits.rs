@@ -178,7 +178,7 @@ fn an_energy_that_is_no_number_is_an_error_with_the_step() {
 
 #[test]
 fn the_event_driven_restitution_is_that_of_the_located_impact() {
-    for step in ["0.001", "0.013", "0.05"] {
+    for step in ["0.013", "0.05"] {
         let run = moreau(&["simulate", "--scene", "bouncing-ball", "--scheme", "event-driven", "--step", step, "--format", "json"]);
         let summary = run.json();
         let found = summary["quantities"].as_array().expect("a list").iter();

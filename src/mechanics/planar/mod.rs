@@ -13,7 +13,7 @@ mod shape;
 
 pub use shape::{PlanarBody, Shape};
 
-use super::{BodyState, Materials, Mechanism, PairMaterial, Plane};
+use super::{BodyState, Materials, Mechanism, PairMaterial, Plane, State};
 use crate::contact::{Contact, Place};
 use crate::{Error, Result};
 use features::{Touch, ground_touches, pair_touches};
@@ -77,6 +77,12 @@ impl PlanarBodies {
         Ok(self)
     }
 
+    /// The diagonal of M.
+    fn inertias(&self) -> DVector<f64> {
+        let diagonal = self.bodies.iter().flat_map(|body| [body.mass(), body.mass(), body.inertia()]);
+        DVector::from_iterator(3 * self.bodies.len(), diagonal)
+    }
+
     fn pose(&self, body: usize, position: &DVector<f64>) -> Pose {
         Pose::new([position[3 * body], position[3 * body + 1]], position[3 * body + 2])
     }
@@ -118,8 +124,11 @@ impl Mechanism for PlanarBodies {
     }
 
     fn mass_matrix(&self, _position: &DVector<f64>) -> DMatrix<f64> {
-        let diagonal = self.bodies.iter().flat_map(|body| [body.mass(), body.mass(), body.inertia()]);
-        DMatrix::from_diagonal(&DVector::from_iterator(self.degrees_of_freedom(), diagonal))
+        DMatrix::from_diagonal(&self.inertias())
+    }
+
+    fn kinetic_energy(&self, state: &State) -> f64 {
+        0.5 * state.velocity.dot(&self.inertias().component_mul(&state.velocity))
     }
 
     fn force(&self, _position: &DVector<f64>, _velocity: &DVector<f64>) -> DVector<f64> {

@@ -21,7 +21,7 @@ pub(in crate::mechanics) use features::{Touch, sphere_box};
 pub(in crate::mechanics) use shape::Pose;
 pub use shape::{Shape, SpatialBody};
 
-use super::{BodyState, Materials, Mechanism, PairMaterial, Plane};
+use super::{BodyState, Materials, Mechanism, PairMaterial, Plane, State};
 use crate::contact::frame::spatial_tangents;
 use crate::contact::{Contact, Place};
 use crate::number::significant;
@@ -79,6 +79,12 @@ impl SpatialBodies {
     pub fn with_pairs(mut self, pairs: Vec<PairMaterial>) -> Result<Self> {
         self.materials = self.materials.with_pairs(pairs, self.bodies.len())?;
         Ok(self)
+    }
+
+    /// The diagonal of M.
+    fn inertias(&self) -> DVector<f64> {
+        let diagonal = self.bodies.iter().flat_map(|body| [body.mass(); 3].into_iter().chain(body.moments().iter().copied()));
+        DVector::from_iterator(6 * self.bodies.len(), diagonal)
     }
 
     fn poses(&self, position: &DVector<f64>) -> Vec<Pose> {
@@ -183,8 +189,11 @@ impl Mechanism for SpatialBodies {
     }
 
     fn mass_matrix(&self, _position: &DVector<f64>) -> DMatrix<f64> {
-        let diagonal = self.bodies.iter().flat_map(|body| [body.mass(); 3].into_iter().chain(body.moments().iter().copied()));
-        DMatrix::from_diagonal(&DVector::from_iterator(self.degrees_of_freedom(), diagonal))
+        DMatrix::from_diagonal(&self.inertias())
+    }
+
+    fn kinetic_energy(&self, state: &State) -> f64 {
+        0.5 * state.velocity.dot(&self.inertias().component_mul(&state.velocity))
     }
 
     fn force(&self, _position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64> {
