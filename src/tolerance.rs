@@ -98,6 +98,7 @@ pub mod schemes {
 pub mod event_driven;
 pub mod gate;
 pub mod impact_laws;
+pub mod limits;
 pub mod references;
 pub mod stabilisation;
 pub mod zeno;

@@ -1,5 +1,6 @@
 //! `moreau certify`: judges an answer to a contact problem without knowing where it came from.
 
+use super::limits::MemoryOption;
 use super::output::print;
 use super::{Answer, Format};
 use crate::certificate::residuals;
@@ -26,6 +27,8 @@ pub struct Arguments {
     /// Largest residual accepted, relative to the scale of its contact.
     #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: f64,
+    #[command(flatten)]
+    memory: MemoryOption,
     /// How to write the certificate.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -48,6 +51,7 @@ pub fn check_tolerance(option: &str, tolerance: f64) -> Result<()> {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
+    arguments.memory.apply()?;
     let tolerance = arguments.tolerance;
     check_tolerance("--tolerance", tolerance)?;
     let problem = ContactProblem::read(&arguments.problem)?;

@@ -11,6 +11,7 @@ mod drake_options;
 mod dump_options;
 mod engine;
 mod gate;
+mod limits;
 mod mujoco_options;
 mod near;
 mod output;

@@ -1,11 +1,9 @@
-//! What `simulate` and `compare` ask of a scene: its name or file, its steps, and a motion of numbers.
+//! What `simulate` and `compare` ask of a scene: its name or file, and its steps.
 
 use super::near::suggestion;
-use crate::mechanics::State;
 use crate::number::significant;
 use crate::scenes::{self, Scene, Staged};
 use crate::tolerance::cli::STEP_LIMIT;
-use crate::trajectory::Recording;
 use crate::{Error, Result};
 use std::path::Path;
 
@@ -64,13 +62,4 @@ pub fn positive(option: &str, value: f64) -> Result<f64> {
         return Ok(value);
     }
     Err(Error::invalid(option, format!("is {value}"), "use a positive number of seconds"))
-}
-
-/// Refuses a motion that left the numbers: nothing sensible can be said or written about it.
-pub fn finite(recording: &Recording) -> Result<()> {
-    let lost = |state: &&State| !state.position.iter().chain(&state.velocity).all(|x| x.is_finite());
-    match recording.samples.iter().find(lost) {
-        None => Ok(()),
-        Some(state) => Err(Error::solver(&recording.scheme, format!("the motion is not finite from t = {} s on", state.time))),
-    }
 }

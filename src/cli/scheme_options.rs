@@ -1,9 +1,11 @@
 //! A scheme and its parameters on the command line.
 
 use super::drake_options::DrakeOptions;
+use super::limits::count;
 use super::mujoco_options::MujocoOptions;
 use super::near::suggestion;
 use crate::schemes::{self, Activation, Bullet, Parameters, RestitutionRule, Scheme};
+use crate::tolerance::limits::SWEEPS;
 use crate::{Error, Result};
 
 /// The options of all schemes; one that does nothing in the chosen scheme is an error.
@@ -21,7 +23,7 @@ pub struct SchemeOptions {
     /// Which contacts of moreau-jean are active: A (gap), B (half-step-forecast, default) or D (free-velocity-forecast).
     #[arg(long, value_name = "RULE")]
     activation: Option<String>,
-    /// Friction directions of stewart-trinkle at spatial contacts.
+    /// Friction directions of stewart-trinkle at spatial contacts, from 3 to 1024 (8).
     #[arg(long, value_name = "NUMBER")]
     friction_directions: Option<usize>,
     /// ρ of generalised-alpha, the share that a step keeps of infinitely stiff motion, from 0 to 1 (0.8).
@@ -33,7 +35,7 @@ pub struct SchemeOptions {
     /// Share s of a penetration that pbd undoes in a sweep, above 0 and up to 1 (1/2).
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     share: Option<f64>,
-    /// Sweeps over all contacts in a step of xpbd (20) or pbd (10).
+    /// Sweeps over all contacts in a step of xpbd (20) or pbd (10), from 1 to 10000.
     #[arg(long, value_name = "NUMBER")]
     sweeps: Option<usize>,
     /// τ of event-driven [s]: an impact that would start a shorter flight is plastic. With 0 every impact is followed, and infinitely many are an error.
@@ -115,7 +117,7 @@ impl SchemeOptions {
             spectral_radius: self.spectral_radius.unwrap_or(default.spectral_radius),
             compliance: self.compliance.unwrap_or(default.compliance),
             share: self.share.unwrap_or(default.share),
-            sweeps: self.sweeps.or(default.sweeps),
+            sweeps: self.sweeps.map(|sweeps| count("--sweeps", sweeps, SWEEPS)).transpose()?.or(default.sweeps),
             shortest_flight: self.shortest_flight.unwrap_or(default.shortest_flight),
             mujoco: self.mujoco.mujoco()?,
             bullet: Bullet { friction: self.mujoco.friction()?, ..default.bullet },

@@ -1,5 +1,6 @@
 //! A section of a Markdown file that a command writes, between two markers.
 
+use crate::files::read_text;
 use crate::{Error, Result};
 use std::path::Path;
 
@@ -8,7 +9,7 @@ use std::path::Path;
 /// # Errors
 /// If the file cannot be read or lacks a marker; the message names both.
 pub fn replaced(file: &Path, [begin, end]: [&str; 2], section: &str) -> Result<String> {
-    let text = std::fs::read_to_string(file).map_err(|source| Error::Read { file: file.to_path_buf(), source })?;
+    let text = read_text(file)?;
     let name = begin.trim_start_matches("<!-- ").trim_end_matches(" -->");
     let missing = || {
         let cure = format!("put `{begin}` and `{end}` where the table belongs");

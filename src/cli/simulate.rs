@@ -2,8 +2,9 @@
 
 use super::certificate_options::CertificateOptions;
 use super::dump_options::DumpOptions;
+use super::limits::MemoryOption;
 use super::output::{keep_input, print};
-use super::scene::{count_steps, find, finite, for_scheme, positive};
+use super::scene::{count_steps, find, for_scheme, positive};
 use super::scheme_options::SchemeOptions;
 use super::{Answer, Format};
 use crate::files::{is_same_file, write_together};
@@ -57,6 +58,8 @@ pub struct Arguments {
     /// List the scenes, schemes and solvers there are.
     #[arg(long)]
     list: bool,
+    #[command(flatten)]
+    memory: MemoryOption,
     /// How to write the summary.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -98,6 +101,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
 }
 
 fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
+    arguments.memory.apply()?;
     let scheme = arguments.options.build(&arguments.scheme)?;
     arguments.keep_files(scene)?;
     let solver = solvers::by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
@@ -114,7 +118,6 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
     let mut dumps = arguments.dumps.start(steps)?;
     let observe = |step: &Step| dumps.see(step);
     let recording = schemes::simulate_certified(scheme.as_ref(), &certified, mechanism, staged.start, arguments.step, steps, observe)?;
-    finite(&recording)?;
     let exact = staged.exact;
     let motion = Motion { mechanism, recording: &recording, exact: exact.as_ref(), gravity: staged.gravity };
     write(arguments, &motion, scene.as_ref(), solver.name())?;

@@ -1,10 +1,12 @@
 //! `moreau solve`: solves a contact problem and certifies its own answer.
 
 use super::certify::check_tolerance;
+use super::limits::MemoryOption;
 use super::output::{keep_input, print, print_aside};
 use super::{Answer, Format};
 use crate::certificate::residuals;
 use crate::files::write_atomically;
+use crate::memory;
 use crate::problem::ContactProblem;
 use crate::report::certificate::Certificate;
 use crate::report::json::pretty;
@@ -34,6 +36,8 @@ pub struct Arguments {
     /// Write the solution to this file, completely or not at all, instead of standard output.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    memory: MemoryOption,
     /// How to write the certificate.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -60,10 +64,12 @@ pub fn solver_help() -> String {
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     check_tolerance("--tolerance", arguments.tolerance)?;
+    arguments.memory.apply()?;
     let solver = solvers::with_iterations(&arguments.solver, arguments.iterations)
         .map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
     keep_input(&arguments.problem, "--out", arguments.out.as_deref())?;
     let problem = ContactProblem::read(&arguments.problem)?;
+    memory::require(&format!("solving {} rows", problem.rows()), 8 * memory::matrix(problem.rows(), problem.rows()))?;
     let solution = solver.solve(&problem, None).map_err(|error| error.in_file(&arguments.problem))?;
     let residuals = residuals(&problem, &solution)?;
     let certificate = Certificate::new(&problem, &solution, &residuals, arguments.tolerance);

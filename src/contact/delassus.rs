@@ -62,18 +62,17 @@ impl<T: Scalar> MassFactor<T> {
         if !mass.is_square() {
             return Err(Error::invalid("mass", format!("has shape {}×{}", mass.nrows(), mass.ncols()), "the mass matrix is square"));
         }
+        let n = mass.nrows();
+        if is_diagonal(mass) {
+            let pivots = (0..n).map(|j| definite(j, mass[(j, j)].clone(), &mass[(j, j)], n)).collect::<Result<_>>()?;
+            return Ok(MassFactor { lower: vec![Vec::new(); n], pivots });
+        }
         finite("mass", mass)?;
         symmetric(mass)?;
-        let n = mass.nrows();
         let mut lower: Vec<Vec<(usize, T)>> = vec![Vec::new(); n];
         let mut pivots: Vec<T> = Vec::with_capacity(n);
         for j in 0..n {
-            let pivot = mass[(j, j)].clone() - product(&lower[j], &lower[j], &pivots);
-            let definite = pivot > rounding::<T>(n) * mass[(j, j)].magnitude();
-            if !definite {
-                let problem = format!("is not positive definite (pivot {j} is {})", pivot.to_f64());
-                return Err(Error::invalid("mass", problem, "every velocity needs a positive inertia"));
-            }
+            let pivot = definite(j, mass[(j, j)].clone() - product(&lower[j], &lower[j], &pivots), &mass[(j, j)], n)?;
             for i in j + 1..n {
                 let entry = mass[(i, j)].clone() - product(&lower[i], &lower[j], &pivots);
                 if !entry.is_zero() {
@@ -133,6 +132,22 @@ fn product<T: Scalar>(row: &[(usize, T)], other: &[(usize, T)], pivots: &[T]) ->
 /// The relative rounding error of a pivot: (n + 1) terms, each with a product and a sum; 0 for rationals.
 fn rounding<T: Scalar>(n: usize) -> T {
     T::ratio(2 * (n as i64 + 1), 1) * T::spacing()
+}
+
+/// The pivot, if it is positive beyond the rounding of the entry it came from.
+fn definite<T: Scalar>(j: usize, pivot: T, entry: &T, n: usize) -> Result<T> {
+    if pivot > rounding::<T>(n) * entry.magnitude() {
+        return Ok(pivot);
+    }
+    let problem = format!("is not positive definite (pivot {j} is {})", pivot.to_f64());
+    Err(Error::invalid("mass", problem, "every velocity needs a positive inertia"))
+}
+
+/// Whether M has finite numbers on its diagonal and zeros beside it, as that of free bodies in principal axes: most of it need not be looked at again.
+fn is_diagonal<T: Scalar>(mass: &DMatrix<T>) -> bool {
+    let is_finite = |x: &T| (x.clone() - x.clone()).is_zero();
+    let beside = |(j, column): (usize, &[T])| column.iter().enumerate().all(|(i, x)| if i == j { is_finite(x) } else { x.is_zero() });
+    mass.as_slice().chunks_exact(mass.nrows().max(1)).enumerate().all(beside)
 }
 
 fn finite<T: Scalar>(field: &str, matrix: &DMatrix<T>) -> Result<()> {
@@ -211,6 +226,19 @@ mod tests {
         }
         assert!(delassus(&dmatrix![1.0], &jacobian).is_err(), "sizes must fit");
         assert!(delassus(&dmatrix![1.0], &dmatrix![f64::NAN]).is_err());
+    }
+
+    #[test]
+    fn a_diagonal_mass_is_factored_as_any_other() {
+        let diagonal = dmatrix![2.0, 0.0; 0.0, 0.3];
+        let almost = dmatrix![2.0, f64::MIN_POSITIVE; f64::MIN_POSITIVE, 0.3];
+        let impulse = DVector::from_vec(vec![0.7, -1.1]);
+        assert!(is_diagonal(&diagonal) && !is_diagonal(&almost));
+        let [one, other] = [diagonal, almost].map(|mass| MassFactor::new(&mass).expect("M is SPD").solve(&impulse));
+        assert_eq!(one, other);
+        for bad in [dmatrix![1.0, 0.0; 0.0, 0.0], dmatrix![1.0, 0.0; 0.0, -1.0], dmatrix![f64::NAN, 0.0; 0.0, 1.0]] {
+            assert!(MassFactor::new(&bad).expect_err("not SPD").to_string().contains("`mass`"));
+        }
     }
 
     #[test]

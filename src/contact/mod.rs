@@ -51,6 +51,30 @@ pub fn pairs(places: &[Option<Place>]) -> Option<Vec<[Option<usize>; 2]>> {
     places.iter().map(|place| place.map(|Place { bodies: (first, second), .. }| [Some(first), second])).collect()
 }
 
+/// Which candidate of a mechanism a contact is, wherever in the list it stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Identity {
+    /// Index into the list it was found in: what tells candidates apart that have no place.
+    pub index: usize,
+    /// Where it is, as in [`Contact::place`].
+    pub place: Option<Place>,
+}
+
+impl Identity {
+    /// The identity of the contact at this index of a list.
+    pub fn of(index: usize, contact: &Contact) -> Self {
+        Identity { index, place: contact.place }
+    }
+
+    /// Whether both are the same candidate: compared by bodies and features where they are known, by index otherwise.
+    pub fn is_same(&self, other: &Identity) -> bool {
+        match (&self.place, &other.place) {
+            (Some(own), Some(other)) => own.is_same(other),
+            _ => self.index == other.index,
+        }
+    }
+}
+
 /// The impulse of one contact over one step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactImpulse {
@@ -65,9 +89,7 @@ pub struct ContactImpulse {
 impl ContactImpulse {
     /// Whether the impulse acted at this candidate: compared by features where they are known, by index otherwise.
     pub fn acts_at(&self, contact: usize, place: Option<&Place>) -> bool {
-        match (&self.place, place) {
-            (Some(own), Some(other)) => own.is_same(other),
-            _ => self.contact == contact,
-        }
+        let own = Identity { index: self.contact, place: self.place };
+        own.is_same(&Identity { index: contact, place: place.copied() })
     }
 }

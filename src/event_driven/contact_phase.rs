@@ -8,11 +8,12 @@
 
 use super::flight::Phase;
 use super::forces::{Accelerations, Closed, Tangent};
+use crate::Result;
+use crate::least_squares::least_squares;
 use crate::mechanics::Mechanism;
 use crate::problem::Lcp;
 use crate::tolerance::event_driven::DEGENERATE;
 use crate::tolerance::solvers::smallest_pivot;
-use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
 /// A mode of a mechanism with contacts.
@@ -115,9 +116,7 @@ fn on_basis(lcp: &Lcp<f64>, basis: &[bool]) -> Result<DVector<f64>> {
     let matrix = DMatrix::from_fn(members.len(), members.len(), |i, j| lcp.matrix[(members[i], members[j])]);
     let right = DVector::from_fn(members.len(), |i, _| -lcp.vector[members[i]]);
     // redundant contacts share their forces in several ways that give one acceleration: the least is taken
-    let decomposed = matrix.svd(true, true);
-    let smallest = smallest_pivot::<f64>() * decomposed.singular_values.amax();
-    let values = decomposed.solve(&right, smallest).map_err(|reason| Error::solver("event-driven", reason))?;
+    let values = least_squares("event-driven", matrix, &right, |largest| smallest_pivot::<f64>() * largest)?;
     for (&member, value) in members.iter().zip(values.iter()) {
         z[member] = *value;
     }

@@ -15,7 +15,8 @@
 
 use crate::contact::delassus::MassFactor;
 use crate::contact::{Contact, ContactImpulse};
-use crate::mechanics::{Mechanism, State};
+use crate::least_squares::least_squares;
+use crate::mechanics::{Mechanism, State, afford};
 use crate::solvers::ContactSolver;
 use crate::tolerance::event_driven::{EVENT_LIMIT, FLIGHT, LOOK_AHEAD, TOLERANCE, TOUCHING};
 use crate::{Error, Result};
@@ -69,6 +70,8 @@ pub struct Collision {
     pub elapsed: f64,
     /// v after it.
     pub velocity: DVector<f64>,
+    /// u_n of every candidate before and after it \[m/s\].
+    pub normal_velocities: Vec<[f64; 2]>,
 }
 
 impl EventDriven {
@@ -79,6 +82,7 @@ impl EventDriven {
     /// events do not end; those of `solver`.
     pub fn advance(&self, solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, duration: f64) -> Result<Motion> {
         self.check(mechanism, state, duration)?;
+        afford(mechanism, &state.position, f64::INFINITY)?;
         let (mut position, mut velocity) = (state.position.clone(), state.velocity.clone());
         let mut tally = Tally::new(mechanism.rows_per_contact());
         let (mut left, mut step) = (duration, duration / 8.0);
@@ -89,7 +93,9 @@ impl EventDriven {
             let arriving = velocity.clone();
             let closed = self.resolve(solver, mechanism, &contacts, &position, &mut velocity, &mut tally)?;
             if velocity != arriving {
-                impacts.push(Collision { elapsed: duration - left, velocity: velocity.clone() });
+                let normal = |contact: &Contact| [&arriving, &velocity].map(|v| (contact.jacobian.row(0) * v)[0]);
+                let normal_velocities = contacts.iter().map(normal).collect();
+                impacts.push(Collision { elapsed: duration - left, velocity: velocity.clone(), normal_velocities });
             }
             let decide = ahead.take().unwrap_or_else(|| [position.clone(), velocity.clone()]);
             let phase = ContactPhase::new(mechanism, closed, contacts.len(), [&decide[0], &decide[1]])?;
@@ -180,6 +186,9 @@ fn project(mechanism: &dyn Mechanism, closed: &[Closed], position: &mut DVector<
     // a contact whose force has vanished may have parted: it is not pulled back
     let held: Vec<&Contact> = closed.iter().map(|one| &contacts[one.contact]).collect();
     let held: Vec<&Contact> = held.into_iter().filter(|at| at.gap <= far && (at.jacobian.row(0) * &*velocity)[0].abs() <= slow).collect();
+    if held.is_empty() {
+        return Ok(());
+    }
     let normals = DMatrix::from_fn(held.len(), velocity.len(), |i, j| held[i].jacobian[(0, j)]);
     let factor = MassFactor::new(&mechanism.mass_matrix(position))?;
     let mut answer = normals.transpose();
@@ -188,10 +197,10 @@ fn project(mechanism: &dyn Mechanism, closed: &[Closed], position: &mut DVector<
         column.copy_from(&solved);
     }
     let gaps = DVector::from_fn(held.len(), |i, _| held[i].gap);
-    let inverse = (&normals * &answer).pseudo_inverse(TOUCHING).map_err(|reason| Error::solver("event-driven", reason))?;
-    *position -= &answer * (&inverse * gaps);
+    let least = |right: &DVector<f64>| least_squares("event-driven", &normals * &answer, right, |_| TOUCHING);
+    *position -= &answer * least(&gaps)?;
     let speeds = &normals * &*velocity;
-    *velocity -= &answer * (inverse * speeds);
+    *velocity -= &answer * least(&speeds)?;
     Ok(())
 }
 

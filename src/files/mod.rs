@@ -2,6 +2,8 @@
 
 mod atomic;
 mod schema;
+mod text;
 
 pub use atomic::{is_same_file, write_atomically, write_together};
 pub use schema::{read_object, read_schema};
+pub use text::{read_json, read_json_within, read_text};

@@ -8,7 +8,7 @@
 
 use super::{CheckOutcome, Measurement, Report, Verdict};
 use crate::checks::Relation;
-use crate::files::write_atomically;
+use crate::files::{read_text, write_atomically};
 use crate::number::{significant, with_unit};
 use crate::tolerance::gate::{NEWS, SPREADS};
 use crate::{Error, Result};
@@ -129,7 +129,7 @@ impl Baseline {
     /// # Errors
     /// [`Error::Read`], or [`Error::Invalid`] with file, line and field.
     pub fn read(file: &Path) -> Result<Self> {
-        let text = std::fs::read_to_string(file).map_err(|source| Error::Read { file: file.to_path_buf(), source })?;
+        let text = read_text(file)?;
         let baseline: Baseline = toml::from_str(&text).map_err(|error| {
             let line = error.span().map_or(String::new(), |span| format!("line {}: ", 1 + text[..span.start].matches('\n').count()));
             let problem = format!("{line}{}", error.message());

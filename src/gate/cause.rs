@@ -7,6 +7,7 @@
 
 use super::check;
 use super::scoreboard::Standing;
+use crate::files::read_text;
 use crate::{Error, Result};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -83,7 +84,7 @@ pub fn read(folder: &Path) -> Result<Vec<Cause>> {
 }
 
 fn read_file(file: &Path) -> Result<Vec<Cause>> {
-    let text = std::fs::read_to_string(file).map_err(|source| Error::Read { file: file.to_path_buf(), source })?;
+    let text = read_text(file)?;
     let causes = toml::from_str::<File>(&text)
         .map_err(|error| Error::invalid("the file", error.message().to_string(), "see the other files of the folder").in_file(file))?
         .cause;

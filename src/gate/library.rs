@@ -4,6 +4,7 @@
 //! matter – and the same time step, if it has the samples that are asked for.
 
 use super::{Description, Engine, Options, Refusal, Reply};
+use crate::files::read_text;
 use crate::scenes::Scene;
 use crate::tolerance::gate::SAME_TIME;
 use crate::trajectory::Trajectory;
@@ -146,6 +147,6 @@ impl Engine for Requests {
 /// # Errors
 /// [`Error::Read`], or [`Error::Json`] with the file's name.
 pub fn read_description(file: &Path) -> Result<Description> {
-    let text = std::fs::read_to_string(file).map_err(|source| Error::Read { file: file.to_path_buf(), source })?;
+    let text = read_text(file)?;
     serde_json::from_str(&text).map_err(|error| Error::from(error).in_file(file))
 }

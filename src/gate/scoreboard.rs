@@ -3,7 +3,7 @@
 use super::process::{Limits, ProcessEngine};
 use super::runner::{self, Plan};
 use super::{Check, Options, Report};
-use crate::files::write_atomically;
+use crate::files::{read_text, write_atomically};
 use crate::{Error, Result};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -116,6 +116,6 @@ impl Standing {
 }
 
 fn read_json<T: serde::de::DeserializeOwned>(file: &Path) -> Result<T> {
-    let text = std::fs::read_to_string(file).map_err(|source| Error::Read { file: file.to_path_buf(), source })?;
+    let text = read_text(file)?;
     serde_json::from_str(&text).map_err(|error| Error::from(error).in_file(file))
 }

@@ -1,6 +1,8 @@
 //! Mechanisms: M(q) v̇ = F(q, v) + Hᵀ(q) λ with unilateral contacts φ(q) ≥ 0.
 
 use crate::contact::Contact;
+#[cfg(doc)]
+use crate::contact::Place;
 use nalgebra::{DMatrix, DVector};
 
 mod ball_chain;
@@ -12,6 +14,7 @@ mod pair_material;
 pub mod planar;
 mod point_mass;
 mod rod_chain;
+mod room;
 mod slider_crank;
 pub mod spatial;
 mod sphere_bodies;
@@ -26,6 +29,7 @@ pub use pair_material::{Materials, PairMaterial};
 pub use planar::PlanarBodies;
 pub use point_mass::{Plane, PointMass};
 pub use rod_chain::RodChain;
+pub use room::afford;
 pub use slider_crank::{SliderCrank, SliderCrankData};
 pub use spatial::SpatialBodies;
 pub use sphere_bodies::{SphereBodies, SphereBody};
@@ -74,6 +78,14 @@ pub trait Mechanism: Send + Sync {
         let _ = h;
         self.force(position, velocity)
     }
+    /// Whether a step of size h can be taken at the velocity v with a work that does not grow with v.
+    ///
+    /// # Errors
+    /// [`crate::Error::Invalid`] names the body that is too fast.
+    fn check_speed(&self, velocity: &DVector<f64>, h: f64) -> crate::Result<()> {
+        let _ = (velocity, h);
+        Ok(())
+    }
     /// Every contact candidate at q, always in the same order.
     fn contacts(&self, position: &DVector<f64>) -> Vec<Contact>;
     /// The candidates with a gap of at most `reach` \[m\], in the order of [`Mechanism::contacts`]; more may be listed, and by default
@@ -81,6 +93,18 @@ pub trait Mechanism: Send + Sync {
     fn contacts_within(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
         let _ = reach;
         self.contacts(position)
+    }
+    /// An upper bound of the number of contact candidates at any q; `None` if there are so few that nobody counts.
+    fn most_candidates(&self) -> Option<usize> {
+        None
+    }
+    /// How many candidates [`Mechanism::contacts_within`] lists, without their rows.
+    fn count_within(&self, position: &DVector<f64>, reach: f64) -> usize {
+        self.contacts_within(position, reach).len()
+    }
+    /// The candidates between two bodies of [`Place::bodies`], as [`Mechanism::contacts`] lists them.
+    fn contacts_between(&self, position: &DVector<f64>, bodies: (usize, Option<usize>)) -> Vec<Contact> {
+        self.contacts(position).into_iter().filter(|contact| contact.place.is_some_and(|place| place.bodies == bodies)).collect()
     }
     /// The candidates of [`Mechanism::contacts_within`], their rows taken at the point halfway between the two points that touch: both bodies
     /// are looked at there. Where the gap is zero nothing changes; by default nothing ever does.

@@ -1,6 +1,7 @@
 //! The one-step contact problem: u = W r + u_free, y = u + shift + R r, (r, y) in the law.
 
 use super::Law;
+use crate::memory;
 use crate::tolerance::problem::POLYHEDRAL_UNKNOWNS;
 use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -132,6 +133,8 @@ impl ContactProblem {
             ));
         }
         let unknowns = self.law.directions().map_or(0, |d| d.saturating_add(2).saturating_mul(self.contacts()));
+        // matrix, scaled matrix, and a tableau twice as wide with its copy
+        memory::require(&format!("a polyhedral problem of {unknowns} unknowns"), 6 * memory::matrix(unknowns, unknowns))?;
         match (self.law.directions(), self.rows_per_contact) {
             (Some(d), 3) if unknowns > POLYHEDRAL_UNKNOWNS => {
                 let problem = format!("is {d}, which makes {unknowns} unknowns with {} contacts", self.contacts());

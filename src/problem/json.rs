@@ -11,7 +11,8 @@
 
 use super::{Compliance, ContactProblem, Coordinates, Dynamics, Law, Solution};
 use crate::contact::delassus::delassus;
-use crate::files::{read_schema, write_atomically};
+use crate::files::{read_json, read_json_within, read_schema, write_atomically};
+use crate::memory;
 use crate::tolerance::problem::DENSE_ENTRIES;
 use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -21,6 +22,10 @@ use std::path::Path;
 
 /// Schema name of a contact problem.
 pub const PROBLEM_SCHEMA: &str = "contact-problem/1";
+/// The text of a problem may take this part of the memory: its numbers and matrices take the rest.
+const TEXT_SHARE: u64 = 4;
+/// A number of a text that is read: in its list, which may be twice as long as it is full, and in its matrix \[bytes\].
+const NUMBER_BYTES: u128 = 24;
 /// Schema name of a solution.
 pub const SOLUTION_SCHEMA: &str = "solution/1";
 
@@ -147,7 +152,8 @@ impl ContactProblem {
     /// # Errors
     /// [`Error::Read`], or [`Error::InFile`] around what [`ContactProblem::from_json`] says.
     pub fn read(file: &Path) -> Result<Self> {
-        Self::from_json(&read_text(file)?).map_err(|error| error.in_file(file))
+        let text = read_json_within(file, memory::limit() / TEXT_SHARE, "or allow more with --max-memory")?;
+        Self::from_json(&text).map_err(|error| error.in_file(file))
     }
 
     /// Reads and validates the text of a `contact-problem/1`.
@@ -155,11 +161,15 @@ impl ContactProblem {
     /// # Errors
     /// [`Error::Json`], or [`Error::Invalid`] naming the field and the cure.
     pub fn from_json(text: &str) -> Result<Self> {
+        memory::require("reading this problem", NUMBER_BYTES * text.bytes().filter(|byte| *byte == b',').count() as u128)?;
         let file: ProblemFile = read_schema(text, PROBLEM_SCHEMA)?;
         if !(1..=3).contains(&file.dimension) {
             return Err(Error::invalid("dimension", format!("is {}", file.dimension), "use 1 (normal rows only), 2 or 3"));
         }
         let rows = file.dimension * file.friction.len();
+        let velocities = file.mass.as_ref().map_or(0, |mass| mass.shape[0]);
+        let matrices = 2 * memory::matrix(rows, rows) + memory::matrix(velocities, velocities) + 2 * memory::matrix(rows, velocities);
+        memory::require("the matrices of this problem", matrices)?;
         let law = read_law(&file.law, file.directions)?;
         let (delassus, dynamics) = read_operator(file.delassus, file.mass, file.jacobian, rows)?;
         let problem = ContactProblem {
@@ -219,7 +229,7 @@ impl Solution {
     /// # Errors
     /// [`Error::Read`], or [`Error::InFile`] around what [`Solution::from_json`] says.
     pub fn read(file: &Path) -> Result<Self> {
-        Self::from_json(&read_text(file)?).map_err(|error| error.in_file(file))
+        Self::from_json(&read_json(file)?).map_err(|error| error.in_file(file))
     }
 
     /// Reads the text of a `solution/1`; whether it fits a problem is the certificate's question.
@@ -377,10 +387,6 @@ fn read_compliance(file: ComplianceFile) -> Result<Compliance> {
         other => return Err(Error::invalid("compliance.coordinates", format!("is `{other}`"), "use `contact` or `edge`")),
     };
     Ok(Compliance { coordinates, diagonal: DVector::from_vec(file.diagonal) })
-}
-
-fn read_text(file: &Path) -> Result<String> {
-    std::fs::read_to_string(file).map_err(|source| Error::Read { file: file.to_path_buf(), source })
 }
 
 fn text(file: &impl Serialize) -> String {

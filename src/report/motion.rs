@@ -60,7 +60,7 @@ impl Motion<'_> {
     pub fn summary(&self) -> Vec<Quantity> {
         let balance = energy_balance(self.recording, |state| self.mechanism.energy(state));
         let last = self.mechanism.energy(self.recording.last());
-        let ratios = self.normal_velocities().map(|u| effective_restitutions(&u, self.resting_speed()));
+        let ratios = self.restitutions();
         let settled = settling_time(&self.times(), &self.speeds(), self.resting_speed());
         let quantity = |name, value, unit| Quantity { name, value, unit };
         vec![
@@ -145,13 +145,35 @@ impl Motion<'_> {
     }
 
     fn smallest_gaps(&self) -> Vec<f64> {
-        let gaps = |state: &State| self.mechanism.contacts(&state.position).iter().map(|contact| contact.gap).fold(f64::INFINITY, f64::min);
+        // a penetration is a gap below zero: candidates that are apart are not looked at
+        let gaps = |state: &State| {
+            self.mechanism.contacts_within(&state.position, 0.0).iter().map(|contact| contact.gap).fold(f64::INFINITY, f64::min)
+        };
         self.recording.samples.iter().map(gaps).collect()
+    }
+
+    /// −u_n⁺/u_n⁻ of each impact of a mechanism with a single contact: at the impacts where the scheme has located them, from the samples around them otherwise.
+    fn restitutions(&self) -> Option<Vec<f64>> {
+        let Some(located) = &self.recording.impacts else {
+            return self.normal_velocities().map(|u| effective_restitutions(&u, self.resting_speed()));
+        };
+        let ratios = located.iter().map(|impact| match impact.normal_velocities.as_slice() {
+            [[before, after]] => Some((-before > self.resting_speed()).then_some(-after / before)),
+            _ => None,
+        });
+        let ratios: Option<Vec<Option<f64>>> = ratios.collect();
+        ratios
+            .filter(|ratios| !ratios.is_empty() || self.has_one_contact(&self.recording.samples[0]))
+            .map(|all| all.into_iter().flatten().collect())
+    }
+
+    fn has_one_contact(&self, state: &State) -> bool {
+        self.mechanism.count_within(&state.position, f64::INFINITY) == 1
     }
 
     /// u_n at each sample, for a mechanism with a single contact.
     fn normal_velocities(&self) -> Option<Vec<f64>> {
-        let normal = |state: &State| match self.mechanism.contacts(&state.position).as_slice() {
+        let normal = |state: &State| match self.has_one_contact(state).then(|| self.mechanism.contacts(&state.position))?.as_slice() {
             [contact] => Some((&contact.jacobian * &state.velocity)[0]),
             _ => None,
         };
@@ -205,7 +227,7 @@ pub fn lines(quantities: &[Quantity]) -> String {
 mod tests {
     use super::*;
     use crate::scenes::named;
-    use crate::schemes::{Anitescu, MoreauJean, Scheme, simulate};
+    use crate::schemes::{Anitescu, Events, MoreauJean, Scheme, simulate};
     use crate::solvers::Reference;
     use crate::tolerance::rounding;
 
@@ -228,6 +250,17 @@ mod tests {
             let panels = motion.panels();
             assert_eq!(panels.iter().map(|panel| panel.curves.len()).collect::<Vec<_>>(), [2, 2, 2]);
             assert_eq!(panels[0].curves[1].label, "ball z");
+        });
+    }
+
+    #[test]
+    fn a_located_impact_shows_its_restitution_whatever_the_time_between_samples() {
+        with_motion("bouncing-ball", &Events::default(), |motion, value| {
+            let found = value("effective restitution of the first impact").expect("one contact");
+            assert!((found - 0.5).abs() <= rounding(64, 1.0), "{found}");
+            // the samples around it miss up to g h of either speed
+            let sampled = effective_restitutions(&motion.normal_velocities().expect("one contact"), motion.resting_speed())[0];
+            assert!((sampled - 0.5).abs() > 1e-3, "{sampled}");
         });
     }
 

@@ -7,8 +7,8 @@
 //!   "material": { "friction": 0.5, "restitution": 0 }, "duration": 2 }
 //! ```
 
-use crate::files::read_schema;
-use crate::{Error, Result};
+use crate::Result;
+use crate::files::{read_json, read_schema};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -156,7 +156,7 @@ impl Scene {
     /// # Errors
     /// [`Error::Read`], or those of [`Scene::from_json`] with the file's name.
     pub fn read(file: &Path) -> Result<Self> {
-        let text = std::fs::read_to_string(file).map_err(|source| Error::Read { file: file.to_path_buf(), source })?;
+        let text = read_json(file)?;
         Scene::from_json(&text).map_err(|error| error.in_file(file))
     }
 

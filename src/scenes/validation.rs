@@ -4,6 +4,7 @@ use super::scene::SCHEMA;
 use super::{Body, Material, Scene};
 use crate::tolerance::scenes::WRITTEN_UNIT_VECTOR;
 use crate::{Error, Result};
+use std::collections::HashSet;
 
 /// The name that stands for the plane in pairs.
 pub(super) const GROUND: &str = "ground";
@@ -25,9 +26,10 @@ impl Scene {
         if self.bodies.is_empty() {
             return Err(Error::invalid("bodies", "is empty", "give at least one body"));
         }
+        let mut names = HashSet::with_capacity(self.bodies.len());
         for (index, body) in self.bodies.iter().enumerate() {
             body.validate(&format!("bodies[{index}]"))?;
-            if self.bodies[..index].iter().any(|other| other.name == body.name) {
+            if !names.insert(&body.name) {
                 return Err(Error::invalid(format!("bodies[{index}].name"), format!("`{}` occurs twice", body.name), "use unique names"));
             }
         }

@@ -105,7 +105,7 @@ pub(crate) fn check_input(mechanism: &dyn Mechanism, state: &State, h: f64) -> R
         let problem = format!("has {} entries", state.velocity.len());
         return Err(Error::invalid("velocity", problem, format!("{} has {}", mechanism.name(), mechanism.degrees_of_freedom())));
     }
-    Ok(())
+    mechanism.check_speed(&state.velocity, h)
 }
 
 /// The rows of all contacts, one contact below the other.

@@ -3,9 +3,10 @@
 //! A step of h poses as many impact and force problems as it meets events; see [`crate::event_driven`].
 
 use super::{Scheme, Step, StepProblem};
-use crate::event_driven::EventDriven;
+use crate::event_driven::{Collision, EventDriven};
 use crate::mechanics::{Mechanism, State};
 use crate::solvers::ContactSolver;
+use crate::trajectory::LocatedImpact;
 use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -39,7 +40,9 @@ impl Scheme for Events {
                 free_velocity: motion.state.velocity.clone(),
                 effective_mass: mass,
             };
-            Step { state: motion.state, impulses: motion.impulses, assembled, solution: None, residual: None, rejected: None }
+            let located = |one: Collision| LocatedImpact { time: state.time + one.elapsed, normal_velocities: one.normal_velocities };
+            let impacts = Some(motion.impacts.into_iter().map(located).collect());
+            Step { state: motion.state, impulses: motion.impulses, assembled, solution: None, residual: None, rejected: None, impacts }
         }))
     }
 

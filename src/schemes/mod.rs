@@ -4,10 +4,11 @@ use crate::Result;
 use crate::certificate::{Judgement, StepResidual};
 use crate::contact::delassus::MassFactor;
 use crate::contact::{ContactImpulse, Place};
-use crate::mechanics::{Mechanism, State};
+use crate::mechanics::{Mechanism, State, afford};
+use crate::memory;
 use crate::problem::{ContactProblem, Solution};
 use crate::solvers::ContactSolver;
-use crate::trajectory::Recording;
+use crate::trajectory::{LocatedImpact, Recording};
 use nalgebra::{DMatrix, DVector};
 use nearby::Nearby;
 
@@ -20,6 +21,7 @@ pub mod drake;
 pub mod euler;
 pub mod events;
 pub mod exact_particle;
+mod finite;
 pub mod generalised_alpha;
 pub mod moreau_jean;
 pub mod moreau_jean_projection;
@@ -144,6 +146,8 @@ pub struct Step {
     pub residual: Option<StepResidual>,
     /// The first contact problem whose answer the certificate rejects.
     pub rejected: Option<Box<Rejected>>,
+    /// The impacts within the step, of a scheme that locates them; `None` of the others.
+    pub impacts: Option<Vec<LocatedImpact>>,
 }
 
 impl Step {
@@ -178,6 +182,7 @@ fn step_after(
         reach = reach.max(2.0 * mechanism.reach(&assembly::forecast(mechanism, state, h)?, h));
     }
     loop {
+        afford(mechanism, &state.position, reach)?;
         let near = Nearby { mechanism, reach };
         let assembled = scheme.assemble(&near, state, h)?;
         let needed = mechanism.reach(&state.velocity, h).max(mechanism.reach(&assembled.free_velocity, h));
@@ -231,7 +236,7 @@ fn finish(
     let position = scheme.settle(mechanism, &assembled, scheme.advance(mechanism, state, &velocity, h))?;
     let state = State { time: state.time + h, position, velocity };
     let residual = StepResidual::worse_of(own, assembled.residual);
-    Ok(Step { state, impulses, assembled, solution, residual, rejected: None })
+    Ok(Step { state, impulses, assembled, solution, residual, rejected: None, impacts: None })
 }
 
 /// The previous impulses of the contacts that are active now, zero for the others \[N·s\].
@@ -249,7 +254,7 @@ pub(crate) fn carry_over(previous: &[ContactImpulse], active: &[usize], places: 
 /// from the impulses of the step before at the same contacts.
 ///
 /// # Errors
-/// Those of [`step`].
+/// Those of [`run`], or if the recording needs more memory than the limit.
 pub fn simulate(
     scheme: &dyn Scheme,
     solver: &dyn ContactSolver,
@@ -264,7 +269,7 @@ pub fn simulate(
 /// [`simulate`] with the tolerance of a certifying solver; each step is shown to `observe` too, whose error ends the motion.
 ///
 /// # Errors
-/// Those of [`step`] and of `observe`.
+/// Those of [`step`] and of `observe`; if the recording would take more memory than is allowed.
 pub fn simulate_certified(
     scheme: &dyn Scheme,
     solver: &Certified,
@@ -274,10 +279,13 @@ pub fn simulate_certified(
     steps: usize,
     mut observe: impl FnMut(&Step) -> Result<()>,
 ) -> Result<Recording> {
+    let sample = memory::matrix(initial.position.len() + initial.velocity.len(), 1) + size_of::<State>() as u128;
+    memory::require(&format!("recording {steps} steps of {}", mechanism.name()), steps as u128 * sample)?;
     let mut recording = Recording::new(mechanism.name(), scheme.name(), h, initial.clone());
     let truncated = scheme.is_truncated() || solver.is_truncated();
     run_certified(scheme, solver, mechanism, initial, h, steps, |step| {
         recording.push_judged(step.state.clone(), step.impulses.clone(), step.residual, step.judgement(truncated));
+        recording.locate(step.impacts.as_deref());
         observe(step)
     })?;
     Ok(recording)
@@ -286,7 +294,7 @@ pub fn simulate_certified(
 /// The motion of [`simulate`], shown step by step to `observe` and not kept; returns the last state.
 ///
 /// # Errors
-/// Those of [`step`].
+/// Those of [`step`]; [`crate::Error::Solver`] where a position, a velocity or the energy is not finite.
 pub fn run(
     scheme: &dyn Scheme,
     solver: &dyn ContactSolver,
@@ -316,6 +324,7 @@ pub fn run_certified(
     mut observe: impl FnMut(&Step) -> Result<()>,
 ) -> Result<State> {
     let start = initial.time;
+    finite::finite(&scheme.name(), mechanism, 0, &initial)?;
     let mut state = initial;
     let mut previous = Vec::new();
     let mut remembering: Option<Box<dyn Scheme>> = None;
@@ -325,6 +334,7 @@ pub fn run_certified(
         let successor = current.successor(mechanism, &state, &made, h)?;
         remembering = successor.or(remembering);
         made.state.time = start + k as f64 * h;
+        finite::finite(&scheme.name(), mechanism, k, &made.state)?;
         observe(&made)?;
         (state, previous) = (made.state, made.impulses);
     }

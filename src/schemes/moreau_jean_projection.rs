@@ -14,7 +14,8 @@ use super::assembly::{self, normal_only};
 use super::{Certified, Scheme, StepProblem};
 use crate::certificate::StepResidual;
 use crate::contact::delassus::{MassFactor, delassus};
-use crate::contact::{Contact, Place, pairs};
+use crate::contact::{Contact, Identity, pairs};
+use crate::least_squares::least_squares;
 use crate::mechanics::{Mechanism, State};
 use crate::problem::{ContactProblem, Dynamics, Law};
 use crate::solvers::{ContactSolver, LemkePivoting, Reference};
@@ -32,22 +33,27 @@ pub struct MoreauJeanProjection {
     pub theta: f64,
 }
 
-/// A contact the step holds: its index in the list it came from, and its place where it has one.
-type Held = (usize, Option<Place>);
-
 /// Whether the contact with this index is one of those held.
-fn is_held(index: usize, contact: &Contact, held: &[Held]) -> bool {
-    held.iter().any(|(own, place)| match (place, &contact.place) {
-        (Some(one), Some(other)) => one.is_same(other),
-        _ => *own == index,
-    })
+fn is_held(index: usize, contact: &Contact, held: &[Identity]) -> bool {
+    held.iter().any(|one| one.is_same(&Identity::of(index, contact)))
+}
+
+/// The contacts of the next problem: those of `contacts` that are closed or held already, and those held before that are no candidates any more, as they were.
+fn joined(contacts: Vec<Contact>, held: Vec<(Identity, Contact)>) -> Vec<(Identity, Contact)> {
+    let keys: Vec<Identity> = held.iter().map(|(key, _)| *key).collect();
+    let listed = contacts.into_iter().enumerate().filter(|(k, contact)| contact.gap <= 0.0 || is_held(*k, contact, &keys));
+    let mut next: Vec<(Identity, Contact)> = listed.map(|(k, contact)| (Identity::of(k, &contact), contact)).collect();
+    let gone: Vec<_> = held.into_iter().filter(|(key, _)| !next.iter().any(|(one, _)| one.is_same(key))).collect();
+    next.extend(gone);
+    next
 }
 
 /// Iterations of the projection: Newton's method on gaps that are closed to O(h²) needs some five.
 const ITERATIONS: usize = 50;
 
-/// q moved onto φ = 0 of the contacts held; where they contradict each other, to the least squares of their gaps.
-fn project(mechanism: &dyn Mechanism, mut position: DVector<f64>, held: &[Held]) -> Result<DVector<f64>> {
+/// q moved onto φ = 0 of the contacts held; where they contradict each other, to the least squares of their gaps. A contact that is no candidate any more
+/// has no gap to close.
+fn project(mechanism: &dyn Mechanism, mut position: DVector<f64>, held: &[Identity]) -> Result<DVector<f64>> {
     for _ in 0..ITERATIONS {
         let contacts = mechanism.contacts(&position);
         let own: Vec<&Contact> =
@@ -56,8 +62,7 @@ fn project(mechanism: &dyn Mechanism, mut position: DVector<f64>, held: &[Held])
         let normals = DMatrix::from_fn(own.len(), mechanism.degrees_of_freedom(), |i, j| own[i].jacobian[(0, j)]);
         let metric = &normals * normals.transpose();
         let size = metric.amax();
-        let multipliers = metric.svd(true, true).solve(&gaps, DEPENDENT_NORMALS * size);
-        let correction = -normals.tr_mul(&multipliers.map_err(|reason| Error::solver("projection", reason))?);
+        let correction = -normals.tr_mul(&least_squares("projection", metric, &gaps, |_| DEPENDENT_NORMALS * size)?);
         if correction.amax() <= projected(position.amax()) {
             return Ok(position);
         }
@@ -79,7 +84,7 @@ impl MoreauJeanProjection {
         &self,
         mechanism: &dyn Mechanism,
         state: &State,
-        held: &[(Held, Contact)],
+        held: &[(Identity, Contact)],
         mass: &DMatrix<f64>,
         free: &DVector<f64>,
     ) -> Result<ContactProblem> {
@@ -101,7 +106,7 @@ impl MoreauJeanProjection {
             delassus: delassus(mass, &jacobian)?,
             compliance: None,
             dynamics: Some(Dynamics { mass: mass.clone(), jacobian }),
-            bodies: pairs(&held.iter().map(|((_, place), _)| *place).collect::<Vec<_>>()),
+            bodies: pairs(&held.iter().map(|(identity, _)| identity.place).collect::<Vec<_>>()),
         })
     }
 }
@@ -116,31 +121,28 @@ impl Scheme for MoreauJeanProjection {
         assembly::check_input(mechanism, state, h)?;
         let (effective_mass, free_velocity) = assembly::free_motion(self.theta, mechanism, state, h)?;
         let mut reached = self.advance(mechanism, state, &free_velocity, h);
-        let (mut held, mut problem): (Vec<Held>, Option<ContactProblem>) = (Vec::new(), None);
+        let (mut held, mut problem): (Vec<(Identity, Contact)>, Option<ContactProblem>) = (Vec::new(), None);
         let mut residual = None;
         loop {
-            let contacts = mechanism.contacts(&reached).into_iter().enumerate();
-            let next: Vec<(Held, Contact)> = contacts
-                .filter(|(k, contact)| contact.gap <= 0.0 || is_held(*k, contact, &held))
-                .map(|(k, contact)| ((k, contact.place), contact))
-                .collect();
-            if next.len() <= held.len() {
+            let before = held.len();
+            held = joined(mechanism.contacts(&reached), held);
+            if held.len() == before {
                 break;
             }
-            let posed = self.problem(mechanism, state, &next, &effective_mass, &free_velocity)?;
+            let posed = self.problem(mechanism, state, &held, &effective_mass, &free_velocity)?;
             let solver: &dyn ContactSolver = if posed.rows_per_contact <= 2 { &LemkePivoting } else { &Reference };
             let certified = Certified::new(solver);
             let solution = certified.solve(&posed, None)?;
             residual = StepResidual::worse_of(residual, certified.take().0);
             let jacobian = &posed.dynamics.as_ref().ok_or_else(|| Error::Unsupported("a step has dynamics".into()))?.jacobian;
             let velocity = &free_velocity + MassFactor::new(&effective_mass)?.solve(&jacobian.tr_mul(&solution.impulse));
-            held = next.into_iter().map(|(key, _)| key).collect();
-            reached = project(mechanism, self.advance(mechanism, state, &velocity, h), &held)?;
+            let keys: Vec<Identity> = held.iter().map(|(key, _)| *key).collect();
+            reached = project(mechanism, self.advance(mechanism, state, &velocity, h), &keys)?;
             problem = Some(posed);
         }
         let rows = DMatrix::zeros(0, mechanism.degrees_of_freedom());
         let jacobian = problem.as_ref().and_then(|posed| posed.dynamics.as_ref()).map_or(rows, |dynamics| dynamics.jacobian.clone());
-        let (active, places) = held.into_iter().unzip();
+        let (active, places) = held.into_iter().map(|(key, _)| (key.index, key.place)).unzip();
         Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian, residual })
     }
 
@@ -150,7 +152,8 @@ impl Scheme for MoreauJeanProjection {
     }
 
     fn settle(&self, mechanism: &dyn Mechanism, assembled: &StepProblem, position: DVector<f64>) -> Result<DVector<f64>> {
-        let held: Vec<Held> = assembled.active.iter().copied().zip(assembled.places.iter().copied()).collect();
+        let held = assembled.active.iter().zip(&assembled.places).map(|(&index, &place)| Identity { index, place });
+        let held: Vec<Identity> = held.collect();
         if held.is_empty() { Ok(position) } else { project(mechanism, position, &held) }
     }
 }

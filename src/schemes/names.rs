@@ -173,6 +173,7 @@ fn unknown(field: &str, name: &str, known: &[&str]) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tolerance::limits::DIRECTIONS;
 
     #[test]
     fn every_listed_name_is_a_scheme_and_starts_its_own_description() {
@@ -198,6 +199,10 @@ mod tests {
         assert!(message(by_name("euler", Parameters::default())).contains("generalised-alpha, stewart-trinkle, anitescu"));
         assert!(Activation::by_name("c").expect_err("refused").to_string().contains("free-velocity-forecast"));
         assert!(message(by_name("moreau-jean", Parameters { theta: f64::NAN, ..Parameters::default() })).contains("theta"));
-        assert!(message(by_name("stewart-trinkle", Parameters { directions: 2, ..Parameters::default() })).contains("directions"));
+        let directed = |directions: usize| by_name("stewart-trinkle", Parameters { directions, ..Parameters::default() });
+        for outside in [2, DIRECTIONS + 1] {
+            assert!(message(directed(outside)).contains("`directions`") && message(directed(outside)).contains("from 3 to 1024"));
+        }
+        assert!(directed(3).is_ok() && directed(DIRECTIONS).is_ok());
     }
 }

@@ -8,6 +8,7 @@
 //! the answer without them is an answer with them. And φ + λ h u_n > 0 for λ ≤ 1 and u at v or v_free: no activation rule of
 //! Moreau–Jean would have taken them.
 
+use crate::Result;
 use crate::contact::Contact;
 use crate::mechanics::{BodyState, LinearForce, Mechanism, State};
 use delegate::delegate;
@@ -30,6 +31,9 @@ impl Mechanism for Nearby<'_> {
             fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64>;
             fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64>;
             fn mean_force(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64>;
+            fn check_speed(&self, velocity: &DVector<f64>, h: f64) -> Result<()>;
+            fn most_candidates(&self) -> Option<usize>;
+            fn contacts_between(&self, position: &DVector<f64>, bodies: (usize, Option<usize>)) -> Vec<Contact>;
             /// Not cut short: who asks for a reach of its own has its own reason for it.
             fn contacts_halfway(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact>;
             fn inverse_mass(&self, contact: &Contact) -> Option<f64>;
@@ -46,6 +50,10 @@ impl Mechanism for Nearby<'_> {
 
     fn contacts(&self, position: &DVector<f64>) -> Vec<Contact> {
         self.mechanism.contacts_within(position, self.reach)
+    }
+
+    fn count_within(&self, position: &DVector<f64>, reach: f64) -> usize {
+        self.mechanism.count_within(position, reach.min(self.reach))
     }
 
     fn contacts_within(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {

@@ -12,6 +12,7 @@ use super::assembly::{self, Candidate, Rules, normal_only};
 use super::{Scheme, StepProblem};
 use crate::mechanics::{Mechanism, State};
 use crate::problem::Law;
+use crate::tolerance::limits::DIRECTIONS;
 use crate::{Error, Result};
 use nalgebra::DVector;
 
@@ -36,12 +37,12 @@ impl StewartTrinkle {
     /// Checks d.
     ///
     /// # Errors
-    /// If d < 3.
+    /// If d < 3 or d > [`DIRECTIONS`].
     pub fn validate(&self) -> Result<()> {
-        if self.directions >= 3 {
+        if (3..=DIRECTIONS).contains(&self.directions) {
             return Ok(());
         }
-        let cure = "use at least 3 (planar contacts always have the two senses of their tangent)";
+        let cure = format!("use a whole number from 3 to {DIRECTIONS} (planar contacts always have the two senses of their tangent)");
         Err(Error::invalid("directions", format!("is {}", self.directions), cure))
     }
 }

@@ -18,7 +18,7 @@ use crate::certificate::StepResidual;
 use crate::contact::delassus::MassFactor;
 use crate::contact::{Contact, ContactImpulse};
 use crate::event_driven::root::falling_root;
-use crate::mechanics::{Mechanism, State};
+use crate::mechanics::{Mechanism, State, afford};
 use crate::solvers::ContactSolver;
 use crate::tolerance::cli::CERTIFY;
 use crate::tolerance::rounding;
@@ -131,7 +131,9 @@ impl<'a> Conservative<'a> {
         if (0..contacts.len()).any(|k| k != hit && approaches(k)) {
             return Err(self.refuse("one contact at a time, because its energy decides one impulse only"));
         }
-        let contact = &contacts[hit];
+        let Some(contact) = contacts.get(hit) else {
+            return Err(self.refuse("contact candidates that stay the same over a step"));
+        };
         let normal = contact.jacobian.row(0).transpose();
         let thrown = self.factor.solve(&normal);
         let slides = |motion: &DVector<f64>| (&contact.jacobian * motion).iter().skip(1).any(|u| u.abs() > rounding(64, motion.amax()));
@@ -201,6 +203,7 @@ impl Scheme for Variational {
 
 fn step(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Step> {
     assembly::check_input(mechanism, state, h)?;
+    afford(mechanism, &state.position, f64::INFINITY)?;
     let conservative = Conservative::new(mechanism, state, h)?;
     let (Part { position, velocity, .. }, hit) = conservative.step(state, h)?;
     let rows = mechanism.rows_per_contact();
@@ -225,7 +228,8 @@ fn step(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Step> {
         free_velocity: velocity.clone(),
         effective_mass: conservative.mass,
     };
-    Ok(Step { state: State { time: state.time + h, position, velocity }, impulses, assembled, solution: None, residual, rejected: None })
+    let state = State { time: state.time + h, position, velocity };
+    Ok(Step { state, impulses, assembled, solution: None, residual, rejected: None, impacts: None })
 }
 
 #[cfg(test)]

@@ -26,9 +26,6 @@ pub fn runge_kutta_energy(coarse: f64) -> f64 {
 /// size, and each step more than squares it; six reach ε from there.
 pub const NEWTON_STEPS: usize = 6;
 
-/// Most parts into which a step is divided for the midpoint spin: 2¹⁵ rad per step say nothing about any motion.
-pub const PRECESSION_PARTS: f64 = 65_536.0;
-
 /// Sine of the angle below which crossing edges of two boxes count as parallel: what is left out by it is at most a thousandth of the
 /// tilt of the faces, the normal that is kept is good to a thousandth of the digits.
 pub const PARALLEL: f64 = 1.0 / 1024.0;

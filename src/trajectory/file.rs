@@ -11,6 +11,7 @@
 //! second body to the first and the impulse acting on the first. `steps` holds the worst residual of every step, not of every sample.
 
 use super::{Recorder, Recording};
+use crate::files::read_text;
 use crate::mechanics::Mechanism;
 use crate::scenes::Scene;
 use crate::{Error, Result};
@@ -132,7 +133,7 @@ impl Trajectory {
     /// # Errors
     /// [`Error::Read`], or those of [`Trajectory::from_json`] with the file's name.
     pub fn read(file: &Path) -> Result<Self> {
-        let text = std::fs::read_to_string(file).map_err(|source| Error::Read { file: file.to_path_buf(), source })?;
+        let text = read_text(file)?;
         Trajectory::from_json(&text).map_err(|error| error.in_file(file))
     }
 

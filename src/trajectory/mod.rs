@@ -13,4 +13,4 @@ pub use file::{BodyTrack, ContactRecord, Engine, SCHEMA, StepResiduals, Trajecto
 pub use graph::Graph;
 pub use order::{Level, OrderEstimate, estimate_order, fit_order, shifted_steps};
 pub use recorder::Recorder;
-pub use recording::Recording;
+pub use recording::{LocatedImpact, Recording};

@@ -4,6 +4,15 @@ use crate::certificate::{Judgement, StepResidual};
 use crate::contact::ContactImpulse;
 use crate::mechanics::State;
 
+/// An impact that its scheme has located within a step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LocatedImpact {
+    /// When \[s\].
+    pub time: f64,
+    /// u_n of every contact candidate before and after it \[m/s\].
+    pub normal_velocities: Vec<[f64; 2]>,
+}
+
 /// States of a mechanism at equidistant times, and the contact impulses of each step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recording {
@@ -21,6 +30,8 @@ pub struct Recording {
     pub residuals: Vec<Option<StepResidual>>,
     /// What it means.
     pub judgements: Vec<Judgement>,
+    /// The impacts, of a scheme that locates them; `None` of the others.
+    pub impacts: Option<Vec<LocatedImpact>>,
 }
 
 impl Recording {
@@ -34,6 +45,7 @@ impl Recording {
             impulses: Vec::new(),
             residuals: Vec::new(),
             judgements: Vec::new(),
+            impacts: None,
         }
     }
 
@@ -48,6 +60,13 @@ impl Recording {
         self.impulses.push(impulses);
         self.residuals.push(residual);
         self.judgements.push(judgement);
+    }
+
+    /// Appends the impacts located within a step.
+    pub fn locate(&mut self, impacts: Option<&[LocatedImpact]>) {
+        if let Some(impacts) = impacts {
+            self.impacts.get_or_insert_default().extend_from_slice(impacts);
+        }
     }
 
     /// The last state.

@@ -68,8 +68,8 @@ fn strangers(files: &[File], module: &str, allowed: &[&str]) -> Vec<String> {
     strange.map(|(file, name)| format!("src/{}: crate::{name}", file.path.display())).collect()
 }
 
-/// What every module may use: errors and numbers.
-const GROUND: [&str; 6] = ["Error", "Result", "error", "number", "scalar", "tolerance"];
+/// What every module may use: errors, numbers and the limit of memory.
+const GROUND: [&str; 7] = ["Error", "Result", "error", "memory", "number", "scalar", "tolerance"];
 
 #[track_caller]
 fn assert_imports_only(module: &str, others: &[&str]) {

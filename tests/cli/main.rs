@@ -3,6 +3,7 @@
 mod certify;
 mod compare;
 mod gate;
+mod limits;
 mod schema;
 mod scoreboard;
 mod simulate;

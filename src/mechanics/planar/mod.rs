@@ -14,7 +14,7 @@ mod shape;
 
 pub use shape::{PlanarBody, Shape};
 
-use super::{BodyState, Materials, Mechanism, PairMaterial, Plane};
+use super::{BodyState, Materials, Mechanism, PairMaterial, Plane, State};
 use crate::contact::{Contact, Place};
 use crate::{Error, Result};
 use features::{Touch, ground_touches, pair_touches};
@@ -78,6 +78,12 @@ impl PlanarBodies {
         Ok(self)
     }
 
+    /// The diagonal of M.
+    fn inertias(&self) -> DVector<f64> {
+        let diagonal = self.bodies.iter().flat_map(|body| [body.mass(), body.mass(), body.inertia()]);
+        DVector::from_iterator(3 * self.bodies.len(), diagonal)
+    }
+
     fn pose(&self, body: usize, position: &DVector<f64>) -> Pose {
         Pose::new([position[3 * body], position[3 * body + 1]], position[3 * body + 2])
     }
@@ -119,8 +125,11 @@ impl Mechanism for PlanarBodies {
     }
 
     fn mass_matrix(&self, _position: &DVector<f64>) -> DMatrix<f64> {
-        let diagonal = self.bodies.iter().flat_map(|body| [body.mass(), body.mass(), body.inertia()]);
-        DMatrix::from_diagonal(&DVector::from_iterator(self.degrees_of_freedom(), diagonal))
+        DMatrix::from_diagonal(&self.inertias())
+    }
+
+    fn kinetic_energy(&self, state: &State) -> f64 {
+        0.5 * state.velocity.dot(&self.inertias().component_mul(&state.velocity))
     }
 
     fn force(&self, _position: &DVector<f64>, _velocity: &DVector<f64>) -> DVector<f64> {
@@ -146,6 +155,19 @@ impl Mechanism for PlanarBodies {
             }
         }
         contacts
+    }
+
+    /// The corners of a box or one point of a circle with the ground, two of a pair of boxes and one of another pair.
+    fn most_candidates(&self) -> Option<usize> {
+        Some(self.count_within(&DVector::zeros(0), f64::INFINITY))
+    }
+
+    /// All are listed, whatever the reach.
+    fn count_within(&self, _position: &DVector<f64>, _reach: f64) -> usize {
+        let boxes = self.bodies.iter().filter(|body| matches!(body.shape(), Shape::Box { .. })).count();
+        let pairs = |n: usize| n.saturating_mul(n.saturating_sub(1)) / 2;
+        let ground = if self.ground.is_some() { self.bodies.len() + 3 * boxes } else { 0 };
+        pairs(self.bodies.len()).saturating_add(pairs(boxes)).saturating_add(ground)
     }
 
     fn inverse_mass(&self, contact: &Contact) -> Option<f64> {

@@ -11,20 +11,40 @@
 //! **Solution.** In components Ω_m,i = Ω_i + ½h a_i Ω_m,j Ω_m,k with a_1 = (J_2 − J_3)/J_1 and so on. A body's moments satisfy
 //! the triangle inequality, so |a_i| ≤ 1 and the right side has the Lipschitz constant √½·h·s on ‖Ω_m‖ ≤ s. The step is divided until
 //! h s ≤ ½ with s = √(ΩᵀJΩ/min J), which no state of the same energy exceeds: a contraction, on which Newton's method
-//! converges from Ω.
+//! converges from Ω. The work grows with the spin; [`is_too_fast`] tells where it is too much. With J the same about every axis the answer is Ω⁺ = Ω, at
+//! no cost.
 
-use crate::tolerance::mechanics::{NEWTON_STEPS, PRECESSION_PARTS};
+use crate::tolerance::limits::PRECESSION_PARTS;
+use crate::tolerance::mechanics::NEWTON_STEPS;
 use nalgebra::{Matrix3, Vector3};
 
 /// Ω after a time h of torque-free rotation \[rad/s\], body frame.
 pub(super) fn free_spin(moments: &Vector3<f64>, spin: &Vector3<f64>, h: f64) -> Vector3<f64> {
-    let fastest = (spin.dot(&moments.component_mul(spin)) / moments.min()).sqrt();
-    let parts = (2.0 * h.abs() * fastest).ceil().clamp(1.0, PRECESSION_PARTS);
+    if is_round(moments) {
+        return *spin;
+    }
+    let parts = parts(moments, spin, h).clamp(1.0, PRECESSION_PARTS as f64);
     let mut spin = *spin;
     for _ in 0..parts as usize {
         spin = midpoint(moments, &spin, h / parts);
     }
     spin
+}
+
+/// Whether J is the same about every axis: there is no gyroscopic torque then, and Ω stays.
+fn is_round(moments: &Vector3<f64>) -> bool {
+    moments[0] == moments[1] && moments[1] == moments[2]
+}
+
+/// Into how many parts a step of size h is divided.
+fn parts(moments: &Vector3<f64>, spin: &Vector3<f64>, h: f64) -> f64 {
+    let fastest = (spin.dot(&moments.component_mul(spin)) / moments.min()).sqrt();
+    (2.0 * h.abs() * fastest).ceil()
+}
+
+/// Whether a step of size h would be divided into more than [`PRECESSION_PARTS`].
+pub(super) fn is_too_fast(moments: &Vector3<f64>, spin: &Vector3<f64>, h: f64) -> bool {
+    !is_round(moments) && parts(moments, spin, h) > PRECESSION_PARTS as f64
 }
 
 /// One implicit midpoint step.
@@ -85,6 +105,18 @@ mod tests {
         let turned = after[1].atan2(after[0]);
         assert!((turned - 2.0 * (0.5 * h * rate).atan()).abs() <= rounding(32, 1.0), "{turned}");
         assert!((after[2] - 4.0).abs() <= rounding(16, 4.0));
+    }
+
+    #[test]
+    fn a_round_body_keeps_its_spin_at_any_rate_and_a_box_is_told_to_be_too_fast_beyond_the_limit() {
+        let (round, spin) = (Vector3::repeat(0.3), Vector3::new(1e9, -2e9, 1e-9));
+        assert_eq!(free_spin(&round, &spin, 0.01), spin);
+        assert!(!is_too_fast(&round, &spin, 0.01));
+        // about the axis of the largest moment, s = Ω √(J_3/J_1): 2 h s is the number of parts
+        let (h, ratio) = (0.25, (1.0f64 / 0.4).sqrt());
+        let about = |parts: f64| Vector3::new(0.0, 0.0, parts / (2.0 * h * ratio));
+        assert!(!is_too_fast(&MOMENTS, &about(PRECESSION_PARTS as f64 - 0.5), h));
+        assert!(is_too_fast(&MOMENTS, &about(PRECESSION_PARTS as f64 + 0.5), h));
     }
 
     #[test]

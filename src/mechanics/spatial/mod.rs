@@ -22,9 +22,11 @@ pub(in crate::mechanics) use features::{Touch, sphere_box};
 pub(in crate::mechanics) use shape::Pose;
 pub use shape::{Shape, SpatialBody};
 
-use super::{BodyState, Materials, Mechanism, PairMaterial, Plane};
+use super::{BodyState, Materials, Mechanism, PairMaterial, Plane, State};
 use crate::contact::frame::spatial_tangents;
 use crate::contact::{Contact, Place};
+use crate::number::significant;
+use crate::tolerance::limits::PRECESSION_PARTS;
 use crate::tolerance::mechanics::{BESIDE, PARALLEL_FACES};
 use crate::{Error, Result};
 use features::{ground_touches, pair_touches};
@@ -80,16 +82,22 @@ impl SpatialBodies {
         Ok(self)
     }
 
+    /// The diagonal of M.
+    fn inertias(&self) -> DVector<f64> {
+        let diagonal = self.bodies.iter().flat_map(|body| [body.mass(); 3].into_iter().chain(body.moments().iter().copied()));
+        DVector::from_iterator(6 * self.bodies.len(), diagonal)
+    }
+
     fn poses(&self, position: &DVector<f64>) -> Vec<Pose> {
         (0..self.bodies.len()).map(|body| Pose::of(body, position)).collect()
     }
 
-    fn contact(&self, first: usize, second: Option<usize>, touch: &Touch, poses: &[Pose]) -> Contact {
+    fn contact(&self, first: usize, second: Option<usize>, touch: &Touch, pose: &dyn Fn(usize) -> Pose) -> Contact {
         let [t1, t2] = spatial_tangents(touch.normal.into());
         let frame = [touch.normal.into(), t1, t2];
         let mut jacobian = DMatrix::zeros(3, 6 * self.bodies.len());
         let mut place = |body: usize, point: Vector3<f64>, sign: f64| {
-            let pose = &poses[body];
+            let pose = pose(body);
             for (row, direction) in frame.into_iter().map(Vector3::from).enumerate() {
                 let arm = pose.rotation.tr_mul(&(point - pose.centre).cross(&direction));
                 for axis in 0..3 {
@@ -116,9 +124,16 @@ impl SpatialBodies {
     fn candidates(&self, position: &DVector<f64>, reach: f64, seen: impl Fn(&Touch) -> [Vector3<f64>; 2]) -> Vec<Contact> {
         let poses = self.poses(position);
         let mut contacts = Vec::new();
+        self.touches(&poses, reach, |first, second, touch| {
+            contacts.push(self.contact(first, second, &Touch { seen: seen(touch), ..*touch }, &|body| poses[body]));
+        });
+        contacts
+    }
+
+    /// Shows where bodies touch with a gap of at most `reach`, in the order of the candidates.
+    fn touches(&self, poses: &[Pose], reach: f64, mut show: impl FnMut(usize, Option<usize>, &Touch)) {
         let mut keep = |first: usize, second: Option<usize>, touches: Vec<Touch>| {
-            let near = touches.iter().filter(|touch| touch.gap <= reach);
-            contacts.extend(near.map(|touch| self.contact(first, second, &Touch { seen: seen(touch), ..*touch }, &poses)));
+            touches.iter().filter(|touch| touch.gap <= reach).for_each(|touch| show(first, second, touch));
         };
         if let Some(ground) = &self.ground {
             for (first, body) in self.bodies.iter().enumerate() {
@@ -134,7 +149,6 @@ impl SpatialBodies {
                 }
             }
         }
-        contacts
     }
 
     /// (m g, τ) per body with the given torques in the body frame.
@@ -176,8 +190,11 @@ impl Mechanism for SpatialBodies {
     }
 
     fn mass_matrix(&self, _position: &DVector<f64>) -> DMatrix<f64> {
-        let diagonal = self.bodies.iter().flat_map(|body| [body.mass(); 3].into_iter().chain(body.moments().iter().copied()));
-        DMatrix::from_diagonal(&DVector::from_iterator(self.degrees_of_freedom(), diagonal))
+        DMatrix::from_diagonal(&self.inertias())
+    }
+
+    fn kinetic_energy(&self, state: &State) -> f64 {
+        0.5 * state.velocity.dot(&self.inertias().component_mul(&state.velocity))
     }
 
     fn force(&self, _position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64> {
@@ -196,12 +213,49 @@ impl Mechanism for SpatialBodies {
         })
     }
 
+    fn check_speed(&self, velocity: &DVector<f64>, h: f64) -> Result<()> {
+        let fast = |k: &usize| gyroscopic::is_too_fast(self.bodies[*k].moments(), &spin(*k, velocity), h);
+        let Some(k) = (0..self.bodies.len()).find(fast) else { return Ok(()) };
+        let turn = spin(k, velocity).norm() * h;
+        let problem = format!("of {} turns it by {} rad in a step of {h} s", self.bodies[k].name(), significant(turn));
+        let cure = format!(
+            "use a smaller step: the free rotation of a body that is not round is computed in at most {PRECESSION_PARTS} parts of half a radian a step"
+        );
+        Err(Error::invalid("angular_velocity", problem, cure))
+    }
+
     fn contacts(&self, position: &DVector<f64>) -> Vec<Contact> {
         self.contacts_within(position, f64::INFINITY)
     }
 
     fn contacts_within(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
         self.candidates(position, reach, |touch| touch.seen)
+    }
+
+    /// A sphere has one candidate with the ground and a box its eight corners; a pair has one, or sixteen of two boxes: eight corners and eight crossings
+    /// of the edges of two faces.
+    fn most_candidates(&self) -> Option<usize> {
+        let boxes = self.bodies.iter().filter(|body| matches!(body.shape(), Shape::Box { .. })).count();
+        let pairs = |n: usize| n.saturating_mul(n.saturating_sub(1)) / 2;
+        let others = pairs(self.bodies.len()).saturating_sub(pairs(boxes));
+        let ground = if self.ground.is_some() { self.bodies.len() + 7 * boxes } else { 0 };
+        Some(pairs(boxes).saturating_mul(16).saturating_add(others).saturating_add(ground))
+    }
+
+    fn count_within(&self, position: &DVector<f64>, reach: f64) -> usize {
+        let mut count = 0;
+        self.touches(&self.poses(position), reach, |_, _, _| count += 1);
+        count
+    }
+
+    fn contacts_between(&self, position: &DVector<f64>, (first, second): (usize, Option<usize>)) -> Vec<Contact> {
+        let pose = |body: usize| Pose::of(body, position);
+        let touches = match (second, &self.ground) {
+            (None, None) => Vec::new(),
+            (None, Some(ground)) => ground_touches(self.bodies[first].shape(), &pose(first), ground),
+            (Some(other), _) => pair_touches(self.bodies[first].shape(), &pose(first), self.bodies[other].shape(), &pose(other)),
+        };
+        touches.iter().map(|touch| self.contact(first, second, touch, &pose)).collect()
     }
 
     fn contacts_halfway(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {

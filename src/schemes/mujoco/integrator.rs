@@ -149,7 +149,7 @@ fn made(mechanism: &dyn Mechanism, state: State, impulses: Vec<ContactImpulse>, 
         free_velocity: state.velocity.clone(),
         effective_mass: mechanism.mass_matrix(&state.position),
     };
-    Step { state, impulses, assembled, solution: None, residual, rejected: None }
+    Step { state, impulses, assembled, solution: None, residual, rejected: None, impacts: None }
 }
 
 #[cfg(test)]
