@@ -95,6 +95,7 @@ pub mod schemes {
     }
 }
 
+pub mod energy_balance;
 pub mod event_driven;
 pub mod gate;
 pub mod impact_laws;

@@ -60,6 +60,11 @@ impl Finding {
         Self::compare(name, measured, bound, 0.0, unit, Relation::AtMost)
     }
 
+    /// measured ≤ bound + tolerance.
+    pub fn at_most_within(name: impl Into<String>, measured: f64, bound: f64, tolerance: f64, unit: &'static str) -> Self {
+        Self::compare(name, measured, bound, tolerance, unit, Relation::AtMost)
+    }
+
     /// measured ≥ bound.
     pub fn at_least(name: impl Into<String>, measured: f64, bound: f64, unit: &'static str) -> Self {
         Self::compare(name, measured, bound, 0.0, unit, Relation::AtLeast)

@@ -7,6 +7,7 @@ pub mod cone_projection;
 pub mod convergence;
 pub mod delassus;
 pub mod energy;
+pub mod energy_balance;
 mod finding;
 pub mod replay;
 pub mod siconos_alpha;

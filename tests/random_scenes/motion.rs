@@ -1,0 +1,117 @@
+//! One scheme on one scene, step by step: every number finite, every balance kept, every distance within reach of the energy.
+
+use crate::scenario::{Scenario, Staged};
+use moreau::Error;
+use moreau::certificate::residuals;
+use moreau::checks::energy_balance::reach::Reach;
+use moreau::checks::energy_balance::{Balance, Judged, RESIDUAL, Taken};
+use moreau::schemes::{self, Scheme, Step};
+use moreau::solvers::WithinStep;
+use moreau::tolerance::cli::CERTIFY;
+use std::cell::Cell;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+thread_local! {
+    /// Whether a panic of this thread is caught and told by the report.
+    pub static CAUGHT: Cell<bool> = const { Cell::new(false) };
+}
+
+/// How a scheme did on a scene.
+#[derive(Clone, Debug, Default)]
+pub struct Outcome {
+    /// Steps made.
+    pub steps: usize,
+    /// Steps whose answer the certificate rejects.
+    pub rejected: usize,
+    /// Largest share of its tolerance by which a finding exceeds its bound; at most 1 where all hold.
+    pub ratio: f64,
+    /// Largest w of the residuals over the kinetic energies, of steps that the certificate accepts.
+    pub work: f64,
+    /// Whether the scheme does not take the scene.
+    pub refused: bool,
+    /// What an error ended the motion.
+    pub ended: Option<String>,
+    /// What must not be: a panic, a number that is not finite, a finding that does not hold.
+    pub failure: Option<String>,
+}
+
+/// Runs a scheme on a scene.
+pub fn run(name: &str, scenario: &Scenario) -> Outcome {
+    let mut outcome = Outcome::default();
+    CAUGHT.set(true);
+    let result = catch_unwind(AssertUnwindSafe(|| attempt(name, scenario, &mut outcome)));
+    CAUGHT.set(false);
+    match result {
+        Ok(Ok(())) => (),
+        Ok(Err(Error::Unsupported(_))) if outcome.steps == 0 => outcome.refused = true,
+        Ok(Err(error)) => outcome.ended = Some(error.to_string()),
+        Err(panic) => {
+            let text = panic.downcast_ref::<String>().map(String::as_str).or_else(|| panic.downcast_ref::<&str>().copied());
+            outcome.failure = Some(format!("panic after {} steps: {}", outcome.steps, text.unwrap_or("of another kind")));
+        }
+    }
+    outcome
+}
+
+fn attempt(name: &str, scenario: &Scenario, outcome: &mut Outcome) -> moreau::Result<()> {
+    let scheme = schemes::by_name(name, scenario.parameters)?;
+    let balance = Balance::of(name, &scenario.parameters)?;
+    let Staged { mechanism, start, masses } = scenario.staged();
+    let (mut state, mut reach) = (start, None);
+    let mut remembering: Option<Box<dyn Scheme>> = None;
+    for _ in 0..scenario.steps {
+        let current = remembering.as_deref().unwrap_or(scheme.as_ref());
+        let step = schemes::step(current, &WithinStep, mechanism.as_ref(), &state, scenario.h)?;
+        outcome.steps += 1;
+        if step.state.position.iter().chain(&step.state.velocity).any(|x| !x.is_finite()) {
+            outcome.failure = Some(format!("step {}: not finite", outcome.steps));
+            return Ok(());
+        }
+        let taken = Taken { mechanism: mechanism.as_ref(), before: &state, step: &step, h: scenario.h };
+        let judged = balance.judge(&taken)?;
+        let rejected = is_rejected(&step)?;
+        outcome.rejected += usize::from(rejected);
+        note(outcome, &judged, rejected, &taken);
+        if reach.is_none() {
+            reach = Some(Reach::new(&taken)?);
+        }
+        if let Some(finding) = reach.as_mut().and_then(|reach| reach.after(&taken, &judged, &masses).transpose()).transpose()? {
+            keep(outcome, &finding);
+        }
+        if outcome.failure.is_some() {
+            return Ok(());
+        }
+        remembering = current.successor(mechanism.as_ref(), &state, &step, scenario.h)?.or(remembering);
+        state = step.state;
+    }
+    Ok(())
+}
+
+/// Whether the certificate rejects the answer of the step's contact problem.
+fn is_rejected(step: &Step) -> moreau::Result<bool> {
+    let (Some(problem), Some(solution)) = (&step.assembled.problem, &step.solution) else { return Ok(false) };
+    Ok(!residuals(problem, solution)?.is_solution(CERTIFY))
+}
+
+fn note(outcome: &mut Outcome, judged: &Judged, rejected: bool, taken: &Taken) {
+    for finding in &judged.findings {
+        // a step that is no solution is counted, not failed; its other bounds hold with its own w
+        if finding.name == RESIDUAL && rejected {
+            continue;
+        }
+        keep(outcome, finding);
+    }
+    if !rejected {
+        let energy = taken.mechanism.kinetic_energy(taken.before) + taken.mechanism.kinetic_energy(&taken.step.state);
+        outcome.work = outcome.work.max(if energy > 0.0 { judged.residual / energy } else { 0.0 });
+    }
+}
+
+fn keep(outcome: &mut Outcome, finding: &moreau::checks::Finding) {
+    let over = finding.measured - finding.expected;
+    let over = if finding.relation == moreau::checks::Relation::Equal { over.abs() } else { over.max(0.0) };
+    outcome.ratio = outcome.ratio.max(if over == 0.0 { 0.0 } else { over / finding.tolerance });
+    if !finding.holds() && outcome.failure.is_none() {
+        outcome.failure = Some(format!("step {}: {finding}, tolerance {:e}", outcome.steps, finding.tolerance));
+    }
+}
