@@ -175,7 +175,8 @@ mod tests {
     #[test]
     fn a_scheme_that_did_not_run_stands_below_the_table() {
         let quantity = |name, value| Quantity { name, value, unit: "m" };
-        let ran = SchemeOutcome::ran("a", &SHOWN.map(|(name, _)| quantity(name, (name == "deepest penetration").then_some(0.5))));
+        let none = StepSummary { steps: 0, solved: 0, rejected: 0, unconverged: 0, worst: None };
+        let ran = SchemeOutcome::ran("a", &SHOWN.map(|(name, _)| quantity(name, (name == "deepest penetration").then_some(0.5))), none);
         let schemes = vec![ran, SchemeOutcome::refused("b", "no joints".into())];
         let comparison =
             Comparison { scene: "x".into(), time_step: 0.01, duration: 1.0, solver: "auto".into(), closed_form: None, schemes };

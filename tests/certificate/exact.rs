@@ -90,7 +90,7 @@ impl Exact {
     pub fn rounded(&self, name: &str, known: &Known) -> ContactProblem {
         let diagonal = |soft: &[Rational], coordinates| Compliance { coordinates, diagonal: rounded(soft) };
         let soft = self.soft.iter().any(|r| *r > zero()).then(|| diagonal(&self.soft, Coordinates::Contact));
-        let (dynamics, _bodies) = match known {
+        let (dynamics, bodies) = match known {
             Known::Nothing => (None, None),
             Known::Jacobian(dynamics) => (Some(dynamics.clone()), None),
             Known::Bodies(bodies) => (None, Some(bodies.clone())),
@@ -105,6 +105,7 @@ impl Exact {
             delassus: self.delassus.map(|w| nearest(&w)),
             compliance: self.edge_soft.as_ref().map(|soft| diagonal(soft, Coordinates::Edge)).or(soft),
             dynamics,
+            bodies,
         }
     }
 

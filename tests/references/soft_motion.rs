@@ -32,7 +32,8 @@ pub fn check(document: &Document, trajectory: &Trajectory) -> Result<Vec<Finding
     }
     let (mechanism, start) = trajectory.scene.spatial_mechanism()?;
     let (mut worst, mut n) = ([0.0f64; 3], 0usize);
-    let observe = |state: &moreau::mechanics::State, _: &[moreau::contact::ContactImpulse]| {
+    let observe = |step: &moreau::schemes::Step| {
+        let state = &step.state;
         n += 1;
         if !n.is_multiple_of(every) {
             return;

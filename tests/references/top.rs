@@ -31,7 +31,7 @@ pub fn check(root: &Path, name: &str) -> Result<Vec<Finding>, Failed> {
         State { time: 0.0, position: dvector![0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], velocity: dvector![0.0, 0.0, 0.0, 3.0, 4.0, 1.0] };
     let before = top.kinetic_energy(&start);
     let scheme = Mujoco { integrator, ..Mujoco::default() };
-    let end = run(&scheme, &GaussNewton::default(), &top, start, 0.01, 100, |_, _| ())?;
+    let end = run(&scheme, &GaussNewton::default(), &top, start, 0.01, 100, |_| ())?;
     let ours = top.kinetic_energy(&end) / before;
     let other = if name == "Euler" { stored("RK4")? } else { stored("Euler")? };
     Ok(vec![

@@ -254,7 +254,7 @@ mod tests {
         for cone in [Cone::Pyramidal, Cone::Elliptic] {
             let (mechanism, start) = named("box-stack").and_then(|scene| scene.spatial_mechanism()).expect("built in");
             let scheme = Mujoco { cone, ..Mujoco::default() };
-            run(&scheme, &Certified, mechanism.as_ref(), start, 0.005, 40, |_, _| ()).expect("certified");
+            run(&scheme, &Certified, mechanism.as_ref(), start, 0.005, 40, |_| ()).expect("certified");
         }
     }
 
@@ -286,7 +286,7 @@ mod tests {
         let ball = PointMass::ball_on_floor(1.0, 9.81, 0.0);
         let scheme = Mujoco { softness: Softness { margin: 0.01, ..Softness::default() }, ..Mujoco::default() };
         let start = State { time: 0.0, position: dvector![0.02], velocity: dvector![0.0] };
-        let end = run(&scheme, &GaussNewton::default(), &ball, start, 0.001, 2000, |_, _| ()).expect("one contact");
+        let end = run(&scheme, &GaussNewton::default(), &ball, start, 0.001, 2000, |_| ()).expect("one contact");
         let depth = ContactParameters::default().rest_depth(0.001, 1.0, 9.81).expect("positive");
         assert!((end.position[0] - 0.01 + depth).abs() <= rounding(1024, 0.01), "{}", end.position[0]);
     }
