@@ -26,7 +26,7 @@ use sweeps::{Held, Positions};
 mod sweeps;
 
 /// Candidates farther away than this many times what the free motion can close in a step are not looked at, unless the pushes of a sweep come near that.
-const SPARE: f64 = 16.0;
+const SPARE: f64 = 4.0;
 
 /// What makes a contact soft.
 #[derive(Clone, Copy, Debug, PartialEq)]
