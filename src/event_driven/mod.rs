@@ -17,7 +17,7 @@ use crate::contact::delassus::MassFactor;
 use crate::contact::{Contact, ContactImpulse};
 use crate::mechanics::{Mechanism, State};
 use crate::solvers::ContactSolver;
-use crate::tolerance::event_driven::{EVENT_LIMIT, FLIGHT, LOOK_AHEAD, TOLERANCE, TOUCHING};
+use crate::tolerance::event_driven::{EVENT_LIMIT, FLIGHT, LOOK_AHEAD, TOLERANCE, TOUCHING, stalled_events};
 use crate::{Error, Result};
 use contact_phase::ContactPhase;
 use flight::{Control, Location, Phase, fly};
@@ -84,11 +84,13 @@ impl EventDriven {
         let (mut left, mut step) = (duration, duration / 8.0);
         let mut ahead: Option<[DVector<f64>; 2]> = None;
         let mut impacts = Vec::new();
+        let mut stalled = 0;
         for events in 0..EVENT_LIMIT {
             let contacts = mechanism.contacts(&position);
             let arriving = velocity.clone();
             let closed = self.resolve(solver, mechanism, &contacts, &position, &mut velocity, &mut tally)?;
-            if velocity != arriving {
+            let struck = velocity != arriving;
+            if struck {
                 impacts.push(Collision { elapsed: duration - left, velocity: velocity.clone() });
             }
             let decide = ahead.take().unwrap_or_else(|| [position.clone(), velocity.clone()]);
@@ -103,6 +105,11 @@ impl EventDriven {
                 let state = State { time: state.time + duration, position, velocity };
                 return Ok(Motion { state, impulses: tally.impulses(), events, impacts });
             };
+            stalled = if struck || arrival.elapsed > LOOK_AHEAD * duration { 0 } else { stalled + 1 };
+            if stalled > stalled_events(mechanism.rows_per_contact() * contacts.len()) {
+                let reason = format!("events follow each other and no time passes at t = {} s", state.time + duration - left);
+                return Err(Error::solver("event-driven", reason));
+            }
             let later = &arrival.state + phase.rate(&arrival.state)? * (LOOK_AHEAD * step.min(left));
             ahead = (!phase.is_gap(event)).then(|| phase.split(&later));
         }
@@ -171,15 +178,15 @@ impl EventDriven {
 
 /// Takes what the closed contacts have drifted out of φ = 0 and u_n = 0, in the metric of M.
 fn project(mechanism: &dyn Mechanism, closed: &[Closed], position: &mut DVector<f64>, velocity: &mut DVector<f64>) -> Result<()> {
-    if closed.is_empty() {
-        return Ok(());
-    }
     let contacts = mechanism.contacts(position);
     let slow = TOUCHING * (1.0 + velocity.amax());
     let far = TOUCHING * (1.0 + position.amax());
     // a contact whose force has vanished may have parted: it is not pulled back
     let held: Vec<&Contact> = closed.iter().map(|one| &contacts[one.contact]).collect();
     let held: Vec<&Contact> = held.into_iter().filter(|at| at.gap <= far && (at.jacobian.row(0) * &*velocity)[0].abs() <= slow).collect();
+    if held.is_empty() {
+        return Ok(());
+    }
     let normals = DMatrix::from_fn(held.len(), velocity.len(), |i, j| held[i].jacobian[(0, j)]);
     let factor = MassFactor::new(&mechanism.mass_matrix(position))?;
     let mut answer = normals.transpose();

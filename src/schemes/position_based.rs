@@ -8,6 +8,13 @@
 //! ```
 //! In impulses r = Λ/h the position problem is the one of [`Scheme::assemble`]: u = W r + u_free, y = u + φ/h + R r with R = α/h² on normals and a
 //! friction cone in tangential displacement. A sweep of XPBD is a sweep of Gauss–Seidel on it, with gaps taken anew at each contact.
+//!
+//! # Energy
+//! ```text
+//!     no theorem:   v = (q⁺ − q)/h   takes every correction of a position for a velocity
+//! ```
+//! Sweeps project onto gaps that are taken anew, one contact at a time, and end after a declared number: neither T(v⁺) nor E has a bound
+//! ([`crate::checks::energy_balance`]).
 
 use super::assembly::{self, check_input, normal_only};
 use super::{Scheme, Step, StepProblem};
