@@ -25,7 +25,7 @@ fn every_family_has_at_least_two_defects() {
     for defect in defects::all() {
         *families.entry(defect.name.split('/').next().expect("split yields one part")).or_default() += 1;
     }
-    for family in ["delassus", "stewart-trinkle", "cone-projection", "zeno", "energy", "convergence"] {
+    for family in ["delassus", "stewart-trinkle", "cone-projection", "zeno", "energy", "energy-balance", "convergence"] {
         assert!(families.get(family).copied().unwrap_or(0) >= 2, "family {family} has fewer than two defects");
     }
 }

@@ -237,7 +237,7 @@ fn second_order(law: Law, here: &Here) -> AtContact {
     let velocity = Part { value: w.abs(), scale: s_n / rho, floor };
     let (scale, rounded) = if r[0] < 0.0 { (s_n, 0.0) } else { (here.friction_scale(mu), PROJECTED * radius) };
     let outside = Part { value: distance(r, mu), scale, floor: rounded };
-    let loss = mu * r[0] * slip + r[1..].iter().zip(&y[1..]).map(|(r, y)| r * y).sum::<f64>();
+    let loss = radius * slip + r[1..].iter().zip(&y[1..]).map(|(r, y)| r * y).sum::<f64>();
     let sliding = Part { value: loss.abs(), scale: here.friction_scale(mu) * slip.max(here.sizes[2] / here.weights[1]), floor: 0.0 };
     let rounded = Part { floor: (radius + pushed) * floor_t + PROJECTED * radius * slip, ..sliding };
     let penetrating = Part { value: (-w).max(0.0), ..velocity };

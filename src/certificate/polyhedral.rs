@@ -63,7 +63,7 @@ pub(super) fn stewart_trinkle(pairs: &mut Pairs, solution: &Solution, d: usize, 
 /// [`Error::Invalid`] if an edge compliance judges edge impulses that the solution does not give.
 pub(super) fn edges(pairs: &mut Pairs, problem: &ContactProblem, solution: &Solution, d: usize, here: &Here) -> Result<AtContact> {
     pairs.fill_edges(problem, solution, d, here)?;
-    let ([rho, _], [s_n, s_r, s_t]) = (here.weights, here.sizes);
+    let ([rho, _], [s_n, s_r, _]) = (here.weights, here.sizes);
     let scale = s_n.max(s_r);
     let floor = here.floors[0] + here.friction * here.floors[1];
     let members = Members { impulse: scale, velocity: scale / rho, floor, rho };
@@ -73,9 +73,10 @@ pub(super) fn edges(pairs: &mut Pairs, problem: &ContactProblem, solution: &Solu
         at.normal = at.normal.worse(part);
     }
     let parts = |value: f64, scale: f64| Part { value, scale, floor: rounding_of_parts(d, scale) };
-    at.primal = at.primal.worse(parts(pairs.mismatch[0], s_n)).worse(parts(pairs.mismatch[1], s_t));
+    let tangential = here.friction_scale(here.friction);
+    at.primal = at.primal.worse(parts(pairs.mismatch[0], s_n)).worse(parts(pairs.mismatch[1], tangential));
     at.normal = at.normal.worse(parts(pairs.mismatch[0], s_n));
-    at.tangential = parts(pairs.mismatch[1], s_t);
+    at.tangential = parts(pairs.mismatch[1], tangential);
     Ok(at)
 }
 

@@ -90,7 +90,7 @@ enum Kind {
 
 /// A scheme whose forces are means over the step and whose contacts are stiff.
 const fn waist(shift: Shift, position: Position) -> Kind {
-    Kind::Waist(Waist { shift, position, explicit: false, regularised: None })
+    Kind::Waist(Waist { shift, position, explicit: false, implicit: false, regularised: None })
 }
 
 impl Balance {
@@ -116,7 +116,7 @@ impl Balance {
             "mujoco" => {
                 let shift = Shift::Mujoco(parameters.mujoco.softness);
                 let plain = crate::schemes::Mujoco { cone: parameters.mujoco.cone, softness: parameters.mujoco.softness, ..Default::default() };
-                let law = Waist { shift, position: Position::Theta(1.0), explicit: true, regularised: None };
+                let law = Waist { shift, position: Position::Theta(1.0), explicit: true, implicit: false, regularised: None };
                 if plain == parameters.mujoco { Kind::Waist(law) } else { Kind::NoTheorem }
             }
             "explicit-euler" => waist(newton, Position::Theta(0.0)),
@@ -126,7 +126,7 @@ impl Balance {
             "drake-similar" | "drake-lagged" | "drake-tamsi" => {
                 let drake = parameters.drake;
                 let regularised = Some(Regularised { stiffness: drake.stiffness, damped: drake.dissipation > 0.0 });
-                Kind::Waist(Waist { shift: gap, position: Position::Theta(1.0), explicit: false, regularised })
+                Kind::Waist(Waist { shift: gap, position: Position::Theta(1.0), explicit: false, implicit: false, regularised })
             }
             "variational" => Kind::Variational,
             "event-driven" => Kind::Events,
@@ -138,7 +138,8 @@ impl Balance {
     /// The balance of Moreau–Jean.
     pub fn of_moreau_jean(scheme: &MoreauJean) -> Self {
         let full = scheme.restitution == RestitutionRule::FullVector;
-        Balance(waist(Shift::Newton { full }, Position::Theta(scheme.theta)))
+        let (shift, position) = (Shift::Newton { full }, Position::Theta(scheme.theta));
+        Balance(Kind::Waist(Waist { shift, position, explicit: false, implicit: true, regularised: None }))
     }
 
     /// Whether there is any theorem on a step of this scheme.

@@ -9,6 +9,7 @@ pub mod cone_projection;
 pub mod convergence;
 pub mod delassus;
 pub mod energy;
+pub mod energy_balance;
 pub mod stewart_trinkle;
 pub mod zeno;
 
@@ -26,7 +27,14 @@ pub struct Defect {
 
 /// Every planted defect, family by family.
 pub fn all() -> impl Iterator<Item = &'static Defect> {
-    [delassus::DEFECTS, stewart_trinkle::DEFECTS, cone_projection::DEFECTS, zeno::DEFECTS, energy::DEFECTS, convergence::DEFECTS]
-        .into_iter()
-        .flatten()
+    let families = [
+        delassus::DEFECTS,
+        stewart_trinkle::DEFECTS,
+        cone_projection::DEFECTS,
+        zeno::DEFECTS,
+        energy::DEFECTS,
+        energy_balance::DEFECTS,
+        convergence::DEFECTS,
+    ];
+    families.into_iter().flatten()
 }

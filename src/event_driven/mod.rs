@@ -18,7 +18,7 @@ use crate::contact::{Contact, ContactImpulse};
 use crate::least_squares::least_squares;
 use crate::mechanics::{Mechanism, State, afford};
 use crate::solvers::ContactSolver;
-use crate::tolerance::event_driven::{EVENT_LIMIT, FLIGHT, LOOK_AHEAD, TOLERANCE, TOUCHING};
+use crate::tolerance::event_driven::{EVENT_LIMIT, FLIGHT, LOOK_AHEAD, TOLERANCE, TOUCHING, stalled_events};
 use crate::{Error, Result};
 use contact_phase::ContactPhase;
 use flight::{Control, Location, Phase, fly};
@@ -88,11 +88,13 @@ impl EventDriven {
         let (mut left, mut step) = (duration, duration / 8.0);
         let mut ahead: Option<[DVector<f64>; 2]> = None;
         let mut impacts = Vec::new();
+        let mut stalled = 0;
         for events in 0..EVENT_LIMIT {
             let contacts = mechanism.contacts(&position);
             let arriving = velocity.clone();
             let closed = self.resolve(solver, mechanism, &contacts, &position, &mut velocity, &mut tally)?;
-            if velocity != arriving {
+            let struck = velocity != arriving;
+            if struck {
                 let normal = |contact: &Contact| [&arriving, &velocity].map(|v| (contact.jacobian.row(0) * v)[0]);
                 let normal_velocities = contacts.iter().map(normal).collect();
                 impacts.push(Collision { elapsed: duration - left, velocity: velocity.clone(), normal_velocities });
@@ -109,6 +111,11 @@ impl EventDriven {
                 let state = State { time: state.time + duration, position, velocity };
                 return Ok(Motion { state, impulses: tally.impulses(), events, impacts });
             };
+            stalled = if struck || arrival.elapsed > LOOK_AHEAD * duration { 0 } else { stalled + 1 };
+            if stalled > stalled_events(mechanism.rows_per_contact() * contacts.len()) {
+                let reason = format!("events follow each other and no time passes at t = {} s", state.time + duration - left);
+                return Err(Error::solver("event-driven", reason));
+            }
             let later = &arrival.state + phase.rate(&arrival.state)? * (LOOK_AHEAD * step.min(left));
             ahead = (!phase.is_gap(event)).then(|| phase.split(&later));
         }
@@ -177,9 +184,6 @@ impl EventDriven {
 
 /// Takes what the closed contacts have drifted out of φ = 0 and u_n = 0, in the metric of M.
 fn project(mechanism: &dyn Mechanism, closed: &[Closed], position: &mut DVector<f64>, velocity: &mut DVector<f64>) -> Result<()> {
-    if closed.is_empty() {
-        return Ok(());
-    }
     let contacts = mechanism.contacts(position);
     let slow = TOUCHING * (1.0 + velocity.amax());
     let far = TOUCHING * (1.0 + position.amax());

@@ -154,3 +154,42 @@ fn where_both_sides_push_away_the_motion_is_refused() {
     let repelling = DryFriction { frequency: 2.0, belt: 0.0, sticking: -1.0, slipping: -0.5 };
     assert!(advance(&EventDriven::default(), &repelling, &dvector![0.0, 0.0], 1.0).is_err());
 }
+
+/// Samples of a random scene in the plane, in which the method met what it could not do.
+fn sampled(scene: &str, h: f64, samples: usize) -> Result<State> {
+    let (mechanism, mut state) = crate::scenes::Scene::from_json(scene).and_then(|scene| scene.mechanism()).expect("a planar scene");
+    for _ in 0..samples {
+        state = EventDriven::default().advance(&crate::solvers::WithinStep, mechanism.as_ref(), &state, h)?.state;
+    }
+    Ok(state)
+}
+
+/// Seed 10 of the random scenes: at the end of a sample the only closed contact has parted, and nothing is left to project onto.
+#[test]
+fn a_contact_that_has_parted_by_the_end_of_a_sample_is_not_projected_onto() {
+    let scene = r#"{"schema": "scene/1", "name": "random 10", "gravity": [0.0, 0.0, -9.81], "duration": 1.0,
+        "ground": {"normal": [0.0, 0.0, 1.0], "offset": 0.0}, "material": {"friction": 0.576464949682639, "restitution": 0.0},
+        "bodies": [{"name": "b0", "mass": 59519.03682266205, "position": [0.39948056338448823, 0.0, 0.4107180333214066],
+            "box": {"half_extents": [0.09756162031181928, 0.36935666843521564, 0.11679941030056055]},
+            "orientation": [0.2183517878134019, 0.0, 0.9758701228947892, 0.0],
+            "linear_velocity": [1.9929390126045359, 0.0, 0.6079440012119282], "angular_velocity": [0.0, -15.057662473242424, 0.0]}]}"#;
+    let end = sampled(scene, 0.00985492797184611, 101).expect("it comes to rest");
+    assert!(end.velocity.amax() <= ACCURACY, "{end:?}");
+}
+
+/// Seed 12 of the random scenes: a corner of a box on a disk, whose friction limit is met again at once.
+#[test]
+fn events_without_time_between_them_end_with_an_error_and_soon() {
+    let scene = r#"{"schema": "scene/1", "name": "random 12", "gravity": [0.0, 0.0, -9.81], "duration": 1.0,
+        "ground": {"normal": [-0.5125643218906326, 0.0, 0.8586488315515232], "offset": -2.0},
+        "material": {"friction": 0.6317704914396122, "restitution": 0.0},
+        "bodies": [{"name": "b0", "mass": 1326.4292492342806, "position": [0.2182367649042714, 0.0, 0.23655531774169314],
+            "sphere": {"radius": 0.2182367649042714}, "orientation": [0.32251332834310614, 0.0, 0.9465649227818723, 0.0],
+            "linear_velocity": [0.676045773207476, 0.0, -0.46582224152248175], "angular_velocity": [0.0, 3.1566735421456276, 0.0]},
+            {"name": "b1", "mass": 134.4613175114717, "position": [0.9035753706822068, 0.0, 0.4584550409145584],
+            "box": {"half_extents": [0.1846616960293946, 0.0873887954500934, 0.39930075231832957]},
+            "orientation": [0.17687029443483213, 0.0, -0.9842341687558586, 0.0],
+            "linear_velocity": [-0.5297315943391965, 0.0, -0.5916673303434443], "angular_velocity": [0.0, -2.255321961124112, 0.0]}]}"#;
+    let reason = sampled(scene, 0.01055634336828368, 53).expect_err("it goes round in circles").to_string();
+    assert!(reason.contains("no time passes"), "{reason}");
+}

@@ -6,6 +6,12 @@
 //! The dual cone asks φ/h + u_n⁺ ≥ μ‖u_t⁺‖: a sliding contact keeps the gap φ⁺ ≥ μ h ‖u_t⁺‖.
 //! Every contact candidate takes part, for the reason given in [`super::stewart_trinkle`]; all forces are
 //! explicit; no restitution.
+//!
+//! # Energy
+//! ```text
+//!     T(v⁺) ≤ T(v_free) − Σ r_n φ/h − ½ rᵀW r ,      ΔẼ ≤ −Σ r_n φ/h + h²FᵀM⁻¹F/8 ,   Ẽ = E + ½ h F·v
+//! ```
+//! A depth is paid back as speed: −r_n φ/h > 0 where φ < 0; an open contact that acts takes energy ([`crate::checks::energy_balance`]).
 
 use super::assembly::{self, Candidate, Rules, normal_only};
 use super::{Scheme, StepProblem};

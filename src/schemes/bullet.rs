@@ -19,6 +19,13 @@
 //! **Friction** ([`Friction`]) of multibodies is the round cone unless told otherwise, of rigid bodies always boxed: |r_t₁| ≤ μ r_n and |r_t₂| ≤ μ r_n, each
 //! against its own slip. A box is the polyhedral law with four directions in tangents turned by 45° and with √2 μ; which tangents, says `tangents.rs`.
 //! In the plane box and cone are one.
+//!
+//! # Energy
+//! ```text
+//!     T(v⁺) ≤ T(v_free) − Σ r_n s − ½ rᵀW r ,      multibodies: ΔẼ ≤ −Σ r_n s + h²FᵀM⁻¹F/8 ,   Ẽ = E + ½ h F·v
+//! ```
+//! For the law; the declared number of sweeps leaves a residual whose work comes on top. e on v_free gains g h in every elastic impact, and split impulses move rigid bodies in V
+//! without a law ([`crate::checks::energy_balance`]).
 
 use super::assembly::{self, Candidate, Rules, normal_only};
 use super::{Scheme, StepProblem};

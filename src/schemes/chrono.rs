@@ -10,6 +10,12 @@
 //! Without penetration and restitution the step is [`super::anitescu`]'s, bit for bit, with the same gap φ = μ h ‖u_t‖ of a slide.
 //!
 //! Chrono lists `PSOR`, `BARZILAIBORWEIN`, `APGD` and `ADMM` as solvers of this problem, here `psor`, `bb`, `apgd` and `admm`.
+//!
+//! # Energy
+//! ```text
+//!     T(v⁺) ≤ T(v_free) − Σ r_n s − ½ rᵀW r ,      ΔẼ ≤ −Σ r_n s + h²FᵀM⁻¹F/8 ,   Ẽ = E + ½ h F·v
+//! ```
+//! A depth gives back at most v_r r_n, a rebound e |u_n| r_n ([`crate::checks::energy_balance`]).
 
 use super::assembly::{self, Candidate, Rules, normal_only};
 use super::{Scheme, StepProblem};

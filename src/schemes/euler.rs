@@ -6,6 +6,13 @@
 //! ```
 //! All forces are explicit, springs and dampers too: on the undamped spring the explicit rule grows at every step and the semi-implicit
 //! one is stable for hω < 2. The step of the explicit rule in which the contact acts still moves by h v into the obstacle.
+//!
+//! # Energy
+//! ```text
+//!     T(v⁺) ≤ T(v_free) − Σ e r_n u_n⁻ − ½ rᵀW r ,      ΔẼ ≤ (1−e)/(1+e) · h²FᵀM⁻¹F/8 + e/(1+e) r·(u_g − u⁻) ,   Ẽ = E ∓ ½ h F·v
+//! ```
+//! − explicit, + semi-implicit; the second for one e, and no friction or e = 0, under a constant force. Springs have no theorem here
+//! ([`crate::checks::energy_balance`]).
 
 use super::assembly::{self, Candidate, Rules, normal_only};
 use super::{Scheme, StepProblem};

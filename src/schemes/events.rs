@@ -1,6 +1,12 @@
 //! The event-driven method behind the interface of the time-stepping schemes: h is the time between samples, not the step of a method.
 //!
 //! A step of h poses as many impact and force problems as it meets events; see [`crate::event_driven`].
+//!
+//! # Energy
+//! ```text
+//!     e = 0, or no friction and one contact:   ΔE ≤ 0   up to the method's tolerances
+//! ```
+//! Several contacts hit at once with e > 0, and friction beside e > 0, have no theorem ([`crate::checks::energy_balance`]).
 
 use super::{Scheme, Step, StepProblem};
 use crate::event_driven::{Collision, EventDriven};

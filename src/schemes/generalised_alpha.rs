@@ -14,6 +14,13 @@
 //! impulse acts through M̂ = M A⁻¹ S, A = c M + h² (β − γ/2) K, which is symmetric if the damping is proportional.
 //!
 //! [`Scheme::assemble`] alone makes a first step, from a = M⁻¹F(q, v); [`super::run`] carries a from step to step.
+//!
+//! # Energy
+//! ```text
+//!     T̂(v⁺) ≤ T̂(v_free) − Σ e r_n u_n⁻ − ½ rᵀŴ r ,      ΔE ≤ (1−e)/(1+e) · h²FᵀM⁻¹F/8
+//! ```
+//! The second for a constant force, one e, and no friction or e = 0. T(v_free) of a body with three unequal axes has no theorem: the scheme remembers its accelerations, and a spin
+//! of h‖Ω‖ ≈ 1 grows without contact ([`crate::checks::energy_balance`]).
 
 use super::assembly::{self, normal_only};
 use super::{Scheme, Step, StepProblem};

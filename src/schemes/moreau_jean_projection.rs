@@ -9,6 +9,12 @@
 //! onto φ = 0 from outside as well as from inside. It is the nearest move in the coordinates, not in the norm of M.
 //!
 //! An elastic ball that is projected from the height q loses m g q: unlike clipping at φ ≤ 0, which adds m g δ, this takes energy.
+//!
+//! # Energy
+//! ```text
+//!     T̂(v⁺) ≤ T̂(v_free) − Σ e r_n u_n⁻ − ½ rᵀŴ r ,      u_n⁻ = H_n(q) v, all else with H(q⁺)
+//! ```
+//! The total energy has no theorem: the projection moves bodies along the force or against it ([`crate::checks::energy_balance`]).
 
 use super::assembly::{self, normal_only};
 use super::{Certified, Scheme, StepProblem};

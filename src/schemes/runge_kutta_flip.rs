@@ -8,6 +8,13 @@
 //! The impact is late by up to h, so that the error in position is O(h) however small the error between impacts, and a body that
 //! comes to rest sinks. On coordinates that are not a vector space (rotations) the order between impacts is two.
 //!
+//! # Energy
+//! ```text
+//!     T(v⁺) ≤ T(v_free) − Σ e r_n min(u_free,n, 0) − ½ rᵀW r ,      H and M at q⁺
+//! ```
+//! A constant force has no error of its own, so that ΔE is what contact does to T; other forces add h⁵, and a body at rest sinks and loses V
+//! ([`crate::checks::energy_balance`]).
+//!
 //! # Source
 //! Chapter §0, why high order is of no use across impacts.
 

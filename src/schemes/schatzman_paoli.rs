@@ -12,6 +12,12 @@
 //! method of Schatzman and Paoli does not have, is Coulomb's on u_t⁺.
 //!
 //! Every candidate takes part; one left out because it is out of reach has φ ≥ h max(|u_n|, |u_n⁺|), and so no impulse.
+//!
+//! # Energy
+//! ```text
+//!     T(v⁺) ≤ T(v_free) − Σ r_n ((1+e) φ/h − e u_n⁻) − ½ rᵀW r ,      ΔẼ ≤ −Σ r_n ((1+e) φ/h − e u_n⁻) + h²FᵀM⁻¹F/8 ,   Ẽ = E + ½ h F·v
+//! ```
+//! A depth is paid back as speed: −r_n φ/h > 0 where φ < 0 ([`crate::checks::energy_balance`]).
 
 use super::assembly::{self, Candidate, Rules, normal_only};
 use super::{Scheme, StepProblem};

@@ -7,6 +7,12 @@
 //! Every contact candidate takes part: a contact that cannot be reached within the step has φ/h + u_n⁺ > 0 and hence
 //! no impulse, so leaving it out would change nothing, and keeping it needs no bound on the unknown v⁺.
 //! All forces are explicit, the linear ones too, as in the chapter. There is no restitution: e of the mechanism is not used (a plastic impact law).
+//!
+//! # Energy
+//! ```text
+//!     T(v⁺) ≤ T(v_free) − Σ r_n φ/h − ½ rᵀW r ,      ΔẼ ≤ −Σ r_n φ/h + h²FᵀM⁻¹F/8 ,   Ẽ = E + ½ h F·v
+//! ```
+//! A depth is paid back as speed: −r_n φ/h > 0 where φ < 0; an open contact that acts takes energy ([`crate::checks::energy_balance`]).
 
 use super::assembly::{self, Candidate, Rules, normal_only};
 use super::{Scheme, StepProblem};

@@ -10,6 +10,12 @@
 //! It is a scheme for e = 1 and no friction (μ = 0, or no tangential velocity before and after): an impact with another law is refused, as are two contacts hit
 //! at once, whose impulses E_d alone does not decide, and a second impact in one step.
 //!
+//! # Energy
+//! ```text
+//!     |ΔE| ≤ h²FᵀM⁻¹F/8   in a step with an impact under a constant force, 0 without:   ΔE = h (h − 2τ) FᵀM⁻¹F/8
+//! ```
+//! Other forces keep E_d and have no theorem on E ([`crate::checks::energy_balance`]).
+//!
 //! # Source
 //! Chapter §8; Fetecau, Marsden, Ortiz and West, *Nonsmooth Lagrangian mechanics and variational collision integrators* (2003).
 

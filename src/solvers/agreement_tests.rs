@@ -153,7 +153,7 @@ fn one_contact_is_solved_to_rounding_whatever_the_friction_and_the_masses() {
                     let solution = ProjectedGaussSeidel::default().solve(&problem, None).unwrap();
                     assert!(solution.iterations <= 2, "{} took {} sweeps", problem.name, solution.iterations);
                     let found = residuals(&problem, &solution).unwrap();
-                    assert!(found.is_solution(tolerance::STOP), "{law:?} {friction} {ratio} {seed}: {found:?}");
+                    assert!(found.is_solution(crate::tolerance::cli::CERTIFY), "{law:?} {friction} {ratio} {seed}: {found:?}");
                 }
             }
         }

@@ -34,3 +34,9 @@ pub const FLIGHT: f64 = 1.0 / 1_048_576.0;
 
 /// Events in one advance that are declared endless: a ball with e = 0.99 needs ln(2⁻²⁰)/ln 0.99 ≈ 1400 impacts from 1 s to τ.
 pub const EVENT_LIMIT: usize = 10_000;
+
+/// Events in a row, none an impact and none later than [`LOOK_AHEAD`] of the time asked for, after which a method with this many contact rows goes round in
+/// circles. At an event a basis is chosen for at least that time; each row may leave it once by rounding in either direction, and sixteen more are bad draws.
+pub fn stalled_events(rows: usize) -> usize {
+    2 * rows + 16
+}

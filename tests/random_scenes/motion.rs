@@ -8,6 +8,7 @@ use moreau::checks::energy_balance::{Balance, Judged, RESIDUAL, Taken};
 use moreau::schemes::{self, Scheme, Step};
 use moreau::solvers::Reference;
 use moreau::tolerance::cli::CERTIFY;
+use serde::{Deserialize, Serialize};
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -17,7 +18,7 @@ thread_local! {
 }
 
 /// How a scheme did on a scene.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Outcome {
     /// Steps made.
     pub steps: usize,
@@ -25,9 +26,9 @@ pub struct Outcome {
     pub rejected: usize,
     /// Largest share of its tolerance by which a finding exceeds its bound; at most 1 where all hold.
     pub ratio: f64,
-    /// Largest w of the residuals over the kinetic energies, of steps that the certificate accepts.
+    /// Largest w of a residual over the step's energies, of steps that the certificate accepts.
     pub work: f64,
-    /// Whether the scheme does not take the scene.
+    /// Whether the scheme does not take the scene, which it may find out on the way.
     pub refused: bool,
     /// What an error ended the motion.
     pub ended: Option<String>,
@@ -43,7 +44,7 @@ pub fn run(name: &str, scenario: &Scenario) -> Outcome {
     CAUGHT.set(false);
     match result {
         Ok(Ok(())) => (),
-        Ok(Err(Error::Unsupported(_))) if outcome.steps == 0 => outcome.refused = true,
+        Ok(Err(Error::Unsupported(_))) => outcome.refused = true,
         Ok(Err(error)) => outcome.ended = Some(error.to_string()),
         Err(panic) => {
             let text = panic.downcast_ref::<String>().map(String::as_str).or_else(|| panic.downcast_ref::<&str>().copied());
@@ -102,9 +103,17 @@ fn note(outcome: &mut Outcome, judged: &Judged, rejected: bool, taken: &Taken) {
         keep(outcome, finding);
     }
     if !rejected {
-        let energy = taken.mechanism.kinetic_energy(taken.before) + taken.mechanism.kinetic_energy(&taken.step.state);
-        outcome.work = outcome.work.max(if energy > 0.0 { judged.residual / energy } else { 0.0 });
+        outcome.work = outcome.work.max(judged.residual / scale(taken));
     }
+}
+
+/// T before and after, and what gravity gives in a step.
+fn scale(taken: &Taken) -> f64 {
+    let Taken { mechanism, before, step, h } = taken;
+    let force = mechanism.force(&before.position, &before.velocity.map(|_| 0.0));
+    let mass = mechanism.mass_matrix(&before.position);
+    let fall: f64 = force.iter().zip(mass.diagonal().iter()).map(|(force, mass)| (h * force).powi(2) / mass).sum();
+    mechanism.kinetic_energy(before) + mechanism.kinetic_energy(&step.state) + fall + f64::MIN_POSITIVE
 }
 
 fn keep(outcome: &mut Outcome, finding: &moreau::checks::Finding) {

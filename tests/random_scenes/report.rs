@@ -38,6 +38,11 @@ impl Report {
         line.failed.extend(outcome.failure.clone().map(|failure| (seed, failure)));
     }
 
+    /// Whether nothing was run.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// Scheme, seed and reason of everything that must not be.
     pub fn failures(&self) -> Vec<String> {
         let of = |(name, line): (&&'static str, &Line)| {

@@ -36,23 +36,40 @@ pub struct Staged {
     pub masses: Vec<f64>,
 }
 
+/// How long the scenes of a run are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Length {
+    /// Fewer steps for more bodies, whose contacts grow with their square.
+    Short,
+    /// Up to [`STEPS`] for all.
+    Full,
+}
+
 /// Most steps of a scene.
 pub const STEPS: f64 = 200.0;
 
 impl Scenario {
-    /// The scene of a seed.
-    pub fn new(seed: u64) -> Self {
+    /// The scene of a seed, with the steps of this length of run.
+    pub fn new(seed: u64, length: Length) -> Self {
         let mut numbers = Numbers::new(seed);
         let n = &mut numbers;
         let h = n.scale(1e-4, 1.0 / 30.0);
-        let steps = n.scale(8.0, STEPS + 1.0) as usize;
+        let steps = n.scale(4.0, STEPS + 1.0);
         let parameters = parameters(n);
         let subject = match n.share() {
             x if x < 0.7 => Subject::Space(scene(n, seed, false)),
             x if x < 0.92 => Subject::Plane(scene(n, seed, true)),
             _ => Subject::Oscillator(oscillator(n)),
         };
-        Scenario { seed, h, steps, parameters, subject }
+        let bodies = match &subject {
+            Subject::Space(scene) | Subject::Plane(scene) => scene.bodies.len() as f64,
+            Subject::Oscillator(_) => 1.0,
+        };
+        let steps = match length {
+            Length::Full => steps,
+            Length::Short => (steps / bodies.powf(1.5)).max(3.0),
+        };
+        Scenario { seed, h, steps: steps as usize, parameters, subject }
     }
 
     /// The mechanism and its start.

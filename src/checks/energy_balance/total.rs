@@ -56,7 +56,7 @@ pub(super) struct Constant {
 }
 
 impl Constant {
-    /// F and M of the step, if they are the same at both ends and the scheme's M̂ is M; `None` where the bounds do not apply.
+    /// F and M of the step, if they are the same at both ends; `None` where the bounds do not apply.
     pub fn of(taken: &Taken, waist: &Waist) -> Option<Self> {
         let mechanism = taken.mechanism;
         let (from, to) = (&taken.before.position, &taken.step.state.position);
@@ -66,7 +66,7 @@ impl Constant {
         let same = mechanism.linear_force().is_none() && mechanism.mass_matrix(to) == mass && mechanism.force(to, &at_rest) == force;
         let spins = || mechanism.gyroscopic_slope(from, &at_rest.map(|_| 1.0)).is_some_and(|slope| slope.amax() > 0.0);
         let smooth = matches!(waist.position, Position::Theta(_) | Position::Corrected) || !spins();
-        (same && smooth && taken.step.assembled.effective_mass == mass).then_some(Constant { force, mass })
+        (same && smooth).then_some(Constant { force, mass })
     }
 
     /// h²FᵀM⁻¹F \[J\].

@@ -26,6 +26,8 @@ pub(super) struct Waist {
     pub position: Position,
     /// Whether velocity-dependent forces are those at the start of the step instead of their mean over it.
     pub explicit: bool,
+    /// Whether linear forces are those at q_θ and v_θ.
+    pub implicit: bool,
     /// Hunt and Crossley's law, which poses no contact problem.
     pub regularised: Option<Regularised>,
 }
@@ -92,6 +94,10 @@ impl Waist {
 
     /// The findings of one step.
     pub fn judge(&self, taken: &Taken) -> Result<Judged> {
+        if self.explicit && taken.mechanism.linear_force().is_some() {
+            // MuJoCo damps joints after its contact problem: r answers another velocity than v⁺
+            return Ok(super::own::nothing());
+        }
         let posed = self.posed(taken)?;
         let Posed { exchange, work, rounding, .. } = &posed;
         let exact = exchange.impulse.dot(&exchange.after) - 0.5 * exchange.square;
@@ -110,7 +116,7 @@ impl Waist {
             rise = judged.rise;
             gain = self.position.moves_by_velocities().then(|| allowed.max(0.0) + turned.gain.max(0.0) + rounding);
         } else {
-            findings.extend(linear::judge(self, taken, &posed)?);
+            findings.extend(linear::judge(self, taken, &posed));
         }
         Ok(Judged { findings, residual: work.residual, gain, rise })
     }

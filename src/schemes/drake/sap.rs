@@ -9,6 +9,12 @@
 //! a block that should stick creeps at σ w r_t, which is O(h). As the cone law is associated, a sliding contact is lifted by (h + τ) μ‖u_t‖, and
 //! leaves the ground where that exceeds the depth.
 //!
+//! # Energy
+//! ```text
+//!     T(v⁺) ≤ T(v_free) − Σ r_n φ/(h+τ) − rᵀR r − ½ rᵀW r ,      ΔẼ ≤ −Σ r_n φ/(h+τ) − rᵀR r + h²FᵀM⁻¹F/8 ,   Ẽ = E + ½ h F·v
+//! ```
+//! A spring that the step resolves gives back at most k φ²/4 of a depth in one step, half of its energy ([`crate::checks::energy_balance`]).
+//!
 //! # Source
 //! Castro, Permenter and Han, *An unconstrained convex formulation of compliant contact* (2022), §V.
 

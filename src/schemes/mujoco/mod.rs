@@ -18,6 +18,13 @@
 //!
 //! DIFFERENCE. In the plane both cones are the same two edges; the elliptic rows are used, and a planar box has two corners where MuJoCo's box
 //! has four, so that each carries more and rests deeper.
+//!
+//! # Energy
+//! ```text
+//!     T(v⁺) ≤ T(v_free) + r·(u⁻ + h a_ref) − fᵀR f − ½ rᵀW r ,      ΔẼ ≤ ½‖v_g − v‖²_M + r·(u⁻ + h a_ref) − fᵀR f + h²FᵀM⁻¹F/8 ,   Ẽ = E + ½ h F·v
+//! ```
+//! f are the impulses that R acts on, edges or rows; v_g − v = h M⁻¹F_g is the explicit gyroscopic torque, whose gain grows without bound in free flight at h‖Ω‖ ≈ 1.
+//! implicitfast, RK4 and friction against rotation have no theorem ([`crate::checks::energy_balance`]).
 
 mod integrator;
 mod inverse;
