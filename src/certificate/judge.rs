@@ -265,7 +265,7 @@ fn friction(mu: f64, s_r: f64, here: &Here) -> Part {
     let length = z[0].hypot(z[1]);
     let floor = rho * here.floors[1];
     let off = |factor: f64| (1..r.len()).fold(0.0, |norm: f64, k| norm.hypot(r[k] - factor * z[k - 1]));
-    if length <= radius {
+    if length <= radius && mu > 0.0 {
         return Part { value: off(1.0), scale: here.sizes[2], floor };
     }
     let angle = if radius > 0.0 { (2.0 * radius / length).min(1.0) } else { 0.0 };

@@ -2,17 +2,21 @@
 //!
 //! ```text
 //!     ρ_n = 1/(W_nn + R_nn) ,   ρ_t = tangential rows / tr(W_tt + R_tt)                                        [kg]
-//!     s_n = max |r_n|, ρ_n |q_n|, ρ_n |(W r)_n|       s_r = max |r_n|                                           [N·s]
-//!     s_t = max μ|r_n|, ‖r_t‖, ρ_t ‖q_t‖, ρ_t ‖(W r)_t‖       over the contacts of the same two bodies            [N·s]
+//!     s_n = max |r_n|, ρ_n |(W r)_n|  over the contacts of the same two bodies, and ρ_n |q_n| of its own         [N·s]
+//!     s_r = max |r_n|  over them                                                                               [N·s]
+//!     s_t = max μ|r_n|, ‖r_t‖, ρ_t ‖(W r)_t‖  over them, and ρ_t ‖q_t‖ of its own                                [N·s]
 //!     floor = γ (Σ_j |W_kj||r_j| + |u_free| + |shift| + R_k|r_k|) ,   γ = mε/(1 − mε) ,   m = 2 rows + 8         [m/s]
 //! ```
 //! with q = u_free + shift and (W r) with R r in it, net: what cancels between the contacts of a body is no excuse for another body. Normal
-//! and tangential parts stay apart, so that fast sliding does not widen what a normal impulse is held against.
+//! and tangential parts stay apart, so that fast sliding does not widen what a normal impulse is held against: for the associated laws q_n − μ‖q_t‖ stands in place of
+//! q_n, and a point that leaves fast excuses no other point of its body.
 //!
 //! `DIFFERENCE` One ρ = rows/tr(W_kk) for a whole contact would accept a normal velocity that is wrong by W_tt/W_nn times τ.
 
-use crate::problem::{Compliance, ContactProblem, Coordinates, Dynamics};
-use crate::tolerance::certificate::gamma;
+use crate::cones::polyhedral::direction;
+use crate::cones::second_order::tangential_norm;
+use crate::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law};
+use crate::tolerance::certificate::{PROJECTED, gamma};
 
 /// The weights and scales of a problem's contacts at an answer; its memory is used again for the next problem.
 #[derive(Clone, Debug, Default)]
@@ -23,8 +27,10 @@ pub(super) struct Scales {
     group: Vec<usize>,
     /// Floor per row \[m/s\].
     pub floors: Vec<f64>,
-    /// s_n, s_r, s_t per contact \[N·s\]; of a group at its first contact.
-    sizes: Vec<[f64; 3]>,
+    /// What a group shares of s_n, s_r, s_t, at its first contact \[N·s\].
+    shared: Vec<[f64; 3]>,
+    /// What the data of a contact add to its own s_n and s_t \[N·s\].
+    own: Vec<[f64; 2]>,
 }
 
 impl Scales {
@@ -75,28 +81,40 @@ impl Scales {
     /// The sizes at r and y = q + (W + R) r.
     pub fn set_sizes(&mut self, problem: &ContactProblem, impulse: &[f64], law_velocity: &[f64]) {
         let rows = problem.rows_per_contact;
-        self.sizes.clear();
-        self.sizes.resize(problem.contacts(), [0.0; 3]);
+        self.shared.clear();
+        self.shared.resize(problem.contacts(), [0.0; 3]);
+        self.own.clear();
         for (k, (r, y)) in impulse.chunks_exact(rows).zip(law_velocity.chunks_exact(rows)).enumerate() {
-            let q = |row: usize| problem.free_velocity[k * rows + row] + problem.shift[k * rows + row];
-            let tangent = |part: &dyn Fn(usize) -> f64| (1..rows).fold(0.0, |norm: f64, row| norm.hypot(part(row)));
-            let [normal, tangential] = self.weights[k];
-            let own = [
-                r[0].abs().max(normal * q(0).abs()).max(normal * (y[0] - q(0)).abs()),
-                r[0].abs(),
-                (problem.friction[k] * r[0].abs())
-                    .max(tangent(&|row| r[row]))
-                    .max(tangential * tangent(&q))
-                    .max(tangential * tangent(&|row| y[row] - q(row))),
-            ];
-            let sizes = &mut self.sizes[self.group[k]];
-            sizes.iter_mut().zip(own).for_each(|(size, own)| *size = size.max(own));
+            let mut q = [0.0; 3];
+            (0..rows).for_each(|row| q[row] = problem.free_velocity[k * rows + row] + problem.shift[k * rows + row]);
+            let ([normal, tangential], mu) = (self.weights[k], problem.friction[k]);
+            let net = (1..rows).fold(0.0, |norm: f64, row| norm.hypot(y[row] - q[row]));
+            let pushed =
+                [r[0].abs().max(normal * (y[0] - q[0]).abs()), r[0].abs(), (mu * r[0].abs()).max(tangential_norm(r)).max(tangential * net)];
+            let sizes = &mut self.shared[self.group[k]];
+            sizes.iter_mut().zip(pushed).for_each(|(size, pushed)| *size = size.max(pushed));
+            let data = closing(problem.law, mu, &q[..rows]).abs() + PROJECTED * (q[0].abs() + mu * tangential_norm(&q[..rows]));
+            self.own.push([normal * data, tangential * tangential_norm(&q[..rows])]);
         }
     }
 
     /// s_n, s_r and s_t of contact k \[N·s\].
     pub fn at(&self, contact: usize) -> [f64; 3] {
-        self.sizes[self.group[contact]]
+        let ([s_n, s_r, s_t], [own_n, own_t]) = (self.shared[self.group[contact]], self.own[contact]);
+        [s_n.max(own_n), s_r, s_t.max(own_t)]
+    }
+}
+
+/// What the data ask of the normal impulse \[m/s\]: q_n, less what the associated laws give way to the slip. Its rounding is 8ε of its terms.
+fn closing(law: Law, mu: f64, q: &[f64]) -> f64 {
+    match law {
+        Law::Associated => q[0] - mu * tangential_norm(q),
+        Law::PolyhedralAssociated { directions } => {
+            let tangents = [q.get(1), q.get(2)].map(|q| q.copied().unwrap_or(0.0));
+            let along = |j: usize| direction(j, directions).iter().zip(tangents).map(|(d, q)| d * q).sum::<f64>();
+            q[0] + mu * (0..directions).map(along).fold(0.0, f64::min)
+        }
+        _ => q[0],
     }
 }
 

@@ -115,7 +115,8 @@ impl Balance {
             }
             "mujoco" => {
                 let shift = Shift::Mujoco(parameters.mujoco.softness);
-                let plain = crate::schemes::Mujoco { cone: parameters.mujoco.cone, softness: parameters.mujoco.softness, ..Default::default() };
+                let plain =
+                    crate::schemes::Mujoco { cone: parameters.mujoco.cone, softness: parameters.mujoco.softness, ..Default::default() };
                 let law = Waist { shift, position: Position::Theta(1.0), explicit: true, implicit: false, regularised: None };
                 if plain == parameters.mujoco { Kind::Waist(law) } else { Kind::NoTheorem }
             }

@@ -71,7 +71,9 @@ pub const DEFECTS: &[Defect] = &[
     Defect {
         name: "energy-balance/spring-explicit-in-an-implicit-step",
         mistake: "v_free without the term −h θ K v of the θ step",
-        defective: || made("moreau-jean", spring, |before, step, h| shift_velocity(step, &(&before.velocity * (0.5 * h * h * STIFFNESS / MASS)))),
+        defective: || {
+            made("moreau-jean", spring, |before, step, h| shift_velocity(step, &(&before.velocity * (0.5 * h * h * STIFFNESS / MASS))))
+        },
         reference: || made("moreau-jean", spring, |_, _, _| ()),
     },
     Defect {

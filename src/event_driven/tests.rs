@@ -159,7 +159,7 @@ fn where_both_sides_push_away_the_motion_is_refused() {
 fn sampled(scene: &str, h: f64, samples: usize) -> Result<State> {
     let (mechanism, mut state) = crate::scenes::Scene::from_json(scene).and_then(|scene| scene.mechanism()).expect("a planar scene");
     for _ in 0..samples {
-        state = EventDriven::default().advance(&crate::solvers::WithinStep, mechanism.as_ref(), &state, h)?.state;
+        state = EventDriven::default().advance(&crate::solvers::Reference, mechanism.as_ref(), &state, h)?.state;
     }
     Ok(state)
 }

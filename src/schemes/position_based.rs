@@ -19,9 +19,9 @@
 
 use super::assembly::{self, check_input, normal_only};
 use super::{Scheme, Step, StepProblem};
-use crate::contact::{ContactImpulse, pairs};
 use crate::contact::delassus::MassFactor;
 use crate::contact::delassus::delassus;
+use crate::contact::{ContactImpulse, pairs};
 use crate::mechanics::{Mechanism, State};
 use crate::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law};
 use crate::solvers::ContactSolver;

@@ -151,7 +151,8 @@ fn one_contact_is_solved_to_rounding_whatever_the_friction_and_the_masses() {
                 for ratio in [1.0, 1e3] {
                     let problem = random(law, rows, 1, 6, ratio, friction, seed);
                     let solution = ProjectedGaussSeidel::default().solve(&problem, None).unwrap();
-                    assert!(solution.iterations <= 2, "{} took {} sweeps", problem.name, solution.iterations);
+                    // the second sweep takes the rounding of y out, the third that of friction where μ is a millionth
+                    assert!(solution.iterations <= 3, "{} took {} sweeps", problem.name, solution.iterations);
                     let found = residuals(&problem, &solution).unwrap();
                     assert!(found.is_solution(crate::tolerance::cli::CERTIFY), "{law:?} {friction} {ratio} {seed}: {found:?}");
                 }

@@ -120,8 +120,7 @@ impl Best {
 impl Sweeper<'_> {
     /// Sweep after sweep.
     fn plain(&mut self, solver: &ProjectedGaussSeidel) {
-        let patience = tolerance::stalled(self.problem.contacts());
-        while !self.converged(solver.tolerance) && self.sweeps < solver.sweeps && !self.has_stalled(patience) {
+        while !self.converged(solver.tolerance) && self.sweeps < solver.sweeps && !self.has_stalled(tolerance::STALLED) {
             if !self.sweep() || !self.is_finite() {
                 break;
             }

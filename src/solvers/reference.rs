@@ -53,9 +53,11 @@ type Stage = fn(&ContactProblem, Option<&DVector<f64>>) -> Result<Solution>;
 /// The algorithms with the problems they are for, in order.
 const STAGES: [(fn(&ContactProblem) -> bool, Stage); 13] = [
     (|problem| problem.compliance.is_some(), |problem, start| GaussNewton::default().solve(problem, start)),
-    (is_swept, |problem, start| sweeps(problem, tolerance::MEMORY).solve(problem, start)),
+    (is_swept, |problem, start| accelerated(problem).solve(problem, start)),
     (has_second_order_cone, newton),
-    (has_second_order_cone, |problem, start| sweeps(problem, 0).solve(problem, start)),
+    (has_second_order_cone, |problem, start| {
+        ProjectedGaussSeidel { sweeps: tolerance::PLAIN_SWEEPS, ..Default::default() }.solve(problem, start)
+    }),
     (has_second_order_cone, newton),
     (has_second_order_cone, |problem, start| {
         AlternatingDirections { iterations: tolerance::FIRST_ALTERNATIONS, ..Default::default() }.solve(problem, start)
@@ -92,9 +94,9 @@ fn newton(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solu
 }
 
 /// A polyhedral law gets few sweeps, because Lemke, which comes next, ends.
-fn sweeps(problem: &ContactProblem, memory: usize) -> ProjectedGaussSeidel {
-    let sweeps = if problem.law.directions().is_some() { tolerance::FIRST_SWEEPS } else { tolerance::AUTO_SWEEPS };
-    ProjectedGaussSeidel { sweeps, memory, ..Default::default() }
+fn accelerated(problem: &ContactProblem) -> ProjectedGaussSeidel {
+    let sweeps = if has_second_order_cone(problem) { tolerance::AUTO_SWEEPS } else { tolerance::FIRST_SWEEPS };
+    ProjectedGaussSeidel { sweeps, ..ProjectedGaussSeidel::accelerated() }
 }
 
 impl ContactSolver for Reference {

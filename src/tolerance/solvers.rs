@@ -71,11 +71,9 @@ pub const FRESH_ROUNDING: usize = 16;
 /// that doubles in every step has left the piece on which the iteration is affine.
 pub const GROWTH: f64 = 2.0;
 
-/// Sweeps without halving the residual after which plain sweeps over n contacts have stalled: a chain of n bodies contracts by cos²(π/(n+1)) ≈ 1 − π²/n² a
-/// sweep, which halves the residual in (ln 2/π²) n² < n²/8 sweeps; [`FIRST_SWEEPS`] for short ones.
-pub fn stalled(contacts: usize) -> usize {
-    FIRST_SWEEPS + contacts * contacts / 8
-}
+/// Sweeps without halving the residual after which plain sweeps have stalled, a tenth of [`SWEEPS`]: a chain of n bodies contracts by cos²(π/(n+1)) ≈ 1 − π²/n²
+/// a sweep, which halves the residual in (ln 2/π²) n² sweeps, 10 000 for n = 377.
+pub const STALLED: usize = SWEEPS / 10;
 
 /// The same for accelerated sweeps, which need about one sweep for each of the n slow modes of the chain and its memory again for each change of a contact's state.
 pub fn accelerated_stalled(contacts: usize) -> usize {
@@ -96,8 +94,11 @@ pub const NONSMOOTH_HALVINGS: usize = 10;
 /// step, and an error falls by η/σ a step at least, σ the smallest singular value of J that is not rounding.
 pub const NONSMOOTH_PROXIMAL: f64 = 1.0 / (1u64 << 40) as f64;
 
-/// Sweeps of each kind that `auto` spends, accelerated and plain, before it goes on to other algorithms.
+/// Accelerated sweeps that `auto` spends before it goes on to other algorithms, and sweeps of over-relaxation after them.
 pub const AUTO_SWEEPS: usize = 20 * FIRST_SWEEPS;
+
+/// Plain sweeps that `auto` spends where accelerated ones have stalled: what they do not bring near a solution is left to the others.
+pub const PLAIN_SWEEPS: usize = 2 * FIRST_SWEEPS;
 
 /// Iterations of the alternating directions within `auto` before Newton's method goes on from them: they tell sticking from sliding long before they converge.
 pub const FIRST_ALTERNATIONS: usize = FIRST_SWEEPS;

@@ -33,7 +33,7 @@ pub const FLOORS: Limits = Limits { tolerance: 1e-15, ..CERTIFY };
 
 /// Whether the velocities q of the data widen the limit of their own contact alone, and those of an associated law only by
 /// q_n − μ‖q_t‖; otherwise they widen the limits of their whole group.
-pub const OWN_DATA: bool = false;
+pub const OWN_DATA: bool = true;
 
 /// An answer r with its W r.
 pub struct Answer<'a> {
@@ -136,7 +136,9 @@ fn at(problem: &Exact, answer: &Answer, y: &[Rational], k: usize, limits: Limits
     let (r, net, mu) = (answer.impulse, answer.net, &problem.friction[k]);
     let length = |x: &[Rational]| x.iter().map(|x| nearest(x).powi(2)).sum::<f64>().sqrt();
     let [data_t, net_t] = [length(&data[1..]), length(&net[t.clone()])].map(|velocity| nearest(&rho_t) * velocity);
-    let data_n = rho_n * if OWN_DATA { size_of(&towards(problem.law, mu, &data)) } else { size_of(&data[0]) };
+    // its evaluation rounds by 8ε of its terms
+    let rounded = 8.0 * f64::EPSILON * (size_of(&data[0]) + nearest(mu) * length(&data[1..]));
+    let data_n = rho_n * if OWN_DATA { size_of(&towards(problem.law, mu, &data)) + rounded } else { size_of(&data[0]) };
     let shared = |data: f64| if OWN_DATA { 0.0 } else { data };
     let scales = Scales {
         normal: size_of(&r[n]).max(rho_n * size_of(&net[n])).max(shared(data_n)),

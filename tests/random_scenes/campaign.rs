@@ -102,7 +102,8 @@ impl Shard {
         create_dir_all(&self.folder).expect("the shard's folder can be made");
         let known = self.known();
         let done: BTreeSet<u64> = known.iter().map(|line| line.seed).collect();
-        let left: Vec<u64> = (self.first..self.first + self.scenes).filter(|seed| seed % self.of == self.index && !done.contains(seed)).collect();
+        let left: Vec<u64> =
+            (self.first..self.first + self.scenes).filter(|seed| seed % self.of == self.index && !done.contains(seed)).collect();
         let file = Mutex::new(OpenOptions::new().append(true).open(self.file()).expect("the shard's file was written"));
         let made = left.into_par_iter().map(|seed| {
             let line = self.line(seed);

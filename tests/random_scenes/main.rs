@@ -9,8 +9,8 @@ mod report;
 mod scenario;
 
 use campaign::Shard;
-use motion::{CAUGHT, Outcome};
 use moreau::schemes;
+use motion::{CAUGHT, Outcome};
 use rayon::prelude::*;
 use report::Report;
 use scenario::{Length, Scenario};

@@ -54,7 +54,11 @@ impl Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{:24} {:>6} {:>7} {:>6} {:>7} {:>8} {:>9} {:>9} {:>6}", "scheme", "scenes", "refused", "ended", "steps", "rejected", "ratio", "work", "failed")?;
+        writeln!(
+            f,
+            "{:24} {:>6} {:>7} {:>6} {:>7} {:>8} {:>9} {:>9} {:>6}",
+            "scheme", "scenes", "refused", "ended", "steps", "rejected", "ratio", "work", "failed"
+        )?;
         for (name, line) in &self.0 {
             let ended: usize = line.ended.values().sum();
             writeln!(

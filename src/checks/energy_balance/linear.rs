@@ -21,12 +21,15 @@ use crate::tolerance::energy_balance as tolerance;
 /// The findings of the module's equations; none for a scheme whose linear forces are not those of the θ step.
 pub(super) fn judge(waist: &Waist, taken: &Taken, posed: &Posed) -> Vec<Finding> {
     let (mechanism, h, assembled) = (taken.mechanism, taken.h, &taken.step.assembled);
-    let (Position::Theta(theta), Some(linear), true) = (waist.position, mechanism.linear_force(), waist.implicit) else { return Vec::new() };
+    let (Position::Theta(theta), Some(linear), true) = (waist.position, mechanism.linear_force(), waist.implicit) else {
+        return Vec::new();
+    };
     let (before, after) = (taken.before, &taken.step.state);
     let mass = mechanism.mass_matrix(&before.position);
     let (jump, moved) = (&after.velocity - &before.velocity, &after.position - &before.position);
     let mean = &after.velocity * theta + &before.velocity * (1.0 - theta);
-    let taken_away = (2.0 * theta - 1.0) * (kinetic(&mass, &jump) + kinetic(&linear.stiffness, &moved)) + 2.0 * h * kinetic(&linear.damping, &mean);
+    let taken_away =
+        (2.0 * theta - 1.0) * (kinetic(&mass, &jump) + kinetic(&linear.stiffness, &moved)) + 2.0 * h * kinetic(&linear.damping, &mean);
     let (exchange, residual) = (&posed.exchange, posed.work.residual);
     let work = exchange.impulse.dot(&(&exchange.after * theta + &exchange.before * (1.0 - theta)));
     let free = 0.5 * kinetic(&assembled.effective_mass, &(&assembled.free_velocity - &before.velocity));

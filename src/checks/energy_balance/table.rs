@@ -64,8 +64,18 @@ pub const ROWS: [Row; 20] = [
         total: "ΔẼ ≤ ½‖v_g − v‖²_M + r·(u⁻ + h a_ref) − fᵀR f + h²FᵀM⁻¹F/8, θ = 1",
         open: "explicit gyroscopic torques gain ½‖v_g − v‖²_M; springs and dampers, implicitfast, RK4 and friction against rotation: no theorem",
     },
-    Row { scheme: "explicit-euler", kinetic: NEWTON, total: ONE_E, open: "θ = 0: Ẽ = E − ½ h F·v; explicit springs gain; unequal e, e > 0 with friction" },
-    Row { scheme: "semi-implicit-euler", kinetic: NEWTON, total: ONE_E, open: "θ = 1: Ẽ = E + ½ h F·v; springs keep another form; unequal e, e > 0 with friction" },
+    Row {
+        scheme: "explicit-euler",
+        kinetic: NEWTON,
+        total: ONE_E,
+        open: "θ = 0: Ẽ = E − ½ h F·v; explicit springs gain; unequal e, e > 0 with friction",
+    },
+    Row {
+        scheme: "semi-implicit-euler",
+        kinetic: NEWTON,
+        total: ONE_E,
+        open: "θ = 1: Ẽ = E + ½ h F·v; springs keep another form; unequal e, e > 0 with friction",
+    },
     Row {
         scheme: "runge-kutta-flip",
         kinetic: "T(v⁺) ≤ T(v_free) − Σ e r_n min(u_free,n, 0) − ½ rᵀW r, H at q⁺",
@@ -102,9 +112,24 @@ pub const ROWS: [Row; 20] = [
         total: "ΔẼ ≤ −Σ r_n φ/(h+τ) − rᵀR r + h²FᵀM⁻¹F/8, θ = 1",
         open: "a depth is paid back, at most k φ²/4 for a spring that the step resolves",
     },
-    Row { scheme: "drake-similar", kinetic: HUNT_CROSSLEY, total: "the same + h²FᵀM⁻¹F/8 for Ẽ, θ = 1", open: "a depth is paid back, at most k φ²/4" },
-    Row { scheme: "drake-lagged", kinetic: HUNT_CROSSLEY, total: "the same + h²FᵀM⁻¹F/8 for Ẽ, θ = 1", open: "a depth is paid back, at most k φ²/4" },
-    Row { scheme: "drake-tamsi", kinetic: HUNT_CROSSLEY, total: "the same + h²FᵀM⁻¹F/8 for Ẽ, θ = 1", open: "a depth is paid back, at most k φ²/4" },
+    Row {
+        scheme: "drake-similar",
+        kinetic: HUNT_CROSSLEY,
+        total: "the same + h²FᵀM⁻¹F/8 for Ẽ, θ = 1",
+        open: "a depth is paid back, at most k φ²/4",
+    },
+    Row {
+        scheme: "drake-lagged",
+        kinetic: HUNT_CROSSLEY,
+        total: "the same + h²FᵀM⁻¹F/8 for Ẽ, θ = 1",
+        open: "a depth is paid back, at most k φ²/4",
+    },
+    Row {
+        scheme: "drake-tamsi",
+        kinetic: HUNT_CROSSLEY,
+        total: "the same + h²FᵀM⁻¹F/8 for Ẽ, θ = 1",
+        open: "a depth is paid back, at most k φ²/4",
+    },
 ];
 
 /// The page `docs/energy.md`.

@@ -67,7 +67,10 @@ fn the_gain_of_discretised_gravity_is_reached_by_a_ball_that_half_rests() {
         let speed = 0.5 * 10.0 * h / (1.0 + e);
         let (measured, bound) = rise(&ball_step("moreau-jean", &parameters, e, [0.0, speed], h));
         let closed = (1.0 - e) / (1.0 + e) * 2.0 * (10.0 * h) * (10.0 * h) / 8.0;
-        assert!((bound - closed).abs() <= rounding(32, 4.0) && (measured - closed).abs() <= rounding(64, 8.0), "{e} {theta}: {measured} {closed}");
+        assert!(
+            (bound - closed).abs() <= rounding(32, 4.0) && (measured - closed).abs() <= rounding(64, 8.0),
+            "{e} {theta}: {measured} {closed}"
+        );
         // any other speed gains less
         for other in [-2.0, 0.5 * speed, 1.5 * speed, 0.0] {
             let (measured, _) = rise(&ball_step("moreau-jean", &parameters, e, [0.0, other], h));
@@ -102,7 +105,8 @@ fn cornered(restitutions: [f64; 2]) -> f64 {
     let point = PointMass::new("cornered", 1.0, dvector![0.0, 0.0], walls).expect("valid");
     let before = State { time: 0.0, position: dvector![0.0, 0.0], velocity: dvector![-1.0, -0.1] };
     let parameters = Parameters { activation: Activation::Gap, ..Parameters::default() };
-    let made = step(&MoreauJean { activation: Activation::Gap, ..MoreauJean::default() }, &Reference, &point, &before, 0.01).expect("two contacts");
+    let made = step(&MoreauJean { activation: Activation::Gap, ..MoreauJean::default() }, &Reference, &point, &before, 0.01)
+        .expect("two contacts");
     let taken = Taken { mechanism: &point, before: &before, step: &made, h: 0.01 };
     let judged = Balance::of("moreau-jean", &parameters).expect("listed").judge(&taken).expect("judged");
     assert!(judged.findings.iter().all(Finding::holds), "{:?}", judged.findings);

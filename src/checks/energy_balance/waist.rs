@@ -75,7 +75,6 @@ impl Regularised {
 }
 
 impl Waist {
-
     /// The step's impulses, its declared shift and its residual.
     pub fn posed(&self, taken: &Taken) -> Result<Posed> {
         let exchange = Exchange::new(taken)?;
