@@ -37,7 +37,7 @@ fn require_within(limit: u64, what: &str, bytes: u128) -> Result<()> {
 
 /// Bytes of a dense matrix, without overflow.
 pub fn matrix(rows: usize, columns: usize) -> u128 {
-    8 * rows as u128 * columns as u128
+    (8 * rows as u128).saturating_mul(columns as u128)
 }
 
 /// Bytes for reading, with a unit.

@@ -270,7 +270,7 @@ mod tests {
 
     #[test]
     fn the_candidates_of_a_box_that_lands_on_an_edge_change_within_a_sweep() {
-        let (mechanism, start) = Scene::from_json(LANDING_ON_AN_EDGE).and_then(|scene| scene.mechanism()).expect("two boxes");
+        let (mechanism, start) = Scene::from_json(LANDING_ON_AN_EDGE).and_then(|scene| scene.spatial_mechanism()).expect("two boxes");
         for scheme in [PositionBased::XPBD, PositionBased::PBD] {
             let end = simulate(&scheme, &Reference, mechanism.as_ref(), start.clone(), 0.005, 50).expect("no panic").last().clone();
             assert!(mechanism.energy(&end) <= mechanism.energy(&start), "{}: {end:?}", scheme.name());
