@@ -19,7 +19,8 @@ pub fn afford(mechanism: &dyn Mechanism, position: &DVector<f64>, reach: f64) ->
     let (freedoms, rows) = (mechanism.degrees_of_freedom(), mechanism.rows_per_contact());
     let needed = |contacts: usize| {
         let rows = rows.saturating_mul(contacts);
-        4 * matrix(freedoms, freedoms) + 4 * matrix(rows, freedoms) + 8 * matrix(rows, rows)
+        let parts = [(4, matrix(freedoms, freedoms)), (4, matrix(rows, freedoms)), (8, matrix(rows, rows))];
+        parts.into_iter().fold(0u128, |sum, (times, bytes)| sum.saturating_add(bytes.saturating_mul(times)))
     };
     require(&format!("a step of {}, {freedoms} velocities without any contact,", mechanism.name()), needed(0))?;
     match mechanism.most_candidates() {

@@ -167,9 +167,6 @@ impl ContactProblem {
             return Err(Error::invalid("dimension", format!("is {}", file.dimension), "use 1 (normal rows only), 2 or 3"));
         }
         let rows = file.dimension * file.friction.len();
-        let velocities = file.mass.as_ref().map_or(0, |mass| mass.shape[0]);
-        let matrices = 2 * memory::matrix(rows, rows) + memory::matrix(velocities, velocities) + 2 * memory::matrix(rows, velocities);
-        memory::require("the matrices of this problem", matrices)?;
         let law = read_law(&file.law, file.directions)?;
         let (delassus, dynamics) = read_operator(file.delassus, file.mass, file.jacobian, rows)?;
         let problem = ContactProblem {
@@ -361,9 +358,15 @@ fn read_operator(
         let cure = format!("{}×{} fits these contacts", wanted[0], wanted[1]);
         if matrix.shape == wanted { Ok(()) } else { Err(Error::invalid(field, problem, cure)) }
     };
+    let room = |velocities: usize| {
+        let matrices = [(2, rows, rows), (1, velocities, velocities), (2, rows, velocities)]
+            .map(|(times, n, m)| memory::matrix(n, m).saturating_mul(times));
+        memory::require("the matrices of this problem", matrices.into_iter().fold(0, u128::saturating_add))
+    };
     match (operator, mass, jacobian) {
         (Some(operator), None, None) => {
             shape("delassus", &operator, [rows, rows])?;
+            room(0)?;
             Ok((operator.read("delassus")?, None))
         }
         (None, Some(mass), Some(jacobian)) => {
@@ -373,6 +376,7 @@ fn read_operator(
             }
             shape("mass", &mass, [velocities, velocities])?;
             shape("jacobian", &jacobian, [rows, velocities])?;
+            room(velocities)?;
             let dynamics = Dynamics { mass: mass.read("mass")?, jacobian: jacobian.read("jacobian")? };
             Ok((delassus(&dynamics.mass, &dynamics.jacobian)?, Some(dynamics)))
         }

@@ -167,8 +167,10 @@ impl Scheme for MoreauJeanProjection {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::Place;
     use crate::mechanics::{BallChain, BeadInCircle, PointMass};
-    use crate::schemes::step;
+    use crate::scenes::Scene;
+    use crate::schemes::{simulate, step};
     use crate::solvers::LemkePivoting;
     use crate::tolerance::rounding;
     use nalgebra::dvector;
@@ -219,6 +221,61 @@ mod tests {
         // for every θ: the free step turns by Δ = atan(hv/R), and the tangent there keeps cos Δ of the speed
         let kept = state.velocity.norm_squared();
         assert!((kept - 1.0 / (1.0 + 100.0 * 1e-4)).abs() <= rounding(6400, 1.0), "{kept}");
+    }
+
+    #[test]
+    fn a_contact_that_is_no_candidate_any_more_is_held_as_it_was_and_closes_nothing() {
+        let ball = PointMass::ball_on_floor(2.0, 10.0, 0.5);
+        let own = |gap: f64| ball.contacts(&dvector![gap]).remove(0);
+        let touching = joined(vec![own(-0.1)], Vec::new());
+        assert_eq!(touching.len(), 1);
+        // the list is empty now: the contact stays with its rows, and nobody new has joined
+        let kept = joined(Vec::new(), touching.clone());
+        assert_eq!(kept, touching);
+        // one that has vanished and another that has come are two, not one for the other
+        let place = |feature| Place { bodies: (0, None), features: [feature, 0], frame: [[0.0; 3]; 3] };
+        let at = |feature, gap| Contact { place: Some(place(feature)), ..own(gap) };
+        let first = joined(vec![at(1, -0.1)], Vec::new());
+        let both = joined(vec![at(2, -0.1), at(3, 0.1)], first);
+        assert_eq!(both.iter().map(|(key, _)| key.place.expect("given").features[0]).collect::<Vec<_>>(), [2, 1]);
+        // a projection that holds only what is gone moves nothing
+        let gone = [Identity { index: 0, place: None }, Identity { index: 7, place: None }];
+        assert_eq!(project(&ball, dvector![0.3], &gone[1..]).expect("nothing to close"), dvector![0.3]);
+        assert_eq!(project(&ball, dvector![0.3], &gone).expect("one to close"), dvector![0.0]);
+    }
+
+    /// Three bricks over each other, turned and spinning, which collide with e = 0.8: `rand7`.
+    const TUMBLING: &str = r#"{"schema": "scene/1", "name": "tumbling", "duration": 1, "gravity": [0, 0, -9.81],
+        "material": {"friction": 0, "restitution": 0.8}, "ground": {"normal": [0, 0, 1], "offset": 0}, "bodies": [
+        {"name": "b0", "mass": 0.1, "position": [-0.0828360450913399, -0.07680674962909693, 0.25],
+         "box": {"half_extents": [0.11093420820191323, 0.05153764280082153, 0.07312759127730525]},
+         "linear_velocity": [1.098238706508501, 0.05949171889937006, -1.019611336474975],
+         "angular_velocity": [-1.6752509444331827, -6.199354556606316, 1.9153365734811032],
+         "orientation": [-0.3456154154859365, 0.2978013448086546, 0.8760815251903188, 0.15603046122102243]},
+        {"name": "b1", "mass": 10, "position": [0.017445400637320224, -0.07856750715537436, 0.55],
+         "box": {"half_extents": [0.11192469366124261, 0.14117372509597728, 0.08051481465284538]},
+         "linear_velocity": [-0.643799878184059, -0.8501903080902952, -0.1113705688727112],
+         "angular_velocity": [-0.6481871968492023, -2.076621138837905, -2.2663339111499536],
+         "orientation": [0.5860919445440047, -0.6275911063081451, -0.1664326262641539, -0.48469146551013487]},
+        {"name": "b2", "mass": 1, "position": [0.06146372680987633, -0.08333808944877757, 0.85],
+         "box": {"half_extents": [0.07360348991542721, 0.08160353294258153, 0.06035586495573661]},
+         "linear_velocity": [0.1379862240060608, -0.02134311095098513, -0.24965049201050402],
+         "angular_velocity": [4.086631474426205, 8.821585914351957, -2.551552850315907],
+         "orientation": [0.35734194587852325, -0.4433812402783924, -0.2900423310033444, 0.769152296824947]}]}"#;
+
+    #[test]
+    fn tumbling_bricks_lose_their_candidates_within_a_step_and_go_on() {
+        let (mechanism, start) = Scene::from_json(TUMBLING).and_then(|scene| scene.spatial_mechanism()).expect("three bricks");
+        let scheme = MoreauJeanProjection { theta: 0.5 };
+        let mut last = start.clone();
+        for h in [0.01, 0.005] {
+            let steps = (0.5 / h) as usize;
+            last = simulate(&scheme, &Reference, mechanism.as_ref(), start.clone(), h, steps).expect("no panic").last().clone();
+        }
+        assert!(
+            mechanism.contacts(&last.position).iter().all(|contact| contact.gap > -1e-2),
+            "no brick has fallen through another or the floor"
+        );
     }
 
     #[test]
