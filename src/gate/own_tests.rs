@@ -156,3 +156,19 @@ fn every_part_can_be_exchanged_and_the_exchange_shows() {
     let mut lazy = OwnEngine { project: |_, _| (), ..base() };
     assert_eq!(lazy.project(0.5, &[vec![-1.0, 1.0]], &Options::new()).expect("a point"), [vec![-1.0, 1.0]]);
 }
+
+#[test]
+fn a_run_with_a_step_that_the_certificate_rejects_is_an_error_with_step_and_residual() {
+    // one sweep carries a stack no better than a planted solver would
+    let lazy = |certified: bool| OwnEngine {
+        certified,
+        solver: |_| Ok(Box::new(crate::solvers::ProjectedGaussSeidel { sweeps: 1, ..Default::default() })),
+        ..by_name("moreau-jean").expect("listed")
+    };
+    let stack = short("box-stack", 1.0 / 60.0, 20);
+    let refused = lazy(true).simulate(&stack, 1.0 / 60.0, 1, &Options::new()).expect_err("rejected").to_string();
+    assert!(["certificate", "step ", "residual", "limit"].iter().all(|word| refused.contains(word)), "{refused}");
+    // a planted engine is let through, so that the checks see its motion
+    let trajectory = lazy(false).simulate(&stack, 1.0 / 60.0, 1, &Options::new()).expect("a motion");
+    assert!(trajectory.steps.expect("certified").accepted.contains(&false));
+}

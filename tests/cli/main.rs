@@ -8,6 +8,7 @@ mod schema;
 mod scoreboard;
 mod simulate;
 mod solve;
+mod steps;
 mod systems;
 mod verify;
 
