@@ -40,6 +40,7 @@
 //!     delassus: DMatrix::identity(2, 2),
 //!     compliance: None,
 //!     dynamics: None,
+//!     bodies: None,
 //! };
 //! let answer = Reference.solve(&problem, None)?;
 //! assert!(residuals(&problem, &answer)?.is_solution(1e-8)); // r = (1, −½) N·s, u = (0, 3/2) m/s

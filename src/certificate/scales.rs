@@ -3,7 +3,7 @@
 //! ```text
 //!     ρ_n = 1/(W_nn + R_nn) ,   ρ_t = tangential rows / tr(W_tt + R_tt)                                        [kg]
 //!     s_n = max |r_n|, ρ_n |(W r)_n|  over the contacts of the same two bodies, and ρ_n |q_n| of its own         [N·s]
-//!     s_r = max |r_n|  over them                                                                               [N·s]
+//!     s_r = max |r_n|  over them, and ρ_n |q_n| of its own                                                       [N·s]
 //!     s_t = max μ|r_n|, ‖r_t‖, ρ_t ‖(W r)_t‖  over them, and ρ_t ‖q_t‖ of its own                                [N·s]
 //!     floor = γ (Σ_j |W_kj||r_j| + |u_free| + |shift| + R_k|r_k|) ,   γ = mε/(1 − mε) ,   m = 2 rows + 8         [m/s]
 //! ```
@@ -101,7 +101,7 @@ impl Scales {
     /// s_n, s_r and s_t of contact k \[N·s\].
     pub fn at(&self, contact: usize) -> [f64; 3] {
         let ([s_n, s_r, s_t], [own_n, own_t]) = (self.shared[self.group[contact]], self.own[contact]);
-        [s_n.max(own_n), s_r, s_t.max(own_t)]
+        [s_n.max(own_n), s_r.max(own_n), s_t.max(own_t)]
     }
 }
 

@@ -27,9 +27,9 @@ pub const DEFECTS: &[Defect] = &[
         reference: || posed("stewart-trinkle", ball, as_it_is),
     },
     Defect {
-        name: "energy-balance/rebound-of-a-soft-contact-with-the-wrong-sign",
-        mistake: "the reference acceleration of MuJoCo's contact enters with the other sign",
-        defective: || posed("mujoco", tumbling_box, reversed),
+        name: "energy-balance/reference-acceleration-against-the-velocity",
+        mistake: "MuJoCo's h a_ref is held against u⁺ instead of its change over the step",
+        defective: || posed("mujoco", tumbling_box, |problem| problem.shift += &problem.free_velocity),
         reference: || posed("mujoco", tumbling_box, as_it_is),
     },
     Defect {
@@ -241,5 +241,44 @@ impl Scheme for Altered {
 
     fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
         self.scheme.advance(mechanism, state, velocity_post, h)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::energy_balance::{IDENTITY, KINETIC, RESIDUAL, TOTAL, TOTAL_IDENTITY, reach};
+
+    /// Which findings fail on a planted step.
+    fn caught(name: &str) -> Vec<String> {
+        let defect = DEFECTS.iter().find(|defect| defect.name == format!("energy-balance/{name}")).expect("a planted step");
+        let findings = (defect.defective)().expect("judged");
+        findings.into_iter().filter(|finding| !finding.holds()).map(|finding| finding.name).collect()
+    }
+
+    #[test]
+    fn every_finding_is_the_one_to_catch_some_mistake() {
+        let expected: [(&str, &str); 14] = [
+            ("restitution-twice", KINETIC),
+            ("gap-with-the-wrong-sign", KINETIC),
+            ("reference-acceleration-against-the-velocity", KINETIC),
+            ("gravity-in-the-contact", IDENTITY),
+            ("gravity-twice", TOTAL_IDENTITY),
+            ("impulse-scaled", RESIDUAL),
+            ("impulse-misreported", IDENTITY),
+            ("positions-of-another-theta", TOTAL_IDENTITY),
+            ("explicit-gyroscopic-torque", TOTAL_IDENTITY),
+            ("spring-explicit-in-an-implicit-step", TOTAL_IDENTITY),
+            ("spring-contact-too-strong", KINETIC),
+            ("elastic-impact-that-gains", TOTAL),
+            ("event-that-gains", TOTAL),
+            ("a-body-elsewhere", reach::REACH),
+        ];
+        assert_eq!(expected.len(), DEFECTS.len());
+        for (defect, finding) in expected {
+            assert!(caught(defect).iter().any(|name| name == finding), "{defect} is caught by {:?}, not by `{finding}`", caught(defect));
+        }
+        // a correction sideways is seen by nothing but the distance
+        assert_eq!(caught("a-body-elsewhere"), [reach::REACH]);
     }
 }

@@ -120,7 +120,10 @@ impl Best {
 impl Sweeper<'_> {
     /// Sweep after sweep.
     fn plain(&mut self, solver: &ProjectedGaussSeidel) {
-        while !self.converged(solver.tolerance) && self.sweeps < solver.sweeps && !self.has_stalled(tolerance::STALLED) {
+        while !self.converged(solver.tolerance)
+            && self.sweeps < solver.sweeps
+            && !self.has_stalled(tolerance::stalled(self.problem.contacts()))
+        {
             if !self.sweep() || !self.is_finite() {
                 break;
             }

@@ -71,9 +71,11 @@ pub const FRESH_ROUNDING: usize = 16;
 /// that doubles in every step has left the piece on which the iteration is affine.
 pub const GROWTH: f64 = 2.0;
 
-/// Sweeps without halving the residual after which plain sweeps have stalled, a tenth of [`SWEEPS`]: a chain of n bodies contracts by cos²(π/(n+1)) ≈ 1 − π²/n²
-/// a sweep, which halves the residual in (ln 2/π²) n² sweeps, 10 000 for n = 377.
-pub const STALLED: usize = SWEEPS / 10;
+/// Sweeps over n contacts without halving the residual after which plain sweeps have stalled: a chain of n bodies contracts by cos²(π/(n+1)) ≈ 1 − π²/n² a sweep,
+/// which halves the residual in (ln 2/π²) n² sweeps, fewer than 1000 (1 + n) for n < 14 000.
+pub fn stalled(contacts: usize) -> usize {
+    FIRST_SWEEPS * (1 + contacts)
+}
 
 /// The same for accelerated sweeps, which need about one sweep for each of the n slow modes of the chain and its memory again for each change of a contact's state.
 pub fn accelerated_stalled(contacts: usize) -> usize {

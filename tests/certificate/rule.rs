@@ -98,7 +98,7 @@ pub fn judge(problem: &Exact, groups: &[Vec<usize>], answer: &Answer, limits: Li
         let largest = |scale: fn(&Scales) -> f64| group.iter().map(|&j| scale(&own[j])).fold(0.0, f64::max);
         at.scales = Scales {
             normal: largest(|s| s.normal).max(at.scales.data_n),
-            carried: largest(|s| s.carried),
+            carried: largest(|s| s.carried).max(at.scales.data_n),
             tangential: largest(|s| s.tangential).max(at.scales.data_t),
             ..at.scales
         };

@@ -166,7 +166,7 @@ fn bad_options_are_refused_by_name_and_nothing_is_written() {
         (&["--spectral-radius", "0.5"], &["--spectral-radius", "belongs to generalised-alpha"]),
         (&["--scheme", "xpbd", "--compliance", "-1"], &["--compliance", "-1"]),
         (&["--scheme", "pbd", "--share", "1.5"], &["--share", "1.5"]),
-        (&["--scheme", "pbd", "--sweeps", "0"], &["--sweeps", "at least one"]),
+        (&["--scheme", "pbd", "--sweeps", "0"], &["--sweeps", "from 1 to"]),
         (&["--scheme", "pbd", "--compliance", "0.1"], &["--compliance", "belongs to xpbd"]),
         (&["--scheme", "event-driven", "--shortest-flight", "-1"], &["--shortest-flight", "-1"]),
         (&["--scheme", "mujoco", "--restitution", "0.5"], &["--restitution", "belongs to moreau-jean, ", "event-driven"]),

@@ -1,46 +1,12 @@
-//! What each planted step fails on, how sharp the bounds are, and why there is none where there is none.
+//! How sharp the bounds are, and why there is none where there is none.
 
 use super::*;
 use crate::checks::energy_balance::table::ROWS;
-use crate::defects::energy_balance::DEFECTS;
 use crate::mechanics::{OscillatorWithStop, Plane, PointMass};
 use crate::schemes::{Activation, Scheme, by_name, step};
 use crate::solvers::{LemkePivoting, Reference};
 use crate::tolerance::rounding;
 use nalgebra::dvector;
-
-/// Which findings fail on a planted step.
-fn caught(name: &str) -> Vec<String> {
-    let defect = DEFECTS.iter().find(|defect| defect.name == format!("energy-balance/{name}")).expect("a planted step");
-    let findings = (defect.defective)().expect("judged");
-    findings.into_iter().filter(|finding| !finding.holds()).map(|finding| finding.name).collect()
-}
-
-#[test]
-fn every_finding_is_the_one_to_catch_some_mistake() {
-    let expected: [(&str, &str); 14] = [
-        ("restitution-twice", KINETIC),
-        ("gap-with-the-wrong-sign", KINETIC),
-        ("rebound-of-a-soft-contact-with-the-wrong-sign", KINETIC),
-        ("gravity-in-the-contact", IDENTITY),
-        ("gravity-twice", TOTAL_IDENTITY),
-        ("impulse-scaled", RESIDUAL),
-        ("impulse-misreported", IDENTITY),
-        ("positions-of-another-theta", TOTAL_IDENTITY),
-        ("explicit-gyroscopic-torque", TOTAL_IDENTITY),
-        ("spring-explicit-in-an-implicit-step", TOTAL_IDENTITY),
-        ("spring-contact-too-strong", KINETIC),
-        ("elastic-impact-that-gains", TOTAL),
-        ("event-that-gains", TOTAL),
-        ("a-body-elsewhere", reach::REACH),
-    ];
-    assert_eq!(expected.len(), DEFECTS.len());
-    for (defect, finding) in expected {
-        assert!(caught(defect).iter().any(|name| name == finding), "{defect} is caught by {:?}, not by `{finding}`", caught(defect));
-    }
-    // a correction sideways is seen by nothing but the distance
-    assert_eq!(caught("a-body-elsewhere"), [reach::REACH]);
-}
 
 /// A ball of 2 kg at this height and speed, one step of a scheme.
 fn ball_step(name: &str, parameters: &Parameters, e: f64, at: [f64; 2], h: f64) -> Judged {
@@ -82,12 +48,12 @@ fn the_gain_of_discretised_gravity_is_reached_by_a_ball_that_half_rests() {
 #[test]
 fn a_spring_reaches_its_bound_too() {
     let (h, e, theta) = (0.125, 0.5, 0.5);
-    let body = OscillatorWithStop::new(2.0, 8.0, 0.0, -0.5, e).expect("valid");
+    let body = OscillatorWithStop::new(2.0, 8.0, 0.0, 0.5, e).expect("valid");
     let parameters = Parameters { theta, activation: Activation::Gap, ..Parameters::default() };
     let scheme = by_name("moreau-jean", parameters).expect("listed");
     // −(1+e) r·u⁻ = Q̂ is least at r = −½ M̂(v_free − v)
     let sharpest = (0..=200).map(|k| {
-        let before = State { time: 0.0, position: dvector![-0.5], velocity: dvector![f64::from(k) / 400.0 - 0.25] };
+        let before = State { time: 0.0, position: dvector![0.5], velocity: dvector![f64::from(k) / 400.0 - 0.25] };
         let made = step(scheme.as_ref(), &LemkePivoting, &body, &before, h).expect("one contact");
         let taken = Taken { mechanism: &body, before: &before, step: &made, h };
         let judged = Balance::of("moreau-jean", &parameters).expect("listed").judge(&taken).expect("judged");
@@ -115,10 +81,11 @@ fn cornered(restitutions: [f64; 2]) -> f64 {
 }
 
 #[test]
-fn an_impact_with_two_restitutions_gains() {
+fn an_impact_without_friction_and_gravity_gains_with_no_pair_of_restitutions() {
+    // ΔT = −½ Σ (1 − e_k) r_n |u_n⁻|
     let gained = [[0.5, 0.5], [1.0, 1.0], [0.0, 1.0], [1.0, 0.0]].map(cornered);
-    assert!(gained[0] < 0.0 && gained[1].abs() <= rounding(32, 1.0), "{gained:?}");
-    assert!(gained[2..].iter().any(|gained| *gained > 0.0), "{gained:?}");
+    assert!(gained[1].abs() <= rounding(32, 1.0), "{gained:?}");
+    assert!([0, 2, 3].into_iter().all(|k| gained[k] < 0.0), "{gained:?}");
 }
 
 #[test]
@@ -130,7 +97,9 @@ fn schemes_of_every_row_hold_their_row_on_an_impact_and_on_a_depth() {
             let ball = PointMass::ball_on_floor(2.0, 10.0, e);
             let before = State { time: 0.0, position: dvector![at[0]], velocity: dvector![at[1]] };
             let scheme: Box<dyn Scheme> = by_name(row.scheme, parameters).expect("listed");
-            let Ok(made) = step(scheme.as_ref(), &Reference, &ball, &before, 0.01) else { continue };
+            // event-driven motion starts outside the floor: what starts inside is put onto it, against gravity
+            let outside = at[0] >= 0.0 || row.scheme != "event-driven";
+            let Some(made) = step(scheme.as_ref(), &Reference, &ball, &before, 0.01).ok().filter(|_| outside) else { continue };
             let judged = balance.judge(&Taken { mechanism: &ball, before: &before, step: &made, h: 0.01 }).expect("judged");
             assert_eq!(judged.findings.is_empty(), !balance.is_theorem(), "{}", row.scheme);
             assert!(judged.findings.iter().all(Finding::holds), "{} at {at:?}: {:?}", row.scheme, judged.findings);

@@ -70,7 +70,9 @@ impl Regularised {
         let law = taken.step.solution.as_ref().map_or_else(|| exchange.after.clone(), |solution| solution.velocity.clone());
         let terms = exchange.impulse.abs().dot(&(law.abs() + exchange.after.abs()));
         let residual = exchange.impulse.dot(&(&exchange.after - law)).max(0.0);
-        Work { residual, limit: tolerance::RESIDUAL_WORK * terms, softened, size: terms + softened }
+        // ‖D(M(v⁺ − v_free) − Hᵀr)‖ ≤ τ ‖D Hᵀr‖ does as much work as τ rᵀW r at most
+        let limit = tolerance::RESIDUAL_WORK * (terms + exchange.square);
+        Work { residual, limit, softened, size: terms + softened }
     }
 }
 

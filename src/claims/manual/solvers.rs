@@ -69,18 +69,17 @@ fn sweeps(problem: &ContactProblem) -> Result<f64> {
     Ok(ProjectedGaussSeidel::default().solve(problem, None)?.iterations as f64)
 }
 
-/// Sweeps until |u₁| = qᵏ meets ρ₁|u₁| ≤ STOP·max(‖r‖, ρ) with ρ = (m₁, m₁m₂/(m₁+m₂)), r = (m₁ + m₂, m₂).
+/// Sweeps until |u₁| = qᵏ meets ρ₁|u₁| ≤ STOP·r₁ with ρ₁ = m₁ and r₁ = m₁ + m₂: each contact is of two bodies of its own.
 fn predicted_for_bodies(below: f64, above: f64) -> f64 {
     let q = above / (below + above);
-    let size = (below + above).hypot(above);
-    ((STOP * size / below).ln() / q.ln()).ceil()
+    ((STOP * (below + above) / below).ln() / q.ln()).ceil()
 }
 
-/// Sweeps until |u₁| = |c/a|²ᵏ⁻¹ (1 − c/a) meets |u₁|/a ≤ STOP·max(√½, 1/a), a = 1 + μ², c = 1 − μ², r = (½, ½).
+/// Sweeps until |u₁| = |c/a|²ᵏ⁻¹ (1 − c/a) meets |u₁|/a ≤ STOP·max(½, 1/a), a = 1 + μ², c = 1 − μ², r = (½, ½).
 fn predicted_for_edges(mu: f64) -> f64 {
     let (a, ratio) = (1.0 + mu * mu, ((1.0 - mu * mu) / (1.0 + mu * mu)).abs());
     let coupled = (1.0 - mu * mu) / a;
-    let goal = STOP * (0.5f64.sqrt() * a).max(1.0) / (1.0 - coupled);
+    let goal = STOP * (0.5 * a).max(1.0) / (1.0 - coupled);
     (0.5 * (goal.ln() / ratio.ln() + 1.0)).ceil()
 }
 

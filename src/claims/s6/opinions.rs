@@ -218,6 +218,7 @@ fn side_by_side(problem: &ContactProblem, coupling: f64) -> Result<ContactProble
         delassus: crate::contact::delassus::delassus(&mass, &jacobian)?,
         compliance: Some(Compliance { coordinates: compliance.coordinates, diagonal: double(&compliance.diagonal) }),
         dynamics: Some(crate::problem::Dynamics { mass, jacobian }),
+        bodies: None,
         ..problem.clone()
     })
 }

@@ -108,6 +108,7 @@ fn declare_springs(description: &mut Description) {
 /// Moreau–Jean with another scheme.
 fn altered(scheme: fn(&Parameters) -> Result<Box<dyn Scheme>>) -> Box<dyn Engine> {
     let mut engine = crate::gate::own::by_name("moreau-jean").expect("a listed name");
+    engine.certified = false;
     engine.scheme = scheme;
     Box::new(engine)
 }
