@@ -5,7 +5,8 @@ use super::parts::{Answers, answer, with_solver};
 use crate::Result;
 use crate::problem::{ContactProblem, Solution};
 use crate::solvers::{ContactSolver, ProjectedGaussSeidel, Reference};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
+use std::collections::VecDeque;
 
 /// The mistakes of this family.
 pub const PLANTED: &[Planted] = &[
@@ -13,57 +14,69 @@ pub const PLANTED: &[Planted] = &[
         name: "tumbling/extrapolated-sweeps",
         mistake: "extrapolates sweeps by Anderson's rule, takes no step back however much worse it is, and answers its last iterate at the limit",
         engine: || with_solver(|_| Ok(Box::new(Answers(extrapolated)))),
-        caught_by: &["tumbling/passive"],
+        caught_by: &["tumbling/rough"],
     },
     Planted {
         name: "tumbling/two-sweeps",
         mistake: "stops at a limit of two sweeps from zero and answers what it has",
         engine: || with_solver(|_| Ok(Box::new(Answers(two_sweeps)))),
-        caught_by: &["tumbling/rest"],
+        caught_by: &["tumbling/passive"],
     },
     Planted {
         name: "tumbling/stale-impulses",
         mistake: "answers the impulses of the step before, as they are, where the contacts are the same",
         engine: || with_solver(|_| Ok(Box::new(Answers(stale)))),
-        caught_by: &["tumbling/passive"],
+        caught_by: &["tumbling/passive", "tumbling/bouncing", "tumbling/rough", "tumbling/rest"],
     },
 ];
 
-/// Iterations of the extrapolation.
+/// Sweeps of the extrapolation.
 const LIMIT: usize = 60;
 
 /// Sweeps that are remembered.
-const MEMORY: usize = 6;
+const MEMORY: usize = 5;
 
 /// x⁺ = G(x) − ΔG γ with γ = argmin ‖f − ΔF γ‖, f = G(x) − x, G one sweep; the differences are those of the last steps.
 fn extrapolated(problem: &ContactProblem, start: &DVector<f64>) -> Result<Solution> {
-    let sweep = |x: &DVector<f64>| Ok::<_, crate::Error>(ProjectedGaussSeidel { sweeps: 1, ..Default::default() }.solve(problem, Some(x))?.impulse);
-    let (mut x, mut last): (_, Option<[DVector<f64>; 2]>) = (start.clone(), None);
-    let (mut moved, mut changes): (Vec<DVector<f64>>, Vec<DVector<f64>>) = (Vec::new(), Vec::new());
-    for _ in 0..LIMIT {
-        let image = sweep(&x)?;
-        let residual = &image - &x;
+    let sweep = ProjectedGaussSeidel { sweeps: 1, ..Default::default() };
+    let mut impulse = start.clone();
+    let mut last: Option<[DVector<f64>; 2]> = None;
+    let mut differences: VecDeque<[DVector<f64>; 2]> = VecDeque::new();
+    for count in 1..=LIMIT {
+        let image = sweep.solve(problem, Some(&impulse))?.impulse;
+        let residual = &image - &impulse;
         if residual.norm() <= f64::EPSILON * image.norm() {
-            return Ok(answer(problem, image, LIMIT));
+            return Ok(answer(problem, image, count));
         }
-        if let Some([image_before, residual_before]) = last {
-            moved.insert(0, &image - image_before);
-            changes.insert(0, &residual - residual_before);
-            moved.truncate(MEMORY);
-            changes.truncate(MEMORY);
+        if let Some([residual_before, image_before]) = last.take() {
+            differences.push_front([&residual - residual_before, &image - image_before]);
+            differences.truncate(MEMORY);
         }
-        x = image.clone();
-        if !changes.is_empty() {
-            // Columns that are dependent to half the digits are left out.
-            let least = f64::EPSILON.sqrt() * changes.iter().map(DVector::norm).fold(0.0, f64::max);
-            let factors = DMatrix::from_columns(&changes).svd(true, true).solve(&residual, least);
-            if let Ok(factors) = factors {
-                x -= DMatrix::from_columns(&moved) * factors;
-            }
-        }
-        last = Some([image, residual]);
+        impulse = extrapolate(&residual, &image, &differences);
+        last = Some([residual, image]);
     }
-    Ok(answer(problem, x, LIMIT))
+    Ok(answer(problem, impulse, LIMIT))
+}
+
+/// G(x) less the part of f that the differences ΔF span, newest first, carried over to ΔG; what is dependent to half the digits is left out.
+fn extrapolate(residual: &DVector<f64>, image: &DVector<f64>, differences: &VecDeque<[DVector<f64>; 2]>) -> DVector<f64> {
+    let mut next = image.clone();
+    let mut basis: Vec<[DVector<f64>; 2]> = Vec::new();
+    for [change, moved] in differences {
+        let (mut change, mut moved) = (change.clone(), moved.clone());
+        let size = change.norm();
+        for [known, known_moved] in &basis {
+            let part = known.dot(&change);
+            change.axpy(-part, known, 1.0);
+            moved.axpy(-part, known_moved, 1.0);
+        }
+        let left = change.norm();
+        if left > f64::EPSILON.sqrt() * size {
+            next.axpy(-change.dot(residual) / (left * left), &moved, 1.0);
+            basis.push([change / left, moved / left]);
+        }
+    }
+    next
 }
 
 fn two_sweeps(problem: &ContactProblem, _start: &DVector<f64>) -> Result<Solution> {

@@ -15,8 +15,11 @@ const DURATION: f64 = 0.8;
 /// `tumbling/depth`.
 pub(super) fn depth(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
     let restitution = |e: f64| if bench.description().restitution { e } else { 0.0 };
-    let throws = [(Thrown::Box, 9, 0.2), (Thrown::Pair, 10, 0.2), (Thrown::Heavy, 11, 0.5)]
-        .map(|(thrown, seed, e)| Throw { thrown, seed, restitution: restitution(e) });
+    let throws = [(Thrown::Box, 9, 0.2), (Thrown::Pair, 10, 0.2), (Thrown::Heavy, 11, 0.5)].map(|(thrown, seed, e)| Throw {
+        thrown,
+        seed,
+        restitution: restitution(e),
+    });
     throws.iter().map(|throw| deepest(bench, throw, h)).collect()
 }
 

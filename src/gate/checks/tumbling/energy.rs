@@ -19,7 +19,7 @@ use crate::gate::{Bench, Expectation, Kind, Measurement, Reply};
 use crate::tolerance::gate::tumbling as tolerance;
 
 /// \[s\].
-const DURATION: f64 = 0.8;
+const DURATION: f64 = 1.0;
 
 const fn throw(thrown: Thrown, seed: u64, restitution: f64) -> Throw {
     Throw { thrown, seed, restitution }
@@ -121,7 +121,9 @@ fn worst_rise(tumble: &Tumble, law: &Law, limits: &RigidLimits, epsilon: f64, fr
 /// σ of the scheme, from the lowest body's flight until the first contact, and the steps of that flight:
 /// z_n − z_0 = h Σ ½(v_k + v_{k−1}) + σ h (v_n − v_0).
 fn sigma(tumble: &Tumble) -> (f64, usize) {
-    let flies = |k: &usize| (0..tumble.bodies.len()).all(|b| tumble.impulse(b, *k).norm() <= tolerance::flight(tumble.bodies[b].mass, GRAVITY, tumble.h));
+    let flies = |k: &usize| {
+        (0..tumble.bodies.len()).all(|b| tumble.impulse(b, *k).norm() <= tolerance::flight(tumble.bodies[b].mass, GRAVITY, tumble.h))
+    };
     let steps = (1..tumble.states.len()).take_while(flies).count();
     let at = |k: usize| (tumble.states[k][0].position.z, tumble.states[k][0].velocity.z);
     let ((start, first), (end, last)) = (at(0), at(steps));
@@ -152,7 +154,8 @@ fn interval(steps: impl Iterator<Item = Rise>, from_start: bool) -> Rise {
 /// What step k, counted from 1, may gain \[J\].
 fn allowed(tumble: &Tumble, law: &Law, limits: &RigidLimits, k: usize, epsilon: f64) -> f64 {
     let h = tumble.h;
-    let gravity: f64 = (0..tumble.bodies.len()).map(|b| tolerance::gravity(tumble.impulse(b, k).z, tumble.bodies[b].mass, GRAVITY, h)).sum();
+    let gravity: f64 =
+        (0..tumble.bodies.len()).map(|b| tolerance::gravity(tumble.impulse(b, k).z, tumble.bodies[b].mass, GRAVITY, h)).sum();
     let before = tumble.kinetic(k - 1);
     let rotation: f64 = (0..tumble.bodies.len())
         .map(|b| {
@@ -168,7 +171,11 @@ fn allowed(tumble: &Tumble, law: &Law, limits: &RigidLimits, k: usize, epsilon: 
     let asked = law.returned * speed + turned_below(tumble, k) + limits.push(depth, h);
     let pressed = pressed(tumble, law.friction, k);
     let size = before + tumble.each(k - 1).map(|(body, state)| body.mass * GRAVITY * state.position.z.abs()).sum::<f64>();
-    law.loss * gravity + rotation + asked * pressed + tolerance::unsolved(pressed, speed) + crate::tolerance::gate::audit_rounding(epsilon, size)
+    law.loss * gravity
+        + rotation
+        + asked * pressed
+        + tolerance::unsolved(pressed, speed)
+        + crate::tolerance::gate::audit_rounding(epsilon, size)
 }
 
 /// ½ ω²ρ h \[m/s\]: the speed that takes corners back which turned below a surface within the step, summed over the bodies.

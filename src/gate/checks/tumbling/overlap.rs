@@ -65,8 +65,12 @@ mod tests {
     use nalgebra::UnitQuaternion;
 
     fn placed(half: [f64; 3], position: [f64; 3], turn: Vector3<f64>) -> Placed {
-        let state =
-            Sample { position: position.into(), rotation: UnitQuaternion::from_scaled_axis(turn), velocity: Vector3::zeros(), spin: Vector3::zeros() };
+        let state = Sample {
+            position: position.into(),
+            rotation: UnitQuaternion::from_scaled_axis(turn),
+            velocity: Vector3::zeros(),
+            spin: Vector3::zeros(),
+        };
         Placed { state, half }
     }
 

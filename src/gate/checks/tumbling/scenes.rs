@@ -1,7 +1,8 @@
 //! The scenes: boxes thrown with an orientation and a spin that a seed decides.
 //!
 //! ```text
-//!     orientation   uniform on the unit quaternions     spin   each component uniform in ±8 rad/s     velocity   ±1 m/s
+//!     orientation   uniform on the unit quaternions     spin   each component uniform in ±8 rad/s
+//!     velocity      each component uniform in ±1 m/s, of two boxes in ±¼ m/s, so that one falls on the other
 //! ```
 //! A seed stands for one throw, the same on every machine.
 
@@ -56,14 +57,14 @@ impl Throw {
     pub fn scene(&self, friction: f64) -> Scene {
         let mut numbers = Numbers(self.seed + std::env::var("TSEED").map_or(0, |x| x.parse::<u64>().unwrap()));
         let bodies = match self.thrown {
-            Thrown::Cube => vec![numbers.thrown(cuboid("box", LIGHT, [0.1; 3], [0.0, 0.0, 0.3]))],
-            Thrown::Box => vec![numbers.thrown(cuboid("box", LIGHT, [0.108, 0.056, 0.098], [0.0, 0.0, 0.3]))],
+            Thrown::Cube => vec![numbers.thrown(cuboid("box", LIGHT, [0.1; 3], [0.0, 0.0, 0.3]), 1.0)],
+            Thrown::Box => vec![numbers.thrown(cuboid("box", LIGHT, [0.108, 0.056, 0.098], [0.0, 0.0, 0.3]), 1.0)],
             Thrown::Pair | Thrown::Heavy => {
                 let above = if self.thrown == Thrown::Pair { LIGHT } else { HEAVY };
                 let [low, high] = [[0.1, 0.08, 0.09], [0.1, 0.11, 0.09]];
                 vec![
-                    numbers.thrown(cuboid("box", LIGHT, low, [0.0, 0.0, 0.2])),
-                    numbers.thrown(cuboid("upper", above, high, [0.02, 0.01, 0.6])),
+                    numbers.thrown(cuboid("box", LIGHT, low, [0.0, 0.0, 0.2]), 0.25),
+                    numbers.thrown(cuboid("upper", above, high, [0.02, 0.01, 0.6]), 0.25),
                 ]
             }
         };
@@ -95,10 +96,10 @@ impl Numbers {
         }
     }
 
-    /// The body, turned and moving; its height stays.
-    fn thrown(&mut self, body: Body) -> Body {
+    /// The body, turned and moving with up to `speed` \[m/s\] along each axis; its place stays.
+    fn thrown(&mut self, body: Body, speed: f64) -> Body {
         let orientation = self.orientation();
-        let linear_velocity = std::array::from_fn(|_| self.next());
+        let linear_velocity = std::array::from_fn(|_| speed * self.next());
         let angular_velocity = std::array::from_fn(|_| 8.0 * self.next());
         Body { orientation, linear_velocity, angular_velocity, ..body }
     }
