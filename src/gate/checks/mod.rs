@@ -21,6 +21,7 @@ pub mod rolling;
 mod scenery;
 pub mod solver;
 pub mod stack;
+pub mod tumbling;
 
 /// The families, in the order of the report.
 pub const FAMILIES: &[&[Check]] = &[
@@ -40,6 +41,7 @@ pub const FAMILIES: &[&[Check]] = &[
     energy::CHECKS,
     rocking::CHECKS,
     painleve::CHECKS,
+    tumbling::CHECKS,
 ];
 
 /// The derived verdicts of our schemes that are not `pass`, family by family.
@@ -52,4 +54,5 @@ pub const EXPECTED: &[&[Expected]] = &[
     isotropy::EXPECTED,
     contact::EXPECTED,
     energy::EXPECTED,
+    tumbling::EXPECTED,
 ];

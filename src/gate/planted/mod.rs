@@ -10,6 +10,7 @@ mod projection;
 mod rocking;
 mod solver;
 mod stack;
+mod tumbling;
 mod wrapped;
 
 use super::Engine;
@@ -38,6 +39,7 @@ pub fn all() -> impl Iterator<Item = &'static Planted> {
         rocking::PLANTED,
         solver::PLANTED,
         projection::PLANTED,
+        tumbling::PLANTED,
     ]
     .into_iter()
     .flatten()

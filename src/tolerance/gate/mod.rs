@@ -19,6 +19,7 @@ pub mod rocking;
 pub mod rolling;
 pub mod solver;
 pub mod stack;
+pub mod tumbling;
 
 /// The part of a step's impulse that the step's solver may leave unsolved, √2⁻²³ = 3.5e-4. Every family that asks how well a step is solved rests
 /// on it: at rest, in stacks, on slopes, in the reported impulses, between transformed scenes.
