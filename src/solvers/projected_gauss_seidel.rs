@@ -5,7 +5,8 @@
 //! Each contact is solved to rounding (`one_contact`). For symmetric positive semidefinite W and a convex law the
 //! sweeps descend on ½rᵀ(W+R)r + (u_free+shift)ᵀr and converge; for Coulomb's law they usually do, and the certificate tells.
 //!
-//! The best iterate is kept and returned. Sweeps that no longer halve its residual have stalled and end.
+//! Accelerated sweeps keep their best iterate and return it. Sweeps that no longer halve its residual have stalled and end with it too; plain sweeps that
+//! reach their declared number return the last one.
 
 use super::ContactSolver;
 use super::anderson::Anderson;
@@ -85,7 +86,9 @@ impl ContactSolver for ProjectedGaussSeidel {
             sweeper.accelerated(self)
         }
         let sweeps = sweeper.sweeps;
-        let impulse = if sweeper.is_finite() { sweeper.best.impulse } else { sweeper.impulse };
+        // a declared number of plain sweeps answers what they end with
+        let keeps_best = self.memory > 0 || sweeps < self.sweeps;
+        let impulse = if keeps_best && sweeper.is_finite() { sweeper.best.impulse } else { sweeper.impulse };
         let velocity = problem.velocity(&impulse);
         super::finite(Solution { impulse, velocity, beta: None, sigma: None, solver: self.name().into(), iterations: sweeps })
     }
