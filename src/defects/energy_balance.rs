@@ -47,8 +47,8 @@ pub const DEFECTS: &[Defect] = &[
     Defect {
         name: "energy-balance/impulse-scaled",
         mistake: "the solver's impulses are 1 % too large, and so is what they do",
-        defective: || made("moreau-jean", tumbling_box, |_, step, _| scaled(step, 1.01)),
-        reference: || made("moreau-jean", tumbling_box, |_, _, _| ()),
+        defective: || made("moreau-jean", ball, |_, step, _| scaled(step, 1.01)),
+        reference: || made("moreau-jean", ball, |_, _, _| ()),
     },
     Defect {
         name: "energy-balance/impulse-misreported",

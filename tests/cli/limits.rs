@@ -38,7 +38,7 @@ fn many_spheres_run_in_the_memory_of_those_that_are_near_or_are_refused_with_the
     // 500 spheres have 125 250 candidates, whose rows alone would be 9 GB; 100 are near
     let scene = folder.file("spheres.json", &spheres(500));
     for scheme in ["moreau-jean", "xpbd"] {
-        let run = moreau(&["simulate", "--scene", &scene, "--scheme", scheme, "--step", "0.005", "--max-memory", "1GiB"]);
+        let run = moreau(&["simulate", "--scene", &scene, "--scheme", scheme, "--step", "0.005", "--max-memory", "2GiB"]);
         assert_eq!((run.code, run.message.as_str()), (0, ""), "{scheme}");
         let refused = moreau(&["simulate", "--scene", &scene, "--scheme", scheme, "--step", "0.005", "--max-memory", "100MB"]);
         refused.is_refused(&["--max-memory", "is 100.0 MB", "needs about 288.0 MB"]);

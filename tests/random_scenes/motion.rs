@@ -2,12 +2,10 @@
 
 use crate::scenario::{Scenario, Staged};
 use moreau::Error;
-use moreau::certificate::residuals;
 use moreau::checks::energy_balance::reach::Reach;
 use moreau::checks::energy_balance::{Balance, Judged, RESIDUAL, Taken};
 use moreau::schemes::{self, Scheme, Step};
 use moreau::solvers::Reference;
-use moreau::tolerance::cli::CERTIFY;
 use serde::{Deserialize, Serialize};
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -70,7 +68,7 @@ fn attempt(name: &str, scenario: &Scenario, outcome: &mut Outcome) -> moreau::Re
         }
         let taken = Taken { mechanism: mechanism.as_ref(), before: &state, step: &step, h: scenario.h };
         let judged = balance.judge(&taken)?;
-        let rejected = is_rejected(&step)?;
+        let rejected = is_rejected(&step);
         outcome.rejected += usize::from(rejected);
         note(outcome, &judged, rejected, &taken);
         if reach.is_none() {
@@ -88,10 +86,9 @@ fn attempt(name: &str, scenario: &Scenario, outcome: &mut Outcome) -> moreau::Re
     Ok(())
 }
 
-/// Whether the certificate rejects the answer of the step's contact problem.
-fn is_rejected(step: &Step) -> moreau::Result<bool> {
-    let (Some(problem), Some(solution)) = (&step.assembled.problem, &step.solution) else { return Ok(false) };
-    Ok(!residuals(problem, solution)?.is_solution(CERTIFY))
+/// Whether the certificate, or the rule of the scheme's own law, rejects what the step solved.
+fn is_rejected(step: &Step) -> bool {
+    step.residual.is_some_and(|residual| !residual.is_accepted())
 }
 
 fn note(outcome: &mut Outcome, judged: &Judged, rejected: bool, taken: &Taken) {

@@ -159,7 +159,6 @@ mod tests {
             for seed in 0..20 {
                 let scene = Scene { duration: 0.5, ..Throw { thrown, seed, restitution: 0.0 }.scene(FRICTION) };
                 let mut engine = own::by_name("moreau-jean").expect("a listed name");
-                engine.solver_name = "pgs".into();
                 let motion = engine.simulate(&scene, 1.0 / 64.0, 1, &Options::new()).expect("simulated");
                 let met = motion.contacts.iter().any(|contact| contact.bodies.iter().all(|name| name != "ground"));
                 assert!(met, "{thrown:?}, throw {seed}");
