@@ -51,12 +51,14 @@ pub(super) fn work(problem: &ContactProblem, solution: &Solution, impulse: &DVec
     let spread: f64 = impulse.iter().enumerate().map(|(row, r)| r.abs() * reach(row)).sum();
     let mut total = Work { residual: 0.0, limit: 0.0, softened: impulse.dot(&soft) + edges.iter().sum::<f64>(), size: spread * spread };
     let rows = problem.rows_per_contact;
+    // a polyhedral law is d + 2 complementary pairs a contact, each with the tolerance of its own
+    let pairs = problem.law.directions().map_or(1.0, |d| (d + 2) as f64);
     let largest = impulse.as_slice().chunks(rows).map(|r| r.iter().fold(0.0, |norm: f64, r| norm.hypot(*r))).fold(0.0, f64::max);
     for (k, edge) in edges.iter().enumerate() {
         let part = |vector: &DVector<f64>| vector.rows(k * rows, rows).into_owned();
         let r = part(impulse);
         total.residual += (r.dot(&part(&law_velocity)) + edge).max(0.0);
-        total.limit += RESIDUAL_WORK * (largest * (part(&data).norm() + part(&pushed).norm() + part(&soft).norm()) + edge);
+        total.limit += RESIDUAL_WORK * (pairs * largest * (part(&data).norm() + part(&pushed).norm() + part(&soft).norm()) + edge);
         let terms = part(&problem.free_velocity).abs() + part(&problem.shift).abs() + part(&soft).abs();
         total.size += r.abs().dot(&terms) + edge;
     }

@@ -54,7 +54,7 @@ pub const PLANTED: &[Planted] = &[
                 ..EachStep::NOTHING
             })
         },
-        caught_by: &["ball/penetration", "rest/jitter", "tumbling/depth"],
+        caught_by: &["ball/penetration", "rest/jitter"],
     },
     Planted {
         name: "ball/baumgarte-velocity-kept",

@@ -122,7 +122,7 @@ pub const PLANTED: &[Planted] = &[
         name: "contact/late",
         mistake: "reports every impulse one sample late",
         engine: || reported(reports::late),
-        caught_by: &["contact/momentum", "tumbling/momentum"],
+        caught_by: &["contact/momentum"],
     },
     Planted {
         name: "contact/normal-reversed",
