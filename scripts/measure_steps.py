@@ -82,6 +82,19 @@ def measure_heavy(options, folder):
     return result
 
 
+def earlier(parser, options):
+    """The rows of an earlier measurement of the same scenes, by what they measured."""
+    document = json.loads(options.before.read_text())
+    same = {"seed": options.seed, "boxes": options.boxes, "limit": options.limit, "time_step": TIME_STEP}
+    for name in [name for name, value in same.items() if document.get(name) != value]:
+        parser.error(f"{options.before} was measured with another {name}: {document.get(name)}, not {same[name]}")
+    return {identity(row): row["after"] for row in document["tumbling"] + document["heavy_on_light"] if "after" in row}
+
+
+def identity(row):
+    return tuple(row.get(key) for key in ("scheme", "solver", "ratio", "motion"))
+
+
 def shortcomings(boxes, heavy, name="after"):
     """Every reason for exit status 1, as sentences."""
     result = []
@@ -90,7 +103,7 @@ def shortcomings(boxes, heavy, name="after"):
         for run in row[name]["bad"]:
             where = f"{row['scheme']} {row['solver']} seed {run['seed']}"
             failed = run["failed"]
-            if failed and (strict or failed.startswith("panic") or auto and not failed.startswith("exit code 2")):
+            if failed and (strict or failed.startswith(("panic", "signal")) or auto and not failed.startswith("exit code 2")):
                 result.append(f"{where}: {failed}")
             elif run.get("rejected") and auto:
                 result.append(f"{where}: {run['rejected']} steps rejected, worst {show(run['residual'])}")
@@ -133,7 +146,8 @@ def parse(arguments):
     add = parser.add_argument
     add("--moreau", type=pathlib.Path, metavar="BINARY", help="the program measured",
         default=os.environ.get("MOREAU", ROOT / "target" / "release" / "moreau"))
-    add("--before", type=pathlib.Path, metavar="BINARY", help="an older program, shown beside it")
+    add("--before", type=pathlib.Path, metavar="BINARY|FILE",
+        help="an older program, or what --json wrote of it (.json), shown beside it")
     add("--boxes", type=int, default=100, metavar="N", help="tumbling boxes (100; 0: none)")
     add("--seed", type=int, default=0, help="seed of the first box, the others count on (0)")
     add("--schemes", type=words, metavar="A,B", help="all that the program lists, or none")
@@ -153,7 +167,10 @@ def parse(arguments):
             parser.error(f"{options.moreau} has no {name} among its {kind}: {', '.join(known[kind])}")
     if options.boxes < 0 or options.jobs < 1 or options.limit < 1 or any(not r > 0 for r in options.ratios):
         parser.error("--boxes must be at least 0, --jobs and --limit at least 1, --ratios above 0")
-    options.binaries = {"before": (options.before, known_names(parser, options.before))} if options.before else {}
+    stored = options.before is not None and options.before.suffix == ".json"
+    options.earlier = earlier(parser, options) if stored else {}
+    runs_too = {"before": options.before} if options.before and not stored else {}
+    options.binaries = {name: (binary, known_names(parser, binary)) for name, binary in runs_too.items()}
     options.binaries["after"] = (options.moreau, known)
     return options
 
@@ -165,12 +182,15 @@ def main(arguments=None):
         folder = options.keep or pathlib.Path(folder)
         folder.mkdir(parents=True, exist_ok=True)
         boxes, heavy = measure_boxes(options, folder), measure_heavy(options, folder)
+    for row in boxes + heavy:
+        row.update({"before": options.earlier[identity(row)]} if identity(row) in options.earlier else {})
+    names = ["before", "after"] if options.before else ["after"]
     reasons = shortcomings(boxes, heavy)
-    print("\n".join(report(boxes, heavy, list(options.binaries), options.markdown)))
+    print("\n".join(report(boxes, heavy, names, options.markdown)))
     print("\n" + "\n".join([f"wrong: {reason}" for reason in reasons] or ["nothing wrong"]))
     if options.json:
         options.json.write_text(json.dumps({
-            "seed": options.seed, "boxes": options.boxes, "time_step": TIME_STEP, "tumbling": boxes,
+            "seed": options.seed, "boxes": options.boxes, "limit": options.limit, "time_step": TIME_STEP, "tumbling": boxes,
             "heavy_on_light": heavy, "wrong": reasons}, indent=1) + "\n")
     return 1 if reasons else 0
 

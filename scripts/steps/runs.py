@@ -21,7 +21,9 @@ def failure(code, errors):
     if code in (-9, -24):
         return "time limit"
     lines = [line.strip() for line in errors.splitlines() if line.strip()]
-    if code == 101 or code < 0:
+    if code < 0:
+        return f"signal {-code}"
+    if code == 101:
         place = next((k for k, line in enumerate(lines) if "panicked at" in line), None)
         return "panic" if place is None else "panic: " + " ".join(lines[place:place + 2])
     return f"exit code {code}: {lines[0] if lines else 'says nothing'}"

@@ -107,6 +107,7 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(failure(-24, ""), "time limit")
         self.assertEqual(failure(101, "note\nthread 'main' panicked at a.rs:1:\nwhy\n"),
                          "panic: thread 'main' panicked at a.rs:1: why")
+        self.assertEqual(failure(-11, "anything"), "signal 11")
         self.assertEqual(failure(2, "error: no\nmore"), "exit code 2: error: no")
         self.assertEqual(judge(1, "", "error: no answer", 1)["failed"], "exit code 1: error: no answer")
 
@@ -170,6 +171,15 @@ class Program(unittest.TestCase):
         _, text = self.run_main("--before", str(self.binary), "--markdown", "--ratios", "none")
         self.assertIn("| scheme | solver | runs before | runs after | gained before |", text)
         self.assertIn("| moreau-jean | auto | 3 | 3 | 0 | 0 |", text)
+
+    def test_an_earlier_measurement_stands_beside_a_new_one_of_the_same_scenes_only(self):
+        stored = str(self.folder / "before.json")
+        self.run_main("--json", stored, "--boxes", "2", CHANGE="1")
+        _, text = self.run_main("--before", stored, "--boxes", "2", "--markdown", "--ratios", "1")
+        self.assertIn("| moreau-jean | auto | 2 | 2 | 0 | 0 | 2 | 0 |", text)
+        with self.assertRaises(SystemExit) as end:
+            self.run_main("--before", stored, "--boxes", "3")
+        self.assertEqual(end.exception.code, 2)
 
     def test_wrong_usage_is_exit_status_2(self):
         for words in (["--schemes", "chronos"], ["--solvers", "nets"], ["--moreau", "no/such"], ["--jobs", "0"],
