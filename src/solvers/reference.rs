@@ -34,8 +34,8 @@ pub const NAMES: [&str; 14] = [
 /// | for | algorithm |
 /// |---|---|
 /// | soft contacts | Newton on Gauss's principle |
-/// | all but the polyhedral laws in the plane and the polyhedral associated one | accelerated sweeps |
-/// | second-order cones | nonsmooth Newton from what the sweeps found |
+/// | second-order cones | a few accelerated sweeps, and nonsmooth Newton from what they found |
+/// | all but the polyhedral laws in the plane and the polyhedral associated one | more accelerated sweeps, and Newton for second-order cones |
 /// | the same again | plain sweeps, and Newton from what they found |
 /// | second-order cones and a symmetric W | alternating directions, a few and then many, and Newton after each |
 /// | second-order cones | over-relaxation |
@@ -51,9 +51,11 @@ pub struct Reference;
 type Stage = fn(&ContactProblem, Option<&DVector<f64>>) -> Result<Solution>;
 
 /// The algorithms with the problems they are for, in order.
-const STAGES: [(fn(&ContactProblem) -> bool, Stage); 13] = [
+const STAGES: [(fn(&ContactProblem) -> bool, Stage); 15] = [
     (|problem| problem.compliance.is_some(), |problem, start| GaussNewton::default().solve(problem, start)),
-    (is_swept, |problem, start| accelerated(problem).solve(problem, start)),
+    (has_second_order_cone, |problem, start| accelerated(tolerance::FEW_SWEEPS).solve(problem, start)),
+    (has_second_order_cone, newton),
+    (is_swept, |problem, start| accelerated(tolerance::AUTO_SWEEPS).solve(problem, start)),
     (has_second_order_cone, newton),
     (has_second_order_cone, |problem, start| {
         ProjectedGaussSeidel { sweeps: tolerance::PLAIN_SWEEPS, ..Default::default() }.solve(problem, start)
@@ -93,9 +95,7 @@ fn newton(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solu
     NonsmoothNewton::default().solve(problem, start)
 }
 
-/// A polyhedral law gets few sweeps, because Lemke, which comes next, ends.
-fn accelerated(problem: &ContactProblem) -> ProjectedGaussSeidel {
-    let sweeps = if has_second_order_cone(problem) { tolerance::AUTO_SWEEPS } else { tolerance::FIRST_SWEEPS };
+fn accelerated(sweeps: usize) -> ProjectedGaussSeidel {
     ProjectedGaussSeidel { sweeps, ..ProjectedGaussSeidel::accelerated() }
 }
 

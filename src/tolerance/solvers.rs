@@ -102,6 +102,9 @@ pub const NONSMOOTH_PROXIMAL: f64 = 1.0 / (1u64 << 40) as f64;
 /// Accelerated sweeps that `auto` spends before it goes on to other algorithms, and sweeps of over-relaxation after them.
 pub const AUTO_SWEEPS: usize = 20 * FIRST_SWEEPS;
 
+/// Accelerated sweeps before Newton's method is tried, a tenth of [`FIRST_SWEEPS`]: easy contacts need no more, and a factorisation of n contacts is worth about n sweeps.
+pub const FEW_SWEEPS: usize = FIRST_SWEEPS / 10;
+
 /// Plain sweeps that `auto` spends where accelerated ones have stalled: what they do not bring near a solution is left to the others.
 pub const PLAIN_SWEEPS: usize = 2 * FIRST_SWEEPS;
 
