@@ -166,6 +166,9 @@ fn refined(lcp: &Lcp<f64>, mut z: DVector<f64>) -> DVector<f64> {
     for _ in 0..REFINEMENTS {
         let slack = lcp.slack(&z);
         let basic: Vec<usize> = (0..z.len()).filter(|&i| z[i] > slack[i]).collect();
+        if basic.is_empty() {
+            return z;
+        }
         let block = DMatrix::from_fn(basic.len(), basic.len(), |i, j| lcp.matrix[(basic[i], basic[j])]);
         let mut tried = DVector::zeros(z.len());
         basic.iter().for_each(|&i| tried[i] = z[i]);
