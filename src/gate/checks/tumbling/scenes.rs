@@ -55,7 +55,7 @@ impl Throw {
 
     /// The scene with a friction coefficient.
     pub fn scene(&self, friction: f64) -> Scene {
-        let mut numbers = Numbers(self.seed + std::env::var("TSEED").map_or(0, |x| x.parse::<u64>().unwrap()));
+        let mut numbers = Numbers(self.seed);
         let bodies = match self.thrown {
             Thrown::Cube => vec![numbers.thrown(cuboid("box", LIGHT, [0.1; 3], [0.0, 0.0, 0.3]), 1.0)],
             Thrown::Box => vec![numbers.thrown(cuboid("box", LIGHT, [0.108, 0.056, 0.098], [0.0, 0.0, 0.3]), 1.0)],
