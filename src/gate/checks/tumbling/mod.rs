@@ -158,7 +158,8 @@ mod tests {
         for thrown in [Thrown::Pair, Thrown::Heavy] {
             for seed in 0..20 {
                 let scene = Scene { duration: 0.5, ..Throw { thrown, seed, restitution: 0.0 }.scene(FRICTION) };
-                let mut engine = own::by_name("moreau-jean").expect("a listed name");
+                // whether they meet is asked, not whether every step is solved
+                let mut engine = own::OwnEngine { certified: false, ..own::by_name("moreau-jean").expect("a listed name") };
                 let motion = engine.simulate(&scene, 1.0 / 64.0, 1, &Options::new()).expect("simulated");
                 let met = motion.contacts.iter().any(|contact| contact.bodies.iter().all(|name| name != "ground"));
                 assert!(met, "{thrown:?}, throw {seed}");
