@@ -47,11 +47,14 @@ pub const NAMES: [&str; 14] = [
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reference;
 
+/// Whether an algorithm is for a problem.
+type Takes = fn(&ContactProblem) -> bool;
+
 /// One algorithm of [`Reference`], from the impulses to start from.
 type Stage = fn(&ContactProblem, Option<&DVector<f64>>) -> Result<Solution>;
 
 /// The algorithms with the problems they are for, in order.
-const STAGES: [(fn(&ContactProblem) -> bool, Stage); 15] = [
+const STAGES: [(Takes, Stage); 15] = [
     (|problem| problem.compliance.is_some(), |problem, start| GaussNewton::default().solve(problem, start)),
     (has_second_order_cone, |problem, start| accelerated(tolerance::FEW_SWEEPS).solve(problem, start)),
     (has_second_order_cone, newton),
