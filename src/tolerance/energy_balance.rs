@@ -16,7 +16,7 @@ pub fn energy(rows: usize, velocities: usize, size: f64) -> f64 {
 
 /// Share of max ‖r_j‖ Σ (‖q_k‖ + ‖(W r)_k‖ + ‖(R r)_k‖), q = u_free + shift, that the residual's work Σ max(0, r_k·y_k) may have in an accepted step:
 /// r_k·y_k is a product of an impulse with a law velocity that the law wants zero or negative, and the certificate's tolerance is relative
-/// to the two, the impulse being the largest of the pair's.
+/// to the two, the impulse being the largest of the step's, or ρ_n|q_n| where that is larger.
 pub const RESIDUAL_WORK: f64 = cli::CERTIFY;
 
 /// Rounding of a quadratic form of a spin after the implicit midpoint steps of one step of size h at the rate `rate` \[rad/s\] and of size `size` \[J\]:

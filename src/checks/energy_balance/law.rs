@@ -53,7 +53,13 @@ pub(super) fn work(problem: &ContactProblem, solution: &Solution, impulse: &DVec
     let rows = problem.rows_per_contact;
     // a polyhedral law is d + 2 complementary pairs a contact, each with the tolerance of its own
     let pairs = problem.law.directions().map_or(1.0, |d| (d + 2) as f64);
-    let largest = impulse.as_slice().chunks(rows).map(|r| r.iter().fold(0.0, |norm: f64, r| norm.hypot(*r))).fold(0.0, f64::max);
+    // the certificate's own scale: the largest impulse, or what the data of a contact alone ask of it
+    let size = |(k, r): (usize, &[f64])| {
+        let own = problem.delassus[(k * rows, k * rows)];
+        let asked = if own > 0.0 { data[k * rows].abs() / own } else { 0.0 };
+        r.iter().fold(asked, |norm: f64, r| norm.hypot(*r))
+    };
+    let largest = impulse.as_slice().chunks(rows).enumerate().map(size).fold(0.0, f64::max);
     for (k, edge) in edges.iter().enumerate() {
         let part = |vector: &DVector<f64>| vector.rows(k * rows, rows).into_owned();
         let r = part(impulse);
