@@ -16,7 +16,7 @@
 
 use super::judge::{AtContact, Here};
 use super::part::{Part, pair};
-use crate::cones::polyhedral::{direction, neighbours};
+use crate::cones::polyhedral::{along_edges, along_neighbours, direction};
 use crate::problem::{Compliance, ContactProblem, Coordinates, Solution};
 use crate::{Error, Result};
 
@@ -182,29 +182,6 @@ fn mismatch(r: [f64; 2], beta: &[f64], scale: f64) -> f64 {
         [sum[0] + first * b, sum[1] + second * b]
     });
     (r[0] - scale * sum[0]).hypot(r[1] - scale * sum[1])
-}
-
-/// β ≥ 0 with Σ Dⱼβⱼ = r_t and the smallest sum: along the two directions beside r_t.
-fn along_neighbours(r: [f64; 2], d: usize, beta: &mut Vec<f64>) {
-    beta.resize(d, 0.0);
-    if d == 2 {
-        beta[usize::from(r[0] < 0.0)] = r[0].abs();
-        return;
-    }
-    let (j, parts) = neighbours(r, d);
-    beta[j] = parts[0];
-    beta[(j + 1) % d] = parts[1];
-}
-
-/// f with Σ fⱼ(n + μDⱼ) = r: the neighbours carry r_t/μ, and what is left of r_n is spread evenly, which adds no tangential impulse.
-fn along_edges(r: &[f64], mu: f64, d: usize, edges: &mut Vec<f64>) {
-    let [first, second] = tangent(r);
-    if mu > 0.0 {
-        along_neighbours([first / mu, second / mu], d, edges);
-    }
-    edges.resize(d, 0.0);
-    let rest = (r[0] - edges.iter().sum::<f64>()) / d as f64;
-    edges.iter_mut().for_each(|edge| *edge += rest);
 }
 
 fn tangent(z: &[f64]) -> [f64; 2] {

@@ -45,6 +45,29 @@ pub fn neighbours(r: [f64; 2], d: usize) -> (usize, [f64; 2]) {
     (j, parts.map(|part| part.max(0.0)))
 }
 
+/// β ≥ 0 with Σ Dⱼβⱼ = r_t and the smallest sum, along the two directions beside r_t; takes the place of an empty `beta`.
+pub fn along_neighbours(r: [f64; 2], d: usize, beta: &mut Vec<f64>) {
+    beta.resize(d, 0.0);
+    if d == 2 {
+        beta[usize::from(r[0] < 0.0)] = r[0].abs();
+        return;
+    }
+    let (j, parts) = neighbours(r, d);
+    beta[j] = parts[0];
+    beta[(j + 1) % d] = parts[1];
+}
+
+/// f with Σ fⱼ(n + μDⱼ) = r: the neighbours carry r_t/μ, and what is left of r_n is spread evenly, which adds no tangential impulse; `edges` is empty before.
+pub fn along_edges(r: &[f64], mu: f64, d: usize, edges: &mut Vec<f64>) {
+    let [first, second] = [r.get(1), r.get(2)].map(|r| r.copied().unwrap_or(0.0));
+    if mu > 0.0 {
+        along_neighbours([first / mu, second / mu], d, edges);
+    }
+    edges.resize(d, 0.0);
+    let rest = (r[0] - edges.iter().sum::<f64>()) / d as f64;
+    edges.iter_mut().for_each(|edge| *edge += rest);
+}
+
 /// Relative loss of friction strength in the worst direction of a three-dimensional contact, `1 − cos(π/d) = 2 sin²(π/2d)`.
 pub fn strength_error(d: usize) -> f64 {
     // The second form does not cancel for many directions.

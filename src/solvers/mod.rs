@@ -11,6 +11,7 @@ mod anderson;
 mod barzilai_borwein;
 mod clarabel;
 pub mod enumeration;
+mod friction_set;
 pub mod gauss;
 pub mod lemke;
 mod lemke_pivoting;

@@ -1,9 +1,12 @@
 //! Nonsmooth Newton on Alart and Curnier's equations, which are the certificate's natural map in two parts:
 //!
 //! ```text
-//!     a = r_n − ρ_n w ,   z = r_t − ρ_t y_t ,   y = A r + q ,   A = W + R ,   w = y_n, or y_n − μ‖y_t‖ for the associated law
-//!     F_n = r_n − max(a, 0) ,      F_t = r_t − P_disk(μ max(a, 0))(z) ,      J d = −F ,   r ← r + s d
+//!     a = r_n − ρ_n w ,   z = r_t − ρ_t y_t ,   R = μ max(a, 0) ,   y = A r + q ,   A = W + compliance
+//!     F_n = r_n − max(a, 0) ,      F_t = r_t − P_R(z) ,      J d = −F ,   r ← r + s d
+//!     w = y_n ,   or y_n − μ max { s·(−y_t) : s ∈ S } for the associated laws
 //! ```
+//! with P_R the projection on R·S, S the disk or the polygon of the law (`friction_set.rs`). With a polygon F is piecewise linear, and the right piece ends it.
+//!
 //! Where contacts do not change between open, sticking and sliding the error squares in every step; far from a solution nothing is promised. So it goes on from
 //! what sweeps have found, and ends problems on which they creep: a box on four corners, whose W has rank six of twelve.
 //!
@@ -16,14 +19,15 @@
 //! Alart and Curnier, *A mixed formulation for frictional contact problems prone to Newton like solution methods*, Comput. Methods Appl. Mech. Eng. 92 (1991).
 
 use super::ContactSolver;
+use super::friction_set::{FrictionSet, Piece};
 use super::stopping::Stopping;
 use crate::certificate::Judge;
-use crate::problem::{ContactProblem, Law, Solution};
+use crate::problem::{ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::solvers as tolerance;
 use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
-/// Nonsmooth Newton for the frictionless, Coulomb and associated laws; W may be asymmetric and rank deficient.
+/// Nonsmooth Newton for every law, compliance on edges excepted; W may be asymmetric and rank deficient.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NonsmoothNewton {
     /// Step limit.
@@ -47,8 +51,8 @@ impl ContactSolver for NonsmoothNewton {
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         problem.validate()?;
-        if problem.law.directions().is_some() {
-            return Err(Error::solver(NAME, format!("does not solve the law `{}`; use `lemke`", problem.law.name())));
+        if !NonsmoothNewton::takes(problem) {
+            return Err(Error::solver(NAME, "does not solve a compliance on edges, of which the impulse is not a function; use `lemke`"));
         }
         let equations = Equations::new(problem);
         let mut stopping = Stopping::new(problem, self.tolerance);
@@ -76,9 +80,18 @@ impl ContactSolver for NonsmoothNewton {
     }
 }
 
+impl NonsmoothNewton {
+    /// Whether the law of this problem is a function of impulse and velocity.
+    pub fn takes(problem: &ContactProblem) -> bool {
+        problem.compliance.as_ref().is_none_or(|compliance| compliance.coordinates == Coordinates::Contact)
+    }
+}
+
 /// F and J of a problem.
 struct Equations<'a> {
     problem: &'a ContactProblem,
+    /// S of every contact.
+    set: FrictionSet,
     operator: DMatrix<f64>,
     /// ρ_n, ρ_t per contact \[kg\].
     weights: Vec<[f64; 2]>,
@@ -86,7 +99,11 @@ struct Equations<'a> {
 
 impl<'a> Equations<'a> {
     fn new(problem: &'a ContactProblem) -> Self {
-        Equations { problem, operator: problem.law_delassus(), weights: Judge::weights(problem) }
+        let set = match problem.law.directions() {
+            Some(directions) if problem.rows_per_contact == 3 => FrictionSet::Polygon { directions },
+            _ => FrictionSet::Disk,
+        };
+        Equations { problem, set, operator: problem.law_delassus(), weights: Judge::weights(problem) }
     }
 
     /// r + s d for the first s that reduces ‖F‖, or for s = 1 where none does: a cycle is left by a jump.
@@ -121,16 +138,17 @@ impl<'a> Equations<'a> {
     ) {
         let (rows, [rho_n, rho_t]) = (self.problem.rows_per_contact, self.weights[k]);
         let (normal, mu) = (k * rows, super::cone_friction(self.problem, k));
-        let tangents = normal + 1..normal + rows;
-        let slip = law_velocity.rows(normal + 1, rows - 1).norm();
-        let associated = self.problem.law == Law::Associated && slip > 0.0;
-        let w = law_velocity[normal] - if associated { mu * slip } else { 0.0 };
-        let a = impulse[normal] - rho_n * w;
-        // ∂w/∂r, needed where the contact presses
-        let mut slope = self.operator.row(normal).into_owned();
-        if associated {
-            tangents.clone().for_each(|row| slope -= self.operator.row(row) * (mu * law_velocity[row] / slip));
+        let tangent = |vector: &DVector<f64>, i: usize| if i + 1 < rows { vector[normal + 1 + i] } else { 0.0 };
+        let [r_t, y_t] = [impulse, law_velocity].map(|vector| [tangent(vector, 0), tangent(vector, 1)]);
+        // w and ∂w/∂r, which is needed where the contact presses
+        let (mut w, mut slope) = (law_velocity[normal], self.operator.row(normal).into_owned());
+        if matches!(self.problem.law, Law::Associated | Law::PolyhedralAssociated { .. }) {
+            for (i, share) in self.set.against(y_t).into_iter().enumerate().take(rows - 1) {
+                w += mu * share * y_t[i];
+                slope += self.operator.row(normal + 1 + i) * (mu * share);
+            }
         }
+        let a = impulse[normal] - rho_n * w;
         if a > 0.0 {
             residual[normal] = rho_n * w;
             jacobian.row_mut(normal).copy_from(&(&slope * rho_n));
@@ -140,35 +158,25 @@ impl<'a> Equations<'a> {
             jacobian[(normal, normal)] = 1.0;
         }
         let radius = mu * a.max(0.0);
-        let z: Vec<f64> = tangents.clone().map(|row| impulse[row] - rho_t * law_velocity[row]).collect();
-        let length = z.iter().fold(0.0, |norm: f64, z| norm.hypot(*z));
-        if length <= radius {
-            for row in tangents {
-                residual[row] = rho_t * law_velocity[row];
-                jacobian.row_mut(row).copy_from(&(self.operator.row(row) * rho_t));
-                jacobian[(row, row)] += tolerance::NONSMOOTH_PROXIMAL;
+        let Piece { along, growth } = self.set.piece(radius, [r_t[0] - rho_t * y_t[0], r_t[1] - rho_t * y_t[1]]);
+        // F_t = (I − A) r_t + A ρ_t y_t − g R, without the difference of two numbers as large as r_t where the contact sticks
+        for i in 0..rows - 1 {
+            let row = normal + 1 + i;
+            residual[row] = -growth[i] * radius;
+            for j in 0..rows - 1 {
+                let (column, moves) = (normal + 1 + j, along[i][j]);
+                let stays = if i == j { 1.0 } else { 0.0 } - moves;
+                residual[row] += stays * r_t[j] + moves * rho_t * y_t[j];
+                let mut changed = jacobian.row_mut(row);
+                changed += self.operator.row(column) * (moves * rho_t);
+                jacobian[(row, column)] += stays + moves * tolerance::NONSMOOTH_PROXIMAL;
             }
-            return;
-        }
-        let unit: Vec<f64> = z.iter().map(|z| z / length).collect();
-        for (i, row) in tangents.clone().enumerate() {
-            residual[row] = impulse[row] - radius * unit[i];
-            jacobian[(row, row)] = 1.0;
-            if radius == 0.0 {
-                continue;
+            if radius > 0.0 && growth[i] != 0.0 {
+                // −g μ ∂a/∂r
+                let mut changed = jacobian.row_mut(row);
+                changed += &slope * (growth[i] * mu * rho_n);
+                jacobian[(row, normal)] -= growth[i] * mu;
             }
-            // −ẑ μ ∂a/∂r
-            let mut change = &slope * (unit[i] * mu * rho_n);
-            change[normal] -= unit[i] * mu;
-            // −(radius/‖z‖) (I − ẑẑᵀ) ∂z/∂r
-            for (j, column) in tangents.clone().enumerate() {
-                let across = if i == j { 1.0 } else { 0.0 } - unit[i] * unit[j];
-                let share = radius / length * across;
-                change += self.operator.row(column) * (share * rho_t);
-                change[column] -= share;
-            }
-            let updated = jacobian.row(row) + change;
-            jacobian.row_mut(row).copy_from(&updated);
         }
     }
 }
@@ -178,8 +186,8 @@ mod tests {
     use super::*;
     use crate::certificate::residuals;
     use crate::contact::delassus::delassus;
-    use crate::problem::Dynamics;
-    use crate::solvers::{AlternatingDirections, ProjectedGaussSeidel};
+    use crate::problem::{Compliance, Dynamics};
+    use crate::solvers::{AlternatingDirections, LemkePivoting, ProjectedGaussSeidel};
     use crate::tolerance::cli::CERTIFY;
     use nalgebra::dmatrix;
 
@@ -212,13 +220,13 @@ mod tests {
 
     #[test]
     fn it_finishes_what_sweeps_began_where_the_impulses_are_not_unique() {
-        for law in [Law::Frictionless, Law::Coulomb, Law::Associated] {
+        for law in [Law::Frictionless, Law::Coulomb, Law::Associated, Law::PolyhedralCoulomb { directions: 6 }] {
             for (sideways, turning) in [(0.1, 0.0), (2.0, 0.0), (0.5, 1.0), (0.3, -3.0)] {
                 let problem = four_corners(law, sideways, turning);
                 let begun = ProjectedGaussSeidel { sweeps: 20, ..Default::default() }.solve(&problem, None).unwrap();
                 let solution = NonsmoothNewton::default().solve(&problem, Some(&begun.impulse)).unwrap();
                 assert!(residuals(&problem, &solution).unwrap().is_solution(tolerance::ENOUGH), "{law:?} {sideways} {turning}");
-                if law != Law::Coulomb {
+                if matches!(law, Law::Frictionless | Law::Associated) {
                     // several impulses, one velocity; Coulomb's law may have several of these too
                     let other = AlternatingDirections::default().solve(&problem, None).unwrap();
                     assert!((&other.velocity - &solution.velocity).amax() <= CERTIFY, "{law:?} {sideways} {turning}");
@@ -230,7 +238,8 @@ mod tests {
     #[test]
     fn the_jacobian_is_the_derivative_of_the_equations() {
         let step = crate::tolerance::cones::DIFFERENCE_STEP;
-        for law in [Law::Frictionless, Law::Coulomb, Law::Associated] {
+        let polygons = [Law::PolyhedralCoulomb { directions: 5 }, Law::PolyhedralAssociated { directions: 8 }];
+        for law in [Law::Frictionless, Law::Coulomb, Law::Associated].into_iter().chain(polygons) {
             let problem = four_corners(law, 0.7, 0.9);
             let equations = Equations::new(&problem);
             let at = |impulse: &DVector<f64>| equations.linearise(impulse, &problem.law_velocity(impulse));
@@ -251,8 +260,27 @@ mod tests {
     }
 
     #[test]
-    fn polyhedral_laws_are_refused_by_name() {
-        let problem = four_corners(Law::PolyhedralCoulomb { directions: 4 }, 0.1, 0.0);
+    fn polyhedral_laws_end_where_lemke_ends() {
+        for law in [Law::PolyhedralCoulomb { directions: 8 }, Law::PolyhedralAssociated { directions: 4 }] {
+            for (sideways, turning) in [(0.1, 0.0), (2.0, 0.0), (0.5, 1.0), (0.3, -3.0)] {
+                let problem = four_corners(law, sideways, turning);
+                let round = if matches!(law, Law::PolyhedralCoulomb { .. }) { Law::Coulomb } else { Law::Associated };
+                let begun = ProjectedGaussSeidel { sweeps: 20, ..Default::default() };
+                let begun = begun.solve(&ContactProblem { law: round, ..problem.clone() }, None).unwrap();
+                let solution = NonsmoothNewton::default().solve(&problem, Some(&begun.impulse)).unwrap();
+                assert!(residuals(&problem, &solution).unwrap().is_solution(tolerance::ENOUGH), "{law:?} {sideways} {turning}");
+                let lemke = LemkePivoting.solve(&problem, None).unwrap();
+                if law == (Law::PolyhedralAssociated { directions: 4 }) {
+                    assert!((&lemke.velocity - &solution.velocity).amax() <= CERTIFY, "{law:?} {sideways} {turning}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn compliance_on_edges_is_refused_by_name() {
+        let mut problem = four_corners(Law::PolyhedralAssociated { directions: 4 }, 0.1, 0.0);
+        problem.compliance = Some(Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(16, 1.0) });
         assert!(NonsmoothNewton::default().solve(&problem, None).unwrap_err().to_string().contains("lemke"));
     }
 }

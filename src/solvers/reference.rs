@@ -34,9 +34,9 @@ pub const NAMES: [&str; 14] = [
 /// | for | algorithm |
 /// |---|---|
 /// | soft contacts | Newton on Gauss's principle |
-/// | second-order cones | a few accelerated sweeps, and nonsmooth Newton from what they found |
-/// | all but the polyhedral laws in the plane and the polyhedral associated one | more accelerated sweeps, and Newton for second-order cones |
-/// | the same again | plain sweeps, and Newton from what they found |
+/// | all but the polyhedral laws in the plane | a few accelerated sweeps, and nonsmooth Newton from what they found |
+/// | the same without the polyhedral associated law | more accelerated sweeps, and Newton |
+/// | second-order cones | plain sweeps, and Newton from what they found |
 /// | second-order cones and a symmetric W | alternating directions, a few and then many, and Newton after each |
 /// | second-order cones | over-relaxation |
 /// | one row, the plane, polyhedral laws, no friction | Lemke |
@@ -56,10 +56,10 @@ type Stage = fn(&ContactProblem, Option<&DVector<f64>>) -> Result<Solution>;
 /// The algorithms with the problems they are for, in order.
 const STAGES: [(Takes, Stage); 15] = [
     (|problem| problem.compliance.is_some(), |problem, start| GaussNewton::default().solve(problem, start)),
-    (has_second_order_cone, |problem, start| accelerated(tolerance::FEW_SWEEPS).solve(problem, start)),
-    (has_second_order_cone, newton),
-    (is_swept, |problem, start| accelerated(tolerance::AUTO_SWEEPS).solve(problem, start)),
-    (has_second_order_cone, newton),
+    (is_iterated, few_sweeps),
+    (is_iterated, newton),
+    (is_swept, more_sweeps),
+    (is_swept, newton),
     (has_second_order_cone, |problem, start| {
         ProjectedGaussSeidel { sweeps: tolerance::PLAIN_SWEEPS, ..Default::default() }.solve(problem, start)
     }),
@@ -81,13 +81,14 @@ const STAGES: [(Takes, Stage); 15] = [
     ),
 ];
 
-/// Polyhedral Coulomb is swept at spatial contacts only; in the plane it is an LCP better solved as one.
+/// All but the polyhedral laws in the plane, which are small LCPs better solved as such, and a compliance on edges.
+fn is_iterated(problem: &ContactProblem) -> bool {
+    (has_second_order_cone(problem) || problem.rows_per_contact == 3) && NonsmoothNewton::takes(problem)
+}
+
+/// What sweeps solve of it.
 fn is_swept(problem: &ContactProblem) -> bool {
-    match problem.law {
-        Law::PolyhedralCoulomb { .. } => problem.rows_per_contact == 3,
-        Law::PolyhedralAssociated { .. } => false,
-        _ => true,
-    }
+    is_iterated(problem) && !matches!(problem.law, Law::PolyhedralAssociated { .. })
 }
 
 fn has_second_order_cone(problem: &ContactProblem) -> bool {
@@ -100,6 +101,20 @@ fn newton(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solu
 
 fn accelerated(sweeps: usize) -> ProjectedGaussSeidel {
     ProjectedGaussSeidel { sweeps, ..ProjectedGaussSeidel::accelerated() }
+}
+
+/// The polyhedral associated law has no sweeps of its own; those of its round cone tell which contacts press.
+fn few_sweeps(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solution> {
+    let few = accelerated(tolerance::FEW_SWEEPS);
+    match problem.law {
+        Law::PolyhedralAssociated { .. } => few.solve(&ContactProblem { law: Law::Associated, ..problem.clone() }, start),
+        _ => few.solve(problem, start),
+    }
+}
+
+/// Where Lemke ends the problem, sweeps are not worth more than it.
+fn more_sweeps(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solution> {
+    accelerated(if has_second_order_cone(problem) { tolerance::AUTO_SWEEPS } else { tolerance::FIRST_SWEEPS }).solve(problem, start)
 }
 
 impl ContactSolver for Reference {

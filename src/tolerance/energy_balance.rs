@@ -14,9 +14,9 @@ pub fn energy(rows: usize, velocities: usize, size: f64) -> f64 {
     rounding(operations(rows, velocities), size) + f64::MIN_POSITIVE
 }
 
-/// Share of max ‖r_j‖ Σ (‖q_k‖ + ‖(W r)_k‖ + ‖(R r)_k‖), q = u_free + shift, that the residual's work Σ max(0, r_k·y_k) may have in an accepted step:
-/// r_k·y_k is a product of an impulse with a law velocity that the law wants zero or negative, and the certificate's tolerance is relative
-/// to the two, the impulse being the largest of the step's, or ρ_n|q_n| where that is larger.
+/// Share of s Σ (s ‖diag W_kk‖ + ‖q_k‖ + ‖(W r)_k‖ + ‖(R r)_k‖), q = u_free + shift and s the largest ‖r_j‖ or ρ_n|q_n|, that the residual's work
+/// Σ max(0, r_k·y_k) may have in an accepted step: r_k·y_k is a product of an impulse with a law velocity that the law wants zero or negative, and the
+/// certificate's tolerance is relative to the two; what it holds a velocity against is s/ρ = s W_kk, even where the net velocity W r is far smaller.
 pub const RESIDUAL_WORK: f64 = cli::CERTIFY;
 
 /// Rounding of a quadratic form of a spin after the implicit midpoint steps of one step of size h at the rate `rate` \[rad/s\] and of size `size` \[J\]:

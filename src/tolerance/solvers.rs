@@ -82,9 +82,6 @@ pub fn accelerated_stalled(contacts: usize) -> usize {
     MEMORY * (MEMORY + contacts)
 }
 
-/// Rounds of iterative refinement of Lemke's answer: each squares the share of digits that is wrong, so that two are as many as a factorisation bears.
-pub const REFINEMENTS: usize = 2;
-
 /// Steps of the nonsmooth Newton method: a step changes the state of some contact or squares the error. A limit against endless loops.
 pub const NONSMOOTH_STEPS: usize = 100;
 

@@ -64,7 +64,9 @@ pub(super) fn work(problem: &ContactProblem, solution: &Solution, impulse: &DVec
         let part = |vector: &DVector<f64>| vector.rows(k * rows, rows).into_owned();
         let r = part(impulse);
         total.residual += (r.dot(&part(&law_velocity)) + edge).max(0.0);
-        total.limit += RESIDUAL_WORK * (pairs * largest * (part(&data).norm() + part(&pushed).norm() + part(&soft).norm()) + edge);
+        let own = (k * rows..(k + 1) * rows).map(|row| largest * problem.delassus[(row, row)].max(0.0)).fold(0.0, f64::max);
+        let velocity = own + part(&data).norm() + part(&pushed).norm() + part(&soft).norm();
+        total.limit += RESIDUAL_WORK * (pairs * largest * velocity + edge);
         let terms = part(&problem.free_velocity).abs() + part(&problem.shift).abs() + part(&soft).abs();
         total.size += r.abs().dot(&terms) + edge;
     }
