@@ -4,7 +4,7 @@
 //!     ρ_n = 1/(W_nn + R_nn) ,   ρ_t = tangential rows / tr(W_tt + R_tt)                                        [kg]
 //!     s_n = max |r_n|, ρ_n |(W r)_n|  over the contacts of the same two bodies, and ρ_n |q_n| of its own         [N·s]
 //!     s_r = max |r_n|  over them, and ρ_n |q_n| of its own                                                       [N·s]
-//!     s_t = max μ|r_n|, ‖r_t‖, ρ_t ‖(W r)_t‖  over them, and ρ_t ‖q_t‖ of its own                                [N·s]
+//!     s_t = max ‖r‖, ρ_t ‖(W r)_t‖  over them, and ρ_t ‖q_t‖ of its own                                [N·s]
 //!     floor = γ (Σ_j |W_kj||r_j| + |u_free| + |shift| + R_k|r_k|) ,   γ = mε/(1 − mε) ,   m = 2 rows + 8         [m/s]
 //! ```
 //! with q = u_free + shift and (W r) with R r in it, net: what cancels between the contacts of a body is no excuse for another body. Normal
@@ -89,8 +89,7 @@ impl Scales {
             (0..rows).for_each(|row| q[row] = problem.free_velocity[k * rows + row] + problem.shift[k * rows + row]);
             let ([normal, tangential], mu) = (self.weights[k], problem.friction[k]);
             let net = (1..rows).fold(0.0, |norm: f64, row| norm.hypot(y[row] - q[row]));
-            let pushed =
-                [r[0].abs().max(normal * (y[0] - q[0]).abs()), r[0].abs(), (mu * r[0].abs()).max(tangential_norm(r)).max(tangential * net)];
+            let pushed = [r[0].abs().max(normal * (y[0] - q[0]).abs()), r[0].abs(), tangential_norm(r).hypot(r[0]).max(tangential * net)];
             let sizes = &mut self.shared[self.group[k]];
             sizes.iter_mut().zip(pushed).for_each(|(size, pushed)| *size = size.max(pushed));
             let data = closing(problem.law, mu, &q[..rows]).abs() + PROJECTED * (q[0].abs() + mu * tangential_norm(&q[..rows]));

@@ -26,6 +26,13 @@ pub(super) struct Piece {
     pub growth: [f64; 2],
 }
 
+impl Piece {
+    /// Entry of I − A.
+    pub fn stays(&self, i: usize, j: usize) -> f64 {
+        (if i == j { 1.0 } else { 0.0 }) - self.along[i][j]
+    }
+}
+
 impl FrictionSet {
     /// The piece of P_R at z; `radius` ≥ 0, and a single tangent leaves the second entry of z zero.
     pub fn piece(self, radius: f64, z: [f64; 2]) -> Piece {

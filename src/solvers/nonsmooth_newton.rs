@@ -10,10 +10,10 @@
 //! Where contacts do not change between open, sticking and sliding the error squares in every step; far from a solution nothing is promised. So it goes on from
 //! what sweeps have found, and ends problems on which they creep: a box on four corners, whose W has rank six of twelve.
 //!
-//! **Rank.** Several impulses give one velocity, and J is singular along them. η on the diagonal of the rows that ask for a velocity makes it regular, moves r along the
-//! null space by rounding/η only, and leaves the zeros of F alone.
-//!
-//! The step s is the first of 1, ½, ¼, … that reduces the certificate's residual, or else the one with the least; the best iterate is returned.
+//! **Rank.** Several impulses give one velocity, and J is singular along them. η on the diagonal of the rows that ask for a velocity makes it regular, holds back the
+//! step along the null space, and leaves the zeros of F alone. A large η keeps contacts from changing their state for nothing, a small one squares the error at the end;
+//! both are tried, each with steps s = 1, ½, ¼, …, until ‖F‖ is halved; else the least ‖F‖ is taken, even a larger one: a cycle is left by a jump. The best iterate, by the
+//! certificate's residual, is returned.
 //!
 //! # Source
 //! Alart and Curnier, *A mixed formulation for frictional contact problems prone to Newton like solution methods*, Comput. Methods Appl. Mech. Eng. 92 (1991).
@@ -69,9 +69,8 @@ impl ContactSolver for NonsmoothNewton {
             if relative <= self.tolerance || steps == self.steps || since == tolerance::NONSMOOTH_STALLED {
                 break;
             }
-            let (residual, jacobian) = equations.linearise(&impulse, &law_velocity);
-            let Some(direction) = jacobian.lu().solve(&-&residual).filter(|d| d.iter().all(|x| x.is_finite())) else { break };
-            impulse = equations.shortened(&impulse, &direction, residual.norm());
+            let Some(next) = equations.step(&impulse, &law_velocity) else { break };
+            impulse = next;
             steps += 1;
         }
         let impulse = best.1;
@@ -106,76 +105,98 @@ impl<'a> Equations<'a> {
         Equations { problem, set, operator: problem.law_delassus(), weights: Judge::weights(problem) }
     }
 
-    /// r + s d for the first s that reduces ‖F‖, or for s = 1 where none does: a cycle is left by a jump.
-    fn shortened(&self, from: &DVector<f64>, direction: &DVector<f64>, norm: f64) -> DVector<f64> {
-        let at = |length: f64| from + direction * length;
-        let smaller = |impulse: &DVector<f64>| self.residual(impulse, &self.problem.law_velocity(impulse)).norm() < norm;
-        (0..tolerance::NONSMOOTH_HALVINGS).map(|k| at(0.5f64.powi(k as i32))).find(smaller).unwrap_or_else(|| at(1.0))
+    /// r + s d with the first η and s that halve ‖F‖, or else those with the least; none where every d is not a number.
+    fn step(&self, from: &DVector<f64>, law_velocity: &DVector<f64>) -> Option<DVector<f64>> {
+        let mut best: Option<(f64, DVector<f64>)> = None;
+        for proximal in tolerance::NONSMOOTH_PROXIMAL {
+            let (residual, jacobian) = self.linearise(from, law_velocity, proximal);
+            let enough = 0.5 * residual.norm();
+            let Some(direction) = jacobian.lu().solve(&-residual).filter(|d| d.iter().all(|x| x.is_finite())) else { continue };
+            for halvings in 0..tolerance::NONSMOOTH_HALVINGS {
+                let tried = from + &direction * 0.5f64.powi(halvings);
+                let norm = self.residual(&tried, &self.problem.law_velocity(&tried)).norm();
+                if best.as_ref().is_none_or(|(least, _)| norm < *least) {
+                    best = Some((norm, tried));
+                }
+                if norm <= enough {
+                    return best.map(|(_, impulse)| impulse);
+                }
+            }
+        }
+        best.map(|(_, impulse)| impulse)
     }
 
     /// F(r).
     fn residual(&self, impulse: &DVector<f64>, law_velocity: &DVector<f64>) -> DVector<f64> {
-        self.linearise(impulse, law_velocity).0
+        let mut residual = DVector::zeros(self.problem.rows());
+        (0..self.problem.contacts()).for_each(|k| self.contact(k, [impulse, law_velocity], &mut residual, None));
+        residual
     }
 
-    /// F(r) and J(r), y = A r + q given.
-    fn linearise(&self, impulse: &DVector<f64>, law_velocity: &DVector<f64>) -> (DVector<f64>, DMatrix<f64>) {
+    /// F(r) and J(r) with η, y = A r + q given.
+    fn linearise(&self, impulse: &DVector<f64>, law_velocity: &DVector<f64>, proximal: f64) -> (DVector<f64>, DMatrix<f64>) {
         let size = self.problem.rows();
         let (mut residual, mut jacobian) = (DVector::zeros(size), DMatrix::zeros(size, size));
         for k in 0..self.problem.contacts() {
-            self.contact(k, impulse, law_velocity, &mut residual, &mut jacobian);
+            self.contact(k, [impulse, law_velocity], &mut residual, Some((&mut jacobian, proximal)));
         }
         (residual, jacobian)
     }
 
+    /// The rows of contact k of F and, if asked for, of J with its η.
     fn contact(
         &self,
         k: usize,
-        impulse: &DVector<f64>,
-        law_velocity: &DVector<f64>,
+        [impulse, law_velocity]: [&DVector<f64>; 2],
         residual: &mut DVector<f64>,
-        jacobian: &mut DMatrix<f64>,
+        jacobian: Option<(&mut DMatrix<f64>, f64)>,
     ) {
         let (rows, [rho_n, rho_t]) = (self.problem.rows_per_contact, self.weights[k]);
         let (normal, mu) = (k * rows, super::cone_friction(self.problem, k));
         let tangent = |vector: &DVector<f64>, i: usize| if i + 1 < rows { vector[normal + 1 + i] } else { 0.0 };
         let [r_t, y_t] = [impulse, law_velocity].map(|vector| [tangent(vector, 0), tangent(vector, 1)]);
-        // w and ∂w/∂r, which is needed where the contact presses
-        let (mut w, mut slope) = (law_velocity[normal], self.operator.row(normal).into_owned());
-        if matches!(self.problem.law, Law::Associated | Law::PolyhedralAssociated { .. }) {
-            for (i, share) in self.set.against(y_t).into_iter().enumerate().take(rows - 1) {
-                w += mu * share * y_t[i];
-                slope += self.operator.row(normal + 1 + i) * (mu * share);
-            }
-        }
+        let associated = matches!(self.problem.law, Law::Associated | Law::PolyhedralAssociated { .. });
+        let lifted = if associated { self.set.against(y_t).map(|share| mu * share) } else { [0.0; 2] };
+        let w = law_velocity[normal] + lifted[0] * y_t[0] + lifted[1] * y_t[1];
         let a = impulse[normal] - rho_n * w;
-        if a > 0.0 {
-            residual[normal] = rho_n * w;
-            jacobian.row_mut(normal).copy_from(&(&slope * rho_n));
-            jacobian[(normal, normal)] += tolerance::NONSMOOTH_PROXIMAL;
-        } else {
-            residual[normal] = impulse[normal];
-            jacobian[(normal, normal)] = 1.0;
-        }
+        let presses = a > 0.0;
+        residual[normal] = if presses { rho_n * w } else { impulse[normal] };
         let radius = mu * a.max(0.0);
-        let Piece { along, growth } = self.set.piece(radius, [r_t[0] - rho_t * y_t[0], r_t[1] - rho_t * y_t[1]]);
+        let piece = self.set.piece(radius, [r_t[0] - rho_t * y_t[0], r_t[1] - rho_t * y_t[1]]);
         // F_t = (I − A) r_t + A ρ_t y_t − g R, without the difference of two numbers as large as r_t where the contact sticks
         for i in 0..rows - 1 {
-            let row = normal + 1 + i;
-            residual[row] = -growth[i] * radius;
+            let moved = |j: usize| piece.stays(i, j) * r_t[j] + piece.along[i][j] * rho_t * y_t[j];
+            residual[normal + 1 + i] = (0..rows - 1).map(moved).sum::<f64>() - piece.growth[i] * radius;
+        }
+        if let Some((jacobian, proximal)) = jacobian {
+            self.slopes(k, presses, lifted, &piece, jacobian, proximal);
+        }
+    }
+
+    /// The rows of contact k of J.
+    fn slopes(&self, k: usize, presses: bool, lifted: [f64; 2], piece: &Piece, jacobian: &mut DMatrix<f64>, proximal: f64) {
+        let (rows, [rho_n, rho_t]) = (self.problem.rows_per_contact, self.weights[k]);
+        let (normal, mu) = (k * rows, super::cone_friction(self.problem, k));
+        // ∂w/∂r
+        let mut slope = self.operator.row(normal).into_owned();
+        for (i, share) in lifted.into_iter().enumerate().filter(|(_, share)| *share != 0.0) {
+            slope += self.operator.row(normal + 1 + i) * share;
+        }
+        if presses {
+            jacobian.row_mut(normal).copy_from(&(&slope * rho_n));
+        }
+        jacobian[(normal, normal)] += if presses { proximal } else { 1.0 };
+        for i in 0..rows - 1 {
+            let mut changed = jacobian.row_mut(normal + 1 + i);
             for j in 0..rows - 1 {
-                let (column, moves) = (normal + 1 + j, along[i][j]);
-                let stays = if i == j { 1.0 } else { 0.0 } - moves;
-                residual[row] += stays * r_t[j] + moves * rho_t * y_t[j];
-                let mut changed = jacobian.row_mut(row);
+                let (column, moves) = (normal + 1 + j, piece.along[i][j]);
                 changed += self.operator.row(column) * (moves * rho_t);
-                jacobian[(row, column)] += stays + moves * tolerance::NONSMOOTH_PROXIMAL;
+                changed[column] += piece.stays(i, j) + moves * proximal;
             }
-            if radius > 0.0 && growth[i] != 0.0 {
+            if presses {
                 // −g μ ∂a/∂r
-                let mut changed = jacobian.row_mut(row);
-                changed += &slope * (growth[i] * mu * rho_n);
-                jacobian[(row, normal)] -= growth[i] * mu;
+                changed += &slope * (piece.growth[i] * mu * rho_n);
+                changed[normal] -= piece.growth[i] * mu;
             }
         }
     }
@@ -242,7 +263,8 @@ mod tests {
         for law in [Law::Frictionless, Law::Coulomb, Law::Associated].into_iter().chain(polygons) {
             let problem = four_corners(law, 0.7, 0.9);
             let equations = Equations::new(&problem);
-            let at = |impulse: &DVector<f64>| equations.linearise(impulse, &problem.law_velocity(impulse));
+            let eta = tolerance::NONSMOOTH_PROXIMAL[1];
+            let at = |impulse: &DVector<f64>| equations.linearise(impulse, &problem.law_velocity(impulse), eta);
             // one contact presses and sticks or slides, one is open
             let impulse = DVector::from_vec(vec![0.4, -0.05, 0.02, 0.3, -0.1, -0.1, -0.8, 0.0, 0.0, 0.1, 0.3, 0.2]);
             let (_, jacobian) = at(&impulse);
@@ -253,7 +275,7 @@ mod tests {
                     at(&moved).0
                 };
                 let slope = (shifted(step) - shifted(-step)) / (2.0 * step);
-                let bound = tolerance::NONSMOOTH_PROXIMAL + crate::tolerance::cones::difference_error(0.05, 4.0);
+                let bound = eta + crate::tolerance::cones::difference_error(0.05, 4.0);
                 assert!((jacobian.column(column) - slope).amax() <= bound, "{law:?} column {column}");
             }
         }

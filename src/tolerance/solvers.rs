@@ -60,6 +60,9 @@ pub const FIRST_SWEEPS: usize = 1000;
 /// and the default of the certificate, so that what it takes is accepted with two digits to spare.
 pub const ENOUGH: f64 = 1.0 / (1u64 << 34) as f64;
 
+/// Relative residual, 2⁻²⁸ ≈ 3.7e-9, with which `auto` spares the algorithms that cost most: less than half of the default of the certificate.
+pub const ACCEPTABLE: f64 = 1.0 / (1u64 << 28) as f64;
+
 /// Relative residual 2⁻²⁰ below which the rounding of y is worth a pass over W: above it rounding decides only where impulses cancel to a
 /// millionth, and [`FRESH_ROUNDING`] sees to that.
 pub const NEAR_SOLUTION: f64 = 1.0 / 1_048_576.0;
@@ -85,16 +88,21 @@ pub fn accelerated_stalled(contacts: usize) -> usize {
 /// Steps of the nonsmooth Newton method: a step changes the state of some contact or squares the error. A limit against endless loops.
 pub const NONSMOOTH_STEPS: usize = 100;
 
-/// Steps in a row without a better iterate after which it is cycling between states of the contacts: three times the states of one contact, so that one
-/// contact may be tried in each order.
-pub const NONSMOOTH_STALLED: usize = 9;
+/// Steps in a row without a better iterate after which it is cycling: three times the states of a contact (open, sticking, sliding) for each of a handful of
+/// contacts at the border of two states. Only work depends on it.
+pub const NONSMOOTH_STALLED: usize = 40;
 
-/// Halvings of a step before the least residual is taken: a contact that changes its state between 1 and 2⁻¹⁰ of a step is found.
-pub const NONSMOOTH_HALVINGS: usize = 10;
+/// Lengths 1, ½, ¼ of a step that are tried: what a quarter of it does not bring nearer, the other η may.
+pub const NONSMOOTH_HALVINGS: i32 = 3;
 
-/// η on the diagonal of J, whose entries are of order one, 2⁻⁴⁰: rounding moves the step along the null space by ε/η = 2⁻¹² of itself, which vanishes with the
-/// step, and an error falls by η/σ a step at least, σ the smallest singular value of J that is not rounding.
-pub const NONSMOOTH_PROXIMAL: f64 = 1.0 / (1u64 << 40) as f64;
+/// The two η on the diagonal of J, whose entries are of order one. An error falls by η/σ a step, σ the smallest singular value of J that is not rounding, and what rounding or
+/// an inconsistent state leaves moves the step along the null space by its 1/η-fold: with 2⁻¹⁶ an error of a state that is not final stays a small step, with 2⁻⁴⁰ the last
+/// steps square what is left. The zeros of F are the same.
+pub const NONSMOOTH_PROXIMAL: [f64; 2] = [1.0 / 65_536.0, 1.0 / (1u64 << 40) as f64];
+
+/// Directions of the polygon that Lemke solves in place of a round cone, from which Newton's method goes on: eight, so that each impulse of friction is within
+/// 1 − cos(π/8) = 8 % of the round one. Only the states of the contacts are taken from it.
+pub const LEMKE_DIRECTIONS: usize = 8;
 
 /// Accelerated sweeps that `auto` spends before it goes on to other algorithms, and sweeps of over-relaxation after them.
 pub const AUTO_SWEEPS: usize = 20 * FIRST_SWEEPS;

@@ -143,7 +143,7 @@ fn at(problem: &Exact, answer: &Answer, y: &[Rational], k: usize, limits: Limits
     let scales = Scales {
         normal: size_of(&r[n]).max(rho_n * size_of(&net[n])).max(shared(data_n)),
         carried: size_of(&r[n]),
-        tangential: nearest(&(mu * &r[n])).max(length(&r[t.clone()])).max(net_t).max(shared(data_t)),
+        tangential: length(&r[n..n + rows]).max(net_t).max(shared(data_t)),
         data_n,
         data_t,
     };
