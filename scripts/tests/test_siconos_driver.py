@@ -30,6 +30,7 @@ class Driver(unittest.TestCase):
         reply = {"version": "x", "answers": [{}] * sum(not _by_driver(run) for run in runs().values())}
         with (mock.patch("reference.siconos._ask", return_value=reply),
               mock.patch("reference.siconos._facts", return_value={}),
+              mock.patch("reference.siconos._lsodar_tolerances", return_value={}),
               mock.patch("shutil.which", return_value=None)):
             made, not_run = make(SCRIPTS)
         self.assertEqual(set(not_run), {path for path, run in runs().items() if _by_driver(run)})

@@ -158,19 +158,18 @@ impl Form {
     /// β or f, and σ, of an answer's impulses: the parts with the smallest sum and the least σ ≥ 0 with Dⱼ·y_t + σ ≥ 0.
     fn parts(self, problem: &ContactProblem, answer: &Solution) -> (Option<DVector<f64>>, Option<DVector<f64>>) {
         let rows = problem.rows_per_contact;
-        let of_contacts = |d: usize, add: &dyn Fn(&[f64], f64, &mut Vec<f64>)| {
-            let mut all = Vec::with_capacity(d * problem.contacts());
-            for (r, mu) in answer.impulse.as_slice().chunks_exact(rows).zip(&problem.friction) {
-                let mut own = Vec::with_capacity(d);
-                add(r, *mu, &mut own);
-                all.append(&mut own);
-            }
-            Some(DVector::from_vec(all))
-        };
+        let contacts = answer.impulse.as_slice().chunks_exact(rows).zip(&problem.friction);
         let tangent = |z: &[f64]| [z[1], z.get(2).copied().unwrap_or(0.0)];
         match self {
             Form::Normals => (None, None),
-            Form::Edges { directions } => (of_contacts(directions, &|r, mu, own| polyhedral::along_edges(r, mu, directions, own)), None),
+            Form::Edges { directions } => {
+                let edges = contacts.flat_map(|(r, mu)| {
+                    let mut edges = Vec::with_capacity(directions);
+                    polyhedral::along_edges(r, *mu, directions, &mut edges);
+                    edges
+                });
+                (Some(DVector::from_vec(edges.collect())), None)
+            }
             Form::StewartTrinkle { directions } => {
                 let slip = |y: &[f64]| {
                     let against = |j: usize| -polyhedral::direction(j, directions).iter().zip(tangent(y)).map(|(d, y)| d * y).sum::<f64>();
@@ -178,8 +177,12 @@ impl Form {
                 };
                 let law_velocity = problem.law_velocity(&answer.impulse);
                 let sigma = DVector::from_iterator(problem.contacts(), law_velocity.as_slice().chunks_exact(rows).map(slip));
-                let beta = of_contacts(directions, &|r, _, own| polyhedral::along_neighbours(tangent(r), directions, own));
-                (beta, Some(sigma))
+                let beta = contacts.flat_map(|(r, _)| {
+                    let mut beta = Vec::with_capacity(directions);
+                    polyhedral::along_neighbours(tangent(r), directions, &mut beta);
+                    beta
+                });
+                (Some(DVector::from_vec(beta.collect())), Some(sigma))
             }
         }
     }
