@@ -130,6 +130,12 @@ macro_rules! gate_tests {
             rocking_impact "rocking/impact"
             rocking_fall_time "rocking/fall-time"
             painleve_rod "painleve/rod"
+            tumbling_passive "tumbling/passive"
+            tumbling_bouncing "tumbling/bouncing"
+            tumbling_rough "tumbling/rough"
+            tumbling_depth "tumbling/depth"
+            tumbling_momentum "tumbling/momentum"
+            tumbling_rest "tumbling/rest"
         }
     };
     ($engine:ty; $($function:ident $name:literal)*) => {

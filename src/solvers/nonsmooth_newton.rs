@@ -12,8 +12,8 @@
 //!
 //! **Rank.** Several impulses give one velocity, and J is singular along them. η on the diagonal of the rows that ask for a velocity makes it regular, holds back the
 //! step along the null space, and leaves the zeros of F alone. A large η keeps contacts from changing their state for nothing, a small one squares the error at the end;
-//! both are tried, each with steps s = 1, ½, ¼, …, until ‖F‖ is halved; else the least ‖F‖ is taken, even a larger one: a cycle is left by a jump. The best iterate, by the
-//! certificate's residual, is returned.
+//! they are tried in turn, each with steps s = 1, ½, ¼, …, until ‖F‖ is halved; else the least ‖F‖ is taken, even a larger one: a cycle is left by a jump. Which cycle an
+//! iteration ends in depends on η: other ones start again. The best iterate, by the certificate's residual, is returned.
 //!
 //! # Source
 //! Alart and Curnier, *A mixed formulation for frictional contact problems prone to Newton like solution methods*, Comput. Methods Appl. Mech. Eng. 92 (1991).
@@ -30,7 +30,7 @@ use nalgebra::{DMatrix, DVector};
 /// Nonsmooth Newton for every law, compliance on edges excepted; W may be asymmetric and rank deficient.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NonsmoothNewton {
-    /// Step limit.
+    /// Step limit of each start.
     pub steps: usize,
     /// Relative residual at which it stops.
     pub tolerance: f64,
@@ -56,22 +56,29 @@ impl ContactSolver for NonsmoothNewton {
         }
         let equations = Equations::new(problem);
         let mut stopping = Stopping::new(problem, self.tolerance);
-        let mut impulse = super::start(problem, warm_start)?;
-        let mut best = (f64::INFINITY, impulse.clone());
-        let (mut steps, mut since) = (0, 0);
-        loop {
-            let law_velocity = problem.law_velocity(&impulse);
-            let relative = stopping.relative(&impulse, &law_velocity);
-            since += 1;
-            if relative < best.0 {
-                (best, since) = ((relative, impulse.clone()), 0);
+        let start = super::start(problem, warm_start)?;
+        let mut best = (f64::INFINITY, start.clone());
+        let mut steps = 0;
+        for proximals in tolerance::NONSMOOTH_PROXIMALS {
+            let (mut impulse, mut least, mut since) = (start.clone(), f64::INFINITY, 0);
+            for _ in 0..=self.steps {
+                let law_velocity = problem.law_velocity(&impulse);
+                let relative = stopping.relative(&impulse, &law_velocity);
+                since = if relative < least { 0 } else { since + 1 };
+                least = least.min(relative);
+                if relative < best.0 {
+                    best = (relative, impulse.clone());
+                }
+                if relative <= self.tolerance || since == tolerance::NONSMOOTH_STALLED {
+                    break;
+                }
+                let Some(next) = equations.step(&impulse, &law_velocity, proximals) else { break };
+                impulse = next;
+                steps += 1;
             }
-            if relative <= self.tolerance || steps == self.steps || since == tolerance::NONSMOOTH_STALLED {
+            if best.0 <= self.tolerance {
                 break;
             }
-            let Some(next) = equations.step(&impulse, &law_velocity) else { break };
-            impulse = next;
-            steps += 1;
         }
         let impulse = best.1;
         let velocity = problem.velocity(&impulse);
@@ -106,9 +113,9 @@ impl<'a> Equations<'a> {
     }
 
     /// r + s d with the first η and s that halve ‖F‖, or else those with the least; none where every d is not a number.
-    fn step(&self, from: &DVector<f64>, law_velocity: &DVector<f64>) -> Option<DVector<f64>> {
+    fn step(&self, from: &DVector<f64>, law_velocity: &DVector<f64>, proximals: &[f64]) -> Option<DVector<f64>> {
         let mut best: Option<(f64, DVector<f64>)> = None;
-        for proximal in tolerance::NONSMOOTH_PROXIMAL {
+        for &proximal in proximals {
             let (residual, jacobian) = self.linearise(from, law_velocity, proximal);
             let enough = 0.5 * residual.norm();
             let Some(direction) = jacobian.lu().solve(&-residual).filter(|d| d.iter().all(|x| x.is_finite())) else { continue };
@@ -263,7 +270,7 @@ mod tests {
         for law in [Law::Frictionless, Law::Coulomb, Law::Associated].into_iter().chain(polygons) {
             let problem = four_corners(law, 0.7, 0.9);
             let equations = Equations::new(&problem);
-            let eta = tolerance::NONSMOOTH_PROXIMAL[1];
+            let eta = tolerance::NONSMOOTH_PROXIMALS[0][1];
             let at = |impulse: &DVector<f64>| equations.linearise(impulse, &problem.law_velocity(impulse), eta);
             // one contact presses and sticks or slides, one is open
             let impulse = DVector::from_vec(vec![0.4, -0.05, 0.02, 0.3, -0.1, -0.1, -0.8, 0.0, 0.0, 0.1, 0.3, 0.2]);

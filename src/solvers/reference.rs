@@ -37,10 +37,11 @@ pub const NAMES: [&str; 14] = [
 /// | soft contacts | Newton on Gauss's principle |
 /// | all but a compliance on edges | a few accelerated sweeps, and nonsmooth Newton from what they found |
 /// | the same without the polyhedral associated law in space | more accelerated sweeps, and Newton |
+/// | all but a compliance on edges | Newton from zero |
 /// | second-order cones | plain sweeps, and Newton from what they found |
 /// | second-order cones and a symmetric W | a few steps of the alternating directions, and Newton |
 /// | one row, the plane, polyhedral laws, no friction | Lemke |
-/// | second-order cones | Lemke with a polygon in place of the disk, and Newton |
+/// | second-order cones | Lemke with an octagon, then a pentagon, in place of the disk, and Newton |
 /// | second-order cones and a symmetric W | many steps of the alternating directions, and Newton |
 /// | second-order cones | over-relaxation |
 /// | the associated law | accelerated projected gradient, Clarabel |
@@ -57,12 +58,13 @@ type Takes = fn(&ContactProblem) -> bool;
 type Stage = fn(&ContactProblem, Option<&DVector<f64>>) -> Result<Solution>;
 
 /// The algorithms with the problems they are for, in order, that cost little: they go on until [`ENOUGH`].
-const QUICK: [(Takes, Stage); 9] = [
+const QUICK: [(Takes, Stage); 10] = [
     (|problem| problem.compliance.is_some(), |problem, start| GaussNewton::default().solve(problem, start)),
     (is_iterated, few_sweeps),
     (is_iterated, newton),
     (is_swept, more_sweeps),
     (is_swept, newton),
+    (is_iterated, |problem, _| newton(problem, None)),
     (has_second_order_cone, |problem, start| {
         ProjectedGaussSeidel { sweeps: tolerance::PLAIN_SWEEPS, ..Default::default() }.solve(problem, start)
     }),
@@ -74,8 +76,10 @@ const QUICK: [(Takes, Stage); 9] = [
 ];
 
 /// Those that follow where the answer is not good enough yet for the certificate, [`ACCEPTABLE`].
-const THOROUGH: [(Takes, Stage); 6] = [
-    (|problem| LemkePivoting::takes(problem) || has_second_order_cone(problem), lemke),
+const THOROUGH: [(Takes, Stage); 8] = [
+    (LemkePivoting::takes, |problem, _| LemkePivoting.solve(problem, None)),
+    (is_round, |problem, _| through_polygon(problem, tolerance::LEMKE_DIRECTIONS[0])),
+    (is_round, |problem, _| through_polygon(problem, tolerance::LEMKE_DIRECTIONS[1])),
     (has_second_order_cone, |problem, start| AlternatingDirections::default().solve(problem, start)),
     (has_second_order_cone, newton),
     (has_second_order_cone, |problem, start| {
@@ -106,15 +110,14 @@ fn newton(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solu
     NonsmoothNewton::default().solve(problem, start)
 }
 
-/// Where no linear complementarity problem is equivalent, the one with a polygon tells which contacts press, stick and slide, and Newton goes on
-/// from there.
-fn lemke(problem: &ContactProblem, _start: Option<&DVector<f64>>) -> Result<Solution> {
-    let directions = tolerance::LEMKE_DIRECTIONS;
-    let law = match problem.law {
-        _ if LemkePivoting::takes(problem) => return LemkePivoting.solve(problem, None),
-        Law::Associated => Law::PolyhedralAssociated { directions },
-        _ => Law::PolyhedralCoulomb { directions },
-    };
+/// Whether no linear complementarity problem is equivalent.
+fn is_round(problem: &ContactProblem) -> bool {
+    has_second_order_cone(problem) && !LemkePivoting::takes(problem)
+}
+
+/// Lemke on a polygon in place of the disk, which tells which contacts press, stick and slide, and Newton from there.
+fn through_polygon(problem: &ContactProblem, directions: usize) -> Result<Solution> {
+    let law = if problem.law == Law::Associated { Law::PolyhedralAssociated { directions } } else { Law::PolyhedralCoulomb { directions } };
     let begun = LemkePivoting.solve(&ContactProblem { law, ..problem.clone() }, None)?;
     let ended = newton(problem, Some(&begun.impulse))?;
     Ok(Solution { iterations: begun.iterations + ended.iterations, ..ended })

@@ -95,14 +95,19 @@ pub const NONSMOOTH_STALLED: usize = 40;
 /// Lengths 1, ½, ¼ of a step that are tried: what a quarter of it does not bring nearer, the other η may.
 pub const NONSMOOTH_HALVINGS: i32 = 3;
 
-/// The two η on the diagonal of J, whose entries are of order one. An error falls by η/σ a step, σ the smallest singular value of J that is not rounding, and what rounding or
-/// an inconsistent state leaves moves the step along the null space by its 1/η-fold: with 2⁻¹⁶ an error of a state that is not final stays a small step, with 2⁻⁴⁰ the last
-/// steps square what is left. The zeros of F are the same.
-pub const NONSMOOTH_PROXIMAL: [f64; 2] = [1.0 / 65_536.0, 1.0 / (1u64 << 40) as f64];
+/// The η on the diagonal of J, whose entries are of order one, start by start. An error falls by η/σ a step, σ the smallest singular value of J that is not rounding, and what
+/// rounding or a state that is not final leaves moves the step along the null space by its 1/η-fold: from 2⁻¹² to 2⁻²⁰ such an error stays a small step, with 2⁻⁴⁰ the last steps
+/// square what is left. The zeros of F are the same for all; only whether and when they are found depends on them.
+pub const NONSMOOTH_PROXIMALS: [&[f64]; 3] = {
+    const fn half(exponent: u32) -> f64 {
+        1.0 / (1u64 << exponent) as f64
+    }
+    [&[half(16), half(40)], &[half(20)], &[half(12), half(16), half(40)]]
+};
 
-/// Directions of the polygon that Lemke solves in place of a round cone, from which Newton's method goes on: eight, so that each impulse of friction is within
-/// 1 − cos(π/8) = 8 % of the round one. Only the states of the contacts are taken from it.
-pub const LEMKE_DIRECTIONS: usize = 8;
+/// Directions of the polygons that Lemke solves in place of a round cone, one after the other, from which Newton's method goes on: an octagon, whose friction is within
+/// 1 − cos(π/8) = 8 % of the round one, and a pentagon, whose sides lie elsewhere. Only the states of the contacts are taken from them.
+pub const LEMKE_DIRECTIONS: [usize; 2] = [8, 5];
 
 /// Accelerated sweeps that `auto` spends before it goes on to other algorithms, and sweeps of over-relaxation after them.
 pub const AUTO_SWEEPS: usize = 20 * FIRST_SWEEPS;

@@ -102,5 +102,5 @@ macro_rules! families {
 }
 
 families! {
-    flight ball impact rest stack determinism metamorphic solver projection incline rolling isotropy contact energy rocking painleve
+    flight ball impact rest stack determinism metamorphic solver projection incline rolling isotropy contact energy rocking painleve tumbling
 }

@@ -54,7 +54,7 @@ pub const PLANTED: &[Planted] = &[
                 ..EachStep::NOTHING
             })
         },
-        caught_by: &["ball/penetration", "rest/jitter"],
+        caught_by: &["ball/penetration", "rest/jitter", "tumbling/depth"],
     },
     Planted {
         name: "ball/baumgarte-velocity-kept",

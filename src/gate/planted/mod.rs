@@ -10,7 +10,7 @@ mod projection;
 mod rocking;
 mod solver;
 mod stack;
-pub mod tumbling;
+mod tumbling;
 mod wrapped;
 
 use super::Engine;
@@ -39,6 +39,7 @@ pub fn all() -> impl Iterator<Item = &'static Planted> {
         rocking::PLANTED,
         solver::PLANTED,
         projection::PLANTED,
+        tumbling::PLANTED,
     ]
     .into_iter()
     .flatten()
