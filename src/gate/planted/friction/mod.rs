@@ -80,7 +80,7 @@ pub const PLANTED: &[Planted] = &[
         name: "contact/inertia-of-full-extents",
         mistake: "computes a box's inertia from its edges where half of them are meant: four times too much",
         engine: || misread(world::full_extents),
-        caught_by: &["contact/momentum", "tumbling/momentum"],
+        caught_by: &["contact/momentum"],
     },
     Planted {
         name: "rolling/resistance",
@@ -122,7 +122,7 @@ pub const PLANTED: &[Planted] = &[
         name: "contact/late",
         mistake: "reports every impulse one sample late",
         engine: || reported(reports::late),
-        caught_by: &["contact/momentum"],
+        caught_by: &["contact/momentum", "tumbling/momentum"],
     },
     Planted {
         name: "contact/normal-reversed",
