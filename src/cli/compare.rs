@@ -25,7 +25,8 @@ use std::path::{Path, PathBuf};
 /// The table tells penetration, energy, effective restitution, creep and settling time per scheme; the picture lays position,
 /// velocity and energy of all of them over the closed form, where the scene has one. A scheme that cannot run the scene is
 /// reported as unsupported with its reason, and the others go on; if none could run the answer is no (exit code 1). Every step is
-/// certified: a scheme with rejected steps is named below the table, and the exit code is 1 unless `--accept-rejected` is given.
+/// certified: a scheme with rejected steps is named below the table, and the exit code is 1 unless `--accept-rejected` is given;
+/// what is unconverged by declaration, as `simulate` has it, does not count.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {

@@ -13,7 +13,7 @@ pub struct DumpOptions {
     /// Write the contact problem of step N (from 1) to FILE, and its answer beside it to FILE with `-solution` before the ending.
     #[arg(long, num_args = 2, value_names = ["N", "FILE"])]
     dump_step: Vec<String>,
-    /// Write problem and answer of every step that the certificate rejects into this folder, which is made if it is not there.
+    /// Write problem and answer of every step that the certificate rejects into this folder, which is made if it is not there and holds no steps of an earlier run.
     #[arg(long, value_name = "FOLDER")]
     dump_rejected: Option<PathBuf>,
 }
@@ -39,9 +39,24 @@ impl DumpOptions {
         };
         if let Some(folder) = &self.dump_rejected {
             std::fs::create_dir_all(folder).map_err(|source| Error::Write { file: folder.clone(), source })?;
+            refuse_earlier_steps(folder)?;
         }
         Ok(Dumps { step, rejected: self.dump_rejected.as_deref(), seen: 0 })
     }
+}
+
+/// Files of an earlier run would pass for rejected steps of this one.
+fn refuse_earlier_steps(folder: &Path) -> Result<()> {
+    let unreadable = |source| Error::Read { file: folder.into(), source };
+    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+        let name = entry.map_err(unreadable)?.file_name();
+        let name = name.to_string_lossy();
+        if name.starts_with("step-") && name.ends_with(".json") {
+            let problem = format!("names `{}`, which holds `{name}` of an earlier run", folder.display());
+            return Err(Error::invalid("--dump-rejected", problem, "name an empty folder, or one that is not there"));
+        }
+    }
+    Ok(())
 }
 
 impl Dumps<'_> {

@@ -62,6 +62,8 @@ fn a_step_is_written_as_problem_and_answer_that_certify_takes() {
     let count = std::fs::read_dir(&rejected).expect("made").count() as u64;
     let told = simulate(&folder, &["--solver", "pgs", "--certify-tolerance", "0", "--format", "json"]).json()["steps"]["rejected"].as_u64();
     assert_eq!(Some(count), told.map(|rejected| 2 * rejected));
+    let again = simulate(&folder, &["--dump-rejected", &rejected]);
+    assert!(again.code == 2 && again.message.contains("of an earlier run"), "{}", again.message);
     for (step, words) in [("0", "from 1 to 80"), ("81", "from 1 to 80"), ("x", "from 1 to 80"), ("1", "no contact problem")] {
         let run = simulate(&folder, &["--dump-step", step, &folder.path("other.json")]);
         assert!(run.code == 2 && run.message.contains(words), "{step}: {}", run.message);
