@@ -144,7 +144,7 @@ impl Scene {
     /// Parses and validates the text of a `scene/1` file.
     ///
     /// # Errors
-    /// [`Error::Json`] if the text is not JSON, otherwise [`Error::Invalid`] naming the field and the cure.
+    /// [`Error::Json`](crate::Error::Json) if the text is not JSON, otherwise [`Error::Invalid`](crate::Error::Invalid) naming the field and the cure.
     pub fn from_json(text: &str) -> Result<Self> {
         let scene: Scene = read_schema(text, SCHEMA)?;
         scene.validate()?;
@@ -154,7 +154,7 @@ impl Scene {
     /// Reads a `scene/1` file.
     ///
     /// # Errors
-    /// [`Error::Read`], or those of [`Scene::from_json`] with the file's name.
+    /// [`Error::Read`](crate::Error::Read), or those of [`Scene::from_json`] with the file's name.
     pub fn read(file: &Path) -> Result<Self> {
         let text = read_json(file)?;
         Scene::from_json(&text).map_err(|error| error.in_file(file))
@@ -163,7 +163,7 @@ impl Scene {
     /// The text of the scene's file.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if the scene is not valid: what is written can be read.
+    /// [`Error::Invalid`](crate::Error::Invalid) if the scene is not valid: what is written can be read.
     pub fn to_json(&self) -> Result<String> {
         self.validate()?;
         Ok(serde_json::to_string_pretty(self)? + "\n")

@@ -8,7 +8,7 @@
 //! ```
 //! In impulses r = Λ/h the position problem is the one of [`Scheme::assemble`]: u = W r + u_free, y = u + φ/h + R r with R = α/h² on normals and a
 //! friction cone in tangential displacement. A sweep of XPBD is a sweep of Gauss–Seidel on it, with gaps taken anew at each contact.
-//! Which candidates there are may change while the bodies are pushed: see [`sweeps`].
+//! Which candidates there are may change while the bodies are pushed: see `position_based/sweeps.rs`.
 //!
 //! # Energy
 //! ```text
