@@ -176,7 +176,7 @@ Written from `src/checks/energy_balance/table.rs`; a test compares the two, and 
 
 u = W r + u_free, y = u + shift + R r; T = ½ vᵀM v, and T̂ with the effective mass M̂ of a step with linear forces; F the constant force (gravity), θ of
 q⁺ = q + h (θ v⁺ + (1−θ) v), Ẽ = T + V + (θ−½) h F·v; u⁻ = H v before the step, v_g the velocity after torque-free rotation alone, u_g = H v_g; f edge impulses. Every bound
-is up to rounding and the work w = Σ max(0, r_k·y_k) of the step's residual, which an accepted step keeps below 10⁻⁸ of s Σ (s ‖diag W_kk‖ + ‖q_k‖ + ‖(W r)_k‖), s = max ‖r_j‖.
+is up to rounding and the work w = Σ max(0, r_k·y_k) of the step's residual, which an accepted step keeps below 10⁻⁸ of s Σ (s ‖diag W_kk‖ + ‖q_k‖ + ‖(W r)_k‖), s the largest ‖r_j‖ or ρ_n|q_n|.
 
 For every impulse T(v⁺) = T(v_free) + r·u⁺ − ½ rᵀW r; for every law r·u⁺ ≤ −r·(shift + R r) + w. Rotation enters by v_g: the mean torque over a step keeps T, and
 ‖v_g − v‖_M ≤ h (Σ (2 T_rot √J_max/J_min)²)^½.
