@@ -14,7 +14,7 @@
 use super::part::{Part, pair};
 use super::polyhedral::{self, Pairs, worst};
 use super::scales::{Scales, compliance};
-use crate::cones::second_order::{distance, tangential_norm};
+use crate::cones::second_order::{distance, length, tangential_norm};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::certificate::PROJECTED;
 use crate::{Error, Result};
@@ -262,15 +262,16 @@ fn friction(mu: f64, s_r: f64, here: &Here) -> Part {
     let radius = mu * r[0].max(0.0);
     let mut z = [0.0; 2];
     z.iter_mut().zip(r[1..].iter().zip(&y[1..])).for_each(|(z, (r, y))| *z = r - rho * y);
-    let length = z[0].hypot(z[1]);
+    let reach = length(z[0], z[1]);
     let floor = rho * here.floors[1];
-    let off = |factor: f64| (1..r.len()).fold(0.0, |norm: f64, k| norm.hypot(r[k] - factor * z[k - 1]));
-    if length <= radius && mu > 0.0 {
+    let left = |factor: f64, k: usize| r.get(k + 1).map_or(0.0, |r| r - factor * z[k]);
+    let off = |factor: f64| length(left(factor, 0), left(factor, 1));
+    if reach <= radius && mu > 0.0 {
         return Part { value: off(1.0), scale: here.sizes[2], floor };
     }
-    let angle = if radius > 0.0 { (2.0 * radius / length).min(1.0) } else { 0.0 };
+    let angle = if radius > 0.0 { (2.0 * radius / reach).min(1.0) } else { 0.0 };
     let scale = if mu > 0.0 { mu * s_r } else { s_r };
-    Part { value: off(if radius > 0.0 { radius / length } else { 0.0 }), scale, floor: floor * angle + PROJECTED * radius }
+    Part { value: off(if radius > 0.0 { radius / reach } else { 0.0 }), scale, floor: floor * angle + PROJECTED * radius }
 }
 
 /// The sizes of an answer against those of its problem.

@@ -17,6 +17,7 @@
 use super::judge::{AtContact, Here};
 use super::part::{Part, pair};
 use crate::cones::polyhedral::{along_edges, along_neighbours, direction};
+use crate::cones::second_order::length;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Solution};
 use crate::{Error, Result};
 
@@ -181,7 +182,7 @@ fn mismatch(r: [f64; 2], beta: &[f64], scale: f64) -> f64 {
         let [first, second] = direction(j, d);
         [sum[0] + first * b, sum[1] + second * b]
     });
-    (r[0] - scale * sum[0]).hypot(r[1] - scale * sum[1])
+    length(r[0] - scale * sum[0], r[1] - scale * sum[1])
 }
 
 fn tangent(z: &[f64]) -> [f64; 2] {

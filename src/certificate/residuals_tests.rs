@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::certificate::Part;
-use crate::problem::{Compliance, Coordinates};
+use crate::problem::{Compliance, Coordinates, Dynamics};
 
 /// Decoupled planar contacts of unit mass with μ = ½.
 fn planar(law: Law, free_velocity: &[f64]) -> ContactProblem {
@@ -216,4 +216,25 @@ fn an_answer_whose_residuals_overflow_is_no_solution() {
     let problem = planar(Law::Coulomb, &[-1e100, 1e100]);
     assert!(!judged(&problem, &[1e100, -1e100]).is_solution(1e-8));
     assert!(judged(&problem, &[1e100, -0.5e100]).is_solution(1e-8));
+}
+
+/// Contacts of 10⁸ kg and 1 kg that meet nothing in common close at 1 m/s, frictionless; the light one gets half of what it needs.
+fn light_beside_heavy(name_one_pair: bool, coupling: f64, dynamics: Option<Dynamics>) -> bool {
+    let mut problem = planar(Law::Frictionless, &[-1.0, 0.0, -1.0, 0.0]);
+    problem.delassus = DMatrix::from_diagonal(&DVector::from_row_slice(&[1e-8, 1e-8, 1.0, 1.0]));
+    (problem.delassus[(0, 2)], problem.delassus[(2, 0)]) = (coupling, coupling);
+    (problem.dynamics, problem.bodies) = (dynamics, name_one_pair.then(|| vec![[Some(0), None]; 2]));
+    problem.free_velocity[2] -= coupling * 1e8;
+    judged(&problem, &[1e8, 0.0, 0.5, 0.0]).is_solution(1e-8)
+}
+
+#[test]
+fn a_name_joins_no_contacts_that_nothing_couples() {
+    let separate =
+        || Dynamics { mass: DMatrix::from_diagonal(&DVector::from_row_slice(&[1e8, 1e8, 1.0, 1.0])), jacobian: DMatrix::identity(4, 4) };
+    assert!(!light_beside_heavy(false, 0.0, None), "nothing is known: each contact stands alone");
+    assert!(!light_beside_heavy(true, 0.0, None), "one pair by name, but W couples nothing");
+    assert!(light_beside_heavy(true, 1e-12, None), "one pair by name, and W couples it: one size for both");
+    assert!(!light_beside_heavy(true, 1e-12, Some(separate())), "one pair by name, but H says that it is two");
+    assert!(!light_beside_heavy(false, 1e-12, None), "W couples two pairs");
 }

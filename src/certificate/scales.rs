@@ -11,10 +11,13 @@
 //! and tangential parts stay apart, so that fast sliding does not widen what a normal impulse is held against: for the associated laws q_n − μ‖q_t‖ stands in place of
 //! q_n, and a point that leaves fast excuses no other point of its body.
 //!
+//! Two contacts lie between the same two bodies if their rows of H touch the same velocities; without H, if the file names the same pair and W couples
+//! them. A name alone joins nothing: it could hide a light contact behind a heavy one that it never meets.
+//!
 //! `DIFFERENCE` One ρ = rows/tr(W_kk) for a whole contact would accept a normal velocity that is wrong by W_tt/W_nn times τ.
 
 use crate::cones::polyhedral::direction;
-use crate::cones::second_order::tangential_norm;
+use crate::cones::second_order::{length, tangential_norm};
 use crate::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law};
 use crate::tolerance::certificate::{PROJECTED, gamma};
 
@@ -23,7 +26,7 @@ use crate::tolerance::certificate::{PROJECTED, gamma};
 pub(super) struct Scales {
     /// ρ_n and ρ_t per contact \[kg\].
     pub weights: Vec<[f64; 2]>,
-    /// The first contact of the same two bodies.
+    /// The first contact of the same two bodies: see [`same_bodies`].
     group: Vec<usize>,
     /// Floor per row \[m/s\].
     pub floors: Vec<f64>,
@@ -55,12 +58,13 @@ impl Scales {
     fn find_groups(&mut self, problem: &ContactProblem) {
         self.group.clear();
         for k in 0..problem.contacts() {
-            let first = match (&problem.bodies, &problem.dynamics) {
-                (Some(bodies), _) => (0..k).find(|&j| same_pair(bodies[j], bodies[k])),
-                (None, Some(dynamics)) => (0..k).find(|&j| self.group[j] == j && same_support(dynamics, problem.rows_per_contact, [j, k])),
-                (None, None) => None,
-            };
-            self.group.push(first.map_or(k, |j| self.group[j]));
+            self.group.push(k);
+            for j in 0..k {
+                let (one, other) = (self.group[j], self.group[k]);
+                if one != other && same_bodies(problem, [j, k]) {
+                    self.group.iter_mut().filter(|first| **first == one.max(other)).for_each(|first| *first = one.min(other));
+                }
+            }
         }
     }
 
@@ -88,8 +92,9 @@ impl Scales {
             let mut q = [0.0; 3];
             (0..rows).for_each(|row| q[row] = problem.free_velocity[k * rows + row] + problem.shift[k * rows + row]);
             let ([normal, tangential], mu) = (self.weights[k], problem.friction[k]);
-            let net = (1..rows).fold(0.0, |norm: f64, row| norm.hypot(y[row] - q[row]));
-            let pushed = [r[0].abs().max(normal * (y[0] - q[0]).abs()), r[0].abs(), tangential_norm(r).hypot(r[0]).max(tangential * net)];
+            let moved = |row: usize| if row < rows { y[row] - q[row] } else { 0.0 };
+            let net = length(moved(1), moved(2));
+            let pushed = [r[0].abs().max(normal * moved(0).abs()), r[0].abs(), length(tangential_norm(r), r[0]).max(tangential * net)];
             let sizes = &mut self.shared[self.group[k]];
             sizes.iter_mut().zip(pushed).for_each(|(size, pushed)| *size = size.max(pushed));
             let data = closing(problem.law, mu, &q[..rows]).abs() + PROJECTED * (q[0].abs() + mu * tangential_norm(&q[..rows]));
@@ -117,8 +122,16 @@ fn closing(law: Law, mu: f64, q: &[f64]) -> f64 {
     }
 }
 
-fn same_pair([a, b]: [Option<usize>; 2], [c, d]: [Option<usize>; 2]) -> bool {
-    (a, b) == (c, d) || (a, b) == (d, c)
+/// Whether two contacts lie between the same two bodies: the columns of H decide, where there are any, and pairs named in the file count only
+/// where nothing else contradicts them.
+fn same_bodies(problem: &ContactProblem, [j, k]: [usize; 2]) -> bool {
+    let same_pair = |bodies: &Vec<[Option<usize>; 2]>| bodies[j] == bodies[k] || bodies[j] == [bodies[k][1], bodies[k][0]];
+    let (rows, named) = (problem.rows_per_contact, problem.bodies.as_ref().map(same_pair));
+    match (named, &problem.dynamics) {
+        (Some(false), _) | (None, None) => false,
+        (_, Some(dynamics)) => same_support(dynamics, rows, [j, k]),
+        (Some(true), None) => problem.delassus.view((j * rows, k * rows), (rows, rows)).iter().any(|w| *w != 0.0),
+    }
 }
 
 /// Whether two contacts act on the same velocities.

@@ -55,7 +55,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let tolerance = arguments.tolerance;
     check_tolerance("--tolerance", tolerance)?;
     let problem = ContactProblem::read(&arguments.problem)?;
-    let solution = Solution::read(&arguments.solution)?;
+    let solution = Solution::read(&arguments.solution, &problem)?;
     let residuals = residuals(&problem, &solution).map_err(|error| error.in_file(&arguments.solution))?;
     let certificate = Certificate::new(&problem, &solution, &residuals, tolerance);
     print(&match arguments.format {

@@ -97,7 +97,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
 }
 
 fn judge(arguments: &Arguments, entry: &crate::gate::scoreboard::Entry) -> Standing {
-    let checks: Vec<_> = check::scored().collect();
+    let checks: Vec<_> = check::all().collect();
     let sweep = if arguments.full { SWEEP.to_vec() } else { QUICK.to_vec() };
     let bar = ProgressBar::new((checks.len() * sweep.len()) as u64).with_message(entry.name.clone());
     if let Ok(style) = ProgressStyle::with_template("{msg:24} {bar:40} {elapsed}") {

@@ -11,11 +11,24 @@
 //! three-dimensional contact.
 
 use std::f64::consts::PI;
+use std::sync::OnceLock;
+
+/// Numbers of directions whose sines are kept: those that people use.
+const KEPT: usize = 65;
 
 /// Direction j of d, the unit vector at angle 2πj/d from tangent₁.
 pub fn direction(j: usize, d: usize) -> [f64; 2] {
-    // Quarter turns are exact, so that d = 2 and d = 4 give rows of 0 and ±1.
-    match (4 * (j % d), d) {
+    // a certificate asks for every direction of every contact in every iteration, and a sine costs as much as the rest
+    static TABLE: [OnceLock<Vec<[f64; 2]>>; KEPT] = [const { OnceLock::new() }; KEPT];
+    match TABLE.get(d) {
+        Some(kept) if d > 0 => kept.get_or_init(|| (0..d).map(|j| at_angle(j, d)).collect())[j % d],
+        _ => at_angle(j % d, d),
+    }
+}
+
+/// The unit vector at angle 2πj/d, j < d; quarter turns are exact, so that d = 2 and d = 4 give rows of 0 and ±1.
+fn at_angle(j: usize, d: usize) -> [f64; 2] {
+    match (4 * j, d) {
         (0, _) => [1.0, 0.0],
         (turn, _) if turn == d => [0.0, 1.0],
         (turn, _) if turn == 2 * d => [-1.0, 0.0],

@@ -20,7 +20,18 @@ pub use super::projection_jacobian::projection_jacobian;
 
 /// Norm of the tangential part, ‖z_t‖, without overflow or underflow of the squares.
 pub fn tangential_norm(z: &[f64]) -> f64 {
-    z[1..].iter().fold(0.0, |norm: f64, &entry| norm.hypot(entry))
+    match z[1..] {
+        [] => 0.0,
+        [one] => one.abs(),
+        [one, other] => length(one, other),
+        ref more => more.iter().fold(0.0, |norm: f64, &entry| norm.hypot(entry)),
+    }
+}
+
+/// √(a² + b²), by `hypot` only where a square overflows, or where one that underflows could be seen: it costs as much as ten square roots.
+pub(crate) fn length(a: f64, b: f64) -> f64 {
+    let square = a * a + b * b;
+    if square > f64::MIN_POSITIVE / f64::EPSILON && square.is_finite() { square.sqrt() } else { a.hypot(b) }
 }
 
 /// Cosine and sine of the half-angle of K_μ, `(1, μ)/√(1 + μ²)`.

@@ -77,14 +77,6 @@ pub fn all() -> impl Iterator<Item = &'static Check> {
     super::checks::FAMILIES.iter().copied().flatten()
 }
 
-/// Families that `moreau gate` asks and the stored scoreboard does not show yet: what an outside engine fails needs a cause that was found out.
-pub const UNSCORED: [&str; 1] = ["tumbling"];
-
-/// Every check of the scoreboard.
-pub fn scored() -> impl Iterator<Item = &'static Check> {
-    all().filter(|check| !UNSCORED.contains(&check.family()))
-}
-
 /// The check with this name.
 pub fn find(name: &str) -> Option<&'static Check> {
     all().find(|check| check.name == name)

@@ -122,7 +122,7 @@ pub(crate) struct SolutionFile {
     /// Always `solution/1`.
     #[schemars(extend("const" = SOLUTION_SCHEMA))]
     schema: String,
-    /// The problem's name.
+    /// The problem's name; an answer that names another problem is refused.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     problem: Option<String>,
     /// r \[N·s\], ordered (normal, tangent 1, tangent 2) per contact.
@@ -221,12 +221,13 @@ impl ContactProblem {
 }
 
 impl Solution {
-    /// Reads a file `solution/1`; residuals stored in it are not trusted and not kept.
+    /// Reads a file `solution/1` that answers this problem; residuals stored in it are not trusted and not kept.
     ///
     /// # Errors
-    /// [`Error::Read`], or [`Error::InFile`] around what [`Solution::from_json`] says.
-    pub fn read(file: &Path) -> Result<Self> {
-        Self::from_json(&read_json(file)?).map_err(|error| error.in_file(file))
+    /// [`Error::Read`], or [`Error::InFile`] around what [`Solution::from_json`] says, or around [`Error::Invalid`] where the file names another problem.
+    pub fn read(file: &Path, problem: &ContactProblem) -> Result<Self> {
+        let answer: Result<SolutionFile> = read_schema(&read_json(file)?, SOLUTION_SCHEMA);
+        answer.and_then(|answer| answer.answers(problem).map(|()| Self::from(answer))).map_err(|error| error.in_file(file))
     }
 
     /// Reads the text of a `solution/1`; whether it fits a problem is the certificate's question.
@@ -234,15 +235,7 @@ impl Solution {
     /// # Errors
     /// [`Error::Json`], or [`Error::Invalid`] naming the field and the cure.
     pub fn from_json(text: &str) -> Result<Self> {
-        let file: SolutionFile = read_schema(text, SOLUTION_SCHEMA)?;
-        Ok(Solution {
-            impulse: DVector::from_vec(file.impulse),
-            velocity: DVector::from_vec(file.velocity),
-            beta: file.beta.map(DVector::from_vec),
-            sigma: file.sigma.map(DVector::from_vec),
-            solver: file.solver,
-            iterations: file.iterations,
-        })
+        read_schema::<SolutionFile>(text, SOLUTION_SCHEMA).map(Self::from)
     }
 
     /// The solution as text `solution/1`, with the name of its problem and its residuals if given.
@@ -259,6 +252,32 @@ impl Solution {
             iterations: self.iterations,
             residuals,
         })
+    }
+}
+
+impl SolutionFile {
+    /// Refuses an answer to a problem of another name; either may be without one.
+    fn answers(&self, problem: &ContactProblem) -> Result<()> {
+        match self.problem.as_deref() {
+            Some(other) if !other.is_empty() && !problem.name.is_empty() && other != problem.name => {
+                let cure = format!("the problem read is “{}”: give the files that belong together, or leave the name out", problem.name);
+                Err(Error::invalid("problem", format!("is “{other}”"), cure))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl From<SolutionFile> for Solution {
+    fn from(file: SolutionFile) -> Self {
+        Solution {
+            impulse: DVector::from_vec(file.impulse),
+            velocity: DVector::from_vec(file.velocity),
+            beta: file.beta.map(DVector::from_vec),
+            sigma: file.sigma.map(DVector::from_vec),
+            solver: file.solver,
+            iterations: file.iterations,
+        }
     }
 }
 

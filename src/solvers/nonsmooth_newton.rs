@@ -60,23 +60,27 @@ impl ContactSolver for NonsmoothNewton {
         let mut best = (f64::INFINITY, start.clone());
         let mut steps = 0;
         for proximals in tolerance::NONSMOOTH_PROXIMALS {
-            let (mut impulse, mut least, mut since) = (start.clone(), f64::INFINITY, 0);
+            let (mut impulse, mut least, mut mark, mut since) = (start.clone(), f64::INFINITY, f64::INFINITY, 0);
             for _ in 0..=self.steps {
                 let law_velocity = problem.law_velocity(&impulse);
                 let relative = stopping.relative(&impulse, &law_velocity);
-                since = if relative < least { 0 } else { since + 1 };
+                since += 1;
                 least = least.min(relative);
+                if least < 0.5 * mark {
+                    (mark, since) = (least, 0);
+                }
                 if relative < best.0 {
                     best = (relative, impulse.clone());
                 }
-                if relative <= self.tolerance || since == tolerance::NONSMOOTH_STALLED {
+                let patience = if least <= tolerance::ACCEPTABLE { tolerance::NONSMOOTH_ENDED } else { tolerance::NONSMOOTH_STALLED };
+                if relative <= self.tolerance || since >= patience {
                     break;
                 }
                 let Some(next) = equations.step(&impulse, &law_velocity, proximals) else { break };
                 impulse = next;
                 steps += 1;
             }
-            if best.0 <= self.tolerance {
+            if best.0 <= self.tolerance.max(tolerance::ACCEPTABLE) {
                 break;
             }
         }

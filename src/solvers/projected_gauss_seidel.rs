@@ -123,7 +123,7 @@ impl Best {
 impl Sweeper<'_> {
     /// Sweep after sweep.
     fn plain(&mut self, solver: &ProjectedGaussSeidel) {
-        while !self.converged(solver.tolerance)
+        while self.measure(solver.tolerance) > solver.tolerance
             && self.sweeps < solver.sweeps
             && !self.has_stalled(tolerance::stalled(self.problem.contacts()))
         {
@@ -138,16 +138,22 @@ impl Sweeper<'_> {
         let patience = tolerance::accelerated_stalled(self.problem.contacts());
         let mut anderson = Anderson::new(solver.memory);
         let mut before = self.impulse.clone();
-        while !self.converged(solver.tolerance) && self.sweeps < solver.sweeps && !self.has_stalled(patience) {
+        let mut relative = self.measure(solver.tolerance);
+        while relative > solver.tolerance && self.sweeps < solver.sweeps && !self.has_stalled(patience) {
             before.clone_from(&self.impulse);
-            if !self.sweep() || !self.is_finite() || self.sweeps == solver.sweeps || self.converged(solver.tolerance) {
+            if !self.sweep() || !self.is_finite() || self.sweeps == solver.sweeps {
+                self.measure(solver.tolerance);
+                break;
+            }
+            let plain = self.measure(solver.tolerance);
+            if plain <= solver.tolerance {
                 break;
             }
             let image = self.impulse.clone();
-            let plain = self.stopping.relative(&self.impulse, &self.law_velocity);
             self.jump(anderson.next(&before, &image));
-            let jumped = self.stopping.relative(&self.impulse, &self.law_velocity);
-            if jumped > plain.max(tolerance::GROWTH * self.best.relative) {
+            relative = self.measure(solver.tolerance);
+            if relative > plain.max(tolerance::GROWTH * self.best.relative) {
+                relative = plain;
                 self.jump(image);
                 anderson = Anderson::new(solver.memory);
             }
@@ -192,17 +198,15 @@ impl Sweeper<'_> {
         self.impulse = impulse;
     }
 
-    /// Whether the residual is small at every contact; decided on a freshly computed y, since the updated one carries old rounding.
-    fn converged(&mut self, tolerance: f64) -> bool {
-        let relative = self.stopping.relative(&self.impulse, &self.law_velocity);
-        if relative > tolerance {
-            self.best.offer(relative, &self.impulse, self.sweeps);
-            return false;
+    /// The largest relative residual; one within the tolerance is taken on a freshly computed y, since the updated one carries old rounding.
+    fn measure(&mut self, tolerance: f64) -> f64 {
+        let mut relative = self.stopping.relative(&self.impulse, &self.law_velocity);
+        if relative <= tolerance {
+            self.law_velocity = self.problem.law_velocity(&self.impulse);
+            relative = self.stopping.relative(&self.impulse, &self.law_velocity);
         }
-        self.law_velocity = self.problem.law_velocity(&self.impulse);
-        let relative = self.stopping.relative(&self.impulse, &self.law_velocity);
         self.best.offer(relative, &self.impulse, self.sweeps);
-        relative <= tolerance
+        relative
     }
 }
 

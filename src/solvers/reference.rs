@@ -6,7 +6,7 @@ use super::{
     SequentialImpulses,
 };
 use crate::certificate::Judge;
-use crate::problem::{ContactProblem, Law, Solution};
+use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::solvers::{self as tolerance, ACCEPTABLE, ENOUGH};
 use crate::{Error, Result};
 use nalgebra::DVector;
@@ -29,19 +29,19 @@ pub const NAMES: [&str; 14] = [
     "sequential-impulses",
 ];
 
-/// The default choice: one algorithm after another, in a fixed order, until the certificate's residuals are below [`ENOUGH`], from Lemke on below
-/// [`ACCEPTABLE`]; otherwise the best answer seen.
+/// The default choice: one algorithm after another, in a fixed order, until the certificate's residuals are below [`ENOUGH`], after the first of nonsmooth Newton
+/// below [`ACCEPTABLE`]; otherwise the best answer seen.
 ///
 /// | for | algorithm |
 /// |---|---|
 /// | soft contacts | Newton on Gauss's principle |
-/// | all but a compliance on edges | a few accelerated sweeps, and nonsmooth Newton from what they found |
+/// | all but a compliance on edges | a few accelerated sweeps, and nonsmooth Newton from what they found, until [`ENOUGH`] |
 /// | the same without the polyhedral associated law in space | more accelerated sweeps, and Newton |
-/// | all but a compliance on edges | Newton from zero |
+/// | all but a compliance on edges | Newton from zero; Newton on contacts that are soft at first and then harder and harder |
 /// | second-order cones | plain sweeps, and Newton from what they found |
 /// | second-order cones and a symmetric W | a few steps of the alternating directions, and Newton |
-/// | one row, the plane, polyhedral laws, no friction | Lemke |
-/// | second-order cones | Lemke with an octagon, then a pentagon, in place of the disk, and Newton |
+/// | one row, the plane, polyhedral laws, no friction; not too many contacts | Lemke |
+/// | second-order cones, not too many contacts | Lemke with an octagon, then a pentagon, in place of the disk, and Newton |
 /// | second-order cones and a symmetric W | many steps of the alternating directions, and Newton |
 /// | second-order cones | over-relaxation |
 /// | the associated law | accelerated projected gradient, Clarabel |
@@ -58,13 +58,18 @@ type Takes = fn(&ContactProblem) -> bool;
 type Stage = fn(&ContactProblem, Option<&DVector<f64>>) -> Result<Solution>;
 
 /// The algorithms with the problems they are for, in order, that cost little: they go on until [`ENOUGH`].
-const QUICK: [(Takes, Stage); 10] = [
+const QUICK: [(Takes, Stage); 3] = [
     (|problem| problem.compliance.is_some(), |problem, start| GaussNewton::default().solve(problem, start)),
     (is_iterated, few_sweeps),
     (is_iterated, newton),
+];
+
+/// Those that follow where the answer is not good enough yet for the certificate, [`ACCEPTABLE`].
+const THOROUGH: [(Takes, Stage); 16] = [
     (is_swept, more_sweeps),
     (is_swept, newton),
     (is_iterated, |problem, _| newton(problem, None)),
+    (is_iterated, through_softness),
     (has_second_order_cone, |problem, start| {
         ProjectedGaussSeidel { sweeps: tolerance::PLAIN_SWEEPS, ..Default::default() }.solve(problem, start)
     }),
@@ -73,11 +78,7 @@ const QUICK: [(Takes, Stage); 10] = [
         AlternatingDirections { iterations: tolerance::FIRST_ALTERNATIONS, ..Default::default() }.solve(problem, start)
     }),
     (has_second_order_cone, newton),
-];
-
-/// Those that follow where the answer is not good enough yet for the certificate, [`ACCEPTABLE`].
-const THOROUGH: [(Takes, Stage); 8] = [
-    (LemkePivoting::takes, |problem, _| LemkePivoting.solve(problem, None)),
+    (is_pivoted, |problem, _| LemkePivoting.solve(problem, None)),
     (is_round, |problem, _| through_polygon(problem, tolerance::LEMKE_DIRECTIONS[0])),
     (is_round, |problem, _| through_polygon(problem, tolerance::LEMKE_DIRECTIONS[1])),
     (has_second_order_cone, |problem, start| AlternatingDirections::default().solve(problem, start)),
@@ -110,9 +111,36 @@ fn newton(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solu
     NonsmoothNewton::default().solve(problem, start)
 }
 
-/// Whether no linear complementarity problem is equivalent.
+/// Whether Lemke's pivots are not too many here, or nothing else is for the problem.
+fn is_pivoted(problem: &ContactProblem) -> bool {
+    LemkePivoting::takes(problem) && (!is_iterated(problem) || pivots_with(problem, problem.law.directions().unwrap_or(2)))
+}
+
+/// Whether no linear complementarity problem is equivalent, and that of a polygon is not too large.
 fn is_round(problem: &ContactProblem) -> bool {
-    has_second_order_cone(problem) && !LemkePivoting::takes(problem)
+    has_second_order_cone(problem) && !LemkePivoting::takes(problem) && pivots_with(problem, tolerance::LEMKE_DIRECTIONS[0])
+}
+
+/// Whether λ, β and σ with this many directions are within what `auto` pivots.
+fn pivots_with(problem: &ContactProblem, directions: usize) -> bool {
+    (2 + directions) * problem.contacts() <= tolerance::LEMKE_UNKNOWNS
+}
+
+/// Newton's method on softer contacts, W + α/ρ in place of W, from soft to hard, α = 1, ¼, …: each answer is near the next, and where none is the last one is.
+fn through_softness(problem: &ContactProblem, _: Option<&DVector<f64>>) -> Result<Solution> {
+    let (weights, mut softer) = (Judge::weights(problem), problem.clone());
+    let (rows, mut impulse, mut iterations) = (problem.rows_per_contact, None, 0);
+    for alpha in tolerance::softnesses() {
+        let added = |row: usize| alpha / weights[row / rows][usize::from(row % rows > 0)];
+        let diagonal = DVector::from_fn(problem.rows(), |row, _| super::compliance(problem, row) + added(row));
+        softer.compliance = Some(Compliance { coordinates: Coordinates::Contact, diagonal });
+        let solver = NonsmoothNewton { steps: tolerance::SOFT_STEPS, tolerance: ENOUGH };
+        let solution = solver.solve(&softer, impulse.as_ref())?;
+        iterations += solution.iterations;
+        impulse = Some(solution.impulse);
+    }
+    let ended = newton(problem, impulse.as_ref())?;
+    Ok(Solution { iterations: iterations + ended.iterations, ..ended })
 }
 
 /// Lemke on a polygon in place of the disk, which tells which contacts press, stick and slide, and Newton from there.

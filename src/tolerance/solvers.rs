@@ -88,9 +88,12 @@ pub fn accelerated_stalled(contacts: usize) -> usize {
 /// Steps of the nonsmooth Newton method: a step changes the state of some contact or squares the error. A limit against endless loops.
 pub const NONSMOOTH_STEPS: usize = 100;
 
-/// Steps in a row without a better iterate after which it is cycling: three times the states of a contact (open, sticking, sliding) for each of a handful of
+/// Steps in a row that do not halve the residual after which it is cycling: three times the states of a contact (open, sticking, sliding) for each of a handful of
 /// contacts at the border of two states. Only work depends on it.
 pub const NONSMOOTH_STALLED: usize = 40;
+
+/// The same once an iterate is below [`ACCEPTABLE`]: there the error squares, and three steps that do not bring it down have met rounding.
+pub const NONSMOOTH_ENDED: usize = 3;
 
 /// Lengths 1, ½, ¼ of a step that are tried: what a quarter of it does not bring nearer, the other η may.
 pub const NONSMOOTH_HALVINGS: i32 = 3;
@@ -109,11 +112,25 @@ pub const NONSMOOTH_PROXIMALS: [&[f64]; 3] = {
 /// 1 − cos(π/8) = 8 % of the round one, and a pentagon, whose sides lie elsewhere. Only the states of the contacts are taken from them.
 pub const LEMKE_DIRECTIONS: [usize; 2] = [8, 5];
 
+/// Unknowns of the linear complementarity problems that `auto` pivots, λ, β and σ of 32 contacts with eight directions: some 2n pivots with 2n³/3 operations each are 10¹⁰ there,
+/// and sixteen times as many for twice the contacts. `lemke` by name has no such limit.
+pub const LEMKE_UNKNOWNS: usize = 320;
+
+/// The compliances α of contacts that are made harder, in units of their own W: from as soft as the bodies themselves to √[`f64::EPSILON`], below which Newton's η is no smaller.
+/// A quarter of it is nearer than a contact's states change, mostly.
+pub fn softnesses() -> impl Iterator<Item = f64> {
+    (0..14).map(|k| 0.25f64.powi(k))
+}
+
+/// Newton's steps on a softer contact, whose answer is only a start.
+pub const SOFT_STEPS: usize = 12;
+
 /// Accelerated sweeps that `auto` spends before it goes on to other algorithms, and sweeps of over-relaxation after them.
 pub const AUTO_SWEEPS: usize = 20 * FIRST_SWEEPS;
 
-/// Accelerated sweeps before Newton's method is tried, a tenth of [`FIRST_SWEEPS`]: easy contacts need no more, and a factorisation of n contacts is worth about n sweeps.
-pub const FEW_SWEEPS: usize = FIRST_SWEEPS / 10;
+/// Accelerated sweeps before Newton's method is tried, as many as the acceleration remembers: they tell which contacts press. Easy contacts are solved by them, and
+/// for n contacts Newton's ten steps or so are worth 10 n of them.
+pub const FEW_SWEEPS: usize = MEMORY;
 
 /// Plain sweeps that `auto` spends where accelerated ones have stalled: what they do not bring near a solution is left to the others.
 pub const PLAIN_SWEEPS: usize = 2 * FIRST_SWEEPS;

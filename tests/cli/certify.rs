@@ -62,3 +62,13 @@ fn files_that_do_not_fit_or_cannot_be_read_are_refused() {
         moreau(&["certify", &problem, &good, "--tolerance", tolerance]).is_refused(&["--tolerance"]);
     }
 }
+
+#[test]
+fn an_answer_to_a_problem_of_another_name_is_refused() {
+    let folder = Folder::new("certify-names");
+    let answers = |name: &str| solution(0.0).replacen('{', &format!(r#"{{"problem": "{name}", "#), 1);
+    let problem = folder.file("problem.json", PROBLEM);
+    assert_eq!(moreau(&["certify", &problem, &folder.file("same.json", &answers("block"))]).code, 0);
+    assert_eq!(moreau(&["certify", &problem, &folder.file("none.json", &solution(0.0))]).code, 0);
+    moreau(&["certify", &problem, &folder.file("other.json", &answers("wheel"))]).is_refused(&["other.json", "problem", "wheel", "block"]);
+}

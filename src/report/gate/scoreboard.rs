@@ -28,7 +28,7 @@ fn mark(verdict: Verdict) -> &'static str {
 /// The families of the registry, in its order.
 fn families() -> Vec<&'static str> {
     let mut families: Vec<&str> = Vec::new();
-    for family in check::scored().map(|check| check.family()) {
+    for family in check::all().map(|check| check.family()) {
         if !families.contains(&family) {
             families.push(family);
         }
@@ -121,13 +121,13 @@ fn reasons(causes: &[Cause]) -> Markup {
 fn table(standings: &[Standing], causes: &[Cause]) -> Markup {
     html! {
         table {
-            tr { th { "engine" } @for check in check::scored() { th.r title=(check.question) { (check.name) } } }
+            tr { th { "engine" } @for check in check::all() { th.r title=(check.question) { (check.name) } } }
             @for standing in standings {
                 tr {
                     td { (standing.entry.name) @if let Some(report) = &standing.report { br; small { (report.engine.name) " " (report.engine.version) } } }
                     @match &standing.report {
-                        Some(report) => { @for check in check::scored() { (cell(report, check.name, cause::find(causes, &standing.entry.name, check.name))) } },
-                        None => td colspan=(check::scored().count()) { "not run: " (standing.not_run.as_deref().unwrap_or("no reason stored")) },
+                        Some(report) => { @for check in check::all() { (cell(report, check.name, cause::find(causes, &standing.entry.name, check.name))) } },
+                        None => td colspan=(check::all().count()) { "not run: " (standing.not_run.as_deref().unwrap_or("no reason stored")) },
                     }
                 }
             }

@@ -32,7 +32,7 @@ pub mod tumbling;
 ///     Siconos NSGS                  1e-4        SICONOS_DPARAM_TOL by default; 1e-10 in our adapter
 ///     MuJoCo                        2.5e-5      opt.tolerance 1e-8 m²/s⁴: ½ m δa² ≤ 1e-8 tr M ≈ 3e-8 m leaves δa = √6e-8 m/s² of g
 /// ```
-/// MuJoCo's rule bounds what the last iteration gained, so that PGS, which converges slowly, may leave more. That a solver which leaves 1e-3 is
+/// MuJoCo's line holds for the acceleration; the force it reports is `impratio`^½ times as far off along the tangents. Its rule bounds what the last iteration gained, so that PGS, which converges slowly, may leave more. That a solver which leaves 1e-3 is
 /// caught and one that leaves 1e-4 is not, is shown by [`crate::gate::planted`].
 pub const SOLVED: f64 = 0.000_345_266_983_001_243_9;
 

@@ -3,9 +3,9 @@
 use super::motion::Tumble;
 use super::scenes::{FRICTION, Throw, Thrown};
 use crate::gate::checks::scenery::{GRAVITY, worst};
-use crate::gate::model::Model;
 use crate::gate::model::compression::LoadedPoint;
 use crate::gate::model::normal::Normal;
+use crate::gate::model::{Model, RigidLimits};
 use crate::gate::{Bench, Expectation, Measurement, Reply};
 use crate::tolerance::gate::tumbling as tolerance;
 
@@ -58,19 +58,45 @@ fn arrival(tumble: &Tumble, k: usize) -> f64 {
 /// or a lighter corner stop it sooner.
 fn declared(bench: &Bench, tumble: &Tumble, h: f64) -> Option<f64> {
     let model = Model::of(bench.description());
-    let (lightest, total) = tumble.bodies.iter().fold((f64::INFINITY, 0.0), |(least, sum), body| (body.mass.min(least), sum + body.mass));
+    let (lightest, total) = weights(tumble);
     let speed = (2.0 * tumble.energy(0) / lightest).sqrt();
     if let Model::Coulomb(limits) = model {
-        let spring = |on_ground: bool| {
-            let static_depth = limits.compression(&LoadedPoint { load: GRAVITY, inverse_mass: 1.0, on_ground });
-            // f from g/(2πf)²: a spring of this frequency stops v within v/(2πf), besides its static depth.
-            if static_depth > 0.0 { 2.0 * static_depth * total / lightest + speed * (static_depth / GRAVITY).sqrt() } else { 0.0 }
-        };
-        let depth = limits.penetration_allowance + spring(true).max(spring(false));
+        // f from g/(2πf)²: a spring of this frequency stops v within v/(2πf), besides its depth at rest.
+        let stopping = |on_ground: bool| speed * (static_depth(&limits, on_ground) / GRAVITY).sqrt();
+        let depth = carried(&limits, tumble) + stopping(true).max(stopping(false));
         return (depth > 0.0).then_some(depth);
     }
     let steps = (crate::tolerance::gate::ball::LONGEST_CONTACT / h).ceil() as usize;
     let heaviest = Normal::spheres(&[(total, tumble.bodies[0].radius())], GRAVITY, FRICTION, bench.description().friction, h);
     let states = heaviest.replay(&model, 0.0, -speed, steps)?;
     Some(states.iter().map(|(gap, _)| -gap).fold(0.0, worst))
+}
+
+/// The depth \[m\] at which a declared spring carries what lies, if one is declared.
+pub(super) fn lying(bench: &Bench, tumble: &Tumble) -> Option<f64> {
+    match Model::of(bench.description()) {
+        Model::Coulomb(limits) => Some(carried(&limits, tumble)).filter(|depth| *depth > 0.0),
+        _ => None,
+    }
+}
+
+/// Depth \[m\] of a lying body by the declared allowance and twice its springs' depth under all the weight: a corner carries no more.
+fn carried(limits: &RigidLimits, tumble: &Tumble) -> f64 {
+    let (lightest, total) = weights(tumble);
+    limits.penetration_allowance + 2.0 * static_depth(limits, true).max(static_depth(limits, false)) * total / lightest
+}
+
+/// Whether a spring is declared.
+pub(super) fn is_sprung(limits: &RigidLimits) -> bool {
+    static_depth(limits, true).max(static_depth(limits, false)) > 0.0
+}
+
+/// g/(2πf)² \[m\], 0 without a spring.
+fn static_depth(limits: &RigidLimits, on_ground: bool) -> f64 {
+    limits.compression(&LoadedPoint { load: GRAVITY, inverse_mass: 1.0, on_ground })
+}
+
+/// The lightest body's mass and that of all \[kg\].
+fn weights(tumble: &Tumble) -> (f64, f64) {
+    tumble.bodies.iter().fold((f64::INFINITY, 0.0), |(least, sum), body| (body.mass.min(least), sum + body.mass))
 }

@@ -9,8 +9,11 @@
 //!     y = u⁺ + e u⁻ ,  r·y ≤ 0 ,  μ = 0 :   the same bound times (1 − e)/(1 + e)
 //! ```
 //! So a step gains at most c Σ_b max(0, ½ h g p_b,z − ½ p_b,z²/m_b) ≤ c Σ m g² h²/8, c = (1 − e)/(1 + e), and w R with R = Σ r_n. What
-//! rotation adds is bounded apart; see [`crate::tolerance::gate::tumbling`].
+//! rotation adds is bounded apart; see [`crate::tolerance::gate::tumbling`]. Poses are taken to move with the velocities: what an engine pushes out of a depth
+//! in the position alone rises by m g Δz and is counted. Allowed for is what is declared: a correction that the bodies keep as a speed, and a spring that lifts them
+//! out of a depth, by m g times what the depth loses.
 
+use super::depth;
 use super::motion::Tumble;
 use super::scenes::{FRICTION, Throw, Thrown};
 use crate::gate::checks::scenery::GRAVITY;
@@ -81,9 +84,9 @@ fn rise(bench: &mut Bench, throw: &Throw, h: f64, law: Law) -> Reply<Measurement
     let measurement =
         Measurement::new(format!("rise of the energy: {}", throw.words()), "J", ideal.rise, Expectation::at_most(0.0, ideal.allowed, why));
     Ok(match Model::of(bench.description()) {
-        // A declared correction of depth is a speed that the bodies keep; contacts below a declared threshold have another e than the rest.
-        Model::Coulomb(limits) if limits.error_reduction > 0.0 || limits.slowest_bounce(throw.restitution.max(f64::MIN_POSITIVE)) > 0.0 => {
-            let unequal = limits.slowest_bounce(throw.restitution.max(f64::MIN_POSITIVE)) > 0.0;
+        // A declared correction of depth is a speed that the bodies keep, a declared spring lifts them; contacts below a declared threshold have another e than the rest.
+        Model::Coulomb(limits) if limits.error_reduction > 0.0 || depth::is_sprung(&limits) || slowest_bounce(&limits, throw) > 0.0 => {
+            let unequal = slowest_bounce(&limits, throw) > 0.0;
             let law = Law { loss: 1.0, returned: if unequal { throw.restitution } else { law.returned }, ..law };
             let declared = worst_rise(&tumble, &law, &limits, bench.epsilon(), compliant);
             let bound = ideal.rise - declared.excess();
@@ -91,6 +94,10 @@ fn rise(bench: &mut Bench, throw: &Throw, h: f64, law: Law) -> Reply<Measurement
         }
         _ => measurement,
     })
+}
+
+fn slowest_bounce(limits: &RigidLimits, throw: &Throw) -> f64 {
+    limits.slowest_bounce(throw.restitution.max(f64::MIN_POSITIVE))
 }
 
 /// The rise \[J\] of the energy over some interval of steps, and what is allowed over the same.
@@ -118,13 +125,13 @@ fn worst_rise(tumble: &Tumble, law: &Law, limits: &RigidLimits, epsilon: f64, fr
     interval((1..tumble.states.len()).map(step), from_start)
 }
 
-/// σ of the scheme, from the lowest body's flight until the first contact, and the steps of that flight:
-/// z_n − z_0 = h Σ ½(v_k + v_{k−1}) + σ h (v_n − v_0).
+/// σ of the scheme, from the first body's flight until the first contact, and the steps of that flight:
+/// z_n − z_0 = h Σ ½(v_k + v_{k−1}) + σ h (v_n − v_0). The last step before an impulse is left out: an engine may take a depth back in it without one.
 fn sigma(tumble: &Tumble) -> (f64, usize) {
     let flies = |k: &usize| {
         (0..tumble.bodies.len()).all(|b| tumble.impulse(b, *k).norm() <= tolerance::flight(tumble.bodies[b].mass, GRAVITY, tumble.h))
     };
-    let steps = (1..tumble.states.len()).take_while(flies).count();
+    let steps = (1..tumble.states.len()).take_while(flies).count().saturating_sub(1);
     let at = |k: usize| (tumble.states[k][0].position.z, tumble.states[k][0].velocity.z);
     let ((start, first), (end, last)) = (at(0), at(steps));
     if steps == 0 {
@@ -168,12 +175,15 @@ fn allowed(tumble: &Tumble, law: &Law, limits: &RigidLimits, k: usize, epsilon: 
         .sum();
     let speed = tumble.fastest(k - 1) + GRAVITY * h;
     let depth = if limits.error_reduction > 0.0 { tumble.depth(k - 1) } else { 0.0 };
+    let lifted = if depth::is_sprung(limits) { (tumble.depth(k - 1) - tumble.depth(k)).max(0.0) } else { 0.0 };
+    let weight: f64 = tumble.bodies.iter().map(|body| body.mass * GRAVITY).sum();
     let asked = law.returned * speed + turned_below(tumble, k) + limits.push(depth, h);
     let pressed = pressed(tumble, law.friction, k);
     let size = before + tumble.each(k - 1).map(|(body, state)| body.mass * GRAVITY * state.position.z.abs()).sum::<f64>();
     law.loss * gravity
         + rotation
         + asked * pressed
+        + weight * lifted
         + tolerance::unsolved(pressed, speed)
         + crate::tolerance::gate::audit_rounding(epsilon, size)
 }

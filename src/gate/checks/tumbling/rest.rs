@@ -34,7 +34,10 @@ pub(super) fn rest(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
         let on = Expectation::at_most(0.0, near, "a body lies on the floor");
         measurements.push(Measurement::new(format!("gap under the lowest corner at the end: {}", throw.words()), "m", hover, on));
         let inside = Expectation::at_most(0.0, depth::allowed(&tumble, bench.epsilon()), "no body is in another, nor in the floor");
-        measurements.push(Measurement::new(format!("depth at the end: {}", throw.words()), "m", tumble.depth(last), inside));
+        let declared = depth::lying(bench, &tumble);
+        let sprung = declared.map(|depth| Expectation::at_most(depth, inside.tolerance, "the declared spring carries it there"));
+        measurements
+            .push(Measurement::new(format!("depth at the end: {}", throw.words()), "m", tumble.depth(last), inside).predicted(sprung));
     }
     Ok(measurements)
 }
