@@ -79,10 +79,12 @@ impl ContactSolver for AlternatingDirections {
         super::project(problem, &mut cone);
         let (mut done, mut held, mut changes) = (0, 0, 0);
         loop {
-            let impulse = &cone * unit;
-            if done == self.iterations || stopping.holds(&impulse, &problem.law_velocity(&impulse)) {
-                let velocity = problem.velocity(&impulse);
-                return super::finite(Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations: done });
+            if done == self.iterations || done % tolerance::LOOK == 0 {
+                let impulse = &cone * unit;
+                if done == self.iterations || stopping.holds(&impulse, &problem.law_velocity(&impulse)) {
+                    let velocity = problem.velocity(&impulse);
+                    return super::finite(Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations: done });
+                }
             }
             let before = x.clone();
             (cone, x) = scaled.alternate(&x, &z);

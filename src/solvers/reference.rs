@@ -113,17 +113,19 @@ fn newton(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solu
 
 /// Whether Lemke's pivots are not too many here, or nothing else is for the problem.
 fn is_pivoted(problem: &ContactProblem) -> bool {
-    LemkePivoting::takes(problem) && (!is_iterated(problem) || pivots_with(problem, problem.law.directions().unwrap_or(2)))
+    LemkePivoting::takes(problem)
+        && (!is_iterated(problem) || unknowns(problem, problem.law.directions().unwrap_or(2)) <= tolerance::LEMKE_UNKNOWNS)
 }
 
 /// Whether no linear complementarity problem is equivalent, and that of a polygon is not too large.
 fn is_round(problem: &ContactProblem) -> bool {
-    has_second_order_cone(problem) && !LemkePivoting::takes(problem) && pivots_with(problem, tolerance::LEMKE_DIRECTIONS[0])
+    let small = unknowns(problem, tolerance::LEMKE_DIRECTIONS[0]) <= tolerance::POLYGON_UNKNOWNS;
+    has_second_order_cone(problem) && !LemkePivoting::takes(problem) && small
 }
 
-/// Whether λ, β and σ with this many directions are within what `auto` pivots.
-fn pivots_with(problem: &ContactProblem, directions: usize) -> bool {
-    (2 + directions) * problem.contacts() <= tolerance::LEMKE_UNKNOWNS
+/// How many λ, β and σ there are with this many directions.
+fn unknowns(problem: &ContactProblem, directions: usize) -> usize {
+    (2 + directions) * problem.contacts()
 }
 
 /// Newton's method on softer contacts, W + α/ρ in place of W, from soft to hard, α = 1, ¼, …: each answer is near the next, and where none is the last one is.

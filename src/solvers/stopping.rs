@@ -2,7 +2,7 @@
 
 use crate::certificate::Judge;
 use crate::problem::{ContactProblem, Solution};
-use crate::tolerance::solvers::{FRESH_ROUNDING, NEAR_SOLUTION};
+use crate::tolerance::solvers::{FRESH_ROUNDING, NEAR_SOLUTION, SAME_SIZE};
 use nalgebra::DVector;
 
 /// The largest relative residual over the contacts is at most `relative`; what is rounding counts as 0.
@@ -12,6 +12,8 @@ pub(super) struct Stopping<'a> {
     relative: f64,
     answer: Solution,
     calls: usize,
+    /// The largest impulse at which the rounding of y was computed last \[N·s\].
+    sized: f64,
 }
 
 impl<'a> Stopping<'a> {
@@ -21,7 +23,7 @@ impl<'a> Stopping<'a> {
         let nothing = DVector::zeros(0);
         let answer =
             Solution { impulse: nothing.clone(), velocity: nothing, beta: None, sigma: None, solver: String::new(), iterations: 0 };
-        Stopping { problem, judge, relative, answer, calls: 0 }
+        Stopping { problem, judge, relative, answer, calls: 0, sized: 0.0 }
     }
 
     /// Whether (r, y = u_free + shift + (W + R) r) is a solution up to the tolerance.
@@ -31,16 +33,20 @@ impl<'a> Stopping<'a> {
 
     /// The largest relative residual over the contacts, infinite where it is not a number.
     ///
-    /// The rounding of y costs a pass over W. It is taken from an earlier call where the residual is large, and now and then anew: it changes with ‖r‖ only.
+    /// The rounding of y costs a pass over W. It is taken from an earlier call where the residual is large, or where it is above the tolerance and the impulses are still of one
+    /// size, on which alone that rounding depends; and now and then it is taken anew.
     pub(super) fn relative(&mut self, impulse: &DVector<f64>, law_velocity: &DVector<f64>) -> f64 {
         self.answer.impulse.clone_from(impulse);
         self.calls += 1;
         if self.calls % FRESH_ROUNDING != 1 {
             let measured = self.measure(law_velocity);
-            if measured > NEAR_SOLUTION {
+            let size = impulse.amax();
+            let same = size <= SAME_SIZE * self.sized && self.sized <= SAME_SIZE * size;
+            if measured > NEAR_SOLUTION || (measured > self.relative && same) {
                 return measured;
             }
         }
+        self.sized = impulse.amax();
         self.judge.set_floors(self.problem, impulse.as_slice());
         self.measure(law_velocity)
     }

@@ -70,6 +70,9 @@ pub const NEAR_SOLUTION: f64 = 1.0 / 1_048_576.0;
 /// Calls after which the rounding of y is computed anew in any case; a sixteenth of the cost of the sweeps between.
 pub const FRESH_ROUNDING: usize = 16;
 
+/// Factor within which impulses are of one size: the rounding of y, proportional to them, is then known within it, and only the work until the next fresh one depends on that.
+pub const SAME_SIZE: f64 = 2.0;
+
 /// By how much an extrapolated iterate may exceed the best residual seen before it is dropped: two. Residuals of an accelerated iteration oscillate, and one
 /// that doubles in every step has left the piece on which the iteration is affine.
 pub const GROWTH: f64 = 2.0;
@@ -108,6 +111,9 @@ pub const NONSMOOTH_PROXIMALS: [&[f64]; 3] = {
     [&[half(16), half(40)], &[half(20)], &[half(12), half(16), half(40)]]
 };
 
+/// Iterations of the alternating directions from one look at the certificate to the next: a look costs about half an iteration.
+pub const LOOK: usize = 8;
+
 /// Directions of the polygons that Lemke solves in place of a round cone, one after the other, from which Newton's method goes on: an octagon, whose friction is within
 /// 1 − cos(π/8) = 8 % of the round one, and a pentagon, whose sides lie elsewhere. Only the states of the contacts are taken from them.
 pub const LEMKE_DIRECTIONS: [usize; 2] = [8, 5];
@@ -115,6 +121,9 @@ pub const LEMKE_DIRECTIONS: [usize; 2] = [8, 5];
 /// Unknowns of the linear complementarity problems that `auto` pivots, λ, β and σ of 32 contacts with eight directions: some 2n pivots with 2n³/3 operations each are 10¹⁰ there,
 /// and sixteen times as many for twice the contacts. `lemke` by name has no such limit.
 pub const LEMKE_UNKNOWNS: usize = 320;
+
+/// The same for a polygon in place of a round cone, where Lemke is not the last resort: 3·10⁸ operations, what the alternating directions that follow take for as many contacts.
+pub const POLYGON_UNKNOWNS: usize = 128;
 
 /// The compliances α of contacts that are made harder, in units of their own W: from as soft as the bodies themselves to √[`f64::EPSILON`], below which Newton's η is no smaller.
 /// A quarter of it is nearer than a contact's states change, mostly.
