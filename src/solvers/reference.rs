@@ -133,7 +133,7 @@ fn through_softness(problem: &ContactProblem, _: Option<&DVector<f64>>) -> Resul
     let (weights, mut softer) = (Judge::weights(problem), problem.clone());
     let (rows, mut impulse, mut iterations) = (problem.rows_per_contact, None, 0);
     for alpha in tolerance::softnesses() {
-        let added = |row: usize| alpha / weights[row / rows][usize::from(row % rows > 0)];
+        let added = |row: usize| alpha / weights[row / rows][usize::from(!row.is_multiple_of(rows))];
         let diagonal = DVector::from_fn(problem.rows(), |row, _| super::compliance(problem, row) + added(row));
         softer.compliance = Some(Compliance { coordinates: Coordinates::Contact, diagonal });
         let solver = NonsmoothNewton { steps: tolerance::SOFT_STEPS, tolerance: ENOUGH };
@@ -271,6 +271,53 @@ pub fn with_iterations(name: &str, iterations: Option<usize>) -> Result<Box<dyn 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::certificate::residuals;
+    use crate::contact::delassus::delassus;
+    use nalgebra::DMatrix;
+
+    /// n points of one planar body of 1 kg along its lower side, closing at 1 m/s while it slides and turns: rank three of 2 n.
+    fn points(n: usize, law: Law) -> ContactProblem {
+        let mut jacobian = DMatrix::zeros(2 * n, 3);
+        for k in 0..n {
+            let x = 2.0 * k as f64 / (n as f64 - 1.0) - 1.0;
+            jacobian.row_mut(2 * k).copy_from_slice(&[0.0, 1.0, x]);
+            jacobian.row_mut(2 * k + 1).copy_from_slice(&[1.0, 0.0, 1.0]);
+        }
+        let mass = DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 1.0, 0.5]));
+        ContactProblem {
+            name: "points".into(),
+            rows_per_contact: 2,
+            law,
+            friction: vec![0.3; n],
+            free_velocity: &jacobian * DVector::from_row_slice(&[0.7, -1.0, 0.4]),
+            shift: DVector::zeros(2 * n),
+            delassus: delassus(&mass, &jacobian).unwrap(),
+            compliance: None,
+            dynamics: None,
+            bodies: Some(vec![[Some(0), None]; n]),
+        }
+    }
+
+    #[test]
+    fn softer_contacts_lead_to_the_answer_of_the_hard_ones() {
+        for law in [Law::Frictionless, Law::Coulomb, Law::Associated, Law::PolyhedralCoulomb { directions: 2 }] {
+            let problem = points(4, law);
+            let solution = through_softness(&problem, None).unwrap();
+            assert!(residuals(&problem, &solution).unwrap().is_solution(ENOUGH), "{law:?}");
+            let other = LemkePivoting.solve(&problem, None).unwrap();
+            assert!((&other.velocity - &solution.velocity).amax() <= crate::tolerance::cli::CERTIFY, "{law:?}");
+        }
+    }
+
+    #[test]
+    fn many_contacts_are_not_pivoted_unless_nothing_else_is_for_them() {
+        let fits = tolerance::LEMKE_UNKNOWNS / 4;
+        let polyhedral = |n: usize| points(n, Law::PolyhedralCoulomb { directions: 2 });
+        assert!(is_pivoted(&polyhedral(fits)) && !is_pivoted(&polyhedral(fits + 1)));
+        let mut soft = points(fits + 1, Law::PolyhedralAssociated { directions: 2 });
+        soft.compliance = Some(Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(2 * (fits + 1), 1.0) });
+        assert!(is_pivoted(&soft), "edges that give way are a linear complementarity problem and nothing else");
+    }
 
     #[test]
     fn every_listed_name_is_a_solver_of_that_name_and_others_get_the_list() {
