@@ -194,7 +194,6 @@ impl Judge {
         let rows = problem.rows_per_contact;
         let mut judged = Judged::default();
         for (k, (r, y)) in impulse.chunks_exact(rows).zip(law_velocity.chunks_exact(rows)).enumerate() {
-            let floors = &self.scales.floors[k * rows..(k + 1) * rows];
             let here = Here {
                 contact: k,
                 friction: problem.friction[k],
@@ -202,7 +201,7 @@ impl Judge {
                 y,
                 weights: self.scales.weights[k],
                 sizes: self.scales.at(k),
-                floors: [floors[0], tangential_norm(floors)],
+                floors: self.scales.floors_at(k * rows..(k + 1) * rows),
             };
             let at = match problem.law {
                 Law::PolyhedralCoulomb { directions } => polyhedral::stewart_trinkle(&mut self.pairs, solution, directions, &here),

@@ -218,14 +218,15 @@ fn an_answer_whose_residuals_overflow_is_no_solution() {
     assert!(judged(&problem, &[1e100, -0.5e100]).is_solution(1e-8));
 }
 
-/// Contacts of 10⁸ kg and 1 kg that meet nothing in common close at 1 m/s, frictionless; the light one gets half of what it needs.
+/// Contacts of 10⁸ kg and 1 kg that meet nothing in common close at 1 m/s, frictionless; the light one gets 0.01 N·s too little.
 fn light_beside_heavy(name_one_pair: bool, coupling: f64, dynamics: Option<Dynamics>) -> bool {
     let mut problem = planar(Law::Frictionless, &[-1.0, 0.0, -1.0, 0.0]);
     problem.delassus = DMatrix::from_diagonal(&DVector::from_row_slice(&[1e-8, 1e-8, 1.0, 1.0]));
     (problem.delassus[(0, 2)], problem.delassus[(2, 0)]) = (coupling, coupling);
     (problem.dynamics, problem.bodies) = (dynamics, name_one_pair.then(|| vec![[Some(0), None]; 2]));
+    problem.free_velocity[0] -= coupling * 0.99;
     problem.free_velocity[2] -= coupling * 1e8;
-    judged(&problem, &[1e8, 0.0, 0.5, 0.0]).is_solution(1e-8)
+    judged(&problem, &[1e8, 0.0, 0.99, 0.0]).is_solution(1e-8)
 }
 
 #[test]
@@ -234,7 +235,37 @@ fn a_name_joins_no_contacts_that_nothing_couples() {
         || Dynamics { mass: DMatrix::from_diagonal(&DVector::from_row_slice(&[1e8, 1e8, 1.0, 1.0])), jacobian: DMatrix::identity(4, 4) };
     assert!(!light_beside_heavy(false, 0.0, None), "nothing is known: each contact stands alone");
     assert!(!light_beside_heavy(true, 0.0, None), "one pair by name, but W couples nothing");
-    assert!(light_beside_heavy(true, 1e-12, None), "one pair by name, and W couples it: one size for both");
-    assert!(!light_beside_heavy(true, 1e-12, Some(separate())), "one pair by name, but H says that it is two");
-    assert!(!light_beside_heavy(false, 1e-12, None), "W couples two pairs");
+    assert!(!light_beside_heavy(true, 1e-13, None), "one pair by name, but W couples no more than rounding");
+    assert!(light_beside_heavy(true, 1e-5, None), "one pair by name, and W couples it: one size for both");
+    assert!(!light_beside_heavy(true, 1e-5, Some(separate())), "one pair by name, but H says that it is two");
+    assert!(!light_beside_heavy(false, 1e-5, None), "W couples two pairs");
+}
+
+#[test]
+fn a_name_joins_a_contact_only_to_those_that_it_moves_itself() {
+    // W couples the first with the second, the second with the third, and not the first with the third
+    let mut problem = planar(Law::Frictionless, &[-1.0, 0.0, -1.0, 0.0, -1.0, 0.0]);
+    (problem.delassus[(0, 2)], problem.delassus[(2, 0)]) = (0.5, 0.5);
+    (problem.delassus[(2, 4)], problem.delassus[(4, 2)]) = (0.5, 0.5);
+    problem.free_velocity[0] = -1e6;
+    problem.free_velocity[2] = -5e5;
+    problem.bodies = Some(vec![[Some(0), None]; 3]);
+    assert!(judged(&problem, &[1e6, 0.0, 0.0, 0.0, 1.0, 0.0]).is_solution(1e-8));
+    assert!(!judged(&problem, &[1e6, 0.0, 0.0, 0.0, 1.001, 0.0]).is_solution(1e-8), "the third is not held against the first");
+}
+
+#[test]
+fn a_jaw_that_closes_has_no_solution_however_hard_it_is_pressed() {
+    // one mass of 1 kg between two walls that both come nearer by 1 m/s: W = (1, −1; −1, 1)
+    let mut problem = planar(Law::Frictionless, &[-1.0, 0.0, -1.0, 0.0]);
+    problem.delassus = DMatrix::zeros(4, 4);
+    for (row, column, sign) in [(0, 0, 1.0), (0, 2, -1.0), (2, 0, -1.0), (2, 2, 1.0)] {
+        problem.delassus[(row, column)] = sign;
+    }
+    for pressed in [1.0, 1e8, 1e12, 1e15] {
+        assert!(!judged(&problem, &[pressed, 0.0, pressed, 0.0]).is_solution(1e-8), "{pressed} N·s");
+    }
+    // walls that stand hold it with any pressure
+    problem.free_velocity.fill(0.0);
+    assert!([0.0, 1.0, 1e12].iter().all(|&pressed| judged(&problem, &[pressed, 0.0, pressed, 0.0]).is_solution(1e-8)));
 }

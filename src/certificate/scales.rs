@@ -11,6 +11,10 @@
 //! and tangential parts stay apart, so that fast sliding does not widen what a normal impulse is held against: for the associated laws q_n − μ‖q_t‖ stands in place of
 //! q_n, and a point that leaves fast excuses no other point of its body.
 //!
+//! None is more than 10⁶ ρ V, V the largest velocity of the problem in q or W r, net: impulses that push against each other and move nothing would otherwise excuse any velocity,
+//! and a jaw that closes from both sides, which has no solution, would have one. Nor is a floor more than a hundredth of the largest velocity in q: where rounding hides
+//! that, nothing is certain.
+//!
 //! Two contacts lie between the same two bodies if their rows of H touch the same velocities; without H, if the file names the same pair and W couples
 //! them. A name alone joins nothing: it could hide a light contact behind a heavy one that it never meets.
 //!
@@ -19,7 +23,7 @@
 use crate::cones::polyhedral::direction;
 use crate::cones::second_order::{length, tangential_norm};
 use crate::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law};
-use crate::tolerance::certificate::{PROJECTED, gamma};
+use crate::tolerance::certificate::{COUPLED, HIDDEN, JAMMED, PROJECTED, gamma};
 
 /// The weights and scales of a problem's contacts at an answer; its memory is used again for the next problem.
 #[derive(Clone, Debug, Default)]
@@ -34,6 +38,8 @@ pub(super) struct Scales {
     shared: Vec<[f64; 3]>,
     /// What the data of a contact add to its own s_n and s_t \[N·s\].
     own: Vec<[f64; 2]>,
+    /// The largest velocity in the data, and the same or of the impulses, net \[m/s\].
+    fastest: [f64; 2],
 }
 
 impl Scales {
@@ -55,16 +61,13 @@ impl Scales {
         self.find_groups(problem);
     }
 
+    /// Contact k joins the first group of whose every member it has the bodies.
     fn find_groups(&mut self, problem: &ContactProblem) {
         self.group.clear();
         for k in 0..problem.contacts() {
-            self.group.push(k);
-            for j in 0..k {
-                let (one, other) = (self.group[j], self.group[k]);
-                if one != other && same_bodies(problem, [j, k]) {
-                    self.group.iter_mut().filter(|first| **first == one.max(other)).for_each(|first| *first = one.min(other));
-                }
-            }
+            let fits = |first: usize| (first..k).filter(|&j| self.group[j] == first).all(|j| same_bodies(problem, [j, k]));
+            let found = (0..k).find(|&first| self.group[first] == first && fits(first)).unwrap_or(k);
+            self.group.push(found);
         }
     }
 
@@ -88,6 +91,7 @@ impl Scales {
         self.shared.clear();
         self.shared.resize(problem.contacts(), [0.0; 3]);
         self.own.clear();
+        self.fastest = [0.0; 2];
         for (k, (r, y)) in impulse.chunks_exact(rows).zip(law_velocity.chunks_exact(rows)).enumerate() {
             let mut q = [0.0; 3];
             (0..rows).for_each(|row| q[row] = problem.free_velocity[k * rows + row] + problem.shift[k * rows + row]);
@@ -95,6 +99,10 @@ impl Scales {
             let moved = |row: usize| if row < rows { y[row] - q[row] } else { 0.0 };
             let net = length(moved(1), moved(2));
             let pushed = [r[0].abs().max(normal * moved(0).abs()), r[0].abs(), length(tangential_norm(r), r[0]).max(tangential * net)];
+            for (row, q) in q[..rows].iter().enumerate() {
+                let [given, fastest] = self.fastest;
+                self.fastest = [given.max(q.abs()), fastest.max(q.abs()).max(moved(row).abs())];
+            }
             let sizes = &mut self.shared[self.group[k]];
             sizes.iter_mut().zip(pushed).for_each(|(size, pushed)| *size = size.max(pushed));
             let data = closing(problem.law, mu, &q[..rows]).abs() + PROJECTED * (q[0].abs() + mu * tangential_norm(&q[..rows]));
@@ -102,10 +110,18 @@ impl Scales {
         }
     }
 
+    /// The floors of a contact's normal row and of its tangential ones \[m/s\], below what rounding could hide of the velocities that are given.
+    pub fn floors_at(&self, rows: std::ops::Range<usize>) -> [f64; 2] {
+        let floors = &self.floors[rows];
+        let most = if self.fastest[0] > 0.0 { self.fastest[0] * HIDDEN } else { f64::INFINITY };
+        [floors[0].min(most), tangential_norm(floors).min(most)]
+    }
+
     /// s_n, s_r and s_t of contact k \[N·s\].
     pub fn at(&self, contact: usize) -> [f64; 3] {
         let ([s_n, s_r, s_t], [own_n, own_t]) = (self.shared[self.group[contact]], self.own[contact]);
-        [s_n.max(own_n), s_r.max(own_n), s_t.max(own_t)]
+        let [most_n, most_t] = self.weights[contact].map(|weight| JAMMED * weight * self.fastest[1]);
+        [s_n.max(own_n).min(most_n), s_r.max(own_n).min(most_n), s_t.max(own_t).min(most_t)]
     }
 }
 
@@ -130,8 +146,16 @@ fn same_bodies(problem: &ContactProblem, [j, k]: [usize; 2]) -> bool {
     match (named, &problem.dynamics) {
         (Some(false), _) | (None, None) => false,
         (_, Some(dynamics)) => same_support(dynamics, rows, [j, k]),
-        (Some(true), None) => problem.delassus.view((j * rows, k * rows), (rows, rows)).iter().any(|w| *w != 0.0),
+        (Some(true), None) => couples(problem, [j, k]),
     }
+}
+
+/// Whether an impulse at one contact moves the other: an entry of W beside those on the diagonal that is more than rounding could be.
+fn couples(problem: &ContactProblem, [j, k]: [usize; 2]) -> bool {
+    let rows = problem.rows_per_contact;
+    let largest = |k: usize| (k * rows..(k + 1) * rows).map(|row| problem.delassus[(row, row)]).fold(0.0, f64::max);
+    let seen = COUPLED * largest(j).sqrt() * largest(k).sqrt();
+    problem.delassus.view((j * rows, k * rows), (rows, rows)).iter().any(|w| w.abs() > seen)
 }
 
 /// Whether two contacts act on the same velocities.

@@ -44,6 +44,7 @@ pub const NAMES: [&str; 14] = [
 /// | second-order cones, not too many contacts | Lemke with an octagon, then a pentagon, in place of the disk, and Newton |
 /// | second-order cones and a symmetric W | many steps of the alternating directions, and Newton |
 /// | second-order cones | over-relaxation |
+/// | polyhedral Coulomb in space | plain sweeps |
 /// | the associated law | accelerated projected gradient, Clarabel |
 ///
 /// Each starts from the best answer of those before. The order and the numbers of iterations are fixed, so that the same problem has the same answer on
@@ -65,7 +66,7 @@ const QUICK: [(Takes, Stage); 3] = [
 ];
 
 /// Those that follow where the answer is not good enough yet for the certificate, [`ACCEPTABLE`].
-const THOROUGH: [(Takes, Stage); 16] = [
+const THOROUGH: [(Takes, Stage); 17] = [
     (is_swept, more_sweeps),
     (is_swept, newton),
     (is_iterated, |problem, _| newton(problem, None)),
@@ -86,6 +87,10 @@ const THOROUGH: [(Takes, Stage); 16] = [
     (has_second_order_cone, |problem, start| {
         ProjectedOverRelaxation { sweeps: tolerance::AUTO_SWEEPS, ..Default::default() }.solve(problem, start)
     }),
+    (
+        |problem| problem.rows_per_contact == 3 && matches!(problem.law, Law::PolyhedralCoulomb { .. }),
+        |problem, start| ProjectedGaussSeidel { sweeps: tolerance::AUTO_SWEEPS, ..Default::default() }.solve(problem, start),
+    ),
     (|problem| problem.law == Law::Associated, |problem, start| AcceleratedProjectedGradient::default().solve(problem, start)),
     (
         |problem| matches!(problem.law, Law::Associated | Law::PolyhedralAssociated { .. }),

@@ -118,9 +118,9 @@ pub const LOOK: usize = 8;
 /// 1 − cos(π/8) = 8 % of the round one, and a pentagon, whose sides lie elsewhere. Only the states of the contacts are taken from them.
 pub const LEMKE_DIRECTIONS: [usize; 2] = [8, 5];
 
-/// Unknowns of the linear complementarity problems that `auto` pivots, λ, β and σ of 32 contacts with eight directions: some 2n pivots with 2n³/3 operations each are 10¹⁰ there,
+/// Unknowns of the linear complementarity problems that `auto` pivots, λ, β and σ of 20 contacts with eight directions: some 2n pivots with 2n³/3 operations each are 2·10⁹ there,
 /// and sixteen times as many for twice the contacts. `lemke` by name has no such limit.
-pub const LEMKE_UNKNOWNS: usize = 320;
+pub const LEMKE_UNKNOWNS: usize = 200;
 
 /// The same for a polygon in place of a round cone, where Lemke is not the last resort: 3·10⁸ operations, what the alternating directions that follow take for as many contacts.
 pub const POLYGON_UNKNOWNS: usize = 128;

@@ -94,12 +94,16 @@ pub fn judge(problem: &Exact, groups: &[Vec<usize>], answer: &Answer, limits: Li
     let y = problem.law_velocity(answer.impulse, answer.net);
     let mut at: Vec<At> = (0..problem.contacts()).map(|k| at(problem, answer, &y, k, limits)).collect();
     let own: Vec<Scales> = at.iter().map(|at| at.scales).collect();
+    let data = problem.free.iter().zip(&problem.shift).map(|(free, shift)| nearest(&(free + shift)).abs());
+    let stiff = (0..y.len()).map(|i| nearest(&(&y[i] - &problem.free[i] - &problem.shift[i])).abs());
+    // no size is more than 10⁶ times what the fastest velocity of all asks of the contact
+    let most = 1e6 * data.chain(stiff).fold(0.0, f64::max);
     for (at, group) in at.iter_mut().zip(groups) {
         let largest = |scale: fn(&Scales) -> f64| group.iter().map(|&j| scale(&own[j])).fold(0.0, f64::max);
         at.scales = Scales {
-            normal: largest(|s| s.normal).max(at.scales.data_n),
-            carried: largest(|s| s.carried).max(at.scales.data_n),
-            tangential: largest(|s| s.tangential).max(at.scales.data_t),
+            normal: largest(|s| s.normal).max(at.scales.data_n).min(most * at.rho_n),
+            carried: largest(|s| s.carried).max(at.scales.data_n).min(most * at.rho_n),
+            tangential: largest(|s| s.tangential).max(at.scales.data_t).min(most * nearest(&at.rho_t)),
             ..at.scales
         };
     }
