@@ -29,10 +29,10 @@ pub fn tableau_zero<T: Scalar>() -> T {
 /// Pivots after which Lemke's method on rounded numbers is declared to cycle.
 ///
 /// Lexicographic pivoting repeats no basis in exact arithmetic, so exact runs have no limit. On contact problems
-/// the count is a small multiple of n; 100 times n pivots can only mean that rounding has broken the order. The
-/// limit never decides about a solution: it turns an endless loop into an error.
+/// the count is a small multiple of n; ten times n pivots can only mean that rounding has broken the order, and each costs n³. The
+/// limit never decides about a solution: it turns an endless loop into an error, and another covering vector is tried.
 pub fn lemke_pivot_limit<T: Scalar>(size: usize) -> usize {
-    if T::spacing().is_zero() { usize::MAX } else { 100 * (size + 1) }
+    if T::spacing().is_zero() { usize::MAX } else { 10 * (size + 1) }
 }
 
 /// Relative natural map at which iterations stop, 2¹²·ε ≈ 9.1e-13: the rounding floor of u = W r + b is 2nε relative to the terms
