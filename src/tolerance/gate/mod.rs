@@ -21,10 +21,12 @@ pub mod solver;
 pub mod stack;
 pub mod tumbling;
 
-/// The part of a step's impulse that the step's solver may leave unsolved, √2⁻²³ = 3.5e-4. Every family that asks how well a step is solved rests
+/// The part of a step's impulse that the step's solver may leave unsolved, √2⁻²³ = 3.5e-4. Every family that asks how well a step is
+/// solved rests
 /// on it: at rest, in stacks, on slopes, in the reported impulses, between transformed scenes.
 ///
-/// This is a requirement of the gate, not the documented accuracy of an engine. It cannot be less than what an engine in single precision can
+/// This is a requirement of the gate, not the documented accuracy of an engine. It cannot be less than what an engine in single precision
+/// can
 /// do: a minimised energy that is known to ε of itself gives velocities to √ε, and ε = 2⁻²³ is the coarsest in use. It is coarser than the
 /// documented stopping rules (`docs/engines/`), each as a part of the impulse m g h of one body at rest:
 /// ```text
@@ -32,7 +34,8 @@ pub mod tumbling;
 ///     Siconos NSGS                  1e-4        SICONOS_DPARAM_TOL by default; 1e-10 in our adapter
 ///     MuJoCo                        2.5e-5      opt.tolerance 1e-8 m²/s⁴: ½ m δa² ≤ 1e-8 tr M ≈ 3e-8 m leaves δa = √6e-8 m/s² of g
 /// ```
-/// MuJoCo's line holds for the acceleration; the force it reports is `impratio`^½ times as far off along the tangents. Its rule bounds what the last iteration gained, so that PGS, which converges slowly, may leave more. That a solver which leaves 1e-3 is
+/// MuJoCo's line holds for the acceleration; the force it reports is `impratio`^½ times as far off along the tangents. Its rule bounds
+/// what the last iteration gained, so that PGS, which converges slowly, may leave more. That a solver which leaves 1e-3 is
 /// caught and one that leaves 1e-4 is not, is shown by [`crate::gate::planted`].
 pub const SOLVED: f64 = 0.000_345_266_983_001_243_9;
 
@@ -53,7 +56,8 @@ pub const NEWS: f64 = 1.0 / 1024.0;
 /// Orders up to this are called constant: half the smallest order that a proven bound here has (½, the graph distance of a plastic impact).
 pub const CONSTANT_ORDER: f64 = 0.25;
 
-/// Rounding of a quantity that an engine sums up from terms of this size in its own precision: 64 operations per term, as a contact of three
+/// Rounding of a quantity that an engine sums up from terms of this size in its own precision: 64 operations per term, as a contact of
+/// three
 /// rows over two bodies of six velocities makes at most.
 pub fn audit_rounding(epsilon: f64, size: f64) -> f64 {
     64.0 * epsilon * size
