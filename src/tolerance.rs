@@ -125,11 +125,9 @@ pub mod systems {
         4.0 * steps as f64 * spring_step()
     }
 
-    /// Rounding of the speed at the floor after an elastic impact of the variational integrator \[m/s\], for an impact at `speed` ≥
-    /// `gained` = g h.
+    /// Rounding of the speed at the floor after an elastic impact of the variational integrator \[m/s\], for an impact at `speed` ≥ `gained` = g h.
     ///
-    /// τ is a root to rounding of τ ≤ h and r one of an energy ½ m v̄² whose slope in r is a speed of at least half of `speed`: each
-    /// within the rounding of fewer
+    /// τ is a root to rounding of τ ≤ h and r one of an energy ½ m v̄² whose slope in r is a speed of at least half of `speed`: each within the rounding of fewer
     /// than 64 operations on numbers of that size; the speeds at the floor come from fewer than 16 on the same.
     pub fn variational_speed(speed: f64, gained: f64) -> f64 {
         rounding(256, 2.0 * (speed + gained))
@@ -161,8 +159,7 @@ pub mod closed_forms {
     /// Step of a central difference of a velocity \[s\], 2⁻¹⁷ ≈ ε^⅓, where truncation and rounding balance.
     pub const DIFFERENCE: f64 = 1.0 / 131_072.0;
 
-    /// Error of that difference: δ²/6 times a bound of the third derivative, and the rounding of 16 operations at the size of the
-    /// velocity over δ.
+    /// Error of that difference: δ²/6 times a bound of the third derivative, and the rounding of 16 operations at the size of the velocity over δ.
     pub fn difference_error(velocity: f64, third_derivative: f64) -> f64 {
         DIFFERENCE * DIFFERENCE / 6.0 * third_derivative + 2.0 * 16.0 * super::EPSILON * velocity / DIFFERENCE
     }
@@ -261,8 +258,7 @@ pub mod claims {
     pub mod stabilisation;
 
     /// Relative difference of two creep speeds of MuJoCo's default contact that are one speed: what is left after a quarter of a second of
-    /// its transient (1 + t/t_c) e^{−t/t_c}, t_c = 0.02 s, is 13.5 e^{−12.5} = 5e-5; 2⁻¹⁰ is above that and far below what another t_c
-    /// makes.
+    /// its transient (1 + t/t_c) e^{−t/t_c}, t_c = 0.02 s, is 13.5 e^{−12.5} = 5e-5; 2⁻¹⁰ is above that and far below what another t_c makes.
     pub const SAME_CREEP: f64 = 1.0 / 1024.0;
 
     /// Error of the height w²/(2g) to which a body that leaves the floor at w \[m/s\] rises under steps h: the launch is off by at most
@@ -401,17 +397,14 @@ pub mod certificate {
     /// operations with the radius μ r_n.
     pub const PROJECTED: f64 = 8.0 * super::EPSILON;
 
-    /// Most that an impulse may exceed what the velocities of its problem ask of its own contact and still widen a limit, 10⁶, the
-    /// largest mass ratio that is promised: a body
-    /// between two that are so much heavier is held against its real load, and what is accepted at 10⁻⁸ is within a hundredth of those
-    /// velocities however hard contacts press.
+    /// Most that an impulse may exceed what the velocities of its problem ask of its own contact and still widen a limit, 10⁶, the largest mass ratio that is promised: a body
+    /// between two that are so much heavier is held against its real load, and what is accepted at 10⁻⁸ is within a hundredth of those velocities however hard contacts press.
     pub const JAMMED: f64 = 1e6;
 
     /// Part of the largest velocity in the data that rounding may hide, that hundredth.
     pub const HIDDEN: f64 = 1e-2;
 
-    /// Size of an entry of W between two contacts, relative to those on the diagonal, from which it couples them: √ε, below which the
-    /// product of two impulses' motions is rounding.
+    /// Size of an entry of W between two contacts, relative to those on the diagonal, from which it couples them: √ε, below which the product of two impulses' motions is rounding.
     pub const COUPLED: f64 = 1.0 / 67_108_864.0;
 }
 

@@ -1,5 +1,4 @@
-//! Residuals of a proposed solution, each in its own unit and at its own contact: how far r is from its cone, ŷ from the dual cone, and
-//! both from
+//! Residuals of a proposed solution, each in its own unit and at its own contact: how far r is from its cone, ŷ from the dual cone, and both from
 //! being complementary.
 //!
 //! ```text
@@ -11,12 +10,10 @@
 //!     velocity          |u − (W r + u_free)|                    [m/s]     the stored u against the impulses
 //! ```
 //! y = u_free + shift + (W + R) r is computed from r here; a solution's own velocity is only compared. Polyhedral laws are judged by their
-//! complementary pairs (`polyhedral`). Contact by contact each residual is held against max(τ · scale, floor), see `scales`: a light
-//! contact beside a heavy
+//! complementary pairs (`polyhedral`). Contact by contact each residual is held against max(τ · scale, floor), see `scales`: a light contact beside a heavy
 //! one is judged by its own size.
 //!
-//! For comparison with other programs there are two norms over all contacts that decide nothing: ‖r − P_K(r − ρŷ)‖ with ρ = rows/tr(W_kk
-//! + R_kk),
+//! For comparison with other programs there are two norms over all contacts that decide nothing: ‖r − P_K(r − ρŷ)‖ with ρ = rows/tr(W_kk + R_kk),
 //! and Siconos's number with ρ = 1 kg.
 
 use super::judge::{Here, Judge, Judged, Worst, check_sizes};
@@ -56,8 +53,7 @@ pub struct Residuals {
 /// The residuals of `solution` as an answer to `problem`.
 ///
 /// # Errors
-/// [`Error::Invalid`](crate::Error::Invalid) if the solution has another size than the problem, or if an edge compliance makes the answer
-/// depend on
+/// [`Error::Invalid`](crate::Error::Invalid) if the solution has another size than the problem, or if an edge compliance makes the answer depend on
 /// edge impulses that it does not give.
 pub fn residuals(problem: &ContactProblem, solution: &Solution) -> Result<Residuals> {
     problem.validate()?;
@@ -137,8 +133,7 @@ pub fn momentum(
 }
 
 impl Residuals {
-    /// Whether every residual is at most max(`tolerance` · scale, rounding) at every contact. NaN is never a solution, and neither is an
-    /// answer whose
+    /// Whether every residual is at most max(`tolerance` · scale, rounding) at every contact. NaN is never a solution, and neither is an answer whose
     /// norms overflow: infinity is at most infinity, which shows nothing.
     pub fn is_solution(&self, tolerance: f64) -> bool {
         let finite = [self.natural_map, self.impulse_scale, self.velocity_scale, self.natural_map_scale].into_iter().all(f64::is_finite);

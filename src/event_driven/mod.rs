@@ -6,10 +6,8 @@
 //!     at them     impact law  [`impact`],  contact forces from the accelerations  [`forces`]
 //!     beyond      infinitely many impacts: the Zeno rule of [`impact`];  sliding modes: [`filippov`]
 //! ```
-//! The opposite of the time-stepping schemes: between events it is of order five, and it needs every event. It is not defined where no
-//! contact
-//! force exists (Painlevé), and says so; beyond an accumulation of impacts it is defined by the declared rule only. Mechanisms on a line
-//! and in
+//! The opposite of the time-stepping schemes: between events it is of order five, and it needs every event. It is not defined where no contact
+//! force exists (Painlevé), and says so; beyond an accumulation of impacts it is defined by the declared rule only. Mechanisms on a line and in
 //! the plane whose coordinates form a vector space.
 //!
 //! # Source

@@ -144,8 +144,7 @@ impl Scene {
     /// Parses and validates the text of a `scene/1` file.
     ///
     /// # Errors
-    /// [`Error::Json`](crate::Error::Json) if the text is not JSON, otherwise [`Error::Invalid`](crate::Error::Invalid) naming the field
-    /// and the cure.
+    /// [`Error::Json`](crate::Error::Json) if the text is not JSON, otherwise [`Error::Invalid`](crate::Error::Invalid) naming the field and the cure.
     pub fn from_json(text: &str) -> Result<Self> {
         let scene: Scene = read_schema(text, SCHEMA)?;
         scene.validate()?;

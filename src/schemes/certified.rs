@@ -1,7 +1,6 @@
 //! Every contact problem that a scheme poses is certified.
 //!
-//! [`Certified`] stands between a scheme and its solver, so that a step with many problems (events, stages, contacts that join) hands on
-//! the worst of
+//! [`Certified`] stands between a scheme and its solver, so that a step with many problems (events, stages, contacts that join) hands on the worst of
 //! them. It judges answers and changes none.
 
 use crate::certificate::{Judge, StepResidual};

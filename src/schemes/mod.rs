@@ -55,8 +55,7 @@ pub use variational::Variational;
 /// What a scheme assembled for one step: the problem of the active contacts, and what turns impulses into velocities.
 #[derive(Clone, Debug)]
 pub struct StepProblem {
-    /// The contact problem of the active contacts; `None` if no contact is active, or if the scheme's law is none of
-    /// [`crate::problem::Law`].
+    /// The contact problem of the active contacts; `None` if no contact is active, or if the scheme's law is none of [`crate::problem::Law`].
     pub problem: Option<ContactProblem>,
     /// Indices of the active contacts into [`Mechanism::contacts`].
     pub active: Vec<usize>,
@@ -103,8 +102,7 @@ pub trait Scheme: Send + Sync {
         let _ = (solver, mechanism, state, h);
         None
     }
-    /// The impulses of a scheme whose law is no relation between r and y and that therefore assembles no [`ContactProblem`]; none for the
-    /// others,
+    /// The impulses of a scheme whose law is no relation between r and y and that therefore assembles no [`ContactProblem`]; none for the others,
     /// whose problem goes to a solver.
     ///
     /// # Errors
@@ -252,8 +250,7 @@ pub(crate) fn carry_over(previous: &[ContactImpulse], active: &[usize], places: 
     start
 }
 
-/// `steps` steps of size h from `initial`, every sample recorded with the residual of its step; sample k lies at time initial.time + k h.
-/// Each solve starts
+/// `steps` steps of size h from `initial`, every sample recorded with the residual of its step; sample k lies at time initial.time + k h. Each solve starts
 /// from the impulses of the step before at the same contacts.
 ///
 /// # Errors

@@ -12,8 +12,7 @@
 //! ```text
 //!     T(v⁺) ≤ T(v_free) − Σ e r_n min(u_free,n, 0) − ½ rᵀW r ,      H and M at q⁺
 //! ```
-//! A constant force has no error of its own, so that ΔE is what contact does to T; other forces add h⁵, and a body at rest sinks and
-//! loses V
+//! A constant force has no error of its own, so that ΔE is what contact does to T; other forces add h⁵, and a body at rest sinks and loses V
 //! ([`crate::checks::energy_balance`]).
 //!
 //! # Source

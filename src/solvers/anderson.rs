@@ -3,8 +3,7 @@
 //! ```text
 //!     x⁺ = G(x) − Σ γ_i ΔG_i ,   γ = argmin ‖f(x) − Σ γ_i ΔF_i‖ ,
 //! ```
-//! with the differences ΔG_i, ΔF_i of the last few steps. Where G is affine this is GMRES in disguise; the sweeps of a contact solver are
-//! affine as
+//! with the differences ΔG_i, ΔF_i of the last few steps. Where G is affine this is GMRES in disguise; the sweeps of a contact solver are affine as
 //! long as no contact changes between open, sticking and sliding, and are slow there exactly when many sweeps carry
 //! information through a pile.
 //!

@@ -1,5 +1,4 @@
-//! The balance of every scheme in words, for `docs/energy.md`; a test holds the names against [`crate::schemes::NAMES`] and the page
-//! against this table.
+//! The balance of every scheme in words, for `docs/energy.md`; a test holds the names against [`crate::schemes::NAMES`] and the page against this table.
 
 /// One scheme's row.
 pub struct Row {

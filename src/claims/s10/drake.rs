@@ -141,8 +141,7 @@ fn default_solver(reading: Reading) -> Result<Vec<Finding>> {
     ])
 }
 
-/// How much the derivative of the projection on K_½ changes between two points `apart` of each other around a boundary point, or inside
-/// the cone.
+/// How much the derivative of the projection on K_½ changes between two points `apart` of each other around a boundary point, or inside the cone.
 fn jump(apart: f64, across: bool) -> f64 {
     let middle = if across { 2.0 } else { 3.0 };
     let at = |offset: f64| projection_jacobian(&[middle + offset, 1.0, 0.0], 0.5);
@@ -152,8 +151,7 @@ fn jump(apart: f64, across: bool) -> f64 {
 fn theorem(reading: Reading) -> Result<Vec<Finding>> {
     let across = reading == Reading::Recorded;
     let (near, nearer) = (jump(1.0 / 1024.0, across), jump(1.0 / 1_048_576.0, across));
-    // the slipping side lacks the projector I − ggᵀ in the plane of n and t₁, g = (2, 1)/√5; across it the stretch changes by s c = 2/5
-    // per unit of z_n
+    // the slipping side lacks the projector I − ggᵀ in the plane of n and t₁, g = (2, 1)/√5; across it the stretch changes by s c = 2/5 per unit of z_n
     let expected = 1.0;
     Ok(vec![
         Finding::equal("jump of the derivative at a distance of 2⁻²⁰", nearer, expected, 1.0 / 1_048_576.0, "1"),

@@ -73,8 +73,7 @@ fn volume_with_mass_of_place(h: &Rational) -> Rational {
     volume(&SEMI_IMPLICIT.jacobian(&MassOfPlace, &now, h)) * &after * &after
 }
 
-/// The factor of phase volume of symplectic Euler with the momentum, p⁺ = p + h p⁺²/q³, q⁺ = q + h p⁺/q², for M = q²: from q = 1, with p⁺
-/// = 1.
+/// The factor of phase volume of symplectic Euler with the momentum, p⁺ = p + h p⁺²/q³, q⁺ = q + h p⁺/q², for M = q²: from q = 1, with p⁺ = 1.
 fn volume_with_momentum(h: &Rational) -> Rational {
     let step = |x: &DVector<Dual<Rational>>| {
         let (q, p, h) = (x[0].clone(), x[1].clone(), Dual::constant(h.clone()));

@@ -5,8 +5,7 @@
 //!     positions with (v + v⁺)/2:   ΔE = ½ pᵀ(u⁻ + u⁺) ≤ 0
 //!     positions with v⁺:           ΔE = ½ pᵀ(u⁻ + u⁺) + ½ m g h Δv_z
 //! ```
-//! So E − ½ m g h v_z is the invariant of a semi-implicit scheme, and E may rise by ½ m g h times the range of v_z. The body is a cube,
-//! whose
+//! So E − ½ m g h v_z is the invariant of a semi-implicit scheme, and E may rise by ½ m g h times the range of v_z. The body is a cube, whose
 //! gyroscopic torque is zero: the error of a rotation scheme plays no part.
 
 use super::motion::{Sample, samples};

@@ -67,8 +67,7 @@ const SPEED: f64 = 2.5;
 /// Radii \[m\], their sum R = 1 m: large against the motion of a step.
 const RADII: [f64; 2] = [0.4, 0.6];
 const MASSES: [f64; 2] = [1.0, 3.0];
-/// Gap before the impact \[m\]: more than an engine's contact margin, and no whole number of steps away, where rounding would decide when
-/// it is.
+/// Gap before the impact \[m\]: more than an engine's contact margin, and no whole number of steps away, where rounding would decide when it is.
 const GAP: f64 = 0.0473;
 
 /// A sphere that flies along x at another at rest, `offset` \[m\] beside the line of flight.
@@ -158,8 +157,7 @@ fn declared(bench: &Bench, restitution: f64, approach: f64, allowed: f64, h: f64
     (still || low < high).then(|| Expectation::equal(0.5 * (low + high), allowed + 0.5 * (high - low), why))
 }
 
-/// [p, c]: what a declared law adds to the velocity after an impact at `approach` \[m/s\], over it: up to p where it takes back a part of
-/// the
+/// [p, c]: what a declared law adds to the velocity after an impact at `approach` \[m/s\], over it: up to p where it takes back a part of the
 /// depth, at most v h, at which the impact was found; and down to −c (1 + e) where it mixes forces.
 fn softness(bench: &Bench, approach: f64, h: f64) -> [f64; 2] {
     match Model::of(bench.description()) {

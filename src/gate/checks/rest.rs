@@ -59,8 +59,7 @@ const EVERY: usize = 7;
 const RADIUS: f64 = 0.1;
 const HALF: [f64; 3] = [0.1, 0.15, 0.05];
 const MASSES: [f64; 2] = [1.0, 2.0];
-/// Smallest lever \[m\] that turns the velocity an impulse causes at its contact into an angular velocity: I/(m ℓ), 0.4 R for the sphere;
-/// for the
+/// Smallest lever \[m\] that turns the velocity an impulse causes at its contact into an angular velocity: I/(m ℓ), 0.4 R for the sphere; for the
 /// box (0.1² + 0.05²)/(3·0.1) = 0.042 about y, and more about x and z.
 const TURN: f64 = 0.04;
 const FRICTION: f64 = 0.5;
@@ -113,8 +112,7 @@ fn sprung(model: &Model) -> Option<[f64; 2]> {
     depths[0].zip(depths[1]).map(|(ball, block)| [ball, block])
 }
 
-/// ‖W_ii‖_F/3 \[1/kg\] of a contact under the box, so far inside its edges \[m\] and at this depth \[m\]: W = 1/m + Σ_k (a_k × r)(a_k ×
-/// r)ᵀ/J_k.
+/// ‖W_ii‖_F/3 \[1/kg\] of a contact under the box, so far inside its edges \[m\] and at this depth \[m\]: W = 1/m + Σ_k (a_k × r)(a_k × r)ᵀ/J_k.
 fn corner_diagonal([x, y]: [f64; 2], depth: f64) -> f64 {
     let cross = Vector3::new(HALF[0] - x, HALF[1] - y, 0.5 * depth - HALF[2]).cross_matrix();
     let block = Matrix3::identity() / MASSES[1] + cross * inverse_inertia() * cross.transpose();

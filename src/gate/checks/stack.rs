@@ -84,8 +84,7 @@ fn width(k: usize) -> f64 {
     WIDTH * (1.0 - NARROWER * k as f64)
 }
 
-/// Boxes of these masses \[kg\], from below, with these gaps to what is below \[m\], each narrower by `ledge` \[m\] more than [`width`]
-/// says.
+/// Boxes of these masses \[kg\], from below, with these gaps to what is below \[m\], each narrower by `ledge` \[m\] more than [`width`] says.
 fn stack(masses: &[f64], gaps: &[f64], ledge: f64) -> Scene {
     let height = |k: usize| (2 * k + 1) as f64 * HALF + gaps[..=k].iter().sum::<f64>();
     let width = |k: usize| width(k) + ledge * (masses.len() - 1 - k) as f64;
@@ -130,8 +129,7 @@ impl Start {
         }
     }
 
-    /// The boxes as they start. Where they fall apart, a corner which is found late, at the step h \[s\], is still nearer to the top of
-    /// the box
+    /// The boxes as they start. Where they fall apart, a corner which is found late, at the step h \[s\], is still nearer to the top of the box
     /// below than to its side.
     fn scene(&self, masses: &[f64], h: f64) -> Scene {
         let ledge = match self {
@@ -271,8 +269,7 @@ impl Rest {
     }
 }
 
-/// Speed \[m/s\] at which the uppermost box rises while the depths of all landings \[m\] are taken back; the declared cap of an impact
-/// need not
+/// Speed \[m/s\] at which the uppermost box rises while the depths of all landings \[m\] are taken back; the declared cap of an impact need not
 /// hold in a pile.
 fn rise(model: &Model, landing: f64, h: f64) -> f64 {
     match model {

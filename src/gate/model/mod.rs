@@ -65,8 +65,7 @@ pub struct RigidLimits {
     pub restitution_threshold: f64,
     /// Rebound speed e|u| \[m/s\] below which restitution is 0.
     pub rebound_threshold: f64,
-    /// f \[1/s\] of the springs at contact points between bodies, see
-    /// [`SoftContact`](crate::closed_forms::soft_rigid_contact::SoftContact).
+    /// f \[1/s\] of the springs at contact points between bodies, see [`SoftContact`](crate::closed_forms::soft_rigid_contact::SoftContact).
     pub contact_frequency: f64,
     /// f \[1/s\] against the ground.
     pub ground_contact_frequency: f64,

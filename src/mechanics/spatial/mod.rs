@@ -232,8 +232,7 @@ impl Mechanism for SpatialBodies {
         self.candidates(position, reach, |touch| touch.seen)
     }
 
-    /// A sphere has one candidate with the ground and a box its eight corners; a pair has one, or sixteen of two boxes: eight corners and
-    /// eight crossings
+    /// A sphere has one candidate with the ground and a box its eight corners; a pair has one, or sixteen of two boxes: eight corners and eight crossings
     /// of the edges of two faces.
     fn most_candidates(&self) -> Option<usize> {
         let boxes = self.bodies.iter().filter(|body| matches!(body.shape(), Shape::Box { .. })).count();

@@ -4,20 +4,16 @@
 //!     K_μ ∋ r ⟂ u⁺ + φ/(h + τ) n + R r ∈ K_μ* ,
 //!     R_n = max( w/4π² , 1/(h k (h + τ)) ) ,     R_t = σ w ,     σ = 1e-3
 //! ```
-//! A spring k with relaxation time τ, treated implicitly, is R_n = 1/(h k (h + τ)): r_n = h k (−φ⁺ − τ u_n⁺). Where the step cannot
-//! resolve the
-//! spring, the contact is *near rigid*: w/4π² lets its period be h, and the depth no longer depends on k. R_t makes friction a dashpot
-//! inside the cone:
-//! a block that should stick creeps at σ w r_t, which is O(h). As the cone law is associated, a sliding contact is lifted by (h + τ)
-//! μ‖u_t‖, and
+//! A spring k with relaxation time τ, treated implicitly, is R_n = 1/(h k (h + τ)): r_n = h k (−φ⁺ − τ u_n⁺). Where the step cannot resolve the
+//! spring, the contact is *near rigid*: w/4π² lets its period be h, and the depth no longer depends on k. R_t makes friction a dashpot inside the cone:
+//! a block that should stick creeps at σ w r_t, which is O(h). As the cone law is associated, a sliding contact is lifted by (h + τ) μ‖u_t‖, and
 //! leaves the ground where that exceeds the depth.
 //!
 //! # Energy
 //! ```text
 //!     T(v⁺) ≤ T(v_free) − Σ r_n φ/(h+τ) − rᵀR r − ½ rᵀW r ,      ΔẼ ≤ −Σ r_n φ/(h+τ) − rᵀR r + h²FᵀM⁻¹F/8 ,   Ẽ = E + ½ h F·v
 //! ```
-//! A spring that the step resolves gives back at most k φ²/4 of a depth in one step, half of its energy
-//! ([`crate::checks::energy_balance`]).
+//! A spring that the step resolves gives back at most k φ²/4 of a depth in one step, half of its energy ([`crate::checks::energy_balance`]).
 //!
 //! # Source
 //! Castro, Permenter and Han, *An unconstrained convex formulation of compliant contact* (2022), §V.

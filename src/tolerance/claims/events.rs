@@ -2,8 +2,7 @@
 
 use super::super::event_driven::TOLERANCE;
 
-/// Error of an event-driven motion of size 1 to 10 over a few seconds: at most 10 steps of error [`TOLERANCE`] (1 + |x|) for each of at
-/// most 10
+/// Error of an event-driven motion of size 1 to 10 over a few seconds: at most 10 steps of error [`TOLERANCE`] (1 + |x|) for each of at most 10
 /// events, which each hand it on with a factor below 1 + e: 100 · 10⁻¹² = 10⁻¹⁰.
 pub const ACCURACY: f64 = 1e-10;
 

@@ -1,5 +1,4 @@
-//! How deep thrown boxes get, with restitution and friction: Newton's e with friction has no energy theorem, but bodies stay outside each
-//! other.
+//! How deep thrown boxes get, with restitution and friction: Newton's e with friction has no energy theorem, but bodies stay outside each other.
 
 use super::motion::Tumble;
 use super::scenes::{FRICTION, Throw, Thrown};
@@ -55,8 +54,7 @@ fn arrival(tumble: &Tumble, k: usize) -> f64 {
     fastest
 }
 
-/// The depth \[m\] at which the declared law stops a body that puts the whole energy of the motion into one contact, if it says; more
-/// contacts
+/// The depth \[m\] at which the declared law stops a body that puts the whole energy of the motion into one contact, if it says; more contacts
 /// or a lighter corner stop it sooner.
 fn declared(bench: &Bench, tumble: &Tumble, h: f64) -> Option<f64> {
     let model = Model::of(bench.description());

@@ -5,8 +5,7 @@
 //!     e > 0 with friction                      no energy theorem: by e times the speed of arrival more; depths stay bounded
 //!     always                                   m Δv = m g h + Σ p ;   at the end they lie, on the floor and outside each other
 //! ```
-//! The other families have motions in closed form or bodies at rest, which a solver meets with a good start and an answer of known shape.
-//! Here every
+//! The other families have motions in closed form or bodies at rest, which a solver meets with a good start and an answer of known shape. Here every
 //! step is another problem, with one to eight contacts that come and go, and an answer that is wrong once shows at once.
 
 mod depth;
