@@ -1,11 +1,10 @@
 //! Mistakes at impacts and at rest.
 
 use super::Planted;
-use super::wrapped::{EachStep, Misdeclare, Misread, Moment};
+use super::wrapped::{EachStep, Misdeclare, Misread, Moment, declare_springs, moreau_jean};
 use crate::Result;
 use crate::defects::zeno::{Altered, Mistake};
-use crate::gate::description::{OneOrMany, Parameter};
-use crate::gate::{Description, Engine};
+use crate::gate::Engine;
 use crate::scenes::Scene;
 use crate::schemes::{MoreauJean, Parameters, Scheme};
 
@@ -89,7 +88,7 @@ pub const PLANTED: &[Planted] = &[
     Planted {
         name: "rest/springs-that-are-not-there",
         mistake: "declares contact springs of 5 Hz, and lies on the floor",
-        engine: || Box::new(Misdeclare(declare_springs)),
+        engine: || Box::new(Misdeclare { engine: moreau_jean, declare: |description| declare_springs(description, 5.0) }),
         caught_by: &["rest/depth"],
     },
     Planted {
@@ -99,11 +98,6 @@ pub const PLANTED: &[Planted] = &[
         caught_by: &["rest/drift"],
     },
 ];
-
-fn declare_springs(description: &mut Description) {
-    let frequency = Parameter { value: OneOrMany::One(5.0), unit: OneOrMany::One("1/s".into()) };
-    description.contact_model.parameters.insert("contact_frequency".into(), frequency);
-}
 
 /// Moreau–Jean with another scheme.
 fn altered(scheme: fn(&Parameters) -> Result<Box<dyn Scheme>>) -> Box<dyn Engine> {

@@ -1,9 +1,13 @@
 //! Mistakes of solvers that show in the motion of thrown boxes: answers that nobody looked at before they were used.
 
 use super::Planted;
-use super::parts::{Answers, answer, with_solver};
+use super::parts::{Answers, answer, with_mechanism, with_solver};
+use super::wrapped::{Misdeclare, declare_springs};
 use crate::Result;
+use crate::gate::Engine;
+use crate::mechanics::{Mechanism, State};
 use crate::problem::{ContactProblem, Solution};
+use crate::scenes::Scene;
 use crate::solvers::{ContactSolver, ProjectedGaussSeidel, Reference};
 use nalgebra::DVector;
 use std::collections::VecDeque;
@@ -28,7 +32,38 @@ pub const PLANTED: &[Planted] = &[
         engine: || with_solver(|_| Ok(Box::new(Answers(stale)))),
         caught_by: &["tumbling/passive", "tumbling/bouncing", "tumbling/rough", "tumbling/rest"],
     },
+    Planted {
+        name: "tumbling/springs-and-extrapolated-sweeps",
+        mistake: "declares contact springs of 60 Hz, and extrapolates sweeps without looking at what comes out",
+        engine: || sprung(|| with_solver(|_| Ok(Box::new(Answers(extrapolated))))),
+        caught_by: &["tumbling/rough"],
+    },
+    Planted {
+        name: "tumbling/springs-and-two-sweeps",
+        mistake: "declares contact springs of 60 Hz, and stops at a limit of two sweeps",
+        engine: || sprung(|| with_solver(|_| Ok(Box::new(Answers(two_sweeps))))),
+        caught_by: &["tumbling/passive"],
+    },
+    Planted {
+        name: "tumbling/deeper-than-its-springs",
+        mistake: "declares contact springs of 60 Hz, which carry a body at 0.07 mm, and lets it lie 2 cm deep",
+        engine: || sprung(|| with_mechanism(sunk)),
+        caught_by: &["tumbling/rest"],
+    },
 ];
+
+/// An engine that declares springs of 60 Hz: what they excuse must not hide anything else.
+fn sprung(engine: fn() -> Box<dyn Engine>) -> Box<dyn Engine> {
+    Box::new(Misdeclare { engine, declare: |description| declare_springs(description, 60.0) })
+}
+
+fn sunk(scene: &Scene) -> Result<(Box<dyn Mechanism>, State)> {
+    let mut scene = scene.clone();
+    if let Some(ground) = &mut scene.ground {
+        ground.offset -= 0.02;
+    }
+    scene.spatial_mechanism()
+}
 
 /// Sweeps of the extrapolation.
 const LIMIT: usize = 60;

@@ -1,6 +1,7 @@
 //! Engines around an engine: one that is asked something else, one that reports something else, one that is corrected after every step.
 
-use crate::gate::{Description, Engine, Options, Reply};
+use crate::gate::description::OneOrMany;
+use crate::gate::{Description, Engine, Options, Parameter, Reply};
 use crate::scenes::Scene;
 use crate::trajectory::{BodyTrack, ContactRecord, Trajectory};
 
@@ -26,17 +27,22 @@ impl Engine for Misread {
 }
 
 /// Declares what it is not.
-pub(super) struct Misdeclare(pub fn(&mut Description));
+pub(super) struct Misdeclare {
+    /// The engine that computes.
+    pub engine: fn() -> Box<dyn Engine>,
+    /// Changes what it says of itself.
+    pub declare: fn(&mut Description),
+}
 
 impl Engine for Misdeclare {
     fn describe(&mut self, options: &Options) -> Reply<Description> {
-        let mut description = moreau_jean().describe(options)?;
-        (self.0)(&mut description);
+        let mut description = (self.engine)().describe(options)?;
+        (self.declare)(&mut description);
         Ok(description)
     }
 
     fn simulate(&mut self, scene: &Scene, h: f64, every: usize, options: &Options) -> Reply<Trajectory> {
-        moreau_jean().simulate(scene, h, every, options)
+        (self.engine)().simulate(scene, h, every, options)
     }
 }
 
@@ -136,4 +142,10 @@ fn take_over(scene: &mut Scene, one: &Trajectory) {
         body.linear_velocity = track.linear_velocity[last];
         body.angular_velocity = track.angular_velocity[last];
     }
+}
+
+/// Declares contact springs of this frequency \[1/s\].
+pub(super) fn declare_springs(description: &mut Description, frequency: f64) {
+    let frequency = Parameter { value: OneOrMany::One(frequency), unit: OneOrMany::One("1/s".into()) };
+    description.contact_model.parameters.insert("contact_frequency".into(), frequency);
 }
