@@ -130,11 +130,12 @@ impl Scheme for MoreauJeanProjection {
         let (mut held, mut problem): (Vec<(Identity, Contact)>, Option<ContactProblem>) = (Vec::new(), None);
         let mut residual = None;
         loop {
-            let before = held.len();
-            held = joined(mechanism.contacts(&reached), held);
-            if held.len() == before {
+            let next = joined(mechanism.contacts(&reached), held.clone());
+            if next.len() == held.len() {
+                // the same ones, perhaps in another order: what was posed stays
                 break;
             }
+            held = next;
             let posed = self.problem(mechanism, state, &held, &effective_mass, &free_velocity)?;
             let solver: &dyn ContactSolver = if posed.rows_per_contact <= 2 { &LemkePivoting } else { &Reference };
             let certified = Certified::new(solver);

@@ -81,3 +81,19 @@ fn a_seed_is_a_scene_and_every_kind_of_scene_has_one() {
     };
     assert!(scenes.iter().map(ratio).fold(0.0, f64::max) > 1e4);
 }
+
+/// The posed problem's contacts and the step's are in one order, whatever the last look at the candidates lists first.
+#[test]
+fn contacts_that_are_no_candidates_any_more_keep_their_place_in_the_projection() {
+    for seed in [5041, 10967] {
+        let outcome = motion::run("moreau-jean-projection", &Scenario::new(seed, Length::Full));
+        assert!(outcome.steps > 0 && outcome.failure.is_none() && outcome.ended.is_none(), "seed {seed}: {outcome:?}");
+    }
+}
+
+/// hω = 2.25: the explicit step of a spring is unstable.
+#[test]
+fn a_spring_that_leaves_the_numbers_ends_with_an_error() {
+    let outcome = motion::run("drake-tamsi", &Scenario::new(13767, Length::Full));
+    assert!(outcome.failure.is_none() && outcome.ended.as_ref().is_some_and(|why| why.contains("left the numbers")), "{outcome:?}");
+}
