@@ -66,41 +66,29 @@
 //! println!("{}: {}", outcome.findings[0].name, claim.correct_statement);
 //! ```
 
-pub mod certificate;
 pub mod checks;
 pub mod claims;
 pub mod cli;
-pub mod closed_forms;
-pub mod cones;
-pub mod contact;
-pub mod conventions;
 pub mod defects;
 pub mod elastic_bar;
-pub mod elimination;
-pub mod error;
 pub mod event_driven;
-pub mod files;
 pub mod gate;
 pub mod impact_laws;
 pub mod integrators;
 pub(crate) mod least_squares;
 pub mod mechanics;
-pub mod memory;
-pub mod number;
-pub mod problem;
 pub mod report;
 pub mod rust_engine;
-pub mod scalar;
 pub mod scenes;
 pub mod schemes;
-pub mod solvers;
 pub mod stabilisation;
 pub mod systems;
 pub mod tolerance;
 pub mod trajectory;
 
-pub use error::{Error, Result};
-pub use problem::{ContactProblem, Law, Solution};
+pub use moreau_contact::{ContactProblem, Law, Solution, certificate, cones, contact, conventions, files, memory, problem, solvers};
+pub use moreau_exact::{Error, Result, elimination, error, number, scalar};
+pub use moreau_forms as closed_forms;
 
 /// The README's example, compiled and run as a documentation test.
 #[cfg(doctest)]

@@ -4,35 +4,7 @@
 //! proven bound of a scheme (a constant times a power of h), or an engine's documented stopping tolerance propagated
 //! through the conditioning of the problem. None was fitted to an outcome. One submodule per part of the crate.
 
-/// Unit roundoff of `f64` times two, 2⁻⁵² (the spacing at 1).
-pub const EPSILON: f64 = f64::EPSILON;
-
-/// Bound on the rounding error of a sum of `terms` products whose absolute values sum to `magnitude`:
-/// γ_n·Σ|aᵢbᵢ| ≤ 2 n ε Σ|aᵢbᵢ| (Higham, *Accuracy and Stability*, §3.1; n ε < ½ holds for all sizes used here).
-pub fn rounding(terms: usize, magnitude: f64) -> f64 {
-    2.0 * terms as f64 * EPSILON * magnitude
-}
-
-/// Tolerances of [`crate::cones`].
-pub mod cones {
-    use super::EPSILON;
-
-    /// Step of central differences on data of size one, 2⁻¹⁷ ≈ ε^⅓, where truncation and rounding balance.
-    pub const DIFFERENCE_STEP: f64 = 1.0 / 131_072.0;
-
-    /// Error of a central difference of the cone projection at points with `‖z_t‖ ≥ norm` and entries up to `size`:
-    /// truncation step²·sup|P‴|/6 with |P‴| ≤ 24 size/norm³ (P is linear in z_n and a unit vector times a linear
-    /// function in z_t), plus rounding 16 ε·size/step (eight operations, two evaluations).
-    pub fn difference_error(norm: f64, size: f64) -> f64 {
-        4.0 * DIFFERENCE_STEP * DIFFERENCE_STEP * size / norm.powi(3) + 16.0 * EPSILON * size / DIFFERENCE_STEP
-    }
-
-    /// How far the maximum of a 1-Lipschitz function of an angle over `samples` equally spaced angles may lie below its
-    /// supremum: half the spacing, π/samples; plus √ε·2, the error of `acos` near ±1.
-    pub fn sampling_error(samples: usize) -> f64 {
-        std::f64::consts::PI / samples as f64 + 2.0 * EPSILON.sqrt()
-    }
-}
+pub use moreau_exact::tolerance::{EPSILON, rounding};
 
 pub mod mechanics;
 
@@ -43,7 +15,7 @@ pub mod scenes {
     pub const WRITTEN_UNIT_VECTOR: f64 = 1e-9;
 }
 
-pub mod solvers;
+pub use moreau_contact::tolerance::{certificate, cones, problem, solvers};
 
 /// Tolerances of [`crate::integrators`].
 pub mod integrators {
@@ -146,27 +118,7 @@ pub mod systems {
     pub const SMALLEST_SHOWN: f64 = 1e-16;
 }
 
-/// Tolerances of [`crate::closed_forms`].
-pub mod closed_forms {
-    /// Relative rounding of the bouncing ball's formulas: fewer than 32 operations, each with relative error at most ε
-    /// (`exp_m1`, `ln_1p` and `powf` within 2 ε), whose arguments are at most 60 logarithms long: 2·32·60 ε.
-    pub const BALL_ROUNDING: f64 = 2.0 * 32.0 * 60.0 * super::EPSILON;
-
-    /// Rounding of the incline block's state, whose intermediate values stay below 128 (9.81 m/s² over at most 4 s and their
-    /// squares) with fewer than 16 operations: 2·16·128 ε. A difference quotient over δ divides it by δ.
-    pub const SLOPE_ROUNDING: f64 = 2.0 * 16.0 * 128.0 * super::EPSILON;
-
-    /// Step of a central difference of a velocity \[s\], 2⁻¹⁷ ≈ ε^⅓, where truncation and rounding balance.
-    pub const DIFFERENCE: f64 = 1.0 / 131_072.0;
-
-    /// Error of that difference: δ²/6 times a bound of the third derivative, and the rounding of 16 operations at the size of the velocity over δ.
-    pub fn difference_error(velocity: f64, third_derivative: f64) -> f64 {
-        DIFFERENCE * DIFFERENCE / 6.0 * third_derivative + 2.0 * 16.0 * super::EPSILON * velocity / DIFFERENCE
-    }
-
-    /// Half a unit in the seventh printed digit, relative: numbers quoted with seven digits.
-    pub const PRINTED_DIGITS: f64 = 5e-7;
-}
+pub use moreau_forms::tolerance as closed_forms;
 
 /// Tolerances of [`crate::trajectory`].
 pub mod trajectory {
@@ -383,50 +335,11 @@ pub mod claims {
     }
 }
 
-/// Tolerances of [`crate::certificate`].
-pub mod certificate {
-    /// γ = mε/(1 − mε), the relative rounding error of m operations (Higham, *Accuracy and Stability*, §3.1); infinite where m ε reaches 1.
-    ///
-    /// ε is the spacing at 1, twice the unit roundoff, so that data which are themselves rounded are covered too.
-    pub fn gamma(operations: usize) -> f64 {
-        let part = operations as f64 * super::EPSILON;
-        if part < 1.0 { part / (1.0 - part) } else { f64::INFINITY }
-    }
-
-    /// Rounding of a radial projection onto a disk, relative to its radius: a norm of two components, a quotient and two products, eight
-    /// operations with the radius μ r_n.
-    pub const PROJECTED: f64 = 8.0 * super::EPSILON;
-
-    /// Most that an impulse may exceed what the velocities of its problem ask of its own contact and still widen a limit, 10⁶, the largest mass ratio that is promised: a body
-    /// between two that are so much heavier is held against its real load, and what is accepted at 10⁻⁸ is within a hundredth of those velocities however hard contacts press.
-    pub const JAMMED: f64 = 1e6;
-
-    /// Part of the largest velocity in the data that rounding may hide, that hundredth.
-    pub const HIDDEN: f64 = 1e-2;
-
-    /// Size of an entry of W between two contacts, relative to those on the diagonal, from which it couples them: √ε, below which the product of two impulses' motions is rounding.
-    pub const COUPLED: f64 = 1.0 / 67_108_864.0;
-}
-
 /// Tolerances of [`crate::cli`].
 pub mod cli {
-    /// Default of `certify --tolerance`, relative to the scale of each residual's unit.
-    ///
-    /// Energies are quadratic in velocities, so a relative error of √ε = 1.5e-8 in the velocities is what rounding of an
-    /// energy cannot tell from zero; 1e-8 is the next power of ten below it.
-    pub const CERTIFY: f64 = 1e-8;
+    pub use moreau_contact::tolerance::certificate::CERTIFY;
 
     /// Most steps `simulate` records: a body takes about 200 bytes per step in memory and 300 in a file, so that a scene
     /// of a few bodies stays near a gigabyte.
     pub const STEP_LIMIT: usize = 1_000_000;
-}
-
-/// How large a problem may be: everything is stored dense.
-pub mod problem {
-    /// Most entries of one matrix, 1 GiB of numbers.
-    pub const DENSE_ENTRIES: usize = 1 << 27;
-
-    /// Most unknowns (2 + d) n of a polyhedral law with n contacts: matrix, scaled matrix and a tableau twice as wide and its
-    /// copy hold 6·8192² numbers, 3 GiB.
-    pub const POLYHEDRAL_UNKNOWNS: usize = 1 << 13;
 }

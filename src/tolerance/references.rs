@@ -132,8 +132,7 @@ pub fn replayed_step(speed: f64) -> f64 {
     (crate::tolerance::solvers::STOP + 64.0 * f64::EPSILON) * speed
 }
 
-/// PyBullet's default `solverResidualThreshold` \[m²/s²\].
-pub const BULLET_RESIDUAL: f64 = 1e-7;
+pub use moreau_contact::tolerance::solvers::BULLET_RESIDUAL;
 
 /// Velocity error \[m/s\] of a body whose sweeps Bullet ended at the residual threshold `stop` \[m²/s²\]: the last sweep changed no row's velocity by more
 /// than √stop, and sweeps over the twelve rows of four corners, whose error halves at least, leave at most twice as much.

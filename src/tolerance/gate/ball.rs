@@ -1,14 +1,6 @@
 //! A bouncing ball: what sampling, event capturing and a compliant law's replay may be off.
 
-/// Parts of a radian of the oscillator in the test of e(ζ).
-pub const OSCILLATOR_PARTS: usize = 1 << 14;
-
-/// Error of the rebound of a semi-implicit oscillator in steps of a part of 1/ω: first order, with at most (1 + 2ζ)² per radian (the norm of
-/// its matrix squared) over the at most four radians of a contact, ½ of it per step; and the step in which contact begins or ends.
-pub fn oscillator_rebound(damping_ratio: f64) -> f64 {
-    let norm = 1.0 + 2.0 * damping_ratio;
-    (0.5 * 4.0 * norm * norm + norm) / OSCILLATOR_PARTS as f64
-}
+pub use moreau_forms::tolerance::{OSCILLATOR_PARTS, oscillator_rebound};
 
 /// Error of a measured v⁺/v⁻ at an impact with speed v and restitution e: both velocities off by at most g (s + 2h), h the step and s the
 /// time between samples \[s\] (the flight to and from the floor is corrected for by at most g s; a step may count its gravity before or

@@ -8,15 +8,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-/// Parts of the Runge–Kutta reference of the tumbling box.
-pub const TOP_STEPS: usize = 2048;
-
-/// Relative error of the reference: per step (s w)⁵/120, over T/s steps, times e^{wT}, w the largest rate (the slopes of Euler's equations
-/// have Lipschitz constant at most w, as |J_i − J_j| ≤ J_k); and four roundings a step.
-pub fn top_reference(time: f64, rate: f64) -> f64 {
-    let step = time / TOP_STEPS as f64;
-    TOP_STEPS as f64 * ((step * rate).powi(5) / 120.0 + 4.0 * f64::EPSILON) * (rate * time).exp()
-}
+pub use moreau_forms::tolerance::{TOP_STEPS, top_reference};
 
 /// ½|g| h t \[m\] and the rounding of n additions to coordinates up to `size`.
 pub fn position(gravity: f64, h: f64, steps: usize, size: f64, epsilon: f64) -> f64 {

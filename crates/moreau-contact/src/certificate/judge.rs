@@ -1,0 +1,295 @@
+//! The judgement of an answer, contact by contact: each residual with what it is held against, and where it is worst.
+//!
+//! ```text
+//!     normal        min(r_n, ρ_n w)                                                                  [N·s]
+//!     tangential    ‖r_t − P_disk(μ r_n)(r_t − ρ_t y_t)‖                                              [N·s]
+//!     w = y_n  (frictionless, Coulomb) ,      w = y_n − μ‖y_t‖  (associated)                          [m/s]
+//! ```
+//! Both vanish at a contact exactly if its law holds there: r_n ⟂ w is Signorini's condition, and the disk gives Coulomb's friction for the normal
+//! impulse r_n; with w = y_n − μ‖y_t‖ they say K ∋ r ⟂ y ∈ K*. Unlike r − P_K(r − ρŷ) they do not take the difference of two numbers as
+//! large as the slip speed, and they tell a wrong normal impulse from a wrong direction of friction. Polyhedral laws are judged by their pairs.
+//!
+//! Where a contact slides, friction is held against μ s_r, and the rounding of its velocity counts as the angle it is of the slip.
+
+use super::part::{Part, pair};
+use super::polyhedral::{self, Pairs, worst};
+use super::scales::{Scales, compliance};
+use crate::cones::second_order::{distance, length, tangential_norm};
+use crate::problem::{ContactProblem, Law, Solution};
+use crate::tolerance::certificate::PROJECTED;
+use moreau_exact::{Error, Result};
+
+/// A residual where it is worst.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Worst {
+    /// The residual and what it is held against.
+    pub part: Part,
+    /// The contact.
+    pub contact: usize,
+    /// The largest value at any contact, perhaps another one.
+    pub largest: f64,
+}
+
+/// The six residuals of an answer, each at the contact where it is worst.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Judged {
+    /// dist(r, K) \[N·s\].
+    pub primal: Worst,
+    /// dist(ŷ, K*) \[m/s\].
+    pub dual: Worst,
+    /// |r·ŷ| \[J\].
+    pub complementarity: Worst,
+    /// Natural map of Signorini's pair \[N·s\].
+    pub normal: Worst,
+    /// Natural map of friction \[N·s\].
+    pub tangential: Worst,
+    /// |u − (W r + u_free)| of the stored u \[m/s\].
+    pub velocity: Worst,
+}
+
+/// The residuals of one contact, in the order of [`Judged::entries`] without the velocity.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct AtContact {
+    pub primal: Part,
+    pub dual: Part,
+    pub complementarity: Part,
+    pub normal: Part,
+    pub tangential: Part,
+}
+
+/// One contact at an answer: its numbers, weights and scales.
+pub(super) struct Here<'a> {
+    pub contact: usize,
+    pub friction: f64,
+    pub r: &'a [f64],
+    pub y: &'a [f64],
+    /// ρ_n, ρ_t \[kg\].
+    pub weights: [f64; 2],
+    /// s_n, s_r, s_t \[N·s\].
+    pub sizes: [f64; 3],
+    /// Rounding of y_n and of y_t \[m/s\].
+    pub floors: [f64; 2],
+}
+
+impl Here<'_> {
+    /// What an impulse of friction is held against where the contact slides: μ s_r, or s_r where no friction is allowed at all.
+    pub fn friction_scale(&self, mu: f64) -> f64 {
+        if mu > 0.0 { mu * self.sizes[1] } else { self.sizes[1] }
+    }
+}
+
+impl Judged {
+    /// Name, worst place and unit of each residual.
+    pub fn entries(&self) -> [(&'static str, Worst, &'static str); 6] {
+        [
+            ("primal", self.primal, "N·s"),
+            ("dual", self.dual, "m/s"),
+            ("complementarity", self.complementarity, "J"),
+            ("normal", self.normal, "N·s"),
+            ("tangential", self.tangential, "N·s"),
+            ("velocity", self.velocity, "m/s"),
+        ]
+    }
+
+    /// The residual with the largest relative size.
+    pub fn worst(&self) -> (&'static str, Worst) {
+        let entries = self.entries();
+        let mut worst = (entries[0].0, entries[0].1);
+        for (name, one, _) in &entries[1..] {
+            if one.part.exceeds(&worst.1.part) {
+                worst = (name, *one);
+            }
+        }
+        worst
+    }
+
+    /// The largest relative size; not a number if one is not.
+    pub fn relative(&self) -> f64 {
+        self.worst().1.part.relative()
+    }
+
+    /// Whether every residual is within its limit max(τ · scale, floor).
+    pub fn accepts(&self, tolerance: f64) -> bool {
+        self.relative() <= tolerance
+    }
+
+    fn take(&mut self, contact: usize, at: AtContact) {
+        let parts = [at.primal, at.dual, at.complementarity, at.normal, at.tangential];
+        let places = [&mut self.primal, &mut self.dual, &mut self.complementarity, &mut self.normal, &mut self.tangential];
+        for (place, part) in places.into_iter().zip(parts) {
+            place.take(contact, part);
+        }
+    }
+}
+
+impl Worst {
+    fn take(&mut self, contact: usize, part: Part) {
+        self.largest = worst(self.largest, part.value);
+        if part.exceeds(&self.part) {
+            (self.part, self.contact) = (part, contact);
+        }
+    }
+}
+
+/// Judges answers; its memory is used again, so that judging step after step does not allocate.
+#[derive(Clone, Debug, Default)]
+pub struct Judge {
+    scales: Scales,
+    law_velocity: Vec<f64>,
+    pairs: Pairs,
+}
+
+impl Judge {
+    /// The judgement of `solution`, whose sizes fit the problem; W and |W| are multiplied once by r.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if an edge compliance makes the answer depend on edge impulses that it does not give.
+    pub fn judge(&mut self, problem: &ContactProblem, solution: &Solution) -> Result<Judged> {
+        let impulse = solution.impulse.as_slice();
+        self.scales.prepare(problem);
+        self.scales.set_floors(problem, impulse);
+        self.set_law_velocity(problem, impulse);
+        let law_velocity = std::mem::take(&mut self.law_velocity);
+        let judged = self.contacts(problem, solution, impulse, &law_velocity);
+        self.law_velocity = law_velocity;
+        let mut judged = judged?;
+        self.stored_velocity(problem, solution, &mut judged);
+        Ok(judged)
+    }
+
+    /// ρ_n and ρ_t of every contact \[kg\].
+    pub(crate) fn weights(problem: &ContactProblem) -> Vec<[f64; 2]> {
+        let mut scales = Scales::default();
+        scales.prepare(problem);
+        scales.weights
+    }
+
+    /// Weights and groups of a problem that is then measured at many answers.
+    pub(crate) fn prepare(&mut self, problem: &ContactProblem) {
+        self.scales.prepare(problem);
+    }
+
+    /// The floors for [`Judge::measure`]: the rounding of y at these impulses.
+    pub(crate) fn set_floors(&mut self, problem: &ContactProblem, impulse: &[f64]) {
+        self.scales.set_floors(problem, impulse);
+    }
+
+    /// The largest relative size over the contacts at r and y, without the stored velocity; β and σ are recovered from r and y.
+    pub(crate) fn measure(&mut self, problem: &ContactProblem, solution: &Solution, law_velocity: &[f64]) -> Result<f64> {
+        Ok(self.contacts(problem, solution, solution.impulse.as_slice(), law_velocity)?.relative())
+    }
+
+    fn set_law_velocity(&mut self, problem: &ContactProblem, impulse: &[f64]) {
+        let y = &mut self.law_velocity;
+        y.clear();
+        y.extend(problem.free_velocity.iter().zip(&problem.shift).map(|(free, shift)| free + shift));
+        for (column, r) in impulse.iter().enumerate().filter(|(_, r)| **r != 0.0) {
+            y.iter_mut().zip(problem.delassus.column(column).iter()).for_each(|(y, w)| *y += w * r);
+        }
+        y.iter_mut().enumerate().for_each(|(row, y)| *y += compliance(problem, row) * impulse[row]);
+    }
+
+    fn contacts(&mut self, problem: &ContactProblem, solution: &Solution, impulse: &[f64], law_velocity: &[f64]) -> Result<Judged> {
+        self.scales.set_sizes(problem, impulse, law_velocity);
+        let rows = problem.rows_per_contact;
+        let mut judged = Judged::default();
+        for (k, (r, y)) in impulse.chunks_exact(rows).zip(law_velocity.chunks_exact(rows)).enumerate() {
+            let here = Here {
+                contact: k,
+                friction: problem.friction[k],
+                r,
+                y,
+                weights: self.scales.weights[k],
+                sizes: self.scales.at(k),
+                floors: self.scales.floors_at(k * rows..(k + 1) * rows),
+            };
+            let at = match problem.law {
+                Law::PolyhedralCoulomb { directions } => polyhedral::stewart_trinkle(&mut self.pairs, solution, directions, &here),
+                Law::PolyhedralAssociated { directions } => polyhedral::edges(&mut self.pairs, problem, solution, directions, &here)?,
+                law => second_order(law, &here),
+            };
+            judged.take(k, at);
+        }
+        Ok(judged)
+    }
+
+    /// The stored u against the impulses.
+    fn stored_velocity(&self, problem: &ContactProblem, solution: &Solution, judged: &mut Judged) {
+        let rows = problem.rows_per_contact;
+        for (row, stored) in solution.velocity.iter().enumerate() {
+            let (contact, normal) = (row / rows, row % rows == 0);
+            let found = self.law_velocity[row] - problem.shift[row] - compliance(problem, row) * solution.impulse[row];
+            let ([s_n, _, s_t], [rho_n, rho_t]) = (self.scales.at(contact), self.scales.weights[contact]);
+            let scale = if normal { s_n / rho_n } else { s_t / rho_t };
+            judged.velocity.take(contact, Part { value: (stored - found).abs(), scale, floor: self.scales.floors[row] });
+        }
+    }
+}
+
+/// The residuals of one contact under a law with a second-order cone.
+fn second_order(law: Law, here: &Here) -> AtContact {
+    let (mu, r, y) = (if law == Law::Frictionless { 0.0 } else { here.friction }, here.r, here.y);
+    let ([rho, _], [s_n, s_r, _], [floor_n, floor_t]) = (here.weights, here.sizes, here.floors);
+    let (slip, pushed) = (tangential_norm(y), tangential_norm(r));
+    let radius = mu * r[0].max(0.0);
+    let (w, floor) = if law == Law::Associated { (y[0] - mu * slip, floor_n + mu * floor_t) } else { (y[0], floor_n) };
+    let velocity = Part { value: w.abs(), scale: s_n / rho, floor };
+    let (scale, rounded) = if r[0] < 0.0 { (s_n, 0.0) } else { (here.friction_scale(mu), PROJECTED * radius) };
+    let outside = Part { value: distance(r, mu), scale, floor: rounded };
+    let loss = radius * slip + r[1..].iter().zip(&y[1..]).map(|(r, y)| r * y).sum::<f64>();
+    let sliding = Part { value: loss.abs(), scale: here.friction_scale(mu) * slip.max(here.sizes[2] / here.weights[1]), floor: 0.0 };
+    let rounded = Part { floor: (radius + pushed) * floor_t + PROJECTED * radius * slip, ..sliding };
+    let penetrating = Part { value: (-w).max(0.0), ..velocity };
+    let product = Part { value: (r[0] * w).abs(), scale: s_n * w.abs().max(s_n / rho), floor: r[0].abs() * floor };
+    AtContact {
+        primal: outside,
+        dual: nan_kept(penetrating, w).times(1.0 / mu.hypot(1.0)),
+        complementarity: product.worse(if law == Law::Frictionless { Part::default() } else { rounded }),
+        normal: pair([r[0], w], Part { value: r[0].abs(), scale: s_n, floor: 0.0 }, velocity.times(rho)),
+        tangential: friction(mu, s_r, here),
+    }
+}
+
+/// max(−x, 0) hides a NaN; this brings it back.
+fn nan_kept(part: Part, from: f64) -> Part {
+    if from.is_nan() { Part { value: f64::NAN, ..part } } else { part }
+}
+
+/// ‖r_t − P_disk(r_t − ρ_t y_t)‖ and what it is held against.
+fn friction(mu: f64, s_r: f64, here: &Here) -> Part {
+    let (r, y, rho) = (here.r, here.y, here.weights[1]);
+    let radius = mu * r[0].max(0.0);
+    let mut z = [0.0; 2];
+    z.iter_mut().zip(r[1..].iter().zip(&y[1..])).for_each(|(z, (r, y))| *z = r - rho * y);
+    let reach = length(z[0], z[1]);
+    let floor = rho * here.floors[1];
+    let left = |factor: f64, k: usize| r.get(k + 1).map_or(0.0, |r| r - factor * z[k]);
+    let off = |factor: f64| length(left(factor, 0), left(factor, 1));
+    if reach <= radius && mu > 0.0 {
+        return Part { value: off(1.0), scale: here.sizes[2], floor };
+    }
+    let angle = if radius > 0.0 { (2.0 * radius / reach).min(1.0) } else { 0.0 };
+    let scale = if mu > 0.0 { mu * s_r } else { s_r };
+    Part { value: off(if radius > 0.0 { radius / reach } else { 0.0 }), scale, floor: floor * angle + PROJECTED * radius }
+}
+
+/// The sizes of an answer against those of its problem.
+///
+/// # Errors
+/// [`Error::Invalid`] names the field that does not fit.
+pub(super) fn check_sizes(problem: &ContactProblem, solution: &Solution) -> Result<()> {
+    // in the plane every cone is polyhedral, with the two senses of tangent₁ as directions
+    let d = problem.law.directions().unwrap_or(if problem.rows_per_contact == 2 { 2 } else { 0 });
+    let given = [
+        ("impulse", Some(solution.impulse.len()), problem.rows()),
+        ("velocity", Some(solution.velocity.len()), problem.rows()),
+        ("beta", solution.beta.as_ref().map(|beta| beta.len()), d * problem.contacts()),
+        ("sigma", solution.sigma.as_ref().map(|sigma| sigma.len()), problem.contacts()),
+    ];
+    match given.into_iter().find(|(_, size, needed)| size.is_some_and(|size| size != *needed)) {
+        None => Ok(()),
+        Some((field, size, needed)) => {
+            Err(Error::invalid(field, format!("has size {}", size.unwrap_or(0)), format!("the problem `{}` needs {needed}", problem.name)))
+        }
+    }
+}

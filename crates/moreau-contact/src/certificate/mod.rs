@@ -1,0 +1,26 @@
+//! Certificates: whether an answer is a solution, decided without knowing where it came from.
+//!
+//! This module imports no solver and no scheme.
+
+pub mod copositivity;
+mod decision;
+pub mod definiteness;
+pub mod existence;
+pub mod feasibility;
+mod judge;
+pub mod lcp;
+pub mod natural_map;
+pub mod p_matrix;
+mod part;
+mod polyhedral;
+pub mod residuals;
+#[cfg(feature = "files")]
+mod residuals_json;
+mod scales;
+mod step;
+
+pub use decision::Decision;
+pub use judge::{Judge, Judged, Worst};
+pub use part::Part;
+pub use residuals::{Residuals, residuals};
+pub use step::{Judgement, StepResidual};

@@ -1,0 +1,194 @@
+//! Polyhedral laws as complementary pairs 0 ≤ z ⟂ w ≥ 0 per contact.
+//!
+//! Stewart–Trinkle, λ = r_n, r_t = Σ Dⱼβⱼ:
+//! ```text
+//!     0 ≤ λ ⟂ y_n ≥ 0 ,    0 ≤ βⱼ ⟂ Dⱼ·y_t + σ ≥ 0 ,    0 ≤ μλ − Σβⱼ ⟂ σ ≥ 0 .
+//! ```
+//! Polyhedral associated, r = Σ fⱼ (n + μDⱼ): `0 ≤ fⱼ ⟂ y_n + μ Dⱼ·y_t + Rⱼ fⱼ ≥ 0`.
+//!
+//! A member of a pair that is an impulse is held against an impulse, one that is a velocity against a velocity and its rounding: fast sliding, which makes
+//! σ large, excuses no impulse along another direction.
+//!
+//! Where a solution does not give β, f or σ they are recovered. σ = max_j(−Dⱼ·y_t)₊ is the smallest that makes every Dⱼ·y_t + σ ≥ 0. β is
+//! the decomposition of r_t along the two directions beside it, the one with the smallest Σβⱼ: when σ > 0 only the
+//! directions with Dⱼ·y_t + σ = 0 may carry β, and r_t on the boundary of the polygon has no other decomposition; when σ = 0 and
+//! r_t is inside, y_t = 0 and every decomposition does.
+
+use super::judge::{AtContact, Here};
+use super::part::{Part, pair};
+use crate::cones::polyhedral::{along_edges, along_neighbours, direction};
+use crate::cones::second_order::length;
+use crate::problem::{Compliance, ContactProblem, Coordinates, Solution};
+use moreau_exact::{Error, Result};
+
+/// One complementary pair; z is an impulse \[N·s\] and w a velocity \[m/s\].
+#[derive(Clone, Copy, Debug)]
+struct Pair {
+    z: f64,
+    w: f64,
+}
+
+/// The pairs of one contact, and how far its impulse is from what its parts add up to: [of the normal, of the tangents] \[N·s\].
+#[derive(Clone, Debug, Default)]
+pub(super) struct Pairs {
+    pairs: Vec<Pair>,
+    parts: Vec<f64>,
+    mismatch: [f64; 2],
+}
+
+/// The residuals of Stewart–Trinkle's law at one contact.
+pub(super) fn stewart_trinkle(pairs: &mut Pairs, solution: &Solution, d: usize, here: &Here) -> AtContact {
+    pairs.fill_stewart_trinkle(solution, d, here);
+    let (Pair { z: left, w: sigma }, [rho_n, rho_t], [s_n, s_r, s_t]) = (pairs.pairs[d + 1], here.weights, here.sizes);
+    let friction = here.friction_scale(here.friction);
+    let sticks = left >= rho_t * sigma;
+    let mut at = AtContact::default();
+    let normal = Members { impulse: s_n, velocity: s_n / rho_n, floor: here.floors[0], rho: rho_n };
+    at.normal = normal.judge(pairs.pairs[0], &mut at);
+    let velocity = if sticks { s_t } else { friction } / rho_t;
+    let tangential = Members { impulse: friction, velocity, floor: here.floors[1], rho: rho_t };
+    for one in &pairs.pairs[1..] {
+        let part = tangential.judge(*one, &mut at);
+        at.tangential = at.tangential.worse(part);
+    }
+    let parts =
+        Part { value: pairs.mismatch[1], scale: if sticks { s_t } else { friction }, floor: rounding_of_parts(d, s_r * here.friction) };
+    at.tangential = at.tangential.worse(parts);
+    at.primal = at.primal.worse(parts);
+    at
+}
+
+/// The residuals of the polyhedral associated law at one contact.
+///
+/// # Errors
+/// [`Error::Invalid`] if an edge compliance judges edge impulses that the solution does not give.
+pub(super) fn edges(pairs: &mut Pairs, problem: &ContactProblem, solution: &Solution, d: usize, here: &Here) -> Result<AtContact> {
+    pairs.fill_edges(problem, solution, d, here)?;
+    let ([rho, _], [s_n, s_r, _]) = (here.weights, here.sizes);
+    let scale = s_n.max(s_r);
+    let floor = here.floors[0] + here.friction * here.floors[1];
+    let members = Members { impulse: scale, velocity: scale / rho, floor, rho };
+    let mut at = AtContact::default();
+    for one in &pairs.pairs {
+        let part = members.judge(*one, &mut at);
+        at.normal = at.normal.worse(part);
+    }
+    let parts = |value: f64, scale: f64| Part { value, scale, floor: rounding_of_parts(d, scale) };
+    let tangential = here.friction_scale(here.friction);
+    at.primal = at.primal.worse(parts(pairs.mismatch[0], s_n)).worse(parts(pairs.mismatch[1], tangential));
+    at.normal = at.normal.worse(parts(pairs.mismatch[0], s_n));
+    at.tangential = parts(pairs.mismatch[1], tangential);
+    Ok(at)
+}
+
+/// The rounding of a sum of d parts of at most `size`.
+fn rounding_of_parts(d: usize, size: f64) -> f64 {
+    moreau_exact::tolerance::rounding(d + 4, size)
+}
+
+/// What the members of a pair are held against.
+struct Members {
+    /// \[N·s\]
+    impulse: f64,
+    /// \[m/s\]
+    velocity: f64,
+    /// Rounding of the velocity \[m/s\].
+    floor: f64,
+    /// ρ \[kg\].
+    rho: f64,
+}
+
+impl Members {
+    /// The pair's natural map; its negative members and its product join what `at` holds.
+    fn judge(&self, Pair { z, w }: Pair, at: &mut AtContact) -> Part {
+        let velocity = Part { value: w.abs(), scale: self.velocity, floor: self.floor };
+        let impulse = Part { value: z.abs(), scale: self.impulse, floor: 0.0 };
+        let negative = |x: f64, part: Part| if x >= 0.0 { Part { value: 0.0, ..part } } else { part };
+        at.primal = at.primal.worse(negative(z, impulse));
+        at.dual = at.dual.worse(negative(w, velocity));
+        let product = Part { value: (z * w).abs(), scale: self.impulse * self.velocity.max(w.abs()), floor: z.abs() * self.floor };
+        at.complementarity = at.complementarity.worse(product);
+        pair([z, w], impulse, velocity.times(self.rho))
+    }
+}
+
+impl Pairs {
+    /// λ with y_n, each βⱼ with Dⱼ·y_t + σ, and what friction is left with σ.
+    pub(super) fn fill_stewart_trinkle(&mut self, solution: &Solution, d: usize, here: &Here) {
+        let Here { contact, r, y, .. } = *here;
+        self.parts.clear();
+        match &solution.beta {
+            Some(beta) => self.parts.extend_from_slice(&beta.as_slice()[contact * d..(contact + 1) * d]),
+            None => along_neighbours(tangent(r), d, &mut self.parts),
+        }
+        let against = |j: usize| dot(direction(j, d), tangent(y));
+        let slip = || (0..d).fold(0.0, |slip, j| worst(slip, -against(j)));
+        let sigma = solution.sigma.as_ref().map_or_else(slip, |sigma| sigma[contact]);
+        let left = here.friction * r[0] - self.parts.iter().sum::<f64>();
+        self.pairs.clear();
+        self.pairs.push(Pair { z: r[0], w: y[0] });
+        self.pairs.extend(self.parts.iter().enumerate().map(|(j, &z)| Pair { z, w: against(j) + sigma }));
+        self.pairs.push(Pair { z: left, w: sigma });
+        self.mismatch = [0.0, mismatch(tangent(r), &self.parts, 1.0)];
+    }
+
+    /// Each edge impulse fⱼ with y_n + μ Dⱼ·y_t + Rⱼ fⱼ.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if an edge compliance judges edge impulses that the solution does not give.
+    pub(super) fn fill_edges(&mut self, problem: &ContactProblem, solution: &Solution, d: usize, here: &Here) -> Result<()> {
+        let Here { contact, friction: mu, r, y, .. } = *here;
+        let softness = match &problem.compliance {
+            Some(Compliance { coordinates: Coordinates::Edge, diagonal }) => Some(&diagonal.as_slice()[contact * d..(contact + 1) * d]),
+            _ => None,
+        };
+        self.parts.clear();
+        match &solution.beta {
+            Some(beta) => self.parts.extend_from_slice(&beta.as_slice()[contact * d..(contact + 1) * d]),
+            None if softness.is_some() && d > 2 => {
+                let cure = "an edge compliance judges the edge impulses, and they do not follow from `impulse`";
+                return Err(Error::invalid("beta", "is missing", cure));
+            }
+            None => along_edges(r, mu, d, &mut self.parts),
+        }
+        let w = |j: usize, z: f64| y[0] + mu * dot(direction(j, d), tangent(y)) + softness.map_or(0.0, |softness| softness[j] * z);
+        self.pairs.clear();
+        self.pairs.extend(self.parts.iter().enumerate().map(|(j, &z)| Pair { z, w: w(j, z) }));
+        self.mismatch = [(r[0] - self.parts.iter().sum::<f64>()).abs(), mismatch(tangent(r), &self.parts, mu)];
+        Ok(())
+    }
+
+    /// ‖(min(z, ρw), mismatch)‖ over the pairs \[N·s\].
+    pub(super) fn natural_map(&self, rho: f64) -> f64 {
+        let pairs: f64 = self.pairs.iter().map(|one| smaller(one.z, rho * one.w).powi(2)).sum();
+        (pairs + worst(self.mismatch[0], self.mismatch[1]).powi(2)).sqrt()
+    }
+}
+
+/// z − (z − w)₊ = min(z, w), NaN if one is.
+fn smaller(z: f64, w: f64) -> f64 {
+    -worst(-z, -w)
+}
+
+/// The larger of two numbers, NaN if one is.
+pub(super) fn worst(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
+}
+
+/// ‖r_t − scale Σ Dⱼβⱼ‖.
+fn mismatch(r: [f64; 2], beta: &[f64], scale: f64) -> f64 {
+    let d = beta.len();
+    let sum = beta.iter().enumerate().fold([0.0, 0.0], |sum, (j, b)| {
+        let [first, second] = direction(j, d);
+        [sum[0] + first * b, sum[1] + second * b]
+    });
+    length(r[0] - scale * sum[0], r[1] - scale * sum[1])
+}
+
+fn tangent(z: &[f64]) -> [f64; 2] {
+    [z.get(1).copied().unwrap_or(0.0), z.get(2).copied().unwrap_or(0.0)]
+}
+
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}

@@ -1,0 +1,156 @@
+//! Residuals of a proposed solution, each in its own unit and at its own contact: how far r is from its cone, ŷ from the dual cone, and both from
+//! being complementary.
+//!
+//! ```text
+//!     primal            dist(r, K)                              [N·s]
+//!     dual              dist(ŷ, K*)                             [m/s]     ŷ = y + μ‖y_t‖n for Coulomb, y otherwise
+//!     complementarity   |r·ŷ|                                   [J]
+//!     normal            min(r_n, ρ_n w)                         [N·s]     the natural map in two parts, see `judge`
+//!     tangential        ‖r_t − P_disk(μ r_n)(r_t − ρ_t y_t)‖    [N·s]
+//!     velocity          |u − (W r + u_free)|                    [m/s]     the stored u against the impulses
+//! ```
+//! y = u_free + shift + (W + R) r is computed from r here; a solution's own velocity is only compared. Polyhedral laws are judged by their
+//! complementary pairs (`polyhedral`). Contact by contact each residual is held against max(τ · scale, floor), see `scales`: a light contact beside a heavy
+//! one is judged by its own size.
+//!
+//! For comparison with other programs there are two norms over all contacts that decide nothing: ‖r − P_K(r − ρŷ)‖ with ρ = rows/tr(W_kk + R_kk),
+//! and Siconos's number with ρ = 1 kg.
+
+use super::judge::{Here, Judge, Judged, check_sizes};
+use super::natural_map;
+use super::polyhedral::{Pairs, worst};
+use crate::problem::{ContactProblem, Law, Solution};
+use moreau_exact::Result;
+use nalgebra::{DMatrix, DVector};
+
+/// The residuals of a proposed solution, and the scales they are held against.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Residuals {
+    /// Each residual at the contact where it is worst, with what it is held against.
+    pub judged: Judged,
+    /// max over contacts of dist(r, K) \[N·s\].
+    pub primal: f64,
+    /// max over contacts of dist(ŷ, K*) \[m/s\].
+    pub dual: f64,
+    /// max over contacts of |r·ŷ| \[J\].
+    pub complementarity: f64,
+    /// max |u − (W r + u_free)| for the stored u \[m/s\].
+    pub velocity: f64,
+    /// ‖r − P_K(r − ρŷ)‖ over all contacts \[N·s\]; shown for comparison.
+    pub natural_map: f64,
+    /// Siconos's number: the natural map with ρ = 1 kg over max(‖q‖, ‖r‖, ‖u‖), which mixes units; shown for comparison.
+    pub siconos: f64,
+    /// ‖r‖ \[N·s\].
+    pub impulse_scale: f64,
+    /// ‖u_free + shift‖ \[m/s\].
+    pub velocity_scale: f64,
+    /// max(‖r‖, ‖ρ(u_free + shift)‖ over the contacts with an impulse or a residual) \[N·s\], the size of the natural map: it does not
+    /// vanish with r, and a contact that merely separates fast does not raise it.
+    pub natural_map_scale: f64,
+}
+
+/// The residuals of `solution` as an answer to `problem`.
+///
+/// # Errors
+/// [`Error::Invalid`](moreau_exact::Error::Invalid) if the solution has another size than the problem, or if an edge compliance makes the answer depend on
+/// edge impulses that it does not give.
+pub fn residuals(problem: &ContactProblem, solution: &Solution) -> Result<Residuals> {
+    problem.validate()?;
+    check_sizes(problem, solution)?;
+    let judged = Judge::default().judge(problem, solution)?;
+    let impulse = &solution.impulse;
+    let data = &problem.free_velocity + &problem.shift;
+    let map = NaturalMap::new(problem, solution)?;
+    let velocity = problem.velocity(impulse);
+    let unit_scale = worst(data.norm(), worst(impulse.norm(), velocity.norm()));
+    Ok(Residuals {
+        judged,
+        primal: judged.primal.largest,
+        dual: judged.dual.largest,
+        complementarity: judged.complementarity.largest,
+        velocity: judged.velocity.largest,
+        natural_map: map.own_mass,
+        siconos: if unit_scale > 0.0 { map.one_kilogram / unit_scale } else { map.one_kilogram },
+        impulse_scale: impulse.norm(),
+        velocity_scale: data.norm(),
+        natural_map_scale: worst(impulse.norm(), map.data),
+    })
+}
+
+/// Norms over all contacts \[N·s\].
+struct NaturalMap {
+    /// With ρ = rows/tr(W_kk + R_kk).
+    own_mass: f64,
+    /// With ρ = 1 kg.
+    one_kilogram: f64,
+    /// ρ(u_free + shift) over the contacts with an impulse or a residual.
+    data: f64,
+}
+
+impl NaturalMap {
+    fn new(problem: &ContactProblem, solution: &Solution) -> Result<Self> {
+        let rows = problem.rows_per_contact;
+        let law_velocity = problem.law_velocity(&solution.impulse);
+        let (mut pairs, mut squares) = (Pairs::default(), [0.0; 3]);
+        for (contact, &rho) in natural_map::scales(problem).iter().enumerate() {
+            let range = contact * rows..(contact + 1) * rows;
+            let (r, y) = (&solution.impulse.as_slice()[range.clone()], &law_velocity.as_slice()[range.clone()]);
+            let friction = problem.friction[contact];
+            let here = Here { contact, friction, r, y, weights: [rho; 2], sizes: [0.0; 3], floors: [0.0; 2] };
+            match problem.law {
+                Law::PolyhedralCoulomb { directions } => pairs.fill_stewart_trinkle(solution, directions, &here),
+                Law::PolyhedralAssociated { directions } => pairs.fill_edges(problem, solution, directions, &here)?,
+                _ => {}
+            }
+            let map = |rho: f64| match problem.law.directions() {
+                Some(_) => pairs.natural_map(rho),
+                None => natural_map::natural_map(problem.law, friction, r, y, rho),
+            };
+            let own = map(rho);
+            squares[0] += own * own;
+            squares[1] += map(1.0).powi(2);
+            if own != 0.0 || r.iter().any(|&r| r != 0.0) {
+                squares[2] += range.map(|row| (rho * (problem.free_velocity[row] + problem.shift[row])).powi(2)).sum::<f64>();
+            }
+        }
+        let [own_mass, one_kilogram, data] = squares.map(f64::sqrt);
+        Ok(NaturalMap { own_mass, one_kilogram, data })
+    }
+}
+
+/// ‖M̂(v⁺ − v) − hF − Hᵀr‖ \[N·s\], the momentum balance of a step.
+///
+/// - `mass`: M̂, nv × nv; `change`: v⁺ − v \[m/s\]; `force_impulse`: hF \[N·s\]; `jacobian`: H, rows × nv; `impulse`: r \[N·s\].
+pub fn momentum(
+    mass: &DMatrix<f64>,
+    change: &DVector<f64>,
+    force_impulse: &DVector<f64>,
+    jacobian: &DMatrix<f64>,
+    impulse: &DVector<f64>,
+) -> f64 {
+    (mass * change - force_impulse - jacobian.tr_mul(impulse)).norm()
+}
+
+impl Residuals {
+    /// Whether every residual is at most max(`tolerance` · scale, rounding) at every contact. NaN is never a solution, and neither is an answer whose
+    /// norms overflow: infinity is at most infinity, which shows nothing.
+    pub fn is_solution(&self, tolerance: f64) -> bool {
+        let finite = [self.natural_map, self.impulse_scale, self.velocity_scale, self.natural_map_scale].into_iter().all(f64::is_finite);
+        finite && self.judged.accepts(tolerance)
+    }
+
+    /// What is shown for comparison and decides nothing: name, value and unit.
+    pub fn norms(&self) -> [(&'static str, f64, &'static str); 5] {
+        [
+            ("natural_map", self.natural_map, "N·s"),
+            ("siconos", self.siconos, "1"),
+            ("impulse_scale", self.impulse_scale, "N·s"),
+            ("velocity_scale", self.velocity_scale, "m/s"),
+            ("natural_map_scale", self.natural_map_scale, "N·s"),
+        ]
+    }
+}
+
+#[cfg(all(test, feature = "files"))]
+#[path = "residuals_tests.rs"]
+mod tests;

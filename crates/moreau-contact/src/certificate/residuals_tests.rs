@@ -1,0 +1,272 @@
+//! Tests of the residuals: both sides of every condition, units, and an error a single relative number hides.
+
+use super::super::judge::Worst;
+use super::*;
+use crate::certificate::Part;
+use crate::problem::{Compliance, Coordinates, Dynamics};
+
+/// Decoupled planar contacts of unit mass with μ = ½.
+fn planar(law: Law, free_velocity: &[f64]) -> ContactProblem {
+    let rows = free_velocity.len();
+    ContactProblem {
+        name: "planar".into(),
+        rows_per_contact: 2,
+        law,
+        friction: vec![0.5; rows / 2],
+        free_velocity: DVector::from_row_slice(free_velocity),
+        shift: DVector::zeros(rows),
+        delassus: DMatrix::identity(rows, rows),
+        compliance: None,
+        dynamics: None,
+        bodies: None,
+    }
+}
+
+fn answer(problem: &ContactProblem, impulse: &[f64]) -> Solution {
+    let impulse = DVector::from_row_slice(impulse);
+    let velocity = problem.velocity(&impulse);
+    Solution { impulse, velocity, beta: None, sigma: None, solver: "hand".into(), iterations: 0 }
+}
+
+fn judged(problem: &ContactProblem, impulse: &[f64]) -> Residuals {
+    residuals(problem, &answer(problem, impulse)).unwrap()
+}
+
+/// u_free = (−1, 2), μ = ½. Coulomb: r = (1, −½). Associated: r = r_n(1, −½) with r·u = 0, r_n = 8/5.
+const SLIDING: [f64; 2] = [-1.0, 2.0];
+
+#[test]
+fn the_exact_answer_has_no_residual_and_each_mistake_shows_in_its_own_unit() {
+    let problem = planar(Law::Coulomb, &SLIDING);
+    let exact = judged(&problem, &[1.0, -0.5]);
+    assert_eq!((exact.primal, exact.dual, exact.complementarity, exact.natural_map), (0.0, 0.0, 0.0, 0.0));
+    assert!(exact.is_solution(0.0));
+    // outside the cone: distance (0.6 − 0.5)/√1.25
+    let outside = judged(&problem, &[1.0, -0.6]);
+    assert!((outside.primal - 0.1 / 1.25f64.sqrt()).abs() <= f64::EPSILON && !outside.is_solution(1e-8));
+    // penetrating: y_n = −½, ŷ = y + μ‖y_t‖n is ½ below the dual cone, at distance ½/√1.25
+    let penetrating = judged(&problem, &[0.5, -0.25]);
+    assert!((penetrating.dual - 0.5 / 1.25f64.sqrt()).abs() <= 2.0 * f64::EPSILON && !penetrating.is_solution(1e-8));
+    // friction too weak: r·ŷ = μ‖y_t‖ r_n − 0.4·1.6 = 0.16 J
+    let weak = judged(&problem, &[1.0, -0.4]);
+    assert!((weak.complementarity - 0.16).abs() <= 4.0 * f64::EPSILON && !weak.is_solution(1e-8));
+}
+
+#[test]
+fn the_two_laws_do_not_accept_each_others_sliding() {
+    let associated = planar(Law::Associated, &SLIDING);
+    assert!(judged(&associated, &[1.6, -0.8]).is_solution(4.0 * f64::EPSILON));
+    assert!(!judged(&associated, &[1.0, -0.5]).is_solution(1e-2));
+    assert!(!judged(&planar(Law::Coulomb, &SLIDING), &[1.6, -0.8]).is_solution(1e-2));
+}
+
+#[test]
+fn a_stored_velocity_that_does_not_belong_to_the_impulse_is_refused() {
+    let problem = planar(Law::Coulomb, &SLIDING);
+    let mut solution = answer(&problem, &[1.0, -0.5]);
+    solution.velocity[1] += 1e-3;
+    let found = residuals(&problem, &solution).unwrap();
+    assert!((found.velocity - 1e-3).abs() <= 2.0 * f64::EPSILON && !found.is_solution(1e-8));
+}
+
+#[test]
+fn one_relative_number_hides_an_error_that_the_components_show() {
+    // contact 0 separates at 1e13 m/s, contact 1 should carry 1 N·s and carries 1e-4 less
+    let problem = planar(Law::Coulomb, &[1e13, 0.0, -1.0, 0.0]);
+    let found = judged(&problem, &[0.0, 0.0, 1.0 - 1e-4, 0.0]);
+    assert!(found.siconos < 1e-16);
+    assert!(found.complementarity > 0.9e-4 && found.natural_map > 0.9e-4);
+    assert!(!found.is_solution(1e-8));
+    assert!(judged(&problem, &[0.0, 0.0, 1.0, 0.0]).is_solution(1e-15));
+}
+
+#[test]
+fn the_natural_map_does_not_depend_on_the_units() {
+    // m → mm and kg → g: velocities ×10³, W ×10⁻³, impulses ×10⁶
+    let si = planar(Law::Coulomb, &SLIDING);
+    let mut small = si.clone();
+    small.free_velocity *= 1e3;
+    small.delassus *= 1e-3;
+    let (a, b) = (judged(&si, &[1.0, -0.4]), judged(&small, &[1e6, -0.4e6]));
+    let relative = |r: &Residuals| r.natural_map / r.natural_map_scale;
+    assert!((relative(&a) - relative(&b)).abs() <= 16.0 * f64::EPSILON * relative(&a));
+    assert!((a.siconos - b.siconos).abs() > 0.1 * a.siconos, "Siconos's number does depend on them");
+}
+
+#[test]
+fn stewart_trinkle_is_judged_through_its_pairs_given_or_recovered() {
+    let problem = planar(Law::PolyhedralCoulomb { directions: 2 }, &SLIDING);
+    assert!(judged(&problem, &[1.0, -0.5]).is_solution(0.0));
+    let mut given = answer(&problem, &[1.0, -0.5]);
+    given.beta = Some(DVector::from_vec(vec![0.0, 0.5]));
+    given.sigma = Some(DVector::from_vec(vec![1.5]));
+    assert!(residuals(&problem, &given).unwrap().is_solution(0.0));
+    given.sigma = Some(DVector::from_vec(vec![1.0]));
+    assert_eq!(residuals(&problem, &given).unwrap().dual, 0.5);
+    given.beta = Some(DVector::from_vec(vec![0.25, 0.5]));
+    assert!(residuals(&problem, &given).unwrap().primal >= 0.25);
+    assert!(!judged(&problem, &[1.0, -0.4]).is_solution(1e-2), "friction that is too weak");
+    assert!(!judged(&problem, &[1.0, -0.6]).is_solution(1e-2), "friction that is too strong");
+}
+
+#[test]
+fn edge_impulses_follow_from_the_impulse_unless_their_compliance_is_asked_for() {
+    let mut problem = planar(Law::PolyhedralAssociated { directions: 2 }, &SLIDING);
+    assert!(judged(&problem, &[1.6, -0.8]).is_solution(4.0 * f64::EPSILON));
+    assert!(!judged(&problem, &[1.0, -0.5]).is_solution(1e-2));
+    // edge 1 alone carries: f(1.25 + R) = 2 with R = 0.35
+    problem.compliance = Some(Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(2, 0.35) });
+    assert!(judged(&problem, &[1.25, -0.625]).is_solution(4.0 * f64::EPSILON));
+    let mut spatial = problem.clone();
+    spatial.rows_per_contact = 3;
+    spatial.law = Law::PolyhedralAssociated { directions: 4 };
+    spatial.free_velocity = DVector::from_vec(vec![-1.0, 2.0, 0.0]);
+    spatial.shift = DVector::zeros(3);
+    spatial.delassus = DMatrix::identity(3, 3);
+    spatial.compliance = Some(Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(4, 0.35) });
+    let message = residuals(&spatial, &answer(&spatial, &[1.25, -0.625, 0.0])).unwrap_err().to_string();
+    assert!(message.contains("beta"), "{message}");
+    spatial.compliance = None;
+    assert!(judged(&spatial, &[1.6, -0.8, 0.0]).is_solution(8.0 * f64::EPSILON));
+}
+
+#[test]
+fn sizes_are_checked_and_nan_is_no_solution() {
+    let problem = planar(Law::Coulomb, &SLIDING);
+    let mut solution = answer(&problem, &[1.0, -0.5]);
+    solution.impulse[0] = f64::NAN;
+    assert!(!residuals(&problem, &solution).unwrap().is_solution(f64::INFINITY));
+    solution.impulse = DVector::zeros(3);
+    assert!(residuals(&problem, &solution).unwrap_err().to_string().contains("impulse"));
+}
+
+#[test]
+fn residuals_are_written_with_units() {
+    let found = judged(&planar(Law::Coulomb, &SLIDING), &[1.0, -0.5]);
+    let json = serde_json::to_value(found).unwrap();
+    assert_eq!((&json["dual"]["value"], &json["dual"]["unit"]), (&serde_json::json!(0.0), &serde_json::json!("m/s")));
+    assert_eq!(json["siconos"], serde_json::json!({"value": 0.0, "unit": "1"}));
+    assert_eq!(json["complementarity"]["unit"], "J");
+}
+
+#[test]
+fn momentum_sees_a_missing_impulse() {
+    let one = DMatrix::identity(1, 1);
+    let v = |x: f64| DVector::from_element(1, x);
+    assert_eq!(momentum(&(one.clone() * 2.0), &v(1.5), &v(-1.0), &one, &v(4.0)), 0.0);
+    assert_eq!(momentum(&(one.clone() * 2.0), &v(1.5), &v(-1.0), &one, &v(3.0)), 1.0);
+}
+
+#[test]
+fn every_residual_alone_decides_on_both_sides_of_its_limit() {
+    let none = judged(&planar(Law::Coulomb, &SLIDING), &[1.0, -0.5]);
+    assert!(none.is_solution(0.125));
+    type Field = fn(&mut Judged) -> &mut Worst;
+    let fields: [Field; 6] = [
+        |judged| &mut judged.primal,
+        |judged| &mut judged.dual,
+        |judged| &mut judged.complementarity,
+        |judged| &mut judged.normal,
+        |judged| &mut judged.tangential,
+        |judged| &mut judged.velocity,
+    ];
+    for (index, field) in fields.into_iter().enumerate() {
+        for (value, accepted) in [(0.25, true), (0.25f64.next_up(), false), (f64::NAN, false)] {
+            let mut found = none;
+            field(&mut found.judged).part = Part { value, scale: 2.0, floor: 0.0 };
+            assert_eq!(found.is_solution(0.125), accepted, "residual {index} at {value}");
+        }
+    }
+}
+
+#[test]
+fn parts_that_do_not_add_up_to_the_impulse_are_primal_residuals() {
+    // Pressed and at rest: every pair is complementary, but Σ Dⱼβⱼ = −0.2 is not r_t = 0.
+    let mut stuck = answer(&planar(Law::PolyhedralCoulomb { directions: 2 }, &[-1.0, 0.0]), &[1.0, 0.0]);
+    stuck.beta = Some(DVector::from_vec(vec![0.0, 0.2]));
+    assert_eq!(residuals(&planar(Law::PolyhedralCoulomb { directions: 2 }, &[-1.0, 0.0]), &stuck).unwrap().primal, 0.2);
+    // f = (0.4, 2) has μ Σ Dⱼfⱼ = −0.8 = r_t but Σ fⱼ = 2.4 is not r_n = 1.6.
+    let problem = planar(Law::PolyhedralAssociated { directions: 2 }, &SLIDING);
+    let mut edges = answer(&problem, &[1.6, -0.8]);
+    edges.beta = Some(DVector::from_vec(vec![0.4, 2.0]));
+    assert!((residuals(&problem, &edges).unwrap().primal - 0.8).abs() <= 4.0 * f64::EPSILON);
+}
+
+#[test]
+fn nan_is_passed_on_by_every_law() {
+    let laws = [Law::Frictionless, Law::Coulomb, Law::Associated];
+    for law in laws.into_iter().chain([Law::PolyhedralCoulomb { directions: 2 }, Law::PolyhedralAssociated { directions: 2 }]) {
+        for place in 0..2 {
+            let problem = planar(law, &SLIDING);
+            let mut solution = answer(&problem, &[1.0, -0.5]);
+            solution.impulse[place] = f64::NAN;
+            let found = residuals(&problem, &solution).unwrap();
+            assert!(found.complementarity.is_nan() && found.natural_map.is_nan() && found.velocity.is_nan(), "{law:?}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn an_answer_whose_residuals_overflow_is_no_solution() {
+    let problem = planar(Law::Coulomb, &[-1e308, 1e308]);
+    // twice the friction the cone allows, but both scales are infinite, and everything is at most infinity
+    let found = judged(&problem, &[1e308, -1e308]);
+    assert!(found.impulse_scale.is_infinite() && found.velocity_scale.is_infinite());
+    assert!(!found.is_solution(1e-8));
+    // the same motion in units in which the squares are numbers is refused for its own sake, and its solution accepted
+    let problem = planar(Law::Coulomb, &[-1e100, 1e100]);
+    assert!(!judged(&problem, &[1e100, -1e100]).is_solution(1e-8));
+    assert!(judged(&problem, &[1e100, -0.5e100]).is_solution(1e-8));
+}
+
+/// Contacts of 10⁸ kg and 1 kg that meet nothing in common close at 1 m/s, frictionless; the light one gets 0.01 N·s too little.
+fn light_beside_heavy(name_one_pair: bool, coupling: f64, dynamics: Option<Dynamics>) -> bool {
+    let mut problem = planar(Law::Frictionless, &[-1.0, 0.0, -1.0, 0.0]);
+    problem.delassus = DMatrix::from_diagonal(&DVector::from_row_slice(&[1e-8, 1e-8, 1.0, 1.0]));
+    (problem.delassus[(0, 2)], problem.delassus[(2, 0)]) = (coupling, coupling);
+    (problem.dynamics, problem.bodies) = (dynamics, name_one_pair.then(|| vec![[Some(0), None]; 2]));
+    problem.free_velocity[0] -= coupling * 0.99;
+    problem.free_velocity[2] -= coupling * 1e8;
+    judged(&problem, &[1e8, 0.0, 0.99, 0.0]).is_solution(1e-8)
+}
+
+#[test]
+fn a_name_joins_no_contacts_that_nothing_couples() {
+    let separate =
+        || Dynamics { mass: DMatrix::from_diagonal(&DVector::from_row_slice(&[1e8, 1e8, 1.0, 1.0])), jacobian: DMatrix::identity(4, 4) };
+    assert!(!light_beside_heavy(false, 0.0, None), "nothing is known: each contact stands alone");
+    assert!(!light_beside_heavy(true, 0.0, None), "one pair by name, but W couples nothing");
+    assert!(!light_beside_heavy(true, 1e-13, None), "one pair by name, but W couples no more than rounding");
+    assert!(light_beside_heavy(true, 1e-5, None), "one pair by name, and W couples it: one size for both");
+    assert!(!light_beside_heavy(true, 1e-5, Some(separate())), "one pair by name, but H says that it is two");
+    assert!(!light_beside_heavy(false, 1e-5, None), "W couples two pairs");
+}
+
+#[test]
+fn a_name_joins_a_contact_only_to_those_that_it_moves_itself() {
+    // W couples the first with the second, the second with the third, and not the first with the third
+    let mut problem = planar(Law::Frictionless, &[-1.0, 0.0, -1.0, 0.0, -1.0, 0.0]);
+    (problem.delassus[(0, 2)], problem.delassus[(2, 0)]) = (0.5, 0.5);
+    (problem.delassus[(2, 4)], problem.delassus[(4, 2)]) = (0.5, 0.5);
+    problem.free_velocity[0] = -1e6;
+    problem.free_velocity[2] = -5e5;
+    problem.bodies = Some(vec![[Some(0), None]; 3]);
+    assert!(judged(&problem, &[1e6, 0.0, 0.0, 0.0, 1.0, 0.0]).is_solution(1e-8));
+    assert!(!judged(&problem, &[1e6, 0.0, 0.0, 0.0, 1.001, 0.0]).is_solution(1e-8), "the third is not held against the first");
+}
+
+#[test]
+fn a_jaw_that_closes_has_no_solution_however_hard_it_is_pressed() {
+    // one mass of 1 kg between two walls that both come nearer by 1 m/s: W = (1, −1; −1, 1)
+    let mut problem = planar(Law::Frictionless, &[-1.0, 0.0, -1.0, 0.0]);
+    problem.delassus = DMatrix::zeros(4, 4);
+    for (row, column, sign) in [(0, 0, 1.0), (0, 2, -1.0), (2, 0, -1.0), (2, 2, 1.0)] {
+        problem.delassus[(row, column)] = sign;
+    }
+    for pressed in [1.0, 1e8, 1e12, 1e15] {
+        assert!(!judged(&problem, &[pressed, 0.0, pressed, 0.0]).is_solution(1e-8), "{pressed} N·s");
+    }
+    // walls that stand hold it with any pressure
+    problem.free_velocity.fill(0.0);
+    assert!([0.0, 1.0, 1e12].iter().all(|&pressed| judged(&problem, &[pressed, 0.0, pressed, 0.0]).is_solution(1e-8)));
+}

@@ -1,0 +1,251 @@
+//! The Delassus operator W = H M⁻¹ Hᵀ.
+//!
+//! Column j of W is the change of the contact velocities u = H v caused by a unit impulse at row j. With M = L D Lᵀ
+//! and L Y = Hᵀ it is W = Yᵀ D⁻¹ Y: symmetric and positive semidefinite by construction, and free of square roots, so
+//! the same code serves `f64` and exact rationals.
+
+use moreau_exact::scalar::Scalar;
+use moreau_exact::{Error, Result};
+use nalgebra::{DMatrix, DVector};
+
+/// W = H M⁻¹ Hᵀ \[1/kg\], exactly symmetric: one triangle is computed, the other is its mirror image.
+///
+/// `mass` is M, nv × nv, symmetric positive definite; `jacobian` is H, rows × nv.
+///
+/// # Errors
+/// [`Error::Invalid`] if the shapes do not fit, a number is not finite, or M is not symmetric positive definite.
+///
+/// # Source
+/// Chapter §3 (the Delassus operator); Golub and Van Loan, *Matrix Computations*, §4.1 (LDLᵀ).
+pub fn delassus<T: Scalar>(mass: &DMatrix<T>, jacobian: &DMatrix<T>) -> Result<DMatrix<T>> {
+    let factor = MassFactor::new(mass)?;
+    if jacobian.ncols() != mass.ncols() {
+        let problem = format!("has {} columns", jacobian.ncols());
+        return Err(Error::invalid("jacobian", problem, format!("this mass matrix needs {}", mass.ncols())));
+    }
+    finite("jacobian", jacobian)?;
+    let mut half = jacobian.transpose();
+    for mut column in half.column_iter_mut() {
+        factor.forward(column.as_mut_slice());
+    }
+    let rows = jacobian.nrows();
+    let mut delassus = DMatrix::zeros(rows, rows);
+    for i in 0..rows {
+        // A contact row touches the velocities of two bodies only: most entries are zero.
+        let column = half.column(i);
+        let nonzero = column.iter().zip(&factor.pivots).enumerate().filter(|(_, (y, _))| !y.is_zero());
+        let weighted: Vec<(usize, T)> = nonzero.map(|(k, (y, d))| (k, y.clone() / d.clone())).collect();
+        for j in 0..=i {
+            let entry = weighted.iter().fold(T::zero(), |sum, (k, y)| sum + y.clone() * half[(*k, j)].clone());
+            delassus[(i, j)] = entry.clone();
+            delassus[(j, i)] = entry;
+        }
+    }
+    Ok(delassus)
+}
+
+/// The factorisation M = L D Lᵀ of a mass matrix, L unit lower triangular, D diagonal and positive.
+#[derive(Clone, Debug)]
+pub struct MassFactor<T: Scalar> {
+    /// Row i of L below the diagonal: (k, L_ik) for k < i where it is not zero. None, if the bodies do not touch each other's inertia.
+    lower: Vec<Vec<(usize, T)>>,
+    pivots: Vec<T>,
+}
+
+impl<T: Scalar> MassFactor<T> {
+    /// Factors M.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if M is not square, not finite, not symmetric or not positive definite – for `f64` beyond
+    /// rounding, for rationals exactly.
+    pub fn new(mass: &DMatrix<T>) -> Result<Self> {
+        if !mass.is_square() {
+            return Err(Error::invalid("mass", format!("has shape {}×{}", mass.nrows(), mass.ncols()), "the mass matrix is square"));
+        }
+        let n = mass.nrows();
+        if is_diagonal(mass) {
+            let pivots = (0..n).map(|j| definite(j, mass[(j, j)].clone(), &mass[(j, j)], n)).collect::<Result<_>>()?;
+            return Ok(MassFactor { lower: vec![Vec::new(); n], pivots });
+        }
+        finite("mass", mass)?;
+        symmetric(mass)?;
+        let mut lower: Vec<Vec<(usize, T)>> = vec![Vec::new(); n];
+        let mut pivots: Vec<T> = Vec::with_capacity(n);
+        for j in 0..n {
+            let pivot = definite(j, mass[(j, j)].clone() - product(&lower[j], &lower[j], &pivots), &mass[(j, j)], n)?;
+            for i in j + 1..n {
+                let entry = mass[(i, j)].clone() - product(&lower[i], &lower[j], &pivots);
+                if !entry.is_zero() {
+                    lower[i].push((j, entry / pivot.clone()));
+                }
+            }
+            pivots.push(pivot);
+        }
+        Ok(MassFactor { lower, pivots })
+    }
+
+    /// M⁻¹ p: the velocity change caused by the generalised impulse p.
+    ///
+    /// # Panics
+    /// If p has another size than M.
+    pub fn solve(&self, impulse: &DVector<T>) -> DVector<T> {
+        let n = self.pivots.len();
+        assert_eq!(impulse.len(), n, "a generalised impulse has one entry per velocity");
+        let mut x = impulse.clone();
+        self.forward(x.as_mut_slice());
+        for (k, d) in self.pivots.iter().enumerate() {
+            x[k] /= d.clone();
+        }
+        for i in (0..n).rev() {
+            for (k, entry) in &self.lower[i] {
+                let known = entry.clone() * x[i].clone();
+                x[*k] -= known;
+            }
+        }
+        x
+    }
+
+    /// Overwrites x by L⁻¹x.
+    fn forward(&self, x: &mut [T]) {
+        for (i, row) in self.lower.iter().enumerate() {
+            for (k, entry) in row {
+                let known = entry.clone() * x[*k].clone();
+                x[i] -= known;
+            }
+        }
+    }
+}
+
+/// Σ_k L_ik L_jk d_k of two rows, each in increasing order of k.
+fn product<T: Scalar>(row: &[(usize, T)], other: &[(usize, T)], pivots: &[T]) -> T {
+    let mut rest = other.iter().peekable();
+    let mut sum = T::zero();
+    for (k, entry) in row {
+        while rest.next_if(|(index, _)| index < k).is_some() {}
+        if let Some((_, opposite)) = rest.next_if(|(index, _)| index == k) {
+            sum += entry.clone() * opposite.clone() * pivots[*k].clone();
+        }
+    }
+    sum
+}
+
+/// The relative rounding error of a pivot: (n + 1) terms, each with a product and a sum; 0 for rationals.
+fn rounding<T: Scalar>(n: usize) -> T {
+    T::ratio(2 * (n as i64 + 1), 1) * T::spacing()
+}
+
+/// The pivot, if it is positive beyond the rounding of the entry it came from.
+fn definite<T: Scalar>(j: usize, pivot: T, entry: &T, n: usize) -> Result<T> {
+    if pivot > rounding::<T>(n) * entry.magnitude() {
+        return Ok(pivot);
+    }
+    let problem = format!("is not positive definite (pivot {j} is {})", pivot.to_f64());
+    Err(Error::invalid("mass", problem, "every velocity needs a positive inertia"))
+}
+
+/// Whether M has finite numbers on its diagonal and zeros beside it, as that of free bodies in principal axes: most of it need not be looked at again.
+fn is_diagonal<T: Scalar>(mass: &DMatrix<T>) -> bool {
+    let is_finite = |x: &T| (x.clone() - x.clone()).is_zero();
+    let beside = |(j, column): (usize, &[T])| column.iter().enumerate().all(|(i, x)| if i == j { is_finite(x) } else { x.is_zero() });
+    mass.as_slice().chunks_exact(mass.nrows().max(1)).enumerate().all(beside)
+}
+
+fn finite<T: Scalar>(field: &str, matrix: &DMatrix<T>) -> Result<()> {
+    match matrix.iter().find(|x| !((*x).clone() - (*x).clone()).is_zero()) {
+        None => Ok(()),
+        Some(x) => Err(Error::invalid(field, format!("holds {}", x.to_f64()), "use finite numbers")),
+    }
+}
+
+fn symmetric<T: Scalar>(mass: &DMatrix<T>) -> Result<()> {
+    let n = mass.nrows();
+    for i in 0..n {
+        for j in 0..i {
+            let difference = (mass[(i, j)].clone() - mass[(j, i)].clone()).magnitude();
+            let size = mass[(i, i)].magnitude() + mass[(j, j)].magnitude();
+            if difference > rounding::<T>(n) * size {
+                let problem = format!("is not symmetric at ({i}, {j})");
+                return Err(Error::invalid("mass", problem, "a mass matrix equals its transpose"));
+            }
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use moreau_exact::scalar::{Rational, ratio};
+    use nalgebra::dmatrix;
+
+    fn two_by_two() -> (DMatrix<Rational>, DMatrix<Rational>) {
+        let r = |x: i64| ratio(x, 1);
+        (dmatrix![r(2), r(1); r(1), r(3)], dmatrix![r(1), r(0); r(1), r(1); r(2), r(-1)])
+    }
+
+    #[test]
+    fn equals_the_hand_computed_inverse_formula() {
+        let (mass, jacobian) = two_by_two();
+        let inverse = dmatrix![ratio(3, 5), ratio(-1, 5); ratio(-1, 5), ratio(2, 5)];
+        let expected = &jacobian * inverse * jacobian.transpose();
+        assert_eq!(delassus(&mass, &jacobian).expect("M is SPD"), expected);
+    }
+
+    #[test]
+    fn column_j_is_the_velocity_change_of_a_unit_impulse_at_row_j() {
+        let (mass, jacobian) = two_by_two();
+        let w = delassus(&mass, &jacobian).expect("M is SPD");
+        let factor = MassFactor::new(&mass).expect("M is SPD");
+        for j in 0..jacobian.nrows() {
+            let velocity_change = factor.solve(&jacobian.row(j).transpose());
+            assert_eq!(&mass * &velocity_change, jacobian.row(j).transpose(), "M Δv = Hᵀ e_j");
+            assert_eq!(w.column(j).clone_owned(), &jacobian * velocity_change);
+        }
+    }
+
+    #[test]
+    fn floating_point_result_is_symmetric_to_the_last_bit() {
+        let mass = dmatrix![2.0, 0.3; 0.3, 0.7];
+        let jacobian = dmatrix![0.1, 0.2; 0.3, 1.1; -0.7, 0.9];
+        let w = delassus(&mass, &jacobian).expect("M is SPD");
+        assert_eq!(w, w.transpose());
+    }
+
+    #[test]
+    fn refuses_a_mass_that_is_singular_indefinite_asymmetric_or_not_a_number() {
+        let jacobian = dmatrix![1.0, 0.0];
+        for mass in [
+            dmatrix![1.0, 1.0; 1.0, 1.0],
+            dmatrix![1.0, 2.0; 2.0, 1.0],
+            dmatrix![1.0, 0.5; 0.25, 1.0],
+            dmatrix![f64::NAN, 0.0; 0.0, 1.0],
+            dmatrix![f64::INFINITY, 0.0; 0.0, 1.0],
+        ] {
+            let message = delassus(&mass, &jacobian).expect_err("not SPD").to_string();
+            assert!(message.contains("`mass`"), "{message}");
+        }
+        assert!(delassus(&dmatrix![1.0], &jacobian).is_err(), "sizes must fit");
+        assert!(delassus(&dmatrix![1.0], &dmatrix![f64::NAN]).is_err());
+    }
+
+    #[test]
+    fn a_diagonal_mass_is_factored_as_any_other() {
+        let diagonal = dmatrix![2.0, 0.0; 0.0, 0.3];
+        let almost = dmatrix![2.0, f64::MIN_POSITIVE; f64::MIN_POSITIVE, 0.3];
+        let impulse = DVector::from_vec(vec![0.7, -1.1]);
+        assert!(is_diagonal(&diagonal) && !is_diagonal(&almost));
+        let [one, other] = [diagonal, almost].map(|mass| MassFactor::new(&mass).expect("M is SPD").solve(&impulse));
+        assert_eq!(one, other);
+        for bad in [dmatrix![1.0, 0.0; 0.0, 0.0], dmatrix![1.0, 0.0; 0.0, -1.0], dmatrix![f64::NAN, 0.0; 0.0, 1.0]] {
+            assert!(MassFactor::new(&bad).expect_err("not SPD").to_string().contains("`mass`"));
+        }
+    }
+
+    #[test]
+    fn both_sides_of_definiteness_are_decided_exactly_for_rationals() {
+        let tiny = ratio(1, i64::MAX);
+        let near = |shift: Rational| dmatrix![ratio(1, 1), ratio(1, 1); ratio(1, 1), ratio(1, 1) + shift];
+        assert!(MassFactor::new(&near(tiny.clone())).is_ok());
+        assert!(MassFactor::new(&near(-tiny)).is_err());
+    }
+}

@@ -1,0 +1,46 @@
+//! Contact problems, solvers and a certificate that knows none of them.
+//!
+//! For the impulses `r` \[N·s\] and the contact velocities `u` \[m/s\] of one step,
+//! ```text
+//!     u = W r + u_free ,    y = u + shift + R r ,    (r, y) in the contact law .
+//! ```
+//! A [`ContactProblem`] is posed, a [`solvers::ContactSolver`] proposes a [`Solution`], and [`certificate`] says whether it is one, contact by
+//! contact. Symbols, units, signs and component order: [`conventions`].
+//!
+//! A block of 1 kg arrives at 1 m/s, slides at 2 m/s, μ = ½:
+//! ```
+//! use moreau_contact::certificate::residuals;
+//! use moreau_contact::solvers::{ContactSolver, Reference};
+//! use moreau_contact::{ContactProblem, Law};
+//! use nalgebra::{DMatrix, dvector};
+//!
+//! let problem = ContactProblem {
+//!     name: "block".into(),
+//!     rows_per_contact: 2,
+//!     law: Law::Coulomb,
+//!     friction: vec![0.5],
+//!     free_velocity: dvector![-1.0, 2.0],
+//!     shift: dvector![0.0, 0.0],
+//!     delassus: DMatrix::identity(2, 2),
+//!     compliance: None,
+//!     dynamics: None,
+//!     bodies: None,
+//! };
+//! let answer = Reference.solve(&problem, None)?;
+//! assert!(residuals(&problem, &answer)?.is_solution(1e-8)); // r = (1, −½) N·s, u = (0, 3/2) m/s
+//! # Ok::<(), moreau_contact::Error>(())
+//! ```
+
+pub mod certificate;
+pub mod cones;
+pub mod contact;
+pub mod conventions;
+#[cfg(feature = "files")]
+pub mod files;
+pub mod memory;
+pub mod problem;
+pub mod solvers;
+pub mod tolerance;
+
+pub use moreau_exact::{Error, Result};
+pub use problem::{ContactProblem, Law, Solution};

@@ -1,0 +1,71 @@
+//! Memory is asked for before it is taken: what a computation needs is estimated from its sizes and held against one limit.
+//!
+//! The limit belongs to the process, as its memory does; the command line sets it once, before anything else. No result depends on it: a computation within the
+//! limit gives the same answer under every limit.
+
+use crate::tolerance::limits::MEMORY_BYTES;
+use moreau_exact::{Error, Result};
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+
+static LIMIT: AtomicU64 = AtomicU64::new(MEMORY_BYTES);
+
+/// The limit \[bytes\].
+pub fn limit() -> u64 {
+    LIMIT.load(Relaxed)
+}
+
+/// Sets the limit \[bytes\] of this process.
+pub fn set_limit(bytes: u64) {
+    LIMIT.store(bytes, Relaxed);
+}
+
+/// Refuses a computation that needs more than the limit.
+///
+/// # Errors
+/// [`Error::Invalid`] with the size needed and the cure.
+pub fn require(what: &str, bytes: u128) -> Result<()> {
+    require_within(limit(), what, bytes)
+}
+
+fn require_within(limit: u64, what: &str, bytes: u128) -> Result<()> {
+    if bytes <= u128::from(limit) {
+        return Ok(());
+    }
+    let problem = format!("is {}, and {what} needs about {}", size(u128::from(limit)), size(bytes));
+    Err(Error::invalid("--max-memory", problem, format!("take fewer bodies or contacts, or allow {}", allowance(bytes))))
+}
+
+/// Bytes of a dense matrix, without overflow.
+pub fn matrix(rows: usize, columns: usize) -> u128 {
+    (rows as u128).saturating_mul(columns as u128).saturating_mul(8)
+}
+
+/// Bytes for reading, with a unit.
+pub fn size(bytes: u128) -> String {
+    const UNITS: [(&str, u128); 5] = [("TB", 1_000_000_000_000), ("GB", 1_000_000_000), ("MB", 1_000_000), ("kB", 1000), ("B", 1)];
+    let (unit, one) = UNITS.into_iter().find(|(_, one)| bytes >= *one).unwrap_or(("B", 1));
+    if one == 1 { format!("{bytes} B") } else { format!("{:.1} {unit}", bytes as f64 / one as f64) }
+}
+
+/// The next whole number of MB, as the command line takes it.
+fn allowance(bytes: u128) -> String {
+    format!("--max-memory {}MB", bytes.div_ceil(1_000_000))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn as_much_as_the_limit_is_granted_and_a_byte_more_is_not() {
+        assert!(require_within(1000, "a test", 1000).is_ok());
+        let message = require_within(1000, "a test", 1001).expect_err("too much").to_string();
+        assert!(message.contains("a test needs about 1.0 kB") && message.contains("--max-memory 1MB"), "{message}");
+    }
+
+    #[test]
+    fn sizes_have_units_and_do_not_overflow() {
+        assert_eq!([size(999), size(1500), size(23_400_000_000)], ["999 B", "1.5 kB", "23.4 GB"]);
+        assert!(require("a matrix", matrix(usize::MAX, usize::MAX)).is_err());
+    }
+}

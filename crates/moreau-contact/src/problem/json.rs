@@ -1,0 +1,421 @@
+//! Files `contact-problem/1` and `solution/1`.
+//!
+//! ```json
+//! {"schema": "contact-problem/1", "name": "block on the floor", "dimension": 2, "law": "coulomb", "friction": [0.5],
+//!  "free_velocity": [-0.1, 0.2], "shift": [0, 0], "delassus": {"shape": [2, 2], "rows": [[1, 0], [0, 1]]}}
+//! ```
+//! Numbers in SI. `dimension` is the number of rows per contact. A matrix is `rows`, or `triplets` {row, column, value}
+//! counted from 0, each place at most once. Instead of `delassus` a file may give `mass` and `jacobian`. Optional:
+//! `shift` (default 0), `directions` (polyhedral laws), `compliance` {coordinates: contact | edge, diagonal}, `bodies` (the two bodies of each
+//! contact, the ground as null), `provenance` (anything).
+
+use super::{Compliance, ContactProblem, Coordinates, Dynamics, Law, Solution};
+use crate::contact::delassus::delassus;
+use crate::files::{read_json, read_json_within, read_schema, write_atomically};
+use crate::memory;
+use crate::tolerance::problem::DENSE_ENTRIES;
+use moreau_exact::{Error, Result};
+use nalgebra::{DMatrix, DVector};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+
+/// Schema name of a contact problem.
+pub const PROBLEM_SCHEMA: &str = "contact-problem/1";
+/// The text of a problem may take this part of the memory: its numbers and matrices take the rest.
+const TEXT_SHARE: u64 = 4;
+/// A number of a text that is read: in its list, which may be twice as long as it is full, and in its matrix \[bytes\].
+const NUMBER_BYTES: u128 = 24;
+/// Schema name of a solution.
+pub const SOLUTION_SCHEMA: &str = "solution/1";
+
+/// One step's contact problem: u = W r + u_free, y = u + shift + R r, and (r, y) in the law, contact by contact.
+#[derive(Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "ContactProblem", extend("oneOf" = [{"required": ["delassus"]}, {"required": ["mass", "jacobian"]}]))]
+pub struct ProblemFile {
+    /// Always `contact-problem/1`.
+    #[schemars(extend("const" = PROBLEM_SCHEMA))]
+    schema: String,
+    /// A name for messages.
+    name: String,
+    /// Rows per contact: 1 (normal), 2 (normal, tangent) or 3 (normal, tangent 1, tangent 2).
+    #[schemars(range(min = 1, max = 3))]
+    dimension: usize,
+    /// The contact law.
+    #[schemars(extend("enum" = ["frictionless", "coulomb", "associated", "polyhedral-coulomb", "polyhedral-associated"]))]
+    law: String,
+    /// Number of friction directions, of polyhedral laws only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    directions: Option<usize>,
+    /// μ ≥ 0 per contact.
+    friction: Vec<f64>,
+    /// u_free \[m/s\], `dimension` entries per contact.
+    free_velocity: Vec<f64>,
+    /// What the scheme adds for the law \[m/s\]; 0 if absent.
+    #[serde(default)]
+    shift: Option<Vec<f64>>,
+    /// W \[1/kg\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    delassus: Option<MatrixFile>,
+    /// M̂, in place of W.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    mass: Option<MatrixFile>,
+    /// H, with `mass`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    jacobian: Option<MatrixFile>,
+    /// R, of soft contacts.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    compliance: Option<ComplianceFile>,
+    /// The two bodies of each contact, numbered from 0, the ground as null: contacts of one pair are judged by one size.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    bodies: Option<Vec<[Option<usize>; 2]>>,
+    /// How the problem was made; opaque here.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    provenance: Option<serde_json::Value>,
+}
+
+/// A matrix: all its rows, or its entries that are not zero.
+#[derive(Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Matrix", extend("oneOf" = [{"required": ["rows"]}, {"required": ["triplets"]}]))]
+struct MatrixFile {
+    /// Numbers of rows and columns.
+    shape: [usize; 2],
+    /// Row by row.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    rows: Option<Vec<Vec<f64>>>,
+    /// Entry by entry, each place at most once.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    triplets: Option<Triplets>,
+}
+
+/// Places, counted from 0, and values.
+#[derive(Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Triplets {
+    /// Rows of the entries.
+    row: Vec<usize>,
+    /// Their columns.
+    column: Vec<usize>,
+    /// The entries.
+    value: Vec<f64>,
+}
+
+/// Diagonal softness R \[1/kg\].
+#[derive(Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Compliance")]
+struct ComplianceFile {
+    /// Where its entries act: on contact rows, or on the edges of a polyhedral cone.
+    #[schemars(extend("enum" = ["contact", "edge"]))]
+    coordinates: String,
+    /// Its entries, all ≥ 0.
+    diagonal: Vec<f64>,
+}
+
+/// A proposed solution of a contact problem.
+#[derive(Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Solution")]
+pub struct SolutionFile {
+    /// Always `solution/1`.
+    #[schemars(extend("const" = SOLUTION_SCHEMA))]
+    schema: String,
+    /// The problem's name; an answer that names another problem is refused.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    problem: Option<String>,
+    /// r \[N·s\], ordered (normal, tangent 1, tangent 2) per contact.
+    impulse: Vec<f64>,
+    /// u = W r + u_free \[m/s\], without `shift`.
+    velocity: Vec<f64>,
+    /// β of Stewart–Trinkle, or edge impulses \[N·s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    beta: Option<Vec<f64>>,
+    /// σ of Stewart–Trinkle \[m/s\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    sigma: Option<Vec<f64>>,
+    /// The solver's name.
+    #[serde(default)]
+    solver: String,
+    /// Iterations or pivots used.
+    #[serde(default)]
+    iterations: usize,
+    /// Residuals, for people; not trusted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    residuals: Option<serde_json::Value>,
+}
+
+impl ContactProblem {
+    /// Reads and validates a file `contact-problem/1`.
+    ///
+    /// # Errors
+    /// [`Error::Read`], or [`Error::InFile`] around what [`ContactProblem::from_json`] says.
+    pub fn read(file: &Path) -> Result<Self> {
+        let text = read_json_within(file, memory::limit() / TEXT_SHARE, "or allow more with --max-memory")?;
+        Self::from_json(&text).map_err(|error| error.in_file(file))
+    }
+
+    /// Reads and validates the text of a `contact-problem/1`.
+    ///
+    /// # Errors
+    /// [`Error::Json`], or [`Error::Invalid`] naming the field and the cure.
+    pub fn from_json(text: &str) -> Result<Self> {
+        memory::require("reading this problem", NUMBER_BYTES * text.bytes().filter(|byte| *byte == b',').count() as u128)?;
+        let file: ProblemFile = read_schema(text, PROBLEM_SCHEMA)?;
+        if !(1..=3).contains(&file.dimension) {
+            return Err(Error::invalid("dimension", format!("is {}", file.dimension), "use 1 (normal rows only), 2 or 3"));
+        }
+        let rows = file.dimension * file.friction.len();
+        let law = read_law(&file.law, file.directions)?;
+        let (delassus, dynamics) = read_operator(file.delassus, file.mass, file.jacobian, rows)?;
+        let problem = ContactProblem {
+            name: file.name,
+            rows_per_contact: file.dimension,
+            law,
+            friction: file.friction,
+            free_velocity: DVector::from_vec(file.free_velocity),
+            shift: file.shift.map_or_else(|| DVector::zeros(rows), DVector::from_vec),
+            delassus,
+            compliance: file.compliance.map(read_compliance).transpose()?,
+            dynamics,
+            bodies: file.bodies,
+        };
+        problem.validate()?;
+        Ok(problem)
+    }
+
+    /// The problem as text `contact-problem/1`. Mass and Jacobian are written in place of W if W follows from them bit for bit.
+    pub fn to_json(&self) -> String {
+        let dynamics =
+            self.dynamics.as_ref().filter(|Dynamics { mass, jacobian }| delassus(mass, jacobian).is_ok_and(|w| w == self.delassus));
+        let file = ProblemFile {
+            schema: PROBLEM_SCHEMA.into(),
+            name: self.name.clone(),
+            dimension: self.rows_per_contact,
+            law: self.law.name().into(),
+            directions: self.law.directions(),
+            friction: self.friction.clone(),
+            free_velocity: self.free_velocity.as_slice().to_vec(),
+            shift: Some(self.shift.as_slice().to_vec()),
+            delassus: dynamics.is_none().then(|| MatrixFile::dense(&self.delassus)),
+            mass: dynamics.map(|dynamics| MatrixFile::dense(&dynamics.mass)),
+            jacobian: dynamics.map(|dynamics| MatrixFile::dense(&dynamics.jacobian)),
+            compliance: self.compliance.as_ref().map(|compliance| ComplianceFile {
+                coordinates: if compliance.coordinates == Coordinates::Edge { "edge" } else { "contact" }.into(),
+                diagonal: compliance.diagonal.as_slice().to_vec(),
+            }),
+            bodies: self.bodies.clone(),
+            provenance: None,
+        };
+        text(&file)
+    }
+
+    /// Writes the file `contact-problem/1`, completely or not at all.
+    ///
+    /// # Errors
+    /// [`Error::Write`].
+    pub fn write(&self, file: &Path) -> Result<()> {
+        write_atomically(file, self.to_json().as_bytes())
+    }
+}
+
+impl Solution {
+    /// Reads a file `solution/1` that answers this problem; residuals stored in it are not trusted and not kept.
+    ///
+    /// # Errors
+    /// [`Error::Read`], or [`Error::InFile`] around what [`Solution::from_json`] says, or around [`Error::Invalid`] where the file names another problem.
+    pub fn read(file: &Path, problem: &ContactProblem) -> Result<Self> {
+        let answer: Result<SolutionFile> = read_schema(&read_json(file)?, SOLUTION_SCHEMA);
+        answer.and_then(|answer| answer.answers(problem).map(|()| Self::from(answer))).map_err(|error| error.in_file(file))
+    }
+
+    /// Reads the text of a `solution/1`; whether it fits a problem is the certificate's question.
+    ///
+    /// # Errors
+    /// [`Error::Json`], or [`Error::Invalid`] naming the field and the cure.
+    pub fn from_json(text: &str) -> Result<Self> {
+        read_schema::<SolutionFile>(text, SOLUTION_SCHEMA).map(Self::from)
+    }
+
+    /// The solution as text `solution/1`, with the name of its problem and its residuals if given.
+    pub fn to_json(&self, problem: Option<&str>, residuals: Option<serde_json::Value>) -> String {
+        let list = |vector: &DVector<f64>| vector.as_slice().to_vec();
+        text(&SolutionFile {
+            schema: SOLUTION_SCHEMA.into(),
+            problem: problem.map(str::to_string),
+            impulse: list(&self.impulse),
+            velocity: list(&self.velocity),
+            beta: self.beta.as_ref().map(list),
+            sigma: self.sigma.as_ref().map(list),
+            solver: self.solver.clone(),
+            iterations: self.iterations,
+            residuals,
+        })
+    }
+}
+
+impl SolutionFile {
+    /// Refuses an answer to a problem of another name; either may be without one.
+    fn answers(&self, problem: &ContactProblem) -> Result<()> {
+        match self.problem.as_deref() {
+            Some(other) if !other.is_empty() && !problem.name.is_empty() && other != problem.name => {
+                let cure = format!("the problem read is “{}”: give the files that belong together, or leave the name out", problem.name);
+                Err(Error::invalid("problem", format!("is “{other}”"), cure))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl From<SolutionFile> for Solution {
+    fn from(file: SolutionFile) -> Self {
+        Solution {
+            impulse: DVector::from_vec(file.impulse),
+            velocity: DVector::from_vec(file.velocity),
+            beta: file.beta.map(DVector::from_vec),
+            sigma: file.sigma.map(DVector::from_vec),
+            solver: file.solver,
+            iterations: file.iterations,
+        }
+    }
+}
+
+impl MatrixFile {
+    fn dense(matrix: &DMatrix<f64>) -> Self {
+        let rows = matrix.row_iter().map(|row| row.iter().copied().collect()).collect();
+        MatrixFile { shape: [matrix.nrows(), matrix.ncols()], rows: Some(rows), triplets: None }
+    }
+
+    fn read(self, field: &str) -> Result<DMatrix<f64>> {
+        let [nrows, ncols] = self.shape;
+        match (self.rows, self.triplets) {
+            (Some(rows), None) => {
+                if rows.len() != nrows {
+                    return Err(Error::invalid(
+                        format!("{field}.rows"),
+                        format!("has {} rows", rows.len()),
+                        format!("its shape says {nrows}"),
+                    ));
+                }
+                if let Some(k) = rows.iter().position(|row| row.len() != ncols) {
+                    let problem = format!("has {} entries", rows[k].len());
+                    return Err(Error::invalid(format!("{field}.rows[{k}]"), problem, format!("its shape says {ncols}")));
+                }
+                Ok(DMatrix::from_row_iterator(nrows, ncols, rows.into_iter().flatten()))
+            }
+            (None, Some(triplets)) => triplets.read(field, nrows, ncols),
+            _ => Err(Error::invalid(field, "has both or none of `rows` and `triplets`", "give one of them")),
+        }
+    }
+}
+
+impl Triplets {
+    fn read(self, field: &str, nrows: usize, ncols: usize) -> Result<DMatrix<f64>> {
+        let count = self.value.len();
+        if self.row.len() != count || self.column.len() != count {
+            let problem = format!("has {} rows, {} columns and {count} values", self.row.len(), self.column.len());
+            return Err(Error::invalid(format!("{field}.triplets"), problem, "give as many of each"));
+        }
+        if nrows.saturating_mul(ncols) > DENSE_ENTRIES {
+            let problem = format!("has shape {nrows}×{ncols}");
+            return Err(Error::invalid(field, problem, format!("matrices are stored dense, with at most {DENSE_ENTRIES} entries")));
+        }
+        let mut seen = std::collections::HashSet::with_capacity(count);
+        let mut matrix = DMatrix::zeros(nrows, ncols);
+        for (k, ((&i, &j), &value)) in self.row.iter().zip(&self.column).zip(&self.value).enumerate() {
+            for (name, index, size) in [("row", i, nrows), ("column", j, ncols)] {
+                if index >= size {
+                    let cure = format!("indices count from 0 and its shape says {size}");
+                    return Err(Error::invalid(format!("{field}.triplets.{name}[{k}]"), format!("is {index}"), cure));
+                }
+            }
+            if !seen.insert((i, j)) {
+                let problem = format!("repeats the place ({i}, {j})");
+                return Err(Error::invalid(format!("{field}.triplets"), problem, "add the values up and give the place once"));
+            }
+            matrix[(i, j)] = value;
+        }
+        Ok(matrix)
+    }
+}
+
+fn read_law(name: &str, directions: Option<usize>) -> Result<Law> {
+    let law = match name {
+        "frictionless" => Law::Frictionless,
+        "coulomb" => Law::Coulomb,
+        "associated" => Law::Associated,
+        "polyhedral-coulomb" | "polyhedral-associated" => {
+            let directions =
+                directions.ok_or_else(|| Error::invalid("directions", "is missing", format!("the law `{name}` needs their number")))?;
+            return Ok(if name == "polyhedral-coulomb" {
+                Law::PolyhedralCoulomb { directions }
+            } else {
+                Law::PolyhedralAssociated { directions }
+            });
+        }
+        _ => {
+            let cure = "use frictionless, coulomb, associated, polyhedral-coulomb or polyhedral-associated";
+            return Err(Error::invalid("law", format!("is `{name}`"), cure));
+        }
+    };
+    match directions {
+        None => Ok(law),
+        Some(_) => Err(Error::invalid("directions", format!("is given with the law `{name}`"), "leave it out, or use a polyhedral law")),
+    }
+}
+
+fn read_operator(
+    operator: Option<MatrixFile>,
+    mass: Option<MatrixFile>,
+    jacobian: Option<MatrixFile>,
+    rows: usize,
+) -> Result<(DMatrix<f64>, Option<Dynamics>)> {
+    // sizes are compared before a matrix is made, so that a wrong shape cannot ask for all the memory
+    let shape = |field: &str, matrix: &MatrixFile, wanted: [usize; 2]| {
+        let problem = format!("has shape {}×{}", matrix.shape[0], matrix.shape[1]);
+        let cure = format!("{}×{} fits these contacts", wanted[0], wanted[1]);
+        if matrix.shape == wanted { Ok(()) } else { Err(Error::invalid(field, problem, cure)) }
+    };
+    let room = |velocities: usize| {
+        let matrices = [(2, rows, rows), (1, velocities, velocities), (2, rows, velocities)]
+            .map(|(times, n, m)| memory::matrix(n, m).saturating_mul(times));
+        memory::require("the matrices of this problem", matrices.into_iter().fold(0, u128::saturating_add))
+    };
+    match (operator, mass, jacobian) {
+        (Some(operator), None, None) => {
+            shape("delassus", &operator, [rows, rows])?;
+            room(0)?;
+            Ok((operator.read("delassus")?, None))
+        }
+        (None, Some(mass), Some(jacobian)) => {
+            let velocities = mass.shape[0];
+            if mass.triplets.as_ref().is_some_and(|triplets| triplets.value.len() < velocities) {
+                return Err(Error::invalid("mass", "has an empty row", "every velocity needs a positive inertia"));
+            }
+            shape("mass", &mass, [velocities, velocities])?;
+            shape("jacobian", &jacobian, [rows, velocities])?;
+            room(velocities)?;
+            let dynamics = Dynamics { mass: mass.read("mass")?, jacobian: jacobian.read("jacobian")? };
+            Ok((delassus(&dynamics.mass, &dynamics.jacobian)?, Some(dynamics)))
+        }
+        _ => Err(Error::invalid("delassus", "must be given alone, or `mass` together with `jacobian`", "give one of the two")),
+    }
+}
+
+fn read_compliance(file: ComplianceFile) -> Result<Compliance> {
+    let coordinates = match file.coordinates.as_str() {
+        "contact" => Coordinates::Contact,
+        "edge" => Coordinates::Edge,
+        other => return Err(Error::invalid("compliance.coordinates", format!("is `{other}`"), "use `contact` or `edge`")),
+    };
+    Ok(Compliance { coordinates, diagonal: DVector::from_vec(file.diagonal) })
+}
+
+fn text(file: &impl Serialize) -> String {
+    serde_json::to_string(file).expect("numbers, strings and lists always have a JSON form") + "\n"
+}
+
+#[cfg(test)]
+#[path = "json_tests.rs"]
+mod tests;

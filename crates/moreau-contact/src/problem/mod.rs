@@ -1,0 +1,18 @@
+//! The narrow waist: what every scheme builds, every solver solves and every certificate judges.
+//!
+//! This module imports no solver and no scheme.
+
+mod contact_problem;
+#[cfg(feature = "files")]
+mod json;
+mod law;
+mod lcp;
+mod solution;
+pub mod stewart_trinkle;
+
+pub use contact_problem::{Compliance, ContactProblem, Coordinates, Dynamics};
+#[cfg(feature = "files")]
+pub use json::{ProblemFile, SolutionFile};
+pub use law::Law;
+pub use lcp::Lcp;
+pub use solution::Solution;

@@ -1,0 +1,199 @@
+//! The convex laws through the interior-point solver Clarabel, polished and judged.
+//!
+//! ```text
+//!     min ½ rᵀ(W + R)r + (u_free + shift)ᵀr     over (μ r_n, r_t) in the second-order cone of each contact .
+//! ```
+//! An interior-point answer is inside the cones by its tolerance, which a relative stopping test leaves at 1e-9 to 1e-5 of
+//! the natural map; projected Gauss–Seidel from there identifies stick, slip and separation exactly. Neither is
+//! believed: both are judged by the certificate, the better one is returned, and a polishing that did not help is named
+//! in the answer.
+
+use super::{ContactSolver, ProjectedGaussSeidel};
+use crate::certificate::{Residuals, residuals};
+use crate::cones::polyhedral::edge;
+use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
+use crate::tolerance::solvers as tolerance;
+use ::clarabel::algebra::CscMatrix;
+use ::clarabel::solver::SupportedConeT::{self, NonnegativeConeT, SecondOrderConeT, ZeroConeT};
+use ::clarabel::solver::{DefaultSettingsBuilder, DefaultSolver, IPSolver};
+use moreau_exact::{Error, Result};
+use nalgebra::{DMatrix, DVector};
+
+/// Clarabel followed by projected Gauss–Seidel, for the frictionless, associated and polyhedral associated laws; W must be symmetric.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ClarabelPolished;
+
+/// An interior-point answer before and after polishing.
+#[derive(Clone, Debug)]
+pub struct Polished {
+    /// The better of the two answers.
+    pub solution: Solution,
+    /// Residuals of Clarabel's answer.
+    pub before: Residuals,
+    /// Residuals of the polished answer.
+    pub after: Residuals,
+}
+
+impl Polished {
+    /// Whether polishing made the natural map smaller, or left it at zero.
+    pub fn improved(&self) -> bool {
+        self.after.natural_map < self.before.natural_map || self.after.natural_map == 0.0
+    }
+}
+
+const NAME: &str = "clarabel";
+
+impl ContactSolver for ClarabelPolished {
+    fn name(&self) -> &'static str {
+        NAME
+    }
+
+    /// The warm start is not used: the interior-point method has none.
+    fn solve(&self, problem: &ContactProblem, _warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+        self.solve_judged(problem).map(|polished| polished.solution)
+    }
+}
+
+impl ClarabelPolished {
+    /// The answer with the residuals before and after polishing.
+    ///
+    /// # Errors
+    /// [`Error::Solver`] for another law, an asymmetric W, or if Clarabel ends without numbers (an unbounded problem has no solution).
+    pub fn solve_judged(&self, problem: &ContactProblem) -> Result<Polished> {
+        problem.validate()?;
+        super::require_symmetry(NAME, problem)?;
+        match problem.law {
+            Law::Frictionless | Law::Associated => {}
+            Law::PolyhedralAssociated { directions } => return through_edges(problem, directions),
+            law => return Err(super::not_convex(NAME, law)),
+        }
+        let (impulse, iterations) = interior_point(problem)?;
+        let answer = |impulse: DVector<f64>, solver: &str, iterations| {
+            let velocity = problem.velocity(&impulse);
+            Solution { impulse, velocity, beta: None, sigma: None, solver: solver.into(), iterations }
+        };
+        let raw = answer(impulse, "clarabel, where polishing did not help", iterations);
+        let before = residuals(problem, &raw)?;
+        let polish = ProjectedGaussSeidel { sweeps: tolerance::POLISHING_SWEEPS, ..ProjectedGaussSeidel::default() };
+        let smooth = polish.solve(problem, Some(&raw.impulse))?;
+        let after = residuals(problem, &smooth)?;
+        let mut polished = Polished { solution: answer(smooth.impulse, NAME, iterations + smooth.iterations), before, after };
+        if !polished.improved() {
+            polished.solution = raw;
+        }
+        Ok(polished)
+    }
+}
+
+/// Clarabel's r and its iterations, on data scaled to size one.
+fn interior_point(problem: &ContactProblem) -> Result<(DVector<f64>, usize)> {
+    let operator = problem.law_delassus();
+    let data = &problem.free_velocity + &problem.shift;
+    let (stiffness, speed) = (operator.amax(), data.amax());
+    if speed == 0.0 {
+        return Ok((DVector::zeros(problem.rows()), 0));
+    }
+    if stiffness == 0.0 {
+        return Err(Error::solver(NAME, "W + R is zero, so no impulse changes any velocity"));
+    }
+    let n = problem.rows();
+    let quadratic = upper_triangle(&(operator / stiffness));
+    let linear: Vec<f64> = data.iter().map(|q| q / speed).collect();
+    let (constraint, cones) = cones(problem);
+    let settings = DefaultSettingsBuilder::default()
+        .verbose(false)
+        .max_threads(1)
+        .tol_gap_abs(tolerance::CLARABEL)
+        .tol_gap_rel(tolerance::CLARABEL)
+        .tol_feas(tolerance::CLARABEL)
+        .build()
+        .map_err(|error| Error::solver(NAME, error.to_string()))?;
+    let mut solver = DefaultSolver::new(&quadratic, &linear, &constraint, &vec![0.0; n], &cones, settings)
+        .map_err(|error| Error::solver(NAME, error.to_string()))?;
+    solver.solve();
+    let solution = &solver.solution;
+    let impulse = DVector::from_iterator(n, solution.x.iter().map(|r| r * speed / stiffness));
+    let infeasible = format!("{:?}", solution.status).contains("Infeasible");
+    if infeasible || impulse.iter().any(|r| !r.is_finite()) {
+        return Err(Error::solver(NAME, format!("ended with status {:?}", solution.status)));
+    }
+    Ok((impulse, solution.iterations as usize))
+}
+
+/// s = −constraint · r in the product of `cones`: (μ r_n, r_t) second order, or r_n ≥ 0 and r_t = 0 without friction.
+fn cones(problem: &ContactProblem) -> (CscMatrix<f64>, Vec<SupportedConeT<f64>>) {
+    let (n, rows) = (problem.rows(), problem.rows_per_contact);
+    let mut diagonal = vec![-1.0; n];
+    let mut cones = Vec::new();
+    for (k, &mu) in problem.friction.iter().enumerate() {
+        if problem.law == Law::Frictionless || mu == 0.0 {
+            cones.push(NonnegativeConeT(1));
+            if rows > 1 {
+                cones.push(ZeroConeT(rows - 1));
+            }
+        } else {
+            // scaling the cone's vector changes nothing; its largest coefficient is 1 either way
+            let scale = mu.max(1.0);
+            diagonal[k * rows] = -mu / scale;
+            (1..rows).for_each(|row| diagonal[k * rows + row] = -1.0 / scale);
+            cones.push(SecondOrderConeT(rows));
+        }
+    }
+    (CscMatrix::new(n, n, (0..=n).collect(), (0..n).collect(), diagonal), cones)
+}
+
+fn upper_triangle(matrix: &DMatrix<f64>) -> CscMatrix<f64> {
+    let n = matrix.nrows();
+    let mut starts = vec![0];
+    let (mut rows, mut values) = (Vec::new(), Vec::new());
+    for column in 0..n {
+        for row in 0..=column {
+            rows.push(row);
+            values.push(matrix[(row, column)]);
+        }
+        starts.push(rows.len());
+    }
+    CscMatrix::new(n, n, starts, rows, values)
+}
+
+/// The polyhedral associated law is frictionless contact along the edges: f ≥ 0, r = G f, W_edge = GᵀWG.
+fn through_edges(problem: &ContactProblem, directions: usize) -> Result<Polished> {
+    let edges = edge_problem(problem, directions);
+    let generators = edge_generators(problem, directions);
+    let mut polished = ClarabelPolished.solve_judged(&edges)?;
+    let impulse = &generators * &polished.solution.impulse;
+    let velocity = problem.velocity(&impulse);
+    let beta = Some(polished.solution.impulse);
+    polished.solution = Solution { impulse, velocity, beta, ..polished.solution };
+    Ok(polished)
+}
+
+/// G, whose columns are the edges n + μDⱼ of every contact.
+fn edge_generators(problem: &ContactProblem, directions: usize) -> DMatrix<f64> {
+    let rows = problem.rows_per_contact;
+    DMatrix::from_fn(problem.rows(), directions * problem.contacts(), |row, column| {
+        let (contact, j) = (column / directions, column % directions);
+        if row / rows == contact { edge(j, directions, problem.friction[contact])[row % rows] } else { 0.0 }
+    })
+}
+
+fn edge_problem(problem: &ContactProblem, directions: usize) -> ContactProblem {
+    let generators = edge_generators(problem, directions);
+    let edges = generators.ncols();
+    let compliance = problem.compliance.clone().filter(|compliance| compliance.coordinates == Coordinates::Edge);
+    // a contact compliance is part of the edge operator, so that the edge problem itself is hard
+    let operator = if compliance.is_some() { problem.delassus.clone() } else { problem.law_delassus() };
+    let delassus = generators.tr_mul(&(operator * &generators));
+    ContactProblem {
+        name: format!("{}, along its edges", problem.name),
+        rows_per_contact: 1,
+        law: Law::Frictionless,
+        friction: vec![0.0; edges],
+        free_velocity: generators.tr_mul(&problem.free_velocity),
+        shift: generators.tr_mul(&problem.shift),
+        delassus: (&delassus + delassus.transpose()) * 0.5,
+        compliance: compliance.map(|Compliance { diagonal, .. }| Compliance { coordinates: Coordinates::Contact, diagonal }),
+        dynamics: None,
+        bodies: None,
+    }
+}

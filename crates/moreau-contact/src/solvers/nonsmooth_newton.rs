@@ -1,0 +1,319 @@
+//! Nonsmooth Newton on Alart and Curnier's equations, which are the certificate's natural map in two parts:
+//!
+//! ```text
+//!     a = r_n − ρ_n w ,   z = r_t − ρ_t y_t ,   R = μ max(a, 0) ,   y = A r + q ,   A = W + compliance
+//!     F_n = r_n − max(a, 0) ,      F_t = r_t − P_R(z) ,      J d = −F ,   r ← r + s d
+//!     w = y_n ,   or y_n − μ max { s·(−y_t) : s ∈ S } for the associated laws
+//! ```
+//! with P_R the projection on R·S, S the disk or the polygon of the law (`friction_set.rs`). With a polygon F is piecewise linear, and the right piece ends it.
+//!
+//! Where contacts do not change between open, sticking and sliding the error squares in every step; far from a solution nothing is promised. So it goes on from
+//! what sweeps have found, and ends problems on which they creep: a box on four corners, whose W has rank six of twelve.
+//!
+//! **Rank.** Several impulses give one velocity, and J is singular along them. η on the diagonal of the rows that ask for a velocity makes it regular, holds back the
+//! step along the null space, and leaves the zeros of F alone. A large η keeps contacts from changing their state for nothing, a small one squares the error at the end;
+//! they are tried in turn, each with steps s = 1, ½, ¼, …, until ‖F‖ is halved; else the least ‖F‖ is taken, even a larger one: a cycle is left by a jump. Which cycle an
+//! iteration ends in depends on η: other ones start again. The best iterate, by the certificate's residual, is returned.
+//!
+//! # Source
+//! Alart and Curnier, *A mixed formulation for frictional contact problems prone to Newton like solution methods*, Comput. Methods Appl. Mech. Eng. 92 (1991).
+
+use super::ContactSolver;
+use super::friction_set::{FrictionSet, Piece};
+use super::stopping::Stopping;
+use crate::certificate::Judge;
+use crate::problem::{ContactProblem, Coordinates, Law, Solution};
+use crate::tolerance::solvers as tolerance;
+use moreau_exact::{Error, Result};
+use nalgebra::{DMatrix, DVector};
+
+/// Nonsmooth Newton for every law, compliance on edges excepted; W may be asymmetric and rank deficient.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NonsmoothNewton {
+    /// Step limit of each start.
+    pub steps: usize,
+    /// Relative residual at which it stops.
+    pub tolerance: f64,
+}
+
+impl Default for NonsmoothNewton {
+    fn default() -> Self {
+        NonsmoothNewton { steps: tolerance::NONSMOOTH_STEPS, tolerance: tolerance::STOP }
+    }
+}
+
+const NAME: &str = "nonsmooth-newton";
+
+impl ContactSolver for NonsmoothNewton {
+    fn name(&self) -> &'static str {
+        NAME
+    }
+
+    fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+        problem.validate()?;
+        if !NonsmoothNewton::takes(problem) {
+            return Err(Error::solver(NAME, "does not solve a compliance on edges, of which the impulse is not a function; use `lemke`"));
+        }
+        let equations = Equations::new(problem);
+        let mut stopping = Stopping::new(problem, self.tolerance);
+        let start = super::start(problem, warm_start)?;
+        let mut best = (f64::INFINITY, start.clone());
+        let mut steps = 0;
+        for proximals in tolerance::NONSMOOTH_PROXIMALS {
+            let (mut impulse, mut least, mut mark, mut since) = (start.clone(), f64::INFINITY, f64::INFINITY, 0);
+            for _ in 0..=self.steps {
+                let law_velocity = problem.law_velocity(&impulse);
+                let relative = stopping.relative(&impulse, &law_velocity);
+                since += 1;
+                least = least.min(relative);
+                if least < 0.5 * mark {
+                    (mark, since) = (least, 0);
+                }
+                if relative < best.0 {
+                    best = (relative, impulse.clone());
+                }
+                let patience = if least <= tolerance::ACCEPTABLE { tolerance::NONSMOOTH_ENDED } else { tolerance::NONSMOOTH_STALLED };
+                if relative <= self.tolerance || since >= patience {
+                    break;
+                }
+                let Some(next) = equations.step(&impulse, &law_velocity, proximals) else { break };
+                impulse = next;
+                steps += 1;
+            }
+            if best.0 <= self.tolerance.max(tolerance::ACCEPTABLE) {
+                break;
+            }
+        }
+        let impulse = best.1;
+        let velocity = problem.velocity(&impulse);
+        super::finite(Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations: steps })
+    }
+}
+
+impl NonsmoothNewton {
+    /// Whether the law of this problem is a function of impulse and velocity.
+    pub fn takes(problem: &ContactProblem) -> bool {
+        problem.compliance.as_ref().is_none_or(|compliance| compliance.coordinates == Coordinates::Contact)
+    }
+}
+
+/// F and J of a problem.
+struct Equations<'a> {
+    problem: &'a ContactProblem,
+    /// S of every contact.
+    set: FrictionSet,
+    operator: DMatrix<f64>,
+    /// ρ_n, ρ_t per contact \[kg\].
+    weights: Vec<[f64; 2]>,
+}
+
+impl<'a> Equations<'a> {
+    fn new(problem: &'a ContactProblem) -> Self {
+        let set = match problem.law.directions() {
+            Some(directions) if problem.rows_per_contact == 3 => FrictionSet::Polygon { directions },
+            _ => FrictionSet::Disk,
+        };
+        Equations { problem, set, operator: problem.law_delassus(), weights: Judge::weights(problem) }
+    }
+
+    /// r + s d with the first η and s that halve ‖F‖, or else those with the least; none where every d is not a number.
+    fn step(&self, from: &DVector<f64>, law_velocity: &DVector<f64>, proximals: &[f64]) -> Option<DVector<f64>> {
+        let mut best: Option<(f64, DVector<f64>)> = None;
+        for &proximal in proximals {
+            let (residual, jacobian) = self.linearise(from, law_velocity, proximal);
+            let enough = 0.5 * residual.norm();
+            let Some(direction) = jacobian.lu().solve(&-residual).filter(|d| d.iter().all(|x| x.is_finite())) else { continue };
+            for halvings in 0..tolerance::NONSMOOTH_HALVINGS {
+                let tried = from + &direction * 0.5f64.powi(halvings);
+                let norm = self.residual(&tried, &self.problem.law_velocity(&tried)).norm();
+                if best.as_ref().is_none_or(|(least, _)| norm < *least) {
+                    best = Some((norm, tried));
+                }
+                if norm <= enough {
+                    return best.map(|(_, impulse)| impulse);
+                }
+            }
+        }
+        best.map(|(_, impulse)| impulse)
+    }
+
+    /// F(r).
+    fn residual(&self, impulse: &DVector<f64>, law_velocity: &DVector<f64>) -> DVector<f64> {
+        let mut residual = DVector::zeros(self.problem.rows());
+        (0..self.problem.contacts()).for_each(|k| self.contact(k, [impulse, law_velocity], &mut residual, None));
+        residual
+    }
+
+    /// F(r) and J(r) with η, y = A r + q given.
+    fn linearise(&self, impulse: &DVector<f64>, law_velocity: &DVector<f64>, proximal: f64) -> (DVector<f64>, DMatrix<f64>) {
+        let size = self.problem.rows();
+        let (mut residual, mut jacobian) = (DVector::zeros(size), DMatrix::zeros(size, size));
+        for k in 0..self.problem.contacts() {
+            self.contact(k, [impulse, law_velocity], &mut residual, Some((&mut jacobian, proximal)));
+        }
+        (residual, jacobian)
+    }
+
+    /// The rows of contact k of F and, if asked for, of J with its η.
+    fn contact(
+        &self,
+        k: usize,
+        [impulse, law_velocity]: [&DVector<f64>; 2],
+        residual: &mut DVector<f64>,
+        jacobian: Option<(&mut DMatrix<f64>, f64)>,
+    ) {
+        let (rows, [rho_n, rho_t]) = (self.problem.rows_per_contact, self.weights[k]);
+        let (normal, mu) = (k * rows, super::cone_friction(self.problem, k));
+        let tangent = |vector: &DVector<f64>, i: usize| if i + 1 < rows { vector[normal + 1 + i] } else { 0.0 };
+        let [r_t, y_t] = [impulse, law_velocity].map(|vector| [tangent(vector, 0), tangent(vector, 1)]);
+        let associated = matches!(self.problem.law, Law::Associated | Law::PolyhedralAssociated { .. });
+        let lifted = if associated { self.set.against(y_t).map(|share| mu * share) } else { [0.0; 2] };
+        let w = law_velocity[normal] + lifted[0] * y_t[0] + lifted[1] * y_t[1];
+        let a = impulse[normal] - rho_n * w;
+        let presses = a > 0.0;
+        residual[normal] = if presses { rho_n * w } else { impulse[normal] };
+        let radius = mu * a.max(0.0);
+        let piece = self.set.piece(radius, [r_t[0] - rho_t * y_t[0], r_t[1] - rho_t * y_t[1]]);
+        // F_t = (I − A) r_t + A ρ_t y_t − g R, without the difference of two numbers as large as r_t where the contact sticks
+        for i in 0..rows - 1 {
+            let moved = |j: usize| piece.stays(i, j) * r_t[j] + piece.along[i][j] * rho_t * y_t[j];
+            residual[normal + 1 + i] = (0..rows - 1).map(moved).sum::<f64>() - piece.growth[i] * radius;
+        }
+        if let Some((jacobian, proximal)) = jacobian {
+            self.slopes(k, presses, lifted, &piece, jacobian, proximal);
+        }
+    }
+
+    /// The rows of contact k of J.
+    fn slopes(&self, k: usize, presses: bool, lifted: [f64; 2], piece: &Piece, jacobian: &mut DMatrix<f64>, proximal: f64) {
+        let (rows, [rho_n, rho_t]) = (self.problem.rows_per_contact, self.weights[k]);
+        let (normal, mu) = (k * rows, super::cone_friction(self.problem, k));
+        // ∂w/∂r
+        let mut slope = self.operator.row(normal).into_owned();
+        for (i, share) in lifted.into_iter().enumerate().filter(|(_, share)| *share != 0.0) {
+            slope += self.operator.row(normal + 1 + i) * share;
+        }
+        if presses {
+            jacobian.row_mut(normal).copy_from(&(&slope * rho_n));
+        }
+        jacobian[(normal, normal)] += if presses { proximal } else { 1.0 };
+        for i in 0..rows - 1 {
+            let mut changed = jacobian.row_mut(normal + 1 + i);
+            for j in 0..rows - 1 {
+                let (column, moves) = (normal + 1 + j, piece.along[i][j]);
+                changed += self.operator.row(column) * (moves * rho_t);
+                changed[column] += piece.stays(i, j) + moves * proximal;
+            }
+            if presses {
+                // −g μ ∂a/∂r
+                changed += &slope * (piece.growth[i] * mu * rho_n);
+                changed[normal] -= piece.growth[i] * mu;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certificate::residuals;
+    use crate::contact::delassus::delassus;
+    use crate::problem::{Compliance, Dynamics};
+    use crate::solvers::{AlternatingDirections, LemkePivoting, ProjectedGaussSeidel};
+    use crate::tolerance::certificate::CERTIFY;
+    use nalgebra::dmatrix;
+
+    /// A cube of 1 kg and edge 2 m on four corners, pushed sideways and turned about the vertical: rank six of twelve.
+    fn four_corners(law: Law, sideways: f64, turning: f64) -> ContactProblem {
+        let mut jacobian = DMatrix::zeros(12, 6);
+        for (k, [x, y]) in [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]].into_iter().enumerate() {
+            let rows = dmatrix![
+                0.0, 0.0, 1.0, y, -x, 0.0;
+                1.0, 0.0, 0.0, 0.0, -1.0, -y;
+                0.0, 1.0, 0.0, 1.0, 0.0, x
+            ];
+            jacobian.rows_mut(3 * k, 3).copy_from(&rows);
+        }
+        let mass = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 1.0, 1.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0]));
+        let free = DVector::from_vec(vec![sideways, 0.0, -1.0, 0.0, 0.0, turning]);
+        ContactProblem {
+            name: "four corners".into(),
+            rows_per_contact: 3,
+            law,
+            friction: vec![0.5; 4],
+            free_velocity: &jacobian * free,
+            shift: DVector::zeros(12),
+            delassus: delassus(&mass, &jacobian).unwrap(),
+            compliance: None,
+            dynamics: Some(Dynamics { mass, jacobian }),
+            bodies: Some(vec![[Some(0), None]; 4]),
+        }
+    }
+
+    #[test]
+    fn it_finishes_what_sweeps_began_where_the_impulses_are_not_unique() {
+        for law in [Law::Frictionless, Law::Coulomb, Law::Associated, Law::PolyhedralCoulomb { directions: 6 }] {
+            for (sideways, turning) in [(0.1, 0.0), (2.0, 0.0), (0.5, 1.0), (0.3, -3.0)] {
+                let problem = four_corners(law, sideways, turning);
+                let begun = ProjectedGaussSeidel { sweeps: 20, ..Default::default() }.solve(&problem, None).unwrap();
+                let solution = NonsmoothNewton::default().solve(&problem, Some(&begun.impulse)).unwrap();
+                assert!(residuals(&problem, &solution).unwrap().is_solution(tolerance::ENOUGH), "{law:?} {sideways} {turning}");
+                if matches!(law, Law::Frictionless | Law::Associated) {
+                    // several impulses, one velocity; Coulomb's law may have several of these too
+                    let other = AlternatingDirections::default().solve(&problem, None).unwrap();
+                    assert!((&other.velocity - &solution.velocity).amax() <= CERTIFY, "{law:?} {sideways} {turning}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_jacobian_is_the_derivative_of_the_equations() {
+        let step = crate::tolerance::cones::DIFFERENCE_STEP;
+        let polygons = [Law::PolyhedralCoulomb { directions: 5 }, Law::PolyhedralAssociated { directions: 8 }];
+        for law in [Law::Frictionless, Law::Coulomb, Law::Associated].into_iter().chain(polygons) {
+            let problem = four_corners(law, 0.7, 0.9);
+            let equations = Equations::new(&problem);
+            let eta = tolerance::NONSMOOTH_PROXIMALS[0][1];
+            let at = |impulse: &DVector<f64>| equations.linearise(impulse, &problem.law_velocity(impulse), eta);
+            // one contact presses and sticks or slides, one is open
+            let impulse = DVector::from_vec(vec![0.4, -0.05, 0.02, 0.3, -0.1, -0.1, -0.8, 0.0, 0.0, 0.1, 0.3, 0.2]);
+            let (_, jacobian) = at(&impulse);
+            for column in 0..12 {
+                let shifted = |by: f64| {
+                    let mut moved = impulse.clone();
+                    moved[column] += by;
+                    at(&moved).0
+                };
+                let slope = (shifted(step) - shifted(-step)) / (2.0 * step);
+                let bound = eta + crate::tolerance::cones::difference_error(0.05, 4.0);
+                assert!((jacobian.column(column) - slope).amax() <= bound, "{law:?} column {column}");
+            }
+        }
+    }
+
+    #[test]
+    fn polyhedral_laws_end_where_lemke_ends() {
+        for law in [Law::PolyhedralCoulomb { directions: 8 }, Law::PolyhedralAssociated { directions: 4 }] {
+            for (sideways, turning) in [(0.1, 0.0), (2.0, 0.0), (0.5, 1.0), (0.3, -3.0)] {
+                let problem = four_corners(law, sideways, turning);
+                let round = if matches!(law, Law::PolyhedralCoulomb { .. }) { Law::Coulomb } else { Law::Associated };
+                let begun = ProjectedGaussSeidel { sweeps: 20, ..Default::default() };
+                let begun = begun.solve(&ContactProblem { law: round, ..problem.clone() }, None).unwrap();
+                let solution = NonsmoothNewton::default().solve(&problem, Some(&begun.impulse)).unwrap();
+                assert!(residuals(&problem, &solution).unwrap().is_solution(tolerance::ENOUGH), "{law:?} {sideways} {turning}");
+                let lemke = LemkePivoting.solve(&problem, None).unwrap();
+                if law == (Law::PolyhedralAssociated { directions: 4 }) {
+                    assert!((&lemke.velocity - &solution.velocity).amax() <= CERTIFY, "{law:?} {sideways} {turning}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn compliance_on_edges_is_refused_by_name() {
+        let mut problem = four_corners(Law::PolyhedralAssociated { directions: 4 }, 0.1, 0.0);
+        problem.compliance = Some(Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(16, 1.0) });
+        assert!(NonsmoothNewton::default().solve(&problem, None).unwrap_err().to_string().contains("lemke"));
+    }
+}

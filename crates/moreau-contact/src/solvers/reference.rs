@@ -1,0 +1,353 @@
+//! The solver to use when nothing is said, and solvers by name.
+
+#[cfg(feature = "clarabel")]
+use super::ClarabelPolished;
+use super::{AcceleratedProjectedGradient, AlternatingDirections, BarzilaiBorwein, ContactSolver, LemkePivoting};
+use super::{
+    GaussConjugateGradient, GaussNewton, GaussSweeps, NonsmoothNewton, ProjectedGaussSeidel, ProjectedOverRelaxation, SemiAnalyticPrimal,
+    SequentialImpulses,
+};
+use crate::certificate::Judge;
+use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
+use crate::tolerance::solvers as tolerance;
+use crate::tolerance::solvers::{ACCEPTABLE, ENOUGH};
+use moreau_exact::{Error, Result};
+use nalgebra::DVector;
+
+/// The names [`by_name`] knows.
+pub const NAMES: [&str; 14] = [
+    "auto",
+    "lemke",
+    "pgs",
+    "psor",
+    "apgd",
+    "bb",
+    "admm",
+    "nonsmooth-newton",
+    "clarabel",
+    "newton",
+    "cg",
+    "gauss-pgs",
+    "sap",
+    "sequential-impulses",
+];
+
+/// The default choice: one algorithm after another, in a fixed order, until the certificate's residuals are below [`ENOUGH`], after the first of nonsmooth Newton
+/// below [`ACCEPTABLE`]; otherwise the best answer seen.
+///
+/// | for | algorithm |
+/// |---|---|
+/// | soft contacts | Newton on Gauss's principle |
+/// | all but a compliance on edges | a few accelerated sweeps, and nonsmooth Newton from what they found, until [`ENOUGH`] |
+/// | the same without the polyhedral associated law in space | more accelerated sweeps, and Newton |
+/// | all but a compliance on edges | Newton from zero; Newton on contacts that are soft at first and then harder and harder |
+/// | second-order cones | plain sweeps, and Newton from what they found |
+/// | second-order cones and a symmetric W | a few steps of the alternating directions, and Newton |
+/// | one row, the plane, polyhedral laws, no friction; not too many contacts | Lemke |
+/// | second-order cones, not too many contacts | Lemke with an octagon, then a pentagon, in place of the disk, and Newton |
+/// | second-order cones and a symmetric W | many steps of the alternating directions, and Newton |
+/// | second-order cones | over-relaxation |
+/// | polyhedral Coulomb in space | plain sweeps |
+/// | the associated law | accelerated projected gradient, Clarabel |
+///
+/// Each starts from the best answer of those before. The order and the numbers of iterations are fixed, so that the same problem has the same answer on
+/// every machine; no clock is asked. The answer names the algorithm it came from, with the iterations of all.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Reference;
+
+/// Whether an algorithm is for a problem.
+type Takes = fn(&ContactProblem) -> bool;
+
+/// One algorithm of [`Reference`], from the impulses to start from.
+type Stage = fn(&ContactProblem, Option<&DVector<f64>>) -> Result<Solution>;
+
+/// The algorithms with the problems they are for, in order, that cost little: they go on until [`ENOUGH`].
+const QUICK: &[(Takes, Stage)] = &[
+    (|problem| problem.compliance.is_some(), |problem, start| GaussNewton::default().solve(problem, start)),
+    (is_iterated, few_sweeps),
+    (is_iterated, newton),
+];
+
+/// Those that follow where the answer is not good enough yet for the certificate, [`ACCEPTABLE`].
+const THOROUGH: &[(Takes, Stage)] = &[
+    (is_swept, more_sweeps),
+    (is_swept, newton),
+    (is_iterated, |problem, _| newton(problem, None)),
+    (is_iterated, through_softness),
+    (has_second_order_cone, |problem, start| {
+        ProjectedGaussSeidel { sweeps: tolerance::PLAIN_SWEEPS, ..Default::default() }.solve(problem, start)
+    }),
+    (has_second_order_cone, newton),
+    (has_second_order_cone, |problem, start| {
+        AlternatingDirections { iterations: tolerance::FIRST_ALTERNATIONS, ..Default::default() }.solve(problem, start)
+    }),
+    (has_second_order_cone, newton),
+    (is_pivoted, |problem, _| LemkePivoting.solve(problem, None)),
+    (is_round, |problem, _| through_polygon(problem, tolerance::LEMKE_DIRECTIONS[0])),
+    (is_round, |problem, _| through_polygon(problem, tolerance::LEMKE_DIRECTIONS[1])),
+    (has_second_order_cone, |problem, start| AlternatingDirections::default().solve(problem, start)),
+    (has_second_order_cone, newton),
+    (has_second_order_cone, |problem, start| {
+        ProjectedOverRelaxation { sweeps: tolerance::AUTO_SWEEPS, ..Default::default() }.solve(problem, start)
+    }),
+    (
+        |problem| problem.rows_per_contact == 3 && matches!(problem.law, Law::PolyhedralCoulomb { .. }),
+        |problem, start| ProjectedGaussSeidel { sweeps: tolerance::AUTO_SWEEPS, ..Default::default() }.solve(problem, start),
+    ),
+    (|problem| problem.law == Law::Associated, |problem, start| AcceleratedProjectedGradient::default().solve(problem, start)),
+    #[cfg(feature = "clarabel")]
+    (is_convex, |problem, _| ClarabelPolished.solve(problem, None)),
+];
+
+/// Laws of a convex program, the interior point's.
+fn is_convex(problem: &ContactProblem) -> bool {
+    matches!(problem.law, Law::Associated | Law::PolyhedralAssociated { .. })
+}
+
+/// The algorithms for this problem that the features of this build left out, in words for the answer's solver; empty if none.
+fn left_out(problem: &ContactProblem) -> &'static str {
+    if is_convex(problem) && !cfg!(feature = "clarabel") { " (not tried: clarabel, a feature of moreau-contact)" } else { "" }
+}
+
+/// All but a compliance on edges.
+fn is_iterated(problem: &ContactProblem) -> bool {
+    NonsmoothNewton::takes(problem)
+}
+
+/// What sweeps solve of it: in the plane the polyhedral laws with two directions are those of the round cones.
+fn is_swept(problem: &ContactProblem) -> bool {
+    is_iterated(problem) && (problem.rows_per_contact == 2 || !matches!(problem.law, Law::PolyhedralAssociated { .. }))
+}
+
+fn has_second_order_cone(problem: &ContactProblem) -> bool {
+    problem.law.directions().is_none()
+}
+
+fn newton(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solution> {
+    NonsmoothNewton::default().solve(problem, start)
+}
+
+/// Whether Lemke's pivots are not too many here, or nothing else is for the problem.
+fn is_pivoted(problem: &ContactProblem) -> bool {
+    LemkePivoting::takes(problem)
+        && (!is_iterated(problem) || unknowns(problem, problem.law.directions().unwrap_or(2)) <= tolerance::LEMKE_UNKNOWNS)
+}
+
+/// Whether no linear complementarity problem is equivalent, and that of a polygon is not too large.
+fn is_round(problem: &ContactProblem) -> bool {
+    let small = unknowns(problem, tolerance::LEMKE_DIRECTIONS[0]) <= tolerance::POLYGON_UNKNOWNS;
+    has_second_order_cone(problem) && !LemkePivoting::takes(problem) && small
+}
+
+/// How many λ, β and σ there are with this many directions.
+fn unknowns(problem: &ContactProblem, directions: usize) -> usize {
+    (2 + directions) * problem.contacts()
+}
+
+/// Newton's method on softer contacts, W + α/ρ in place of W, from soft to hard, α = 1, ¼, …: each answer is near the next, and where none is the last one is.
+fn through_softness(problem: &ContactProblem, _: Option<&DVector<f64>>) -> Result<Solution> {
+    let (weights, mut softer) = (Judge::weights(problem), problem.clone());
+    let (rows, mut impulse, mut iterations) = (problem.rows_per_contact, None, 0);
+    for alpha in tolerance::softnesses() {
+        let added = |row: usize| alpha / weights[row / rows][usize::from(!row.is_multiple_of(rows))];
+        let diagonal = DVector::from_fn(problem.rows(), |row, _| super::compliance(problem, row) + added(row));
+        softer.compliance = Some(Compliance { coordinates: Coordinates::Contact, diagonal });
+        let solver = NonsmoothNewton { steps: tolerance::SOFT_STEPS, tolerance: ENOUGH };
+        let solution = solver.solve(&softer, impulse.as_ref())?;
+        iterations += solution.iterations;
+        impulse = Some(solution.impulse);
+    }
+    let ended = newton(problem, impulse.as_ref())?;
+    Ok(Solution { iterations: iterations + ended.iterations, ..ended })
+}
+
+/// Lemke on a polygon in place of the disk, which tells which contacts press, stick and slide, and Newton from there.
+fn through_polygon(problem: &ContactProblem, directions: usize) -> Result<Solution> {
+    let law = if problem.law == Law::Associated { Law::PolyhedralAssociated { directions } } else { Law::PolyhedralCoulomb { directions } };
+    let begun = LemkePivoting.solve(&ContactProblem { law, ..problem.clone() }, None)?;
+    let ended = newton(problem, Some(&begun.impulse))?;
+    Ok(Solution { iterations: begun.iterations + ended.iterations, ..ended })
+}
+
+fn few_sweeps(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solution> {
+    swept(problem, start, tolerance::FEW_SWEEPS)
+}
+
+/// Where Lemke ends the problem, sweeps are not worth more than it.
+fn more_sweeps(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solution> {
+    swept(problem, start, if has_second_order_cone(problem) { tolerance::AUTO_SWEEPS } else { tolerance::FIRST_SWEEPS })
+}
+
+/// Accelerated sweeps; of the round cone where the law has none of its own, which in the plane is the same one and in space tells which contacts press.
+fn swept(problem: &ContactProblem, start: Option<&DVector<f64>>, sweeps: usize) -> Result<Solution> {
+    let solver = ProjectedGaussSeidel { sweeps, ..ProjectedGaussSeidel::accelerated() };
+    let round = match problem.law {
+        Law::PolyhedralCoulomb { .. } if problem.rows_per_contact == 2 => Law::Coulomb,
+        Law::PolyhedralAssociated { .. } => Law::Associated,
+        _ => return solver.solve(problem, start),
+    };
+    solver.solve(&ContactProblem { law: round, ..problem.clone() }, start)
+}
+
+impl ContactSolver for Reference {
+    fn name(&self) -> &'static str {
+        "auto"
+    }
+
+    fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+        problem.validate()?;
+        let (mut judge, mut iterations) = (Judge::default(), 0);
+        let mut best: Option<(f64, Solution)> = None;
+        let mut failure = None;
+        let stages = QUICK.iter().map(|stage| (stage, ENOUGH)).chain(THOROUGH.iter().map(|stage| (stage, ACCEPTABLE)));
+        for ((takes, stage), enough) in stages {
+            if best.as_ref().is_some_and(|(least, _)| *least <= enough) {
+                break;
+            }
+            if !takes(problem) {
+                continue;
+            }
+            let start = best.as_ref().map(|(_, solution)| &solution.impulse).or(warm_start);
+            let solution = match stage(problem, start) {
+                Ok(solution) => solution,
+                Err(error) => {
+                    failure = failure.or(Some(error));
+                    continue;
+                }
+            };
+            iterations += solution.iterations;
+            let relative = judge.judge(problem, &solution)?.relative();
+            let better = !relative.is_nan() && best.as_ref().is_none_or(|(least, _)| relative < *least);
+            if better {
+                best = Some((relative, solution));
+            }
+        }
+        match (best, failure) {
+            (Some((relative, solution)), _) => {
+                let untried = if relative <= ACCEPTABLE { "" } else { left_out(problem) };
+                Ok(Solution { iterations, solver: solution.solver + untried, ..solution })
+            }
+            (None, Some(error)) => Err(error),
+            (None, None) => {
+                let reason = "no algorithm gave an answer made of numbers; rescale the units of the problem";
+                Err(Error::solver(self.name(), format!("{reason}{}", left_out(problem))))
+            }
+        }
+    }
+}
+
+/// The solver of this name with its default settings.
+///
+/// # Errors
+/// [`Error::Unsupported`] lists the names there are.
+pub fn by_name(name: &str) -> Result<Box<dyn ContactSolver>> {
+    match name {
+        "auto" => Ok(Box::new(Reference)),
+        "lemke" => Ok(Box::new(LemkePivoting)),
+        "apgd" => Ok(Box::new(AcceleratedProjectedGradient::default())),
+        "bb" => Ok(Box::new(BarzilaiBorwein::default())),
+        "admm" => Ok(Box::new(AlternatingDirections::default())),
+        "nonsmooth-newton" => Ok(Box::new(NonsmoothNewton::default())),
+        "psor" => Ok(Box::new(ProjectedOverRelaxation::default())),
+        #[cfg(feature = "clarabel")]
+        "clarabel" => Ok(Box::new(ClarabelPolished)),
+        #[cfg(not(feature = "clarabel"))]
+        "clarabel" => Err(Error::Unsupported("this program was built without the feature `clarabel` of moreau-contact".into())),
+        "sap" => Ok(Box::new(SemiAnalyticPrimal)),
+        "sequential-impulses" => Ok(Box::new(SequentialImpulses::default())),
+        "pgs" => Ok(Box::new(ProjectedGaussSeidel::default())),
+        "newton" => Ok(Box::new(GaussNewton::default())),
+        "cg" => Ok(Box::new(GaussConjugateGradient::default())),
+        "gauss-pgs" => Ok(Box::new(GaussSweeps::default())),
+        _ => Err(Error::Unsupported(format!("there is no solver `{name}`; use one of {}", NAMES.join(", ")))),
+    }
+}
+
+/// The solver of this name with another limit of its iterations, from 1 to [`tolerance::MOST_ITERATIONS`]; with its own if none is given.
+///
+/// # Errors
+/// [`Error::Unsupported`] lists the names there are; [`Error::Invalid`] if the limit is outside its range, or if the solver has none.
+pub fn with_iterations(name: &str, iterations: Option<usize>) -> Result<Box<dyn ContactSolver>> {
+    let Some(limit) = iterations else { return by_name(name) };
+    if !(1..=tolerance::MOST_ITERATIONS).contains(&limit) {
+        let cure = format!("use a number from 1 to {}", tolerance::MOST_ITERATIONS);
+        return Err(Error::invalid("iterations", format!("is {limit}"), cure));
+    }
+    Ok(match name {
+        "apgd" => Box::new(AcceleratedProjectedGradient { iterations: limit, ..Default::default() }),
+        "bb" => Box::new(BarzilaiBorwein { iterations: limit, ..Default::default() }),
+        "admm" => Box::new(AlternatingDirections { iterations: limit, ..Default::default() }),
+        "nonsmooth-newton" => Box::new(NonsmoothNewton { steps: limit, ..Default::default() }),
+        "psor" => Box::new(ProjectedOverRelaxation { sweeps: limit, ..Default::default() }),
+        "sequential-impulses" => Box::new(SequentialImpulses { sweeps: limit, ..Default::default() }),
+        "pgs" => Box::new(ProjectedGaussSeidel { sweeps: limit, ..Default::default() }),
+        "newton" => Box::new(GaussNewton { steps: limit, ..Default::default() }),
+        "cg" => Box::new(GaussConjugateGradient { steps: limit, ..Default::default() }),
+        "gauss-pgs" => Box::new(GaussSweeps { sweeps: limit, ..Default::default() }),
+        _ => {
+            let solver = by_name(name)?;
+            return Err(Error::invalid("iterations", format!("is given to `{}`, which has no such limit", solver.name()), "leave it out"));
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certificate::residuals;
+    use crate::contact::delassus::delassus;
+    use nalgebra::DMatrix;
+
+    /// n points of one planar body of 1 kg along its lower side, closing at 1 m/s while it slides and turns: rank three of 2 n.
+    fn points(n: usize, law: Law) -> ContactProblem {
+        let mut jacobian = DMatrix::zeros(2 * n, 3);
+        for k in 0..n {
+            let x = 2.0 * k as f64 / (n as f64 - 1.0) - 1.0;
+            jacobian.row_mut(2 * k).copy_from_slice(&[0.0, 1.0, x]);
+            jacobian.row_mut(2 * k + 1).copy_from_slice(&[1.0, 0.0, 1.0]);
+        }
+        let mass = DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 1.0, 0.5]));
+        ContactProblem {
+            name: "points".into(),
+            rows_per_contact: 2,
+            law,
+            friction: vec![0.3; n],
+            free_velocity: &jacobian * DVector::from_row_slice(&[0.7, -1.0, 0.4]),
+            shift: DVector::zeros(2 * n),
+            delassus: delassus(&mass, &jacobian).unwrap(),
+            compliance: None,
+            dynamics: None,
+            bodies: Some(vec![[Some(0), None]; n]),
+        }
+    }
+
+    #[test]
+    fn softer_contacts_lead_to_the_answer_of_the_hard_ones() {
+        for law in [Law::Frictionless, Law::Coulomb, Law::Associated, Law::PolyhedralCoulomb { directions: 2 }] {
+            let problem = points(4, law);
+            let solution = through_softness(&problem, None).unwrap();
+            assert!(residuals(&problem, &solution).unwrap().is_solution(ENOUGH), "{law:?}");
+            let other = LemkePivoting.solve(&problem, None).unwrap();
+            assert!((&other.velocity - &solution.velocity).amax() <= crate::tolerance::certificate::CERTIFY, "{law:?}");
+        }
+    }
+
+    #[test]
+    fn many_contacts_are_not_pivoted_unless_nothing_else_is_for_them() {
+        let fits = tolerance::LEMKE_UNKNOWNS / 4;
+        let polyhedral = |n: usize| points(n, Law::PolyhedralCoulomb { directions: 2 });
+        assert!(is_pivoted(&polyhedral(fits)) && !is_pivoted(&polyhedral(fits + 1)));
+        let mut soft = points(fits + 1, Law::PolyhedralAssociated { directions: 2 });
+        soft.compliance = Some(Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(2 * (fits + 1), 1.0) });
+        assert!(is_pivoted(&soft), "edges that give way are a linear complementarity problem and nothing else");
+    }
+
+    #[test]
+    fn every_listed_name_is_a_solver_of_that_name_and_others_get_the_list() {
+        for name in NAMES {
+            assert_eq!(by_name(name).unwrap().name(), name);
+        }
+        let message = by_name("gauss").err().unwrap().to_string();
+        assert!(NAMES.iter().all(|name| message.contains(name)), "{message}");
+    }
+}

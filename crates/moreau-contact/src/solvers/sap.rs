@@ -1,0 +1,125 @@
+//! Semi-analytic primal: the associated law with compliance R > 0 solved in velocities, without constraints.
+//!
+//! ```text
+//!     K ∋ r ⟂ y = u + shift + R r ∈ K*   ⇔   r = argmin_{K} ½ ‖r − ŷ‖²_R ,   ŷ = −R⁻¹ (u + shift) ,
+//!     ℓ(u) = ½ ‖r(u)‖²_R ,   min ½ ‖v − v_free‖²_M + Σ ℓ_i(u_i) .
+//! ```
+//! The projection is analytic because R_t is the same for both tangents. With z = R^½ ŷ it is the Euclidean one on K with μ̃ = μ √(R_t/R_n), so that
+//! ```text
+//!     ‖ŷ_t‖ ≤ μ ŷ_n                 sticks      r = ŷ
+//!     ŷ_n ≤ −μ̂ ‖ŷ_t‖               opens       r = 0                                             μ̂ = μ R_t/R_n
+//!     otherwise                     slips       r_n = (ŷ_n + μ̂ ‖ŷ_t‖)/(1 + μ̃²) ,  r_t = μ r_n ŷ_t/‖ŷ_t‖ .
+//! ```
+//! # Source
+//! Castro, Permenter and Han, *An unconstrained convex formulation of compliant contact* (2022), §III and §IV; Drake's `SapSolver`.
+
+use super::ContactSolver;
+use super::primal_newton::{Potential, minimise};
+use crate::cones::second_order;
+use crate::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law, Solution};
+use moreau_exact::tolerance::rounding;
+use moreau_exact::{Error, Result};
+use nalgebra::{DMatrix, DVector};
+
+/// Newton's method on the primal of a compliant convex step, with exact line search.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SemiAnalyticPrimal;
+
+const NAME: &str = "sap";
+
+impl ContactSolver for SemiAnalyticPrimal {
+    fn name(&self) -> &'static str {
+        NAME
+    }
+
+    fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+        problem.validate()?;
+        if !matches!(problem.law, Law::Frictionless | Law::Associated) {
+            return Err(super::not_convex(NAME, problem.law));
+        }
+        super::require_symmetry(NAME, problem)?;
+        let potential = Projection::of(problem)?;
+        let dynamics = dynamics(problem);
+        let start = super::start(problem, warm_start)?;
+        let mass = dynamics.mass.clone().cholesky().ok_or_else(|| Error::solver(NAME, "needs a positive definite mass matrix"))?;
+        let start = mass.solve(&dynamics.jacobian.tr_mul(&start));
+        let minimum = minimise(NAME, &dynamics, &problem.free_velocity, problem.rows_per_contact, &potential, start)?;
+        let velocity = problem.velocity(&minimum.impulse);
+        super::finite(Solution {
+            impulse: minimum.impulse,
+            velocity,
+            beta: None,
+            sigma: None,
+            solver: NAME.into(),
+            iterations: minimum.iterations,
+        })
+    }
+}
+
+/// M and H of the problem; without them 1 and W^½, which give the same W.
+fn dynamics(problem: &ContactProblem) -> Dynamics {
+    if let Some(known) = &problem.dynamics {
+        return known.clone();
+    }
+    let eigen = ((&problem.delassus + problem.delassus.transpose()) * 0.5).symmetric_eigen();
+    let root = DMatrix::from_diagonal(&eigen.eigenvalues.map(|value| value.max(0.0).sqrt()));
+    Dynamics { mass: DMatrix::identity(problem.rows(), problem.rows()), jacobian: eigen.eigenvectors * root }
+}
+
+/// ℓ of every contact, by its scaled cone.
+struct Projection<'a> {
+    problem: &'a ContactProblem,
+    /// (√R_n, √R_t, μ̃) per contact.
+    scaled: Vec<[f64; 3]>,
+}
+
+impl<'a> Projection<'a> {
+    fn of(problem: &'a ContactProblem) -> Result<Self> {
+        let Some(Compliance { coordinates: Coordinates::Contact, diagonal }) = &problem.compliance else {
+            return Err(Error::solver(NAME, "needs a compliance R > 0 in contact coordinates; use `pgs` or `clarabel` for a hard contact"));
+        };
+        let scaled = |(contact, part): (usize, &[f64])| {
+            let friction = if problem.law == Law::Frictionless { 0.0 } else { problem.friction[contact] };
+            // without friction no tangential row carries an impulse
+            let tangential = if friction > 0.0 { part[1] } else { part[0] };
+            if part[0] <= 0.0 || tangential <= 0.0 {
+                return Err(Error::solver(NAME, format!("needs R > 0, and contact {contact} has R = {part:?}")));
+            }
+            if friction > 0.0 && part[1..].iter().any(|other| (other - tangential).abs() > rounding(4, tangential)) {
+                return Err(Error::solver(NAME, format!("needs one R_t for both tangents, and contact {contact} has R = {part:?}")));
+            }
+            Ok([part[0].sqrt(), tangential.sqrt(), friction * (tangential / part[0]).sqrt()])
+        };
+        let scaled = diagonal.as_slice().chunks(problem.rows_per_contact).enumerate().map(scaled).collect::<Result<Vec<_>>>()?;
+        Ok(Projection { problem, scaled })
+    }
+
+    /// √R of a row of the contact.
+    fn root(&self, contact: usize, row: usize) -> f64 {
+        self.scaled[contact][usize::from(row > 0)]
+    }
+
+    /// z = −R^{−½} (u + shift).
+    fn point(&self, contact: usize, velocity: &[f64]) -> Vec<f64> {
+        let first = contact * self.problem.rows_per_contact;
+        let entry = |(row, u): (usize, &f64)| -(u + self.problem.shift[first + row]) / self.root(contact, row);
+        velocity.iter().enumerate().map(entry).collect()
+    }
+}
+
+impl Potential for Projection<'_> {
+    fn impulse(&self, contact: usize, velocity: &[f64]) -> DVector<f64> {
+        let mut point = self.point(contact, velocity);
+        second_order::project(&mut point, self.scaled[contact][2]);
+        DVector::from_fn(point.len(), |row, _| point[row] / self.root(contact, row))
+    }
+
+    fn curvature(&self, contact: usize, velocity: &[f64]) -> DMatrix<f64> {
+        let jacobian = second_order::projection_jacobian(&self.point(contact, velocity), self.scaled[contact][2]);
+        DMatrix::from_fn(velocity.len(), velocity.len(), |i, j| jacobian[(i, j)] / (self.root(contact, i) * self.root(contact, j)))
+    }
+}
+
+#[cfg(all(test, feature = "clarabel"))]
+#[path = "sap_tests.rs"]
+mod tests;

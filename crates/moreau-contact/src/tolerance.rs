@@ -1,0 +1,9 @@
+//! Tolerances of problem, certificate and solvers, each with the reason it has the value it has.
+//!
+//! A tolerance is a rounding bound ([`moreau_exact::tolerance`]), a stopping rule with its reason, or a limit of sizes.
+
+pub mod certificate;
+pub mod cones;
+pub mod limits;
+pub mod problem;
+pub mod solvers;

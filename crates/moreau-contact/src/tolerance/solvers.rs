@@ -1,0 +1,257 @@
+//! Tolerances of [`crate::solvers`].
+
+use moreau_exact::scalar::Scalar;
+use moreau_exact::tolerance::EPSILON;
+
+/// A difference a − b of tableau entries with |a| + |b| = `magnitude` is rounding, hence zero, up to this size.
+///
+/// An entry of a tableau with n rows is an entry of B⁻¹A for a basis B, a sum of n products; its two parts carry
+/// relative errors of up to 2 n ε each ([`moreau_exact::tolerance::rounding`]). Zero for exact rationals, where only 0 is 0.
+pub fn cancellation<T: Scalar>(rows: usize, magnitude: T) -> T {
+    T::ratio(2 * rows as i64, 1) * T::spacing() * magnitude
+}
+
+/// Smallest entry that may become a pivot in a tableau B⁻¹A scaled to entries of order one, √ε.
+///
+/// A pivot p multiplies the condition of the basis by up to 1/p, and with it the relative error ε of the next tableau,
+/// which is computed afresh from the data: at p = √ε half of the digits are left, below it an entry cannot be told from
+/// the error ε/p of a basis whose last pivot was p. Zero for exact rationals.
+pub fn smallest_pivot<T: Scalar>() -> T {
+    if T::spacing().is_zero() { T::zero() } else { T::ratio(1, 1 << 26) }
+}
+
+/// Size up to which an entry of such a tableau is zero for the choice of pivots, √ε: the error ε·cond(B) of a basis as badly
+/// conditioned as [`smallest_pivot`] admits, cond(B) = 1/√ε. Zero for exact rationals.
+pub fn tableau_zero<T: Scalar>() -> T {
+    smallest_pivot()
+}
+
+/// Pivots after which Lemke's method on rounded numbers is declared to cycle.
+///
+/// Lexicographic pivoting repeats no basis in exact arithmetic, so exact runs have no limit. On contact problems
+/// the count is a small multiple of n; ten times n pivots can only mean that rounding has broken the order, and each costs n³. The
+/// limit never decides about a solution: it turns an endless loop into an error, and another covering vector is tried.
+pub fn lemke_pivot_limit<T: Scalar>(size: usize) -> usize {
+    if T::spacing().is_zero() { usize::MAX } else { 10 * (size + 1) }
+}
+
+/// Relative natural map at which iterations stop, 2¹²·ε ≈ 9.1e-13: the rounding floor of u = W r + b is 2nε relative to the terms
+/// of a row, so this is above the floor up to n ≈ 2000 rows and four decimal digits below the default of the certificate.
+pub const STOP: f64 = 4096.0 * EPSILON;
+
+/// Sweep limit of projected Gauss–Seidel. On a chain of n bodies a sweep contracts by cos²(π/(n+1)) ≈ 1 − π²/n², so that 100 000
+/// sweeps reach [`STOP`] = e⁻²⁸ for n ≤ 180.
+pub const SWEEPS: usize = 100_000;
+
+/// Most iterations that a user may ask for, ten million: a hundred times [`SWEEPS`]; what needs more needs another algorithm.
+pub const MOST_ITERATIONS: usize = 100 * SWEEPS;
+
+/// Sweeps that Anderson's acceleration remembers: a chain of n bodies has n slow modes, and ten are the piles in view.
+pub const MEMORY: usize = 10;
+
+/// Size relative to itself below which what is left of a difference of sweeps after orthogonalisation is rounding, √ε.
+pub const DEPENDENT: f64 = 1.0 / 67_108_864.0;
+
+/// Sweeps tried before a polyhedral problem goes to Lemke: about as many operations as one factorisation of its tableau with the
+/// (2 + d) n unknowns, 8·1000 n² against 2·1000 n³/3 for d = 8, for the tens of contacts a step has.
+pub const FIRST_SWEEPS: usize = 1000;
+
+/// Relative residual, 2⁻³⁴ ≈ 5.8e-11, with which `auto` takes an answer whose iteration has stalled above [`STOP`]: the geometric middle
+/// between [`STOP`]
+/// and the default of the certificate, so that what it takes is accepted with two digits to spare.
+pub const ENOUGH: f64 = 1.0 / (1u64 << 34) as f64;
+
+/// Relative residual, 2⁻²⁸ ≈ 3.7e-9, with which `auto` spares the algorithms that cost most: less than half of the default of the
+/// certificate.
+pub const ACCEPTABLE: f64 = 1.0 / (1u64 << 28) as f64;
+
+/// Relative residual 2⁻²⁰ below which the rounding of y is worth a pass over W: above it rounding decides only where impulses cancel to a
+/// millionth, and [`FRESH_ROUNDING`] sees to that.
+pub const NEAR_SOLUTION: f64 = 1.0 / 1_048_576.0;
+
+/// Calls after which the rounding of y is computed anew in any case; a sixteenth of the cost of the sweeps between.
+pub const FRESH_ROUNDING: usize = 16;
+
+/// Factor within which impulses are of one size: the rounding of y, proportional to them, is then known within it, and only the work
+/// until the next fresh one depends on that.
+pub const SAME_SIZE: f64 = 2.0;
+
+/// By how much an extrapolated iterate may exceed the best residual seen before it is dropped: two. Residuals of an accelerated iteration
+/// oscillate, and one
+/// that doubles in every step has left the piece on which the iteration is affine.
+pub const GROWTH: f64 = 2.0;
+
+/// Sweeps over n contacts without halving the residual after which plain sweeps have stalled: a chain of n bodies contracts by
+/// cos²(π/(n+1)) ≈ 1 − π²/n² a sweep,
+/// which halves the residual in (ln 2/π²) n² sweeps, fewer than 1000 (1 + n) for n < 14 000.
+pub fn stalled(contacts: usize) -> usize {
+    FIRST_SWEEPS * (1 + contacts)
+}
+
+/// The same for accelerated sweeps, which need about one sweep for each of the n slow modes of the chain and its memory again for each
+/// change of a contact's state.
+pub fn accelerated_stalled(contacts: usize) -> usize {
+    MEMORY * (MEMORY + contacts)
+}
+
+/// Steps of the nonsmooth Newton method: a step changes the state of some contact or squares the error. A limit against endless loops.
+pub const NONSMOOTH_STEPS: usize = 100;
+
+/// Steps in a row that do not halve the residual after which it is cycling: three times the states of a contact (open, sticking, sliding)
+/// for each of a handful of
+/// contacts at the border of two states. Only work depends on it.
+pub const NONSMOOTH_STALLED: usize = 40;
+
+/// The same once an iterate is below [`ACCEPTABLE`]: there the error squares, and three steps that do not bring it down have met rounding.
+pub const NONSMOOTH_ENDED: usize = 3;
+
+/// Lengths 1, ½, ¼ of a step that are tried: what a quarter of it does not bring nearer, the other η may.
+pub const NONSMOOTH_HALVINGS: i32 = 3;
+
+/// The η on the diagonal of J, whose entries are of order one, start by start. An error falls by η/σ a step, σ the smallest singular
+/// value of J that is not rounding, and what
+/// rounding or a state that is not final leaves moves the step along the null space by its 1/η-fold: from 2⁻¹² to 2⁻²⁰ such an error
+/// stays a small step, with 2⁻⁴⁰ the last steps
+/// square what is left. The zeros of F are the same for all; only whether and when they are found depends on them.
+pub const NONSMOOTH_PROXIMALS: [&[f64]; 3] = {
+    const fn half(exponent: u32) -> f64 {
+        1.0 / (1u64 << exponent) as f64
+    }
+    [&[half(16), half(40)], &[half(20)], &[half(12), half(16), half(40)]]
+};
+
+/// Iterations of the alternating directions from one look at the certificate to the next: a look costs about half an iteration.
+pub const LOOK: usize = 8;
+
+/// Directions of the polygons that Lemke solves in place of a round cone, one after the other, from which Newton's method goes on: an
+/// octagon, whose friction is within
+/// 1 − cos(π/8) = 8 % of the round one, and a pentagon, whose sides lie elsewhere. Only the states of the contacts are taken from them.
+pub const LEMKE_DIRECTIONS: [usize; 2] = [8, 5];
+
+/// Unknowns of the linear complementarity problems that `auto` pivots, λ, β and σ of 20 contacts with eight directions: some 2n pivots
+/// with 2n³/3 operations each are 2·10⁹ there,
+/// and sixteen times as many for twice the contacts. `lemke` by name has no such limit.
+pub const LEMKE_UNKNOWNS: usize = 200;
+
+/// The same for a polygon in place of a round cone, where Lemke is not the last resort: 3·10⁸ operations, what the alternating directions
+/// that follow take for as many contacts.
+pub const POLYGON_UNKNOWNS: usize = 128;
+
+/// The compliances α of contacts that are made harder, in units of their own W: from as soft as the bodies themselves to
+/// √[`f64::EPSILON`], below which Newton's η is no smaller.
+/// A quarter of it is nearer than a contact's states change, mostly.
+pub fn softnesses() -> impl Iterator<Item = f64> {
+    (0..14).map(|k| 0.25f64.powi(k))
+}
+
+/// Newton's steps on a softer contact, whose answer is only a start.
+pub const SOFT_STEPS: usize = 12;
+
+/// Accelerated sweeps that `auto` spends before it goes on to other algorithms, and sweeps of over-relaxation after them.
+pub const AUTO_SWEEPS: usize = 20 * FIRST_SWEEPS;
+
+/// Accelerated sweeps before Newton's method is tried, as many as the acceleration remembers: they tell which contacts press. Easy
+/// contacts are solved by them, and
+/// for n contacts Newton's ten steps or so are worth 10 n of them.
+pub const FEW_SWEEPS: usize = MEMORY;
+
+/// Plain sweeps that `auto` spends where accelerated ones have stalled: what they do not bring near a solution is left to the others.
+pub const PLAIN_SWEEPS: usize = 2 * FIRST_SWEEPS;
+
+/// Iterations of the alternating directions within `auto` before Newton's method goes on from them: they tell sticking from sliding long
+/// before they converge.
+pub const FIRST_ALTERNATIONS: usize = FIRST_SWEEPS;
+
+/// Steps of the accelerated projected gradient: its bound 2LR²/(k+1)² reaches the relative objective error 2⁻³⁴ at k = 2¹⁷·√2; what
+/// needs more is ill conditioned and left to the other solvers.
+pub const GRADIENT_STEPS: usize = 200_000;
+
+/// Iterations of the alternating directions: each costs a triangular solve, two matrix products, so that 100 000 are worth what
+/// [`GRADIENT_STEPS`] are; what needs more is left to the other solvers.
+pub const ALTERNATIONS: usize = 100_000;
+
+/// Proximal weight η of the alternating directions in units of the mean diagonal entry of W + R: Pinocchio's default, a millionth, which
+/// leaves
+/// the fixed points alone and makes a singular W definite.
+pub const ADMM_PROXIMAL: f64 = 1e-6;
+
+/// Bounds of the penalty ρ in the same units, Pinocchio's: a millionth and a million keep ten digits of W in W + ρI.
+pub const PENALTIES: (f64, f64) = (1e-6, 1e6);
+
+/// How far the primal residual of the alternating directions may exceed the dual one, or the other way round, before ρ changes: ten, as
+/// in the
+/// literature and in Pinocchio. Only the number of iterations depends on it.
+pub const BALANCE: f64 = 10.0;
+
+/// Past values of the objective that a Barzilai–Borwein step must stay below: ten, as Birgin, Martínez and Raydan take. Only the number
+/// of steps depends on it.
+pub const PAST_VALUES: usize = 10;
+
+/// Share γ of the predicted fall that a Barzilai–Borwein step must achieve, 10⁻⁴ as there; any γ < ½ is met by the exact minimum along
+/// the direction.
+pub const ARMIJO: f64 = 1e-4;
+
+/// Relative asymmetry max|W − Wᵀ|/max|W| up to which W counts as symmetric: the rounding of sums of 1000 products, 2000 ε ≈ 4e-13.
+pub const SYMMETRY: f64 = 2000.0 * EPSILON;
+
+/// Stopping tolerances asked of Clarabel. Its default 1e-8 leaves natural maps up to 2e-5, and near 1e-14 it breaks down;
+/// the answer is polished and judged in any case.
+pub const CLARABEL: f64 = 1e-10;
+
+/// How far the velocities y of two answers to one convex problem may differ \[m/s\], when their natural maps are e₁ and e₂ and
+/// `residual` = ‖e₁‖ + ‖e₂‖, `impulses` = ‖r₁ − r₂‖ + ‖e₁‖ + ‖e₂‖, `norm` ≥ ‖W + R‖, `rho` = smallest ρ.
+///
+/// p_i = r_i − e_i is the projection of r_i − ρy_i, so ⟨e_i − ρy_i, p_j − p_i⟩ ≤ 0; the sum of the two is
+/// ρ⟨Δy, Δp⟩ ≤ ⟨Δe, Δp⟩. With Δy = (W + R)Δr: ‖Δy‖² ≤ norm·ΔrᵀΔy ≤ norm·residual·(impulses/ρ + ‖Δy‖), a quadratic
+/// inequality for ‖Δy‖ whose larger root is at most `b + √c`, b = norm·residual, c = b·impulses/ρ. A ρ that varies between contacts weighs
+/// them, which the smallest one covers.
+pub fn agreement(norm: f64, residual: f64, impulses: f64, rho: f64) -> f64 {
+    let linear = norm * residual;
+    linear + (linear * impulses / rho).sqrt()
+}
+
+/// Sweeps that polish an interior-point answer. It identifies which contacts stick, slide and open; where that is right a few sweeps
+/// finish, and 2000 are worth what one interior-point solve costs.
+pub const POLISHING_SWEEPS: usize = 2000;
+
+/// Relative weight 2⁻²⁰ of the proximal term of a rank-deficient diagonal block: the factorised block keeps 52 − 20 bits, and every
+/// sweep reduces the error of the stiff directions by 2⁻²⁰.
+pub const PROXIMAL: f64 = 1.0 / 1_048_576.0;
+
+/// Steps of a bracketed root search in \[0, 1\] that halves at least every third step: 3·53 until neighbours, and as many again
+/// for roots down to 2⁻¹⁰⁶.
+pub const ROOT_STEPS: usize = 2 * 3 * 53;
+
+/// Slope of a line search relative to that at its start at which a step is exact, 2⁻⁴⁰: the step is off by less than that part of itself,
+/// and Newton's method squares its error only down to 2⁻⁴⁰ of the last one, below what a solution needs after two steps.
+pub const LINE_SLOPE: f64 = 1.0 / (1u64 << 40) as f64;
+
+/// Steps of Newton's method on a soft convex problem; each changes the zone of at least one contact or squares the error. A limit
+/// against endless loops, not a part of any bound.
+pub const NEWTON_STEPS: usize = 200;
+
+/// Fall of the cost ½ΔᵀMΔ + s, relative to it, that is more than rounding, 2⁻⁴²: a sum of at most 500 squares has the relative error
+/// 2·500 ε.
+pub const COST_FLOOR: f64 = 1.0 / (1u64 << 42) as f64;
+
+/// Steps of Newton's method in a row that reduce neither cost nor gradient after which rounding is all that is left: a step with an exact
+/// line search reduces the cost, unless it is as small as rounding; three leave room for one bad draw.
+pub const NEWTON_STALLED: usize = 3;
+
+/// Steps of conjugate gradients: on a quadratic with condition κ ≤ 10⁶ an error falls by e⁻²⁸ = [`STOP`] in 14 √κ = 14 000.
+pub const CONJUGATE_STEPS: usize = 14_000;
+
+/// The same for conjugate gradients, whose gradient does not fall in every step: nv directions make one round, and nv is about 100 at
+/// most here.
+pub const CONJUGATE_STALLED: usize = 100;
+
+/// Relative gradient, √ε, from which on a smooth convex step is in the phase in which Newton's method squares its error: the next
+/// gradient is at
+/// the rounding floor, and one that does not fall has met it.
+pub const NEAR_MINIMUM: f64 = 1.0 / 67_108_864.0;
+
+/// Steps of its line search: bisection alone halves a bracket 53 times until its ends are neighbours.
+pub const LINE_STEPS: usize = 2 * 53;
+
+/// PyBullet's default `solverResidualThreshold` \[m²/s²\].
+pub const BULLET_RESIDUAL: f64 = 1e-7;

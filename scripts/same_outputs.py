@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""Shows that a change moved code and nothing else: what the command prints is, byte for byte, what it printed before.
+
+    python3 scripts/same_outputs.py save FOLDER      runs every command below and stores what it prints, with its exit code
+    python3 scripts/same_outputs.py check FOLDER     runs them again and compares
+
+`MOREAU` is the program, `target/release/moreau` unless it is set. The commands are `COMMANDS`: the claims, the systems of the chapter, the gate on our own
+schemes, the stored scoreboard, the matrix of defects and the schemas. Times that a command prints are cut out by `UNSTABLE`.
+"""
+
+import argparse
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+PROGRAM = os.environ.get("MOREAU", str(ROOT / "target/release/moreau"))
+
+
+def gate(name: str) -> list[str]:
+    """The gate on one of our own engines."""
+    return ["gate", "--quick", "--format", "json", "--", PROGRAM, "engine", "--scheme", name]
+
+
+COMMANDS = {
+    "verify": ["verify"],
+    "verify-json": ["verify", "--format", "json"],
+    "systems": ["systems"],
+    "systems-json": ["systems", "--format", "json"],
+    **{f"gate-{name}": gate(name) for name in ("moreau-jean", "stewart-trinkle", "anitescu")},
+    "gate-list": ["gate", "--list"],
+    "scoreboard": ["scoreboard", "--stored"],
+    "scoreboard-json": ["scoreboard", "--stored", "--format", "json"],
+    "defects-json": ["defects", "--format", "json"],
+    "schema-list": ["schema"],
+    "help": ["--help"],
+    "simulate-help": ["simulate", "--help"],
+}
+
+UNSTABLE = re.compile(rb'"seconds": ?[0-9.e+-]+|in [0-9.]+ s\b')
+"""What differs between two runs of one program: seconds it took."""
+
+
+def run(command: list[str]) -> bytes:
+    """Standard output and exit code of one command."""
+    done = subprocess.run([PROGRAM, *command], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
+    return UNSTABLE.sub(b"", done.stdout.replace(PROGRAM.encode(), b"moreau")) + f"\nexit code {done.returncode}\n".encode()
+
+
+def main() -> int:
+    """Saves or compares."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("what", choices=["save", "check"])
+    parser.add_argument("folder", type=pathlib.Path)
+    arguments = parser.parse_args()
+    arguments.folder.mkdir(parents=True, exist_ok=True)
+    different = []
+    for name, command in COMMANDS.items():
+        file, output = arguments.folder / f"{name}.txt", run(command)
+        if arguments.what == "save":
+            file.write_bytes(output)
+            print(f"{name}: {len(output)} bytes")
+        elif not file.exists():
+            different.append(name)
+            print(f"{name}: nothing is stored in {file}; run `save` with the program before the change")
+        elif file.read_bytes() != output:
+            different.append(name)
+            (arguments.folder / f"{name}.new.txt").write_bytes(output)
+            print(f"{name}: DIFFERENT, see {name}.new.txt beside it")
+        else:
+            print(f"{name}: the same {len(output)} bytes")
+    return 1 if different else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
