@@ -70,23 +70,15 @@ pub mod checks;
 pub mod claims;
 pub mod cli;
 pub mod defects;
-pub mod elastic_bar;
-pub mod event_driven;
 pub mod gate;
-pub mod impact_laws;
-pub mod integrators;
-pub(crate) mod least_squares;
-pub mod mechanics;
 pub mod report;
 pub mod rust_engine;
-pub mod scenes;
 pub mod schemes;
-pub mod stabilisation;
 pub mod systems;
 pub mod tolerance;
-pub mod trajectory;
 
 pub use moreau_contact::{ContactProblem, Law, Solution, certificate, cones, contact, conventions, files, memory, problem, solvers};
+pub use moreau_dynamics::{elastic_bar, event_driven, impact_laws, integrators, mechanics, scenes, stabilisation, trajectory};
 pub use moreau_exact::{Error, Result, elimination, error, number, scalar};
 pub use moreau_forms as closed_forms;
 

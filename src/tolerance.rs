@@ -6,74 +6,13 @@
 
 pub use moreau_exact::tolerance::{EPSILON, rounding};
 
-pub mod mechanics;
-
-/// Tolerances of [`crate::scenes`].
-pub mod scenes {
-    /// How far a unit vector or quaternion in a file may be from length 1: up to four components written with nine
-    /// decimals are off by at most 5·10⁻¹⁰ each, so the length by √4 · 5·10⁻¹⁰.
-    pub const WRITTEN_UNIT_VECTOR: f64 = 1e-9;
-}
-
 pub use moreau_contact::tolerance::{certificate, cones, problem, solvers};
-
-/// Tolerances of [`crate::integrators`].
-pub mod integrators {
-    /// Entries of DᵀJD − J of a step with an impact, of size 10 and computed from fewer than 1024 operations of relative error ε.
-    pub const VARIATIONAL_STEP: f64 = 2.0 * 1024.0 * 10.0 * super::EPSILON;
-
-    /// Error of a condition of order of Dormand–Prince's continuous extension: its published coefficients are fractions accurate to ten
-    /// digits, at most 12 in size, summed over seven stages.
-    pub const PUBLISHED_EXTENSION: f64 = 7.0 * 12.0 * 0.5e-10;
-}
-
-/// Tolerances of [`crate::schemes`].
-pub mod schemes {
-    use super::rounding;
-
-    /// Singular values of H_n H_nᵀ, relative to its largest entry, below which contact normals say the same twice: 64 ε, the rounding of
-    /// its entries.
-    pub const DEPENDENT_NORMALS: f64 = 64.0 * super::EPSILON;
-
-    /// How far M̂ of size `size` with n rows may be from symmetric by rounding: two products and a factorisation.
-    pub fn asymmetry(size: f64, rows: usize) -> f64 {
-        rounding(16 * rows, size)
-    }
-
-    /// Correction \[m\] below which a projection onto φ = 0 has ended, for coordinates of the given size: the rounding of a gap.
-    pub fn projected(size: f64) -> f64 {
-        rounding(8, size)
-    }
-
-    /// Rounding of one Moreau–Jean step of a ball: v⁺ = v − (m g/m) h + r/m with r = −m (v_free + e v) passes through
-    /// fewer than eight operations on numbers of at most |v| + g h + e|v|.
-    pub fn ball_velocity(speed: f64, fall: f64) -> f64 {
-        rounding(8, 2.0 * speed + fall)
-    }
-
-    /// Error of the speed at which (x, ẋ)˙ = (ẋ, −2ẋ − x), integrated from (0, −1) by Runge–Kutta steps h, is released.
-    ///
-    /// For a linear system a Runge–Kutta step is the Taylor polynomial of degree 4, so the error until T ≤ 2 + h is at
-    /// most T ‖A‖⁵h⁴/120 · e^{‖A‖(T+h)} with ‖A‖_∞ = 3. The release falls on a step, within 2h of the exact one, where
-    /// ẍ = 0 and |d³x/dt³| ≤ 1 change ẋ by at most ½(2h)².
-    pub fn released_speed(h: f64) -> f64 {
-        let (norm, time) = (3.0f64, 2.0 + h);
-        time * norm.powi(5) * h.powi(4) / 120.0 * (norm * (time + h)).exp() + 0.5 * (2.0 * h).powi(2)
-    }
-
-    /// Rounding of q + h (θ v⁺ + (1−θ) v): five operations, and the error of v⁺ times h.
-    pub fn ball_position(position: f64, speed: f64, fall: f64, h: f64) -> f64 {
-        rounding(8, position + h * (2.0 * speed + fall)) + h * ball_velocity(speed, fall)
-    }
-}
+pub use moreau_dynamics::tolerance::{event_driven, impact_laws, integrators, mechanics, scenes, schemes, stabilisation, trajectory};
 
 pub mod energy_balance;
-pub mod event_driven;
 pub mod gate;
-pub mod impact_laws;
 pub mod limits;
 pub mod references;
-pub mod stabilisation;
 pub mod zeno;
 
 /// Leading errors of [`crate::checks::convergence`].
@@ -119,25 +58,6 @@ pub mod systems {
 }
 
 pub use moreau_forms::tolerance as closed_forms;
-
-/// Tolerances of [`crate::trajectory`].
-pub mod trajectory {
-    /// Rounding of a slope fitted over at least a decade of steps: |ln error|, |ln h| < 64, fewer than 32 operations, and a
-    /// denominator Σ(x − x̄)² > 1: 2·32·64 ε.
-    pub const ORDER_ROUNDING: f64 = 2.0 * 32.0 * 64.0 * super::EPSILON;
-
-    /// Relative width at which the enclosure of a graph distance is narrow enough. Over a range h_max/h_min ≥ 64 it moves a
-    /// slope by less than 10⁻³/ln 64 < 3·10⁻⁴, below every sawtooth.
-    pub const GRAPH_ACCURACY: f64 = 1e-3;
-
-    /// Rounding of a distance between points with coordinates up to 1: a projection and a norm, fewer than 16 operations
-    /// on differences that are off by ε each: 2·16 ε, and the same for the bound it is compared with.
-    pub const GRAPH_ROUNDING: f64 = 4.0 * 16.0 * super::EPSILON;
-
-    /// How far a stored unit vector may be from length 1: engines in single precision (ε = 2⁻²³) that renormalise within
-    /// 16 operations, 2·16·2⁻²³.
-    pub const UNIT_LENGTH: f64 = 32.0 / 8_388_608.0;
-}
 
 /// Tolerances of [`crate::checks`].
 pub mod checks {

@@ -144,28 +144,6 @@ fn position_based(scheme: PositionBased, parameters: &Parameters) -> Result<Box<
     Ok(Box::new(scheme))
 }
 
-impl Activation {
-    /// The rule with this name.
-    ///
-    /// # Errors
-    /// An unknown name; the message lists the known ones.
-    pub fn by_name(name: &str) -> Result<Self> {
-        let names = Self::ALL.map(Self::name);
-        Self::ALL.into_iter().find(|rule| rule.name() == name).ok_or_else(|| unknown("activation", name, &names))
-    }
-}
-
-impl RestitutionRule {
-    /// The rule with this name.
-    ///
-    /// # Errors
-    /// An unknown name; the message lists the known ones.
-    pub fn by_name(name: &str) -> Result<Self> {
-        let names = Self::ALL.map(Self::name);
-        Self::ALL.into_iter().find(|rule| rule.name() == name).ok_or_else(|| unknown("restitution rule", name, &names))
-    }
-}
-
 fn unknown(field: &str, name: &str, known: &[&str]) -> Error {
     Error::invalid(field, format!("`{name}` is unknown"), format!("use one of {}", known.join(", ")))
 }
@@ -184,20 +162,9 @@ mod tests {
     }
 
     #[test]
-    fn every_rule_is_found_by_its_name() {
-        for rule in Activation::ALL {
-            assert_eq!(Activation::by_name(rule.name()).expect("a listed name"), rule);
-        }
-        for rule in RestitutionRule::ALL {
-            assert_eq!(RestitutionRule::by_name(rule.name()).expect("a listed name"), rule);
-        }
-    }
-
-    #[test]
     fn unknown_names_are_answered_with_the_known_ones() {
         let message = |result: Result<Box<dyn Scheme>>| result.err().expect("must be refused").to_string();
         assert!(message(by_name("euler", Parameters::default())).contains("generalised-alpha, stewart-trinkle, anitescu"));
-        assert!(Activation::by_name("c").expect_err("refused").to_string().contains("free-velocity-forecast"));
         assert!(message(by_name("moreau-jean", Parameters { theta: f64::NAN, ..Parameters::default() })).contains("theta"));
         let directed = |directions: usize| by_name("stewart-trinkle", Parameters { directions, ..Parameters::default() });
         for outside in [2, DIRECTIONS + 1] {

@@ -1,0 +1,61 @@
+//! Energy-consistent projection: the velocities nearest to those of another law that neither penetrate nor gain energy.
+//!
+//! ```text
+//!     U⁺ = argmin (U − U*)ᵀW⁻¹(U − U*)   over   U ≥ 0 ,   UᵀW⁻¹U ≤ U⁻ᵀW⁻¹U⁻
+//!        = min(1, √(E⁻/E_K)) U_K ,       U_K = U* + W λ ,   0 ≤ U_K ⟂ λ ≥ 0 ,   E = UᵀW⁻¹U
+//! ```
+//! The projection on a convex cone and a ball around its apex is that on the cone followed by that on the ball. W⁻¹ is the metric of
+//! the kinetic energy in the space of the contact velocities, so momentum is kept: P = W⁻¹(U⁺ − U⁻). Nothing makes P ≥ 0.
+
+use super::{Impact, Outcome};
+use moreau_exact::elimination;
+use moreau_exact::scalar::Scalar;
+use moreau_exact::{Error, Result};
+use nalgebra::DVector;
+
+/// The direction U_K and the square of the factor on it, both rational where the data are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Projection<T: Scalar> {
+    /// U_K \[m/s\].
+    pub direction: DVector<T>,
+    /// min(1, E⁻/E_K).
+    pub factor_squared: T,
+}
+
+/// The projection of a candidate U*, without friction.
+///
+/// # Errors
+/// [`Error::Unsupported`] if W is singular; [`Error::Solver`] if the complementarity problem is not solved.
+pub fn project<T: Scalar>(impact: &Impact<T>, candidate: &DVector<T>) -> Result<Projection<T>> {
+    let zero = DVector::from_element(candidate.len(), T::zero());
+    let landing = Impact::new(impact.delassus.clone(), candidate.clone());
+    let direction = landing.outcome(landing.unilateral(&zero)?).after;
+    let (allowed, present) = (energy(impact, &impact.before)?, energy(impact, &direction)?);
+    let factor_squared = if present > allowed { allowed / present } else { T::one() };
+    Ok(Projection { direction, factor_squared })
+}
+
+impl Projection<f64> {
+    /// U⁺ and the impulses that lead there.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] if W is singular.
+    pub fn outcome(&self, impact: &Impact<f64>) -> Result<Outcome<f64>> {
+        let after = &self.direction * self.factor_squared.sqrt();
+        Ok(Outcome { impulse: impulse_of(impact, &(&after - &impact.before))?, after })
+    }
+}
+
+/// UᵀW⁻¹U, twice the kinetic energy that contact impulses can change \[J\].
+///
+/// # Errors
+/// [`Error::Unsupported`] if W is singular.
+pub fn energy<T: Scalar>(impact: &Impact<T>, velocity: &DVector<T>) -> Result<T> {
+    Ok(velocity.dot(&impulse_of(impact, velocity)?))
+}
+
+/// W⁻¹ ΔU.
+fn impulse_of<T: Scalar>(impact: &Impact<T>, change: &DVector<T>) -> Result<DVector<T>> {
+    let singular = || Error::Unsupported("the projection measures velocities by W⁻¹, which needs a nonsingular W".into());
+    elimination::solve(&impact.delassus, change).ok_or_else(singular)
+}

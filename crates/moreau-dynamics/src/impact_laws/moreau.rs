@@ -1,0 +1,51 @@
+//! Moreau's law, −P ∈ N(U⁺ + e U⁻): complementarity, and Coulomb's law, on a mixture of the velocities before and after.
+//!
+//! ```text
+//!     frictionless     0 ≤ U⁺ + E U⁻ ⟂ P ≥ 0
+//!     normal only      Coulomb on (U_n⁺ + e U_n⁻, U_t⁺)
+//!     full vector      Coulomb on U⁺ + e U⁻ ,     ΔT = PᵀŪ/(1+e) − ½(1−e)/(1+e) PᵀWP ≤ 0 ,   Ū = U⁺ + e U⁻
+//! ```
+//! PᵀŪ ≤ 0 under Coulomb's law on Ū, so the full vector never gains energy; normal-only may.
+
+use super::impact::check_restitution;
+use super::{Impact, Outcome};
+use moreau_exact::Result;
+use moreau_exact::scalar::Scalar;
+use nalgebra::DVector;
+
+/// Without friction, any number of contacts and coefficients.
+///
+/// # Errors
+/// [`moreau_exact::Error::Invalid`] for e outside \[0, 1\]; [`moreau_exact::Error::Solver`] if the complementarity problem is not solved.
+pub fn frictionless<T: Scalar>(impact: &Impact<T>, restitution: &[T]) -> Result<Outcome<T>> {
+    check_restitution(restitution, impact.before.len())?;
+    let shift = impact.before.map_with_location(|i, _, u| u * restitution[i].clone());
+    Ok(impact.outcome(impact.unilateral(&shift)?))
+}
+
+/// Planar Coulomb friction with e on the normal components, as time-stepping codes have it.
+///
+/// # Errors
+/// As [`frictionless`], and if there are not two rows per contact.
+pub fn normal_only<T: Scalar>(impact: &Impact<T>, friction: &[T], restitution: &T) -> Result<Outcome<T>> {
+    two_coefficients(impact, friction, restitution, &T::zero())
+}
+
+/// Planar Coulomb friction with e on both components.
+///
+/// # Errors
+/// As [`normal_only`].
+pub fn full_vector<T: Scalar>(impact: &Impact<T>, friction: &[T], restitution: &T) -> Result<Outcome<T>> {
+    two_coefficients(impact, friction, restitution, restitution)
+}
+
+/// Planar Coulomb friction on (U_n⁺ + e_n U_n⁻, U_t⁺ + e_t U_t⁻).
+///
+/// # Errors
+/// As [`normal_only`].
+pub fn two_coefficients<T: Scalar>(impact: &Impact<T>, friction: &[T], normal: &T, tangential: &T) -> Result<Outcome<T>> {
+    check_restitution(&[normal.clone(), tangential.clone()], 2)?;
+    let shift: DVector<T> = impact.before.map_with_location(|i, _, u| u * if i % 2 == 0 { normal.clone() } else { tangential.clone() });
+    let mixed = Impact::new(impact.delassus.clone(), &impact.before + shift);
+    Ok(impact.outcome(mixed.coulomb(friction, &DVector::from_element(friction.len(), T::zero()))?))
+}

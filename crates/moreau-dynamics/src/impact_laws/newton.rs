@@ -1,0 +1,51 @@
+//! Newton's law, U_n⁺ = −e U_n⁻, in the three readings that “at every contact” has.
+//!
+//! ```text
+//!     together       P = −W⁻¹(I + E) U⁻                     every contact reverses its velocity, whatever the sign of P
+//!     uncoupled      P_i = −(1 + e_i) U_i⁻/W_ii             every contact acts as if it were alone
+//!     along a path   U_n(p) = −e U_n⁻                       one contact with friction, Routh's path
+//! ```
+
+use super::impact::check_restitution;
+use super::routh::Path;
+use super::{Impact, Outcome};
+use moreau_exact::elimination;
+use moreau_exact::scalar::Scalar;
+use moreau_exact::{Error, Result};
+use nalgebra::DVector;
+
+/// U⁺ = −E U⁻ at every contact at once, without friction; impulses may pull.
+///
+/// # Errors
+/// [`Error::Invalid`] for e outside \[0, 1\]; [`Error::Unsupported`] if W is singular: then the ratios contradict each other or
+/// leave the impulses open.
+pub fn together<T: Scalar>(impact: &Impact<T>, restitution: &[T]) -> Result<Outcome<T>> {
+    check_restitution(restitution, impact.before.len())?;
+    let change = DVector::from_fn(impact.before.len(), |i, _| -(T::one() + restitution[i].clone()) * impact.before[i].clone());
+    let singular = || Error::Unsupported("Newton's law prescribes every velocity, which needs a nonsingular W".into());
+    elimination::solve(&impact.delassus, &change).map(|impulse| impact.outcome(impulse)).ok_or_else(singular)
+}
+
+/// P_i = −(1 + e_i) U_i⁻/W_ii at every approaching contact, computed as if it were alone, all applied at once.
+///
+/// # Errors
+/// [`Error::Invalid`] for e outside \[0, 1\].
+pub fn uncoupled<T: Scalar>(impact: &Impact<T>, restitution: &[T]) -> Result<Outcome<T>> {
+    check_restitution(restitution, impact.before.len())?;
+    let impulse = DVector::from_fn(impact.before.len(), |i, _| {
+        let approach = impact.before[i].clone();
+        let alone = -(T::one() + restitution[i].clone()) * approach.clone() / impact.delassus[(i, i)].clone();
+        if approach < T::zero() { alone } else { T::zero() }
+    });
+    Ok(impact.outcome(impulse))
+}
+
+/// One planar contact with Coulomb friction: the impulse grows along Routh's path until U_n = −e U_n⁻.
+///
+/// # Errors
+/// [`Error::Invalid`] for e outside \[0, 1\].
+pub fn along<T: Scalar>(path: &Path<T>, restitution: &T) -> Result<Outcome<T>> {
+    check_restitution(std::slice::from_ref(restitution), 1)?;
+    let target = -restitution.clone() * path.impact().before[0].clone();
+    Ok(path.outcome(&path.reaching(&target)))
+}

@@ -1,0 +1,73 @@
+//! Poisson's law: the impulse of restitution is e times the impulse of compression.
+//!
+//! ```text
+//!     compression    0 ≤ U_c ⟂ P_c ≥ 0 ,            U_c = U⁻ + W P_c
+//!     restitution    0 ≤ U⁺ ⟂ P_r − E P_c ≥ 0 ,     U⁺ = U_c + W P_r
+//!     along a path   P_n = (1 + e) p_c ,  U_n(p_c) = 0
+//! ```
+//! Without friction P_c + P_r minimises the kinetic energy ½PᵀWP + PᵀU⁻ among P ≥ (1 + E)P_c; see [`two_problems`].
+
+use super::impact::check_restitution;
+use super::routh::Path;
+use super::{Impact, Outcome};
+use moreau_exact::Result;
+use moreau_exact::scalar::Scalar;
+use nalgebra::DVector;
+
+/// The end of compression and the end of restitution.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TwoPhases<T: Scalar> {
+    /// P_c and U_c.
+    pub compression: Outcome<T>,
+    /// P_c + P_r and U⁺.
+    pub end: Outcome<T>,
+}
+
+/// Two frictionless complementarity problems, any number of contacts and coefficients.
+///
+/// A contact may take more than e P_c in restitution, if its neighbours would otherwise drive it into the ground. No energy is
+/// gained: P_r minimises f(P) = ½PᵀWP + PᵀU_c over P ≥ E P_c, which is the change of energy since compression, P = P_c is one of
+/// the candidates, and f(P_c) is minus what compression took, U_cᵀP_c = 0.
+///
+/// # Errors
+/// [`moreau_exact::Error::Invalid`] for e outside \[0, 1\]; [`moreau_exact::Error::Solver`] if a complementarity problem is not solved.
+///
+/// # Source
+/// Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts* (1996).
+pub fn two_problems<T: Scalar>(impact: &Impact<T>, restitution: &[T]) -> Result<TwoPhases<T>> {
+    let contacts = impact.before.len();
+    check_restitution(restitution, contacts)?;
+    let zero = DVector::from_element(contacts, T::zero());
+    let compression = impact.outcome(impact.unilateral(&zero)?);
+    let least = compression.impulse.map_with_location(|i, _, p| p * restitution[i].clone());
+    let released = Impact::new(impact.delassus.clone(), &compression.after + &impact.delassus * &least);
+    let surplus = released.unilateral(&zero)?;
+    let end = impact.outcome(&compression.impulse + least + surplus);
+    Ok(TwoPhases { compression, end })
+}
+
+/// Two planar problems with Coulomb friction, on the velocities at the end of each phase; rows (normal, tangent) per contact.
+///
+/// In restitution 0 ≤ U_n⁺ ⟂ P_rn − e P_cn ≥ 0, and Coulomb's law holds between P_r and U_t⁺. Where the sliding turns round within
+/// a phase this is not Routh's path. Several contacts with unequal coefficients may gain energy.
+///
+/// # Errors
+/// As [`two_problems`], and if there are not two rows per contact.
+pub fn two_frictional_problems<T: Scalar>(impact: &Impact<T>, friction: &[T], restitution: &[T]) -> Result<TwoPhases<T>> {
+    check_restitution(restitution, friction.len())?;
+    let none = DVector::from_element(friction.len(), T::zero());
+    let compression = impact.outcome(impact.coulomb(friction, &none)?);
+    let least = DVector::from_fn(friction.len(), |k, _| restitution[k].clone() * compression.impulse[2 * k].clone());
+    let released = Impact::new(impact.delassus.clone(), compression.after.clone());
+    let end = impact.outcome(&compression.impulse + released.coulomb(friction, &least)?);
+    Ok(TwoPhases { compression, end })
+}
+
+/// One planar contact with Coulomb friction: the impulse grows along Routh's path until P_n = (1 + e) p_c.
+///
+/// # Errors
+/// [`moreau_exact::Error::Invalid`] for e outside \[0, 1\].
+pub fn along<T: Scalar>(path: &Path<T>, restitution: &T) -> Result<Outcome<T>> {
+    check_restitution(std::slice::from_ref(restitution), 1)?;
+    Ok(path.outcome(&((T::one() + restitution.clone()) * path.compression_end())))
+}

@@ -1,0 +1,38 @@
+//! One impact after the other: Newton's law at a single approaching contact at a time, until none approaches.
+//!
+//! ```text
+//!     P_i += −(1 + e) U_i/W_ii ,   U += W_·i P_i     for the contacts in the given order, again and again
+//! ```
+
+use super::impact::check_restitution;
+use super::{Impact, Outcome};
+use crate::tolerance::impact_laws::SEQUENCE_LIMIT;
+use moreau_exact::scalar::Scalar;
+use moreau_exact::{Error, Result};
+use nalgebra::DVector;
+
+/// Frictionless contacts, visited cyclically in this order.
+///
+/// # Errors
+/// [`Error::Invalid`] for e outside \[0, 1\] or an order that names no contact; [`Error::Solver`] if contacts still approach after
+/// [`SEQUENCE_LIMIT`] rounds: the sequence may be infinite.
+pub fn sequential<T: Scalar>(impact: &Impact<T>, restitution: &T, order: &[usize]) -> Result<Outcome<T>> {
+    check_restitution(std::slice::from_ref(restitution), 1)?;
+    let contacts = impact.before.len();
+    if let Some(stranger) = order.iter().find(|&&i| i >= contacts) {
+        return Err(Error::invalid("order", format!("names contact {stranger}"), format!("there are {contacts}")));
+    }
+    let mut now = impact.outcome(DVector::from_element(contacts, T::zero()));
+    for _ in 0..SEQUENCE_LIMIT {
+        if order.iter().all(|&i| now.after[i] >= T::zero()) {
+            return Ok(now);
+        }
+        for &i in order.iter() {
+            if now.after[i] < T::zero() {
+                now.impulse[i] -= (T::one() + restitution.clone()) * now.after[i].clone() / impact.delassus[(i, i)].clone();
+                now = impact.outcome(now.impulse);
+            }
+        }
+    }
+    Err(Error::solver("sequential", format!("contacts still approach after {SEQUENCE_LIMIT} rounds")))
+}

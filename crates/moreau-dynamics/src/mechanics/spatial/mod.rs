@@ -1,0 +1,349 @@
+//! Rigid bodies in space: unit quaternions, M = diag(m, m, m, J₁, J₂, J₃) per body, contacts of spheres and boxes.
+//!
+//! ```text
+//!     q = (x, y, z, w, i, j, k) per body          centre of mass and unit quaternion, body to world
+//!     v = (ẋ, ẏ, ż, Ω₁, Ω₂, Ω₃) per body          linear velocity in the world, angular velocity in the body's principal axes
+//!     F = (m g, −Ω × JΩ)                          q⁺ = (x + h ẋ, q ∘ exp(½ h Ω))
+//! ```
+//! The angular velocity is taken in the body frame because there M is constant and diagonal: the step's effective mass is
+//! never factored, and the gyroscopic term has no derivative of R in it. A point at the world distance r from the centre
+//! moves with ẋ + (RΩ) × r, so a contact row with direction d is (d, Rᵀ(r × d)).
+//!
+//! The gyroscopic term enters a step by its average over it, see [`gyroscopic`](self::SpatialBodies) and
+//! [`Mechanism::mean_force`].
+
+mod boxes;
+mod faces;
+mod features;
+mod gyroscopic;
+mod shape;
+
+pub(in crate::mechanics) use features::{Touch, sphere_box};
+pub(in crate::mechanics) use shape::Pose;
+pub use shape::{Shape, SpatialBody};
+
+use super::{BodyState, Materials, Mechanism, PairMaterial, Plane, State};
+use crate::tolerance::limits::PRECESSION_PARTS;
+use crate::tolerance::mechanics::{BESIDE, PARALLEL_FACES};
+use features::{ground_touches, pair_touches};
+use moreau_contact::contact::frame::spatial_tangents;
+use moreau_contact::contact::{Contact, Place};
+use moreau_exact::number::significant;
+use moreau_exact::{Error, Result};
+use nalgebra::{DMatrix, DVector, Matrix3, UnitQuaternion, Vector3};
+
+/// Spheres and boxes in space under gravity, over an optional ground plane.
+///
+/// Contact candidates in fixed order: each body with the ground (sphere: 1, box: its 8 corners), then each pair i < j (two
+/// boxes: a manifold whose size varies, otherwise 1), with the normal pointing to the body named first.
+#[derive(Clone, Debug)]
+pub struct SpatialBodies {
+    name: String,
+    bodies: Vec<SpatialBody>,
+    gravity: Vector3<f64>,
+    ground: Option<Plane>,
+    materials: Materials,
+}
+
+impl SpatialBodies {
+    /// Bodies over a ground plane, whose friction and restitution hold for every pair unless overridden.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if there is no body, gravity is not finite or the ground is not a plane in space.
+    pub fn new(name: impl Into<String>, bodies: Vec<SpatialBody>, gravity: [f64; 3], ground: Plane) -> Result<Self> {
+        if ground.normal.len() != 3 {
+            return Err(Error::invalid("normal", format!("has {} components", ground.normal.len()), "use (x, y, z)"));
+        }
+        let materials = Materials::new(ground.friction, ground.restitution)?;
+        let floating = SpatialBodies::without_ground(name, bodies, gravity, materials)?;
+        Ok(SpatialBodies { ground: Some(ground), ..floating })
+    }
+
+    /// Bodies in free space.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if there is no body or gravity is not finite.
+    pub fn without_ground(name: impl Into<String>, bodies: Vec<SpatialBody>, gravity: [f64; 3], materials: Materials) -> Result<Self> {
+        if bodies.is_empty() {
+            return Err(Error::invalid("bodies", "is empty", "give at least one body"));
+        }
+        if !gravity.iter().all(|g| g.is_finite()) {
+            return Err(Error::invalid("gravity", format!("is {gravity:?}"), "use finite numbers"));
+        }
+        Ok(SpatialBodies { name: name.into(), bodies, gravity: gravity.into(), ground: None, materials })
+    }
+
+    /// The same bodies with some pairs' friction and restitution overridden.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if a pair names a body that does not exist, μ < 0 or e ∉ \[0, 1\].
+    pub fn with_pairs(mut self, pairs: Vec<PairMaterial>) -> Result<Self> {
+        self.materials = self.materials.with_pairs(pairs, self.bodies.len())?;
+        Ok(self)
+    }
+
+    /// The diagonal of M.
+    fn inertias(&self) -> DVector<f64> {
+        let diagonal = self.bodies.iter().flat_map(|body| [body.mass(); 3].into_iter().chain(body.moments().iter().copied()));
+        DVector::from_iterator(6 * self.bodies.len(), diagonal)
+    }
+
+    fn poses(&self, position: &DVector<f64>) -> Vec<Pose> {
+        (0..self.bodies.len()).map(|body| Pose::of(body, position)).collect()
+    }
+
+    fn contact(&self, first: usize, second: Option<usize>, touch: &Touch, pose: &dyn Fn(usize) -> Pose) -> Contact {
+        let [t1, t2] = spatial_tangents(touch.normal.into());
+        let frame = [touch.normal.into(), t1, t2];
+        let mut jacobian = DMatrix::zeros(3, 6 * self.bodies.len());
+        let mut place = |body: usize, point: Vector3<f64>, sign: f64| {
+            let pose = pose(body);
+            for (row, direction) in frame.into_iter().map(Vector3::from).enumerate() {
+                let arm = pose.rotation.tr_mul(&(point - pose.centre).cross(&direction));
+                for axis in 0..3 {
+                    jacobian[(row, 6 * body + axis)] = sign * direction[axis];
+                    jacobian[(row, 6 * body + 3 + axis)] = sign * arm[axis];
+                }
+            }
+        };
+        place(first, touch.seen[0], 1.0);
+        if let Some(second) = second {
+            place(second, touch.seen[1], -1.0);
+        }
+        let (friction, restitution) = self.materials.of(first, second);
+        let [own, other] = touch.features;
+        let label = match second {
+            None => format!("{}-{own}/ground", self.bodies[first].name()),
+            Some(second) => format!("{}-{own}/{}-{other}", self.bodies[first].name(), self.bodies[second].name()),
+        };
+        let place = Place { bodies: (first, second), features: touch.features, frame };
+        Contact { gap: touch.gap, jacobian, friction, restitution, label, place: Some(place) }
+    }
+
+    /// The candidates with a gap of at most `reach`, their rows taken at the points of the two bodies that `seen` chooses.
+    fn candidates(&self, position: &DVector<f64>, reach: f64, seen: impl Fn(&Touch) -> [Vector3<f64>; 2]) -> Vec<Contact> {
+        let poses = self.poses(position);
+        let mut contacts = Vec::new();
+        self.touches(&poses, reach, |first, second, touch| {
+            contacts.push(self.contact(first, second, &Touch { seen: seen(touch), ..*touch }, &|body| poses[body]));
+        });
+        contacts
+    }
+
+    /// Shows where bodies touch with a gap of at most `reach`, in the order of the candidates.
+    fn touches(&self, poses: &[Pose], reach: f64, mut show: impl FnMut(usize, Option<usize>, &Touch)) {
+        let mut keep = |first: usize, second: Option<usize>, touches: Vec<Touch>| {
+            touches.iter().filter(|touch| touch.gap <= reach).for_each(|touch| show(first, second, touch));
+        };
+        if let Some(ground) = &self.ground {
+            for (first, body) in self.bodies.iter().enumerate() {
+                keep(first, None, ground_touches(body.shape(), &poses[first], ground));
+            }
+        }
+        for first in 0..self.bodies.len() {
+            for second in first + 1..self.bodies.len() {
+                let (own, other) = (self.bodies[first].shape(), self.bodies[second].shape());
+                let distance = (poses[first].centre - poses[second].centre).norm();
+                if distance - own.radius() - other.radius() <= reach {
+                    keep(first, Some(second), pair_touches(own, &poses[first], other, &poses[second]));
+                }
+            }
+        }
+    }
+
+    /// (m g, τ) per body with the given torques in the body frame.
+    fn weights(&self, torque: impl Fn(usize, &SpatialBody) -> Vector3<f64>) -> DVector<f64> {
+        let mut force = DVector::zeros(self.degrees_of_freedom());
+        for (k, body) in self.bodies.iter().enumerate() {
+            force.fixed_rows_mut::<3>(6 * k).copy_from(&(self.gravity * body.mass()));
+            force.fixed_rows_mut::<3>(6 * k + 3).copy_from(&torque(k, body));
+        }
+        force
+    }
+}
+
+/// Ω of body k.
+fn spin(body: usize, velocity: &DVector<f64>) -> Vector3<f64> {
+    velocity.fixed_rows::<3>(6 * body + 3).into_owned()
+}
+
+/// Keeps the two largest values, the largest first.
+fn largest(two: &mut [f64; 2], value: f64) {
+    if value > two[0] {
+        *two = [value, two[0]];
+    } else if value > two[1] {
+        two[1] = value;
+    }
+}
+
+impl Mechanism for SpatialBodies {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn degrees_of_freedom(&self) -> usize {
+        6 * self.bodies.len()
+    }
+
+    fn rows_per_contact(&self) -> usize {
+        3
+    }
+
+    fn mass_matrix(&self, _position: &DVector<f64>) -> DMatrix<f64> {
+        DMatrix::from_diagonal(&self.inertias())
+    }
+
+    fn kinetic_energy(&self, state: &State) -> f64 {
+        0.5 * state.velocity.dot(&self.inertias().component_mul(&state.velocity))
+    }
+
+    fn force(&self, _position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64> {
+        self.weights(|k, body| {
+            let spin = spin(k, velocity);
+            -spin.cross(&body.moments().component_mul(&spin))
+        })
+    }
+
+    /// The gyroscopic torque is J(Ω⁺ − Ω)/h with the implicit midpoint step Ω⁺ of torque-free rotation, which keeps kinetic energy
+    /// and the size of the angular momentum and is of second order.
+    fn mean_force(&self, _position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
+        self.weights(|k, body| {
+            let spin = spin(k, velocity);
+            (gyroscopic::free_spin(body.moments(), &spin, h) - spin).component_mul(body.moments()) / h
+        })
+    }
+
+    fn check_speed(&self, velocity: &DVector<f64>, h: f64) -> Result<()> {
+        let fast = |k: &usize| gyroscopic::is_too_fast(self.bodies[*k].moments(), &spin(*k, velocity), h);
+        let Some(k) = (0..self.bodies.len()).find(fast) else { return Ok(()) };
+        let turn = spin(k, velocity).norm() * h;
+        let problem = format!("of {} turns it by {} rad in a step of {h} s", self.bodies[k].name(), significant(turn));
+        let cure = format!(
+            "use a smaller step: the free rotation of a body that is not round is computed in at most {PRECESSION_PARTS} parts of half a radian a step"
+        );
+        Err(Error::invalid("angular_velocity", problem, cure))
+    }
+
+    fn contacts(&self, position: &DVector<f64>) -> Vec<Contact> {
+        self.contacts_within(position, f64::INFINITY)
+    }
+
+    fn contacts_within(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
+        self.candidates(position, reach, |touch| touch.seen)
+    }
+
+    /// A sphere has one candidate with the ground and a box its eight corners; a pair has one, or sixteen of two boxes: eight corners and eight crossings
+    /// of the edges of two faces.
+    fn most_candidates(&self) -> Option<usize> {
+        let boxes = self.bodies.iter().filter(|body| matches!(body.shape(), Shape::Box { .. })).count();
+        let pairs = |n: usize| n.saturating_mul(n.saturating_sub(1)) / 2;
+        let others = pairs(self.bodies.len()).saturating_sub(pairs(boxes));
+        let ground = if self.ground.is_some() { self.bodies.len() + 7 * boxes } else { 0 };
+        Some(pairs(boxes).saturating_mul(16).saturating_add(others).saturating_add(ground))
+    }
+
+    fn count_within(&self, position: &DVector<f64>, reach: f64) -> usize {
+        let mut count = 0;
+        self.touches(&self.poses(position), reach, |_, _, _| count += 1);
+        count
+    }
+
+    fn contacts_between(&self, position: &DVector<f64>, (first, second): (usize, Option<usize>)) -> Vec<Contact> {
+        let pose = |body: usize| Pose::of(body, position);
+        let touches = match (second, &self.ground) {
+            (None, None) => Vec::new(),
+            (None, Some(ground)) => ground_touches(self.bodies[first].shape(), &pose(first), ground),
+            (Some(other), _) => pair_touches(self.bodies[first].shape(), &pose(first), self.bodies[other].shape(), &pose(other)),
+        };
+        touches.iter().map(|touch| self.contact(first, second, touch, &pose)).collect()
+    }
+
+    fn contacts_halfway(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
+        self.candidates(position, reach, |touch| [touch.points[0] - touch.normal * (0.5 * touch.gap); 2])
+    }
+
+    fn inverse_mass(&self, contact: &Contact) -> Option<f64> {
+        let (first, second) = contact.place.as_ref()?.bodies;
+        Some([Some(first), second].into_iter().flatten().map(|body| 1.0 / self.bodies[body].mass()).sum())
+    }
+
+    /// R Ω of the first body less that of the second.
+    fn contact_rotation(&self, position: &DVector<f64>, contact: &Contact) -> Option<DMatrix<f64>> {
+        let place = contact.place.as_ref()?;
+        let mut rows = DMatrix::zeros(3, self.degrees_of_freedom());
+        for (body, sign) in [(Some(place.bodies.0), 1.0), (place.bodies.1, -1.0)] {
+            let Some(body) = body else { continue };
+            let rotation = Pose::of(body, position).rotation;
+            for (row, direction) in place.frame.into_iter().enumerate() {
+                let own = rotation.tr_mul(&Vector3::from(direction)) * sign;
+                (0..3).for_each(|axis| rows[(row, 6 * body + 3 + axis)] = own[axis]);
+            }
+        }
+        Some(rows)
+    }
+
+    /// −∂(Ω × JΩ)/∂Ω = \[JΩ\]ₓ − \[Ω\]ₓ J for every body.
+    fn gyroscopic_slope(&self, _position: &DVector<f64>, velocity: &DVector<f64>) -> Option<DMatrix<f64>> {
+        let mut slope = DMatrix::zeros(self.degrees_of_freedom(), self.degrees_of_freedom());
+        for (k, body) in self.bodies.iter().enumerate() {
+            let spin = spin(k, velocity);
+            let momentum = body.moments().component_mul(&spin);
+            let block = momentum.cross_matrix() - spin.cross_matrix() * Matrix3::from_diagonal(body.moments());
+            slope.fixed_view_mut::<3, 3>(6 * k + 3, 6 * k + 3).copy_from(&block);
+        }
+        Some(slope)
+    }
+
+    /// The rows of a contact of body k see a point within its radius R_k. Three things move it outside: beside a face a sixteenth of the
+    /// gap φ, halfway between parallel faces φ/2, levelled over the ground half the diameter times the tilt θ₀. With
+    /// s = Σ(‖ẋ_k‖ + ‖Ω_k‖ R_k (1 + θ₀)) and w = Σ‖Ω_k‖ over the two fastest bodies and β = ½ + 1/16, h(|u_n| + μ‖u_t‖) ≤
+    /// h(1 + μ)(s + β w φ), which is below φ for every φ above h(1 + μ) s / (1 − h(1 + μ) β w).
+    fn reach(&self, velocity: &DVector<f64>, h: f64) -> f64 {
+        let (mut speeds, mut turns) = ([0.0; 2], [0.0; 2]);
+        for (k, body) in self.bodies.iter().enumerate() {
+            let turn = spin(k, velocity).norm();
+            largest(&mut speeds, velocity.fixed_rows::<3>(6 * k).norm() + turn * body.shape().radius() * (1.0 + PARALLEL_FACES));
+            largest(&mut turns, turn);
+        }
+        let factor = h * (1.0 + self.materials.largest_friction());
+        let left = 1.0 - factor * (turns[0] + turns[1]) * (0.5 + BESIDE);
+        if left > 0.0 { factor * (speeds[0] + speeds[1]) / left } else { f64::INFINITY }
+    }
+
+    fn potential_energy(&self, position: &DVector<f64>) -> f64 {
+        let height = |k: usize| self.gravity.dot(&position.fixed_rows::<3>(7 * k));
+        self.bodies.iter().enumerate().map(|(k, body)| -body.mass() * height(k)).sum()
+    }
+
+    fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
+        let mut next = position.clone();
+        for (k, pose) in self.poses(position).iter().enumerate() {
+            let centre = pose.centre + velocity.fixed_rows::<3>(6 * k) * h;
+            let turned = (pose.quaternion * UnitQuaternion::from_scaled_axis(spin(k, velocity) * h)).into_inner().normalize();
+            next.fixed_rows_mut::<3>(7 * k).copy_from(&centre);
+            next.fixed_rows_mut::<4>(7 * k + 3).copy_from_slice(&[turned.w, turned.i, turned.j, turned.k]);
+        }
+        next
+    }
+
+    fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState> {
+        let state = |(k, body): (usize, &SpatialBody)| {
+            let pose = Pose::of(k, position);
+            BodyState {
+                name: body.name().to_string(),
+                position: pose.centre.into(),
+                orientation: std::array::from_fn(|part| position[7 * k + 3 + part]),
+                linear_velocity: std::array::from_fn(|axis| velocity[6 * k + axis]),
+                angular_velocity: (pose.rotation * spin(k, velocity)).into(),
+            }
+        };
+        self.bodies.iter().enumerate().map(state).collect()
+    }
+}
+
+#[cfg(test)]
+mod face_tests;
+#[cfg(test)]
+mod motion_tests;
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,171 @@
+//! The file format `scene/1`: what every simulator is told, in SI units and world coordinates.
+//!
+//! ```json
+//! { "schema": "scene/1", "name": "drop", "gravity": [0, 0, -9.81],
+//!   "ground": { "normal": [0, 0, 1], "offset": 0 },
+//!   "bodies": [ { "name": "ball", "sphere": { "radius": 0.1 }, "mass": 1, "position": [0, 0, 1.1] } ],
+//!   "material": { "friction": 0.5, "restitution": 0 }, "duration": 2 }
+//! ```
+
+use moreau_contact::files::{read_json, read_schema};
+use moreau_exact::Result;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// The name and version of the format.
+pub const SCHEMA: &str = "scene/1";
+
+/// Bodies under gravity over an optional ground plane, their material and the time to simulate.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    /// Always `scene/1`.
+    #[schemars(extend("const" = SCHEMA))]
+    pub schema: String,
+    /// A short name.
+    pub name: String,
+    /// What the scene shows, for people.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub description: String,
+    /// Acceleration of free fall \[m/s²\].
+    pub gravity: [f64; 3],
+    /// The half-space n·x ≥ c, or none.
+    #[serde(default)]
+    pub ground: Option<Ground>,
+    /// At least one body.
+    #[schemars(length(min = 1))]
+    pub bodies: Vec<Body>,
+    /// Pair values of friction and restitution.
+    pub material: Material,
+    /// Simulated time \[s\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub duration: f64,
+    /// Parameters some engines need beyond the scene, by engine; opaque here.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub engines: BTreeMap<String, serde_json::Value>,
+}
+
+/// The ground plane n·x = c; bodies stay on the side n points to.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Ground {
+    /// Unit normal n.
+    pub normal: [f64; 3],
+    /// c \[m\].
+    pub offset: f64,
+}
+
+/// A rigid body; exactly one of `sphere` and `box` gives its shape.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [{"required": ["sphere"]}, {"required": ["box"]}]))]
+pub struct Body {
+    /// Unique; `ground` is reserved for the plane.
+    pub name: String,
+    /// The shape, if a sphere.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sphere: Option<Sphere>,
+    /// The shape, if a box.
+    #[serde(rename = "box", default, skip_serializing_if = "Option::is_none")]
+    pub cuboid: Option<Cuboid>,
+    /// m \[kg\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub mass: f64,
+    /// Principal moments \[kg·m²\] about the body axes through the centre of mass; those of the solid if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inertia: Option<[f64; 3]>,
+    /// Centre of mass \[m\].
+    pub position: [f64; 3],
+    /// Unit quaternion \[w, x, y, z\], body to world.
+    #[serde(default = "upright")]
+    pub orientation: [f64; 4],
+    /// \[m/s\].
+    #[serde(default)]
+    pub linear_velocity: [f64; 3],
+    /// \[rad/s\], world frame.
+    #[serde(default)]
+    pub angular_velocity: [f64; 3],
+}
+
+/// A sphere about the centre of mass.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Sphere {
+    /// \[m\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+}
+
+/// A box about the centre of mass, its edges along the body axes.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Cuboid {
+    /// Half the edge lengths \[m\].
+    pub half_extents: [f64; 3],
+}
+
+/// Friction and restitution of every pair, with exceptions.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Material {
+    /// μ ≥ 0.
+    #[schemars(range(min = 0))]
+    pub friction: f64,
+    /// e ∈ \[0, 1\].
+    #[schemars(range(min = 0, max = 1))]
+    #[serde(default)]
+    pub restitution: f64,
+    /// Pairs that differ.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub pairs: Vec<PairOverride>,
+}
+
+/// One pair with its own friction or restitution.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PairOverride {
+    /// Two names; `ground` is the plane.
+    pub bodies: [String; 2],
+    /// μ, or the common one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction: Option<f64>,
+    /// e, or the common one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub restitution: Option<f64>,
+}
+
+fn upright() -> [f64; 4] {
+    [1.0, 0.0, 0.0, 0.0]
+}
+
+impl Scene {
+    /// Parses and validates the text of a `scene/1` file.
+    ///
+    /// # Errors
+    /// [`Error::Json`](moreau_exact::Error::Json) if the text is not JSON, otherwise [`Error::Invalid`](moreau_exact::Error::Invalid) naming the field and the cure.
+    pub fn from_json(text: &str) -> Result<Self> {
+        let scene: Scene = read_schema(text, SCHEMA)?;
+        scene.validate()?;
+        Ok(scene)
+    }
+
+    /// Reads a `scene/1` file.
+    ///
+    /// # Errors
+    /// [`Error::Read`](moreau_exact::Error::Read), or those of [`Scene::from_json`] with the file's name.
+    pub fn read(file: &Path) -> Result<Self> {
+        let text = read_json(file)?;
+        Scene::from_json(&text).map_err(|error| error.in_file(file))
+    }
+
+    /// The text of the scene's file.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`](moreau_exact::Error::Invalid) if the scene is not valid: what is written can be read.
+    pub fn to_json(&self) -> Result<String> {
+        self.validate()?;
+        Ok(serde_json::to_string_pretty(self)? + "\n")
+    }
+}

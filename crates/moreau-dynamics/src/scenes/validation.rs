@@ -1,0 +1,180 @@
+//! What a scene must satisfy beyond being JSON of the right shape; every refusal names the field and a cure.
+
+use super::scene::SCHEMA;
+use super::{Body, Material, Scene};
+use crate::tolerance::scenes::WRITTEN_UNIT_VECTOR;
+use moreau_exact::{Error, Result};
+use std::collections::HashSet;
+
+/// The name that stands for the plane in pairs.
+pub(super) const GROUND: &str = "ground";
+
+impl Scene {
+    /// Checks what the types cannot: signs, finiteness, unit vectors, unique names.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] names the first field that cannot be meant.
+    pub fn validate(&self) -> Result<()> {
+        if self.schema != SCHEMA {
+            return Err(Error::invalid("schema", format!("is `{}`", self.schema), format!("use `{SCHEMA}`")));
+        }
+        finite("gravity", &self.gravity)?;
+        if let Some(ground) = &self.ground {
+            unit("ground.normal", &ground.normal)?;
+            finite("ground.offset", &[ground.offset])?;
+        }
+        if self.bodies.is_empty() {
+            return Err(Error::invalid("bodies", "is empty", "give at least one body"));
+        }
+        let mut names = HashSet::with_capacity(self.bodies.len());
+        for (index, body) in self.bodies.iter().enumerate() {
+            body.validate(&format!("bodies[{index}]"))?;
+            if !names.insert(&body.name) {
+                return Err(Error::invalid(format!("bodies[{index}].name"), format!("`{}` occurs twice", body.name), "use unique names"));
+            }
+        }
+        self.material.validate(&self.bodies)?;
+        positive("duration", &[self.duration])
+    }
+}
+
+impl Body {
+    fn validate(&self, path: &str) -> Result<()> {
+        let field = |name: &str| format!("{path}.{name}");
+        if self.name.is_empty() || self.name == GROUND {
+            return Err(Error::invalid(field("name"), format!("is `{}`", self.name), "`ground` is the plane; use another name"));
+        }
+        match (&self.sphere, &self.cuboid) {
+            (Some(sphere), None) => positive(&field("sphere.radius"), &[sphere.radius])?,
+            (None, Some(cuboid)) => positive(&field("box.half_extents"), &cuboid.half_extents)?,
+            (None, None) => return Err(Error::invalid(path, "has no shape", "give `sphere` or `box`")),
+            (Some(_), Some(_)) => return Err(Error::invalid(path, "has two shapes", "give `sphere` or `box`, not both")),
+        }
+        positive(&field("mass"), &[self.mass])?;
+        if let Some(inertia) = &self.inertia {
+            positive(&field("inertia"), inertia)?;
+            let largest = inertia.iter().copied().fold(0.0, f64::max);
+            if 2.0 * largest > inertia.iter().sum::<f64>() * (1.0 + WRITTEN_UNIT_VECTOR) {
+                let cure = "a rigid body's largest moment is at most the sum of the other two";
+                return Err(Error::invalid(field("inertia"), format!("is {inertia:?}"), cure));
+            }
+        }
+        finite(&field("position"), &self.position)?;
+        unit(&field("orientation"), &self.orientation)?;
+        finite(&field("linear_velocity"), &self.linear_velocity)?;
+        finite(&field("angular_velocity"), &self.angular_velocity)
+    }
+}
+
+impl Material {
+    fn validate(&self, bodies: &[Body]) -> Result<()> {
+        coefficients("material", Some(self.friction), Some(self.restitution))?;
+        for (index, pair) in self.pairs.iter().enumerate() {
+            let path = format!("material.pairs[{index}]");
+            for name in &pair.bodies {
+                if name != GROUND && !bodies.iter().any(|body| body.name == *name) {
+                    return Err(Error::invalid(format!("{path}.bodies"), format!("names `{name}`"), "use names of bodies, or `ground`"));
+                }
+            }
+            if pair.bodies[0] == pair.bodies[1] {
+                return Err(Error::invalid(format!("{path}.bodies"), "names one body twice", "name two different ones"));
+            }
+            coefficients(&path, pair.friction, pair.restitution)?;
+        }
+        Ok(())
+    }
+}
+
+fn coefficients(path: &str, friction: Option<f64>, restitution: Option<f64>) -> Result<()> {
+    if let Some(friction) = friction.filter(|friction| !(friction.is_finite() && *friction >= 0.0)) {
+        return Err(Error::invalid(format!("{path}.friction"), format!("is {friction}"), "use a number ≥ 0"));
+    }
+    if let Some(restitution) = restitution.filter(|restitution| !(0.0..=1.0).contains(restitution)) {
+        return Err(Error::invalid(format!("{path}.restitution"), format!("is {restitution}"), "use a number between 0 and 1"));
+    }
+    Ok(())
+}
+
+fn finite(field: &str, values: &[f64]) -> Result<()> {
+    match values.iter().find(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(value) => Err(Error::invalid(field, format!("holds {value}"), "use finite numbers")),
+    }
+}
+
+fn positive(field: &str, values: &[f64]) -> Result<()> {
+    match values.iter().find(|value| !(value.is_finite() && **value > 0.0)) {
+        None => Ok(()),
+        Some(value) => Err(Error::invalid(field, format!("holds {value}"), "use a positive number")),
+    }
+}
+
+fn unit(field: &str, vector: &[f64]) -> Result<()> {
+    finite(field, vector)?;
+    let length = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if (length - 1.0).abs() <= WRITTEN_UNIT_VECTOR {
+        return Ok(());
+    }
+    Err(Error::invalid(field, format!("has length {length}"), "use a vector of length 1, written with nine digits or more"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::named;
+    use super::*;
+
+    /// The message for the scene `ball-drop` with one piece of its text replaced.
+    fn message(from: &str, to: &str) -> String {
+        let text = named("ball-drop").and_then(|scene| scene.to_json()).expect("a built-in scene");
+        assert!(text.contains(from), "{from} is not in {text}");
+        Scene::from_json(&text.replacen(from, to, 1)).expect_err("invalid").to_string()
+    }
+
+    #[test]
+    fn refusals_name_the_field_and_a_cure() {
+        assert!(message("\"mass\": 1.0", "\"mass\": -1.0").contains("`bodies[0].mass`: holds -1"));
+        assert!(message("\"radius\": 0.1", "\"radius\": 0").contains("`bodies[0].sphere.radius`"));
+        assert!(message("\"friction\": 0.5", "\"friction\": -0.5").contains("`material.friction`"));
+        assert!(message("\"restitution\": 0.0", "\"restitution\": 1.5").contains("`material.restitution`"));
+        assert!(message("\"duration\": 2.0", "\"duration\": 0").contains("`duration`"));
+        assert!(message("\"name\": \"ball\"", "\"name\": \"ground\"").contains("`bodies[0].name`"));
+        assert!(message("scene/1", "scene/9").contains("`schema`: is \"scene/9\""));
+    }
+
+    #[test]
+    fn misspelt_fields_and_nan_are_not_json_of_this_shape() {
+        assert!(message("\"mass\": 1.0", "\"maas\": 1.0").contains("unknown field `maas`"));
+        assert!(message("\"mass\": 1.0", "\"mass\": NaN").contains("not valid JSON"));
+        assert!(message("\"duration\": 2.0", "\"duration\": 1e999").contains("number out of range"));
+    }
+
+    #[test]
+    fn directions_must_be_of_unit_length_on_both_sides() {
+        let mut scene = named("ball-drop").expect("a built-in scene");
+        for (length, valid) in [(1.0, true), (1.0 + WRITTEN_UNIT_VECTOR / 2.0, true), (1.0 + 2.0 * WRITTEN_UNIT_VECTOR, false)] {
+            scene.bodies[0].orientation = [length, 0.0, 0.0, 0.0];
+            assert_eq!(scene.validate().is_ok(), valid, "length {length}");
+        }
+        scene.bodies[0].orientation = [f64::NAN, 0.0, 0.0, 0.0];
+        assert!(scene.validate().is_err() && scene.to_json().is_err());
+    }
+
+    #[test]
+    fn shapes_pairs_and_moments_are_checked() {
+        let scene = named("box-stack").expect("a built-in scene");
+        let refused = |change: &dyn Fn(&mut Scene)| {
+            let mut changed = scene.clone();
+            change(&mut changed);
+            changed.validate().expect_err("invalid").to_string()
+        };
+        assert!(refused(&|scene| scene.bodies[1].cuboid = None).contains("has no shape"));
+        assert!(refused(&|scene| scene.bodies[1].sphere = Some(super::super::Sphere { radius: 1.0 })).contains("two shapes"));
+        assert!(refused(&|scene| scene.bodies[1].name = scene.bodies[0].name.clone()).contains("occurs twice"));
+        assert!(refused(&|scene| scene.bodies[1].inertia = Some([1.0, 1.0, 2.5])).contains("inertia"));
+        assert!(refused(&|scene| scene.bodies.clear()).contains("`bodies`"));
+        let stray = ["box1", "box99"].map(String::from);
+        let pair = |bodies: [String; 2]| super::super::PairOverride { bodies, friction: Some(0.1), restitution: None };
+        assert!(refused(&|scene| scene.material.pairs = vec![pair(stray.clone())]).contains("box99"));
+        assert!(refused(&|scene| scene.material.pairs = vec![pair(["box1", "box1"].map(String::from))]).contains("twice"));
+    }
+}

@@ -1,0 +1,60 @@
+//! Tolerances of [`crate::contact`] and [`crate::mechanics`].
+
+use moreau_exact::tolerance::EPSILON;
+
+/// Step of a central difference \[s\], ε^⅓ rounded to a power of two (2⁻¹⁷): it balances truncation h²/6·f‴
+/// against rounding ε f/h.
+pub const DIFFERENCE_STEP: f64 = 1.0 / 131_072.0;
+
+/// Error of a central difference of a function of size `size` along a velocity of size `speed`: truncation
+/// h²/6·|f‴| with |f‴| ≤ 6·size·(1 + speed)³, and 8 rounding errors of size ε·size over 2h.
+///
+/// The bound on f‴ covers compositions of distances and rotations at unit length scale, which is what the
+/// mechanisms' gaps and potentials are.
+pub fn central_difference(speed: f64, size: f64) -> f64 {
+    let h = DIFFERENCE_STEP;
+    size * (h * h * (1.0 + speed).powi(3) + 4.0 * EPSILON / h)
+}
+
+/// The largest energy error of a Runge–Kutta run with half the step of one whose error is `coarse`: of order four it is a sixteenth to
+/// leading order, of order three an eighth; the next order of h is left as much again.
+pub fn runge_kutta_energy(coarse: f64) -> f64 {
+    coarse / 12.0
+}
+
+/// Newton steps for the midpoint spin: the contraction constant is at most √½·½ < 0.36, so the first error is below 0.6 of the
+/// size, and each step more than squares it; six reach ε from there.
+pub const NEWTON_STEPS: usize = 6;
+
+/// Sine of the angle below which crossing edges of two boxes count as parallel: what is left out by it is at most a thousandth of the
+/// tilt of the faces, the normal that is kept is good to a thousandth of the digits.
+pub const PARALLEL: f64 = 1.0 / 1024.0;
+
+/// How far, relative to its gap, a corner may lie beside the face it is measured against: what faces tilted against each other by up to
+/// 1/16 need, and little enough that its gap from the plane is its distance from the face up to 1/512.
+pub const BESIDE: f64 = 1.0 / 16.0;
+
+/// Angle θ₀ \[rad\] up to which two faces count as parallel and share one normal, their bisector: [`PARALLEL`] times [`BESIDE`], 2⁻¹⁴.
+///
+/// The rows of a contact then have the gap's rate up to tan α (‖v_t‖ + |φ|‖dn/dt‖), α the angle between the shared normal and the contact's
+/// own:
+/// - α = θ/2 ≤ 2⁻¹⁵ for a corner over a face. While it slides by s its gap changes unseen by at most 2⁻¹⁵ s, 31 µm per metre;
+/// - tan α ≤ 2 sin(θ/2)/sin ψ ≤ θ₀/[`PARALLEL`] = [`BESIDE`] for edges that cross at the angle ψ. Their crossing stays within the outline
+///   of the overlap, of diameter D, and the gap of two planes differs by at most θ D over it, so no slide changes it unseen by more than θ₀ D.
+///
+/// Both are errors of one step: the next one measures the gaps anew. Gaps measured along the two normals differ by a factor cos α,
+/// 1 − 2⁻³¹ for corners and at least 1 − 2⁻⁹ for edges. In exchange, normals that differ by less do not occur. Rows that are dependent but for a
+/// tilt θ have an operator W with eigenvalues of θ² beside those of order one, and sweeps need 1/θ² rounds to see the difference.
+pub const PARALLEL_FACES: f64 = PARALLEL * BESIDE;
+
+/// How far two faces are parallel, w = 2 − c/θ₀ cut off at 0 and 1, for outward normals whose sum has the length c = 2 sin(θ/2): 1 up to
+/// [`PARALLEL_FACES`], 0 from twice that angle.
+///
+/// Between the two w θ/2, the angle by which a normal turns, is at most θ₀/2: the bound above holds there, too.
+pub fn faces_are_parallel(sum: f64) -> f64 {
+    (2.0 - sum / PARALLEL_FACES).clamp(0.0, 1.0)
+}
+
+/// Contact points of two boxes nearer than this, relative to their size, are one: √ε, far above the rounding with which
+/// clipping finds the same corner twice, far below any lever arm that matters.
+pub const SAME_POINT: f64 = 1.0 / 67_108_864.0;
