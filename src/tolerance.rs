@@ -6,6 +6,7 @@
 
 pub use moreau_exact::tolerance::{EPSILON, rounding};
 
+pub use moreau_checks::tolerance::{self as checks, convergence, zeno};
 pub use moreau_contact::tolerance::{certificate, cones, problem, solvers};
 pub use moreau_dynamics::tolerance::{event_driven, impact_laws, integrators, mechanics, scenes, schemes, stabilisation, trajectory};
 
@@ -13,10 +14,6 @@ pub mod energy_balance;
 pub mod gate;
 pub mod limits;
 pub mod references;
-pub mod zeno;
-
-/// Leading errors of [`crate::checks::convergence`].
-pub mod convergence;
 
 /// Tolerances of [`crate::systems`].
 pub mod systems {
@@ -58,64 +55,6 @@ pub mod systems {
 }
 
 pub use moreau_forms::tolerance as closed_forms;
-
-/// Tolerances of [`crate::checks`].
-pub mod checks {
-    /// Family 3, projection on the friction cone.
-    pub mod cone_projection {
-        use super::super::rounding;
-
-        /// Stopping tolerance given to Clarabel, for gap and feasibility, relative to the data.
-        pub const CLARABEL_STOPPING: f64 = 1.0 / (1u64 << 40) as f64;
-
-        /// Rounding error of a projected point of size `size`: the closed form is a dozen rounded operations on terms
-        /// that are at most ‖z‖ (the half-angle's cosine and sine are at most 1), and evaluating a membership adds four.
-        pub fn position(size: f64) -> f64 {
-            rounding(16, size) + f64::MIN_POSITIVE
-        }
-
-        /// Rounding error of a product of two differences of sizes up to `left` and `right`, each with the error of
-        /// [`position`], plus the three products of the scalar product itself.
-        pub fn product(left: f64, right: f64) -> f64 {
-            2.0 * (left + right) * position(left + right) + rounding(4, left * right)
-        }
-
-        /// The largest radius of a certificate from Clarabel that still judges a projection of a point of size `size`.
-        ///
-        /// What it documents for `AlmostSolved`: gap g at most 5e-5 and residuals ρ at most 1e-4, relative to S = max(1, ‖z‖);
-        /// the radius is then at most √(ρ² + 2(g + 2ρ))·S = 0.0224 S, here 1/32. (`Solved` gives 1e-6.)
-        pub fn clarabel_radius(size: f64) -> f64 {
-            size.max(1.0) / 32.0
-        }
-
-        /// What rounding adds to a radius √(‖x − z − p‖² + 2 x·p): both members are in their cones up to [`position`], so x·p is
-        /// known up to [`product`], and the mismatch up to [`position`]; all sizes are at most ‖z‖ + ‖x‖.
-        pub fn clarabel_rounding(size: f64, point: f64) -> f64 {
-            let size = size + point;
-            (2.0 * product(size, size)).sqrt() + 2.0 * position(size)
-        }
-    }
-
-    /// Family 1, the Delassus operator.
-    pub mod delassus {
-        use super::super::rounding;
-
-        /// How far below zero xᵀWx/xᵀx may be for the rounded W of n velocities and trace tr W: 2(n + 2)ε·tr W.
-        ///
-        /// The computed Y and D of W = YᵀD⁻¹Y make an exactly semidefinite matrix G whatever their own errors; only the
-        /// last sum of n terms, each a product and a quotient, adds E with |E_ij| ≤ γ_{n+2}·√(G_ii G_jj), and
-        /// ‖E‖₂ ≤ γ_{n+2}·tr G. Since tr W ≤ rows·‖W‖₂ this is the bound c·rows·ε·‖W‖ with c = 2(n + 2).
-        pub fn gram_matrix(velocities: usize, trace: f64) -> f64 {
-            rounding(velocities + 2, trace)
-        }
-
-        /// How far H(M⁻¹Hᵀe_j) may be from W_ij for a *diagonal* M of n velocities, where `magnitude` is √(W_ii W_jj):
-        /// two sums of n products of three rounded factors each, and Σ|H_ik H_jk|/m_k ≤ √(W_ii W_jj) (Cauchy–Schwarz).
-        pub fn column(velocities: usize, magnitude: f64) -> f64 {
-            2.0 * rounding(velocities + 2, magnitude)
-        }
-    }
-}
 
 /// Tolerances of [`crate::claims`].
 pub mod claims {

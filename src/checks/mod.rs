@@ -3,17 +3,10 @@
 //! A check derives its expected value from a closed form, exact arithmetic or a proven bound – never from the subject.
 
 pub mod bullet_steps;
-pub mod cone_projection;
-pub mod convergence;
-pub mod delassus;
-pub mod energy;
 pub mod energy_balance;
-mod finding;
 pub mod replay;
 pub mod siconos_alpha;
 pub mod siconos_events;
 pub mod siconos_steps;
-pub mod stewart_trinkle;
-pub mod zeno;
 
-pub use finding::{Finding, Relation};
+pub use moreau_checks::{Finding, Relation, cone_projection, convergence, delassus, energy, stewart_trinkle, text, zeno};

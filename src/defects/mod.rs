@@ -2,28 +2,9 @@
 //!
 //! A check that no defect can fail is not a check. `tests/defects.rs` shows every defect caught and its reference passed.
 
-use crate::Result;
-use crate::checks::Finding;
-
-pub mod cone_projection;
-pub mod convergence;
-pub mod delassus;
-pub mod energy;
 pub mod energy_balance;
-pub mod stewart_trinkle;
-pub mod zeno;
 
-/// One planted mistake beside the correct reference.
-pub struct Defect {
-    /// A short name, `family/mistake`.
-    pub name: &'static str,
-    /// The mistake in one sentence.
-    pub mistake: &'static str,
-    /// The family's check on the defective subject: at least one finding must fail.
-    pub defective: fn() -> Result<Vec<Finding>>,
-    /// The same check on the reference: every finding must hold.
-    pub reference: fn() -> Result<Vec<Finding>>,
-}
+pub use moreau_checks::defects::{Defect, cone_projection, convergence, delassus, energy, stewart_trinkle, zeno};
 
 /// Every planted defect, family by family.
 pub fn all() -> impl Iterator<Item = &'static Defect> {

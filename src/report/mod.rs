@@ -5,8 +5,9 @@ pub mod comparison;
 pub mod gate;
 pub mod json;
 pub mod motion;
-pub mod plot;
 pub mod schemas;
 pub mod steps;
 pub mod systems;
 pub mod text;
+
+pub use moreau_checks::plot;

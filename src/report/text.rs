@@ -1,33 +1,13 @@
 //! What `verify` prints: one line per claim grouped by section, a count at the end, and the explanation of one claim.
 
 use crate::checks::Finding;
+pub use crate::checks::text::Style;
 use crate::claims::{Claim, Outcome, SECTIONS, Section, Status, Verdict, place};
 use crate::number::{significant, with_unit};
 use std::fmt::Write;
 
 /// Columns of wrapped prose.
 const WIDTH: usize = 100;
-
-/// Whether to mark headings and alarms with terminal colours.
-#[derive(Clone, Copy)]
-pub struct Style {
-    /// False for pipes, files and `NO_COLOR`.
-    pub colour: bool,
-}
-
-impl Style {
-    fn paint(self, code: &str, text: &str) -> String {
-        if self.colour { format!("\u{1b}[{code}m{text}\u{1b}[0m") } else { text.into() }
-    }
-
-    fn heading(self, text: &str) -> String {
-        self.paint("1", text)
-    }
-
-    fn alarm(self, text: &str) -> String {
-        self.paint("1;31", text)
-    }
-}
 
 /// The report of a run: claims by section, what is wrong, and the count as the last line.
 pub fn outcomes(outcomes: &[Outcome], style: Style) -> String {

@@ -1,12 +1,12 @@
 //! The four errors of one run against the closed form of the bouncing ball.
 
-use crate::Result;
-use crate::closed_forms::BouncingBall;
-use crate::mechanics::{PointMass, State};
-use crate::schemes::{Scheme, simulate};
-use crate::solvers::Reference;
-use crate::trajectory::metrics::{Normalisation, graph_distance, position_sup, velocity_l1, velocity_sup};
-use crate::trajectory::{Graph, Level, OrderEstimate, fit_order, shifted_steps};
+use moreau_contact::solvers::Reference;
+use moreau_dynamics::mechanics::{PointMass, State};
+use moreau_dynamics::schemes::{Scheme, simulate};
+use moreau_dynamics::trajectory::metrics::{Normalisation, graph_distance, position_sup, velocity_l1, velocity_sup};
+use moreau_dynamics::trajectory::{Graph, Level, OrderEstimate, fit_order, shifted_steps};
+use moreau_exact::Result;
+use moreau_forms::BouncingBall;
 use nalgebra::dvector;
 
 /// Gravity of every case \[m/s²\].

@@ -1,8 +1,8 @@
 //! Planted mistakes in the projection on the friction cone.
 
 use super::Defect;
-use crate::checks::cone_projection::battery;
-use crate::cones::second_order::{contains, polar_contains, project, tangential_norm};
+use crate::cone_projection::battery;
+use moreau_contact::cones::second_order::{contains, polar_contains, project, tangential_norm};
 
 /// The defects of this family.
 pub const DEFECTS: &[Defect] = &[
@@ -80,7 +80,7 @@ fn tangent_without_mu(z: &mut [f64], mu: f64) {
 }
 
 fn dual_cone(z: &mut [f64], mu: f64) {
-    crate::cones::second_order::project_dual(z, mu);
+    moreau_contact::cones::second_order::project_dual(z, mu);
 }
 
 fn clamp_the_tangent(z: &mut [f64], mu: f64) {
@@ -108,8 +108,8 @@ fn absolute_threshold(z: &mut [f64], mu: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::Finding;
-    use crate::checks::cone_projection::*;
+    use crate::Finding;
+    use crate::cone_projection::*;
 
     fn fails(findings: Vec<Finding>) -> bool {
         !findings.iter().all(Finding::holds)

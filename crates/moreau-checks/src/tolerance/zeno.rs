@@ -55,7 +55,7 @@
 //! In the limit w = 0 an active state has x ≤ b. The energy left by the last bounce is at least b + 1 − κ +
 //! min(½y² + q₋y) − ⅛ (a second bounce within one step costs at most ⅛), and the final contraction costs at most ⅛.
 
-use super::rounding;
+use moreau_exact::tolerance::rounding;
 
 /// The numbers of one drop: scheme, restitution and σ₀ = V/(g h).
 #[derive(Clone, Copy, Debug, PartialEq)]

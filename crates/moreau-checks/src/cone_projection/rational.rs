@@ -7,9 +7,9 @@
 //! Moreau's decomposition is then verified with tolerance zero, which proves `r` without trusting this formula.
 
 use super::{Finding, Projection, apply, norm};
-use crate::cones::{Case, decide};
-use crate::scalar::{Rational, Scalar, ratio};
-use crate::tolerance::checks::cone_projection as tolerance;
+use crate::tolerance::cone_projection as tolerance;
+use moreau_contact::cones::{Case, decide};
+use moreau_exact::scalar::{Rational, Scalar, ratio};
 
 /// A point with rational entries and rational tangential norm.
 #[derive(Clone, Debug)]

@@ -1,15 +1,16 @@
 //! Planted defects of the family `zeno`.
 
 use super::Defect;
-use crate::Result;
-use crate::checks::Finding;
-use crate::checks::zeno::{DroppedBall, absorption};
-use crate::mechanics::{Mechanism, State};
-use crate::problem::Law;
-use crate::schemes::assembly::{self, Candidate, Rules, normal_only};
-use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepProblem, simulate};
-use crate::solvers::ProjectedGaussSeidel;
+use crate::Finding;
 use crate::tolerance::zeno;
+use crate::zeno::{DroppedBall, absorption};
+use moreau_contact::problem::Law;
+use moreau_contact::solvers::ProjectedGaussSeidel;
+use moreau_dynamics::mechanics::{Mechanism, State};
+use moreau_dynamics::schemes::assembly;
+use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
+use moreau_dynamics::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepProblem, simulate};
+use moreau_exact::Result;
 use nalgebra::DVector;
 
 /// The defects of this family.
@@ -55,7 +56,7 @@ pub fn sinking(ball: &DroppedBall, h: f64) -> Result<Finding> {
 
 /// What is wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Mistake {
+pub enum Mistake {
     /// Rule C: active when φ + h v ≤ 0 and v ≤ 0.
     ApproachingOnly,
     /// Shift e v_free instead of e v.
@@ -64,7 +65,7 @@ pub(crate) enum Mistake {
 
 /// Moreau–Jean with one mistake.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Altered {
+pub struct Altered {
     /// The scheme without the mistake.
     pub base: MoreauJean,
     /// The mistake.

@@ -1,6 +1,6 @@
 //! A finding: one measured number held against one expectation.
 
-use crate::scalar::Rational;
+use moreau_exact::scalar::Rational;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -117,7 +117,7 @@ impl std::fmt::Display for Finding {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::ratio;
+    use moreau_exact::scalar::ratio;
 
     #[test]
     fn both_sides_of_each_boundary() {

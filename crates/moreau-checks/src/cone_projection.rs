@@ -14,36 +14,40 @@ pub use self::clarabel::{equals_clarabel, minimiser};
 pub use self::rational::{RationalPoint, decided_exactly};
 
 use super::Finding;
-use crate::tolerance::checks::cone_projection as tolerance;
+use crate::tolerance::cone_projection as tolerance;
 
 /// The subject: replaces `z` by its projection on K_μ.
 pub type Projection = fn(&mut [f64], f64);
 
-pub(crate) fn apply(subject: Projection, z: &[f64], mu: f64) -> Vec<f64> {
+/// The subject at a point, which stays as it is.
+pub fn apply(subject: Projection, z: &[f64], mu: f64) -> Vec<f64> {
     let mut point = z.to_vec();
     subject(&mut point, mu);
     point
 }
 
-pub(crate) fn difference(left: &[f64], right: &[f64]) -> Vec<f64> {
+/// a − b.
+pub fn difference(left: &[f64], right: &[f64]) -> Vec<f64> {
     left.iter().zip(right).map(|(a, b)| a - b).collect()
 }
 
-pub(crate) fn dot(left: &[f64], right: &[f64]) -> f64 {
+/// a·b.
+pub fn dot(left: &[f64], right: &[f64]) -> f64 {
     left.iter().zip(right).map(|(a, b)| a * b).sum()
 }
 
-pub(crate) fn norm(z: &[f64]) -> f64 {
+/// ‖z‖, without overflow.
+pub fn norm(z: &[f64]) -> f64 {
     z.iter().fold(0.0, |length: f64, &entry| length.hypot(entry))
 }
 
 /// How far `z` is outside K_μ, `max(‖z_t‖ − μ z_n, −z_n)`, relative to `√(1+μ²)`.
-pub(crate) fn cone_excess(z: &[f64], mu: f64) -> f64 {
+pub fn cone_excess(z: &[f64], mu: f64) -> f64 {
     ((norm(&z[1..]) - mu * z[0]) / mu.hypot(1.0)).max(-z[0])
 }
 
 /// How far `p` is outside K_μ°, `μ‖p_t‖ + p_n`, relative to `√(1+μ²)`.
-pub(crate) fn polar_excess(p: &[f64], mu: f64) -> f64 {
+pub fn polar_excess(p: &[f64], mu: f64) -> f64 {
     (mu * norm(&p[1..]) + p[0]) / mu.hypot(1.0)
 }
 
@@ -108,7 +112,7 @@ pub fn equivariant(subject: Projection, z: &[f64], angle: f64, mu: f64) -> Vec<F
 ///
 /// # Errors
 /// If Clarabel does not accept or does not solve one of the small problems.
-pub fn battery(subject: Projection) -> crate::Result<Vec<Finding>> {
+pub fn battery(subject: Projection) -> moreau_exact::Result<Vec<Finding>> {
     const POINTS: [[f64; 3]; 7] =
         [[3.0, 0.5, -0.25], [-0.25, 1.0, 0.5], [-0.1, 0.0, 1.0], [1.0, -3.0, 2.0], [-4.0, 0.25, 0.5], [0.0, 1.0, 0.0], [2.0, 0.0, 0.0]];
     let mut findings = Vec::new();

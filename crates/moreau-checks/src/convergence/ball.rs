@@ -1,12 +1,12 @@
 //! Moreau–Jean on the bouncing ball with e > 0: one impact, the Zeno sequence, the elastic ball.
 
 use super::errors::{GRAVITY, HEIGHT, study};
-use crate::Result;
-use crate::checks::Finding;
-use crate::closed_forms::BouncingBall;
-use crate::schemes::{MoreauJean, Scheme};
+use crate::Finding;
 use crate::tolerance::convergence::{Bounds, Impacts};
-use crate::trajectory::OrderEstimate;
+use moreau_dynamics::schemes::{MoreauJean, Scheme};
+use moreau_dynamics::trajectory::OrderEstimate;
+use moreau_exact::Result;
+use moreau_forms::BouncingBall;
 
 /// How long the ball is followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,11 +7,11 @@
 //! needs one event per bounce and never reaches T∞.
 
 use super::Finding;
-use crate::Result;
-use crate::mechanics::{PointMass, State};
-use crate::schemes::{Activation, MoreauJean, Scheme, step};
-use crate::solvers::ProjectedGaussSeidel;
 use crate::tolerance::zeno;
+use moreau_contact::solvers::ProjectedGaussSeidel;
+use moreau_dynamics::mechanics::{PointMass, State};
+use moreau_dynamics::schemes::{Activation, MoreauJean, Scheme, step};
+use moreau_exact::Result;
 use nalgebra::dvector;
 
 /// A ball dropped from rest.
@@ -165,7 +165,7 @@ pub fn events_grow(ball: &DroppedBall, halvings: u32) -> Vec<Finding> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::schemes::RestitutionRule;
+    use moreau_dynamics::schemes::RestitutionRule;
 
     const BALL: DroppedBall = DroppedBall { mass: 1.0, gravity: 9.81, height: 1.0, restitution: 0.8 };
 

@@ -6,11 +6,11 @@
 
 use super::ball::metric;
 use super::errors::{GRAVITY, HEIGHT, study};
-use crate::Result;
-use crate::checks::Finding;
-use crate::closed_forms::BouncingBall;
-use crate::schemes::Scheme;
+use crate::Finding;
 use crate::tolerance::convergence::Bounds;
+use moreau_dynamics::schemes::Scheme;
+use moreau_exact::Result;
+use moreau_forms::BouncingBall;
 
 /// How a scheme brings the plastic ball to rest.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,13 +1,14 @@
 //! Planted defects of the family `convergence`.
 
 use super::Defect;
-use crate::Result;
-use crate::checks::Finding;
-use crate::checks::convergence::{Horizon, Stop, bouncing_ball, plastic_ball};
-use crate::mechanics::{Mechanism, State};
-use crate::problem::Law;
-use crate::schemes::assembly::{self, Candidate, Rules, normal_only};
-use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepProblem, StewartTrinkle};
+use crate::Finding;
+use crate::convergence::{Horizon, Stop, bouncing_ball, plastic_ball};
+use moreau_contact::problem::Law;
+use moreau_dynamics::mechanics::{Mechanism, State};
+use moreau_dynamics::schemes::assembly;
+use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
+use moreau_dynamics::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepProblem, StewartTrinkle};
+use moreau_exact::Result;
 use nalgebra::DVector;
 
 /// The defects of this family.
@@ -40,7 +41,7 @@ fn one_impact(subject: &dyn Scheme) -> Result<Vec<Finding>> {
 
 /// What is wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Mistake {
+pub enum Mistake {
     /// Stewart–Trinkle with φ·h.
     GapTimesStep,
     /// Stewart–Trinkle with q⁺ = q + ½h(v + v⁺).
@@ -50,7 +51,7 @@ pub(crate) enum Mistake {
 }
 
 /// A scheme with one mistake.
-pub(crate) struct Altered(pub Mistake);
+pub struct Altered(pub Mistake);
 
 impl Rules for Altered {
     fn theta(&self) -> f64 {
@@ -96,9 +97,9 @@ impl Scheme for Altered {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mechanics::PointMass;
-    use crate::schemes::simulate;
-    use crate::solvers::Reference;
+    use moreau_contact::solvers::Reference;
+    use moreau_dynamics::mechanics::PointMass;
+    use moreau_dynamics::schemes::simulate;
     use nalgebra::dvector;
 
     /// With θ=½ positions a step that reaches −δ is followed by v⁺ = δ/h: the trapezoid keeps half the landing speed.

@@ -1,7 +1,7 @@
 //! An exact system of contacts, and what a Stewart–Trinkle step of it must satisfy, in mechanical terms.
 
-use crate::scalar::{Rational, ratio};
 use dashu_ratio::RBig;
+use moreau_exact::scalar::{Rational, ratio};
 use nalgebra::{DMatrix, DVector};
 
 /// Contacts of a mechanism with diagonal mass matrix, in rational numbers.

@@ -1,10 +1,10 @@
 //! Planted defects of the family `delassus`: W = H M⁻¹ Hᵀ with one mistake each.
 
 use super::Defect;
-use crate::Result;
-use crate::checks::Finding;
-use crate::checks::delassus::{DelassusRule, Library, check};
-use crate::scalar::{Rational, Scalar, ratio};
+use crate::Finding;
+use crate::delassus::{DelassusRule, Library, check};
+use moreau_exact::Result;
+use moreau_exact::scalar::{Rational, Scalar, ratio};
 use nalgebra::DMatrix;
 
 /// The defects of this family.

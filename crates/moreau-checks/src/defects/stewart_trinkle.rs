@@ -1,11 +1,11 @@
 //! Planted defects of the family `stewart_trinkle`: four ways to write the LCP down wrongly.
 
 use super::Defect;
-use crate::Result;
-use crate::checks::Finding;
-use crate::checks::stewart_trinkle::{Assembly, System, chapter_example, decisions, identity, reduced, reference, solvability, wedge};
-use crate::problem::{Lcp, stewart_trinkle};
-use crate::scalar::{Rational, ratio};
+use crate::Finding;
+use crate::stewart_trinkle::{Assembly, System, chapter_example, decisions, identity, reduced, reference, solvability, wedge};
+use moreau_contact::problem::{Lcp, stewart_trinkle};
+use moreau_exact::Result;
+use moreau_exact::scalar::{Rational, ratio};
 use nalgebra::DVector;
 
 /// The defects of this family.

@@ -1,8 +1,8 @@
 //! Pictures: panels of curves over time as SVG, legends beside the panels so that they cover nothing.
 
-use crate::number::significant;
-use crate::tolerance::EPSILON;
-use crate::{Error, Result};
+use moreau_exact::number::significant;
+use moreau_exact::tolerance::EPSILON;
+use moreau_exact::{Error, Result};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::ops::Range;

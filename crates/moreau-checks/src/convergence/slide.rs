@@ -6,15 +6,15 @@
 //!     sliding, Anitescu from φ = 0:                  hop to (μ v₀)²/(2 g cos α (1+μ²)²), for every h.
 //! ```
 
-use crate::Result;
-use crate::checks::Finding;
-use crate::closed_forms::InclineBlock;
-use crate::mechanics::{PointMass, State};
-use crate::schemes::{Scheme, simulate};
-use crate::solvers::Reference;
+use crate::Finding;
 use crate::tolerance::convergence::{slide_rounding, slide_second_order};
-use crate::trajectory::metrics::{creep_speed, largest_gap, position_sup, velocity_l1, velocity_sup};
-use crate::trajectory::{Graph, Level, Recording, fit_order};
+use moreau_contact::solvers::Reference;
+use moreau_dynamics::mechanics::{PointMass, State};
+use moreau_dynamics::schemes::{Scheme, simulate};
+use moreau_dynamics::trajectory::metrics::{creep_speed, largest_gap, position_sup, velocity_l1, velocity_sup};
+use moreau_dynamics::trajectory::{Graph, Level, Recording, fit_order};
+use moreau_exact::Result;
+use moreau_forms::InclineBlock;
 use nalgebra::dvector;
 
 /// A block of 1 kg on a slope.

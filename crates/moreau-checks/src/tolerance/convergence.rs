@@ -28,6 +28,8 @@
 //! From flight n on both motions stay below twice the apex e²ⁿ V t₁/2, within speeds 2eⁿV and within the remaining time
 //! 2eⁿt₁/(1−e); cutting there bounds the rest, and any n may be chosen. The graph bound then grows like n ~ ln N.
 
+use moreau_exact::tolerance::rounding;
+
 /// The error of one family of metrics lies between these, in its own unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
@@ -218,7 +220,7 @@ fn magnitude([low, high]: [f64; 2]) -> f64 {
 /// Rounding of a motion of `steps` steps along a slope with speeds and lengths below 16: each step adds at most 16
 /// roundings of numbers below 16, and a creep speed divides by a duration of at least ½.
 pub fn slide_rounding(steps: usize) -> f64 {
-    2.0 * super::rounding(16 * steps, 16.0)
+    2.0 * rounding(16 * steps, 16.0)
 }
 
 /// Relative second-order part of the errors of a slide of `steps` steps with 0 < μ² ≤ ¼.

@@ -1,13 +1,13 @@
 //! Planted defects of the family `energy`: the assembled problem of Moreau–Jean, altered.
 
 use super::Defect;
-use crate::Result;
-use crate::checks::Finding;
-use crate::checks::energy::impact;
-use crate::checks::zeno::DroppedBall;
-use crate::mechanics::{Mechanism, State};
-use crate::problem::ContactProblem;
-use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepProblem};
+use crate::Finding;
+use crate::energy::impact;
+use crate::zeno::DroppedBall;
+use moreau_contact::problem::ContactProblem;
+use moreau_dynamics::mechanics::{Mechanism, State};
+use moreau_dynamics::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepProblem};
+use moreau_exact::Result;
 use nalgebra::DVector;
 
 /// The defects of this family.
@@ -47,7 +47,7 @@ fn family(subject: &dyn Scheme) -> Result<Vec<Finding>> {
 }
 
 /// y = e u⁺ + u⁻ has the zeros of y = u⁺ + u⁻/e, and u⁻ = shift/e; for e = ½.
-pub(crate) fn restitution_on_the_wrong_side(problem: &mut ContactProblem) {
+pub fn restitution_on_the_wrong_side(problem: &mut ContactProblem) {
     problem.shift /= RESTITUTION * RESTITUTION;
 }
 
@@ -61,12 +61,13 @@ fn restitution_of_the_free_velocity(problem: &mut ContactProblem) {
     problem.shift = &problem.free_velocity * RESTITUTION;
 }
 
-pub(crate) fn restitution_forgotten(problem: &mut ContactProblem) {
+/// A mistake: the shift e u⁻ is left out.
+pub fn restitution_forgotten(problem: &mut ContactProblem) {
     problem.shift.fill(0.0);
 }
 
 /// Moreau–Jean whose contact problem is altered before it is solved.
-pub(crate) struct Misassembled {
+pub struct Misassembled {
     /// The scheme that assembles it correctly.
     pub base: MoreauJean,
     /// What is done to the problem.

@@ -10,13 +10,14 @@
 
 use super::Finding;
 use super::zeno::DroppedBall;
-use crate::mechanics::State;
-use crate::scalar::{Rational, ratio};
-use crate::schemes::exact_particle::{Ball, Motion, Outcome};
-use crate::schemes::{Activation, MoreauJean, Scheme, step};
-use crate::solvers::ProjectedGaussSeidel;
-use crate::tolerance::{rounding, schemes};
-use crate::{Error, Result};
+use moreau_contact::solvers::ProjectedGaussSeidel;
+use moreau_dynamics::mechanics::State;
+use moreau_dynamics::schemes::exact_particle::{Ball, Motion, Outcome};
+use moreau_dynamics::schemes::{Activation, MoreauJean, Scheme, step};
+use moreau_dynamics::tolerance::schemes;
+use moreau_exact::scalar::{Rational, ratio};
+use moreau_exact::tolerance::rounding;
+use moreau_exact::{Error, Result};
 
 /// Steps a ball through its first impact: the states before and after it.
 ///

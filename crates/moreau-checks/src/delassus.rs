@@ -4,11 +4,11 @@
 //! W = H X. Column j of X is the velocity change of a unit impulse at row j, so this is the physical meaning of W.
 
 use super::Finding;
-use crate::certificate::definiteness::{Definiteness, definiteness, quadratic_form};
-use crate::elimination::{rank, solve};
-use crate::scalar::{Rational, Scalar, exact};
-use crate::tolerance::checks::delassus::gram_matrix;
-use crate::{Error, Result};
+use crate::tolerance::delassus::gram_matrix;
+use moreau_contact::certificate::definiteness::{Definiteness, definiteness, quadratic_form};
+use moreau_exact::elimination::{rank, solve};
+use moreau_exact::scalar::{Rational, Scalar, exact};
+use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, SymmetricEigen};
 use num_traits::Zero;
 
@@ -21,12 +21,12 @@ pub trait DelassusRule {
     fn delassus<T: Scalar>(&self, mass: &DMatrix<T>, jacobian: &DMatrix<T>) -> Result<DMatrix<T>>;
 }
 
-/// The library's [`crate::contact::delassus::delassus`].
+/// The library's [`moreau_contact::contact::delassus::delassus`].
 pub struct Library;
 
 impl DelassusRule for Library {
     fn delassus<T: Scalar>(&self, mass: &DMatrix<T>, jacobian: &DMatrix<T>) -> Result<DMatrix<T>> {
-        crate::contact::delassus::delassus(mass, jacobian)
+        moreau_contact::contact::delassus::delassus(mass, jacobian)
     }
 }
 
@@ -87,7 +87,7 @@ fn largest(matrix: &DMatrix<Rational>) -> Rational {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::ratio;
+    use moreau_exact::scalar::ratio;
 
     fn matrix(rows: usize, columns: usize, entries: &[i64]) -> DMatrix<Rational> {
         DMatrix::from_row_slice(rows, columns, &entries.iter().map(|&x| ratio(x, 1)).collect::<Vec<_>>())

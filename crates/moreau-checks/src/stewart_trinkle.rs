@@ -5,21 +5,21 @@
 //! ```
 //! The subject is an [`Assembly`], a function from a system of contacts to an LCP. What is expected of it comes from the
 //! system itself, in impulses and velocities, and from exact decisions on the matrix; theorem and proof stand in
-//! [`crate::certificate::existence`].
+//! [`moreau_contact::certificate::existence`].
 
 mod system;
 
 use super::Finding;
-use crate::Result;
-use crate::certificate::copositivity::{NotPlus, copositive, copositive_plus};
-use crate::certificate::definiteness::{positive_semidefinite, quadratic_form};
-use crate::certificate::p_matrix::p_matrix;
-use crate::certificate::{Decision, existence, lcp as certificate};
-use crate::contact::delassus::delassus;
-use crate::problem::{Lcp, stewart_trinkle};
-use crate::scalar::{Rational, ratio};
-use crate::solvers::lemke::{LemkeOutcome, lemke};
 use dashu_ratio::RBig;
+use moreau_contact::certificate::copositivity::{NotPlus, copositive, copositive_plus};
+use moreau_contact::certificate::definiteness::{positive_semidefinite, quadratic_form};
+use moreau_contact::certificate::p_matrix::p_matrix;
+use moreau_contact::certificate::{Decision, existence, lcp as certificate};
+use moreau_contact::contact::delassus::delassus;
+use moreau_contact::problem::{Lcp, stewart_trinkle};
+use moreau_contact::solvers::lemke::{LemkeOutcome, lemke};
+use moreau_exact::Result;
+use moreau_exact::scalar::{Rational, ratio};
 use nalgebra::{DMatrix, DVector};
 
 pub use system::{System, rational_directions};

@@ -12,11 +12,11 @@
 //! thousand ends as `AlmostSolved`: it is judged by the same inequality, with the radius that its own answer proves.
 
 use super::{Finding, Projection, apply, cone_excess, difference, dot, norm, polar_excess};
-use crate::tolerance::checks::cone_projection as tolerance;
-use crate::{Error, Result};
+use crate::tolerance::cone_projection as tolerance;
 use ::clarabel::algebra::CscMatrix;
 use ::clarabel::solver::SupportedConeT::{NonnegativeConeT, SecondOrderConeT, ZeroConeT};
 use ::clarabel::solver::{DefaultSettings, DefaultSettingsBuilder, DefaultSolver, IPSolver};
+use moreau_exact::{Error, Result};
 
 /// A point of the cone and how far it is from the projection at most.
 #[derive(Clone, Debug)]
@@ -92,7 +92,7 @@ pub fn equals_clarabel(subject: Projection, z: &[f64], mu: f64) -> Result<Vec<Fi
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cones::second_order::project;
+    use moreau_contact::cones::second_order::project;
 
     /// The draw that Clarabel ends as `AlmostSolved`, found by CI.
     const HARD: ([f64; 2], f64) = ([0.6378278104428724, 1.82267243469381], 2.857102059847257);

@@ -1,0 +1,18 @@
+//! Checks: functions that take a subject (our reference, a planted defect, a claim's reading) and return [`Finding`]s.
+//!
+//! A check derives its expected value from a closed form, exact arithmetic or a proven bound – never from the subject. Every family has planted
+//! [`defects`]: references with one textbook mistake each, which its checks must catch.
+
+pub mod cone_projection;
+pub mod convergence;
+pub mod defects;
+pub mod delassus;
+pub mod energy;
+mod finding;
+pub mod plot;
+pub mod stewart_trinkle;
+pub mod text;
+pub mod tolerance;
+pub mod zeno;
+
+pub use finding::{Finding, Relation};
