@@ -2,11 +2,8 @@
 //!
 //! A check derives its expected value from a closed form, exact arithmetic or a proven bound – never from the subject.
 
-pub mod bullet_steps;
-pub mod energy_balance;
-pub mod replay;
-pub mod siconos_alpha;
-pub mod siconos_events;
-pub mod siconos_steps;
-
 pub use moreau_checks::{Finding, Relation, cone_projection, convergence, delassus, energy, stewart_trinkle, text, zeno};
+pub use moreau_replicas::bullet::steps as bullet_steps;
+pub use moreau_replicas::drake::replay;
+pub use moreau_replicas::energy_balance;
+pub use moreau_replicas::siconos::{alpha as siconos_alpha, events as siconos_events, steps as siconos_steps};

@@ -2,9 +2,8 @@
 //!
 //! A check that no defect can fail is not a check. `tests/defects.rs` shows every defect caught and its reference passed.
 
-pub mod energy_balance;
-
 pub use moreau_checks::defects::{Defect, cone_projection, convergence, delassus, energy, stewart_trinkle, zeno};
+pub use moreau_replicas::energy_balance::defects as energy_balance;
 
 /// Every planted defect, family by family.
 pub fn all() -> impl Iterator<Item = &'static Defect> {

@@ -1,0 +1,12 @@
+//! Engines rebuilt from their equations, one folder per engine: scheme, parameters, the engine's own iteration and the replay of its stored runs.
+//!
+//! [`schemes`] lists every scheme by name, those of the literature and the engines'; [`energy_balance`] states what each of them may gain in a step.
+
+pub mod bullet;
+pub mod chrono;
+pub mod drake;
+pub mod energy_balance;
+pub mod mujoco;
+pub mod schemes;
+pub mod siconos;
+pub mod tolerance;

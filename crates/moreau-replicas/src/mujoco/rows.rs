@@ -1,0 +1,230 @@
+//! All rows MuJoCo gives a contact, those of rotation included, and the pieces of Gauss's program they belong to.
+//!
+//! ```text
+//!     H = (n, t₁, t₂, ω_n, ω_t₁, ω_t₂) as far as there is friction ,      μ = (μ, μ, torsional, rolling, rolling)
+//!     elliptic     one cone Σ (f_j/μ_j)² ≤ f_n²                    E = 1
+//!     pyramidal    2(dim − 1) edges n ± μ_j row j , one R for all   E f = the rows' forces
+//! ```
+//! ω_n, … is the relative angular velocity \[rad/s\], so that its force is a torque \[N·m\] and its coefficient a length \[m\].
+
+use crate::mujoco::integrator::Pushed;
+use crate::mujoco::{Cone, Mujoco, Soft};
+use moreau_contact::certificate::StepResidual;
+use moreau_contact::contact::delassus::MassFactor;
+use moreau_contact::contact::{ContactImpulse, Place};
+use moreau_contact::solvers::GaussNewton;
+use moreau_contact::solvers::gauss::{GaussProgram, SoftPiece};
+use moreau_contact::tolerance::certificate::CERTIFY;
+use moreau_dynamics::mechanics::{Mechanism, State};
+use moreau_exact::{Error, Result};
+use nalgebra::{DMatrix, DVector};
+
+/// Friction against rotation: `condim` 3, 4 or 6 in MuJoCo's words.
+///
+/// # Source
+/// MuJoCo documentation, *Computation: contact* (3.17).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Rotational {
+    /// Torque about the normal over the normal force \[m\]; 0: none.
+    pub torsional: f64,
+    /// Torque about each tangent over the normal force \[m\]; 0: none.
+    pub rolling: f64,
+}
+
+impl Rotational {
+    /// Sliding friction only.
+    pub const NONE: Rotational = Rotational { torsional: 0.0, rolling: 0.0 };
+
+    /// Checks the lengths.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if one is negative or not finite, or if there is rolling friction without torsional.
+    pub fn validate(&self) -> Result<()> {
+        let Rotational { torsional, rolling } = *self;
+        for (field, length) in [("torsional", torsional), ("rolling", rolling)] {
+            if !(length >= 0.0 && length.is_finite()) {
+                return Err(Error::invalid(field, format!("is {length}"), "use a length ≥ 0 m"));
+            }
+        }
+        if rolling > 0.0 && torsional == 0.0 {
+            return Err(Error::invalid("rolling", "comes without torsional friction", "give both lengths"));
+        }
+        Ok(())
+    }
+
+    pub(super) fn suffix(&self) -> &'static str {
+        match self.coefficients().len() {
+            0 => "",
+            1 => " torsional",
+            _ => " rolling",
+        }
+    }
+
+    fn coefficients(&self) -> Vec<f64> {
+        match (self.torsional > 0.0, self.rolling > 0.0) {
+            (_, true) => vec![self.torsional, self.rolling, self.rolling],
+            (true, false) => vec![self.torsional],
+            _ => Vec::new(),
+        }
+    }
+}
+
+/// One active contact with its rows.
+pub(super) struct SoftRows {
+    pub index: usize,
+    pub place: Option<Place>,
+    /// H, all rows.
+    pub jacobian: DMatrix<f64>,
+    /// E: one row per row of the pieces.
+    pub edges: DMatrix<f64>,
+    pub pieces: Vec<SoftPiece>,
+    /// a_ref of the pieces' rows.
+    pub reference: DVector<f64>,
+}
+
+impl Mujoco {
+    /// The rows of every active contact at a state.
+    pub(super) fn soft_rows(
+        &self,
+        mechanism: &dyn Mechanism,
+        position: &DVector<f64>,
+        velocity: &DVector<f64>,
+        h: f64,
+    ) -> Result<Vec<SoftRows>> {
+        let factor = MassFactor::new(&mechanism.mass_matrix(position))?;
+        let contacts = self.active(mechanism, position, &factor);
+        contacts.iter().map(|soft| self.rows_of(mechanism, position, velocity, h, soft)).collect()
+    }
+
+    fn rows_of(
+        &self,
+        mechanism: &dyn Mechanism,
+        position: &DVector<f64>,
+        velocity: &DVector<f64>,
+        h: f64,
+        soft: &Soft,
+    ) -> Result<SoftRows> {
+        let Soft { index, contact, inverse_mass } = soft;
+        let (gap, mu, sliding) = (contact.gap, contact.friction, contact.jacobian.nrows());
+        let mut friction = if mu > 0.0 { vec![mu; sliding - 1] } else { Vec::new() };
+        let mut jacobian = contact.jacobian.rows(0, 1 + friction.len()).into_owned();
+        if friction.len() == 2 && self.rotational != Rotational::NONE {
+            let more = self.rotational.coefficients();
+            let turning = mechanism.contact_rotation(position, contact).ok_or_else(|| {
+                Error::Unsupported(format!("{}: torsional and rolling friction need free bodies in space", mechanism.name()))
+            })?;
+            jacobian = DMatrix::from_fn(3 + more.len(), jacobian.ncols(), |row, column| {
+                if row < 3 { jacobian[(row, column)] } else { turning[(row - 3, column)] }
+            });
+            friction.extend(more);
+        }
+        let rows = jacobian.nrows();
+        let (edges, pieces) = if friction.is_empty() {
+            (DMatrix::identity(1, 1), vec![SoftPiece::OneSided { softness: self.softness.elliptic(gap, *inverse_mass, &[])[0] }])
+        } else if self.cone == Cone::Elliptic || sliding < 3 {
+            let softness = self.softness.elliptic(gap, *inverse_mass, &friction);
+            let cone = SoftPiece::Cone { normal: softness[0], tangential: softness[1] * mu * mu, friction };
+            (DMatrix::identity(rows, rows), vec![cone])
+        } else {
+            let edge = SoftPiece::OneSided { softness: self.softness.pyramidal(gap, *inverse_mass, mu) };
+            (pyramid(&friction), vec![edge; 2 * friction.len()])
+        };
+        let reference = self.softness.reference_acceleration(h, gap, (&jacobian * velocity).as_slice());
+        let reference = &edges * DVector::from_vec(reference);
+        Ok(SoftRows { index: *index, place: contact.place, jacobian, edges, pieces, reference })
+    }
+
+    /// F + Hᵀf at a state, and h f of every active contact, by Newton's method on Gauss's program with all rows.
+    pub(super) fn pushed_with_rotation(&self, mechanism: &dyn Mechanism, state: &State, force: &DVector<f64>, h: f64) -> Result<Pushed> {
+        let mass = mechanism.mass_matrix(&state.position);
+        let free = MassFactor::new(&mass)?.solve(force);
+        let contacts = self.soft_rows(mechanism, &state.position, &state.velocity, h)?;
+        let count = contacts.iter().map(|contact| contact.edges.nrows()).sum();
+        let (mut jacobian, mut offset) = (DMatrix::zeros(count, mass.ncols()), DVector::zeros(count));
+        let mut first = 0;
+        for contact in &contacts {
+            let rows = &contact.edges * &contact.jacobian;
+            offset.rows_mut(first, rows.nrows()).copy_from(&((&rows * &free - &contact.reference) * h));
+            jacobian.rows_mut(first, rows.nrows()).copy_from(&rows);
+            first += rows.nrows();
+        }
+        let pieces = contacts.iter().flat_map(|contact| contact.pieces.clone()).collect();
+        let program = GaussProgram::new(mass, jacobian, offset, pieces)?;
+        let answer = GaussNewton::default().minimise(&program, DVector::zeros(program.velocities()))?;
+        let mut first = 0;
+        let own = |contact: &SoftRows| {
+            let impulse = contact.edges.tr_mul(&answer.impulse.rows(first, contact.edges.nrows()));
+            first += contact.edges.nrows();
+            ContactImpulse { contact: contact.index, impulse: impulse.as_slice().to_vec(), place: contact.place }
+        };
+        let impulses = contacts.iter().map(own).collect();
+        let relative = answer.relative_gradient;
+        let residual =
+            StepResidual { rule: "minimum of Gauss's program", residual: "gradient", relative, limit: CERTIFY, contact: None, pair: None };
+        let force = force + program.jacobian().tr_mul(&answer.impulse) / h;
+        Ok(Pushed { force, impulses, residual: (!contacts.is_empty()).then_some(residual) })
+    }
+}
+
+/// Rows n ± μ_j row j in MuJoCo's order.
+fn pyramid(friction: &[f64]) -> DMatrix<f64> {
+    DMatrix::from_fn(2 * friction.len(), 1 + friction.len(), |edge, row| match row {
+        0 => 1.0,
+        _ if row - 1 == edge / 2 => friction[row - 1] * if edge % 2 == 0 { 1.0 } else { -1.0 },
+        _ => 0.0,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use moreau_dynamics::scenes::named;
+    use moreau_dynamics::schemes::{Scheme, step};
+    use moreau_exact::tolerance::rounding;
+
+    #[test]
+    fn without_rotation_the_program_and_the_waist_give_the_same_forces() {
+        for cone in [Cone::Pyramidal, Cone::Elliptic] {
+            for scene in ["incline-slide", "box-stack"] {
+                let scheme = Mujoco::standard(cone);
+                let (mechanism, mut state) = named(scene).and_then(|scene| scene.spatial_mechanism()).expect("built in");
+                for _ in 0..10 {
+                    let force = mechanism.force(&state.position, &state.velocity);
+                    let pushed = scheme.pushed_with_rotation(mechanism.as_ref(), &state, &force, 0.005).expect("valid");
+                    let made = step(&scheme, &GaussNewton::default(), mechanism.as_ref(), &state, 0.005).expect("valid");
+                    let change = MassFactor::new(&mechanism.mass_matrix(&state.position)).expect("positive").solve(&pushed.force) * 0.005;
+                    let far = (&state.velocity + change - &made.state.velocity).amax();
+                    // both end at the same relative gradient, whose effect on one velocity the lever of a corner multiplies by ten
+                    assert!(far <= 20.0 * moreau_contact::tolerance::solvers::STOP, "{scene} {cone:?}: {far}");
+                    assert_eq!(pushed.impulses.len(), made.impulses.len());
+                    state = made.state;
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_pyramid_holds_one_pair_of_edges_per_direction_and_their_forces_add_up() {
+        let edges = pyramid(&[0.5, 0.5, 0.02]);
+        assert_eq!(edges.shape(), (6, 4));
+        assert_eq!(edges.row(1).iter().copied().collect::<Vec<f64>>(), [1.0, -0.5, 0.0, 0.0]);
+        let force = edges.tr_mul(&DVector::from_vec(vec![1.0, 2.0, 0.0, 0.0, 3.0, 0.0]));
+        let expected = [6.0, -0.5, 0.0, 0.06];
+        assert!(force.iter().zip(expected).all(|(a, b)| (a - b).abs() <= rounding(4, 6.0)), "{force}");
+    }
+
+    #[test]
+    fn lengths_that_cannot_be_meant_and_bodies_that_do_not_turn_are_refused() {
+        let refused = |torsional, rolling| Rotational { torsional, rolling }.validate().expect_err("refused").to_string();
+        assert!(refused(-0.1, 0.0).contains("torsional") && refused(f64::NAN, 0.0).contains("torsional"));
+        assert!(refused(0.0, 0.1).contains("give both") && refused(0.1, f64::INFINITY).contains("rolling"));
+        let scheme = Mujoco { rotational: Rotational { torsional: 0.01, rolling: 0.0 }, ..Mujoco::standard(Cone::Elliptic) };
+        assert_eq!(scheme.name(), "mujoco elliptic torsional");
+        let (planar, start) = named("incline-slide").and_then(|scene| scene.mechanism()).expect("built in");
+        // a planar contact has one tangent and no such rows: it moves as without
+        let plain = Mujoco { rotational: Rotational::NONE, ..scheme };
+        let [one, other] =
+            [scheme, plain].map(|scheme| step(&scheme, &GaussNewton::default(), planar.as_ref(), &start, 0.01).expect("valid").state);
+        assert!((one.velocity - other.velocity).amax() <= 20.0 * moreau_contact::tolerance::solvers::STOP);
+    }
+}
