@@ -72,7 +72,6 @@ pub mod cli;
 pub mod defects;
 pub mod gate;
 pub mod report;
-pub mod rust_engine;
 pub mod schemes;
 pub mod systems;
 pub mod tolerance;
@@ -81,6 +80,7 @@ pub use moreau_contact::{ContactProblem, Law, Solution, certificate, cones, cont
 pub use moreau_dynamics::{elastic_bar, event_driven, impact_laws, integrators, mechanics, scenes, stabilisation, trajectory};
 pub use moreau_exact::{Error, Result, elimination, error, number, scalar};
 pub use moreau_forms as closed_forms;
+pub use moreau_gate::{gate_tests, rust_engine};
 
 /// The README's example, compiled and run as a documentation test.
 #[cfg(doctest)]

@@ -5,13 +5,13 @@
 //! through the conditioning of the problem. None was fitted to an outcome. One submodule per part of the crate.
 
 pub use moreau_exact::tolerance::{EPSILON, rounding};
+pub use moreau_gate::tolerance as gate;
 pub use moreau_replicas::tolerance::{energy_balance, references};
 
 pub use moreau_checks::tolerance::{self as checks, convergence, zeno};
 pub use moreau_contact::tolerance::{certificate, cones, problem, solvers};
 pub use moreau_dynamics::tolerance::{event_driven, impact_laws, integrators, mechanics, scenes, schemes, stabilisation, trajectory};
 
-pub mod gate;
 pub mod limits;
 
 /// Tolerances of [`crate::systems`].

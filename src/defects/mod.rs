@@ -2,6 +2,8 @@
 //!
 //! A check that no defect can fail is not a check. `tests/defects.rs` shows every defect caught and its reference passed.
 
+pub mod matrix;
+
 pub use moreau_checks::defects::{Defect, cone_projection, convergence, delassus, energy, stewart_trinkle, zeno};
 pub use moreau_replicas::energy_balance::defects as energy_balance;
 

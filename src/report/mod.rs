@@ -2,7 +2,6 @@
 
 pub mod certificate;
 pub mod comparison;
-pub mod gate;
 pub mod json;
 pub mod motion;
 pub mod schemas;
@@ -11,3 +10,4 @@ pub mod systems;
 pub mod text;
 
 pub use moreau_checks::plot;
+pub use moreau_gate::report as gate;

@@ -40,3 +40,6 @@ pub fn oscillator_rebound(damping_ratio: f64) -> f64 {
     let norm = 1.0 + 2.0 * damping_ratio;
     (0.5 * 4.0 * norm * norm + norm) / OSCILLATOR_PARTS as f64
 }
+
+/// SAP's relative tolerance (`SapSolverParameters::rel_tolerance` in Drake 1.51).
+pub const SAP_RELATIVE: f64 = 1e-6;

@@ -32,8 +32,7 @@ pub const CONVERGED_STEP: f64 = 1e-9;
 /// What they promise of a motion of 500 steps \[m\], where the engine was run to the end.
 pub const REPLAYED_MOTION: f64 = 1e-8;
 
-/// SAP's relative tolerance (`SapSolverParameters::rel_tolerance` in Drake 1.51).
-pub const SAP_RELATIVE: f64 = 1e-6;
+pub use moreau_forms::tolerance::SAP_RELATIVE;
 
 /// Largest momentum residual \[N·s\] at which SAP stops: ‖D g‖ ≤ 1e-6 max(‖D M v‖, ‖D Jᵀγ‖) with D = diag(M)^{-1/2}, hence ‖g‖ is at most
 /// that over min D.

@@ -1,0 +1,189 @@
+//! What can be said of any stored trajectory, whatever its scene: it begins where the scene does, its momentum is accounted for, friction
+//! stays in its cone, nothing overlaps by more than a step's motion, and no energy comes from nowhere.
+//!
+//! ```text
+//!     m (v_{k+1} − v_k) = m g Δt + Σ I                 I the reported impulses of (t_k, t_{k+1}]
+//!     ‖I_t‖ ≤ μ I_n                                    of every pair of a body with the ground
+//!     gap ≥ −h max‖u‖                                  rigid: a contact is seen one step late at worst
+//!     T + V ≤ (T + V)_0 + ½ h Σ m ‖g‖ max‖v‖           the invariant of semi-implicit steps is off by ½ h m g·v
+//! ```
+
+use crate::description::Friction;
+use crate::tolerance::audit_rounding;
+use crate::{CheckOutcome, Description, Expectation, Kind, Measurement, Refusal, Reply, StepOutcome};
+use moreau_dynamics::mechanics::{Mechanism, State};
+use moreau_dynamics::trajectory::Trajectory;
+use nalgebra::{DVector, Quaternion, UnitQuaternion, Vector3};
+
+/// The audit of one trajectory under a name.
+pub fn audit(name: &str, trajectory: &Trajectory, description: &Description) -> CheckOutcome {
+    CheckOutcome::new(name, vec![StepOutcome::new(Some(trajectory.time_step), measurements(trajectory, description))])
+}
+
+fn measurements(trajectory: &Trajectory, description: &Description) -> Reply<Vec<Measurement>> {
+    let (mechanism, start) = trajectory.scene.spatial_mechanism().map_err(Refusal::errored)?;
+    let states: Vec<State> = (0..trajectory.times.len()).map(|k| state(trajectory, k)).collect();
+    let epsilon = description.precision.epsilon();
+    let mut found = vec![beginning(&start, &states[0], epsilon)];
+    if description.reports_contacts {
+        found.push(momentum(trajectory, epsilon));
+        found.extend(cone(trajectory, description, epsilon));
+    }
+    if description.contact_model.kind == Kind::Rigid {
+        found.extend(overlap(mechanism.as_ref(), &states, trajectory.time_step, epsilon));
+    }
+    found.push(energy(trajectory, mechanism.as_ref(), &states, epsilon));
+    Ok(found)
+}
+
+/// Sample k as a state of the spatial mechanism, whose angular velocities are those of the body axes.
+fn state(trajectory: &Trajectory, k: usize) -> State {
+    let mut position = Vec::new();
+    let mut velocity = Vec::new();
+    for track in &trajectory.bodies {
+        let [w, x, y, z] = track.orientation[k];
+        let rotation = UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z));
+        let angular = rotation.inverse_transform_vector(&Vector3::from(track.angular_velocity[k]));
+        position.extend(track.position[k]);
+        position.extend([rotation.w, rotation.i, rotation.j, rotation.k]);
+        velocity.extend(track.linear_velocity[k]);
+        velocity.extend(angular.iter());
+    }
+    State { time: trajectory.times[k], position: DVector::from_vec(position), velocity: DVector::from_vec(velocity) }
+}
+
+fn beginning(scene: &State, sample: &State, epsilon: f64) -> Measurement {
+    let bodies = (0..scene.position.len() / 7).map(|body| (body * 7, 3));
+    let apart = bodies.map(|(at, size)| (scene.position.rows(at, size) - sample.position.rows(at, size)).norm()).fold(0.0, f64::max);
+    let allowed = audit_rounding(epsilon, scene.position.amax());
+    Measurement::new(
+        "distance of sample 0 from the scene",
+        "m",
+        apart,
+        Expectation::equal(0.0, allowed, "sample 0 is the scene's own state"),
+    )
+}
+
+fn momentum(trajectory: &Trajectory, epsilon: f64) -> Measurement {
+    let gravity = Vector3::from(trajectory.scene.gravity);
+    let (mut worst, mut scale) = (0.0f64, 0.0f64);
+    for (track, body) in trajectory.bodies.iter().zip(&trajectory.scene.bodies) {
+        for k in 1..trajectory.times.len() {
+            let duration = trajectory.times[k] - trajectory.times[k - 1];
+            let change = body.mass * (Vector3::from(track.linear_velocity[k]) - Vector3::from(track.linear_velocity[k - 1]));
+            let here = trajectory.contacts.iter().filter(|contact| contact.sample == k);
+            let impulse: Vector3<f64> = here.map(|contact| sign(&contact.bodies, &body.name) * Vector3::from(contact.impulse)).sum();
+            worst = worst.max((change - body.mass * duration * gravity - impulse).norm());
+            let steps = (duration / trajectory.time_step).max(1.0);
+            scale = scale.max(steps * (change.norm() + body.mass * Vector3::from(track.linear_velocity[k]).norm() + impulse.norm()));
+        }
+    }
+    let why = "gravity and the reported impulses make the whole change of momentum";
+    Measurement::new("momentum not accounted for", "N*s", worst, Expectation::equal(0.0, audit_rounding(epsilon, scale), why))
+}
+
+/// +1 for the body the impulse acts on, −1 for the other, 0 for a stranger.
+fn sign(bodies: &[String; 2], name: &str) -> f64 {
+    f64::from(u8::from(bodies[0] == name)) - f64::from(u8::from(bodies[1] == name))
+}
+
+/// The friction of pairs with the ground: their points share one normal, so that the sum of impulses lies in the cone if each does.
+fn cone(trajectory: &Trajectory, description: &Description, epsilon: f64) -> Option<Measurement> {
+    let ground = trajectory.contacts.iter().filter(|contact| contact.bodies[1] == "ground");
+    let mut worst: Option<(f64, f64)> = None;
+    for contact in ground {
+        let overridden = trajectory.scene.material.pairs.iter().find(|pair| pair.bodies.iter().all(|name| contact.bodies.contains(name)));
+        let friction = overridden.and_then(|pair| pair.friction).unwrap_or(trajectory.scene.material.friction);
+        let (impulse, normal) = (Vector3::from(contact.impulse), Vector3::from(contact.normal));
+        let pressed = impulse.dot(&normal);
+        let outside = (impulse - pressed * normal).norm() - friction * pressed;
+        let (old, size) = worst.unwrap_or((f64::NEG_INFINITY, 0.0));
+        worst = Some((old.max(outside), size.max(impulse.norm())));
+    }
+    let (outside, size) = worst?;
+    let allowed = audit_rounding(epsilon, size);
+    let ideal = Expectation::at_most(0.0, allowed, "‖I_t‖ ≤ μ I_n");
+    // a pyramid around the cone reaches √2 μ at its edges
+    let around = Expectation::at_most(
+        (std::f64::consts::SQRT_2 - 1.0) * trajectory.scene.material.friction * size,
+        allowed,
+        "a pyramid around the cone",
+    );
+    let model = (description.friction == Friction::Pyramid).then_some(around);
+    Some(Measurement::new("friction outside the cone", "N*s", outside, ideal).predicted(model))
+}
+
+fn overlap(mechanism: &dyn Mechanism, states: &[State], h: f64, epsilon: f64) -> Option<Measurement> {
+    let (mut deepest, mut fastest) = (f64::INFINITY, 0.0f64);
+    for state in states {
+        for contact in mechanism.contacts(&state.position) {
+            deepest = deepest.min(contact.gap);
+            fastest = fastest.max((&contact.jacobian * &state.velocity).norm());
+        }
+    }
+    let size = states[0].position.amax();
+    let ideal = || Expectation::at_least(-h * fastest, audit_rounding(epsilon, size), "a contact is seen one step late at worst");
+    deepest.is_finite().then(|| Measurement::new("smallest gap", "m", deepest, ideal()))
+}
+
+fn energy(trajectory: &Trajectory, mechanism: &dyn Mechanism, states: &[State], epsilon: f64) -> Measurement {
+    let begin = mechanism.energy(&states[0]);
+    let highest = states.iter().map(|state| mechanism.energy(state)).fold(f64::NEG_INFINITY, f64::max);
+    let gravity = Vector3::from(trajectory.scene.gravity).norm();
+    let fastest =
+        |track: &moreau_dynamics::trajectory::BodyTrack| track.linear_velocity.iter().map(|v| Vector3::from(*v).norm()).fold(0.0, f64::max);
+    let bodies = trajectory.scene.bodies.iter().zip(&trajectory.bodies);
+    let swing: f64 = bodies.map(|(body, track)| 0.5 * trajectory.time_step * body.mass * gravity * fastest(track)).sum();
+    let size =
+        states.iter().map(|state| mechanism.kinetic_energy(state) + mechanism.potential_energy(&state.position).abs()).fold(0.0, f64::max);
+    let allowed = swing + audit_rounding(epsilon, size * states.len() as f64);
+    let ideal = Expectation::at_most(0.0, allowed, "contacts take energy; ½ h m g·v is the swing of a semi-implicit step");
+    Measurement::new("energy above the start", "J", highest - begin, ideal)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Engine, Options, Verdict, own};
+    use moreau_dynamics::scenes::named;
+
+    fn ours(scene: &str) -> (Trajectory, Description) {
+        let mut engine = own::by_name("moreau-jean").expect("built in");
+        let mut scene = named(scene).expect("built in");
+        scene.duration = 0.5;
+        let trajectory = engine.simulate(&scene, 0.01, 1, &Options::new()).expect("simulates");
+        (trajectory, engine.describe(&Options::new()).expect("describes itself"))
+    }
+
+    fn bad(trajectory: &Trajectory, description: &Description) -> Vec<String> {
+        let outcome = audit("x", trajectory, description);
+        let bad = outcome.steps[0].measurements.iter().filter(|one| one.verdict() != Verdict::Pass);
+        bad.map(|one| format!("{}: {} (allowed {:e})", one.quantity, one.value, one.ideal.tolerance)).collect()
+    }
+
+    #[test]
+    fn our_own_motions_are_sound() {
+        for scene in ["bouncing-ball", "incline-slide", "box-stack", "two-ball-impact"] {
+            let (trajectory, description) = ours(scene);
+            assert_eq!(bad(&trajectory, &description), [""; 0], "{scene}");
+        }
+    }
+
+    #[test]
+    fn every_planted_mistake_is_named() {
+        type Change = fn(&mut Trajectory);
+        let mistakes: [(&str, Change); 5] = [
+            ("distance of sample 0", |t| t.bodies[0].position[0][2] += 1.0),
+            ("momentum not accounted for", |t| t.contacts[0].impulse[2] *= 2.0),
+            ("friction outside the cone", |t| t.contacts[0].impulse[0] -= 100.0),
+            ("smallest gap", |t| t.bodies[0].position.iter_mut().for_each(|x| x[2] -= 0.5)),
+            ("energy above the start", |t| t.bodies[0].linear_velocity[3][2] += 100.0),
+        ];
+        for (name, mistake) in mistakes {
+            let (mut trajectory, description) = ours("incline-slide");
+            mistake(&mut trajectory);
+            let found = bad(&trajectory, &description);
+            assert!(found.iter().any(|text| text.starts_with(name)), "{name}: {found:?}");
+        }
+    }
+}

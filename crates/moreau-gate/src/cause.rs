@@ -1,0 +1,131 @@
+//! Causes: why an engine does not pass a check, found by experiment and written down beside the stored results.
+//!
+//! ```text
+//!     every cell of the scoreboard that fails or errs has one cause; no other cell has one
+//! ```
+//! The files are TOML, one per family of engines, in `references/scoreboard/causes/`; `gate` and the verdicts never look at them.
+
+use crate::check;
+use crate::scoreboard::Standing;
+use moreau_contact::files::read_text;
+use moreau_exact::{Error, Result};
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+
+/// What a difference from the ideal belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Component {
+    /// The step's problem is not solved: iterations end early, or at a wrong point.
+    Solver,
+    /// The step's problem is not the one that the law and h demand.
+    Discretisation,
+    /// The law is another than the one declared.
+    Model,
+    /// Contact points, normals, gaps, or the moment at which they are found.
+    Collision,
+    /// What goes in or comes out: units, thresholds, reported impulses.
+    Interface,
+    /// Not established; the evidence says what was tried.
+    Unknown,
+}
+
+impl Component {
+    /// The word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Component::Solver => "solver",
+            Component::Discretisation => "discretisation",
+            Component::Model => "model",
+            Component::Collision => "collision",
+            Component::Interface => "interface",
+            Component::Unknown => "unknown",
+        }
+    }
+}
+
+/// Why some checks are not passed by some configurations of an engine.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cause {
+    /// Names of configurations.
+    pub engines: Vec<String>,
+    /// Names of checks.
+    pub checks: Vec<String>,
+    /// What it belongs to.
+    pub error: Component,
+    /// The mechanism.
+    pub cause: String,
+    /// The experiment that shows it, with its numbers.
+    pub evidence: String,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    cause: Vec<Cause>,
+}
+
+/// Every cause of a folder, file by file in the order of their names; none if there is no folder.
+///
+/// # Errors
+/// [`Error::Read`], or [`Error::Invalid`] with the file's name if it is not TOML of this form or names a check that does not exist.
+pub fn read(folder: &Path) -> Result<Vec<Cause>> {
+    if !folder.is_dir() {
+        return Ok(Vec::new());
+    }
+    let unreadable = |source| Error::Read { file: folder.to_path_buf(), source };
+    let entries = std::fs::read_dir(folder).map_err(unreadable)?.collect::<std::io::Result<Vec<_>>>().map_err(unreadable)?;
+    let mut files: Vec<_> =
+        entries.into_iter().map(|entry| entry.path()).filter(|file| file.extension().is_some_and(|e| e == "toml")).collect();
+    files.sort();
+    let causes = files.iter().map(|file| read_file(file)).collect::<Result<Vec<_>>>()?;
+    Ok(causes.into_iter().flatten().collect())
+}
+
+fn read_file(file: &Path) -> Result<Vec<Cause>> {
+    let text = read_text(file)?;
+    let causes = toml::from_str::<File>(&text)
+        .map_err(|error| Error::invalid("the file", error.message().to_string(), "see the other files of the folder").in_file(file))?
+        .cause;
+    match causes.iter().flat_map(|cause| &cause.checks).find(|name| check::find(name).is_none()) {
+        Some(name) => Err(Error::invalid("cause.checks", format!("there is no check `{name}`"), "see `moreau gate --list`").in_file(file)),
+        None => Ok(causes),
+    }
+}
+
+/// The cause of a cell.
+pub fn find<'a>(causes: &'a [Cause], engine: &str, check: &str) -> Option<&'a Cause> {
+    let names = |list: &[String], name: &str| list.iter().any(|one| one == name);
+    causes.iter().find(|cause| names(&cause.engines, engine) && names(&cause.checks, check))
+}
+
+/// What does not fit: cells that fail or err without a cause, with two, and causes of cells that do neither; one line each.
+pub fn misfits(causes: &[Cause], standings: &[Standing]) -> Vec<String> {
+    let bad = |engine: &str, check: &str| {
+        let report = standings.iter().find(|standing| standing.entry.name == engine)?.report.as_ref()?;
+        Some(report.checks.iter().find(|outcome| outcome.check == check)?.verdict.is_bad())
+    };
+    let named = |cause: &Cause| -> Vec<(String, String)> {
+        let pairs = cause.engines.iter().flat_map(|engine| cause.checks.iter().map(move |check| (engine.clone(), check.clone())));
+        pairs.collect()
+    };
+    let all: Vec<(String, String)> = causes.iter().flat_map(named).collect();
+    let idle = all.iter().filter(|(engine, check)| bad(engine, check) != Some(true));
+    let mut lines: Vec<String> = idle.map(|(engine, check)| format!("{engine}: {check} has a cause and does not fail")).collect();
+    for (engine, outcome) in cells(standings).filter(|(_, outcome)| outcome.verdict.is_bad()) {
+        match all.iter().filter(|(name, check)| name == engine && *check == outcome.check).count() {
+            0 => lines.push(format!("{engine}: {} is {} without a cause", outcome.check, outcome.verdict.word())),
+            1 => {}
+            _ => lines.push(format!("{engine}: {} has several causes", outcome.check)),
+        }
+    }
+    lines
+}
+
+fn cells(standings: &[Standing]) -> impl Iterator<Item = (&str, &crate::CheckOutcome)> {
+    standings
+        .iter()
+        .filter_map(|standing| Some((standing.entry.name.as_str(), standing.report.as_ref()?)))
+        .flat_map(|(name, report)| report.checks.iter().map(move |outcome| (name, outcome)))
+}

@@ -1,0 +1,83 @@
+//! When and where the ball comes to rest, and how deep it gets.
+
+use crate::checks::ball::bounce::{HEIGHT, Samples};
+use crate::checks::ball::{compliant, dropped};
+use crate::checks::scenery::{GRAVITY, schedule};
+use crate::model::Model;
+use crate::model::compression::LoadedPoint;
+use crate::tolerance::ball as tolerance;
+use crate::{Bench, Expectation, Kind, Measurement, Refusal, Reply};
+use moreau_forms::BouncingBall;
+
+const RESTITUTION: f64 = 0.5;
+
+/// The motion until it must have come to rest.
+fn settle(bench: &mut Bench, restitution: f64, h: f64) -> Reply<Samples> {
+    let (ball, bounds) = expected(h)?;
+    let duration = ball.accumulation_time() + bounds[1] + 10.0 * h;
+    let (steps, every) = schedule(duration, (duration / tolerance::SETTLING_SAMPLE).ceil() as usize, h);
+    let trajectory = bench.simulate(&dropped(HEIGHT, restitution), h, steps, every)?;
+    Ok(Samples::of(&trajectory, every as f64 * h))
+}
+
+/// The exact ball, and by how much it may be early and late \[s\].
+fn expected(h: f64) -> Reply<(BouncingBall, [f64; 2])> {
+    let ball = BouncingBall::new(GRAVITY, HEIGHT, RESTITUTION).map_err(Refusal::errored)?;
+    let bounds = tolerance::absorption(RESTITUTION, ball.impact_speed(1) / (GRAVITY * h));
+    Ok((ball, bounds.map(|steps| steps * h)))
+}
+
+/// `ball/zeno`.
+pub(super) fn zeno(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
+    let samples = settle(bench, RESTITUTION, h)?;
+    let (ball, [early, late]) = expected(h)?;
+    let slow = tolerance::settled_speed(GRAVITY, h);
+    // Not `v > slow`: a NaN is not at rest.
+    let resting = samples.states.iter().rev().take_while(|(_, v)| v.abs() <= slow).count();
+    let found = (samples.states.len() - resting) as f64 * samples.spacing;
+    let exact = ball.accumulation_time();
+    let [early, late] = [early + samples.spacing, late + samples.spacing];
+    let words = "T∞, with the bounds of absorption proved for event capturing";
+    // The middle of the interval with half its width: late and early differ.
+    let interval = |early: f64| Expectation::equal(exact + 0.5 * (late - early), 0.5 * (late + early), words);
+    let model = match Model::of(bench.description()) {
+        Model::Coulomb(limits) if limits.slowest_bounce(RESTITUTION) > 0.0 => {
+            // What is left of the flights once impacts are slower than the threshold v*: 2 e v*/(g (1 − e)).
+            let left = 2.0 * RESTITUTION * limits.slowest_bounce(RESTITUTION) / (GRAVITY * (1.0 - RESTITUTION));
+            Some(Expectation { why: "the declared restitution threshold ends the bounces".into(), ..interval(early + left) })
+        }
+        _ => None,
+    };
+    Ok(vec![Measurement::new("time until the ball rests", "s", found, interval(early)).predicted(model)])
+}
+
+/// `ball/penetration`.
+pub(super) fn penetration(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
+    if bench.description().contact_model.kind == Kind::Compliant {
+        return compliant::greatest_depth(bench, h);
+    }
+    let restitution = if bench.description().restitution { RESTITUTION } else { 0.0 };
+    let samples = settle(bench, restitution, h)?;
+    let (ball, _) = expected(h)?;
+    let deepest = samples.states.iter().fold(0.0f64, |most, (gap, _)| if gap.is_nan() { f64::NAN } else { most.max(-gap) });
+    let place = samples.states[samples.states.len() - 1].0;
+    let size = HEIGHT;
+    let late = tolerance::depth(ball.impact_speed(1), GRAVITY, h) + tolerance::place(samples.states.len(), size, bench.epsilon());
+    let near = tolerance::resting_gap(GRAVITY, h) + tolerance::place(samples.states.len(), size, bench.epsilon());
+    let [depth, gap] = match Model::of(bench.description()) {
+        Model::Coulomb(limits) => {
+            let mass = dropped(HEIGHT, 0.0).bodies[0].mass;
+            let point = LoadedPoint { load: mass * GRAVITY, inverse_mass: 1.0 / mass, on_ground: true };
+            let (low, high) = (-limits.penetration_allowance - limits.compression(&point), limits.contact_margin);
+            // A spring may still be on its way: anywhere between.
+            let why = "the declared allowance, spring or margin";
+            let place = Expectation::equal(0.5 * (low + high), 0.5 * (high - low) + near, why);
+            if low < high { [Some(Expectation::at_most(-low, late, why)), Some(place)] } else { [None, None] }
+        }
+        _ => [None, None],
+    };
+    Ok(vec![
+        Measurement::new("greatest depth", "m", deepest, Expectation::at_most(0.0, late, "3/2 (v + g h) h")).predicted(depth),
+        Measurement::new("gap at rest", "m", place, Expectation::equal(0.0, near, "3 g h²")).predicted(gap),
+    ])
+}

@@ -1,0 +1,51 @@
+//! The largest differences between two motions of the same bodies, and how they are reported.
+
+use crate::checks::scenery::{angle_between, distance, paired, worst};
+use crate::{Expectation, Measurement};
+use moreau_dynamics::trajectory::Trajectory;
+
+/// Largest differences over bodies and samples.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Differences {
+    /// \[m\].
+    pub position: f64,
+    /// \[m/s\], of the centres.
+    pub velocity: f64,
+    /// \[rad\].
+    pub orientation: f64,
+}
+
+impl Differences {
+    /// What velocities that differ by up to `velocity` \[m/s\] at a lever `arm` \[m\] make in the time \[s\].
+    pub fn of_velocity(velocity: f64, duration: f64, arm: f64) -> Self {
+        Differences { position: duration * velocity, velocity, orientation: duration * velocity / arm }
+    }
+
+    /// As measurements against zero, with the allowance and, if a declared law has no such symmetry, with its bound.
+    pub fn measured(self, words: &str, allowed: Differences, law: Option<Differences>) -> Vec<Measurement> {
+        let rows = [
+            ("position", "m", self.position, allowed.position, law.map(|law| law.position)),
+            ("velocity", "m/s", self.velocity, allowed.velocity, law.map(|law| law.velocity)),
+            ("orientation", "rad", self.orientation, allowed.orientation, law.map(|law| law.orientation)),
+        ];
+        let measured = |(name, unit, value, allowed, law): (&str, &str, f64, f64, Option<f64>)| {
+            let ideal = Expectation::equal(0.0, allowed, "the same motion");
+            let model = law.map(|bound| Expectation::at_most(bound, allowed, "the declared friction cone has preferred directions"));
+            Measurement::new(format!("largest difference in {name}{words}"), unit, value, ideal).predicted(model)
+        };
+        rows.map(measured).into()
+    }
+}
+
+/// The largest differences between two motions of the same bodies, by name.
+pub fn difference(one: &Trajectory, other: &Trajectory) -> Differences {
+    let mut largest = Differences { position: 0.0, velocity: 0.0, orientation: 0.0 };
+    for (a, b) in paired(one, other) {
+        for k in 0..one.times.len().min(other.times.len()) {
+            largest.position = worst(largest.position, distance(a.position[k], b.position[k]));
+            largest.velocity = worst(largest.velocity, distance(a.linear_velocity[k], b.linear_velocity[k]));
+            largest.orientation = worst(largest.orientation, angle_between(a.orientation[k], b.orientation[k]));
+        }
+    }
+    largest
+}

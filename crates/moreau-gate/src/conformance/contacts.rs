@@ -1,0 +1,125 @@
+//! Probes of contact impulses, on a ball that lands.
+//!
+//! ```text
+//! m (v_k − v_{k−1})  =  m g Δt + Σ r    over (t_{k−1}, t_k],  r on the ball
+//! ```
+//! A force for an impulse, another interval, another sign or one step of several break the balance by a whole term.
+
+use crate::Description;
+use crate::conformance::scenes::{EVERY, LANDING, MASS, landing_ball};
+use crate::conformance::{Outcome, Probe, Seen, demand, probe, problem, skipped};
+use crate::tolerance::conformance::{MOMENTUM, STEP};
+use moreau_dynamics::trajectory::{ContactRecord, Trajectory};
+use nalgebra::Vector3;
+
+/// Δt \[s\].
+const INTERVAL: f64 = EVERY as f64 * STEP;
+
+/// How many samples there are, with the initial state.
+const SAMPLES: usize = LANDING / EVERY + 1;
+
+/// A trajectory's contacts and their sum, interval by interval.
+struct Balance {
+    /// m Δv − m g Δt \[N·s\]: what the impulses must add up to.
+    needed: Vec<Vector3<f64>>,
+    /// Σ r on the ball \[N·s\].
+    reported: Vec<Vector3<f64>>,
+    /// m g Δt \[N·s\].
+    weight: f64,
+}
+
+pub(super) fn probe_all(landed: Result<Trajectory, Outcome>, description: &Description, probes: &mut Vec<Probe>) {
+    let with_contacts = landed.and_then(|trajectory| match () {
+        () if !description.reports_contacts => Err(skipped("the engine does not report contacts")),
+        () if trajectory.times.len() != SAMPLES => Err(skipped("there are other samples than were asked for")),
+        () => Ok(trajectory),
+    });
+    let on = |test: fn(&Trajectory) -> Seen| with_contacts.as_ref().map_err(Clone::clone).and_then(test);
+    probes.push(probe("contacts/normal", "the normal of bodies [a, b] points from b to a, and the impulse pushes a along it", on(normals)));
+    probes.push(probe(
+        "contacts/impulse",
+        "impulses, summed over the interval that ends at the sample, balance the momentum",
+        on(momentum),
+    ));
+}
+
+fn normals(trajectory: &Trajectory) -> Seen {
+    let touched = !trajectory.contacts.is_empty();
+    let cure = "report contacts of the interval before the sample, or set `reports_contacts` to false";
+    demand(touched, || "the ball has landed, but `contacts` is empty".into(), cure)?;
+    for (k, contact) in trajectory.contacts.iter().enumerate() {
+        let up = sign(contact);
+        let why = || format!("contacts[{k}] of {:?} has the normal {:?}", contact.bodies, contact.normal);
+        demand(up * contact.normal[2] > 0.5, why, "turn the normal round, or exchange the bodies: it points from the second to the first")?;
+        let along = Vector3::from(contact.impulse).dot(&Vector3::from(contact.normal));
+        let why = || format!("contacts[{k}] has the impulse {:?}, which pulls {} along its normal", contact.impulse, contact.bodies[0]);
+        demand(along >= 0.0, why, "report the impulse that acts on the first body")?;
+    }
+    Ok(())
+}
+
+/// 1 if the impulse acts on the ball, −1 if on the ground.
+fn sign(contact: &ContactRecord) -> f64 {
+    if contact.bodies[0] == "ground" { -1.0 } else { 1.0 }
+}
+
+fn momentum(trajectory: &Trajectory) -> Seen {
+    let balance = Balance::of(trajectory);
+    let (worst, off) = balance.worst(1.0, 0);
+    if off <= MOMENTUM {
+        return Ok(());
+    }
+    let why = format!(
+        "in the interval that ends at sample {worst} the momentum needs {:.4} N·s and {:.4} N·s are reported",
+        balance.needed[worst - 1][2],
+        balance.reported[worst - 1][2],
+    );
+    Err(problem(why, balance.cure()))
+}
+
+impl Balance {
+    fn of(trajectory: &Trajectory) -> Balance {
+        let scene = landing_ball();
+        let gravity = Vector3::from(scene.gravity);
+        let intervals = trajectory.times.len().saturating_sub(1);
+        let velocity = &trajectory.bodies[0].linear_velocity;
+        let needed = (0..intervals).map(|k| MASS * (Vector3::from(velocity[k + 1]) - Vector3::from(velocity[k]) - gravity * INTERVAL));
+        let mut reported = vec![Vector3::zeros(); intervals];
+        for contact in &trajectory.contacts {
+            reported[contact.sample - 1] += sign(contact) * Vector3::from(contact.impulse);
+        }
+        Balance { needed: needed.collect(), reported, weight: MASS * gravity.norm() * INTERVAL }
+    }
+
+    /// The sample at which the balance is worst, and by which part of its largest term, if the reports are `factor` times too small and
+    /// `late` samples late.
+    fn worst(&self, factor: f64, late: isize) -> (usize, f64) {
+        let intervals = self.needed.len() as isize;
+        // at the ends a shifted report is out of sight
+        let visible = (0..intervals).filter(|k| (0..intervals).contains(&(k + late)));
+        let off = visible.map(|k| {
+            let (needed, reported) = (self.needed[k as usize], factor * self.reported[(k + late) as usize]);
+            let scale = self.weight.max(needed.norm()).max(reported.norm());
+            (k as usize + 1, (reported - needed).norm() / scale)
+        });
+        off.fold((1, 0.0), |worst, other| if other.1 > worst.1 { other } else { worst })
+    }
+
+    /// The explanation that repairs the balance.
+    fn cure(&self) -> &'static str {
+        let explains = |factor: f64, late: isize| self.worst(factor, late).1 <= MOMENTUM;
+        if explains(STEP, 0) {
+            "these are forces: multiply each step's by time_step and add them up"
+        } else if explains(-1.0, 0) {
+            "the sign is that of the impulse on the other body: turn it round, or exchange the bodies"
+        } else if explains(INTERVAL, 0) {
+            "these are mean forces of the interval: multiply by its length"
+        } else if explains(1.0, 1) {
+            "they come one sample late: the impulse belongs to the sample that ends its interval"
+        } else if explains(1.0, -1) {
+            "they come one sample early: an engine that evaluates contacts before the step is shifted by its adapter"
+        } else {
+            "add up the impulses of all steps and all points since the last sample: force times time_step for each step"
+        }
+    }
+}

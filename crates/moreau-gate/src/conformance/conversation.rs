@@ -1,0 +1,198 @@
+//! Probes of the conversation itself: lines, numbers, refusals, the end.
+
+use crate::conformance::{Outcome, Probe, Seen, demand, probe, problem, skipped};
+use crate::process::messages;
+use crate::process::messages::{Answer, PROTOCOL};
+use crate::process::{Fault, Limits, Session};
+use crate::{Description, Refusal};
+use serde_json::{Value, json};
+use std::time::Duration;
+
+/// A request nobody has.
+const UNKNOWN: &str = "moreau-does-not-exist";
+
+/// How long the adapter is listened to after a reply.
+const SILENCE: Duration = Duration::from_millis(200);
+
+/// The cure of most faults.
+const ONE_LINE: &str = "write exactly one line per request on standard output, flush it, and everything else on standard error";
+
+/// A conversation line by line; after a fault the program is started again.
+pub(super) struct Talk<'a> {
+    command: &'a [String],
+    limits: Limits,
+    session: Option<Session>,
+    id: u64,
+}
+
+/// The text of a result, or the refusal the adapter answered.
+type Told = Result<String, Refusal>;
+
+impl<'a> Talk<'a> {
+    /// A conversation that has not begun.
+    pub(super) fn new(command: &'a [String], limits: Limits) -> Self {
+        // numbers beyond 32 bits show an adapter that keeps them in too small a type
+        Talk { command, limits, session: None, id: 5_000_000_000 }
+    }
+
+    fn session(&mut self) -> Result<Session, Fault> {
+        self.session.take().map_or_else(|| Session::start(self.command, self.limits), Ok)
+    }
+
+    /// Says a line; gives back the line that answers.
+    fn say(&mut self, line: &str) -> Result<Vec<u8>, Fault> {
+        let mut session = self.session()?;
+        let reply = session.exchange(line)?;
+        self.session = Some(session);
+        Ok(reply)
+    }
+
+    /// Asks with a protocol and a new number.
+    fn ask_in(&mut self, protocol: &str, mut request: Value) -> Result<Result<Told, String>, Fault> {
+        self.id += 1;
+        request["protocol"] = protocol.into();
+        request["id"] = self.id.into();
+        let line = self.say(&request.to_string())?;
+        let told = told(&line, Some(self.id));
+        if told.is_err() {
+            // what comes after a line that is no reply answers an earlier question
+            self.session = None;
+        }
+        Ok(told)
+    }
+
+    fn ask(&mut self, request: Value) -> Result<Told, Outcome> {
+        self.ask_in(PROTOCOL, request).map_err(|fault| problem(fault, ONE_LINE))?.map_err(malformed)
+    }
+
+    /// The first question.
+    pub(super) fn describe(&mut self) -> Result<Result<Told, String>, Fault> {
+        self.ask_in(PROTOCOL, json!({"request": "describe"}))
+    }
+}
+
+fn told(line: &[u8], id: Option<u64>) -> Result<Told, String> {
+    Ok(match messages::open(line, id)? {
+        Answer::Result(text) => Ok(text.to_string()),
+        Answer::Unsupported(reason) => Err(Refusal::Unsupported(reason)),
+        Answer::Error(message) => Err(Refusal::Errored(message)),
+    })
+}
+
+fn malformed(why: String) -> Outcome {
+    problem(why, "reply {\"id\": …, \"result\": {…}}, or with \"unsupported\" or \"error\" and a text; repeat the `id` of the request")
+}
+
+/// The description in the first reply.
+pub(super) fn described(first: Result<Result<Told, String>, Fault>) -> Result<Description, Outcome> {
+    let told = first.map_err(|fault| problem(fault, ONE_LINE))?.map_err(malformed)?;
+    let text = told.map_err(|refusal| problem(refusal, "`describe` must be answered with a result"))?;
+    messages::description(&text).map_err(|error| problem(error, "give the fields of `describe` in docs/protocol.md, and no others"))
+}
+
+/// Everything but the farewell.
+pub(super) fn probe_all(talk: &mut Talk, description: Option<&Description>, probes: &mut Vec<Probe>) {
+    probes.push(probe("line/same-twice", "the same question is answered the same again", same_twice(talk)));
+    probes.push(probe("line/unknown-request", "an unknown request is answered `unsupported`", unknown_request(talk)));
+    probes.push(probe(
+        "line/garbage",
+        "a line that is not JSON is answered `error`, and the next one as if nothing had been",
+        garbage(talk),
+    ));
+    probes.push(probe("line/version", "another version of the protocol is refused", other_version(talk)));
+    probes.push(probe("describe/unknown-option", "an unknown option is an `error`", unknown_option(talk)));
+    probes.push(probe("describe/known-options", "the options and parameters in force may be stated", known_options(talk, description)));
+    probes.push(probe("line/nothing-else", "nothing but replies is written on standard output", silent(talk)));
+}
+
+fn same_twice(talk: &mut Talk) -> Seen {
+    let first = talk.ask(json!({"request": "describe"}))?;
+    let second = talk.ask(json!({"request": "describe"}))?;
+    demand(first == second, || "two descriptions differ".into(), "leave out what changes from request to request")
+}
+
+fn unknown_request(talk: &mut Talk) -> Seen {
+    match talk.ask(json!({"request": UNKNOWN}))? {
+        Err(Refusal::Unsupported(_)) => Ok(()),
+        other => Err(problem(shown(&other), "answer {\"id\": …, \"unsupported\": \"reason\"} to a request the adapter does not know")),
+    }
+}
+
+fn garbage(talk: &mut Talk) -> Seen {
+    const CURE: &str = "catch the error of the JSON reader, answer {\"id\": null, \"error\": \"message\"} and read on";
+    let line = talk.say("this is {not} JSON").map_err(|fault| problem(fault, CURE))?;
+    match told(&line, None) {
+        Ok(Err(Refusal::Errored(_))) => {}
+        Ok(other) => return Err(problem(shown(&other), CURE)),
+        Err(why) => return Err(problem(why, CURE)),
+    }
+    let next = talk.ask(json!({"request": "describe"}))?;
+    demand(next.is_ok(), || format!("the request after it: {}", shown(&next)), CURE)
+}
+
+fn other_version(talk: &mut Talk) -> Seen {
+    const CURE: &str = "compare `protocol` with \"moreau-engine/1\" and answer `error` if it differs";
+    let outcome = talk.ask_in("moreau-engine/999", json!({"request": "describe"})).map_err(|fault| problem(fault, CURE))?;
+    let told = outcome.map_err(malformed)?;
+    demand(told.is_err(), || "a request in `moreau-engine/999` was carried out".into(), CURE)
+}
+
+fn unknown_option(talk: &mut Talk) -> Seen {
+    match talk.ask(json!({"request": "describe", "options": {UNKNOWN: 1}}))? {
+        Err(Refusal::Errored(_)) => Ok(()),
+        other => {
+            let cure =
+                "compare the names in `options` with those of the description: an option that is silently ignored would falsify results";
+            Err(problem(shown(&other), cure))
+        }
+    }
+}
+
+fn known_options(talk: &mut Talk, description: Option<&Description>) -> Seen {
+    let description = description.ok_or_else(|| skipped("there is no description"))?;
+    let mut options = description.options.clone();
+    for (name, parameter) in &description.contact_model.parameters {
+        options.insert(name.clone(), serde_json::to_value(&parameter.value).unwrap_or_default());
+    }
+    let text = talk.ask(json!({"request": "describe", "options": options}))?.map_err(|refusal| {
+        problem(refusal, "accept in `options` every name that the description has in `options` and `contact_model.parameters`")
+    })?;
+    let again = messages::description(&text).map_err(|error| problem(error, "describe the engine under options as without"))?;
+    demand(again == *description, || "stating them changes the description".into(), "let the values in force be those of the description")
+}
+
+fn silent(talk: &mut Talk) -> Seen {
+    let _ = talk.ask(json!({"request": "describe"}))?;
+    let mut session = talk.session().map_err(|fault| problem(fault, ONE_LINE))?;
+    session.listen(SILENCE).map_err(|fault| problem(fault, ONE_LINE))?;
+    talk.session = Some(session);
+    Ok(())
+}
+
+/// The two ways to end.
+pub(super) fn probe_farewell(talk: &mut Talk, probes: &mut Vec<Probe>) {
+    probes.push(probe("end/bye", "`bye` is answered, and the adapter ends", bye(talk)));
+    probes.push(probe("end/input", "the adapter ends when its standard input does", end_of_input(talk)));
+}
+
+fn bye(talk: &mut Talk) -> Seen {
+    const CURE: &str = "answer {\"id\": …, \"result\": {}} to `bye`, then leave the loop and the program";
+    let told = talk.ask(json!({"request": "bye"}))?;
+    demand(told.is_ok(), || shown(&told), CURE)?;
+    let session = talk.session.take().ok_or_else(|| skipped("it does not run"))?;
+    demand(session.ends().is_some(), || "it was answered, but the program goes on".into(), CURE)
+}
+
+fn end_of_input(talk: &mut Talk) -> Seen {
+    const CURE: &str = "leave the loop when reading a line fails or gives nothing";
+    let _ = talk.ask(json!({"request": "describe"}))?;
+    let session = talk.session().map_err(|fault| problem(fault, CURE))?;
+    demand(session.close().is_some(), || "the program goes on".into(), CURE)
+}
+
+fn shown(told: &Told) -> String {
+    match told {
+        Ok(text) => format!("it was carried out: {}", text.chars().take(80).collect::<String>()),
+        Err(refusal) => format!("it was answered {refusal}"),
+    }
+}

@@ -1,0 +1,123 @@
+//! Whether an adapter speaks `moreau-engine/1`: probes whose outcome tells its author what is wrong and how to cure it.
+//!
+//! The probes look for mistakes of the adapter – a frame, an order of components, a sample too early, a force for an impulse –, which
+//! are off by a whole quantity. How well the engine simulates is the question of the checks of the gate.
+
+mod contacts;
+mod conversation;
+mod description;
+mod motion;
+mod rotation;
+mod scenes;
+mod tasks;
+
+use crate::process::{Cause, Fault, Limits, ProcessEngine};
+use crate::{Description, Level, Refusal};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// What came out of asking one thing.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Probe {
+    /// `subject/what`.
+    pub probe: &'static str,
+    /// What the protocol demands.
+    pub demand: &'static str,
+    /// Whether it is met.
+    #[serde(flatten)]
+    pub outcome: Outcome,
+}
+
+/// The outcome of a probe.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[serde(tag = "outcome", rename_all = "kebab-case")]
+pub enum Outcome {
+    /// As demanded.
+    Ok,
+    /// Not as demanded.
+    Problem {
+        /// What was seen.
+        why: String,
+        /// What to change.
+        cure: String,
+    },
+    /// Not asked.
+    Skipped {
+        /// Why not.
+        why: String,
+    },
+}
+
+/// What a probe sees: nothing wrong, or another outcome.
+type Seen = Result<(), Outcome>;
+
+/// The outcomes of all probes, with the description if there is a sound one.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Conformance {
+    /// What the adapter said of its engine.
+    pub engine: Option<Description>,
+    /// In the order in which they were asked.
+    pub probes: Vec<Probe>,
+}
+
+impl Conformance {
+    /// Whether no probe found a problem.
+    pub fn is_sound(&self) -> bool {
+        !self.probes.iter().any(|probe| matches!(probe.outcome, Outcome::Problem { .. }))
+    }
+}
+
+/// Probes an adapter.
+///
+/// # Errors
+/// [`Fault`] if the program cannot be started, or ends before it has answered anything.
+pub fn conformance(command: &[String], limits: Limits) -> Result<Conformance, Fault> {
+    let mut talk = conversation::Talk::new(command, limits);
+    let first = talk.describe();
+    if let Err(fault) = &first
+        && matches!(fault.cause, Cause::NotStarted(_) | Cause::Ended(..))
+    {
+        return Err(fault.clone());
+    }
+    let mut probes = Vec::new();
+    let described = conversation::described(first);
+    let engine = described.as_ref().ok().cloned();
+    probes.push(probe("describe/answers", "describe is answered with the fields of the specification", described.map(drop)));
+    conversation::probe_all(&mut talk, engine.as_ref(), &mut probes);
+    if let Some(description) = &engine {
+        description::probe_all(description, &mut probes);
+        let mut process = ProcessEngine::new(command.to_vec(), limits);
+        if description.levels.contains(&Level::Simulate) {
+            motion::probe_all(&mut process, description, &mut probes);
+        }
+        tasks::probe_all(&mut process, description, &mut probes);
+    }
+    conversation::probe_farewell(&mut talk, &mut probes);
+    Ok(Conformance { engine, probes })
+}
+
+fn probe(name: &'static str, demand: &'static str, seen: Seen) -> Probe {
+    let outcome = seen.map_or_else(|outcome| outcome, |()| Outcome::Ok);
+    Probe { probe: name, demand, outcome }
+}
+
+fn problem(why: impl std::fmt::Display, cure: impl Into<String>) -> Outcome {
+    Outcome::Problem { why: why.to_string(), cure: cure.into() }
+}
+
+fn skipped(why: impl Into<String>) -> Outcome {
+    Outcome::Skipped { why: why.into() }
+}
+
+/// Nothing wrong, or a problem.
+fn demand(met: bool, why: impl FnOnce() -> String, cure: &str) -> Seen {
+    if met { Ok(()) } else { Err(problem(why(), cure)) }
+}
+
+/// A refusal of a question that the engine may refuse: an honest `unsupported` is no problem.
+fn refused(refusal: Refusal) -> Outcome {
+    match refusal {
+        Refusal::Unsupported(reason) => skipped(format!("unsupported: {reason}")),
+        Refusal::Errored(cause) => problem(cause, "answer the request with a result, or with `unsupported` and the reason"),
+    }
+}

@@ -1,0 +1,189 @@
+//! Probes of simulated motion: samples, initial state, gravity, restitution, repetition.
+
+use crate::conformance::scenes::{EVERY, STEPS, bouncing_ball, landing_ball, thrown_ball, tumbling_brick};
+use crate::conformance::{Outcome, Probe, Seen, contacts, demand, probe, problem, refused, rotation, skipped};
+use crate::tolerance::SAME_TIME;
+use crate::tolerance::conformance::{FREE_FALL, RESTITUTION, STEP, same_state};
+use crate::{Description, Engine, Options, Refusal};
+use moreau_dynamics::scenes::{Body, Scene};
+use moreau_dynamics::trajectory::{BodyTrack, Trajectory};
+use nalgebra::{Vector3, Vector4};
+
+/// The motion of a scene, or why there is none to look at.
+type Motion = Result<Trajectory, Outcome>;
+
+fn simulate(engine: &mut dyn Engine, scene: &Scene, every: usize) -> Motion {
+    engine.simulate(scene, STEP, every, &Options::new()).map_err(refused)
+}
+
+/// The motion as far as another probe needs it: its refusal is reported once.
+fn as_far(motion: &Motion) -> Result<&Trajectory, Outcome> {
+    motion.as_ref().map_err(|_| skipped("there is no motion to look at"))
+}
+
+pub(super) fn probe_all(engine: &mut dyn Engine, description: &Description, probes: &mut Vec<Probe>) {
+    let scene = thrown_ball();
+    let thrown = simulate(engine, &scene, 1);
+    probes.push(probe("simulate/answers", "a sound trajectory/1 is the result", thrown.as_ref().map(drop).map_err(Clone::clone)));
+    if matches!(thrown, Err(Outcome::Problem { .. })) {
+        // the other motions would have it as well
+        return;
+    }
+    if thrown.is_ok() {
+        probe_samples(engine, description, &scene, &thrown, probes);
+        probes.push(probe("simulate/unknown-option", "an unknown option is an `error`", unknown_option(engine, &scene)));
+    }
+    let scene = tumbling_brick();
+    let brick = simulate(engine, &scene, 1);
+    let start = brick.as_ref().map_err(Clone::clone).and_then(|brick| initial_state(brick, &scene, description));
+    probes.push(probe("simulate/orientation", "orientations are unit quaternions w, x, y, z from body to world, as in the scene", start));
+    let frame = as_far(&brick).and_then(rotation::frame);
+    probes.push(probe("simulate/angular-velocity", "angular velocities are in the world frame, given and reported", frame));
+    contacts::probe_all(simulate(engine, &landing_ball(), EVERY), description, probes);
+    probes.push(probe(
+        "simulate/restitution",
+        "restitution is honoured, or refused where the description says so",
+        restitution(engine, description),
+    ));
+    let again = as_far(&thrown).and_then(|thrown| same_again(engine, thrown));
+    probes.push(probe("simulate/same-twice", "the same question has the same answer, bit by bit, whatever was asked between", again));
+}
+
+fn probe_samples(engine: &mut dyn Engine, description: &Description, scene: &Scene, thrown: &Motion, probes: &mut Vec<Probe>) {
+    let sampled = as_far(thrown).and_then(|thrown| samples(thrown, scene, 1));
+    probes.push(probe("simulate/samples", "samples are at k·sample_every·h, beginning with t = 0, up to the duration", sampled));
+    let start = as_far(thrown).and_then(|thrown| initial_state(thrown, scene, description));
+    probes.push(probe("simulate/initial-state", "the first sample is the scene's initial state", start));
+    let falling = as_far(thrown).and_then(|thrown| free_fall(thrown, scene));
+    probes.push(probe("simulate/gravity", "a body without contact falls with the scene's gravity", falling));
+    let sparse = as_far(thrown).and_then(|thrown| sample_every(engine, thrown, scene, description));
+    probes.push(probe("simulate/sample-every", "every third state is asked for: the same motion, sampled less often", sparse));
+}
+
+fn samples(trajectory: &Trajectory, scene: &Scene, every: usize) -> Seen {
+    let repeated = trajectory.scene.bodies.iter().map(|body| &body.name).eq(scene.bodies.iter().map(|body| &body.name));
+    demand(repeated, || "`scene` is another one".into(), "repeat the scene of the request in the trajectory")?;
+    let same_step = trajectory.time_step == STEP;
+    demand(
+        same_step,
+        || format!("`time_step` is {} instead of {STEP}", trajectory.time_step),
+        "report the engine's step, as it was asked for",
+    )?;
+    let (count, expected) = (trajectory.times.len(), STEPS / every + 1);
+    let why = || format!("there are {count} samples instead of {expected}");
+    demand(count == expected, why, missing_sample(count, expected, every))?;
+    let late = (0..expected).find(|&k| (trajectory.times[k] - (k * every) as f64 * STEP).abs() > SAME_TIME * scene.duration);
+    match late {
+        None => Ok(()),
+        Some(k) => {
+            let why = format!("times[{k}] is {} instead of {}", trajectory.times[k], (k * every) as f64 * STEP);
+            Err(problem(why, "compute times as k·sample_every·time_step; do not add them up"))
+        }
+    }
+}
+
+fn missing_sample(count: usize, expected: usize, every: usize) -> &'static str {
+    match count {
+        _ if every > 1 && count == STEPS + 1 => "keep only every `sample_every`-th state",
+        _ if count + 1 == expected => "record the initial state before the first step, and the state after the last",
+        _ => "take duration/time_step steps, rounded to the nearest whole number",
+    }
+}
+
+fn initial_state(trajectory: &Trajectory, scene: &Scene, description: &Description) -> Seen {
+    const CURE: &str =
+        "set positions (of the centre of mass) and velocities as the scene gives them, and record them before the first step";
+    let (body, track) = (&scene.bodies[0], &trajectory.bodies[0]);
+    let tolerance = same_state(description.precision.epsilon());
+    orientation(body, track, tolerance)?;
+    let pairs = [
+        ("position", body.position, track.position[0]),
+        ("linear_velocity", body.linear_velocity, track.linear_velocity[0]),
+        ("angular_velocity", body.angular_velocity, track.angular_velocity[0]),
+    ];
+    for (field, given, seen) in pairs {
+        let (given, seen) = (Vector3::from(given), Vector3::from(seen));
+        let why = || format!("{field}[0] is {:?} instead of {:?}", seen.as_slice(), given.as_slice());
+        demand((seen - given).amax() <= tolerance * given.norm(), why, CURE)?;
+    }
+    Ok(())
+}
+
+fn orientation(body: &Body, track: &BodyTrack, tolerance: f64) -> Seen {
+    let (given, seen) = (Vector4::from(body.orientation), Vector4::from(track.orientation[0]));
+    let off = |other: Vector4<f64>| (other - given).amax().min((other + given).amax());
+    if off(seen) <= tolerance {
+        return Ok(());
+    }
+    let rotated = Vector4::new(seen[3], seen[0], seen[1], seen[2]);
+    let conjugate = Vector4::new(seen[0], -seen[1], -seen[2], -seen[3]);
+    let cure = if off(rotated) <= tolerance {
+        "the components are in the order x, y, z, w: put w first"
+    } else if off(conjugate) <= tolerance {
+        "it is the rotation from world to body: conjugate it"
+    } else {
+        "set the scene's orientation, w first, and record it before the first step"
+    };
+    Err(problem(format!("orientation[0] is {:?} instead of {:?}", seen.as_slice(), given.as_slice()), cure))
+}
+
+fn free_fall(trajectory: &Trajectory, scene: &Scene) -> Seen {
+    let track = &trajectory.bodies[0];
+    let gained = Vector3::from(scene.gravity) * scene.duration;
+    let expected = Vector3::from(scene.bodies[0].linear_velocity) + gained;
+    let last = track.linear_velocity.last().copied().unwrap_or_default();
+    let why = || format!("after {} s without contact the velocity is {last:?} instead of {:?}", scene.duration, expected.as_slice());
+    let met = (Vector3::from(last) - expected).norm() <= FREE_FALL * gained.norm();
+    demand(met, why, "use the scene's gravity, all three components, and record states after their steps")
+}
+
+fn sample_every(engine: &mut dyn Engine, dense: &Trajectory, scene: &Scene, description: &Description) -> Seen {
+    let sparse = simulate(engine, scene, EVERY)?;
+    samples(&sparse, scene, EVERY)?;
+    let scale = dense.bodies[0].position.iter().flatten().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    for (k, position) in sparse.bodies[0].position.iter().enumerate() {
+        let Some(expected) = dense.bodies[0].position.get(k * EVERY) else { return Ok(()) };
+        let off = (Vector3::from(*position) - Vector3::from(*expected)).amax();
+        let why = || format!("sample {k} of every third is {position:?}, but state {} of all is {expected:?}", k * EVERY);
+        demand(
+            off <= same_state(description.precision.epsilon()) * scale,
+            why,
+            "sample k is the state after k·sample_every steps of time_step",
+        )?;
+    }
+    Ok(())
+}
+
+fn unknown_option(engine: &mut dyn Engine, scene: &Scene) -> Seen {
+    let options = [("moreau-does-not-exist".to_string(), 1.into())].into_iter().collect();
+    match engine.simulate(scene, STEP, 1, &options) {
+        Err(Refusal::Errored(_)) => Ok(()),
+        Err(Refusal::Unsupported(reason)) => Err(problem(format!("it was answered unsupported: {reason}"), "answer `error`")),
+        Ok(_) => Err(problem("it was carried out", "check the names in `options` of every request")),
+    }
+}
+
+fn restitution(engine: &mut dyn Engine, description: &Description) -> Seen {
+    const ASKED: f64 = 0.5;
+    let answer = engine.simulate(&bouncing_ball(ASKED), STEP, 1, &Options::new());
+    let trajectory = match answer {
+        Err(Refusal::Unsupported(_)) if !description.restitution => return Ok(()),
+        Err(refusal) => return Err(refused(refusal)),
+        Ok(trajectory) => trajectory,
+    };
+    let cure = "answer `unsupported` to a scene with restitution if the engine has none; never simulate something else";
+    demand(description.restitution, || "the description says no, but a scene with restitution was simulated".into(), cure)?;
+    let heights = trajectory.bodies[0].linear_velocity.iter().map(|v| v[2]);
+    let (down, up) = heights.fold((0.0_f64, f64::NEG_INFINITY), |(down, up), v| (down.min(v), up.max(v)));
+    let seen = -up / down;
+    let why = || format!("restitution {ASKED} was asked for, and the ball leaves with {seen:.3} of its speed");
+    let cure =
+        "use the scene's pair value as it is, without the engine's mixing rule; a threshold speed belongs into the declared parameters";
+    demand((seen - ASKED).abs() <= RESTITUTION, why, cure)
+}
+
+fn same_again(engine: &mut dyn Engine, first: &Trajectory) -> Seen {
+    let cure = "build the engine's world anew for every request, and seed what is random";
+    let second = simulate(engine, &thrown_ball(), 1)?;
+    demand(second == *first, || "asked again, after other scenes, the motion is another one".into(), cure)
+}

@@ -1,0 +1,75 @@
+//! An engine that answers with a motion in closed form: what a check must pass before anything else.
+
+use crate::description::{Friction, Precision};
+use crate::{ContactModel, Description, Engine, Kind, Level, Options, Reply};
+use moreau_dynamics::scenes::Scene;
+use moreau_dynamics::trajectory::{BodyTrack, Trajectory};
+
+/// Position, orientation \[w, x, y, z\], velocity and angular velocity of one body.
+pub(crate) type State = ([f64; 3], [f64; 4], [f64; 3], [f64; 3]);
+
+/// The engine whose bodies move as `motion(scene, body, h, t)` says.
+pub(crate) struct Exact<F> {
+    /// The motion.
+    pub motion: F,
+}
+
+impl<F: Fn(&Scene, usize, f64, f64) -> State + Send> Engine for Exact<F> {
+    fn describe(&mut self, _options: &Options) -> Reply<Description> {
+        Ok(Description {
+            name: "exact".into(),
+            version: "0".into(),
+            precision: Precision::Double,
+            contact_model: ContactModel { kind: Kind::Rigid, law: Some("coulomb".into()), parameters: Default::default() },
+            restitution: true,
+            friction: Friction::Cone,
+            reports_contacts: false,
+            levels: vec![Level::Simulate],
+            laws: Vec::new(),
+            options: Options::new(),
+        })
+    }
+
+    fn simulate(&mut self, scene: &Scene, h: f64, every: usize, _options: &Options) -> Reply<Trajectory> {
+        let samples = (scene.duration / (h * every as f64)).round() as usize;
+        let times: Vec<f64> = (0..=samples).map(|k| (k * every) as f64 * h).collect();
+        let bodies = scene.bodies.iter().enumerate().map(|(index, body)| self.track(scene, index, &body.name, h, &times)).collect();
+        Ok(Trajectory {
+            schema: moreau_dynamics::trajectory::SCHEMA.into(),
+            scene: scene.clone(),
+            engine: moreau_dynamics::trajectory::Engine { name: "exact".into(), version: "0".into(), options: Options::new() },
+            time_step: h,
+            times,
+            bodies,
+            contacts: Vec::new(),
+            steps: None,
+            provenance: None,
+        })
+    }
+}
+
+impl<F: Fn(&Scene, usize, f64, f64) -> State> Exact<F> {
+    fn track(&self, scene: &Scene, index: usize, name: &str, h: f64, times: &[f64]) -> BodyTrack {
+        let states: Vec<State> = times.iter().map(|t| (self.motion)(scene, index, h, *t)).collect();
+        BodyTrack {
+            name: name.into(),
+            position: states.iter().map(|state| state.0).collect(),
+            orientation: states.iter().map(|state| state.1).collect(),
+            linear_velocity: states.iter().map(|state| state.2).collect(),
+            angular_velocity: states.iter().map(|state| state.3).collect(),
+        }
+    }
+}
+
+/// The measurements of a check on a motion at h, with their verdicts.
+pub(crate) fn judge<F: Fn(&Scene, usize, f64, f64) -> State + Send>(check: &str, h: f64, motion: F) -> Vec<crate::Measurement> {
+    let check = crate::check::find(check).expect("a registered check");
+    let mut engine = Exact { motion };
+    let options = Options::new();
+    let description = engine.describe(&options).expect("an exact engine describes itself");
+    let mut bench = crate::Bench::new(&mut engine, &description, &options);
+    match check.run {
+        crate::Run::EachStep(run) => run(&mut bench, h).expect("an exact engine answers"),
+        crate::Run::Once(run) => run(&mut bench).expect("an exact engine answers"),
+    }
+}

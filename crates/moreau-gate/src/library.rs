@@ -1,0 +1,152 @@
+//! Stored trajectories as an engine: a simulator that cannot be started here is judged by the files it left.
+//!
+//! A request is answered by the file with the same scene – gravity, ground, bodies, material; names and descriptions of scenes do not
+//! matter – and the same time step, if it has the samples that are asked for.
+
+use crate::tolerance::SAME_TIME;
+use crate::{Description, Engine, Options, Refusal, Reply};
+use moreau_contact::files::read_text;
+use moreau_dynamics::scenes::Scene;
+use moreau_dynamics::trajectory::Trajectory;
+use moreau_exact::{Error, Result};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Trajectories of one engine.
+#[derive(Clone)]
+pub struct Library {
+    description: Description,
+    trajectories: Arc<Vec<Trajectory>>,
+}
+
+impl Library {
+    /// Reads the files; all must be of one engine and version. `description` tells its contact model.
+    ///
+    /// # Errors
+    /// Those of [`Trajectory::read`]; [`Error::Invalid`] if there is no file or the engines differ.
+    pub fn read(files: &[PathBuf], description: Option<Description>) -> Result<Self> {
+        let trajectories = files.iter().map(|file| Trajectory::read(file)).collect::<Result<Vec<_>>>()?;
+        let first =
+            trajectories.first().ok_or_else(|| Error::invalid("--trajectory", "names no file", "give one or more files trajectory/1"))?;
+        for (file, trajectory) in files.iter().zip(&trajectories) {
+            if (&trajectory.engine.name, &trajectory.engine.version) != (&first.engine.name, &first.engine.version) {
+                let problem = format!("is of {} {}", trajectory.engine.name, trajectory.engine.version);
+                let cure =
+                    format!("judge each engine by itself; {} is of {} {}", files[0].display(), first.engine.name, first.engine.version);
+                return Err(Error::invalid("engine", problem, cure).in_file(file));
+            }
+        }
+        let description = description.unwrap_or_else(|| undeclared(first, &trajectories));
+        Ok(Library { description, trajectories: Arc::new(trajectories) })
+    }
+
+    /// The stored trajectories.
+    pub fn trajectories(&self) -> &[Trajectory] {
+        &self.trajectories
+    }
+}
+
+/// What can be said of an engine that did not describe itself: it is held to Coulomb–Signorini.
+fn undeclared(first: &Trajectory, all: &[Trajectory]) -> Description {
+    use crate::description::{Friction, Precision};
+    Description {
+        name: first.engine.name.clone(),
+        version: first.engine.version.clone(),
+        precision: Precision::Double,
+        contact_model: crate::ContactModel { kind: crate::Kind::Rigid, law: Some("coulomb".into()), parameters: Default::default() },
+        restitution: true,
+        friction: Friction::Cone,
+        reports_contacts: all.iter().any(|trajectory| !trajectory.contacts.is_empty()),
+        levels: vec![crate::Level::Simulate],
+        laws: Vec::new(),
+        options: first.engine.options.clone(),
+    }
+}
+
+impl Engine for Library {
+    fn describe(&mut self, _options: &Options) -> Reply<Description> {
+        Ok(self.description.clone())
+    }
+
+    fn simulate(&mut self, scene: &Scene, time_step: f64, sample_every: usize, _options: &Options) -> Reply<Trajectory> {
+        let stored = self.trajectories.iter().find(|stored| same_step(stored, time_step) && same_scene(&stored.scene, scene));
+        let stored = stored.ok_or_else(|| {
+            Refusal::unsupported(format!(
+                "no stored trajectory of the scene `{}` at h = {time_step} s (see `moreau gate --write-scenes`)",
+                scene.name
+            ))
+        })?;
+        let steps = (scene.duration / time_step).round() as usize;
+        resampled(stored, scene, time_step, steps, sample_every).ok_or_else(|| {
+            Refusal::unsupported(format!(
+                "the stored trajectory of `{}` lacks samples: every {sample_every} steps up to {} s",
+                scene.name, scene.duration
+            ))
+        })
+    }
+}
+
+fn same_step(stored: &Trajectory, time_step: f64) -> bool {
+    (stored.time_step - time_step).abs() <= SAME_TIME * time_step
+}
+
+fn same_scene(stored: &Scene, asked: &Scene) -> bool {
+    let ground = |scene: &Scene| scene.ground.map(|ground| (ground.normal, ground.offset));
+    stored.gravity == asked.gravity && ground(stored) == ground(asked) && stored.bodies == asked.bodies && stored.material == asked.material
+}
+
+/// The samples that are asked for out of those that are stored; contact impulses are summed over the longer intervals.
+fn resampled(stored: &Trajectory, scene: &Scene, time_step: f64, steps: usize, sample_every: usize) -> Option<Trajectory> {
+    let wanted = (0..=steps / sample_every).map(|k| (k * sample_every) as f64 * time_step);
+    let place = |time: f64| stored.times.iter().position(|t| (t - time).abs() <= SAME_TIME * scene.duration);
+    let places: Vec<usize> = wanted.map(place).collect::<Option<_>>()?;
+    let pick = |list: &Vec<[f64; 3]>| places.iter().map(|&k| list[k]).collect::<Vec<_>>();
+    let mut picked = stored.clone();
+    picked.scene = scene.clone();
+    picked.times = places.iter().map(|&k| stored.times[k]).collect();
+    for (track, old) in picked.bodies.iter_mut().zip(&stored.bodies) {
+        track.position = pick(&old.position);
+        track.orientation = places.iter().map(|&k| old.orientation[k]).collect();
+        track.linear_velocity = pick(&old.linear_velocity);
+        track.angular_velocity = pick(&old.angular_velocity);
+    }
+    // a contact at stored sample k belongs to the first picked sample at or after k
+    picked.contacts.retain_mut(|contact| match places.iter().position(|&k| k >= contact.sample) {
+        Some(sample) => {
+            contact.sample = sample;
+            true
+        }
+        None => false,
+    });
+    Some(picked)
+}
+
+/// The scenes that checks ask for, as files a simulator can be run on elsewhere.
+pub struct Requests {
+    /// Who answers meanwhile, so that checks of several requests go on.
+    pub inner: Box<dyn Engine>,
+    /// What was asked: scene, h \[s\], `sample_every`.
+    pub asked: Arc<std::sync::Mutex<Vec<(Scene, f64, usize)>>>,
+}
+
+impl Engine for Requests {
+    fn describe(&mut self, options: &Options) -> Reply<Description> {
+        self.inner.describe(options)
+    }
+
+    fn simulate(&mut self, scene: &Scene, time_step: f64, sample_every: usize, options: &Options) -> Reply<Trajectory> {
+        if let Ok(mut asked) = self.asked.lock() {
+            asked.push((scene.clone(), time_step, sample_every));
+        }
+        self.inner.simulate(scene, time_step, sample_every, options)
+    }
+}
+
+/// Reads the description that goes with stored trajectories.
+///
+/// # Errors
+/// [`Error::Read`], or [`Error::Json`] with the file's name.
+pub fn read_description(file: &Path) -> Result<Description> {
+    let text = read_text(file)?;
+    serde_json::from_str(&text).map_err(|error| Error::from(error).in_file(file))
+}

@@ -1,0 +1,101 @@
+//! What the gate reports: every check at every time step, with verdicts that can be compared with a baseline.
+
+use crate::{Description, Measurement, Verdict};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The name and version of the format.
+pub const SCHEMA: &str = "gate-report/1";
+
+/// Everything the gate found out about one engine.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Report {
+    /// Always `gate-report/1`.
+    #[schemars(extend("const" = SCHEMA))]
+    pub schema: String,
+    /// The engine's own description.
+    pub engine: Description,
+    /// The time steps of the sweep \[s\].
+    pub sweep: Vec<f64>,
+    /// One outcome per check, in the order of the registry.
+    pub checks: Vec<CheckOutcome>,
+}
+
+/// One check of one engine.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CheckOutcome {
+    /// `family/what`.
+    pub check: String,
+    /// The worst verdict of its steps.
+    pub verdict: Verdict,
+    /// The reason of `unsupported` or the cause of `errored`, where there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
+    /// The time steps at which it is bad \[s\].
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub fails_at: Vec<f64>,
+    /// How its deviations depend on h.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub trends: Vec<crate::trend::Trend>,
+    /// Step by step.
+    pub steps: Vec<StepOutcome>,
+}
+
+/// A check at one time step.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct StepOutcome {
+    /// h \[s\]; absent if the question has no time step.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub time_step: Option<f64>,
+    /// The worst verdict of its measurements.
+    pub verdict: Verdict,
+    /// The reason of `unsupported` or the cause of `errored`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
+    /// What was measured.
+    pub measurements: Vec<Measurement>,
+}
+
+impl StepOutcome {
+    /// The outcome of a run of a check.
+    pub fn new(time_step: Option<f64>, answer: crate::Reply<Vec<Measurement>>) -> Self {
+        match answer {
+            Ok(measurements) if measurements.is_empty() => {
+                StepOutcome { time_step, verdict: Verdict::Errored, reason: Some("the check measured nothing".into()), measurements }
+            }
+            Ok(measurements) => {
+                let verdict = measurements.iter().map(Measurement::verdict).max().unwrap_or(Verdict::Errored);
+                StepOutcome { time_step, verdict, reason: None, measurements }
+            }
+            Err(crate::Refusal::Unsupported(reason)) => {
+                StepOutcome { time_step, verdict: Verdict::Unsupported, reason: Some(reason), measurements: Vec::new() }
+            }
+            Err(crate::Refusal::Errored(cause)) => {
+                StepOutcome { time_step, verdict: Verdict::Errored, reason: Some(cause), measurements: Vec::new() }
+            }
+        }
+    }
+}
+
+impl CheckOutcome {
+    /// The outcome of a check from those of its steps: the worst verdict, with the reason that belongs to it.
+    pub fn new(check: &str, steps: Vec<StepOutcome>) -> Self {
+        let verdict = steps.iter().map(|step| step.verdict).max().unwrap_or(Verdict::Errored);
+        let reason = steps.iter().find(|step| step.verdict == verdict).and_then(|step| step.reason.clone());
+        let fails_at = steps.iter().filter(|step| step.verdict.is_bad()).filter_map(|step| step.time_step).collect();
+        let trends = crate::trend::trends(&steps);
+        CheckOutcome { check: check.into(), verdict, reason, fails_at, trends, steps }
+    }
+}
+
+impl Report {
+    /// Whether any check is bad.
+    pub fn is_bad(&self) -> bool {
+        self.checks.iter().any(|check| check.verdict.is_bad())
+    }
+
+    /// How many checks have this verdict.
+    pub fn count(&self, verdict: Verdict) -> usize {
+        self.checks.iter().filter(|check| check.verdict == verdict).count()
+    }
+}

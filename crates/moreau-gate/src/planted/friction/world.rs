@@ -1,0 +1,139 @@
+//! Bodies and contacts that are not those of the scene.
+
+use crate::own::{Parameters, moreau_jean};
+use delegate::delegate;
+use moreau_contact::contact::Contact;
+use moreau_dynamics::mechanics::{BodyState, Mechanism, State};
+use moreau_dynamics::scenes::Scene;
+use moreau_dynamics::schemes::{Scheme, StepProblem};
+use moreau_exact::Result;
+use nalgebra::{DMatrix, DVector};
+
+/// ⅔ m r².
+pub(super) fn hollow_spheres(scene: &mut Scene) {
+    for body in &mut scene.bodies {
+        if let (Some(sphere), None) = (body.sphere, body.inertia) {
+            body.inertia = Some([body.mass * sphere.radius * sphere.radius * 2.0 / 3.0; 3]);
+        }
+    }
+}
+
+/// m/3 (b² + c², …) with the edges instead of their halves.
+pub(super) fn full_extents(scene: &mut Scene) {
+    for body in &mut scene.bodies {
+        if let (Some(cuboid), None) = (body.cuboid, body.inertia) {
+            let [a, b, c] = cuboid.half_extents.map(|half| 4.0 * half * half);
+            body.inertia = Some([b + c, a + c, a + b].map(|square| body.mass * square / 3.0));
+        }
+    }
+}
+
+/// A mechanism with other forces or contacts.
+struct Changed {
+    inner: Box<dyn Mechanism>,
+    /// Changes F of a state.
+    force: fn(&mut DVector<f64>, &DMatrix<f64>, &DVector<f64>),
+    /// Changes one contact.
+    contact: fn(&mut Contact),
+}
+
+impl Mechanism for Changed {
+    delegate! {
+        to self.inner {
+            fn name(&self) -> &str;
+            fn degrees_of_freedom(&self) -> usize;
+            fn rows_per_contact(&self) -> usize;
+            fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64>;
+            fn potential_energy(&self, position: &DVector<f64>) -> f64;
+            fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64>;
+            fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState>;
+        }
+    }
+
+    fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64> {
+        let mut force = self.inner.force(position, velocity);
+        (self.force)(&mut force, &self.mass_matrix(position), velocity);
+        force
+    }
+
+    fn mean_force(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
+        let mut force = self.inner.mean_force(position, velocity, h);
+        (self.force)(&mut force, &self.mass_matrix(position), velocity);
+        force
+    }
+
+    fn contacts(&self, position: &DVector<f64>) -> Vec<Contact> {
+        let mut contacts = self.inner.contacts(position);
+        contacts.iter_mut().for_each(self.contact);
+        contacts
+    }
+}
+
+type Start = (Box<dyn Mechanism>, State);
+
+fn changed(scene: &Scene, force: fn(&mut DVector<f64>, &DMatrix<f64>, &DVector<f64>), contact: fn(&mut Contact)) -> Result<Start> {
+    let (inner, start) = scene.spatial_mechanism()?;
+    Ok((Box::new(Changed { inner, force, contact }), start))
+}
+
+/// Rows 3 to 5 of each body's six velocities are its spin.
+fn is_spin(column: usize) -> bool {
+    column % 6 >= 3
+}
+
+/// −1/s · J ω.
+pub(super) fn damped_spin(scene: &Scene) -> Result<Start> {
+    let damp = |force: &mut DVector<f64>, mass: &DMatrix<f64>, velocity: &DVector<f64>| {
+        for k in (0..force.len()).filter(|&k| is_spin(k)) {
+            force[k] -= mass[(k, k)] * velocity[k];
+        }
+    };
+    changed(scene, damp, |_| {})
+}
+
+/// Tangential rows without lever.
+pub(super) fn friction_at_centre(scene: &Scene) -> Result<Start> {
+    let unlever = |contact: &mut Contact| {
+        for column in (0..contact.jacobian.ncols()).filter(|&k| is_spin(k)) {
+            (1..contact.jacobian.nrows()).for_each(|row| contact.jacobian[(row, column)] = 0.0);
+        }
+    };
+    changed(scene, |_, _, _| {}, unlever)
+}
+
+/// Every gap is taken for 3 cm less.
+pub(super) fn thick_floor(scene: &Scene) -> Result<Start> {
+    changed(scene, |_, _, _| {}, |contact| contact.gap -= 0.03)
+}
+
+/// Moreau–Jean with u_n ≥ −φ/h asked of every active contact below the floor.
+pub(super) struct Baumgarte;
+
+impl Baumgarte {
+    fn scheme() -> Result<Box<dyn Scheme>> {
+        moreau_jean(&Parameters::default())
+    }
+}
+
+impl Scheme for Baumgarte {
+    fn name(&self) -> String {
+        "moreau-jean".into()
+    }
+
+    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
+        let mut step = Baumgarte::scheme()?.assemble(mechanism, state, h)?;
+        let contacts = mechanism.contacts(&state.position);
+        if let Some(problem) = &mut step.problem {
+            for (k, &index) in step.active.iter().enumerate() {
+                let gap = contacts.get(index).map_or(0.0, |contact| contact.gap);
+                problem.shift[problem.rows_per_contact * k] += gap.min(0.0) / h;
+            }
+        }
+        Ok(step)
+    }
+
+    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
+        let scheme = Baumgarte::scheme().expect("a listed name with its own parameters");
+        scheme.advance(mechanism, state, velocity_post, h)
+    }
+}

@@ -1,0 +1,62 @@
+//! Planted engines: our own engine with one realistic mistake each, and the checks that must catch it.
+
+mod determinism;
+mod flight;
+mod friction;
+mod impact;
+mod metamorphic;
+mod parts;
+mod projection;
+mod rocking;
+mod solver;
+mod stack;
+mod tumbling;
+mod wrapped;
+
+use crate::runner::{self, Plan, QUICK};
+use crate::{Check, Engine, Options, Report};
+use moreau_exact::{Error, Result};
+
+/// One planted mistake.
+pub struct Planted {
+    /// A short name, `family/mistake`.
+    pub name: &'static str,
+    /// The mistake in one sentence.
+    pub mistake: &'static str,
+    /// The engine with the mistake.
+    pub engine: fn() -> Box<dyn Engine>,
+    /// Checks that must catch it, by name; the full matrix may show more.
+    pub caught_by: &'static [&'static str],
+}
+
+/// Every planted engine.
+pub fn all() -> impl Iterator<Item = &'static Planted> {
+    [
+        flight::PLANTED,
+        impact::PLANTED,
+        friction::PLANTED,
+        determinism::PLANTED,
+        metamorphic::PLANTED,
+        stack::PLANTED,
+        rocking::PLANTED,
+        solver::PLANTED,
+        projection::PLANTED,
+        tumbling::PLANTED,
+    ]
+    .into_iter()
+    .flatten()
+}
+
+/// The planted engine with this name.
+pub fn find(name: &str) -> Option<&'static Planted> {
+    all().find(|planted| planted.name == name)
+}
+
+/// The report of the quick sweep of some checks on a planted engine.
+///
+/// # Errors
+/// If the engine does not describe itself.
+pub fn judge(planted: &Planted, checks: &[&'static Check]) -> Result<Report> {
+    let plan = Plan { checks: checks.to_vec(), sweep: QUICK.to_vec(), options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };
+    runner::run(&planted.engine, &plan).map_err(|refusal| Error::Unsupported(format!("{}: {refusal}", planted.name)))
+}

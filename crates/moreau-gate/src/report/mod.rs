@@ -1,0 +1,36 @@
+//! The gate's report for people, for build servers and as a page.
+
+pub mod conformance;
+pub mod highlights;
+pub mod junit;
+pub mod page;
+mod plot;
+pub mod scoreboard;
+pub mod text;
+
+use crate::{CheckOutcome, Measurement, StepOutcome, Verdict};
+use moreau_checks::Relation;
+
+/// The measurement that decides a check: the first of the worst verdict at the largest step, or the first of all.
+pub fn decisive(check: &CheckOutcome) -> Option<(&StepOutcome, &Measurement)> {
+    let of = |step: &StepOutcome, verdict: Verdict| step.measurements.iter().position(|one| one.verdict() == verdict);
+    let worst = check.steps.iter().find_map(|step| of(step, check.verdict).map(|index| (step, &step.measurements[index])));
+    worst.or_else(|| check.steps.iter().find_map(|step| step.measurements.first().map(|one| (step, one))))
+}
+
+/// One line about a measurement: value, what was expected, of whom.
+pub fn sentence(step: &StepOutcome, one: &Measurement) -> String {
+    use moreau_exact::number::{significant, with_unit};
+    let expectation = match (&one.model, one.verdict()) {
+        (Some(model), Verdict::Fail | Verdict::Difference) => model,
+        _ => &one.ideal,
+    };
+    let at = step.time_step.map_or(String::new(), |h| format!(" at h = {} s", significant(h)));
+    let value = with_unit(&significant(one.value), &one.unit);
+    let expected = match expectation.relation {
+        Relation::Equal => format!("{} ± {:.1e}", significant(expectation.value), expectation.tolerance),
+        Relation::AtMost => format!("at most {}", significant(expectation.value + expectation.tolerance)),
+        Relation::AtLeast => format!("at least {}", significant(expectation.value - expectation.tolerance)),
+    };
+    format!("{}{at}: {value} (expected {expected}: {})", one.quantity, expectation.why)
+}

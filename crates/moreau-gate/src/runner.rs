@@ -1,0 +1,156 @@
+//! Runs checks over the sweep, on several copies of the engine at once, always with the same report.
+//!
+//! A task is one check at one time step. Every worker has an engine of its own and takes the next task; the answers are put in order
+//! afterwards, so that the number of workers changes nothing but the time.
+
+use crate::{
+    Bench, Check, CheckOutcome, Description, Engine, Level, Measurement, Options, Refusal, Reply, Report, Run, StepOutcome, outcome,
+};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// The time steps of the default sweep \[s\].
+pub const SWEEP: [f64; 8] = [1.0 / 60.0, 0.01, 1.0 / 120.0, 1.0 / 240.0, 0.003, 0.001, 0.0003, 0.0001];
+
+/// The time steps of the quick sweep \[s\].
+pub const QUICK: [f64; 3] = [1.0 / 60.0, 1.0 / 240.0, 0.001];
+
+/// What to run and how.
+pub struct Plan<'a> {
+    /// The checks, in the order of the report.
+    pub checks: Vec<&'static Check>,
+    /// The time steps \[s\].
+    pub sweep: Vec<f64>,
+    /// Options for every request.
+    pub options: Options,
+    /// Engines that run at once, at least 1.
+    pub jobs: usize,
+    /// How often everything is measured: 1, or more for a spread.
+    pub repeats: usize,
+    /// Called after each task.
+    pub progress: &'a (dyn Fn() + Sync),
+}
+
+impl Plan<'_> {
+    /// How many tasks there are, counting repetitions.
+    pub fn tasks(&self) -> usize {
+        tasks(&self.checks, &self.sweep).len() * self.repeats
+    }
+}
+
+/// One unit of work: a check at one time step, or once.
+#[derive(Clone, Copy)]
+struct Task {
+    check: &'static Check,
+    time_step: Option<f64>,
+}
+
+/// Runs the plan on engines that `make` makes.
+///
+/// # Errors
+/// [`Refusal`] if the engine does not describe itself: then nothing can be asked.
+pub fn run(make: &(dyn Fn() -> Box<dyn Engine> + Sync), plan: &Plan) -> Reply<Report> {
+    let description = make().describe(&plan.options)?;
+    let tasks = tasks(&plan.checks, &plan.sweep);
+    let (next, answers) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
+    std::thread::scope(|scope| {
+        for _ in 0..plan.jobs.clamp(1, tasks.len().max(1)) {
+            scope.spawn(|| {
+                let mut engine = make();
+                loop {
+                    let index = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(task) = tasks.get(index) else { return };
+                    let answer = measure(make, &mut engine, &description, plan, *task);
+                    answers.lock().unwrap_or_else(std::sync::PoisonError::into_inner).push((index, answer));
+                }
+            });
+        }
+    });
+    let mut answers = answers.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    answers.sort_by_key(|(index, _)| *index);
+    let steps = answers.into_iter().map(|(_, step)| step).collect();
+    Ok(assemble(description, plan, steps))
+}
+
+/// The tasks of the checks, in the order of the report.
+fn tasks(checks: &[&'static Check], sweep: &[f64]) -> Vec<Task> {
+    let of = |check: &&'static Check| -> Vec<Task> {
+        match check.run {
+            Run::EachStep(_) => sweep.iter().map(|h| Task { check, time_step: Some(*h) }).collect(),
+            Run::Once(_) => vec![Task { check, time_step: None }],
+        }
+    };
+    checks.iter().flat_map(of).collect()
+}
+
+/// A task, repeated as often as the plan says; the repetitions after the first are perturbed and only give the spread.
+fn measure(
+    make: &(dyn Fn() -> Box<dyn Engine> + Sync),
+    engine: &mut Box<dyn Engine>,
+    description: &Description,
+    plan: &Plan,
+    task: Task,
+) -> StepOutcome {
+    let mut attempt = |repeat: usize| {
+        let answer = catch_unwind(AssertUnwindSafe(|| perform(engine.as_mut(), description, &plan.options, task, repeat)));
+        (plan.progress)();
+        answer.unwrap_or_else(|_| {
+            *engine = make();
+            Err(Refusal::errored("the engine panicked during the check"))
+        })
+    };
+    let mut first = attempt(0);
+    for repeat in 1..plan.repeats {
+        if let (Ok(measurements), Ok(others)) = (&mut first, attempt(repeat)) {
+            widen(measurements, &others);
+        }
+    }
+    StepOutcome::new(task.time_step, first)
+}
+
+/// Records how far repeated values lie from the first ones.
+fn widen(measurements: &mut [Measurement], others: &[Measurement]) {
+    for (one, other) in measurements.iter_mut().zip(others) {
+        one.spread = one.spread.max((one.value - other.value).abs());
+    }
+}
+
+fn perform(engine: &mut dyn Engine, description: &Description, options: &Options, task: Task, repeat: usize) -> Reply<Vec<Measurement>> {
+    if !description.levels.contains(&task.check.level) {
+        return Err(Refusal::unsupported(missing_level(task.check.level)));
+    }
+    let mut bench = Bench::new(engine, description, options).perturbed(repeat);
+    match (task.check.run, task.time_step) {
+        (Run::EachStep(run), Some(h)) => run(&mut bench, h),
+        (Run::Once(run), None) => run(&mut bench),
+        _ => Err(Refusal::errored("a check that needs a time step was asked without one")),
+    }
+}
+
+fn missing_level(level: Level) -> &'static str {
+    match level {
+        Level::Simulate => "the engine does not simulate",
+        Level::Solve => "the engine does not solve contact problems",
+        Level::Project => "the engine does not project on friction cones",
+        Level::Dump => "the engine does not dump its step problems",
+    }
+}
+
+fn assemble(engine: Description, plan: &Plan, mut steps: Vec<StepOutcome>) -> Report {
+    let mut outcomes = Vec::with_capacity(plan.checks.len());
+    for check in &plan.checks {
+        let count = match check.run {
+            Run::EachStep(_) => plan.sweep.len(),
+            Run::Once(_) => 1,
+        };
+        let rest = steps.split_off(count.min(steps.len()));
+        outcomes.push(CheckOutcome::new(check.name, steps));
+        steps = rest;
+    }
+    Report { schema: outcome::SCHEMA.into(), engine, sweep: plan.sweep.clone(), checks: outcomes }
+}
+
+#[cfg(test)]
+#[path = "runner_tests.rs"]
+mod tests;

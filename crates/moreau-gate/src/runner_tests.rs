@@ -1,0 +1,115 @@
+//! Tests of the runner: order, jobs, an engine without description, repeats and their spread.
+
+use super::*;
+use crate::check::Control;
+use crate::description::{Friction, Precision};
+use crate::{ContactModel, Expectation, Kind, Verdict};
+use moreau_contact::problem::{ContactProblem, Solution};
+use nalgebra::DVector;
+
+/// Answers contact problems with r = 0; panics when the problem says so.
+struct Toy;
+
+impl Engine for Toy {
+    fn describe(&mut self, options: &Options) -> Reply<Description> {
+        if options.contains_key("refuse") {
+            return Err(Refusal::errored("no description today"));
+        }
+        Ok(Description {
+            name: "toy".into(),
+            version: "1".into(),
+            precision: Precision::Double,
+            contact_model: ContactModel { kind: Kind::Rigid, law: None, parameters: Default::default() },
+            restitution: false,
+            friction: Friction::None,
+            reports_contacts: false,
+            levels: vec![Level::Solve],
+            laws: vec![],
+            options: options.clone(),
+        })
+    }
+
+    fn solve(&mut self, problem: &ContactProblem, _options: &Options) -> Reply<Solution> {
+        assert_ne!(problem.name, "panic", "on purpose");
+        let zero = DVector::zeros(problem.rows());
+        Ok(Solution { impulse: zero.clone(), velocity: zero, beta: None, sigma: None, solver: "toy".into(), iterations: 0 })
+    }
+}
+
+const fn check(name: &'static str, level: Level, run: Run) -> Check {
+    Check { name, level, question: "", derivation: "", source: "", run, control: Control { passes: "", fails: "" } }
+}
+
+fn value(x: f64) -> Vec<Measurement> {
+    vec![Measurement::new("x", "s", x, Expectation::at_most(0.1, 0.0, ""))]
+}
+
+fn ask(bench: &mut Bench, name: &str) -> Reply<Solution> {
+    bench.solve(&ContactProblem { name: name.into(), ..one_contact() })
+}
+
+static STEP: Check = check("toy/step", Level::Solve, Run::EachStep(|_, h| Ok(value(h))));
+static ONCE: Check = check("toy/once", Level::Solve, Run::Once(|bench| ask(bench, "fine").map(|_| value(0.0))));
+static PANICS: Check = check("toy/panics", Level::Solve, Run::Once(|bench| ask(bench, "panic").map(|_| value(0.0))));
+static MOVES: Check = check("toy/moves", Level::Simulate, Run::Once(|_| Ok(value(0.0))));
+static NOTHING: Check = check("toy/nothing", Level::Solve, Run::Once(|_| Ok(Vec::new())));
+
+fn report(jobs: usize) -> Report {
+    let checks = vec![&PANICS, &STEP, &ONCE, &MOVES, &NOTHING];
+    let plan = Plan { checks, sweep: vec![0.5, 0.05, 0.25], options: Options::new(), jobs, repeats: 1, progress: &|| {} };
+    run(&|| Box::new(Toy), &plan).expect("describes itself")
+}
+
+#[test]
+fn every_check_gets_its_verdict_in_the_order_of_the_question() {
+    let verdicts: Vec<_> = report(1).checks.iter().map(|check| (check.check.clone(), check.verdict)).collect();
+    let expected = [
+        ("toy/panics", Verdict::Errored),
+        ("toy/step", Verdict::Fail),
+        ("toy/once", Verdict::Pass),
+        ("toy/moves", Verdict::Unsupported),
+        ("toy/nothing", Verdict::Errored),
+    ];
+    assert_eq!(verdicts, expected.map(|(name, verdict)| (name.to_string(), verdict)));
+    assert_eq!(report(1).checks[1].fails_at, [0.5, 0.25]);
+}
+
+#[test]
+fn the_number_of_jobs_changes_nothing() {
+    assert_eq!(report(1), report(2));
+    assert_eq!(report(1), report(50));
+}
+
+#[test]
+fn an_engine_without_description_cannot_be_run() {
+    let options = [("refuse".to_string(), true.into())].into_iter().collect();
+    let plan = Plan { checks: vec![&ONCE], sweep: vec![1.0], options, jobs: 1, repeats: 1, progress: &|| {} };
+    assert_eq!(run(&|| Box::new(Toy), &plan).expect_err("refused"), Refusal::errored("no description today"));
+}
+
+#[test]
+fn repeats_give_the_spread() {
+    let plan = Plan { checks: vec![&STEP], sweep: vec![0.05], options: Options::new(), jobs: 1, repeats: 3, progress: &|| {} };
+    assert_eq!(plan.tasks(), 3);
+    let report = run(&|| Box::new(Toy), &plan).expect("describes itself");
+    assert_eq!(report.checks[0].steps[0].measurements[0].spread, 0.0, "the toy is not perturbed");
+    let mut measured = value(1.0);
+    widen(&mut measured, &value(1.25));
+    widen(&mut measured, &value(0.5));
+    assert_eq!(measured[0].spread, 0.5);
+}
+
+fn one_contact() -> ContactProblem {
+    ContactProblem {
+        name: String::new(),
+        rows_per_contact: 1,
+        law: moreau_contact::Law::Frictionless,
+        friction: vec![0.0],
+        free_velocity: DVector::zeros(1),
+        shift: DVector::zeros(1),
+        delassus: nalgebra::DMatrix::identity(1, 1),
+        compliance: None,
+        dynamics: None,
+        bodies: None,
+    }
+}

@@ -1,0 +1,122 @@
+//! The scoreboard: every engine that is installed here, through the same checks, stored with its version.
+
+use crate::process::{Limits, ProcessEngine};
+use crate::runner;
+use crate::runner::Plan;
+use crate::{Check, Options, Report};
+use moreau_contact::files::{read_text, write_atomically};
+use moreau_exact::{Error, Result};
+use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
+
+/// The list of engines, `scripts/engines/engines.json`.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Engines {
+    /// In the order of the table.
+    pub engines: Vec<Entry>,
+}
+
+/// One engine in one configuration.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Entry {
+    /// A stable name, also of its file.
+    pub name: String,
+    /// How it is started, relative to the folder of the project.
+    pub command: Vec<String>,
+    /// Its options.
+    #[serde(default)]
+    pub options: Options,
+    /// How it is installed.
+    pub install: String,
+}
+
+/// What the scoreboard knows of one engine.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Standing {
+    /// Which engine.
+    pub entry: Entry,
+    /// What the gate found; absent if it was not run.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub report: Option<Report>,
+    /// Why it was not run.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub not_run: Option<String>,
+}
+
+impl Engines {
+    /// Reads the list.
+    ///
+    /// # Errors
+    /// [`Error::Read`], [`Error::Json`], or [`Error::Invalid`] if two entries have one name or a command is empty.
+    pub fn read(file: &Path) -> Result<Self> {
+        let engines: Engines = read_json(file)?;
+        for (k, entry) in engines.engines.iter().enumerate() {
+            if entry.command.is_empty() || engines.engines[..k].iter().any(|other| other.name == entry.name) {
+                let problem = format!("`{}` has no command or a name that is taken", entry.name);
+                return Err(
+                    Error::invalid(format!("engines[{k}]"), problem, "give every configuration its own name and a command").in_file(file)
+                );
+            }
+        }
+        Ok(engines)
+    }
+}
+
+impl Entry {
+    /// Why the engine cannot be started here, if it cannot: its program is not there.
+    fn missing(&self) -> Option<String> {
+        let program = Path::new(&self.command[0]);
+        let is_path = program.components().count() > 1;
+        let missing = self
+            .command
+            .iter()
+            .map(Path::new)
+            .find(|part| (part.components().count() > 1 || (is_path && *part == program)) && !part.exists());
+        missing.map(|part| format!("{} is not there; install with `{}`", part.display(), self.install))
+    }
+
+    /// Runs the gate on the engine, unless it is not installed or cannot be run: then the standing says why, and is never a pass.
+    pub fn judge(&self, checks: &[&'static Check], sweep: &[f64], jobs: usize, progress: &(dyn Fn() + Sync)) -> Standing {
+        let not_run = |reason: String| Standing { entry: self.clone(), report: None, not_run: Some(reason) };
+        if let Some(reason) = self.missing() {
+            return not_run(reason);
+        }
+        let plan = Plan { checks: checks.to_vec(), sweep: sweep.to_vec(), options: self.options.clone(), jobs, repeats: 1, progress };
+        let make = || -> Box<dyn crate::Engine> { Box::new(ProcessEngine::new(self.command.clone(), Limits::default())) };
+        match runner::run(&make, &plan) {
+            Ok(report) => Standing { entry: self.clone(), report: Some(report), not_run: None },
+            Err(refusal) => not_run(format!("{refusal}; install with `{}`", self.install)),
+        }
+    }
+}
+
+impl Standing {
+    /// The file of an engine in a folder.
+    pub fn file(folder: &Path, name: &str) -> PathBuf {
+        folder.join(format!("{name}.json"))
+    }
+
+    /// Stores the standing in a folder, whole or not at all.
+    ///
+    /// # Errors
+    /// [`Error::Write`].
+    pub fn store(&self, folder: &Path) -> Result<()> {
+        let text = serde_json::to_string(self)? + "\n";
+        write_atomically(&Standing::file(folder, &self.entry.name), text.as_bytes())
+    }
+
+    /// Reads a stored standing.
+    ///
+    /// # Errors
+    /// [`Error::Read`] or [`Error::Json`] with the file's name.
+    pub fn read(file: &Path) -> Result<Self> {
+        read_json(file)
+    }
+}
+
+fn read_json<T: serde::de::DeserializeOwned>(file: &Path) -> Result<T> {
+    let text = read_text(file)?;
+    serde_json::from_str(&text).map_err(|error| Error::from(error).in_file(file))
+}

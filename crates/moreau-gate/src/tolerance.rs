@@ -1,0 +1,64 @@
+//! Tolerances of the gate, one file per family of checks.
+//!
+//! Two kinds: the derived error of a sound discretisation at a step h (an allowance of the ideal), and the accuracy with which a
+//! declared law predicts (an allowance of the model). Both grow by the rounding of the engine's own precision where that is coarser.
+
+pub mod ball;
+pub mod conformance;
+pub mod contact;
+pub mod energy;
+pub mod flight;
+pub mod impact;
+pub mod incline;
+pub mod isotropy;
+pub mod metamorphic;
+pub mod painleve;
+pub mod projection;
+pub mod rest;
+pub mod rocking;
+pub mod rolling;
+pub mod solver;
+pub mod stack;
+pub mod tumbling;
+
+/// The part of a step's impulse that the step's solver may leave unsolved, √2⁻²³ = 3.5e-4. Every family that asks how well a step is
+/// solved rests
+/// on it: at rest, in stacks, on slopes, in the reported impulses, between transformed scenes.
+///
+/// This is a requirement of the gate, not the documented accuracy of an engine. It cannot be less than what an engine in single precision
+/// can
+/// do: a minimised energy that is known to ε of itself gives velocities to √ε, and ε = 2⁻²³ is the coarsest in use. It is coarser than the
+/// documented stopping rules (`docs/engines/`), each as a part of the impulse m g h of one body at rest:
+/// ```text
+///     Drake SAP, Similar, Lagged    1e-6        rel_tolerance of SapSolverParameters, ‖D∇ℓ‖ ≤ 1e-6 max(‖D p‖, ‖D Jᵀγ‖)
+///     Siconos NSGS                  1e-4        SICONOS_DPARAM_TOL by default; 1e-10 in our adapter
+///     MuJoCo                        2.5e-5      opt.tolerance 1e-8 m²/s⁴: ½ m δa² ≤ 1e-8 tr M ≈ 3e-8 m leaves δa = √6e-8 m/s² of g
+/// ```
+/// MuJoCo's line holds for the acceleration; the force it reports is `impratio`^½ times as far off along the tangents. Its rule bounds
+/// what the last iteration gained, so that PGS, which converges slowly, may leave more. That a solver which leaves 1e-3 is
+/// caught and one that leaves 1e-4 is not, is shown by [`crate::planted`].
+pub const SOLVED: f64 = 0.000_345_266_983_001_243_9;
+
+/// Relative to the duration, how far a sample's time may be from k h: the protocol's accuracy of "h divides the duration".
+pub const SAME_TIME: f64 = 1e-9;
+
+/// Relative change of gravity and velocities between repeated measurements, 2⁻³⁰ ≈ 1e-9: far below every allowance of the checks, far above
+/// the rounding of double precision, so that the spread shows how an engine amplifies what it cannot know.
+pub const PERTURBATION: f64 = 1.0 / (1u64 << 30) as f64;
+
+/// A value is worse than its baseline only beyond this many times its spread: of three values the half range covers the error of the
+/// mean with 95 % (Student, two degrees of freedom: 4.3).
+pub const SPREADS: f64 = 4.3;
+
+/// … and beyond this part of the ideal's allowance: less is rounding of another processor, not news.
+pub const NEWS: f64 = 1.0 / 1024.0;
+
+/// Orders up to this are called constant: half the smallest order that a proven bound here has (½, the graph distance of a plastic impact).
+pub const CONSTANT_ORDER: f64 = 0.25;
+
+/// Rounding of a quantity that an engine sums up from terms of this size in its own precision: 64 operations per term, as a contact of
+/// three
+/// rows over two bodies of six velocities makes at most.
+pub fn audit_rounding(epsilon: f64, size: f64) -> f64 {
+    64.0 * epsilon * size
+}

@@ -1,0 +1,77 @@
+//! A bouncing ball: what sampling, event capturing and a compliant law's replay may be off.
+
+pub use moreau_forms::tolerance::{OSCILLATOR_PARTS, oscillator_rebound};
+
+/// Error of a measured v⁺/v⁻ at an impact with speed v and restitution e: both velocities off by at most g (s + 2h), h the step and s the
+/// time between samples \[s\] (the flight to and from the floor is corrected for by at most g s; a step may count its gravity before or
+/// after the reversal, and an engine may need one more step for it).
+pub fn restitution(e: f64, speed: f64, gravity: f64, h: f64, spacing: f64) -> f64 {
+    let off = gravity * (spacing + 2.0 * h);
+    (1.0 + e) * off / (speed - off).max(off)
+}
+
+/// Error of v⁺/v⁻ of a plastic impact: g (s + 2h) over the speed.
+pub fn plastic(speed: f64, gravity: f64, h: f64, spacing: f64) -> f64 {
+    restitution(0.0, speed, gravity, h, spacing)
+}
+
+/// How far a ball may get into the floor \[m\]: (v + g h) h before the impact is noticed, and, where the position moves on with the mean of
+/// both velocities, half of that again.
+pub fn depth(speed: f64, gravity: f64, h: f64) -> f64 {
+    1.5 * (speed + gravity * h) * h
+}
+
+/// Error of the apex after a bounce, over the height H of the drop: e²·½v² off by (v⁺ + ½δ) δ with δ = g (s + 2h) (1 + e), and it starts up to
+/// the depth away from the floor.
+pub fn apex(e: f64, speed: f64, height: f64, gravity: f64, h: f64, spacing: f64) -> f64 {
+    let off = gravity * (spacing + 2.0 * h) * (1.0 + e);
+    ((e * speed + 0.5 * off) * off / gravity + depth(speed, gravity, h)) / height
+}
+
+/// What an elastic ball may seem to gain at an apex, over the height H of the drop: a θ-scheme keeps E − (θ−½) g h v, and the slowest sample
+/// has |v| ≤ ½ g s, at both apexes: ½ g h s; and n roundings of the energy, which has condition number two.
+pub fn apex_gain(height: f64, gravity: f64, h: f64, spacing: f64, samples: usize, epsilon: f64) -> f64 {
+    let steps = samples as f64 * spacing / h;
+    0.5 * gravity * h * spacing / height + 16.0 * steps * epsilon
+}
+
+/// Steps by which a ball with impact speed σ₀ = v/(g h) may be absorbed early and late: the widest of the bounds proved in
+/// [`moreau_checks::tolerance::zeno`] over the activation rules A, B and D and θ = ½ and 1.
+pub fn absorption(e: f64, impact_speed: f64) -> [f64; 2] {
+    let mut widest = [0.0f64; 2];
+    for (forecast, offset) in [(0.0, 0.0), (0.5, 0.0), (1.0, 1.0)] {
+        for theta in [0.5, 1.0] {
+            let bounds = moreau_checks::tolerance::zeno::Drop { forecast, offset, theta, restitution: e, impact_speed }.bounds();
+            widest = [widest[0].max(bounds.early), widest[1].max(bounds.late)];
+        }
+    }
+    widest
+}
+
+/// Speed \[m/s\] below which a ball rests: less than a step of gravity is no flight.
+pub fn settled_speed(gravity: f64, h: f64) -> f64 {
+    gravity * h
+}
+
+/// Where a ball may come to rest \[m\]: the places proved in [`moreau_checks::tolerance::zeno`], 7, lie between −2.875 and 1 times g h² at e = ½.
+pub fn resting_gap(gravity: f64, h: f64) -> f64 {
+    3.0 * gravity * h * h
+}
+
+/// Rounding of a coordinate of at most `size` \[m\] after n samples, each of at most 16 steps' roundings.
+pub fn place(samples: usize, size: f64, epsilon: f64) -> f64 {
+    16.0 * samples as f64 * epsilon * size
+}
+
+/// Time between samples \[s\] of motions of some seconds.
+pub const SETTLING_SAMPLE: f64 = 2e-3;
+
+/// Longest contact that is waited for \[s\]: half a period π√(m/k) of a spring of 1 kg softer than any engine's default, 1 kN/m.
+pub const LONGEST_CONTACT: f64 = 0.1;
+
+/// Relative error of a replayed impact: each step of the engine's solver ends within a relative 1e-6 of its answer (SAP's documented stopping rule,
+/// the loosest), or at √ε, and the map of a step does not spread differences; only the steps in contact count, and each sample stands for one of
+/// them or more, whose errors are independent of the step's size.
+pub fn replay(samples: usize, epsilon: f64) -> f64 {
+    samples as f64 * moreau_forms::tolerance::SAP_RELATIVE.max(epsilon.sqrt())
+}

@@ -1,0 +1,25 @@
+//! Errors of a first-order scheme on a block that rocks on its edges ([`crate::checks::rocking`]).
+
+/// Error of the energy regained after a landing over the energy before it, `energy` = ½ω²/p² (lifts, in units of m g R).
+///
+/// Per unit of h ω, with ω the landing speed:
+/// - the landing is found up to 3/2 steps early or late (a step, and half a step of forecast), at tilts of up to 3/2 h ω. There the
+///   height differs by sin α · 3/2 h ω, before and after: 3 sin α;
+/// - the angular speed of an explicit step lags by h/2: energy ½ h ω sin α on each side: sin α;
+/// - the edge leaves its circle by ½(hω)²R a step and falls back: it lifts the centre by ½ h ω times the angle turned.
+pub fn regained(sine: f64, angle: f64, landing_speed: f64, h: f64, energy: f64) -> f64 {
+    h * landing_speed * (4.0 * sine + 0.5 * angle) / energy
+}
+
+/// How far \[m\] an edge that does not slide may travel: ½(hω)²R a step along its path, over the angle turned; and where the landing is found
+/// 3/2 steps late, the base is below the ground by 2b · 3/2 h ω and its edge R (3/2 h ω)² aside.
+pub fn travel(radius: f64, angle: f64, landing_speed: f64, h: f64) -> f64 {
+    let turn = h * landing_speed;
+    0.5 * turn * radius * angle + radius * (1.5 * turn).powi(2)
+}
+
+/// Time \[s\] by which a landing may be off: a step until the edge carries, half a step that explicit speeds lag, one step in which the
+/// edge that left its circle falls back, one sample.
+pub fn fall_time(h: f64) -> f64 {
+    3.5 * h
+}

@@ -1,0 +1,21 @@
+//! When an answer to a contact problem counts as a solution ([`crate::checks::solver`]).
+
+use moreau_contact::tolerance::solvers::agreement;
+
+/// Residuals relative to the scale of their unit, √ε: a solver that minimises an energy known to ε of itself knows impulses and velocities
+/// to √ε. For double precision 1.5e-8, next to the certificate's own default.
+pub fn residual(epsilon: f64) -> f64 {
+    epsilon.sqrt()
+}
+
+/// How far the velocity of an answer with residuals of [`residual`] may be from the known one, relative to the velocity scale, for one contact
+/// on a point mass: [`agreement`] with ‖W‖ = ρ = 1, a residual of √ε against the exact answer's 0, and impulses apart by at most twice
+/// their scale.
+pub fn known_velocity(epsilon: f64) -> f64 {
+    agreement(1.0, residual(epsilon), 2.0, 1.0)
+}
+
+/// Rounding of W r + u_free \[m/s\] for an answer r of any size, with the largest row sum `row` of |W|: reading and n products of r.
+pub fn product(epsilon: f64, rows: usize, row: f64, impulse: f64) -> f64 {
+    2.0 * (rows + 2) as f64 * epsilon * row * impulse
+}

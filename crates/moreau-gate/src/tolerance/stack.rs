@@ -1,0 +1,32 @@
+//! How far boxes at rest on each other may move ([`crate::checks::stack`]).
+
+use super::SOLVED;
+
+/// Velocity \[m/s\] that a solved step may leave: gravity gives every body g h, the contacts take it back with impulses of up to the whole load
+/// Σm g h, known to a part [`SOLVED`], which move the lightest body by that part of Σm g h/m_min.
+pub fn unsolved_velocity(gravity: f64, h: f64, load_ratio: f64) -> f64 {
+    SOLVED * load_ratio * gravity * h
+}
+
+/// Distance \[m\] that a velocity left in every one of `steps` steps may add up to.
+pub fn drift(velocity: f64, steps: usize, h: f64) -> f64 {
+    steps as f64 * h * velocity
+}
+
+/// Depth \[m\] of a landing after a fall of `drop` \[m\], at v = √(2 g · drop): found up to a step late, acted on in the next with the mean of
+/// both speeds, 3/2 h (v + g h).
+pub fn landing(gravity: f64, drop: f64, h: f64) -> f64 {
+    1.5 * h * (sinking_speed(gravity, drop) + gravity * h)
+}
+
+/// Depth \[m\] at which the n-th box may be found: it has fallen through all gaps of `gap` \[m\], v = √(2 g n · gap), and for a step more per level
+/// below it, n g h, and moves on for one step: h (v + n g h).
+pub fn found_depth(gravity: f64, gap: f64, levels: usize, h: f64) -> f64 {
+    let levels = levels as f64;
+    h * (sinking_speed(gravity, levels * gap) + levels * gravity * h)
+}
+
+/// Speed \[m/s\] gained by sinking a distance under gravity: ½v² ≤ g · sink.
+pub fn sinking_speed(gravity: f64, sink: f64) -> f64 {
+    (2.0 * gravity * sink).sqrt()
+}

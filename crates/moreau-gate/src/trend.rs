@@ -1,0 +1,101 @@
+//! How a deviation from the ideal depends on the time step: where it comes from.
+//!
+//! ```text
+//!     |value − ideal| ≈ C h^p      p ≈ 0   the model: refining the step does not help
+//!                                  p > ¼   the discretisation: it vanishes with h
+//!                                  else    irregular: look at the solver
+//! ```
+
+use crate::tolerance::CONSTANT_ORDER;
+use crate::{StepOutcome, Verdict};
+use moreau_dynamics::trajectory::order::{Level, fit_order};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A deviation over the sweep.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Trend {
+    /// What was measured.
+    pub quantity: String,
+    /// The fitted order p.
+    pub order: f64,
+    /// Largest minus smallest order between neighbouring steps.
+    pub spread: f64,
+    /// Where the deviation comes from.
+    pub cause: Cause,
+}
+
+/// Where a deviation comes from, by its dependence on h.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Cause {
+    /// Independent of h.
+    Model,
+    /// Vanishes with h.
+    Discretisation,
+    /// Neither.
+    Irregular,
+}
+
+/// The trends of the quantities that deviate at some step, in the order in which they were measured.
+pub fn trends(steps: &[StepOutcome]) -> Vec<Trend> {
+    let mut quantities: Vec<&str> = Vec::new();
+    for one in steps.iter().flat_map(|step| &step.measurements) {
+        if matches!(one.verdict(), Verdict::Difference | Verdict::Fail) && !quantities.contains(&one.quantity.as_str()) {
+            quantities.push(&one.quantity);
+        }
+    }
+    quantities.into_iter().filter_map(|quantity| trend(quantity, steps)).collect()
+}
+
+fn trend(quantity: &str, steps: &[StepOutcome]) -> Option<Trend> {
+    let mut levels: Vec<Level> = Vec::new();
+    for step in steps {
+        let measured = step.measurements.iter().find(|one| one.quantity == quantity)?;
+        levels.push(Level { time_step: step.time_step?, error: measured.ideal.miss(measured.value) });
+    }
+    levels.sort_by(|a, b| a.time_step.total_cmp(&b.time_step));
+    let three = levels.len() >= 3;
+    let fit = fit_order(levels).ok().filter(|_| three)?;
+    let slopes = fit.levels.windows(2).map(|pair| (pair[1].error / pair[0].error).ln() / (pair[1].time_step / pair[0].time_step).ln());
+    let slopes: Vec<f64> = slopes.collect();
+    let cause = if slopes.iter().all(|slope| slope.abs() <= CONSTANT_ORDER) {
+        Cause::Model
+    } else if slopes.iter().all(|slope| *slope > CONSTANT_ORDER) {
+        Cause::Discretisation
+    } else {
+        Cause::Irregular
+    };
+    Some(Trend { quantity: quantity.into(), order: fit.slope, spread: fit.spread, cause })
+}
+
+impl std::fmt::Display for Trend {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.cause {
+            Cause::Model => write!(f, "{}: independent of h (order {:.2}), so it is the model", self.quantity, self.order),
+            Cause::Discretisation => write!(f, "{}: vanishes with h (order {:.2}), so it is the discretisation", self.quantity, self.order),
+            Cause::Irregular => write!(f, "{}: irregular in h (order {:.2}, spread {:.2})", self.quantity, self.order, self.spread),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Expectation, Measurement};
+
+    fn cause(value: fn(f64) -> f64) -> Option<Cause> {
+        let step = |h: f64| StepOutcome::new(Some(h), Ok(vec![Measurement::new("x", "m", value(h), Expectation::equal(0.0, 0.0, ""))]));
+        trends(&[0.1, 0.01, 0.001].map(step)).first().map(|trend| trend.cause)
+    }
+
+    #[test]
+    fn a_deviation_is_told_by_its_order() {
+        assert_eq!(cause(|_| 2.0), Some(Cause::Model));
+        assert_eq!(cause(|h| 3.0 * h), Some(Cause::Discretisation));
+        assert_eq!(cause(f64::sqrt), Some(Cause::Discretisation));
+        assert_eq!(cause(|h| if h > 0.05 { 1.0 } else { h }), Some(Cause::Discretisation));
+        assert_eq!(cause(|h| if h < 0.005 { 1.0 } else { h }), Some(Cause::Irregular));
+        assert_eq!(cause(|_| 0.0), None, "nothing deviates");
+    }
+}
