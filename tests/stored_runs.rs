@@ -5,6 +5,7 @@ use moreau::checks::siconos_events::SiconosEvents;
 use moreau::checks::siconos_steps::SiconosSteps;
 use moreau::event_driven::EventDriven;
 use moreau::event_driven::flight::{Control, Location};
+use moreau::scenes::Scene;
 use moreau::schemes::{Activation, MoreauJean};
 
 const STEPS: &str = include_str!("../references/siconos/ball__moreau-jean__h0.01.json");
@@ -52,4 +53,18 @@ fn a_bullet_run_whose_lists_differ_in_length_is_refused() {
 fn the_page_on_energy_is_the_table_of_the_schemes() {
     let page = moreau::checks::energy_balance::table::page();
     assert!(include_str!("../docs/energy.md") == page, "docs/energy.md is not the table's page:\n{page}");
+}
+
+#[test]
+fn stored_scenes_are_read_and_become_mechanisms() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("references/scenes");
+    let files: Vec<_> = std::fs::read_dir(&folder).expect("the stored scenes").map(|entry| entry.expect("readable").path()).collect();
+    assert!(!files.is_empty(), "{} is empty", folder.display());
+    for file in files {
+        let scene = Scene::read(&file).unwrap_or_else(|error| panic!("{error}"));
+        let planar = scene.mechanism().or_else(|_| scene.spatial_mechanism());
+        let (mechanism, state) = planar.unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+        // Open or sunk on purpose: at φ = 0 rounding would choose.
+        assert!(mechanism.contacts(&state.position).iter().all(|contact| contact.gap != 0.0), "{}: starts in touch", file.display());
+    }
 }

@@ -23,7 +23,7 @@ fn every_system_has_a_scheme_and_an_agreement_and_every_scheme_has_a_system() {
         assert!(!system.schemes.is_empty() && !system.held_against.is_empty(), "{}", system.name);
         named.extend(system.schemes.iter().copied());
     }
-    assert_eq!(named, BTreeSet::from(NAMES), "src/systems/ and src/schemes/names.rs name different schemes");
+    assert_eq!(named, BTreeSet::from(NAMES), "src/systems/ and the schemes of moreau-replicas name different schemes");
     let names: BTreeSet<_> = ALL.iter().map(|system| system.name).collect();
     assert_eq!(names.len(), ALL.len(), "one name, one system");
 }

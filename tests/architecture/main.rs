@@ -1,34 +1,60 @@
-//! The invariants of the architecture, read off the source: who may import whom, and where tolerances live.
+//! The invariants of the architecture, read off manifests and source: who may depend on whom, and where tolerances live.
 
 mod source;
 
 use source::{imports, small_literals, strip, without_tests};
 use std::path::{Path, PathBuf};
 
-/// A file of `src/` without comments, texts and test code.
+/// A file of a crate without comments, texts and test code.
 struct File {
-    /// Path below `src/`.
+    /// The crate's name.
+    room: String,
+    /// Path below the crate's `src/`.
     path: PathBuf,
     code: String,
 }
 
 impl File {
-    /// The top-level module the file belongs to.
+    /// The top-level module the file belongs to, `crate/module`.
     fn module(&self) -> String {
         let first = self.path.iter().next().expect("a path below src/ has a first part");
-        first.to_string_lossy().trim_end_matches(".rs").into()
+        format!("{}/{}", self.room, first.to_string_lossy().trim_end_matches(".rs"))
     }
 
+    /// Where it is, for messages.
+    fn place(&self) -> String {
+        format!("{}/{}", self.room, self.path.display())
+    }
+
+    /// The modules of its own crate that it names, `crate/module`.
     fn imports(&self) -> Vec<String> {
         let folders = self.path.iter().count() - 1;
         let own = usize::from(!self.path.ends_with("mod.rs"));
-        imports(&self.code, folders + own)
+        imports(&self.code, folders + own).into_iter().map(|name| format!("{}/{name}", self.room)).collect()
     }
 }
 
-/// Every file of `src/` that is compiled outside tests.
+/// The crates of the workspace below the top one, in the order of their arrows.
+const ROOMS: [&str; 7] =
+    ["moreau-exact", "moreau-forms", "moreau-contact", "moreau-dynamics", "moreau-checks", "moreau-replicas", "moreau-gate"];
+
+/// The folder of a crate: in the workspace, or beside the unpacked archive of the top one.
+fn folder(room: &str) -> PathBuf {
+    let top = Path::new(env!("CARGO_MANIFEST_DIR"));
+    if room == "moreau" {
+        return top.into();
+    }
+    let places = [top.join("crates").join(room), top.join("..").join(format!("{room}-{}", env!("CARGO_PKG_VERSION")))];
+    places.into_iter().find(|place| place.exists()).unwrap_or_else(|| panic!("{room} is neither in crates/ nor beside this archive"))
+}
+
+/// Every file of every crate that is compiled outside tests.
 fn library() -> Vec<File> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    ROOMS.iter().chain(&["moreau"]).flat_map(|room| files_of(room)).collect()
+}
+
+fn files_of(room: &str) -> Vec<File> {
+    let root = folder(room).join("src");
     let mut test_only = Vec::new();
     let mut files = Vec::new();
     for path in rust_files(&root) {
@@ -42,7 +68,7 @@ fn library() -> Vec<File> {
     let named_so = |path: &PathBuf| path.to_string_lossy().ends_with("_tests.rs");
     files.retain(|(path, _)| !test_only.contains(path) && !named_so(path));
     let below = |path: PathBuf| path.strip_prefix(&root).expect("found below the root").to_path_buf();
-    files.into_iter().map(|(path, code)| File { path: below(path), code }).collect()
+    files.into_iter().map(|(path, code)| File { room: room.into(), path: below(path), code }).collect()
 }
 
 fn rust_files(folder: &Path) -> Vec<PathBuf> {
@@ -60,124 +86,145 @@ fn rust_files(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// Files of a module that import a name outside `allowed`, as `file: name`.
-fn strangers(files: &[File], module: &str, allowed: &[&str]) -> Vec<String> {
+/// Files of a module that name a module of their crate outside `allowed`, as `file: module`.
+fn strangers(files: &[File], module: &str, allowed: &[String]) -> Vec<String> {
     let of_module = files.iter().filter(|file| file.module() == module);
     let pairs = of_module.flat_map(|file| file.imports().into_iter().map(move |name| (file, name)));
-    let strange = pairs.filter(|(_, name)| name != module && !allowed.contains(&name.as_str()));
-    strange.map(|(file, name)| format!("src/{}: crate::{name}", file.path.display())).collect()
+    let strange = pairs.filter(|(_, name)| name != module && !allowed.contains(name));
+    strange.map(|(file, name)| format!("{}: {name}", file.place())).collect()
 }
 
-/// What every module may use: errors, numbers and the limit of memory.
-const GROUND: [&str; 7] = ["Error", "Result", "error", "memory", "number", "scalar", "tolerance"];
-
-#[track_caller]
-fn assert_imports_only(module: &str, others: &[&str]) {
-    let files = library();
-    assert!(files.iter().any(|file| file.module() == module), "src/{module} has no file: the test looks at nothing");
-    let allowed: Vec<_> = GROUND.iter().chain(others).copied().collect();
-    assert_eq!(strangers(&files, module, &allowed), Vec::<String>::new(), "{module} imports what it may not know");
+/// What every module of a crate may use beside what the map allows: its tolerances, the limit of memory, the names at the crate's root.
+fn ground(room: &str) -> Vec<String> {
+    ["tolerance", "memory", "Error", "Result", "Law", "ContactProblem", "Solution", "Finding"].map(|name| format!("{room}/{name}")).into()
 }
 
-#[test]
-fn problems_know_no_solver_and_no_scheme() {
-    assert_imports_only("problem", &["cones", "contact", "files", "Law", "ContactProblem", "Solution"]);
+/// Dependencies on crates of the workspace in one table of a crate's manifest, by name.
+fn dependencies(room: &str, table: &str) -> Vec<String> {
+    let file = folder(room).join("Cargo.toml");
+    let text = std::fs::read_to_string(&file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+    let manifest: toml::Table = text.parse().unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+    let names = manifest.get(table).and_then(toml::Value::as_table).into_iter().flat_map(|table| table.keys());
+    names.filter(|name| name.starts_with("moreau")).cloned().collect()
 }
 
-#[test]
-fn certificates_know_no_solver_and_no_scheme() {
-    assert_imports_only("certificate", &["problem", "cones", "elimination", "Law", "ContactProblem", "Solution"]);
-}
-
-#[test]
-fn closed_forms_know_nothing_they_verify() {
-    assert_imports_only("closed_forms", &[]);
-}
-
-#[test]
-fn files_know_nothing_of_what_they_hold() {
-    assert_imports_only("files", &[]);
-}
-
-#[test]
-fn cones_know_numbers_only() {
-    assert_imports_only("cones", &[]);
-}
-
-/// The rows of the map in ARCHITECTURE.md that stand for modules: the names in the first column, the names that the last one allows.
+/// The rows of the map in ARCHITECTURE.md: the names in the first column, the names that the last one allows.
 fn map() -> Vec<(Vec<String>, Vec<String>)> {
-    let text = include_str!("../../ARCHITECTURE.md");
-    let quoted = |cell: &str| -> Vec<String> {
-        cell.split('`').skip(1).step_by(2).map(|name| name.trim_end_matches('/').trim_end_matches(".rs").to_string()).collect()
-    };
-    let mut above: Vec<String> = Vec::new();
-    let mut rows = Vec::new();
-    for line in text.lines().filter(|line| line.starts_with("| `")) {
+    let quoted = |cell: &str| -> Vec<String> { cell.split('`').skip(1).step_by(2).map(String::from).collect() };
+    let rows = include_str!("../../ARCHITECTURE.md").lines().filter(|line| line.starts_with("| `moreau"));
+    rows.map(|line| {
         let cells: Vec<_> = line.trim_matches('|').split('|').collect();
-        let (names, last) = (quoted(cells[0]), cells[cells.len() - 1]);
-        let allowed = if last.contains("all of the above") { above.clone() } else { quoted(last) };
-        above.extend(names.clone());
-        rows.push((names, allowed));
-    }
-    rows
+        (quoted(cells[0]), quoted(cells[cells.len() - 1]))
+    })
+    .collect()
 }
 
 #[test]
-fn the_map_names_every_folder_and_what_it_imports() {
+fn every_crate_depends_on_the_crates_that_the_map_gives_it_and_tests_on_no_upper_one() {
+    for room in ROOMS {
+        let row = map().into_iter().find(|(names, _)| names.iter().any(|name| name == room));
+        let (_, mut allowed) = row.unwrap_or_else(|| panic!("{room} is not in the map of ARCHITECTURE.md"));
+        allowed.sort();
+        assert_eq!(dependencies(room, "dependencies"), allowed, "{room}: Cargo.toml against the map of ARCHITECTURE.md");
+        let above: Vec<&str> = ROOMS.into_iter().skip_while(|name| *name != room).collect();
+        assert!(allowed.iter().all(|name| !above.contains(&name.as_str())), "{room}: an arrow upwards");
+        for table in ["dev-dependencies", "build-dependencies"] {
+            assert_eq!(dependencies(room, table), Vec::<String>::new(), "{room}: tests that need an upper crate belong to the top one");
+        }
+    }
+}
+
+#[test]
+fn the_gate_and_the_replicas_do_not_know_each_other() {
+    let known = |room: &str| dependencies(room, "dependencies");
+    assert!(!known("moreau-gate").contains(&"moreau-replicas".into()) && !known("moreau-replicas").contains(&"moreau-gate".into()));
+}
+
+#[test]
+fn the_map_names_every_module_and_what_it_imports() {
     let files = library();
-    let map = map();
-    let reexports = ["Law", "ContactProblem", "Solution", "gate_tests"];
-    for module in files.iter().map(File::module).filter(|module| !["lib", "main"].contains(&module.as_str())) {
-        let row = map.iter().find(|(names, _)| names.contains(&module));
-        let (_, allowed) = row.unwrap_or_else(|| panic!("src/{module} is not in the map of ARCHITECTURE.md"));
-        // `super::` inside the inline modules of the ground is not the root
-        if GROUND.contains(&module.as_str()) {
+    // closed forms and numbers: one per file, nothing to allow but each other
+    let listed = |room: &str| !["moreau-exact", "moreau-forms"].contains(&room);
+    let mut checked = 0;
+    for file in files.iter().filter(|file| listed(&file.room) && !["lib.rs", "main.rs"].contains(&file.path.to_string_lossy().as_ref())) {
+        let module = file.module();
+        if module.ends_with("/tolerance") {
             continue;
         }
-        let allowed: Vec<_> = allowed.iter().map(String::as_str).chain(GROUND).chain(reexports).collect();
+        let row = map().into_iter().find(|(names, _)| names.contains(&module));
+        let (_, allowed) = row.unwrap_or_else(|| panic!("{module} is not in the map of ARCHITECTURE.md"));
+        checked += 1;
+        if allowed.iter().any(|name| *name == file.room) {
+            continue;
+        }
+        let allowed: Vec<_> = allowed.iter().map(|name| format!("{}/{name}", file.room)).chain(ground(&file.room)).collect();
         assert_eq!(strangers(&files, &module, &allowed), Vec::<String>::new(), "the map of ARCHITECTURE.md does not allow this");
     }
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for name in map.iter().flat_map(|(names, allowed)| names.iter().chain(allowed)) {
-        let places = [
-            root.join("src").join(name),
-            root.join("src").join(format!("{name}.rs")),
-            root.join(name),
-            root.join("tests").join(format!("{name}.rs")),
-        ];
-        assert!(places.iter().any(|place| place.exists()), "the map of ARCHITECTURE.md names `{name}`, which does not exist");
+    assert!(checked > 0);
+    for name in map().into_iter().flat_map(|(names, _)| names).filter(|name| name.contains('/')) {
+        assert!(files.iter().any(|file| file.module() == name), "the map of ARCHITECTURE.md names `{name}`, which does not exist");
     }
 }
 
 #[test]
-fn small_numbers_stand_in_the_table_of_tolerances_or_in_a_planted_defect() {
+fn problems_and_certificates_know_no_solver() {
     let files = library();
-    let planted = |file: &File| file.module() == "defects" || file.path.starts_with("gate/planted");
-    let elsewhere = files.iter().filter(|file| file.module() != "tolerance" && !planted(file));
-    let found: Vec<_> = elsewhere
-        .flat_map(|file| small_literals(&file.code).into_iter().map(|number| format!("src/{}: {number}", file.path.display())))
-        .collect();
-    assert_eq!(found, Vec::<String>::new(), "a small number needs a name and a derivation in src/tolerance.rs");
+    for (module, others) in [
+        ("moreau-contact/problem", &["cones", "contact", "files"][..]),
+        ("moreau-contact/certificate", &["problem", "cones"]),
+        ("moreau-contact/cones", &[]),
+        ("moreau-contact/files", &[]),
+    ] {
+        let allowed: Vec<_> = others.iter().map(|name| format!("moreau-contact/{name}")).chain(ground("moreau-contact")).collect();
+        assert!(files.iter().any(|file| file.module() == module), "{module} has no file: the test looks at nothing");
+        assert_eq!(strangers(&files, module, &allowed), Vec::<String>::new(), "{module} imports what it may not know");
+    }
+}
+
+#[test]
+fn small_numbers_stand_in_the_tables_of_tolerances_or_in_a_planted_defect() {
+    let files = library();
+    let planted = |file: &File| {
+        ["moreau/defects", "moreau-checks/defects", "moreau-gate/planted"].contains(&file.module().as_str())
+            || file.path.ends_with("energy_balance/defects.rs")
+    };
+    let elsewhere = files.iter().filter(|file| !file.module().ends_with("/tolerance") && !planted(file));
+    let found: Vec<_> =
+        elsewhere.flat_map(|file| small_literals(&file.code).into_iter().map(|number| format!("{}: {number}", file.place()))).collect();
+    assert_eq!(found, Vec::<String>::new(), "a small number needs a name and a derivation in its crate's tolerances");
 }
 
 #[test]
 fn clocks_are_read_only_to_report_run_times_and_to_end_an_engine_that_does_not_answer() {
     let files = library();
     let reading = files.iter().filter(|file| file.code.contains("Instant") || file.code.contains("SystemTime"));
-    let paths: Vec<_> = reading.map(|file| file.path.to_string_lossy().into_owned()).collect();
+    let places: Vec<_> = reading.map(File::place).collect();
     // the time limit decides whether there is a reply, never what it is
-    assert_eq!(paths, ["claims/registry.rs", "gate/process/deadline.rs"], "the same input gives the same output");
+    assert_eq!(places, ["moreau-gate/process/deadline.rs", "moreau/claims/registry.rs"], "the same input gives the same output");
+}
+
+#[test]
+fn no_library_below_the_top_one_embeds_a_stored_run() {
+    for room in ROOMS {
+        for path in rust_files(&folder(room).join("src")) {
+            let text = std::fs::read_to_string(&path).expect("a source file");
+            assert!(!text.contains("references/") || !text.contains("include_str!(\"../"), "{} embeds a stored run", path.display());
+        }
+    }
 }
 
 #[test]
 fn the_rules_can_fail() {
-    let planted = |path: &str, code: &str| File { path: path.into(), code: strip(code) };
+    let planted = |path: &str, code: &str| File { room: "moreau-contact".into(), path: path.into(), code: strip(code) };
     let files = [
-        planted("closed_forms/ball.rs", "use crate::schemes::step;"),
-        planted("closed_forms/mod.rs", "use super::mechanics::State; use crate::closed_forms::x;"),
+        planted("problem/law.rs", "use crate::solvers::Reference;"),
+        planted("problem/mod.rs", "use super::certificate::Judge; use crate::problem::x;"),
         planted("cones/orthant.rs", "use crate::problem::Law;"),
     ];
-    let expected = ["src/closed_forms/ball.rs: crate::schemes", "src/closed_forms/mod.rs: crate::mechanics"];
-    assert_eq!(strangers(&files, "closed_forms", &GROUND), expected);
-    assert_eq!(strangers(&files, "cones", &GROUND), ["src/cones/orthant.rs: crate::problem"]);
+    let expected = ["moreau-contact/problem/law.rs: moreau-contact/solvers", "moreau-contact/problem/mod.rs: moreau-contact/certificate"];
+    assert_eq!(strangers(&files, "moreau-contact/problem", &ground("moreau-contact")), expected);
+    assert_eq!(
+        strangers(&files, "moreau-contact/cones", &ground("moreau-contact")),
+        ["moreau-contact/cones/orthant.rs: moreau-contact/problem"]
+    );
 }

@@ -42,5 +42,10 @@ pub mod problem;
 pub mod solvers;
 pub mod tolerance;
 
-pub use moreau_exact::{Error, Result};
+pub use moreau_exact::{Error, Result, scalar};
 pub use problem::{ContactProblem, Law, Solution};
+
+/// The README's example, compiled and run as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct ReadmeExample;

@@ -1,8 +1,8 @@
 //! The gate for engines written in Rust: one `#[test]` per check.
 //!
 //! ```
-//! use moreau::gate::{ContactModel, Description, Engine, Kind, Level, Options, Reply};
-//! use moreau::gate::description::{Friction, Precision};
+//! use moreau_gate::{ContactModel, Description, Engine, Kind, Level, Options, Reply};
+//! use moreau_gate::description::{Friction, Precision};
 //!
 //! /// A library of cone projections; a simulator implements [`Engine::simulate`] in the same way.
 //! #[derive(Default)]
@@ -42,16 +42,15 @@
 //!     std::iter::once(normal).chain(point[1..].iter().map(|x| mu * normal * x / t)).collect()
 //! }
 //!
-//! moreau::gate_tests!(MyEngine);
-//! # moreau::rust_engine::assert_check::<MyEngine>("projection/regions");
-//! # moreau::rust_engine::assert_check::<MyEngine>("projection/boundaries");
-//! # moreau::rust_engine::assert_check::<MyEngine>("flight/projectile"); // unsupported: not held against it
+//! moreau_gate::gate_tests!(MyEngine);
+//! # moreau_gate::rust_engine::assert_check::<MyEngine>("projection/regions");
+//! # moreau_gate::rust_engine::assert_check::<MyEngine>("projection/boundaries");
+//! # moreau_gate::rust_engine::assert_check::<MyEngine>("flight/projectile"); // unsupported: not held against it
 //! ```
 
 use crate::report::text;
-use crate::runner;
 use crate::runner::{Plan, QUICK, SWEEP};
-use crate::{Engine, Options, check};
+use crate::{Engine, Options, check, runner};
 use moreau_checks::text::Style;
 
 /// Runs one check on an engine and panics with the table if it is bad; the quick sweep, or the whole one if `MOREAU_SWEEP=full`.

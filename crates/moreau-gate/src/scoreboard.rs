@@ -1,9 +1,8 @@
 //! The scoreboard: every engine that is installed here, through the same checks, stored with its version.
 
 use crate::process::{Limits, ProcessEngine};
-use crate::runner;
 use crate::runner::Plan;
-use crate::{Check, Options, Report};
+use crate::{Check, Options, Report, runner};
 use moreau_contact::files::{read_text, write_atomically};
 use moreau_exact::{Error, Result};
 use serde::{Deserialize, Serialize};

@@ -2,8 +2,7 @@
 
 use crate::bullet::Bullet;
 use crate::chrono::Chrono;
-use crate::drake::Material;
-use crate::drake::{DrakeLagged, DrakeSap, DrakeSimilar, DrakeTamsi};
+use crate::drake::{self, Material};
 use crate::mujoco::Mujoco;
 use moreau_dynamics::event_driven::EventDriven;
 use moreau_dynamics::schemes::{
@@ -133,10 +132,7 @@ pub fn by_name(name: &str, parameters: Parameters) -> Result<Box<dyn Scheme>> {
             Ok(Box::new(Events { method }))
         }
         "variational" => Ok(Box::new(Variational)),
-        "drake-sap" => Ok(Box::new(DrakeSap { material })),
-        "drake-similar" => Ok(Box::new(DrakeSimilar { material })),
-        "drake-lagged" => Ok(Box::new(DrakeLagged { material })),
-        "drake-tamsi" => Ok(Box::new(DrakeTamsi { material })),
+        name if drake::NAMES.contains(&name) => drake::by_name(name, material),
         _ => Err(unknown("scheme", name, &NAMES)),
     }
 }

@@ -5,9 +5,8 @@ use crate::Finding;
 use crate::convergence::{Horizon, Stop, bouncing_ball, plastic_ball};
 use moreau_contact::problem::Law;
 use moreau_dynamics::mechanics::{Mechanism, State};
-use moreau_dynamics::schemes::assembly;
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
-use moreau_dynamics::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepProblem, StewartTrinkle};
+use moreau_dynamics::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepProblem, StewartTrinkle, assembly};
 use moreau_exact::Result;
 use nalgebra::DVector;
 

@@ -7,9 +7,8 @@ use crate::zeno::{DroppedBall, absorption};
 use moreau_contact::problem::Law;
 use moreau_contact::solvers::ProjectedGaussSeidel;
 use moreau_dynamics::mechanics::{Mechanism, State};
-use moreau_dynamics::schemes::assembly;
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
-use moreau_dynamics::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepProblem, simulate};
+use moreau_dynamics::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepProblem, assembly, simulate};
 use moreau_exact::Result;
 use nalgebra::DVector;
 

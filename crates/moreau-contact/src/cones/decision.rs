@@ -22,8 +22,8 @@ pub enum Case {
 /// The case that holds for `z = (z_n, z_t…)`; no square root is taken, so rational data give a proof.
 ///
 /// ```
-/// use moreau::cones::{Case, decide};
-/// use moreau::scalar::ratio;
+/// use moreau_contact::cones::{Case, decide};
+/// use moreau_contact::scalar::ratio;
 /// // μ = 1/2, z_n = −1 < 0, yet the projection is not zero: μ‖z_t‖ = 5/2 > 1.
 /// let z = [ratio(-1, 1), ratio(3, 1), ratio(4, 1)];
 /// assert_eq!(decide(&z, &ratio(1, 2)), Case::Boundary);

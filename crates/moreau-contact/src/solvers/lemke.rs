@@ -9,9 +9,8 @@
 
 use crate::problem::Lcp;
 use crate::tolerance::solvers::{cancellation, lemke_pivot_limit, smallest_pivot, tableau_zero};
-use moreau_exact::elimination;
 use moreau_exact::scalar::Scalar;
-use moreau_exact::{Error, Result};
+use moreau_exact::{Error, Result, elimination};
 use nalgebra::{DMatrix, DVector};
 use std::cmp::Ordering;
 

@@ -1,10 +1,9 @@
 //! The solver to use when nothing is said, and solvers by name.
 
 #[cfg(feature = "clarabel")]
-use super::ClarabelPolished;
-use super::{AcceleratedProjectedGradient, AlternatingDirections, BarzilaiBorwein, ContactSolver, LemkePivoting};
 use super::{
-    GaussConjugateGradient, GaussNewton, GaussSweeps, NonsmoothNewton, ProjectedGaussSeidel, ProjectedOverRelaxation, SemiAnalyticPrimal,
+    AcceleratedProjectedGradient, AlternatingDirections, BarzilaiBorwein, ClarabelPolished, ContactSolver, GaussConjugateGradient,
+    GaussNewton, GaussSweeps, LemkePivoting, NonsmoothNewton, ProjectedGaussSeidel, ProjectedOverRelaxation, SemiAnalyticPrimal,
     SequentialImpulses,
 };
 use crate::certificate::Judge;

@@ -8,9 +8,8 @@
 //! the kinetic energy in the space of the contact velocities, so momentum is kept: P = W⁻¹(U⁺ − U⁻). Nothing makes P ≥ 0.
 
 use super::{Impact, Outcome};
-use moreau_exact::elimination;
 use moreau_exact::scalar::Scalar;
-use moreau_exact::{Error, Result};
+use moreau_exact::{Error, Result, elimination};
 use nalgebra::DVector;
 
 /// The direction U_K and the square of the factor on it, both rational where the data are.

@@ -9,9 +9,8 @@
 use super::impact::check_restitution;
 use super::routh::Path;
 use super::{Impact, Outcome};
-use moreau_exact::elimination;
 use moreau_exact::scalar::Scalar;
-use moreau_exact::{Error, Result};
+use moreau_exact::{Error, Result, elimination};
 use nalgebra::DVector;
 
 /// U⁺ = −E U⁻ at every contact at once, without friction; impulses may pull.

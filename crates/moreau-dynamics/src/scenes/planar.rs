@@ -159,18 +159,4 @@ mod tests {
         let contact = &mechanism.contacts(&state.position)[0];
         assert_eq!((contact.friction, contact.restitution), (0.5, 0.25));
     }
-
-    #[test]
-    fn stored_scenes_are_read_and_become_mechanisms() {
-        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("references/scenes");
-        let files: Vec<_> = std::fs::read_dir(&folder).expect("the stored scenes").map(|entry| entry.expect("readable").path()).collect();
-        assert!(!files.is_empty(), "{} is empty", folder.display());
-        for file in files {
-            let scene = Scene::read(&file).unwrap_or_else(|error| panic!("{error}"));
-            let planar = scene.mechanism().or_else(|_| scene.spatial_mechanism());
-            let (mechanism, state) = planar.unwrap_or_else(|error| panic!("{}: {error}", file.display()));
-            // Open or sunk on purpose: at φ = 0 rounding would choose.
-            assert!(mechanism.contacts(&state.position).iter().all(|contact| contact.gap != 0.0), "{}: starts in touch", file.display());
-        }
-    }
 }

@@ -1,9 +1,8 @@
 //! Probes of the conversation itself: lines, numbers, refusals, the end.
 
 use crate::conformance::{Outcome, Probe, Seen, demand, probe, problem, skipped};
-use crate::process::messages;
 use crate::process::messages::{Answer, PROTOCOL};
-use crate::process::{Fault, Limits, Session};
+use crate::process::{Fault, Limits, Session, messages};
 use crate::{Description, Refusal};
 use serde_json::{Value, json};
 use std::time::Duration;

@@ -1,10 +1,9 @@
 //! The scoreboard as a table, engine × check: Markdown for the README, HTML with every value.
 
-use crate::cause;
 use crate::cause::Cause;
 use crate::report::{decisive, highlights, page, sentence};
 use crate::scoreboard::Standing;
-use crate::{CheckOutcome, Report, Verdict, check};
+use crate::{CheckOutcome, Report, Verdict, cause, check};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use moreau_exact::Result;
 use moreau_exact::number::significant;

@@ -10,8 +10,7 @@
 //! ```
 //! And which contact of the last step a contact continues: the nearest place on the ground, if nearer than the breaking threshold.
 
-use crate::bullet::BREAKING_THRESHOLD;
-use crate::bullet::{Bodies, Bullet, Friction};
+use crate::bullet::{BREAKING_THRESHOLD, Bodies, Bullet, Friction};
 use crate::tolerance::references::bullet_step;
 use delegate::delegate;
 use moreau_contact::contact::frame::spatial_tangents;

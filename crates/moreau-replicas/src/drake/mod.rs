@@ -15,9 +15,8 @@ use moreau_contact::certificate::StepResidual;
 use moreau_contact::problem::{Law, Solution};
 use moreau_contact::tolerance::certificate::CERTIFY;
 use moreau_dynamics::mechanics::{Mechanism, State};
-use moreau_dynamics::schemes::assembly;
 use moreau_dynamics::schemes::assembly::{Candidate, Rules};
-use moreau_dynamics::schemes::{OwnAnswer, StepProblem};
+use moreau_dynamics::schemes::{OwnAnswer, Scheme, StepProblem, assembly};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -54,6 +53,24 @@ impl Default for Material {
     /// k = 1e5 N/m, no dissipation, v_s = 1 mm/s.
     fn default() -> Self {
         Material { stiffness: 1e5, relaxation_time: 0.0, dissipation: 0.0, stiction_tolerance: 0.001 }
+    }
+}
+
+/// The names of the four laws on the command line.
+pub const NAMES: [&str; 4] = ["drake-sap", "drake-similar", "drake-lagged", "drake-tamsi"];
+
+/// The scheme of Drake's law with this name, one of [`NAMES`].
+///
+/// # Errors
+/// [`Error::Invalid`] for another name, or a material that is none.
+pub fn by_name(name: &str, material: Material) -> Result<Box<dyn Scheme>> {
+    material.validate()?;
+    match name {
+        "drake-sap" => Ok(Box::new(DrakeSap { material })),
+        "drake-similar" => Ok(Box::new(DrakeSimilar { material })),
+        "drake-lagged" => Ok(Box::new(DrakeLagged { material })),
+        "drake-tamsi" => Ok(Box::new(DrakeTamsi { material })),
+        _ => Err(Error::invalid("scheme", format!("`{name}` is unknown"), format!("use one of {}", NAMES.join(", ")))),
     }
 }
 

@@ -14,7 +14,6 @@
 //! stored, an interval is one step and its bound δ alone, through impacts too.
 
 use crate::drake::Material;
-use crate::schemes::{Parameters, by_name};
 use crate::tolerance::references;
 use moreau_checks::Finding;
 use moreau_contact::solvers::SemiAnalyticPrimal;
@@ -49,7 +48,7 @@ impl<'a> Replay<'a> {
     pub fn new(stored: &'a Trajectory) -> Result<Self> {
         let config = provenance(stored, "config").and_then(Value::as_str).ok_or_else(|| missing("provenance.config"))?;
         let scheme = format!("drake-{config}");
-        Self::by(stored, |material| by_name(&scheme, Parameters { drake: material, ..Parameters::default() }))
+        Self::by(stored, |material| crate::drake::by_name(&scheme, material))
     }
 
     /// The same with another scheme, made from the file's material.

@@ -21,9 +21,8 @@
 use crate::drake::{Material, SIGMA, response};
 use moreau_contact::problem::{Compliance, Coordinates, Law};
 use moreau_dynamics::mechanics::{Mechanism, State};
-use moreau_dynamics::schemes::assembly;
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
-use moreau_dynamics::schemes::{Scheme, StepProblem};
+use moreau_dynamics::schemes::{Scheme, StepProblem, assembly};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;

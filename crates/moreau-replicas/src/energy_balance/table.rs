@@ -172,7 +172,7 @@ const CHECKED: [(&[&str], &str); 4] = [
 
 const HEAD: &str = "# The energy balance of every scheme
 
-Written from `src/checks/energy_balance/table.rs`; a test compares the two, and the names with `schemes::NAMES`.
+Written from `crates/moreau-replicas/src/energy_balance/table.rs`; a test compares the two, and the names with `schemes::NAMES`.
 
 u = W r + u_free, y = u + shift + R r; T = ½ vᵀM v, and T̂ with the effective mass M̂ of a step with linear forces; F the constant force (gravity), θ of
 q⁺ = q + h (θ v⁺ + (1−θ) v), Ẽ = T + V + (θ−½) h F·v; u⁻ = H v before the step, v_g the velocity after torque-free rotation alone, u_g = H v_g; f edge impulses. Every bound
@@ -181,13 +181,13 @@ is up to rounding and the work w = Σ max(0, r_k·y_k) of the step's residual, w
 For every impulse T(v⁺) = T(v_free) + r·u⁺ − ½ rᵀW r; for every law r·u⁺ ≤ −r·(shift + R r) + w. Rotation enters by v_g: the mean torque over a step keeps T, and
 ‖v_g − v‖_M ≤ h (Σ (2 T_rot √J_max/J_min)²)^½.
 
-| scheme | kinetic energy | total energy of a step | not bounded | checked in `src/checks/energy_balance/` |
+| scheme | kinetic energy | total energy of a step | not bounded | checked in `crates/moreau-replicas/src/energy_balance/` |
 |---|---|---|---|---|
 ";
 
 const FOOT: &str = "
 Each is checked on every step of the random scenes of `tests/random_scenes/`, with the distance that a body can have come on the energy allowed (`reach.rs`), and fails on
-the planted mistakes of `src/defects/energy_balance.rs`.
+the planted mistakes of `defects.rs` there.
 ";
 
 #[cfg(test)]

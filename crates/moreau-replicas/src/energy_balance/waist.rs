@@ -8,12 +8,10 @@
 
 use crate::energy_balance::exchange::Exchange;
 use crate::energy_balance::gyroscopic::Turned;
-use crate::energy_balance::law;
 use crate::energy_balance::law::Work;
 use crate::energy_balance::shift::Shift;
-use crate::energy_balance::total;
 use crate::energy_balance::total::Position;
-use crate::energy_balance::{IDENTITY, Judged, KINETIC, RESIDUAL, Taken, linear};
+use crate::energy_balance::{IDENTITY, Judged, KINETIC, RESIDUAL, Taken, law, linear, total};
 use crate::tolerance::energy_balance as tolerance;
 use moreau_checks::Finding;
 use moreau_exact::{Error, Result};
