@@ -1,15 +1,14 @@
 //! The solver to use when nothing is said, and solvers by name.
 
 #[cfg(feature = "clarabel")]
+use super::ClarabelPolished;
 use super::{
-    AcceleratedProjectedGradient, AlternatingDirections, BarzilaiBorwein, ClarabelPolished, ContactSolver, GaussConjugateGradient,
-    GaussNewton, GaussSweeps, LemkePivoting, NonsmoothNewton, ProjectedGaussSeidel, ProjectedOverRelaxation, SemiAnalyticPrimal,
-    SequentialImpulses,
+    AcceleratedProjectedGradient, AlternatingDirections, BarzilaiBorwein, ContactSolver, GaussConjugateGradient, GaussNewton, GaussSweeps,
+    LemkePivoting, NonsmoothNewton, ProjectedGaussSeidel, ProjectedOverRelaxation, SemiAnalyticPrimal, SequentialImpulses,
 };
 use crate::certificate::Judge;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
-use crate::tolerance::solvers as tolerance;
-use crate::tolerance::solvers::{ACCEPTABLE, ENOUGH};
+use crate::tolerance::solvers::{self as tolerance, ACCEPTABLE, ENOUGH};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
@@ -342,9 +341,24 @@ mod tests {
     }
 
     #[test]
+    fn an_answer_that_a_left_out_algorithm_might_have_found_says_so() {
+        let untried = |law: Law| left_out(&points(2, law));
+        assert_eq!(untried(Law::Coulomb), "");
+        assert_eq!(untried(Law::Associated).contains("clarabel"), !cfg!(feature = "clarabel"));
+    }
+
+    #[test]
     fn every_listed_name_is_a_solver_of_that_name_and_others_get_the_list() {
         for name in NAMES {
-            assert_eq!(by_name(name).unwrap().name(), name);
+            match by_name(name) {
+                Ok(solver) => assert_eq!(solver.name(), name),
+                Err(error) => {
+                    assert!(
+                        name == "clarabel" && !cfg!(feature = "clarabel") && error.to_string().contains("feature `clarabel`"),
+                        "{error}"
+                    );
+                }
+            }
         }
         let message = by_name("gauss").err().unwrap().to_string();
         assert!(NAMES.iter().all(|name| message.contains(name)), "{message}");

@@ -17,11 +17,11 @@ pub const GROWTH: f64 = 5.0;
 pub const SHORTEST_STEP: f64 = 1.0 / 1024.0;
 
 /// Share of 1 + |q| up to which a gap counts as closed, and of 1 + |v| up to which a speed counts as zero, 2⁻³⁶ ≈ 1.5·10⁻¹¹: sixteen times
-/// [`TOLERANCE`] and [`super::solvers::STOP`], which steps and impacts leave, and below the speed g τ/2 = 5·10⁻⁶ m/s of the slowest bounce.
+/// [`TOLERANCE`] and [`moreau_contact::tolerance::solvers::STOP`], which steps and impacts leave, and below the speed g τ/2 = 5·10⁻⁶ m/s of the slowest bounce.
 pub const TOUCHING: f64 = 1.0 / (1u64 << 36) as f64;
 
 /// Share of the largest force or acceleration up to which a complementary unknown counts as zero, 2⁻³⁰ ≈ 10⁻⁹: above the error 10⁻¹⁰ of Ḣv by
-/// central differences ([`super::cones::DIFFERENCE_STEP`]²) and [`super::solvers::tableau_zero`]'s square.
+/// central differences ([`moreau_contact::tolerance::cones::DIFFERENCE_STEP`]²) and [`moreau_contact::tolerance::solvers::tableau_zero`]'s square.
 pub const DEGENERATE: f64 = 1.0 / (1u64 << 30) as f64;
 
 /// Share of a step after an event at which the next basis is chosen, 2⁻²⁰: forces that vanish at the event differ from zero there by 10⁻⁶ of

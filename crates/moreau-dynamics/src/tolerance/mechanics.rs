@@ -1,4 +1,4 @@
-//! Tolerances of [`crate::contact`] and [`crate::mechanics`].
+//! Tolerances of [`moreau_contact::contact`] and [`crate::mechanics`].
 
 use moreau_exact::tolerance::EPSILON;
 
