@@ -4,8 +4,9 @@
     python3 scripts/same_outputs.py save FOLDER      runs every command below and stores what it prints, with its exit code
     python3 scripts/same_outputs.py check FOLDER     runs them again and compares
 
-`MOREAU` is the program, `target/release/moreau` unless it is set. The commands are `COMMANDS`: the claims, the systems of the chapter, the gate on our own
-schemes, the stored scoreboard, the matrix of defects and the schemas. Times that a command prints are cut out by `UNSTABLE`.
+`MOREAU` is the program, `target/release/moreau` unless it is set; the help names it, so that both should have one file name. The commands are `COMMANDS`: the claims,
+the systems of the chapter, the gate on our own schemes, the stored scoreboard, the matrix of defects, a problem solved and certified, two simulations, every schema and
+every help. Standard output and exit code are compared. Times that a command prints are cut out by `UNSTABLE`.
 """
 
 import argparse
@@ -25,6 +26,10 @@ def gate(name: str) -> list[str]:
     return ["gate", "--quick", "--format", "json", "--", PROGRAM, "engine", "--scheme", name]
 
 
+FILES = "tests/compatibility/0.1/"
+SUBCOMMANDS = ("verify", "solve", "certify", "simulate", "compare", "gate", "defects", "engine", "protocol-check", "schema", "scoreboard", "systems")
+SCHEMAS = ("contact-problem", "solution", "scene", "trajectory", "request", "reply")
+
 COMMANDS = {
     "verify": ["verify"],
     "verify-json": ["verify", "--format", "json"],
@@ -35,9 +40,14 @@ COMMANDS = {
     "scoreboard": ["scoreboard", "--stored"],
     "scoreboard-json": ["scoreboard", "--stored", "--format", "json"],
     "defects-json": ["defects", "--format", "json"],
-    "schema-list": ["schema"],
+    "solve": ["solve", f"{FILES}problem.json", "--format", "json"],
+    "certify": ["certify", f"{FILES}problem.json", f"{FILES}solution.json"],
+    "simulate": ["simulate", "--scene", f"{FILES}scene.json", "--step", "0.01"],
+    "compare": ["compare", "--scene", "box-stack", "--step", "0.01"],
+    "schemas": ["schema"],
+    **{f"schema-{name}": ["schema", name] for name in SCHEMAS},
     "help": ["--help"],
-    "simulate-help": ["simulate", "--help"],
+    **{f"help-{name}": [name, "--help"] for name in SUBCOMMANDS},
 }
 
 UNSTABLE = re.compile(rb'"seconds": ?[0-9.e+-]+|in [0-9.]+ s\b')
@@ -60,7 +70,10 @@ def main() -> int:
     different = []
     for name, command in COMMANDS.items():
         file, output = arguments.folder / f"{name}.txt", run(command)
-        if arguments.what == "save":
+        if arguments.what == "save" and (output.startswith(b"\nexit code") or not output.endswith((b"code 0\n", b"code 1\n"))):
+            different.append(name)
+            print(f"{name}: printed nothing, or ended otherwise than with 0 or 1; nothing is stored")
+        elif arguments.what == "save":
             file.write_bytes(output)
             print(f"{name}: {len(output)} bytes")
         elif not file.exists():

@@ -1,16 +1,16 @@
-//! Every tolerance of the crate, each with the reason it has the value it has.
+//! Every tolerance under one roof, each with the reason it has the value it has: those of the crates below, where what they bound is, and here those of claims,
+//! systems and the command line.
 //!
 //! A tolerance here is one of: a rounding bound (a constant times the unit roundoff times the size of the data), a
 //! proven bound of a scheme (a constant times a power of h), or an engine's documented stopping tolerance propagated
-//! through the conditioning of the problem. None was fitted to an outcome. One submodule per part of the crate.
-
-pub use moreau_exact::tolerance::{EPSILON, rounding};
-pub use moreau_gate::tolerance as gate;
-pub use moreau_replicas::tolerance::{energy_balance, references};
+//! through the conditioning of the problem. None was fitted to an outcome.
 
 pub use moreau_checks::tolerance::{self as checks, convergence, zeno};
 pub use moreau_contact::tolerance::{certificate, cones, problem, solvers};
 pub use moreau_dynamics::tolerance::{event_driven, impact_laws, integrators, mechanics, scenes, schemes, stabilisation, trajectory};
+pub use moreau_exact::tolerance::{EPSILON, rounding};
+pub use moreau_gate::tolerance as gate;
+pub use moreau_replicas::tolerance::{energy_balance, references};
 
 pub mod limits;
 

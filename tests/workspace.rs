@@ -28,6 +28,7 @@ fn targets(package: &Value) -> (Vec<String>, Vec<String>) {
     for target in package["targets"].as_array().expect("a list") {
         let kind = target["kind"][0].as_str().expect("a kind");
         let line = format!("{name}: {kind} {}", target["name"].as_str().expect("a name"));
+        assert!(target.get("required-features").is_none(), "{line} is left out where its features are");
         if target["test"] == true {
             run.push(line.clone())
         } else {

@@ -44,6 +44,13 @@ class SameOutputs(unittest.TestCase):
                 self.assertEqual(checked.returncode, 1)
                 self.assertIn("verify: DIFFERENT", checked.stdout)
 
+    def test_a_command_that_prints_nothing_or_is_misused_is_not_stored(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            for text in ("true", "echo usage; exit 2"):
+                self.assertEqual(run("save", folder / "stored", program(folder, "one", text)).returncode, 1)
+            self.assertEqual(list((folder / "stored").iterdir()), [])
+
     def test_nothing_stored_is_not_the_same(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)

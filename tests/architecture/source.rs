@@ -71,13 +71,13 @@ fn literal(rest: &str, before: Option<char>) -> Option<usize> {
 
 /// Stripped code without its `#[cfg(test)]` items, and the names of the modules among them that live in files of their own.
 pub fn without_tests(code: &str) -> (String, Vec<String>) {
-    const MARK: &str = "#[cfg(test)]";
     let mut kept = String::new();
     let mut modules = Vec::new();
     let mut rest = code;
-    while let Some(start) = rest.find(MARK) {
+    while let Some(start) = ["#[cfg(test)]", "#[cfg(all(test,"].iter().filter_map(|mark| rest.find(mark)).min() {
         kept.push_str(&rest[..start]);
-        let item = &rest[start + MARK.len()..];
+        let attribute = rest[start..].find(']').expect("an attribute ends") + 1;
+        let item = &rest[start + attribute..];
         let end = item_end(item);
         if let Some((_, name)) = item[..end].trim_end_matches(';').rsplit_once("mod ").filter(|_| item[..end].ends_with(';')) {
             modules.push(name.trim().to_string());
@@ -112,8 +112,13 @@ fn item_end(item: &str) -> usize {
 /// `depth` is the number of modules between the root and this one: 1 in `src/cones/mod.rs`, 2 in `src/cones/orthant.rs`.
 pub fn imports(code: &str, depth: usize) -> Vec<String> {
     let to_root = format!("{}::", vec!["super"; depth].join("::"));
+    names_after(code, &["crate::", &to_root])
+}
+
+/// The names that stripped code reaches through one of these paths, groups included.
+pub fn names_after(code: &str, roots: &[&str]) -> Vec<String> {
     let mut names = Vec::new();
-    for root in ["crate::", to_root.as_str()] {
+    for root in roots {
         for (at, _) in code.match_indices(root) {
             let inside_word = code[..at].ends_with(|letter: char| letter.is_alphanumeric() || letter == '_' || letter == ':');
             if !inside_word {
@@ -213,10 +218,12 @@ mod tests {
 
     #[test]
     fn test_modules_are_cut_out_and_what_follows_stays() {
-        let code = "fn a() {}\n#[cfg(test)]\nmod tests { fn b() { use crate::schemes; } }\n#[cfg(test)]\nmod testing;\nfn c() { 1e-3 }";
+        let code = "fn a() {}\n#[cfg(test)]\nmod tests { fn b() { use crate::schemes; } }\n#[cfg(test)]\nmod testing;\n\
+                    #[cfg(all(test, feature = \" \"))]\nmod more { use crate::schemes; }\nfn c() { 1e-3 }";
         let (kept, modules) = without_tests(code);
         assert!(kept.contains("fn a()") && kept.contains("fn c()") && !kept.contains("schemes"));
         assert_eq!(modules, ["testing"]);
+        assert_eq!(names_after("use moreau_contact::{problem::Law, solvers};", &["moreau_contact::"]), ["problem", "solvers"]);
     }
 
     #[test]

@@ -13,14 +13,13 @@ mod rational;
 pub use self::clarabel::{equals_clarabel, minimiser};
 pub use self::rational::{RationalPoint, decided_exactly};
 
-use super::Finding;
+use crate::finding::Finding;
 use crate::tolerance::cone_projection as tolerance;
 
 /// The subject: replaces `z` by its projection on K_μ.
 pub type Projection = fn(&mut [f64], f64);
 
-/// The subject at a point, which stays as it is.
-pub fn apply(subject: Projection, z: &[f64], mu: f64) -> Vec<f64> {
+pub(crate) fn apply(subject: Projection, z: &[f64], mu: f64) -> Vec<f64> {
     let mut point = z.to_vec();
     subject(&mut point, mu);
     point

@@ -3,7 +3,7 @@
 //! The reference is not the factorisation under test: M X = Hᵀ is solved by exact elimination with row exchanges, and
 //! W = H X. Column j of X is the velocity change of a unit impulse at row j, so this is the physical meaning of W.
 
-use super::Finding;
+use crate::finding::Finding;
 use crate::tolerance::delassus::gram_matrix;
 use moreau_contact::certificate::definiteness::{Definiteness, definiteness, quadratic_form};
 use moreau_exact::elimination::{rank, solve};

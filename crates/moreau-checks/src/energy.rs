@@ -8,8 +8,8 @@
 //! ([`crate::tolerance::zeno`], 3); the third is the bounce step inserted into Ẽ. A ratio taken over one step is
 //! exactly e² whatever the scheme does between impacts; taken against the fall it is e² only up to O(h).
 
-use super::Finding;
 use super::zeno::DroppedBall;
+use crate::finding::Finding;
 use moreau_contact::solvers::ProjectedGaussSeidel;
 use moreau_dynamics::mechanics::State;
 use moreau_dynamics::schemes::exact_particle::{Ball, Motion, Outcome};

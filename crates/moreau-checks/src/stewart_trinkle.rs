@@ -9,7 +9,7 @@
 
 mod system;
 
-use super::Finding;
+use crate::finding::Finding;
 use dashu_ratio::RBig;
 use moreau_contact::certificate::copositivity::{NotPlus, copositive, copositive_plus};
 use moreau_contact::certificate::definiteness::{positive_semidefinite, quadratic_form};

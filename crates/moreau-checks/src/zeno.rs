@@ -6,7 +6,7 @@
 //! Every bound is proved in [`crate::tolerance::zeno`]. The event-driven integrator at the end is the contrast: it
 //! needs one event per bounce and never reaches T∞.
 
-use super::Finding;
+use crate::finding::Finding;
 use crate::tolerance::zeno;
 use moreau_contact::solvers::ProjectedGaussSeidel;
 use moreau_dynamics::mechanics::{PointMass, State};

@@ -1,7 +1,7 @@
 //! Moreau–Jean on the bouncing ball with e > 0: one impact, the Zeno sequence, the elastic ball.
 
 use super::errors::{GRAVITY, HEIGHT, study};
-use crate::Finding;
+use crate::finding::Finding;
 use crate::tolerance::convergence::{Bounds, Impacts};
 use moreau_dynamics::schemes::{MoreauJean, Scheme};
 use moreau_dynamics::trajectory::OrderEstimate;

@@ -6,7 +6,7 @@
 
 use super::ball::metric;
 use super::errors::{GRAVITY, HEIGHT, study};
-use crate::Finding;
+use crate::finding::Finding;
 use crate::tolerance::convergence::Bounds;
 use moreau_dynamics::schemes::Scheme;
 use moreau_exact::Result;

@@ -6,7 +6,7 @@
 //!     sliding, Anitescu from φ = 0:                  hop to (μ v₀)²/(2 g cos α (1+μ²)²), for every h.
 //! ```
 
-use crate::Finding;
+use crate::finding::Finding;
 use crate::tolerance::convergence::{slide_rounding, slide_second_order};
 use moreau_contact::solvers::Reference;
 use moreau_dynamics::mechanics::{PointMass, State};

@@ -108,8 +108,8 @@ fn absolute_threshold(z: &mut [f64], mu: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Finding;
     use crate::cone_projection::*;
+    use crate::finding::Finding;
 
     fn fails(findings: Vec<Finding>) -> bool {
         !findings.iter().all(Finding::holds)

@@ -1,8 +1,8 @@
 //! Planted defects of the family `convergence`.
 
 use super::Defect;
-use crate::Finding;
 use crate::convergence::{Horizon, Stop, bouncing_ball, plastic_ball};
+use crate::finding::Finding;
 use moreau_contact::problem::Law;
 use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};

@@ -1,8 +1,8 @@
 //! Planted defects of the family `energy`: the assembled problem of Moreau–Jean, altered.
 
 use super::Defect;
-use crate::Finding;
 use crate::energy::impact;
+use crate::finding::Finding;
 use crate::zeno::DroppedBall;
 use moreau_contact::problem::ContactProblem;
 use moreau_dynamics::mechanics::{Mechanism, State};

@@ -2,7 +2,7 @@
 //!
 //! A check that no defect can fail is not a check.
 
-use crate::Finding;
+use crate::finding::Finding;
 use moreau_exact::Result;
 
 pub mod cone_projection;

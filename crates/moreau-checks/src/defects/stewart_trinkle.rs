@@ -1,7 +1,7 @@
 //! Planted defects of the family `stewart_trinkle`: four ways to write the LCP down wrongly.
 
 use super::Defect;
-use crate::Finding;
+use crate::finding::Finding;
 use crate::stewart_trinkle::{Assembly, System, chapter_example, decisions, identity, reduced, reference, solvability, wedge};
 use moreau_contact::problem::{Lcp, stewart_trinkle};
 use moreau_exact::Result;

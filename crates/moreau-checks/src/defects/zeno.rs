@@ -1,7 +1,7 @@
 //! Planted defects of the family `zeno`.
 
 use super::Defect;
-use crate::Finding;
+use crate::finding::Finding;
 use crate::tolerance::zeno;
 use crate::zeno::{DroppedBall, absorption};
 use moreau_contact::problem::Law;

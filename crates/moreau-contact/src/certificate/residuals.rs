@@ -151,6 +151,6 @@ impl Residuals {
     }
 }
 
-#[cfg(all(test, feature = "files"))]
+#[cfg(test)]
 #[path = "residuals_tests.rs"]
 mod tests;

@@ -140,6 +140,7 @@ fn sizes_are_checked_and_nan_is_no_solution() {
     assert!(residuals(&problem, &solution).unwrap_err().to_string().contains("impulse"));
 }
 
+#[cfg(feature = "files")]
 #[test]
 fn residuals_are_written_with_units() {
     let found = judged(&planar(Law::Coulomb, &SLIDING), &[1.0, -0.5]);

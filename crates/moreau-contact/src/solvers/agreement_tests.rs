@@ -65,6 +65,7 @@ fn agree(problem: &ContactProblem, one: &Solution, other: &Solution) {
     assert!(difference <= bound, "{} and {} on {}: {difference:e} > {bound:e}", one.solver, other.solver, problem.name);
 }
 
+#[cfg(feature = "clarabel")]
 #[test]
 fn three_algorithms_agree_on_the_velocities_of_the_convex_laws() {
     for seed in 0..40 {
@@ -162,6 +163,7 @@ fn one_contact_is_solved_to_rounding_whatever_the_friction_and_the_masses() {
     }
 }
 
+#[cfg(feature = "clarabel")]
 #[test]
 fn mass_ratios_and_large_friction_are_solved_by_sweeps_and_by_the_interior_point() {
     for seed in 0..10 {
@@ -174,6 +176,7 @@ fn mass_ratios_and_large_friction_are_solved_by_sweeps_and_by_the_interior_point
     }
 }
 
+#[cfg(feature = "clarabel")]
 #[test]
 fn polishing_is_judged_and_carries_interior_point_answers_to_the_rounding_floor() {
     let mut improved = 0;
@@ -189,6 +192,7 @@ fn polishing_is_judged_and_carries_interior_point_answers_to_the_rounding_floor(
     assert!(improved > 0, "the raw answers are above the floor, or there is nothing to polish");
 }
 
+#[cfg(feature = "clarabel")]
 #[test]
 fn an_unbounded_program_has_no_answer_and_says_so() {
     // nothing resists the impulse along its own direction: W = 0 on that row
@@ -214,6 +218,7 @@ fn four_legs_carry_a_table_in_more_ways_than_one_but_move_it_in_one() {
     agree(&problem, &cold, &warm);
 }
 
+#[cfg(feature = "clarabel")]
 #[test]
 fn edges_of_a_polyhedral_cone_are_frictionless_contacts() {
     for directions in [4, 8] {
@@ -224,6 +229,7 @@ fn edges_of_a_polyhedral_cone_are_frictionless_contacts() {
     }
 }
 
+#[cfg(feature = "clarabel")]
 #[test]
 fn an_asymmetric_delassus_operator_is_refused_by_name_where_symmetry_is_needed() {
     let mut problem = random(Law::Associated, 3, 2, 6, 1.0, 0.5, 3);
@@ -240,6 +246,7 @@ fn an_asymmetric_delassus_operator_is_refused_by_name_where_symmetry_is_needed()
     certified(&problem, &ProjectedGaussSeidel::default());
 }
 
+#[cfg(feature = "clarabel")]
 #[test]
 fn laws_outside_the_scope_are_refused_by_name() {
     let coulomb = random(Law::Coulomb, 3, 2, 6, 1.0, 0.5, 3);

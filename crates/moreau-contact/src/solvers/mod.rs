@@ -113,5 +113,5 @@ fn require_symmetry(solver: &str, problem: &ContactProblem) -> Result<()> {
     Err(Error::solver(solver, format!("needs a symmetric W, and this one has relative asymmetry {asymmetry:.1e}; use `pgs` or `lemke`")))
 }
 
-#[cfg(all(test, feature = "clarabel"))]
+#[cfg(test)]
 mod agreement_tests;

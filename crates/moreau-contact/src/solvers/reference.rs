@@ -225,6 +225,7 @@ impl ContactSolver for Reference {
                 let untried = if relative <= ACCEPTABLE { "" } else { left_out(problem) };
                 Ok(Solution { iterations, solver: solution.solver + untried, ..solution })
             }
+            (None, Some(Error::Solver { solver, reason })) => Err(Error::solver(solver, reason + left_out(problem))),
             (None, Some(error)) => Err(error),
             (None, None) => {
                 let reason = "no algorithm gave an answer made of numbers; rescale the units of the problem";

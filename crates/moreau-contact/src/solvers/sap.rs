@@ -120,6 +120,6 @@ impl Potential for Projection<'_> {
     }
 }
 
-#[cfg(all(test, feature = "clarabel"))]
+#[cfg(test)]
 #[path = "sap_tests.rs"]
 mod tests;

@@ -2,7 +2,9 @@
 
 use super::*;
 use crate::certificate::residuals;
+#[cfg(feature = "clarabel")]
 use crate::solvers::{ClarabelPolished, ProjectedGaussSeidel, largest_eigenvalue_bound};
+#[cfg(feature = "clarabel")]
 use crate::tolerance::solvers as tolerance;
 use nalgebra::dvector;
 
@@ -53,6 +55,7 @@ fn the_projection_has_the_three_printed_cases() {
     assert!((normal - 3.5 / 1.25).abs() > 1.0);
 }
 
+#[cfg(feature = "clarabel")]
 #[test]
 fn sweeps_the_interior_point_and_newton_agree_on_velocities_and_impulses() {
     for seed in 0..40 {

@@ -74,7 +74,7 @@ pub fn assemble(name: &str, rules: &dyn Rules, mechanism: &dyn Mechanism, state:
 }
 
 /// M̂ and v_free of the module's equation.
-pub fn free_motion(theta: f64, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<(DMatrix<f64>, DVector<f64>)> {
+pub(super) fn free_motion(theta: f64, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<(DMatrix<f64>, DVector<f64>)> {
     let mut mass = mechanism.mass_matrix(&state.position);
     let mut force = mechanism.mean_force(&state.position, &state.velocity, h);
     if let Some(linear) = mechanism.linear_force() {
@@ -113,7 +113,7 @@ pub fn check_input(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<(
 }
 
 /// The rows of all contacts, one contact below the other.
-pub fn stack<'a>(blocks: impl ExactSizeIterator<Item = &'a DMatrix<f64>>, rows: usize, columns: usize) -> DMatrix<f64> {
+pub(super) fn stack<'a>(blocks: impl ExactSizeIterator<Item = &'a DMatrix<f64>>, rows: usize, columns: usize) -> DMatrix<f64> {
     let mut stacked = DMatrix::zeros(rows * blocks.len(), columns);
     for (k, block) in blocks.enumerate() {
         stacked.rows_mut(k * rows, rows).copy_from(block);
