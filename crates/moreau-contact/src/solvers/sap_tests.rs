@@ -1,10 +1,10 @@
 //! The projection against its three printed cases, the solver against others and against what it must refuse.
 
 use super::*;
+#[cfg(feature = "clarabel")]
 use crate::certificate::residuals;
 #[cfg(feature = "clarabel")]
 use crate::solvers::{ClarabelPolished, ProjectedGaussSeidel, largest_eigenvalue_bound};
-#[cfg(feature = "clarabel")]
 use crate::tolerance::solvers as tolerance;
 use nalgebra::dvector;
 
