@@ -31,7 +31,7 @@ def manifest(folder: pathlib.Path) -> str:
     names = {member.name: tomllib.loads((member / "Cargo.toml").read_text(encoding="utf-8"))["package"]["name"] for member in members}
     patches = "".join(f'{name} = {{ path = "{folder_name}" }}\n' for folder_name, name in names.items())
     listed = ", ".join(f'"{name}"' for name in names)
-    return f'[workspace]\nresolver = "3"\nmembers = [{listed}]\n\n[patch.crates-io]\n{patches}\n{profiles()}'
+    return f'[workspace]\nresolver = "3"\nmembers = [{listed}]\ndefault-members = [{listed}]\n\n[patch.crates-io]\n{patches}\n{profiles()}'
 
 
 def main() -> int:

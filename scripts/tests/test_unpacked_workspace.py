@@ -22,6 +22,7 @@ class UnpackedWorkspace(unittest.TestCase):
                 (folder / f"{package}-0.1.0" / "Cargo.toml").write_text(f'[package]\nname = "{package}"\n', encoding="utf-8")
             manifest = tomllib.loads(unpacked_workspace.manifest(folder))
         self.assertEqual(manifest["workspace"]["members"], ["moreau-0.1.0", "moreau-contact-0.1.0"])
+        self.assertEqual(manifest["workspace"]["default-members"], manifest["workspace"]["members"])
         self.assertEqual(manifest["patch"]["crates-io"]["moreau-contact"], {"path": "moreau-contact-0.1.0"})
         self.assertEqual(manifest["profile"]["dev"]["opt-level"], 1)
         self.assertEqual(manifest["profile"]["dev"]["package"]["*"]["opt-level"], 3)
