@@ -5,14 +5,16 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::process::Command;
 
-/// `cargo metadata` of the workspace this package belongs to.
+/// `cargo metadata` of the workspace this package belongs to, asked at its root, where `cargo test` is run.
 fn metadata() -> Value {
+    let root = metadata_at(env!("CARGO_MANIFEST_DIR"))["workspace_root"].as_str().expect("a folder").to_string();
+    metadata_at(&root)
+}
+
+fn metadata_at(folder: &str) -> Value {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".into());
-    let run = Command::new(cargo)
-        .args(["metadata", "--no-deps", "--offline", "--format-version", "1"])
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .output()
-        .expect("cargo runs the tests and is there");
+    let arguments = ["metadata", "--no-deps", "--offline", "--format-version", "1"];
+    let run = Command::new(cargo).args(arguments).current_dir(folder).output().expect("cargo runs the tests and is there");
     assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
     serde_json::from_slice(&run.stdout).expect("JSON")
 }
