@@ -1,6 +1,6 @@
 //! Tolerances of [`moreau_contact::contact`] and [`crate::mechanics`].
 
-use moreau_exact::tolerance::EPSILON;
+use moreau_exact::tolerance::{EPSILON, rounding};
 
 /// Step of a central difference \[s\], ε^⅓ rounded to a power of two (2⁻¹⁷): it balances truncation h²/6·f‴
 /// against rounding ε f/h.
@@ -58,3 +58,22 @@ pub fn faces_are_parallel(sum: f64) -> f64 {
 /// Contact points of two boxes nearer than this, relative to their size, are one: √ε, far above the rounding with which
 /// clipping finds the same corner twice, far below any lever arm that matters.
 pub const SAME_POINT: f64 = 1.0 / 67_108_864.0;
+
+/// Gap \[m\] of candidates that tests look at without touch: 2⁻¹⁰, nothing beside levers of a tenth of a metre.
+pub const NEAR: f64 = 1.0 / 1024.0;
+
+/// Tilt \[rad\] from which points with normals of their own must show more velocities than rounding does: a tilt turns one row of two points, whose levers and
+/// distances are above a tenth, so that the singular value beyond those of the face is above a thousandth of it.
+pub fn tilt_shown(bound: f64) -> f64 {
+    1024.0 * bound
+}
+
+/// 1 − |n·a| of a normal that is a box's own axis: a rotation of a unit vector and a product of three terms, below 64 roundings.
+pub fn own_axis() -> f64 {
+    rounding(64, 1.0)
+}
+
+/// |n·d| of a normal n = d × e/|d × e| and its edge d: that rounding over the sine |d × e|, at least [`PARALLEL`].
+pub fn own_edge() -> f64 {
+    own_axis() / PARALLEL
+}

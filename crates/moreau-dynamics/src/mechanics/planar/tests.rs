@@ -135,7 +135,7 @@ fn two_points_of_a_face_have_three_velocities_and_one_tangential_one_and_with_ow
     // one row for each of the two velocities of 2 points, of size 1 and levers below 1
     let bound = rounding(16, 4.0);
     for (tilt, turn) in (0..=24).flat_map(|k| [-1.0, 0.3, 2.0].map(|turn| (10f64.powf(-12.0 + 0.25 * f64::from(k)), turn))) {
-        let ([sine, cosine], height) = ([f64::sin(turn), f64::cos(turn)], low[1] + top[1] + 1e-3);
+        let ([sine, cosine], height) = ([f64::sin(turn), f64::cos(turn)], low[1] + top[1] + mechanics::NEAR);
         // the upper box hangs over the end of the lower one: one corner of each lies over a face of the other
         let centre = [0.1 + 0.3 * cosine + height * sine, 0.2 + height * cosine - 0.3 * sine];
         let q = dvector![centre[0], centre[1], turn + tilt, 0.1, 0.2, turn];
@@ -148,7 +148,7 @@ fn two_points_of_a_face_have_three_velocities_and_one_tangential_one_and_with_ow
             all[3].max(tangential[1])
         };
         assert!(shared[0].normal == shared[1].normal && beyond(&shared) <= bound, "tilt {tilt:e}: {:e}", beyond(&shared));
-        assert!(tilt < 1e-10 || beyond(&own) > bound, "tilt {tilt:e}: {:e}", beyond(&own));
+        assert!(tilt < mechanics::tilt_shown(bound) || beyond(&own) > bound, "tilt {tilt:e}: {:e}", beyond(&own));
     }
 }
 
@@ -168,7 +168,7 @@ fn two_corners_of_a_face_on_the_ground_slide_alike_and_bare_ones_by_the_tilt_apa
         for (touch, corner) in lowest.iter_mut().zip([corners[2], corners[3]]) {
             touch.points = [corner; 2];
         }
-        assert!(tilt < 1e-10 || apart(&lowest) > bound, "tilt {tilt:e}: {:e}", apart(&lowest));
+        assert!(tilt < mechanics::tilt_shown(bound) || apart(&lowest) > bound, "tilt {tilt:e}: {:e}", apart(&lowest));
     }
 }
 

@@ -113,12 +113,12 @@ fn sine(q: &DVector<f64>, place: &Place) -> f64 {
     let normal = Vector3::from(place.frame[0]);
     let along = |body: usize| (0..3).map(move |axis| (body, axis));
     let flat = |(body, axis): (usize, usize)| normal.dot(&poses[body].rotation.column(axis)).abs();
-    let is_face = along(0).chain(along(1)).any(|axis| flat(axis) > 1.0 - 1e-12);
+    let is_face = along(0).chain(along(1)).any(|axis| flat(axis) > 1.0 - mechanics::own_axis());
     if is_face {
         return 1.0;
     }
     let pairs = along(0).flat_map(|own| along(1).map(move |other| (own, other)));
-    let level = pairs.filter(|(own, other)| flat(*own) < 1e-9 && flat(*other) < 1e-9);
+    let level = pairs.filter(|(own, other)| flat(*own) < mechanics::own_edge() && flat(*other) < mechanics::own_edge());
     let sines = level.map(|((_, own), (_, other))| poses[0].rotation.column(own).cross(&poses[1].rotation.column(other)).norm());
     sines.fold(1.0, f64::min)
 }
