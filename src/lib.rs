@@ -23,9 +23,10 @@
 //! Symbols, units, signs and component order: [`conventions`].
 //!
 //! # Crates
-//! This crate is the top of a workspace and re-exports what is below it: [`moreau_contact`] poses, solves and certifies contact problems ([`solvers`], [`certificate`]),
-//! [`moreau_dynamics`] has mechanisms, scenes and the schemes of the literature, [`moreau_replicas`] the engines', [`moreau_gate`] judges engines from outside,
-//! [`moreau_checks`] has the families of checks, [`moreau_forms`] the closed forms ([`closed_forms`]), [`moreau_exact`] the numbers.
+//! This crate is the top of a workspace and re-exports what is below it: [`moreau_contact`] poses, solves and certifies contact problems
+//! ([`solvers`], [`certificate`]), [`moreau_dynamics`] has mechanisms, scenes and the schemes of the literature, [`moreau_replicas`] the
+//! engines', [`moreau_gate`] judges engines from outside, [`moreau_checks`] has the families of checks, [`moreau_forms`] the closed forms
+//! ([`closed_forms`]), [`moreau_exact`] the numbers.
 //!
 //! # Three ways in
 //! Solve a contact problem and certify the answer: a block of 1 kg arrives at 1 m/s, slides at 2 m/s, μ = ½.

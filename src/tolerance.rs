@@ -1,5 +1,5 @@
-//! Every tolerance under one roof, each with the reason it has the value it has: those of the crates below, where what they bound is, and here those of claims,
-//! systems and the command line.
+//! Every tolerance under one roof, each with the reason it has the value it has: those of the crates below, where what they bound is, and
+//! here those of claims, systems and the command line.
 //!
 //! A tolerance here is one of: a rounding bound (a constant times the unit roundoff times the size of the data), a
 //! proven bound of a scheme (a constant times a power of h), or an engine's documented stopping tolerance propagated
@@ -32,10 +32,11 @@ pub mod systems {
         4.0 * steps as f64 * spring_step()
     }
 
-    /// Rounding of the speed at the floor after an elastic impact of the variational integrator \[m/s\], for an impact at `speed` ≥ `gained` = g h.
+    /// Rounding of the speed at the floor after an elastic impact of the variational integrator \[m/s\], for an impact at `speed` ≥
+    /// `gained` = g h.
     ///
-    /// τ is a root to rounding of τ ≤ h and r one of an energy ½ m v̄² whose slope in r is a speed of at least half of `speed`: each within the rounding of fewer
-    /// than 64 operations on numbers of that size; the speeds at the floor come from fewer than 16 on the same.
+    /// τ is a root to rounding of τ ≤ h and r one of an energy ½ m v̄² whose slope in r is a speed of at least half of `speed`: each within
+    /// the rounding of fewer than 64 operations on numbers of that size; the speeds at the floor come from fewer than 16 on the same.
     pub fn variational_speed(speed: f64, gained: f64) -> f64 {
         rounding(256, 2.0 * (speed + gained))
     }
@@ -68,7 +69,8 @@ pub mod claims {
     pub mod stabilisation;
 
     /// Relative difference of two creep speeds of MuJoCo's default contact that are one speed: what is left after a quarter of a second of
-    /// its transient (1 + t/t_c) e^{−t/t_c}, t_c = 0.02 s, is 13.5 e^{−12.5} = 5e-5; 2⁻¹⁰ is above that and far below what another t_c makes.
+    /// its transient (1 + t/t_c) e^{−t/t_c}, t_c = 0.02 s, is 13.5 e^{−12.5} = 5e-5; 2⁻¹⁰ is above that and far below what another t_c
+    /// makes.
     pub const SAME_CREEP: f64 = 1.0 / 1024.0;
 
     /// Error of the height w²/(2g) to which a body that leaves the floor at w \[m/s\] rises under steps h: the launch is off by at most

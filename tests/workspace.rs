@@ -67,6 +67,9 @@ fn every_crate_test_program_and_documentation_is_run_by_cargo_test() {
         let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
         assert!(run.contains(&format!("moreau: test {name}")), "{} is not run", path.display());
     }
-    assert!(expected.iter().all(|name| run.contains(&format!("{name}: documentation")) && run.iter().any(|line| line.starts_with(&format!("{name}: lib")))));
+    assert!(expected.iter().all(|name| run.contains(&format!(
+        "{name}: \
+        documentation"
+    )) && run.iter().any(|line| line.starts_with(&format!("{name}: lib")))));
     assert_eq!(left, ["moreau: bench certifying"], "left out, with a reason: it measures times");
 }

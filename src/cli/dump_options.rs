@@ -13,7 +13,8 @@ pub struct DumpOptions {
     /// Write the contact problem of step N (from 1) to FILE, and its answer beside it to FILE with `-solution` before the ending.
     #[arg(long, num_args = 2, value_names = ["N", "FILE"])]
     dump_step: Vec<String>,
-    /// Write problem and answer of every step that the certificate rejects into this folder, which is made if it is not there and holds no steps of an earlier run.
+    /// Write problem and answer of every step that the certificate rejects into this folder, which is made if it is not there and holds no
+    /// steps of an earlier run.
     #[arg(long, value_name = "FOLDER")]
     dump_rejected: Option<PathBuf>,
 }

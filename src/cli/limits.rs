@@ -7,7 +7,8 @@ use crate::{Error, Result};
 /// How much memory a subcommand may take.
 #[derive(clap::Args)]
 pub struct MemoryOption {
-    /// Memory that may be taken, a number of bytes or with kB, MB, GB, TB, KiB, MiB, GiB or TiB [default: 4GiB]. What needs more is refused before it is begun, with the size it needs. A contact problem may take a quarter of it as text; other files have at most 256 MB.
+    /// Memory that may be taken, a number of bytes or with kB, MB, GB, TB, KiB, MiB, GiB or TiB [default: 4GiB]. What needs more is refused
+    /// before it is begun, with the size it needs. A contact problem may take a quarter of it as text; other files have at most 256 MB.
     #[arg(long, value_name = "SIZE", allow_hyphen_values = true)]
     max_memory: Option<String>,
 }

@@ -38,7 +38,8 @@ pub struct SchemeOptions {
     /// Sweeps over all contacts in a step of xpbd (20) or pbd (10), from 1 to 10000.
     #[arg(long, value_name = "NUMBER")]
     sweeps: Option<usize>,
-    /// τ of event-driven [s]: an impact that would start a shorter flight is plastic. With 0 every impact is followed, and infinitely many are an error.
+    /// τ of event-driven [s]: an impact that would start a shorter flight is plastic. With 0 every impact is followed, and infinitely many
+    /// are an error.
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     shortest_flight: Option<f64>,
     #[command(flatten)]

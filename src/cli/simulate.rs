@@ -33,7 +33,9 @@ pub struct Arguments {
     /// A built-in scene or a file scene/1.
     #[arg(long, value_name = "NAME|FILE", required_unless_present = "list")]
     scene: Option<String>,
-    /// The time-stepping scheme: moreau-jean, moreau-jean-projection, schatzman-paoli, generalised-alpha, stewart-trinkle, anitescu, chrono, bullet, mujoco, explicit-euler, semi-implicit-euler, runge-kutta-flip, event-driven, variational, xpbd, pbd, drake-sap, drake-similar, drake-lagged or drake-tamsi.
+    /// The time-stepping scheme: moreau-jean, moreau-jean-projection, schatzman-paoli, generalised-alpha, stewart-trinkle, anitescu,
+    /// chrono, bullet, mujoco, explicit-euler, semi-implicit-euler, runge-kutta-flip, event-driven, variational, xpbd, pbd, drake-sap,
+    /// drake-similar, drake-lagged or drake-tamsi.
     #[arg(long, value_name = "NAME", default_value = "moreau-jean")]
     scheme: String,
     /// Time step h [s]; of event-driven the time between samples.

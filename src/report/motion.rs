@@ -152,7 +152,8 @@ impl Motion<'_> {
         self.recording.samples.iter().map(gaps).collect()
     }
 
-    /// −u_n⁺/u_n⁻ of each impact of a mechanism with a single contact: at the impacts where the scheme has located them, from the samples around them otherwise.
+    /// −u_n⁺/u_n⁻ of each impact of a mechanism with a single contact: at the impacts where the scheme has located them, from the samples
+    /// around them otherwise.
     fn restitutions(&self) -> Option<Vec<f64>> {
         let Some(located) = &self.recording.impacts else {
             return self.normal_velocities().map(|u| effective_restitutions(&u, self.resting_speed()));

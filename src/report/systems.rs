@@ -35,7 +35,8 @@ pub fn text(report: &Report) -> String {
 /// What stands between [`BEGIN`] and [`END`]: one row per system.
 pub fn markdown(report: &Report) -> String {
     let mut text = String::from(
-        "| system | level | cone | law | algorithm | restitution | q⁺ | `--scheme` | agreement: measured (bound) |\n|---|---|---|---|---|---|---|---|---|\n",
+        "| system | level | cone | law | algorithm | restitution | q⁺ | `--scheme` | agreement: measured (bound) \
+            |\n|---|---|---|---|---|---|---|---|---|\n",
     );
     for system in &report.systems {
         let schemes: Vec<_> = system.schemes.iter().map(|name| format!("`{name}`")).collect();

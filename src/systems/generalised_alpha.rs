@@ -1,9 +1,11 @@
-//! Nonsmooth generalised-α: second order between contacts, with a damping of high frequencies that is chosen; Moreau–Jean's law at contacts.
+//! Nonsmooth generalised-α: second order between contacts, with a damping of high frequencies that is chosen; Moreau–Jean's law at
+//! contacts.
 //!
 //! ```text
 //!     (1−α_m) a⁺ + α_m a = (1−α_f) M⁻¹F(q⁺, v⁺) + α_f M⁻¹F(q, v) ,      K_μ ∋ r ⟂ y + μ‖y_t‖ n ∈ K_μ* ,   y = u⁺ + e u_n n
 //! ```
-//! Siconos's class of that name is the smooth method within its event-driven strategy: single steps in flight are compared, see [`crate::checks::siconos_alpha`].
+//! Siconos's class of that name is the smooth method within its event-driven strategy: single steps in flight are compared, see
+//! [`crate::checks::siconos_alpha`].
 
 use super::{Agreement, Cone, ContactLaw, Level, Measured, System, on_a_ball, on_a_spring};
 use crate::checks::siconos_alpha::SiconosAlpha;

@@ -158,7 +158,8 @@ fn rest_depth(scheme: &dyn Scheme) -> Result<Measured> {
     let start = State { time: 0.0, position: dvector![0.001], velocity: dvector![0.0] };
     let end = run(scheme, &GaussNewton::default(), &ball, start, 0.001, 2000, |_| ())?;
     let expected = ContactParameters::default().rest_depth(0.001, 1.0, 9.81)?;
-    // velocities of size g h are balanced to rounding, and the stiffness of 2000/s² turns what is left over a step into less than itself in metres
+    // velocities of size g h are balanced to rounding, and the stiffness of 2000/s² turns what is left over a step into less than itself in
+    // metres
     Ok(Measured { difference: (end.position[0] + expected).abs(), tolerance: rounding(64, 9.81 * 0.001) })
 }
 

@@ -26,7 +26,8 @@ pub static SYSTEM: System = System {
     held_against: &[
         Agreement {
             against: "Siconos 4.4.0",
-            quantity: "velocity after every step of 1 to 10 ms of a ball, blocks in plane and space, balls in a row and a bead, Moreau–Jean",
+            quantity: "velocity after every step of 1 to 10 ms of a ball, blocks in plane and space, balls in a row and a bead, \
+                Moreau–Jean",
             unit: "m/s",
             measure: || steps(MOREAU_JEAN, 1, |run| run.scheme(0.0)),
         },

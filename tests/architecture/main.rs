@@ -94,8 +94,8 @@ fn strangers(files: &[File], module: &str, allowed: &[String]) -> Vec<String> {
     strange.map(|(file, name)| format!("{}: {name}", file.place())).collect()
 }
 
-/// What every module of a crate may use beside what the map allows: its tolerances and the limit of memory, at the top the crates below under their old names.
-/// What a crate re-exports of its own (`crate::ContactProblem`) is none of it: a module takes it from where it is.
+/// What every module of a crate may use beside what the map allows: its tolerances and the limit of memory, at the top the crates below
+/// under their old names. What a crate re-exports of its own (`crate::ContactProblem`) is none of it: a module takes it from where it is.
 fn ground(room: &str) -> Vec<String> {
     let mut names: Vec<String> = ["tolerance", "memory"].map(String::from).into();
     if room == "moreau" {

@@ -21,14 +21,15 @@
 //!                  0 ≤ f_j ⟂ y_n + μ D_j·y_t + R_j f_j ≥ 0   within τ s_n and max(τ s_n/ρ_n, φ_n + μ φ_t)
 //! ```
 //!
-//! *Why it accepts every exact answer.* Rounding W, r and q moves y by at most ε(Σ|W||r| + |q|), and computing it by the rest of φ. P_a is a
-//! contraction, so friction moves by at most ρ_t φ_t. Outside the disk it only turns: z/‖z‖ moves by at most 2/‖z‖ of what z does, and
+//! *Why it accepts every exact answer.* Rounding W, r and q moves y by at most ε(Σ|W||r| + |q|), and computing it by the rest of φ. P_a is
+//! a contraction, so friction moves by at most ρ_t φ_t. Outside the disk it only turns: z/‖z‖ moves by at most 2/‖z‖ of what z does, and
 //! r_t by a times that. *Why one scale for all contacts fails:* it excuses a light contact by the impulses of a heavy one. *Why the slip is
 //! no scale:* where a contact slides, r_t is known to a share of μ r_n, however fast it slides.
 //!
 //! Every member of the family is an exact pair (r, y) of the law in rationals, with q := y − (W + R) r, rounded to f64; a third of them are
-//! dyadic and do not round. A near miss changes one contact. Its residual over its limit is computed in rationals on the f64 data: above 2 it
-//! must be refused, below ½ accepted, and between them either verdict stands. Three planted rules show that the family would see a mistake.
+//! dyadic and do not round. A near miss changes one contact. Its residual over its limit is computed in rationals on the f64 data: above 2
+//! it must be refused, below ½ accepted, and between them either verdict stands. Three planted rules show that the family would see a
+//! mistake.
 
 mod exact;
 mod family;

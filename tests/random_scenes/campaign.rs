@@ -9,7 +9,8 @@
 //! | `MOREAU_COMMIT` | what is tested, written into every line; lines of another commit are not taken for done | `unknown` |
 //! | `MOREAU_SHARD_FOLDER` | where the files lie | `target/random-scenes` |
 //!
-//! A shard writes one JSON line per scene to `shard-i-of-n.jsonl`: seed, commit and what each scheme did. A line that was cut off is dropped.
+//! A shard writes one JSON line per scene to `shard-i-of-n.jsonl`: seed, commit and what each scheme did. A line that was cut off is
+//! dropped.
 
 use crate::motion::Outcome;
 use crate::report::Report;

@@ -1,4 +1,5 @@
-//! Random scenes: no panic, no number that is not finite, the energy balance of every scheme at every step, and no body beyond the reach of its energy.
+//! Random scenes: no panic, no number that is not finite, the energy balance of every scheme at every step, and no body beyond the reach of
+//! its energy.
 //!
 //! `cargo test --test random_scenes -- --nocapture` shows the table of the default run; the campaign is in `campaign.rs`.
 

@@ -1,4 +1,5 @@
-//! The ball: free flight of the semi-implicit step in closed form, MuJoCo's and SAP's single contact replayed from their formulas, the rest depth.
+//! The ball: free flight of the semi-implicit step in closed form, MuJoCo's and SAP's single contact replayed from their formulas, the rest
+//! depth.
 //!
 //! One contact, normal only, a₀ = −g, with the impulses of `closed_forms::mujoco_normal` and `closed_forms::drake_normal`:
 //! v⁺ = v + h a₀ + impulse/m and z⁺ = z + h v⁺. Signorini's ball rests at depth 0: the rest depth is the difference.

@@ -165,8 +165,8 @@ pub fn slide(document: &Document, trajectory: &Trajectory) -> Result<Vec<Finding
     Ok(findings)
 }
 
-/// Friction missing while the slip is too small to saturate it: v_s grows to the full force over slips of a few v_s, so the lost impulse per mass is at
-/// most μ g cos α ∫ (1 − s/√(1+s²)) dt ≤ μ g cos α v_s/a for Drake's regularised laws and nothing for hard cones.
+/// Friction missing while the slip is too small to saturate it: v_s grows to the full force over slips of a few v_s, so the lost impulse
+/// per mass is at most μ g cos α ∫ (1 − s/√(1+s²)) dt ≤ μ g cos α v_s/a for Drake's regularised laws and nothing for hard cones.
 fn regularisation(document: &Document, trajectory: &Trajectory, block: &Block, acceleration: f64) -> Result<f64, Failed> {
     if ["similar", "tamsi"].contains(&document.config()) {
         return Ok(trajectory.scene.material.friction * block.press * stiction_tolerance(trajectory)? / acceleration);

@@ -3,10 +3,12 @@
 //! `multi`, `rigid` and `box` were run with `solverResidualThreshold` = 0 and 500 sweeps, so that the engine's answer is that of its step's
 //! problem; `box-default` stops its sweeps where the largest change of a row's velocity is below √(10⁻⁷ m²/s²).
 //!
-//! Here the limit of the sweeps is compared, over whole motions and with our own contact points; single steps sweep by sweep: `bullet_steps.rs`.
+//! Here the limit of the sweeps is compared, over whole motions and with our own contact points; single steps sweep by sweep:
+//! `bullet_steps.rs`.
 //!
-//! `DIFFERENCE` Bullet drops a contact point that has slid by 2 % of half the body's diagonal, here 3.0 mm, and a block that slides further than that
-//! in one step loses corners: at h = 0.01 s it begins to turn at 0.30 m/s. Our model has all its corners at all times; it is compared up to there.
+//! `DIFFERENCE` Bullet drops a contact point that has slid by 2 % of half the body's diagonal, here 3.0 mm, and a block that slides further
+//! than that in one step loses corners: at h = 0.01 s it begins to turn at 0.30 m/s. Our model has all its corners at all times; it is
+//! compared up to there.
 
 use crate::document::Document;
 use libtest_mimic::Failed;

@@ -1,7 +1,9 @@
-//! PyBullet's single steps with its own contact points against `schemes::Bullet` and `SequentialImpulses`: what N sweeps give, not what they tend to.
+//! PyBullet's single steps with its own contact points against `schemes::Bullet` and `SequentialImpulses`: what N sweeps give, not what
+//! they tend to.
 //!
-//! `DIFFERENCE` Which contact points there are is the business of Bullet's manifold, and is replayed: a point that has slid by more than 2 % of half the
-//! body's diagonal is dropped, here 3.0 mm, and only some of the corners come back in the same step. Our boxes have all their corners at all times.
+//! `DIFFERENCE` Which contact points there are is the business of Bullet's manifold, and is replayed: a point that has slid by more than 2
+//! % of half the body's diagonal is dropped, here 3.0 mm, and only some of the corners come back in the same step. Our boxes have all their
+//! corners at all times.
 
 use libtest_mimic::Failed;
 use moreau::checks::Finding;
@@ -58,7 +60,8 @@ fn controls(run: &BulletSteps, scheme: &Bullet, solver: &SequentialImpulses) -> 
     Ok(findings)
 }
 
-/// All four corners touch until the block slides further in a step than a contact point lasts; from then on there is no step with all of them.
+/// All four corners touch until the block slides further in a step than a contact point lasts; from then on there is no step with all of
+/// them.
 fn manifold(run: &BulletSteps) -> Result<Vec<Finding>, Failed> {
     let (points, reach) = (run.points(), run.breaking_distance()?);
     let landed = points.iter().position(|count| *count > 0).ok_or("the block lands")?;
@@ -85,8 +88,8 @@ fn heading(run: &BulletSteps) -> f64 {
     y.atan2(x).to_degrees()
 }
 
-/// The cone brakes against the slip, and so do the boxes of rigid bodies, which are laid along it anew in every step; each corner's slip is its own,
-/// so that these turn the slide a little.
+/// The cone brakes against the slip, and so do the boxes of rigid bodies, which are laid along it anew in every step; each corner's slip is
+/// its own, so that these turn the slide a little.
 fn kept_heading(run: &BulletSteps) -> Finding {
     Finding::at_least("direction of the slide in the end, 30° at the start", heading(run), 29.0, "°")
 }

@@ -1,7 +1,8 @@
-//! One spinning ball of 1 kg, 1 mm deep, with 1, 3, 4 and 6 contact directions (sliding, torsion, rolling): MuJoCo's R, a_ref, f and a from our formulas.
+//! One spinning ball of 1 kg, 1 mm deep, with 1, 3, 4 and 6 contact directions (sliding, torsion, rolling): MuJoCo's R, a_ref, f and a from
+//! our formulas.
 //!
-//! A pyramid's edges are n ± μ_j times row j, with one R for all; an elliptic cone is Σ(f_j/μ_j)² ≤ f_n² with R_j μ_j² the same for every j. The minimiser is
-//! that of ½‖a − a₀‖²_M + s(Ja − a_ref), written for velocities with h = 1 s.
+//! A pyramid's edges are n ± μ_j times row j, with one R for all; an elliptic cone is Σ(f_j/μ_j)² ≤ f_n² with R_j μ_j² the same for every
+//! j. The minimiser is that of ½‖a − a₀‖²_M + s(Ja − a_ref), written for velocities with h = 1 s.
 
 use libtest_mimic::Failed;
 use moreau::checks::Finding;

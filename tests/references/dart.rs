@@ -1,9 +1,10 @@
 //! DART's stored motions, replayed along the line of gravity from its own law, and its friction in closed form.
 //!
-//! `DIFFERENCE` from Newton's law: the rebound takes e of the velocity after gravity has acted in the step, e(|v| + g h), softened by the mixing c.
-//! `DIFFERENCE` from Coulomb's: a contact point that sticks creeps, c W_tt r_t, since the mixing softens friction too; O(h), as r_t is.
-//! `DIFFERENCE` from Signorini's: a depth goes down by ERP a step and not at once, by 1 mm/s at most while fewer than three bodies hang together.
-//! A stack of five at h = 5 ms is not stored: the default solver misses the solution of one step in 200, of another one when the start moves by 10⁻¹² m.
+//! `DIFFERENCE` from Newton's law: the rebound takes e of the velocity after gravity has acted in the step, e(|v| + g h), softened by the
+//! mixing c. `DIFFERENCE` from Coulomb's: a contact point that sticks creeps, c W_tt r_t, since the mixing softens friction too; O(h), as
+//! r_t is. `DIFFERENCE` from Signorini's: a depth goes down by ERP a step and not at once, by 1 mm/s at most while fewer than three bodies
+//! hang together. A stack of five at h = 5 ms is not stored: the default solver misses the solution of one step in 200, of another one when
+//! the start moves by 10⁻¹² m.
 
 use crate::block::Block;
 use crate::document::Document;
@@ -131,8 +132,8 @@ fn rebound(document: &Document, trajectory: &Trajectory) -> Result<Finding, Fail
     Ok(Finding::equal(name, track[first][2], (speed + gravity * h) * expected, accuracy, "m/s"))
 }
 
-/// v_t + μ v_n = g (sin α − μ cos α) t: friction is bounded by μ times the normal impulses without friction, whose sum is that of the final ones but for
-/// the tilt θ, by which the responses W of the corners differ, in the part c of the impulses.
+/// v_t + μ v_n = g (sin α − μ cos α) t: friction is bounded by μ times the normal impulses without friction, whose sum is that of the final
+/// ones but for the tilt θ, by which the responses W of the corners differ, in the part c of the impulses.
 fn slide(document: &Document, trajectory: &Trajectory) -> Result<Finding, Failed> {
     let last = trajectory.times.len() - 1;
     let (block, friction, time) = (Block::at(trajectory, last)?, trajectory.scene.material.friction, trajectory.times[last]);

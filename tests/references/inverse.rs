@@ -1,5 +1,5 @@
-//! mj_inverse at a block that slides, by `Mujoco::inverse`: the forces of every contact and the force that an acceleration asks for, with three and six
-//! directions per contact; and the same numbers read as (v⁺ − v)/h of implicitfast.
+//! mj_inverse at a block that slides, by `Mujoco::inverse`: the forces of every contact and the force that an acceleration asks for, with
+//! three and six directions per contact; and the same numbers read as (v⁺ − v)/h of implicitfast.
 
 use crate::top::facts;
 use libtest_mimic::Failed;

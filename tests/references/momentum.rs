@@ -43,14 +43,16 @@ pub fn check(document: &Document, trajectory: &Trajectory) -> Result<Vec<Finding
         Finding::at_most("m Δv − m g Δt − Σ impulses", defect, impulses + velocities + unbalanced, "N·s"),
         Finding::at_most("pulling impulse", pull, impulses, "N·s"),
     ];
-    // Lagged bounds friction by the normal impulse of the step before, so it leaves the cone whenever the load falls: no such promise to check.
+    // Lagged bounds friction by the normal impulse of the step before, so it leaves the cone whenever the load falls: no such promise to
+    // check.
     if document.config() != "lagged" {
         findings.push(Finding::at_most("impulse outside the friction cone, ‖r_t‖ − μ r_n", outside, impulses, "N·s"));
     }
     Ok(findings)
 }
 
-/// Momentum \[N·s\] of one body by which TAMSI's impulses, of the velocities before its last iteration, may be off those of its answer in a number of steps.
+/// Momentum \[N·s\] of one body by which TAMSI's impulses, of the velocities before its last iteration, may be off those of its answer in a
+/// number of steps.
 fn last_change(document: &Document, trajectory: &Trajectory, steps: f64) -> Result<f64, Failed> {
     if document.config() != "tamsi" {
         return Ok(0.0);

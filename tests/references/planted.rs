@@ -19,7 +19,8 @@ pub fn caught(trajectory: &Trajectory, check: impl Fn(&Trajectory) -> Result<Vec
     Ok(findings)
 }
 
-/// A tenth more gravity, friction, restitution or of one of the engine's numbers; a body that is faster or slower in the second sample, or drifts, and is turned at the end.
+/// A tenth more gravity, friction, restitution or of one of the engine's numbers; a body that is faster or slower in the second sample, or
+/// drifts, and is turned at the end.
 fn mistakes(trajectory: &Trajectory) -> Vec<Trajectory> {
     let with = |change: &dyn Fn(&mut Trajectory)| {
         let mut wrong = trajectory.clone();

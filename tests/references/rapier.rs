@@ -1,11 +1,12 @@
 //! Rapier's stored motions: the ball substep by substep, friction, rest depths and the stack in closed form.
 //!
 //! `DIFFERENCE` from Signorini's: every point rests on a spring of 60 Hz (30 Hz between bodies), W N/ω² deep, at every h.
-//! `DIFFERENCE` from Coulomb's at the start of a slide: the one sweep of a substep stops the slip of a block that has just touched by turning it, with less than
-//! the friction it may use, 0.92 mm/s too fast at h = 10 ms and 0.37 mm/s at 5 ms; with 50 sweeps (`sweeps`) there is none of it, and later none either.
-//! `DIFFERENCE` from Coulomb's under the model `coulomb`: friction of a corner is not opposed to its slip, and the block is 47 % too fast.
-//! `DIFFERENCE` in the stack: a point seen before it closes is rigid and carries its load without depth, so that the boxes rest tilted; where points are seen only
-//! once they close (`unpredicted`) every interface goes to its rest depth.
+//! `DIFFERENCE` from Coulomb's at the start of a slide: the one sweep of a substep stops the slip of a block that has just touched by
+//! turning it, with less than the friction it may use, 0.92 mm/s too fast at h = 10 ms and 0.37 mm/s at 5 ms; with 50 sweeps (`sweeps`)
+//! there is none of it, and later none either. `DIFFERENCE` from Coulomb's under the model `coulomb`: friction of a corner is not opposed
+//! to its slip, and the block is 47 % too fast. `DIFFERENCE` in the stack: a point seen before it closes is rigid and carries its load
+//! without depth, so that the boxes rest tilted; where points are seen only once they close (`unpredicted`) every interface goes to its
+//! rest depth.
 
 use crate::block::{self, Block};
 use crate::document::Document;
@@ -74,7 +75,8 @@ fn ball(document: &Document, trajectory: &Trajectory) -> Result<Vec<Finding>, Fa
     ])
 }
 
-/// How far a number has moved over the last third of the motion: what decays, and at least halves in that time, has no more than this to go.
+/// How far a number has moved over the last third of the motion: what decays, and at least halves in that time, has no more than this to
+/// go.
 fn left(number: impl Fn(usize) -> f64, last: usize) -> f64 {
     (2 * last / 3..last).map(|sample| (number(sample) - number(last)).abs()).fold(0.0, f64::max)
 }
@@ -88,8 +90,8 @@ fn stick(document: &Document, trajectory: &Trajectory) -> Result<Finding, Failed
     Ok(Finding::equal("speed of the block that sticks (Coulomb: 0)", along(last), 0.0, allowed, "m/s"))
 }
 
-/// Four corners of a block at their rest depth; a tilt by the moment of friction changes their levers a by at most the depth δ, and loads and levers
-/// together the mean depth by δ²/a.
+/// Four corners of a block at their rest depth; a tilt by the moment of friction changes their levers a by at most the depth δ, and loads
+/// and levers together the mean depth by δ²/a.
 fn block_depth(document: &Document, trajectory: &Trajectory) -> Result<Finding, Failed> {
     let last = trajectory.times.len() - 1;
     let block = Block::at(trajectory, last)?;
@@ -127,8 +129,9 @@ fn slide(document: &Document, trajectory: &Trajectory) -> Result<Vec<Finding>, F
     ])
 }
 
-/// The last interval's acceleration with friction along the impulse that would stop each corner: g (sin α − μ cos α e₁·K⁻¹e₁/‖K⁻¹e₁‖); K is taken halfway between
-/// the corner and the plane, as deep as the spring lets it, and the corners' loads differ by the moment of friction, which turns K by no more than the depth.
+/// The last interval's acceleration with friction along the impulse that would stop each corner: g (sin α − μ cos α e₁·K⁻¹e₁/‖K⁻¹e₁‖); K is
+/// taken halfway between the corner and the plane, as deep as the spring lets it, and the corners' loads differ by the moment of friction,
+/// which turns K by no more than the depth.
 fn misdirected(document: &Document, trajectory: &Trajectory) -> Result<Finding, Failed> {
     let last = trajectory.times.len() - 1;
     let [before, block] = [Block::at(trajectory, last - 1)?, Block::at(trajectory, last)?];
@@ -175,8 +178,9 @@ fn interface(trajectory: &Trajectory, upper: usize) -> Result<(f64, impl Fn(usiz
     Ok((rest_depth(frequency, response, load / 4.0), depth))
 }
 
-/// Where points are seen before they close, the lowest box stands tilted on two sunk points and two rigid ones: at half the depth of four sunk ones, and
-/// tilted by their depth over its width. The boxes above stand beside its middle by x̄ and shift its load by that over its half width.
+/// Where points are seen before they close, the lowest box stands tilted on two sunk points and two rigid ones: at half the depth of four
+/// sunk ones, and tilted by their depth over its width. The boxes above stand beside its middle by x̄ and shift its load by that over its
+/// half width.
 fn leaning(trajectory: &Trajectory) -> Result<Vec<Finding>, Failed> {
     let last = trajectory.times.len() - 1;
     let (expected, depth) = interface(trajectory, 0)?;

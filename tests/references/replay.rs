@@ -1,8 +1,9 @@
 //! Drake's stored motions made again by our schemes of the same law.
 //!
-//! Where every step is stored, each is made from the stored state before it, through impacts too. Elsewhere an error of the engine's stopping rule grows
-//! by a factor of up to 2.6 in each step between two samples, which says nothing of the ten and more steps between those of the stack of five: its
-//! motion is made again as a whole, at the largest step (the others would take longer than all other files together).
+//! Where every step is stored, each is made from the stored state before it, through impacts too. Elsewhere an error of the engine's
+//! stopping rule grows by a factor of up to 2.6 in each step between two samples, which says nothing of the ten and more steps between
+//! those of the stack of five: its motion is made again as a whole, at the largest step (the others would take longer than all other files
+//! together).
 
 use crate::document::Document;
 use libtest_mimic::Failed;

@@ -1,7 +1,7 @@
 //! MuJoCo's first 500 steps again with MuJoCo's own contact points: sphere, box and stack, whatever our collision detection would find.
 //!
-//! A stored contact is a gap, the point halfway between the two bodies and the two bodies; the normal is the ground's. Its rows at our own state are
-//! (d, Rᵀ(r × d)) with r from a body's centre to that point. State, forces and impulses are ours from the first step on.
+//! A stored contact is a gap, the point halfway between the two bodies and the two bodies; the normal is the ground's. Its rows at our own
+//! state are (d, Rᵀ(r × d)) with r from a body's centre to that point. State, forces and impulses are ours from the first step on.
 
 use crate::document::Document;
 use crate::soft_motion::scheme;

@@ -102,8 +102,8 @@ fn events(run: &SiconosEvents) -> Result<Vec<Finding>, Failed> {
     Ok(findings)
 }
 
-/// Every step of a flight agrees. DIFFERENCE: NewMarkAlphaOSI of 4.4.0 forgets a between steps, and ours does not; at an impact it multiplies the velocity by a
-/// factor with the unit 1/s, in which e does not occur.
+/// Every step of a flight agrees. DIFFERENCE: NewMarkAlphaOSI of 4.4.0 forgets a between steps, and ours does not; at an impact it
+/// multiplies the velocity by a factor with the unit 1/s, in which e does not occur.
 fn alpha(run: &SiconosAlpha) -> Result<Vec<Finding>, Failed> {
     let (scheme, [position, velocity]) = (run.scheme()?, run.tolerances());
     let radius = scheme.spectral_radius();
@@ -127,8 +127,8 @@ fn alpha(run: &SiconosAlpha) -> Result<Vec<Finding>, Failed> {
     Ok(findings)
 }
 
-/// DIFFERENCE: where impacts accumulate Siconos goes on until v⁺ is below its event tolerance, which it then takes for zero and keeps; ours ends them
-/// by its declared rule, with v = 0.
+/// DIFFERENCE: where impacts accumulate Siconos goes on until v⁺ is below its event tolerance, which it then takes for zero and keeps; ours
+/// ends them by its declared rule, with v = 0.
 fn after_accumulation(run: &SiconosEvents) -> Result<Vec<Finding>, Failed> {
     let last = run.times.len() - 1;
     let left = run.velocities[last][0];
@@ -147,8 +147,8 @@ fn units([position, velocity, impulse]: [f64; 3]) -> [(&'static str, &'static st
     [("position", "m", position), ("velocity", "m/s", velocity), ("impulse", "N·s", impulse)]
 }
 
-/// DIFFERENCE: the velocity that e reverses is H v_k with the normal of the step before, at q_{k−1} + h v_{k−1}; ours is H(q_k) v_k. Read off the first impact:
-/// n = (v_{k+1} − v_k − h g)/r, and n·v_{k+1} = −e u.
+/// DIFFERENCE: the velocity that e reverses is H v_k with the normal of the step before, at q_{k−1} + h v_{k−1}; ours is H(q_k) v_k. Read
+/// off the first impact: n = (v_{k+1} − v_k − h g)/r, and n·v_{k+1} = −e u.
 fn stale_normal(run: &SiconosSteps) -> Result<Vec<Finding>, Failed> {
     let k = run.impulses.iter().position(|r| r[0] > 0.0).ok_or("the bead hits the circle")?;
     let mechanism = run.mechanism()?;
@@ -171,8 +171,8 @@ fn stale_normal(run: &SiconosSteps) -> Result<Vec<Finding>, Failed> {
     ])
 }
 
-/// DIFFERENCE: Siconos takes H at q + h v, we at q. On a circle the normals differ by the angle of a step, at most asin(h|v|/|q|), and where
-/// both act the velocity by no more than the sine of it times |v_free|.
+/// DIFFERENCE: Siconos takes H at q + h v, we at q. On a circle the normals differ by the angle of a step, at most asin(h|v|/|q|), and
+/// where both act the velocity by no more than the sine of it times |v_free|.
 fn normals_ahead(run: &SiconosSteps) -> Result<Vec<Finding>, Failed> {
     let plain = run.deviations_with_present_normals(run.scheme(0.0)?.as_ref())?;
     let turn = (0..run.impulses.len()).map(|k| {

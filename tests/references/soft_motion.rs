@@ -1,4 +1,5 @@
-//! A stored MuJoCo motion again, by our scheme with our own contact geometry and our own Newton: every integrator, with and without torsion and rolling.
+//! A stored MuJoCo motion again, by our scheme with our own contact geometry and our own Newton: every integrator, with and without torsion
+//! and rolling.
 //!
 //! Gaps and points of a sphere and of a box's corners on a plane are the engine's; two boxes on each other meet at the same corners. What
 //! the engine does not determine itself (rounding amplified by the motion, its stopping rule) is measured and stored with each file.
@@ -55,7 +56,8 @@ pub fn check(document: &Document, trajectory: &Trajectory) -> Result<Vec<Finding
     let spin = size(&|track| track.angular_velocity.clone());
     // what our own Newton leaves in one step, as the speed of the lightest lever; contacts damp it within some steps
     let gyration = trajectory.scene.bodies.iter().map(smallest_gyration).fold(f64::INFINITY, f64::min);
-    // a gap of two boxes is some sixteen operations on coordinates of the size of the places, and its rounding a kick of h k d φ at a corner
+    // a gap of two boxes is some sixteen operations on coordinates of the size of the places, and its rounding a kick of h k d φ at a
+    // corner
     let gap = rounding(16, place);
     let kick = softness(&Value::Object(trajectory.engine.options.clone()))?.reference_acceleration(trajectory.time_step, -gap, &[0.0])[0];
     let own = (replayed_step(speed) + trajectory.time_step * kick.abs()) / gyration;

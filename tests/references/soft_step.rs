@@ -1,10 +1,11 @@
-//! A stored MuJoCo step from our own formulas: R and a_ref from `solref`, `solimp`, gaps and velocities; forces and accelerations by our Newton.
+//! A stored MuJoCo step from our own formulas: R and a_ref from `solref`, `solimp`, gaps and velocities; forces and accelerations by our
+//! Newton.
 //!
 //! # How near the accelerations must be
 //! ½‖a − a₀‖²_M + s(Ja − a_ref) is strongly convex with modulus 1 in the norm of M. A primal solver that stops at a with the gradient
-//! g = M(a − a₀) − Jᵀf is therefore within ‖g‖_{M⁻¹} of the minimiser in that norm, and its forces f = −∇s are within as much in the norm of R, because
-//! −∇s is cocoercive in it: ‖Δa‖²_M + ‖Δf‖²_R ≤ gᵀΔa. The gradient is computed from the stored arrays. A dual solver's a has no gradient with its own
-//! forces; those that a itself asks for have one.
+//! g = M(a − a₀) − Jᵀf is therefore within ‖g‖_{M⁻¹} of the minimiser in that norm, and its forces f = −∇s are within as much in the norm
+//! of R, because −∇s is cocoercive in it: ‖Δa‖²_M + ‖Δf‖²_R ≤ gᵀΔa. The gradient is computed from the stored arrays. A dual solver's a has
+//! no gradient with its own forces; those that a itself asks for have one.
 
 use crate::document::Document;
 use crate::dumps_native::parameters;

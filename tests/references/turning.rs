@@ -6,8 +6,8 @@
 //!     J (ω_0 − ω) = μ_t Σ r_n = μ_t m (g t + v_n) .
 //! ```
 //! # A sphere that rolls, rolling coefficient μ_r \[m\]
-//! On a round cone it creeps a little as it rolls, v ≠ ω r, and torsion has no part; friction F = −m v̇ drives its rotation against the torque of rolling,
-//! J ω̇ = F r − μ_r λ f_n with a share λ ≤ 1 that the slip leaves. Rolling therefore takes at most what λ = 1 takes:
+//! On a round cone it creeps a little as it rolls, v ≠ ω r, and torsion has no part; friction F = −m v̇ drives its rotation against the
+//! torque of rolling, J ω̇ = F r − μ_r λ f_n with a share λ ≤ 1 that the slip leaves. Rolling therefore takes at most what λ = 1 takes:
 //! ```text
 //!     m r (v_0 − v) + J (ω_0 − ω) ≤ μ_r m (g t + v_n) .
 //! ```

@@ -1,6 +1,7 @@
 //! Checks: functions that take a subject (our reference, a planted defect, a claim's reading) and return [`Finding`]s.
 //!
-//! A check derives its expected value from a closed form, exact arithmetic or a proven bound – never from the subject. Every family has planted
+//! A check derives its expected value from a closed form, exact arithmetic or a proven bound – never from the subject. Every family has
+//! planted
 //! [`defects`]: references with one textbook mistake each, which its checks must catch.
 
 pub mod cone_projection;

@@ -4,8 +4,8 @@
 //! ```text
 //!     u = W r + u_free ,    y = u + shift + R r ,    (r, y) in the contact law .
 //! ```
-//! A [`ContactProblem`] is posed, a [`solvers::ContactSolver`] proposes a [`Solution`], and [`certificate`] says whether it is one, contact by
-//! contact. Symbols, units, signs and component order: [`conventions`].
+//! A [`ContactProblem`] is posed, a [`solvers::ContactSolver`] proposes a [`Solution`], and [`certificate`] says whether it is one, contact
+//! by contact. Symbols, units, signs and component order: [`conventions`].
 //!
 //! A block of 1 kg arrives at 1 m/s, slides at 2 m/s, μ = ½:
 //! ```

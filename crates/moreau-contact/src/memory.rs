@@ -1,7 +1,7 @@
 //! Memory is asked for before it is taken: what a computation needs is estimated from its sizes and held against one limit.
 //!
-//! The limit belongs to the process, as its memory does; the command line sets it once, before anything else. No result depends on it: a computation within the
-//! limit gives the same answer under every limit.
+//! The limit belongs to the process, as its memory does; the command line sets it once, before anything else. No result depends on it: a
+//! computation within the limit gives the same answer under every limit.
 
 use crate::tolerance::limits::MEMORY_BYTES;
 use moreau_exact::{Error, Result};

@@ -3,8 +3,8 @@
 //! ```text
 //!     A = U Σ Vᵀ ,    x = V Σ⁺ Uᵀ b ,    Σ⁺ inverts the singular values above a limit and takes the others for zero
 //! ```
-//! An iteration for singular values needs numbers: with one that is not finite it never ends, and without any rows there is nothing to iterate on. Both are
-//! decided before it begins.
+//! An iteration for singular values needs numbers: with one that is not finite it never ends, and without any rows there is nothing to
+//! iterate on. Both are decided before it begins.
 
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};

@@ -13,7 +13,8 @@ pub use dual::Dual;
 /// Exact rational number.
 pub type Rational = RBig;
 
-/// An ordered field: `f64` (rounded) or [`Rational`] (exact); or the dual numbers over one, in which only numbers with a value are divisors.
+/// An ordered field: `f64` (rounded) or [`Rational`] (exact); or the dual numbers over one, in which only numbers with a value are
+/// divisors.
 pub trait Scalar:
     nalgebra::Scalar
     + Zero

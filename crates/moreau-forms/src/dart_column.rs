@@ -1,14 +1,16 @@
-//! One step of DART's contact between bodies on each other along a line: gaps φ, velocities v (away from the ground), interface i below body i.
+//! One step of DART's contact between bodies on each other along a line: gaps φ, velocities v (away from the ground), interface i below
+//! body i.
 //!
 //! ```text
 //!     v_free = v − h g ;      where δ_i = −φ_i ≥ 0 :     0 ≤ r ⟂ H(v_free + M⁻¹Hᵀ r) + c (W_i/n_i) r − t ≥ 0 ,
 //!     t_i = max( e |u_i| , min(ERP δ_i/h, v_max) ) ,     u = H v_free ,     φ⁺ = φ + h H v⁺
 //! ```
-//! c is the force mixing (CFM), W_i the normal response of one of the n_i equal points that share r_i. e |u_i| counts from a threshold on, and v_max is
-//! lifted in islands of three or more movable bodies. Off its diagonal H M⁻¹ Hᵀ has no positive entry: a row that lacks velocity needs an impulse
-//! whatever the others do, and letting in all such rows until none lacks any solves the problem (Chandrasekaran).
+//! c is the force mixing (CFM), W_i the normal response of one of the n_i equal points that share r_i. e |u_i| counts from a threshold on,
+//! and v_max is lifted in islands of three or more movable bodies. Off its diagonal H M⁻¹ Hᵀ has no positive entry: a row that lacks
+//! velocity needs an impulse whatever the others do, and letting in all such rows until none lacks any solves the problem (Chandrasekaran).
 //!
-//! A body that rebounds leaves with (1 + e)/(1 + c) − 1 times its free speed, gravity of the step included; one at rest on n points sits c W/n m g h²/ERP deep.
+//! A body that rebounds leaves with (1 + e)/(1 + c) − 1 times its free speed, gravity of the step included; one at rest on n points sits c
+//! W/n m g h²/ERP deep.
 //!
 //! # Source
 //! DART 6.20: `ContactConstraint::getInformation`, `getVelocityChange`.

@@ -1,4 +1,5 @@
-//! One step of one normal contact of Drake, its tangential rows unloaded: depth δ > 0 at the start, velocity v_free without contact, mass m̄.
+//! One step of one normal contact of Drake, its tangential rows unloaded: depth δ > 0 at the start, velocity v_free without contact, mass
+//! m̄.
 //!
 //! ```text
 //!     SAP            r = max(0, −(v_free − δ/(h + τ))/(1/m̄ + R_n)) ,

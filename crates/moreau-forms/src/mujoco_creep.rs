@@ -76,7 +76,8 @@ impl HeldBody {
     }
 }
 
-/// The zero x ≥ 0 of a function that does not decrease, 0 if it is not negative there: doubling, then bisection down to neighbouring floats.
+/// The zero x ≥ 0 of a function that does not decrease, 0 if it is not negative there: doubling, then bisection down to neighbouring
+/// floats.
 fn root(excess: impl Fn(f64) -> f64) -> f64 {
     if excess(0.0) >= 0.0 {
         return 0.0;

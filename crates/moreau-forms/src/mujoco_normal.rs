@@ -3,8 +3,8 @@
 //! ```text
 //!     f = max(0, (a_ref − a₀)/(1/m̄ + R)) ,   a_ref = −b v + k d δ ,   R = (1 − d)/d · Â   while δ > 0 ;      v⁺ = v + h (a₀ + f/m̄) .
 //! ```
-//! With Â = 1/m̄ this is v̇ = (1 − d) a₀ + d a_ref while f > 0, an oscillator δ̈ + d b δ̇ + d² k δ = (1 − d)·… For constant d = d_w its damping ratio
-//! is `dampratio` ζ, so a fast impact rebounds with e(ζ) = exp(−ζ/√(1−ζ²)·acos(2ζ²−1)), e⁻² at ζ = 1.
+//! With Â = 1/m̄ this is v̇ = (1 − d) a₀ + d a_ref while f > 0, an oscillator δ̈ + d b δ̇ + d² k δ = (1 − d)·… For constant d = d_w its
+//! damping ratio is `dampratio` ζ, so a fast impact rebounds with e(ζ) = exp(−ζ/√(1−ζ²)·acos(2ζ²−1)), e⁻² at ζ = 1.
 
 use super::mujoco_contact::ContactParameters;
 

@@ -12,8 +12,8 @@
 /// A mass on one contact.
 ///
 /// # Source
-/// Müller et al., *Position Based Dynamics* (2007); Macklin, Müller and Chentanez, *XPBD* (2016); Müller et al., *Detailed Rigid Body Simulation
-/// with Extended Position Based Dynamics* (2020), §3.6 for restitution.
+/// Müller et al., *Position Based Dynamics* (2007); Macklin, Müller and Chentanez, *XPBD* (2016); Müller et al., *Detailed Rigid Body
+/// Simulation with Extended Position Based Dynamics* (2020), §3.6 for restitution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PositionBasedContact {
     /// m \[kg\].

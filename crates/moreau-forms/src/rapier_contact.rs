@@ -6,10 +6,12 @@
 //!     once:      p ← (p − m(v + e v₀))₊ ,  v₀ the velocity before the step, where an impulse acted and none did in the step before
 //!     ε = ω/(dt ω + 2ζ) ,    1/s = 1 + k²/(4ζ²(1 + k)) ,    k = 1/(ε dt) − 1 ,    ω = 2π f
 //! ```
-//! v takes every change of p as Δp/m. At rest v = 0 between the substeps and p = m g dt, whence (1 − s) g dt = s ε δ and δ = g/ω², whatever dt and ζ: a point
-//! that carries N rests W N/ω² deep. A point that is not closed is rigid and carries a load without depth, so that a body may also rest tilted.
+//! v takes every change of p as Δp/m. At rest v = 0 between the substeps and p = m g dt, whence (1 − s) g dt = s ε δ and δ = g/ω², whatever
+//! dt and ζ: a point that carries N rests W N/ω² deep. A point that is not closed is rigid and carries a load without depth, so that a body
+//! may also rest tilted.
 //!
-//! Friction of each point for itself (`Coulomb`) shortens the impulse K⁻¹u that stops its slip u to the cone: it acts along K⁻¹u and not along u.
+//! Friction of each point for itself (`Coulomb`) shortens the impulse K⁻¹u that stops its slip u to the cone: it acts along K⁻¹u and not
+//! along u.
 //!
 //! # Source
 //! rapier3d-f64 0.36.1: `contact_constraint_element.rs`, `contact_with_twist_friction.rs`, `integration_parameters.rs`.
@@ -45,7 +47,8 @@ pub struct Contact {
 /// The ball, with what the engine keeps for its next step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ball {
-    /// φ + radius \[m\]: a gap closed without push-out ends at zero to rounding, which then decides between rigid and soft, so it is formed as the engine forms it.
+    /// φ + radius \[m\]: a gap closed without push-out ends at zero to rounding, which then decides between rigid and soft, so it is formed
+    /// as the engine forms it.
     pub height: f64,
     /// v \[m/s\].
     pub velocity: f64,
@@ -116,7 +119,8 @@ pub fn rest_depth(frequency: f64, response: f64, load: f64) -> f64 {
     load * response / (TAU * frequency).powi(2)
 }
 
-/// The part of a point's friction that opposes a slip along the first direction, e₁·K⁻¹e₁/‖K⁻¹e₁‖; K \[1/kg\] is the point's tangential response.
+/// The part of a point's friction that opposes a slip along the first direction, e₁·K⁻¹e₁/‖K⁻¹e₁‖; K \[1/kg\] is the point's tangential
+/// response.
 pub fn opposing_share(response: Matrix2<f64>) -> f64 {
     let impulse = Vector2::new(response[(1, 1)], -response[(1, 0)]);
     impulse[0] / impulse.norm()

@@ -112,8 +112,8 @@ pub mod landing {
         T::one() - T::ratio(3, 2) * b.clone() / (b + c)
     }
 
-    /// The least μ with which the new edge does not slip, |P_t|/P_n = c (1 − r)/(b (1 + r)): the impulses m c (1 − r)|ω⁻| and m b (1 + r)|ω⁻|
-    /// turn the velocity of the centre from that about the old edge to that about the new one.
+    /// The least μ with which the new edge does not slip, |P_t|/P_n = c (1 − r)/(b (1 + r)): the impulses m c (1 − r)|ω⁻| and m b (1 +
+    /// r)|ω⁻| turn the velocity of the centre from that about the old edge to that about the new one.
     pub fn least_friction<T: Scalar>(b: &T, c: &T) -> T {
         let ratio = pivoting(b, c);
         c.clone() * (T::one() - ratio.clone()) / (b.clone() * (T::one() + ratio))

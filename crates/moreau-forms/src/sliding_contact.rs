@@ -1,4 +1,5 @@
-//! A sphere that slides on one contact under a convex law, step by step: each step has a closed form, because W and R are diagonal in (n, t).
+//! A sphere that slides on one contact under a convex law, step by step: each step has a closed form, because W and R are diagonal in (n,
+//! t).
 //!
 //! ```text
 //!     K ∋ r ⟂ A r + b ∈ K* ,   A = diag(a_n, a_t):

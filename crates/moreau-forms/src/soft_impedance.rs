@@ -4,7 +4,8 @@
 //!     x = δ/w ,   y = 0 (x ≤ 0) ,   xᵖ/mᵖ⁻¹ (x ≤ m) ,   1 − (1−x)ᵖ/(1−m)ᵖ⁻¹ (m ≤ x ≤ 1) ,   1 (x ≥ 1) ;      d = d₀ + y (d_w − d₀)
 //! ```
 //! The slopes p x^{p−1}/m^{p−1} and p (1−x)^{p−1}/(1−m)^{p−1} meet at x = m, where both are p: d is continuously differentiable for p > 1.
-//! d₀, d_w and m are first moved into \[10⁻⁴, 1 − 10⁻⁴\], so that d → 0 and d → 1 are never reached. Without a width d is the mean (d₀ + d_w)/2.
+//! d₀, d_w and m are first moved into \[10⁻⁴, 1 − 10⁻⁴\], so that d → 0 and d → 1 are never reached. Without a width d is the mean (d₀ +
+//! d_w)/2.
 
 use moreau_exact::scalar::Scalar;
 

@@ -1,4 +1,5 @@
-//! One soft planar contact whose rows are not coupled, in any ordered field: h_n = A_n + R_n, h_t = A_t + R_t \[1/kg\], load b = a_u − a_ref \[m/s²\].
+//! One soft planar contact whose rows are not coupled, in any ordered field: h_n = A_n + R_n, h_t = A_t + R_t \[1/kg\], load b = a_u −
+//! a_ref \[m/s²\].
 //!
 //! ```text
 //!     min ½ (h_n f_n² + h_t f_t²) + b·f   over |f_t| ≤ μ f_n :

@@ -1,11 +1,12 @@
-//! The reference acceleration of MuJoCo's soft constraint, in any ordered field: gap φ \[m\], violated while negative, and its rate v = φ̇ \[m/s\].
+//! The reference acceleration of MuJoCo's soft constraint, in any ordered field: gap φ \[m\], violated while negative, and its rate v = φ̇
+//! \[m/s\].
 //!
 //! ```text
 //!     a_ref = −b v − k d(δ) φ ,    δ = −φ ;        time constant and ratio:   b = 2/(d_w t_c) ,   k = 1/(d_w t_c ζ)² ,   t_c ≥ 2h
 //!                                                  −stiffness and −damping:   b = c/d_w ,         k = s/d_w²
 //! ```
-//! A row with R = (1−d)/d·A that carries no other load moves with d a_ref: φ̈ = −d b v − d² k φ. Where d = d_w, that is ω₀ = 1/(t_c ζ) with the
-//! damping ratio ζ, and stiffness s and damping c per mass.
+//! A row with R = (1−d)/d·A that carries no other load moves with d a_ref: φ̈ = −d b v − d² k φ. Where d = d_w, that is ω₀ = 1/(t_c ζ) with
+//! the damping ratio ζ, and stiffness s and damping c per mass.
 
 use super::soft_impedance::SoftImpedance;
 use moreau_exact::scalar::Scalar;

@@ -3,8 +3,8 @@
 //! ```text
 //!     1/m_p = Σ_bodies ( 1/m + (r × n)·J⁻¹(r × n) ) ,     k = m_p (2πf)² ,     depth = N/k .
 //! ```
-//! *Derivation.* A point that moves along n under an impulse p gains the velocity p/m_p. A spring that makes it swing at the frequency f has
-//! the stiffness m_p (2πf)²; whatever its damping, at rest it carries N where it is compressed by N/k.
+//! *Derivation.* A point that moves along n under an impulse p gains the velocity p/m_p. A spring that makes it swing at the frequency f
+//! has the stiffness m_p (2πf)²; whatever its damping, at rest it carries N where it is compressed by N/k.
 //!
 //! r is the arm from the centre of mass to the point \[m\], J the inertia \[kg·m²\], both in the world frame.
 
@@ -77,7 +77,8 @@ mod tests {
 
     #[test]
     fn four_corners_of_a_cube_share_its_weight() {
-        // m = 1, half extents ½: J = 1/6, arm of a corner (½, ½): 1/m_p = 1 + 6 (¼ + ¼) = 4. Each carries mg/4, so the cube is as deep as a ball.
+        // m = 1, half extents ½: J = 1/6, arm of a corner (½, ½): 1/m_p = 1 + 6 (¼ + ¼) = 4. Each carries mg/4, so the cube is as deep as a
+        // ball.
         let inverse = Matrix3::identity() * 6.0;
         let corner = inverse_mass_at(1.0, &inverse, &Vector3::new(0.5, 0.5, -0.5), &Vector3::z());
         assert_eq!(corner, 4.0);

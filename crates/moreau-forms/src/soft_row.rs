@@ -1,4 +1,5 @@
-//! One row of a softly constrained motion in any ordered field: inverse inertia A, regularisation R \[1/kg\], force f \[N\], accelerations \[m/s²\].
+//! One row of a softly constrained motion in any ordered field: inverse inertia A, regularisation R \[1/kg\], force f \[N\], accelerations
+//! \[m/s²\].
 //!
 //! ```text
 //!     a = a_u + A f ,    a_ref − a = R f    ⇒    f = (a_ref − a_u)/(A + R) ,    a = (A a_ref + R a_u)/(A + R) ;     one-sided: f ← max(0, f)

@@ -7,9 +7,10 @@
 //!     semi-implicit Euler, damping implicit        s < 2(√(1+ζ²) + ζ)
 //!     classical Runge–Kutta                        s ≤ 2√2   for ζ = 0 ,    s³ − 4s² + 12s < 24   for ζ = 1
 //! ```
-//! *Derivation.* With z = s(−ζ ± i√(1−ζ²)), |z| = s, the θ method has R = (1+(1−θ)z)/(1−θz), and |R| < 1 is (1−2θ)|z|² + 2 Re z < 0. Semi-implicit
-//! Euler has trace 2 − s² − 2ζs and determinant 1 − 2ζs, with implicit damping, d = 1 + 2ζs, (1 + d − s²)/d and 1/d: Jury's condition 1 + T + D > 0 is
-//! 4 − 4ζs − s² > 0 and 4 + 4ζs − s² > 0. Runge–Kutta has |R(is)|² = 1 − s⁶/72 + s⁸/576, and R(−s) < 1 is the cubic.
+//! *Derivation.* With z = s(−ζ ± i√(1−ζ²)), |z| = s, the θ method has R = (1+(1−θ)z)/(1−θz), and |R| < 1 is (1−2θ)|z|² + 2 Re z < 0.
+//! Semi-implicit Euler has trace 2 − s² − 2ζs and determinant 1 − 2ζs, with implicit damping, d = 1 + 2ζs, (1 + d − s²)/d and 1/d: Jury's
+//! condition 1 + T + D > 0 is 4 − 4ζs − s² > 0 and 4 + 4ζs − s² > 0. Runge–Kutta has |R(is)|² = 1 − s⁶/72 + s⁸/576, and R(−s) < 1 is the
+//! cubic.
 
 /// Bound of the θ method, infinite for θ ≥ ½; zero where ζ = 0.
 pub fn theta(theta: f64, damping_ratio: f64) -> f64 {

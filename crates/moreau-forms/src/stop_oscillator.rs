@@ -5,8 +5,8 @@
 //!     after impact k:   q = s cos ωτ + (U_k/ω) sin ωτ ,   U_k = e V_k = e^k V₁
 //!     flight            q = s  ⇔  tan(ωτ/2) = U/(ω s) :   τ_k = (2/ω) atan2(U_k, ω s) ,   V_{k+1} = U_k
 //! ```
-//! s < 0: the impacts end when the mass no longer reaches the stop. s = 0: they come every π/ω for ever. s > 0: the spring presses against the
-//! stop, τ_k → 2U_k/(ω² s), and for e < 1 infinitely many impacts happen in finite time, as under gravity.
+//! s < 0: the impacts end when the mass no longer reaches the stop. s = 0: they come every π/ω for ever. s > 0: the spring presses against
+//! the stop, τ_k → 2U_k/(ω² s), and for e < 1 infinitely many impacts happen in finite time, as under gravity.
 
 use moreau_exact::{Error, Result};
 

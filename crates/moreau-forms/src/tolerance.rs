@@ -13,7 +13,8 @@ pub const SLOPE_ROUNDING: f64 = 2.0 * 16.0 * 128.0 * EPSILON;
 /// Step of a central difference of a velocity \[s\], 2⁻¹⁷ ≈ ε^⅓, where truncation and rounding balance.
 pub const DIFFERENCE: f64 = 1.0 / 131_072.0;
 
-/// Error of that difference: δ²/6 times a bound of the third derivative, and the rounding of 16 operations at the size of the velocity over δ.
+/// Error of that difference: δ²/6 times a bound of the third derivative, and the rounding of 16 operations at the size of the velocity over
+/// δ.
 pub fn difference_error(velocity: f64, third_derivative: f64) -> f64 {
     DIFFERENCE * DIFFERENCE / 6.0 * third_derivative + 2.0 * 16.0 * EPSILON * velocity / DIFFERENCE
 }
@@ -34,8 +35,8 @@ pub fn top_reference(time: f64, rate: f64) -> f64 {
 /// Parts of a radian of the oscillator in the test of e(ζ).
 pub const OSCILLATOR_PARTS: usize = 1 << 14;
 
-/// Error of the rebound of a semi-implicit oscillator in steps of a part of 1/ω: first order, with at most (1 + 2ζ)² per radian (the norm of
-/// its matrix squared) over the at most four radians of a contact, ½ of it per step; and the step in which contact begins or ends.
+/// Error of the rebound of a semi-implicit oscillator in steps of a part of 1/ω: first order, with at most (1 + 2ζ)² per radian (the norm
+/// of its matrix squared) over the at most four radians of a contact, ½ of it per step; and the step in which contact begins or ends.
 pub fn oscillator_rebound(damping_ratio: f64) -> f64 {
     let norm = 1.0 + 2.0 * damping_ratio;
     (0.5 * 4.0 * norm * norm + norm) / OSCILLATOR_PARTS as f64

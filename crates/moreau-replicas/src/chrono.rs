@@ -5,9 +5,10 @@
 //!     s = e u_n        where the contact rebounds: e u_n < −v_b and φ + h e u_n < 0 ,
 //!     s = max(φ/h, −v_r)   elsewhere .
 //! ```
-//! u_n is the velocity at the start of the step. v_r is the maximal recovery speed: a resting body of depth d comes out at v_r, whatever its load,
-//! so that its depth is d − k h v_r after k steps as long as that is positive; it leaves the ground with that speed and hops v_r²/2g. v_b is the speed below which nothing rebounds.
-//! Without penetration and restitution the step is [`moreau_dynamics::schemes::anitescu`]'s, bit for bit, with the same gap φ = μ h ‖u_t‖ of a slide.
+//! u_n is the velocity at the start of the step. v_r is the maximal recovery speed: a resting body of depth d comes out at v_r, whatever
+//! its load, so that its depth is d − k h v_r after k steps as long as that is positive; it leaves the ground with that speed and hops
+//! v_r²/2g. v_b is the speed below which nothing rebounds. Without penetration and restitution the step is
+//! [`moreau_dynamics::schemes::anitescu`]'s, bit for bit, with the same gap φ = μ h ‖u_t‖ of a slide.
 //!
 //! Chrono lists `PSOR`, `BARZILAIBORWEIN`, `APGD` and `ADMM` as solvers of this problem, here `psor`, `bb`, `apgd` and `admm`.
 //!

@@ -1,6 +1,8 @@
-//! Engines rebuilt from their equations, one folder per engine: scheme, parameters, the engine's own iteration and the replay of its stored runs.
+//! Engines rebuilt from their equations, one folder per engine: scheme, parameters, the engine's own iteration and the replay of its stored
+//! runs.
 //!
-//! [`schemes`] lists every scheme by name, those of the literature and the engines'; [`energy_balance`] states what each of them may gain in a step.
+//! [`schemes`] lists every scheme by name, those of the literature and the engines'; [`energy_balance`] states what each of them may gain
+//! in a step.
 
 pub mod bullet;
 pub mod chrono;

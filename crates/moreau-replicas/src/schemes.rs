@@ -87,7 +87,8 @@ impl Default for Parameters {
 /// The scheme with this name.
 ///
 /// # Errors
-/// An unknown name (the message lists the known ones), θ outside \[0, 1\], fewer than three directions, a softness that cannot be meant or a material that is none.
+/// An unknown name (the message lists the known ones), θ outside \[0, 1\], fewer than three directions, a softness that cannot be meant or
+/// a material that is none.
 pub fn by_name(name: &str, parameters: Parameters) -> Result<Box<dyn Scheme>> {
     let Parameters { theta, activation, restitution, directions, spectral_radius, mujoco, bullet, drake: material, .. } = parameters;
     material.validate()?;

@@ -1,4 +1,5 @@
-//! A bead on the unit circle, without friction: inside it without gravity, or outside it, sliding down from the top; unit speed at the start.
+//! A bead on the unit circle, without friction: inside it without gravity, or outside it, sliding down from the top; unit speed at the
+//! start.
 //!
 //! ```text
 //!     Moreau–Jean, θ = 1, inside:   v⁺ = P_q v ,  q⁺ = q + h v⁺ :   |q × v⁺| = 1 is conserved, so |v_k⁺| = 1/|q_k| and

@@ -72,7 +72,8 @@ pub fn projected_energy() -> Result<[f64; 2]> {
     Ok([mechanism.energy(&run.state(last)) / start, taken / start])
 }
 
-/// Moves (Δq₁ m₁, Δq₂ m₂, …) of Siconos's chain of masses 1, 2, 4 kg by the projection in its impact \[kg·m\], and the same without masses \[m\].
+/// Moves (Δq₁ m₁, Δq₂ m₂, …) of Siconos's chain of masses 1, 2, 4 kg by the projection in its impact \[kg·m\], and the same without masses
+/// \[m\].
 ///
 /// # Errors
 /// If the stored file is not what it should be.
@@ -85,7 +86,8 @@ pub fn projected_moves() -> Result<[Vec<f64>; 2]> {
     Ok([moved.component_mul(&masses).as_slice().to_vec(), moved.as_slice().to_vec()])
 }
 
-/// Largest |u_n⁺ + e u_n| \[m/s\] in the steps of Siconos's block that slide in contact, the smallest |u_t⁺| in them, and the largest |r_t/r_n + μ|.
+/// Largest |u_n⁺ + e u_n| \[m/s\] in the steps of Siconos's block that slide in contact, the smallest |u_t⁺| in them, and the largest
+/// |r_t/r_n + μ|.
 ///
 /// # Errors
 /// If the stored file is not what it should be.

@@ -1,4 +1,5 @@
-//! One step of MuJoCo's model for a stack of boxes, each a little narrower than the one below, everything 0.1 mm deep, sliding and turning to and fro.
+//! One step of MuJoCo's model for a stack of boxes, each a little narrower than the one below, everything 0.1 mm deep, sliding and turning
+//! to and fro.
 
 use crate::mechanics::spatial::{Shape, SpatialBody};
 use crate::mechanics::{Plane, SpatialBodies, State};

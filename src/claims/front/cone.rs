@@ -16,11 +16,14 @@ use nalgebra::{DMatrix, DVector};
 /// Claims of the preface.
 pub const PREFACE: &[Claim] = &[Claim {
     id: "P.lcp-slack",
-    statement: "A solution of 0 ≤ z ⟂ w = Mz + q ≥ 0 has z_i = 0 or w_i = 0 for each i; N_C(x) = {g : ⟨g, y − x⟩ ≤ 0 for all y in C}; prox_f(v) = argmin f(x) + ½‖x − v‖².",
+    statement: "A solution of 0 ≤ z ⟂ w = Mz + q ≥ 0 has z_i = 0 or w_i = 0 for each i; N_C(x) = {g : ⟨g, y − x⟩ ≤ 0 for all y in C}; \
+        prox_f(v) = argmin f(x) + ½‖x − v‖².",
     verdict: Verdict::True,
     evidence: Evidence::Exact,
-    correct_statement: "As stated, for C closed and convex and x in C; the prox of an indicator is the projection, and v − prox(v) lies in the normal cone.",
-    argument: "Σ zᵢwᵢ = 0 with every term ≥ 0 makes every term 0. All solutions of three rational LCPs, found by enumerating complementary supports, satisfy it entry by entry. \
+    correct_statement: "As stated, for C closed and convex and x in C; the prox of an indicator is the projection, and v − prox(v) lies in \
+        the normal cone.",
+    argument: "Σ zᵢwᵢ = 0 with every term ≥ 0 makes every term 0. All solutions of three rational LCPs, found by enumerating complementary \
+        supports, satisfy it entry by entry. \
         For C = [0, 2] and v = −1, 1/3, 2, 5 the minimiser of ½(x − v)² on a fine grid is the clamped v, and v − x is in N_C(x).",
     control: "A feasible point of each LCP, shifted off the complementary face.",
     sources: &["chapter, recollections before §0", "Cottle, Pang and Stone, The Linear Complementarity Problem (1992), §1.1"],
@@ -33,8 +36,10 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     statement: "The polyhedral cone changes the cone's shape: an error O(1/d), its LCP exact.",
     verdict: Verdict::Conditional,
     evidence: Evidence::Certified,
-    correct_statement: "O(1/d) is the order of the direction (π/d) and of the force vector; the radius is short by 1 − cos(π/d) = O(1/d²): 0.2929, 0.0761, 0.0192, 0.0048 for d = 4, 8, 16, 32. The LCP of that cone is solved exactly.",
-    argument: "d²(1 − cos(π/d)) lies in [π²/2 − π⁴/(24 d²), π²/2] and d·(π/d) = π. Lemke's method in rational arithmetic solves the LCP of a sliding contact with four directions with all residuals zero; \
+    correct_statement: "O(1/d) is the order of the direction (π/d) and of the force vector; the radius is short by 1 − cos(π/d) = O(1/d²): \
+        0.2929, 0.0761, 0.0192, 0.0048 for d = 4, 8, 16, 32. The LCP of that cone is solved exactly.",
+    argument: "d²(1 − cos(π/d)) lies in [π²/2 − π⁴/(24 d²), π²/2] and d·(π/d) = π. Lemke's method in rational arithmetic solves the LCP of \
+        a sliding contact with four directions with all residuals zero; \
         its friction has half the squared strength of the circular cone's along the bisector, which is the error of the shape.",
     control: "First order as the order of the radius.",
     sources: &["chapter, table of misconceptions, polyhedral cone and convex relaxation"],

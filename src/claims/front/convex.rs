@@ -18,22 +18,29 @@ use nalgebra::{DMatrix, DVector, dvector};
 pub(super) const PREFACE: &[Claim] = &[
     Claim {
         id: "P.modB",
-        statement: "Module B: implement Anitescu's convex step with APGD and a second-order cone; measure and verify the O(h) gliding, the speed of a block at rest on an incline being proportional to h.",
+        statement: "Module B: implement Anitescu's convex step with APGD and a second-order cone; measure and verify the O(h) gliding, the \
+            speed of a block at rest on an incline being proportional to h.",
         verdict: Verdict::False,
         evidence: Evidence::Measured,
-        correct_statement: "The hard convex step keeps a block with tan α < μ at rest for every h. What is proportional to h is the gap μh|v_t| of a sliding block. (A regularised convex step, as Drake's SAP, does creep proportionally to h.) One mistake, counted at S5.gliding-creep.",
-        argument: "v = 0 satisfies the optimality conditions of the step, see S5.gliding-creep. Measured with the scheme and the solver the module asks for: block of 1 kg at 20°, μ = 0.5, one second with h = 0.02, 0.01, 0.005: distance 0 to rounding.",
+        correct_statement: "The hard convex step keeps a block with tan α < μ at rest for every h. What is proportional to h is the gap \
+            μh|v_t| of a sliding block. (A regularised convex step, as Drake's SAP, does creep proportionally to h.) One mistake, counted \
+            at S5.gliding-creep.",
+        argument: "v = 0 satisfies the optimality conditions of the step, see S5.gliding-creep. Measured with the scheme and the solver \
+            the module asks for: block of 1 kg at 20°, μ = 0.5, one second with h = 0.02, 0.01, 0.005: distance 0 to rounding.",
         control: "The same scheme with the tangential softness R_t = 1/1000 kg⁻¹: it creeps.",
         sources: &["chapter, cumulative project, module B"],
         check: block_at_rest,
     },
     Claim {
         id: "P.scenes",
-        statement: "Reference scenes: (a) the bouncing ball shows robustness to Zeno, (b) a stack shows stability, penetration and jitter, (c) a block on an incline verifies the gliding.",
+        statement: "Reference scenes: (a) the bouncing ball shows robustness to Zeno, (b) a stack shows stability, penetration and jitter, \
+            (c) a block on an incline verifies the gliding.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "(a) and (b) do what they are for. (c) shows the artefact of the hard relaxation only if the block slides, tan α > μ; a block that sticks shows nothing.",
-        argument: "(a) e = 1/2 from 1 m: past the accumulation time the Moreau–Jean ball moves at no more than g h. (b) three blocks of 1, 2, 3 kg on each other, exact step: all velocities 0, the ground carries h g·6 kg. (c) on the 3-4-5 slope the block with \
+        correct_statement: "(a) and (b) do what they are for. (c) shows the artefact of the hard relaxation only if the block slides, tan \
+            α > μ; a block that sticks shows nothing.",
+        argument: "(a) e = 1/2 from 1 m: past the accumulation time the Moreau–Jean ball moves at no more than g h. (b) three blocks of 1, \
+            2, 3 kg on each other, exact step: all velocities 0, the ground carries h g·6 kg. (c) on the 3-4-5 slope the block with \
                    μ = 1/2 slides with φ = μ h v_t exactly; with μ = 1 it neither moves nor lifts off.",
         control: "Scene (c) with μ = 1 > tan α in the place of the sliding block.",
         sources: &["chapter, cumulative project, reference scenes"],
@@ -44,11 +51,15 @@ pub(super) const PREFACE: &[Claim] = &[
 /// Claims of the table of misconceptions.
 pub(super) const MISCONCEPTIONS: &[Claim] = &[Claim {
     id: "M.convex-Oh",
-    statement: "Misconception: the convex relaxation loses physics. Correct: its error is O(h) and vanishes with the step (convergence to the MDI).",
+    statement: "Misconception: the convex relaxation loses physics. Correct: its error is O(h) and vanishes with the step (convergence to \
+        the MDI).",
     verdict: Verdict::Conditional,
     evidence: Evidence::Exact,
-    correct_statement: "The error is O(h) for motions that meet the contact compatibly; a tangential shock in closed contact leaves an O(1) hop (S5.Oh-vanish).",
-    argument: "Slide from rest on the 3-4-5 slope, μ = 1/2, g = 10 m/s²: Coulomb accelerates by a = 2 m/s², the relaxed step number l by a(1 − ϱˡ), ϱ = μ²/(1+μ²) = 1/5. At t = 1 s the velocity error is (h/2)(1 − 5⁻ᴺ) exactly, N = 1/h, and the gap μ h v_t: both halve with h.",
+    correct_statement: "The error is O(h) for motions that meet the contact compatibly; a tangential shock in closed contact leaves an \
+        O(1) hop (S5.Oh-vanish).",
+    argument: "Slide from rest on the 3-4-5 slope, μ = 1/2, g = 10 m/s²: Coulomb accelerates by a = 2 m/s², the relaxed step number l by \
+        a(1 − ϱˡ), ϱ = μ²/(1+μ²) = 1/5. At t = 1 s the velocity error is (h/2)(1 − 5⁻ᴺ) exactly, N = 1/h, and the gap μ h v_t: both halve \
+        with h.",
     control: "The height of the hop after a tangential shock in place of the velocity error: it does not halve.",
     sources: &["chapter, table of misconceptions, §5"],
     check: error_of_a_slide,

@@ -17,8 +17,12 @@ pub const PREFACE: &[Claim] = &[Claim {
     statement: "Project, module A: θ = 0.5 conserves the energy of an elastic collision chain, θ = 1 dissipates.",
     verdict: Verdict::False,
     evidence: Evidence::Exact,
-    correct_statement: "For elastic collisions under constant forces no θ drifts: without force the kinetic energy is constant, under gravity E − (θ−½) m g h v is. θ = 1 dissipates when springs (or other position-dependent forces) act. The half about θ = 0.5 is right; the other is the mistake of S3.energy-runs-down, counted there.",
-    argument: "Three equal balls, e = 1, two collisions: the kinetic energy takes one value at θ = 1/2 and one at θ = 1. Elastic ball in rationals, θ = 1, activation rules A, B, D (A: φ ≤ 0, B: φ + ½hu ≤ 0, D: φ + h u_free ≤ 0): the invariant of the closed form keeps its value over 300 steps. An oscillator loses 1 − (1 + h²)^{-N} of its energy.",
+    correct_statement: "For elastic collisions under constant forces no θ drifts: without force the kinetic energy is constant, under \
+        gravity E − (θ−½) m g h v is. θ = 1 dissipates when springs (or other position-dependent forces) act. The half about θ = 0.5 is \
+        right; the other is the mistake of S3.energy-runs-down, counted there.",
+    argument: "Three equal balls, e = 1, two collisions: the kinetic energy takes one value at θ = 1/2 and one at θ = 1. Elastic ball in \
+        rationals, θ = 1, activation rules A, B, D (A: φ ≤ 0, B: φ + ½hu ≤ 0, D: φ + h u_free ≤ 0): the invariant of the closed form keeps \
+        its value over 300 steps. An oscillator loses 1 − (1 + h²)^{-N} of its energy.",
     control: "An oscillator in place of the chain.",
     sources: &["chapter, cumulative project, module A"],
     check: elastic_chain,
@@ -26,11 +30,13 @@ pub const PREFACE: &[Claim] = &[Claim {
 
 pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     id: "M.force-vs-impulse",
-    statement: "A lasting contact force is a finite function, an impact is an atom of impulse; the unknown of time-stepping is the impulse P throughout.",
+    statement: "A lasting contact force is a finite function, an impact is an atom of impulse; the unknown of time-stepping is the impulse \
+        P throughout.",
     verdict: Verdict::True,
     evidence: Evidence::Exact,
     correct_statement: "As stated.",
-    argument: "m = 2 kg, g = 981/100 m/s². Resting: P = m g h, so P/h = m g at every h. Impact at −3 m/s with e = 1/2 and no force: P = (1+e) m · 3 = 9 N·s at every h, so P/h grows like 1/h.",
+    argument: "m = 2 kg, g = 981/100 m/s². Resting: P = m g h, so P/h = m g at every h. Impact at −3 m/s with e = 1/2 and no force: P = \
+        (1+e) m · 3 = 9 N·s at every h, so P/h grows like 1/h.",
     control: "The impact's P/h, as if it were a force.",
     sources: &["chapter, table of misconceptions"],
     check: force_or_atom,
@@ -41,8 +47,10 @@ pub const TABLES: &[Claim] = &[Claim {
     statement: "Table of theorems: θ = 1/2 is energy neutral, θ = 1 dissipates O(h²).",
     verdict: Verdict::Conditional,
     evidence: Evidence::Exact,
-    correct_statement: "θ = 1/2 is neutral exactly for constant and linear forces, O(h³) per step otherwise. θ = 1 loses ½h²FᵀM⁻¹F per step for a constant force – O(h²) per step, O(h) over a fixed time.",
-    argument: "Gravity and springs, θ = 1/2: change 0 in rationals; pendulum from (1.3, 0.7), h = 0.1: 2.2e-5. Free fall, θ = 1: halving h divides the loss of a step by 4 and that of a fixed time by 2.",
+    correct_statement: "θ = 1/2 is neutral exactly for constant and linear forces, O(h³) per step otherwise. θ = 1 loses ½h²FᵀM⁻¹F per \
+        step for a constant force – O(h²) per step, O(h) over a fixed time.",
+    argument: "Gravity and springs, θ = 1/2: change 0 in rationals; pendulum from (1.3, 0.7), h = 0.1: 2.2e-5. Free fall, θ = 1: halving h \
+        divides the loss of a step by 4 and that of a fixed time by 2.",
     control: "The pendulum as a neutral case.",
     sources: &["chapter, table of theorems", "chapter §3, energy estimate"],
     check: theta_table,

@@ -20,8 +20,10 @@ pub const PREFACE: &[Claim] = &[Claim {
     statement: "Module A of the project: PGS solves the Delassus LCP 0 ≤ U = WP + U_free ⟂ P ≥ 0 of every step.",
     verdict: Verdict::Conditional,
     evidence: Evidence::Certified,
-    correct_statement: "PGS converges for W ⪰ 0 with positive diagonal; with redundant contacts the impulses depend on the start and only the velocity U is unique.",
-    argument: "Block on four frictionless corners (1, ±1, ±1), W of rank 3, U_free = −1: from P = 0 and from P = (1, 0, 0, 1) PGS reaches the same velocity U = 0 with different impulses.",
+    correct_statement: "PGS converges for W ⪰ 0 with positive diagonal; with redundant contacts the impulses depend on the start and only \
+        the velocity U is unique.",
+    argument: "Block on four frictionless corners (1, ±1, ±1), W of rank 3, U_free = −1: from P = 0 and from P = (1, 0, 0, 1) PGS reaches \
+        the same velocity U = 0 with different impulses.",
     control: "Impulses compared in place of velocities.",
     sources: &["chapter, cumulative project, module A"],
     check: gauss_seidel,
@@ -30,10 +32,12 @@ pub const PREFACE: &[Claim] = &[Claim {
 /// Claims of the table of misconceptions.
 pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     id: "M.lcp-nonunique",
-    statement: "Misconception “solvable means uniquely solvable”: copositive-plus guarantees existence only; where several bodies collide at once the LCP may have several solutions, and changing the solver changes the result.",
+    statement: "Misconception “solvable means uniquely solvable”: copositive-plus guarantees existence only; where several bodies collide \
+        at once the LCP may have several solutions, and changing the solver changes the result.",
     verdict: Verdict::True,
     evidence: Evidence::Exact,
-    correct_statement: "Copositive-plus and feasible gives existence, not uniqueness. (The Stewart–Trinkle matrix itself is not copositive-plus with friction, see S4.copos-plus.)",
+    correct_statement: "Copositive-plus and feasible gives existence, not uniqueness. (The Stewart–Trinkle matrix itself is not \
+        copositive-plus with friction, see S4.copos-plus.)",
     argument: "W = [[1, 1], [1, 1]] is semidefinite, hence copositive-plus; with q = (−1, −1) every z ≥ 0 with z₁ + z₂ = 1 is a solution.",
     control: "The definite matrix [[2, −1], [−1, 2]], whose solution is unique.",
     sources: &["chapter, table of misconceptions"],
@@ -46,8 +50,11 @@ pub const TABLES: &[Claim] = &[Claim {
     statement: "W = HM⁻¹Hᵀ ⪰ 0 because M ≻ 0, hence the normal LCP is solvable.",
     verdict: Verdict::True,
     evidence: Evidence::Exact,
-    correct_statement: "True for the LCP of a step with one restitution coefficient, q = H(v_free + e v): it is always feasible, and feasible with W ⪰ 0 is solvable.",
-    argument: "If no z ≥ 0 had Wz + q ≥ 0, Farkas would give y ≥ 0 with Wy ≤ 0 and qᵀy < 0; then yᵀWy ≤ 0, so Hᵀy = 0 and qᵀy = (v_free + ev)ᵀHᵀy = 0. Eight contacts of a block with three velocities, all velocities from {−2, …, 2}³ and e = 1/2: W ⪰ 0 of rank 3, each of the 125 LCPs solved exactly. (With different coefficients it may fail, see S3.normal-solvable.)",
+    correct_statement: "True for the LCP of a step with one restitution coefficient, q = H(v_free + e v): it is always feasible, and \
+        feasible with W ⪰ 0 is solvable.",
+    argument: "If no z ≥ 0 had Wz + q ≥ 0, Farkas would give y ≥ 0 with Wy ≤ 0 and qᵀy < 0; then yᵀWy ≤ 0, so Hᵀy = 0 and qᵀy = (v_free + \
+        ev)ᵀHᵀy = 0. Eight contacts of a block with three velocities, all velocities from {−2, …, 2}³ and e = 1/2: W ⪰ 0 of rank 3, each \
+        of the 125 LCPs solved exactly. (With different coefficients it may fail, see S3.normal-solvable.)",
     control: "Data q that is not of the form Hv: two opposite contacts that both close at 1.",
     sources: &["chapter, table of theorems", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.1"],
     check: normal_lcp,

@@ -32,7 +32,8 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     evidence: Evidence::Measured,
     correct_statement: "True of integrators that step over the impact, whatever their order in smooth phases. With the impact located \
                         RK4 keeps order 4 until impacts accumulate (S0.all-Oh, the same mistake).",
-    argument: "The same RK4, the same ball on a spring: flipped after penetration the end position is of order 1; with the impact bisected, of \
+    argument: "The same RK4, the same ball on a spring: flipped after penetration the end position is of order 1; with the impact \
+        bisected, of \
                order 4 through one, two and three impacts.",
     control: "The integrator that locates the impact takes the place of the one that steps over it and is expected to have order 1.",
     sources: &["chapter, table of misconceptions"],

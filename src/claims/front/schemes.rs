@@ -106,9 +106,11 @@ pub const TABLES: &[Claim] = &[
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Consistent if D is read as the tangential directions in §4 and as the generators of all contact directions, \
-                            normals included, in §5, N as a matrix there but as a cone in §2, and E as a vector in §4 but as an energy in §3: with the D of the table, \
+                            normals included, in §5, N as a matrix there but as a cone in §2, and E as a vector in §4 but as an energy in \
+                            §3: with the D of the table, \
                             DᵀM⁻¹D is not the Delassus operator. (§5 itself says that its D stacks normals and tangents.)",
-        argument: "Planar contact of a unit mass: the D of §4 is [t, −t], so DᵀM⁻¹D = [[1, −1], [−1, 1]], singular; the Delassus operator of \
+        argument: "Planar contact of a unit mass: the D of §4 is [t, −t], so DᵀM⁻¹D = [[1, −1], [−1, 1]], singular; the Delassus operator \
+            of \
                    (n, t) is the identity. With D = [n, t] both agree.",
         control: "D read as [n, t] in both places, for which the two matrices agree.",
         sources: &["chapter, table of symbols; chapter §4 and §5"],

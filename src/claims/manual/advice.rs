@@ -11,8 +11,10 @@ pub const CLAIMS: &[Claim] = &[Claim {
     statement: "Drake SAP's O(h) gliding is visible at h of 5 to 10 ms and buys steps five to ten times as long.",
     verdict: Verdict::Ambiguous,
     evidence: Evidence::NotDecidable,
-    correct_statement: "Of kSap and kSimilar, not of Drake's default, kLagged. What is visible and what five times is compared with are not said. The lift itself is (h + τ) μ v: millimetres at these steps for a slide of 1 m/s.",
-    argument: "Slide at 0.7 instead of 0.2 m/s, μ = 0.3, τ = 5 ms: SAP lifts the block by 1.5 mm at h = 5 ms and by 2.25 mm at 10 ms; Lagged, which does not glide, takes the same steps and lifts it by nothing.",
+    correct_statement: "Of kSap and kSimilar, not of Drake's default, kLagged. What is visible and what five times is compared with are \
+        not said. The lift itself is (h + τ) μ v: millimetres at these steps for a slide of 1 m/s.",
+    argument: "Slide at 0.7 instead of 0.2 m/s, μ = 0.3, τ = 5 ms: SAP lifts the block by 1.5 mm at h = 5 ms and by 2.25 mm at 10 ms; \
+        Lagged, which does not glide, takes the same steps and lifts it by nothing.",
     control: "Lagged in place of SAP.",
     sources: &["chapter, advice for research practice", "S5.sap-doc"],
     check: gliding,

@@ -11,11 +11,18 @@ use nalgebra::{DMatrix, DVector};
 
 pub(super) const CLAIMS: &[Claim] = &[Claim {
     id: "R7",
-    statement: "Another solver or simulator gives another result: (a) simultaneous impacts, where the LCP's solution is not unique, (b) different cones or relaxations, (c) gliding at large steps. Check whether there are simultaneous impacts (non-uniqueness is normal), compare the schemes (§10); to reproduce, fix simulator, version, solver and step.",
+    statement: "Another solver or simulator gives another result: (a) simultaneous impacts, where the LCP's solution is not unique, (b) \
+        different cones or relaxations, (c) gliding at large steps. Check whether there are simultaneous impacts (non-uniqueness is \
+        normal), compare the schemes (§10); to reproduce, fix simulator, version, solver and step.",
     verdict: Verdict::Conditional,
     evidence: Evidence::Exact,
-    correct_statement: "Without friction the impulses of a simultaneous impact may not be unique, but the velocities are: M is positive definite. Two solvers of the same impact law agree in the motion; what differs is the law (simultaneous or one after another). With friction velocities may differ too.",
-    argument: "Body with M = 1 on four corners: W has the null vector (1, −1, 1, −1), the solutions of the LCP form a family, and all have v⁺ = 0. Three equal balls, e = 1: the simultaneous LCP has one solution, v⁺ = (−1/3, 2/3, 2/3); pair by pair (0, 0, 1); both conserve momentum and energy. Painlevé's rod with μ = 3: three solutions with three velocities. (b): a slide lifts with u_n = μ|u_t| under the relaxation and 0 under Coulomb.",
+    correct_statement: "Without friction the impulses of a simultaneous impact may not be unique, but the velocities are: M is positive \
+        definite. Two solvers of the same impact law agree in the motion; what differs is the law (simultaneous or one after another). \
+        With friction velocities may differ too.",
+    argument: "Body with M = 1 on four corners: W has the null vector (1, −1, 1, −1), the solutions of the LCP form a family, and all have \
+        v⁺ = 0. Three equal balls, e = 1: the simultaneous LCP has one solution, v⁺ = (−1/3, 2/3, 2/3); pair by pair (0, 0, 1); both \
+        conserve momentum and energy. Painlevé's rod with μ = 3: three solutions with three velocities. (b): a slide lifts with u_n = \
+        μ|u_t| under the relaxation and 0 under Coulomb.",
     control: "Painlevé's rod in the place of the frictionless corners.",
     sources: &["chapter, troubleshooting manual, row 7"],
     check: differences,

@@ -20,11 +20,16 @@ use crate::tolerance::{claims::pathology as tolerance, rounding};
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "R3",
-        statement: "Energy grows, the system runs ever faster: (a) explicit Euler, (b) Baumgarte, (c) an unconverged solver. Check the integrator (semi-implicit or better), drop Baumgarte for coordinate projection or GGL, raise the iterations, look for e > 1.",
+        statement: "Energy grows, the system runs ever faster: (a) explicit Euler, (b) Baumgarte, (c) an unconverged solver. Check the \
+            integrator (semi-implicit or better), drop Baumgarte for coordinate projection or GGL, raise the iterations, look for e > 1.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "The listed causes are causes; missing are Newton's e with friction, the recommended projection itself, and a contact too stiff for its step. An unconverged solver injects only from a warm start or through restitution: cold sweeps with e = 0 descend on the kinetic energy.",
-        argument: "Gain of each: rod with friction, e = 1: 1/5 → 5/16 J, a factor 25/16; projection 81/80; explicit Euler, hω = 1/10: 101/100 per step; ERP = 1/5 on 1 mm at 1/60 s: 7.2e-5 J/kg; e = 11/10: 121/100 per impact; MuJoCo's contact with t_c = h, dropped from 1 mm: thrown higher than 1 mm for good; one warm sweep on a tower whose weight is gone: 11/16 (g h)². \
+        correct_statement: "The listed causes are causes; missing are Newton's e with friction, the recommended projection itself, and a \
+            contact too stiff for its step. An unconverged solver injects only from a warm start or through restitution: cold sweeps with \
+            e = 0 descend on the kinetic energy.",
+        argument: "Gain of each: rod with friction, e = 1: 1/5 → 5/16 J, a factor 25/16; projection 81/80; explicit Euler, hω = 1/10: \
+            101/100 per step; ERP = 1/5 on 1 mm at 1/60 s: 7.2e-5 J/kg; e = 11/10: 121/100 per impact; MuJoCo's contact with t_c = h, \
+            dropped from 1 mm: thrown higher than 1 mm for good; one warm sweep on a tower whose weight is gone: 11/16 (g h)². \
                    Cold sweeps minimise ½rᵀWr + u_freeᵀr = T(r) − T(0) coordinate by coordinate from r = 0: T never exceeds T_free.",
         control: "The rod with e on the whole velocity v⁺ + e v⁻.",
         sources: &["chapter, troubleshooting manual, row 3"],
@@ -32,11 +37,15 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "R4",
-        statement: "Energy is lost, motion is viscous: (a) θ = 1 or large numerical damping, (b) over-damped Baumgarte. Take θ = 1/2 (energy neutral), reduce numerical damping or solref's damping ratio, check whether e is too small.",
+        statement: "Energy is lost, motion is viscous: (a) θ = 1 or large numerical damping, (b) over-damped Baumgarte. Take θ = 1/2 \
+            (energy neutral), reduce numerical damping or solref's damping ratio, check whether e is too small.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "A smaller damping ratio helps: e(ζ) = exp(−ζ/√(1−ζ²)·acos(2ζ²−1)). θ helps where forces depend on the state; a body under gravity bounces with the same loss for every θ.",
-        argument: "Elastic ball, θ = 1, 2000 steps: (E − ½ g h v)/E₀ = 1 exactly; e = 1/2 keeps 1/4 of ½v² at θ = 1 and 1/2. Spring, hω = 1/10: 100/101 per step against 1. Replay of MuJoCo's contact, impact at 1 m/s, no load, constant impedance: e = 0.744, 0.451, 0.298, 0.135, 0.048 for ζ = 0.1, 0.3, 0.5, 1, 2, within the first-order bound of the step.",
+        correct_statement: "A smaller damping ratio helps: e(ζ) = exp(−ζ/√(1−ζ²)·acos(2ζ²−1)). θ helps where forces depend on the state; a \
+            body under gravity bounces with the same loss for every θ.",
+        argument: "Elastic ball, θ = 1, 2000 steps: (E − ½ g h v)/E₀ = 1 exactly; e = 1/2 keeps 1/4 of ½v² at θ = 1 and 1/2. Spring, hω = \
+            1/10: 100/101 per step against 1. Replay of MuJoCo's contact, impact at 1 m/s, no load, constant impedance: e = 0.744, 0.451, \
+            0.298, 0.135, 0.048 for ζ = 0.1, 0.3, 0.5, 1, 2, within the first-order bound of the step.",
         control: "The spring in the place of the ball.",
         sources: &["chapter, troubleshooting manual, row 4", "Schwager and Pöschel 2007"],
         check: loss,

@@ -12,22 +12,34 @@ use crate::tolerance::claims::pathology as tolerance;
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "R5",
-        statement: "A stack at rest trembles at high frequency: (a) step too large, (b) stiffness too high for the step, (c) solver not converged, (d) forces switch. Raise the solver's iterations (the commonest cause), reduce the step or the stiffness, increase numerical damping (θ → 1) moderately, warm-start the contact forces.",
+        statement: "A stack at rest trembles at high frequency: (a) step too large, (b) stiffness too high for the step, (c) solver not \
+            converged, (d) forces switch. Raise the solver's iterations (the commonest cause), reduce the step or the stiffness, increase \
+            numerical damping (θ → 1) moderately, warm-start the contact forces.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "More iterations, a smaller step or stiffness and a warm start work, as predicted; θ → 1 has no effect on rigid contacts under a constant load (S9.theta-damps-jitter).",
-        argument: "Tower of ten, Gauss–Seidel: a sweep leaves the factor cos²(π/20) = 0.9755 of the approach velocity, 200 sweeps 0.00705 of it (measured between 200 and 400 sweeps). Ten cold sweeps a step: the top sinks at 0.40 m/s with h = 1/100 s; half the step halves its speed; with a warm start 1e-11 m/s are left. θ = 1/2 or 1: the same bit for bit. Contact with t_c = h: thrown up; t_c = 1.5h: calm.",
+        correct_statement: "More iterations, a smaller step or stiffness and a warm start work, as predicted; θ → 1 has no effect on rigid \
+            contacts under a constant load (S9.theta-damps-jitter).",
+        argument: "Tower of ten, Gauss–Seidel: a sweep leaves the factor cos²(π/20) = 0.9755 of the approach velocity, 200 sweeps 0.00705 \
+            of it (measured between 200 and 400 sweeps). Ten cold sweeps a step: the top sinks at 0.40 m/s with h = 1/100 s; half the step \
+            halves its speed; with a warm start 1e-11 m/s are left. θ = 1/2 or 1: the same bit for bit. Contact with t_c = h: thrown up; \
+            t_c = 1.5h: calm.",
         control: "No more sweeps: 200 in the place of 400.",
         sources: &["chapter, troubleshooting manual, row 5"],
         check: trembling,
     },
     Claim {
         id: "R6",
-        statement: "A body that should rest on a slope slides down slowly: it is the O(h) gliding of the convex relaxation, no bug and no wrong parameter. Check that the scheme is convex (SAP, MuJoCo, Chrono); halve h and see the slip shrink linearly; accept it or reduce h; do not mend it with a larger friction coefficient.",
+        statement: "A body that should rest on a slope slides down slowly: it is the O(h) gliding of the convex relaxation, no bug and no \
+            wrong parameter. Check that the scheme is convex (SAP, MuJoCo, Chrono); halve h and see the slip shrink linearly; accept it or \
+            reduce h; do not mend it with a larger friction coefficient.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "True of SAP: v = R_t h g_t. In MuJoCo the creep v = R_t g_t/b does not depend on h and is a matter of parameters (impratio, solimp, solref); under Drake's Similar and Lagged it is proportional to their stiction speed; the hard relaxation (Anitescu, Chrono) does not creep. That μ is no cure holds for the first two.",
-        argument: "Block on 20°, μ = 1/2, stepped until steady at h = 4, 2 and 1 ms: creep at h over that at h/2 is 1 for MuJoCo and for Drake's regularised friction, 2 for SAP; 0 for the hard block. impratio = 10 divides MuJoCo's creep by 10. Each agrees with its closed form, and these with the stored runs of MuJoCo 3.17.0 and Drake 1.51.1.",
+        correct_statement: "True of SAP: v = R_t h g_t. In MuJoCo the creep v = R_t g_t/b does not depend on h and is a matter of \
+            parameters (impratio, solimp, solref); under Drake's Similar and Lagged it is proportional to their stiction speed; the hard \
+            relaxation (Anitescu, Chrono) does not creep. That μ is no cure holds for the first two.",
+        argument: "Block on 20°, μ = 1/2, stepped until steady at h = 4, 2 and 1 ms: creep at h over that at h/2 is 1 for MuJoCo and for \
+            Drake's regularised friction, 2 for SAP; 0 for the hard block. impratio = 10 divides MuJoCo's creep by 10. Each agrees with \
+            its closed form, and these with the stored runs of MuJoCo 3.17.0 and Drake 1.51.1.",
         control: "SAP in place of MuJoCo.",
         sources: &["chapter, troubleshooting manual, row 6", "S5.gliding-creep", "stored runs of block_stick, see tests/references"],
         check: creeping,

@@ -1,4 +1,5 @@
-//! Claims of the troubleshooting manual at the end of the chapter, R1 to R8: each row turned into an experiment; and of the advice beside it.
+//! Claims of the troubleshooting manual at the end of the chapter, R1 to R8: each row turned into an experiment; and of the advice beside
+//! it.
 
 use super::Claim;
 

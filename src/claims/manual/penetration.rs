@@ -15,22 +15,33 @@ use crate::tolerance::claims::{lcp::circle_residual, pathology as tolerance};
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "R1",
-        statement: "Bodies pass through the floor or into each other: (a) the step is too large, (b) a velocity-level scheme drifts, (c) soft contact penetrates by nature, (d) a collision is missed. Reduce h: if the penetration shrinks linearly it is discretisation error; is the simulator soft (penetration is normal) or rigid (project)? project the position in velocity-level schemes; check the collision margin.",
+        statement: "Bodies pass through the floor or into each other: (a) the step is too large, (b) a velocity-level scheme drifts, (c) \
+            soft contact penetrates by nature, (d) a collision is missed. Reduce h: if the penetration shrinks linearly it is \
+            discretisation error; is the simulator soft (penetration is normal) or rigid (project)? project the position in velocity-level \
+            schemes; check the collision margin.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "The exponent p of penetration ∝ hᵖ tells the causes apart: 0 is the depth of a soft law, 1 the drift of a velocity-level scheme along a curve or the overshoot of an impact, 2 the linearised gap of Stewart–Trinkle. So discretisation error need not shrink linearly.",
-        argument: "h against h/2. MuJoCo's ball at rest, 10 and 5 ms: ratio 1 (3.6718e-4 m). Bead in a circle under Moreau–Jean for 1 s, h = 1/100: 2 up to the enclosure |q|⁴ ∈ 1 + 2nh² + [0, nh⁴]. The same under Stewart–Trinkle: 4 (½h²). Plastic ball that crosses the floor in the middle of a step at 1 m/s: exactly 2 (h/2).",
+        correct_statement: "The exponent p of penetration ∝ hᵖ tells the causes apart: 0 is the depth of a soft law, 1 the drift of a \
+            velocity-level scheme along a curve or the overshoot of an impact, 2 the linearised gap of Stewart–Trinkle. So discretisation \
+            error need not shrink linearly.",
+        argument: "h against h/2. MuJoCo's ball at rest, 10 and 5 ms: ratio 1 (3.6718e-4 m). Bead in a circle under Moreau–Jean for 1 s, h \
+            = 1/100: 2 up to the enclosure |q|⁴ ∈ 1 + 2nh² + [0, nh⁴]. The same under Stewart–Trinkle: 4 (½h²). Plastic ball that crosses \
+            the floor in the middle of a step at 1 m/s: exactly 2 (h/2).",
         control: "Stewart–Trinkle in place of Moreau–Jean in the test for linear decrease.",
         sources: &["chapter, troubleshooting manual, row 1"],
         check: exponents,
     },
     Claim {
         id: "R2",
-        statement: "The simulation gets stuck, its step shrinks to machine precision: event-driven simulation of a Zeno scene (a ball coming to rest). Confirm that events are detected, change to time stepping (fixed step, no events), which absorbs the many small bounces.",
+        statement: "The simulation gets stuck, its step shrinks to machine precision: event-driven simulation of a Zeno scene (a ball \
+            coming to rest). Confirm that events are detected, change to time stepping (fixed step, no events), which absorbs the many \
+            small bounces.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated, with an activation rule that absorbs (S0.zeno-absorb).",
-        argument: "q₀ = 1/20 m, g = 10 m/s², e = 1/2: t₁ = 1/10 s, T∞ = 3/10 s. Event 200 still lies before T∞, in rationals; in double precision the events stop advancing time after about 53. Moreau–Jean with h = 1/1000 s is at rest within the bound proved for T∞, in a fixed number of steps.",
+        argument: "q₀ = 1/20 m, g = 10 m/s², e = 1/2: t₁ = 1/10 s, T∞ = 3/10 s. Event 200 still lies before T∞, in rationals; in double \
+            precision the events stop advancing time after about 53. Moreau–Jean with h = 1/1000 s is at rest within the bound proved for \
+            T∞, in a fixed number of steps.",
         control: "An elastic ball, e = 1, whose event 200 comes long after T∞.",
         sources: &["chapter, troubleshooting manual, row 2", "chapter §0 and §1"],
         check: stall,

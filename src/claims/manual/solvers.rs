@@ -17,11 +17,18 @@ use nalgebra::{DMatrix, DVector};
 
 pub(super) const CLAIMS: &[Claim] = &[Claim {
     id: "R8",
-    statement: "The contact solver reports no convergence: (a) Drake's TAMSI fails on its non-convex problem, (b) ill-conditioned Delassus operator, (c) friction so large that it makes the problem ill-conditioned. Use a convex solver (SAP, ADMM) for global convergence; ADMM with a proximal term against ill-conditioning; check mass matrix and contacts.",
+    statement: "The contact solver reports no convergence: (a) Drake's TAMSI fails on its non-convex problem, (b) ill-conditioned Delassus \
+        operator, (c) friction so large that it makes the problem ill-conditioned. Use a convex solver (SAP, ADMM) for global convergence; \
+        ADMM with a proximal term against ill-conditioning; check mass matrix and contacts.",
     verdict: Verdict::Conditional,
     evidence: Evidence::Certified,
-    correct_statement: "For Gauss–Seidel the sweeps follow the coupling q = W₁₂²/(W₁₁W₂₂), not cond(W): a heavy body on a light one needs 20 to 26 m₂/m₁ sweeps, a light one on a heavy one a dozen at most, with condition numbers of the same order. Pivoting is indifferent to both. Large μ makes pyramidal (edge) formulations ill-conditioned, cond = μ², and so does small μ; a contact solved as a cone needs one sweep at every μ. (TAMSI was removed from Drake in 1.57.)",
-    argument: "Two bodies under gravity, m₂/m₁ = 1, 10, 100, 1000: sweeps as predicted by q = m₂/(m₁+m₂), 39, 263, 2289 and 20 482; Lemke: 3 pivots each time. Exchanged masses: 39, 12, 7, 5. cond(W) at 1000: 4002, exchanged 1002. One contact in edges: cond = μ², and about 600 sweeps for μ = 10 as for 1/10; as a cone under Coulomb's and the associated law: one sweep for μ = 1 … √1000.",
+    correct_statement: "For Gauss–Seidel the sweeps follow the coupling q = W₁₂²/(W₁₁W₂₂), not cond(W): a heavy body on a light one needs \
+        20 to 26 m₂/m₁ sweeps, a light one on a heavy one a dozen at most, with condition numbers of the same order. Pivoting is \
+        indifferent to both. Large μ makes pyramidal (edge) formulations ill-conditioned, cond = μ², and so does small μ; a contact solved \
+        as a cone needs one sweep at every μ. (TAMSI was removed from Drake in 1.57.)",
+    argument: "Two bodies under gravity, m₂/m₁ = 1, 10, 100, 1000: sweeps as predicted by q = m₂/(m₁+m₂), 39, 263, 2289 and 20 482; Lemke: \
+        3 pivots each time. Exchanged masses: 39, 12, 7, 5. cond(W) at 1000: 4002, exchanged 1002. One contact in edges: cond = μ², and \
+        about 600 sweeps for μ = 10 as for 1/10; as a cone under Coulomb's and the associated law: one sweep for μ = 1 … √1000.",
     control: "The light body on the heavy one in the place of the heavy on the light.",
     sources: &["chapter, troubleshooting manual, row 8", "Drake, pull request 24831, for the removal of TAMSI"],
     check: conditioning,

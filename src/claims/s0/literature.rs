@@ -20,29 +20,39 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Cited,
         correct_statement: "Volume 42 (issue 1), pages 3–39, 2000; 3 is the first page, not an issue.",
-        argument: "The record in HAL and the DOI 10.1137/S0036144599360110, whose letters S0036-1445 are the journal's ISSN: its check digit agrees. SIAM Review counts one volume a year from 1959 on, so that 2000 is volume 42.",
+        argument: "The record in HAL and the DOI 10.1137/S0036144599360110, whose letters S0036-1445 are the journal's ISSN: its check \
+            digit agrees. SIAM Review counts one volume a year from 1959 on, so that 2000 is volume 42.",
         control: "2001, as one secondary list has it.",
         sources: &["chapter §0, three kinds of integrators", "HAL hal-01570533"],
         check: survey,
     },
     Claim {
         id: "S0.hlw",
-        statement: "Hairer, Lubich and Wanner's book of 644 pages assumes smooth Hamiltonian systems throughout; on solutions of bounded variation its error estimates say nothing.",
+        statement: "Hairer, Lubich and Wanner's book of 644 pages assumes smooth Hamiltonian systems throughout; on solutions of bounded \
+            variation its error estimates say nothing.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::Measured,
-        correct_statement: "Neither the number of pages nor the contents were checked. What can be decided is that an estimate for smooth systems carries over exactly where the motion is smooth: the order of a method is kept by locating the impact, and lost by stepping over it.",
-        argument: "Runge–Kutta on a ball on a spring through three impacts, closed form by arcs: order 4 with the impacts located, order 1 with the velocity flipped at the end of the step.",
+        correct_statement: "Neither the number of pages nor the contents were checked. What can be decided is that an estimate for smooth \
+            systems carries over exactly where the motion is smooth: the order of a method is kept by locating the impact, and lost by \
+            stepping over it.",
+        argument: "Runge–Kutta on a ball on a spring through three impacts, closed form by arcs: order 4 with the impacts located, order 1 \
+            with the velocity flipped at the end of the step.",
         control: "The flip expected to keep order 4.",
         sources: &["chapter §0, (a) solutions of bounded variation"],
         check: smooth_pieces,
     },
     Claim {
         id: "S0.fetecau",
-        statement: "Variational integrators can be extended to contact (Fetecau, Marsden, West and Ortiz 2003: a discretisation of collisions that keeps the symplectic form), but are used less, because symplecticity and the correction of penetration exclude each other.",
+        statement: "Variational integrators can be extended to contact (Fetecau, Marsden, West and Ortiz 2003: a discretisation of \
+            collisions that keeps the symplectic form), but are used less, because symplecticity and the correction of penetration exclude \
+            each other.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "To elastic impacts without friction (Fetecau, Marsden, Ortiz and West): there the step through the impact is symplectic. With e < 1 no integrator that follows the motion can be, since the motion is not: its determinant is e². Why the method is used less is not decidable.",
-        argument: "Unit mass, g = 2, h = 1/2, hit after 1/4: DᵀJD − J = 0 of the variational step, exactly. The same with the velocity after the step times 4/5: the determinant is 4/5.",
+        correct_statement: "To elastic impacts without friction (Fetecau, Marsden, Ortiz and West): there the step through the impact is \
+            symplectic. With e < 1 no integrator that follows the motion can be, since the motion is not: its determinant is e². Why the \
+            method is used less is not decidable.",
+        argument: "Unit mass, g = 2, h = 1/2, hit after 1/4: DᵀJD − J = 0 of the variational step, exactly. The same with the velocity \
+            after the step times 4/5: the determinant is 4/5.",
         control: "The step that keeps 4/5 of the velocity.",
         sources: &["chapter §0, variational integrators", "Fetecau, Marsden, Ortiz and West, SIAM J. Appl. Dyn. Syst. 2 (2003) 381"],
         check: variational,

@@ -21,8 +21,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "0 ≤ φ ⟂ λ_n ≥ 0: a positive distance means no force, a force means zero distance.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated. Of the discretisations, Stewart–Trinkle imposes it on the linearised gap at the end of a step; Moreau–Jean imposes a velocity-level law instead.",
-        argument: "φλ = 0 with both factors ≥ 0 leaves only these cases. A ball stepped by Stewart–Trinkle in rationals from 12 states satisfies φ⁺ r = 0 exactly.",
+        correct_statement: "As stated. Of the discretisations, Stewart–Trinkle imposes it on the linearised gap at the end of a step; \
+            Moreau–Jean imposes a velocity-level law instead.",
+        argument: "φλ = 0 with both factors ≥ 0 leaves only these cases. A ball stepped by Stewart–Trinkle in rationals from 12 states \
+            satisfies φ⁺ r = 0 exactly.",
         control: "A Moreau–Jean step with e = 1/2, which ends with φ⁺ > 0 and r > 0.",
         sources: &["chapter §0, opening"],
         check: signorini,
@@ -33,7 +35,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated where v = q̇. With quaternions q̇ = N(q)v and J = ∇φ N(q).",
-        argument: "Chain rule. For the corner of a tilted box over the ground the central difference of the gap along the motion agrees with J v, rotation included.",
+        argument: "Chain rule. For the corner of a tilted box over the ground the central difference of the gap along the motion agrees \
+            with J v, rotation included.",
         control: "J without its column for the rotation.",
         sources: &["chapter §0, gap function and contact Jacobian"],
         check: gap_rate,
@@ -44,7 +47,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated.",
-        argument: "λ·(Jv) = (Jᵀλ)·v for all v. For a force at the corner of a tilted box, Jᵀλ is the force and its moment about the centre of mass, computed from the corner's place.",
+        argument: "λ·(Jv) = (Jᵀλ)·v for all v. For a force at the corner of a tilted box, Jᵀλ is the force and its moment about the centre \
+            of mass, computed from the corner's place.",
         control: "The pseudo-inverse Jᵀ(JJᵀ)⁻¹ in place of Jᵀ.",
         sources: &["chapter §0, contact Jacobian"],
         check: virtual_work,
@@ -55,7 +59,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; W is symmetric, so the order of the indices does not matter.",
-        argument: "Three balls of 1, 2 and 4 kg in line: a unit impulse at the first contact changes u by (3/2, −1/2), one at the second by (−1/2, 3/4), in rationals, with M Δv = Jᵀe_i solved by elimination.",
+        argument: "Three balls of 1, 2 and 4 kg in line: a unit impulse at the first contact changes u by (3/2, −1/2), one at the second \
+            by (−1/2, 3/4), in rationals, with M Δv = Jᵀe_i solved by elimination.",
         control: "J M Jᵀ.",
         sources: &["chapter §0, several contacts"],
         check: unit_impulses,

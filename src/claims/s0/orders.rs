@@ -25,7 +25,8 @@ pub const CLAIMS: &[Claim] = &[
                    bisected to neighbouring floats: the error of q at the end falls like h⁴. Between impacts the method is of order 4; \
                    at a transversal impact the located time and state depend smoothly on the data, so each impact only multiplies the \
                    error by a constant. The same RK4 with the velocity flipped at the end of the step is of order 1. \
-                   The reason the chapter gives, stages that straddle the jump, limits its sentence to such integrators; and its §1 itself calls \
+                   The reason the chapter gives, stages that straddle the jump, limits its sentence to such integrators; and its §1 itself \
+                   calls \
                    event-driven methods the more accurate ones for a single impact.",
         control: "RK4 with the velocity flipped after penetration takes the place of the one that locates impacts.",
         sources: &["chapter §0, the trap of judging contact integrators by their order"],
@@ -51,7 +52,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "(Implicit in §0.) Time-stepping converges through impacts without locating them, and is robust.",
         verdict: Verdict::True,
         evidence: Evidence::Measured,
-        correct_statement: "sup|q| and ∫|v| are O(h) for Moreau–Jean with the activation rules A, B, D (A: φ ≤ 0, B: φ + ½hu ≤ 0, D: φ + h u_free ≤ 0) and, for e = 0, for Stewart–Trinkle and Anitescu; \
+        correct_statement: "sup|q| and ∫|v| are O(h) for Moreau–Jean with the activation rules A, B, D (A: φ ≤ 0, B: φ + ½hu ≤ 0, D: φ + h \
+            u_free ≤ 0) and, for e = 0, for Stewart–Trinkle and Anitescu; \
                             the graph distance is O(h), O(h ln 1/h) through a Zeno sequence, and O(√h) for e = 0 where the rule may \
                             stop the ball above the floor (D, and B with θ = 1), because it falls once more from a height O(h).",
         argument: "Each impact shifts the discrete flight by (1+e)/e·p in time and changes its speed by O(gh), with p between \
@@ -63,7 +65,8 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S0.soft-smooth",
-        statement: "(Thought experiment.) Suppose contact forces were always finite smooth functions, every contact a stiff spring λ = −kφ.",
+        statement: "(Thought experiment.) Suppose contact forces were always finite smooth functions, every contact a stiff spring λ = \
+            −kφ.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::Measured,
         correct_statement: "λ = −kφ is smooth but also pulls. The force of a contact that only pushes, max(0, −kφ), is Lipschitz with a \

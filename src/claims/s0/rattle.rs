@@ -16,8 +16,11 @@ pub const CLAIMS: &[Claim] = &[Claim {
     statement: "Purely equality-constrained DAEs have mature high-order integrators, for example SHAKE/RATTLE.",
     verdict: Verdict::False,
     evidence: Evidence::Measured,
-    correct_statement: "The statement is right, the example is not: SHAKE and RATTLE have order 2 (the chapter itself calls orders 1–2 low). High order comes from compositions of RATTLE or from Radau-type methods.",
-    argument: "RATTLE is symmetric, so its order is even. Pendulum of unit length from the horizontal, g = 1, to t = 1: differences between h and h/2 fall with slope 2.0 for RATTLE and 4.0 for the triple jump composed of it, steps γh, (1 − 2γ)h, γh with γ = 1/(2 − 2^{1/3}).",
+    correct_statement: "The statement is right, the example is not: SHAKE and RATTLE have order 2 (the chapter itself calls orders 1–2 \
+        low). High order comes from compositions of RATTLE or from Radau-type methods.",
+    argument: "RATTLE is symmetric, so its order is even. Pendulum of unit length from the horizontal, g = 1, to t = 1: differences \
+        between h and h/2 fall with slope 2.0 for RATTLE and 4.0 for the triple jump composed of it, steps γh, (1 − 2γ)h, γh with γ = 1/(2 \
+        − 2^{1/3}).",
     control: "The composition, as if it were RATTLE.",
     sources: &[
         "chapter §0, essential insight on equality constraints",

@@ -48,10 +48,12 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Measured,
         correct_statement: "As stated; the bouncing ball's velocity has total variation 2 g t₁ (1+e)/(1−e) over [0, T∞], 79.730 m/s for \
                             e = 0.8 and 1 m, and its position the Lipschitz constant g t₁.",
-        argument: "Flights contribute g T∞ and impacts Σ(1+e) g t₁ e^{k−1}, both g t₁(1+e)/(1−e). The discrete velocities of Moreau–Jean to \
+        argument: "Flights contribute g T∞ and impacts Σ(1+e) g t₁ e^{k−1}, both g t₁(1+e)/(1−e). The discrete velocities of Moreau–Jean \
+            to \
                    1.5 T∞ have the same variation up to O(h ln 1/h), so it is bounded uniformly in h, and their positions the same \
                    slope up to O(h).",
-        control: "Activation φ + hv ≤ 0 with v ≤ 0, under which the resting ball changes its velocity by g h in every step: the variation grows by g per second.",
+        control: "Activation φ + hv ≤ 0 with v ≤ 0, under which the resting ball changes its velocity by g h in every step: the variation \
+            grows by g per second.",
         sources: &["chapter §0, table and item (a)"],
         check: bounded_variation,
     },
@@ -60,10 +62,13 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The contact measure dR splits into a Lebesgue-continuous part (lasting contact, λ dt) plus atoms (impacts, ΣP_i δ).",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "It splits into a density, atoms and a singular continuous part; the last is absent if the velocity is a special \
+        correct_statement: "It splits into a density, atoms and a singular continuous part; the last is absent if the velocity is a \
+            special \
                             function of bounded variation (no Cantor part), which is a hypothesis.",
-        argument: "A mass m resting on a floor that rises at the velocity c(t), c the Cantor function: c does not decrease, so contact lasts, \
-                   v = c, and dR = m g dt + m dc. At level n the whole rise 1 of c lies on 2ⁿ intervals of total length (2/3)ⁿ, with 2⁻ⁿ on \
+        argument: "A mass m resting on a floor that rises at the velocity c(t), c the Cantor function: c does not decrease, so contact \
+            lasts, \
+                   v = c, and dR = m g dt + m dc. At level n the whole rise 1 of c lies on 2ⁿ intervals of total length (2/3)ⁿ, with 2⁻ⁿ \
+                   on \
                    each: dc has no density (its support has length 0) and no atom (each is below 2⁻ⁿ), yet mass 1.",
         control: "A floor whose velocity jumps by 1 once: its rise on one interval stays 1, an atom.",
         sources: &["chapter §0, item (b), and §2, base measure dμ = dt + Σδ", "Lebesgue's decomposition of a measure"],

@@ -55,7 +55,8 @@ pub const CLAIMS: &[Claim] = &[
                             the ball sinks through the floor at g h (1−e)/(2(1+e)).",
         argument: "Two consecutive active states with |v| ≤ g h/(1+e) contract by e for ever; the discrete energy decides when they \
                    must occur (proof at the bounds in the source). For e = 0.8, q₀ = 1 m, h = 0.01 s the six variants are \
-                   absorbed between 27 steps before T∞ (φ ≤ 0, θ = ½) and 43 steps after it (φ + h v_free ≤ 0, θ = 1). The rule with v ≤ 0 alternates between v = −g h/(1+e) and \
+                   absorbed between 27 steps before T∞ (φ ≤ 0, θ = ½) and 43 steps after it (φ + h v_free ≤ 0, θ = 1). The rule with v ≤ 0 \
+                   alternates between v = −g h/(1+e) and \
                    v = e g h/(1+e) and loses (1−e) g h²/(1+e) of height every two steps: 0.01635 m/s for e = ½, h = 0.01, \
                    g = 9.81.",
         control: "The unconditional reading: the rule φ + hv ≤ 0 with v ≤ 0 put through the same check.",

@@ -15,12 +15,15 @@ use nalgebra::{DVector, dvector};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S1.filippov",
-        statement: "On the switching surface the sliding mode is the convex combination ẋ = α f₊ + (1−α) f₋, and α is fixed uniquely by ṡ = 0.",
+        statement: "On the switching surface the sliding mode is the convex combination ẋ = α f₊ + (1−α) f₋, and α is fixed uniquely by ṡ \
+            = 0.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "For one surface that both fields point at, ∇s·f₊ < 0 < ∇s·f₋: α = ∇s·f₋/(∇s·f₋ − ∇s·f₊) ∈ (0, 1). Where both point away the same α exists, but the motion may leave; where one crosses there is none in [0, 1]. \
+        correct_statement: "For one surface that both fields point at, ∇s·f₊ < 0 < ∇s·f₋: α = ∇s·f₋/(∇s·f₋ − ∇s·f₊) ∈ (0, 1). Where both \
+            point away the same α exists, but the motion may leave; where one crosses there is none in [0, 1]. \
             Where two surfaces meet, four fields and three conditions leave a family.",
-        argument: "Rational fields: ṡ = 0 exactly, with α inside (0, 1) in the attracting and the repelling case and outside in the crossing one. Two surfaces with f = (∓1, ∓1, …): weights (a, ½−a, ½−a, a) keep both for every a, and the third \
+        argument: "Rational fields: ṡ = 0 exactly, with α inside (0, 1) in the attracting and the repelling case and outside in the \
+            crossing one. Two surfaces with f = (∓1, ∓1, …): weights (a, ½−a, ½−a, a) keep both for every a, and the third \
             component moves at any speed from 0 to 1.",
         control: "The weights exchanged, α for f₋.",
         sources: &["chapter §1, Filippov systems and sliding modes", "Filippov 1988, §4"],
@@ -32,18 +35,23 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated.",
-        argument: "The dry-friction oscillator (δ = 0.15, q₀ = 1) integrated as a Filippov system enters the sliding mode after 3 half-cycles and stays, with α = ½(1 − q/δ); on the belt it is in the mode for 2Δ/v_b in each period: both as the closed forms of Coulomb's law say.",
+        argument: "The dry-friction oscillator (δ = 0.15, q₀ = 1) integrated as a Filippov system enters the sliding mode after 3 \
+            half-cycles and stays, with α = ½(1 − q/δ); on the belt it is in the mode for 2Δ/v_b in each period: both as the closed forms \
+            of Coulomb's law say.",
         control: "A belt on which the mass never sticks (sticking and slipping friction equal).",
         sources: &["chapter §1, relation to contact"],
         check: sticking,
     },
     Claim {
         id: "S1.pk",
-        statement: "The event-driven method of Piiroinen and Kuznetsov (ACM TOMS, 2008) detects entering and leaving the sliding mode exactly and integrates it accurately, more finely than time-stepping.",
+        statement: "The event-driven method of Piiroinen and Kuznetsov (ACM TOMS, 2008) detects entering and leaving the sliding mode \
+            exactly and integrates it accurately, more finely than time-stepping.",
         verdict: Verdict::True,
         evidence: Evidence::Cited,
-        correct_statement: "As stated, “exactly” meaning to the accuracy of the integrator and the root finder. The paper was not read; what its kind of method can do is measured on one of our own.",
-        argument: "Belt: releases follow each other after the period of the closed form to 10⁻⁹ s. With fixed steps and located switches the state has order 5, with switches noticed at the end of a step they are late by a part of h.",
+        correct_statement: "As stated, “exactly” meaning to the accuracy of the integrator and the root finder. The paper was not read; \
+            what its kind of method can do is measured on one of our own.",
+        argument: "Belt: releases follow each other after the period of the closed form to 10⁻⁹ s. With fixed steps and located switches \
+            the state has order 5, with switches noticed at the end of a step they are late by a part of h.",
         control: "Switches noticed at the end of a step.",
         sources: &["chapter §1, advantage of event-driven methods", "Piiroinen and Kuznetsov, ACM TOMS 34(3), 2008 (not read)"],
         check: detection,

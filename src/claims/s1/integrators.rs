@@ -10,7 +10,8 @@ pub const CLAIMS: &[Claim] = &[Claim {
     statement: "MuJoCo uses the semi-implicit Euler rule, of first order.",
     verdict: Verdict::Conditional,
     evidence: Evidence::Cited,
-    correct_statement: "By default. It also has implicit, implicitfast, RK4 and, in newer versions, discrete; §6 of the chapter names two of them.",
+    correct_statement: "By default. It also has implicit, implicitfast, RK4 and, in newer versions, discrete; §6 of the chapter names two \
+        of them.",
     argument: "Default and choices of the pinned release, 3.17.0: integrator 0, Euler, of five.",
     control: "Euler as the only one.",
     sources: &["chapter §1", "MuJoCo 3.17.0, answers in references/facts/mujoco.json"],

@@ -20,12 +20,15 @@ use nalgebra::dvector;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S1.ts-unique",
-        statement: "In Zeno and Painlevé situations, where event-driven methods are undefined, time-stepping gives the unique correct limit.",
+        statement: "In Zeno and Painlevé situations, where event-driven methods are undefined, time-stepping gives the unique correct \
+            limit.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "A limit of a subsequence. For the ball that falls under gravity the limit is unique; where two sliding forces exist a step itself has three answers at every h, which tend to two different motions, \
+        correct_statement: "A limit of a subsequence. For the ball that falls under gravity the limit is unique; where two sliding forces \
+            exist a step itself has three answers at every h, which tend to two different motions, \
             and the solver's pivoting decides between them. The chapter's §4 says so: existence is not uniqueness.",
-        argument: "Rod at cos = 3/5, μ = 3/2 > 13/9, upward normal free acceleration b = 5 m/s²: P_n = 0, 125h/2 or 9/25 − 73h/20 for h = 10⁻³ … 10⁻⁶, exactly three answers. \
+        argument: "Rod at cos = 3/5, μ = 3/2 > 13/9, upward normal free acceleration b = 5 m/s²: P_n = 0, 125h/2 or 9/25 − 73h/20 for h = \
+            10⁻³ … 10⁻⁶, exactly three answers. \
             The first two vanish with h, the third tends to the impact (9/25, 13/25) N·s.",
         control: "μ = 1 < μ_P: one answer.",
         sources: &["chapter §1, history; the pitfall in the same section; §4, existence and uniqueness"],
@@ -36,8 +39,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Stewart (1998) proves that the limit h → 0 of the scheme is a solution of the measure differential inclusion.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Measured,
-        correct_statement: "A limit of a subsequence, of plastic impacts (e = 0), under conditions on the friction cone that the chapter does not name. The paper was not read; what it concludes is checked on one motion, and why a subsequence is needed is shown.",
-        argument: "Stewart–Trinkle on a plastic ball: sup|q|, ∫|v| and the graphs converge with order 1 within derived constants. On Painlevé's rod with two sliding forces, μ = 3/2, answers chosen in turn have P_n → 0 and → 9/25: the sequence has two limits, \
+        correct_statement: "A limit of a subsequence, of plastic impacts (e = 0), under conditions on the friction cone that the chapter \
+            does not name. The paper was not read; what it concludes is checked on one motion, and why a subsequence is needed is shown.",
+        argument: "Stewart–Trinkle on a plastic ball: sup|q|, ∫|v| and the graphs converge with order 1 within derived constants. On \
+            Painlevé's rod with two sliding forces, μ = 3/2, answers chosen in turn have P_n → 0 and → 9/25: the sequence has two limits, \
             each of which is a solution.",
         control: "Stewart–Trinkle with a trapezoidal position update, which rebounds.",
         sources: &[
@@ -48,22 +53,29 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S1.weakstar",
-        statement: "At impacts time-stepping is accurate in a robust sense: it converges weakly* to the solution of the measure differential inclusion.",
+        statement: "At impacts time-stepping is accurate in a robust sense: it converges weakly* to the solution of the measure \
+            differential inclusion.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "For subsequences, where the limit is a solution (S1.stewart98). Weakly* is said of the impulses; velocities converge in the mean and, away from the impacts, pointwise. Neither converges in a stronger sense: not the mass of the difference, not the largest error of v.",
-        argument: "Moreau–Jean, e = ½, on a wall hit at ⅓ s, h = 2⁻⁴ … 2⁻⁸ in rationals: ∫g dP_h → (3/2) g(⅓) for three functions with errors ≤ 6h; the mass of P_h − (3/2) δ_⅓ is 3 and v_h(⅓ + h/3) = −1, not ½, at every h.",
+        correct_statement: "For subsequences, where the limit is a solution (S1.stewart98). Weakly* is said of the impulses; velocities \
+            converge in the mean and, away from the impacts, pointwise. Neither converges in a stronger sense: not the mass of the \
+            difference, not the largest error of v.",
+        argument: "Moreau–Jean, e = ½, on a wall hit at ⅓ s, h = 2⁻⁴ … 2⁻⁸ in rationals: ∫g dP_h → (3/2) g(⅓) for three functions with \
+            errors ≤ 6h; the mass of P_h − (3/2) δ_⅓ is 3 and v_h(⅓ + h/3) = −1, not ½, at every h.",
         control: "Convergence in mass.",
         sources: &["chapter §1, table"],
         check: robust,
     },
     Claim {
         id: "S1.implicit-impact",
-        statement: "Not detecting events does not mean ignoring impacts: the impact is the atom in the impulse of a step's complementarity problem, with no event detection.",
+        statement: "Not detecting events does not mean ignoring impacts: the impact is the atom in the impulse of a step's complementarity \
+            problem, with no event detection.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated. P = m(1+e)|v| + m g h in the step of the impact, m g h in a step at rest, 0 in flight: the first stays as h → 0, the second is the weight times h.",
-        argument: "Moreau–Jean on a ball of 3/2 kg, e = 1/2, v = −2 m/s at the floor, h = 10⁻¹ … 10⁻⁴ in rationals: P − m g h = 9/2 N·s at every h.",
+        correct_statement: "As stated. P = m(1+e)|v| + m g h in the step of the impact, m g h in a step at rest, 0 in flight: the first \
+            stays as h → 0, the second is the weight times h.",
+        argument: "Moreau–Jean on a ball of 3/2 kg, e = 1/2, v = −2 m/s at the floor, h = 10⁻¹ … 10⁻⁴ in rationals: P − m g h = 9/2 N·s at \
+            every h.",
         control: "An impulse that vanishes with h, as that of a bounded force.",
         sources: &["chapter §1, pitfalls"],
         check: atom,

@@ -19,22 +19,30 @@ use nalgebra::{DMatrix, DVector};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S10.all-delassus",
-        statement: "All six simulators are built on the Delassus operator W = JM⁻¹Jᵀ; they differ in four things only: position or velocity level, polyhedral or second-order cone, relaxed or softened or not, numerical algorithm.",
+        statement: "All six simulators are built on the Delassus operator W = JM⁻¹Jᵀ; they differ in four things only: position or \
+            velocity level, polyhedral or second-order cone, relaxed or softened or not, numerical algorithm.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "All solve a problem whose dual has W as its operator; a primal method (SAP's and MuJoCo's Newton) solves it without ever forming W. And the four things do not determine the motion: restitution, the amount of compliance and the stabilisation differ as well.",
-        argument: "Tower of three on soft contacts, R = 1/100: the primal system (M + HᵀR⁻¹H) v = M v_free and the dual (W + R) r = −H v_free give the same velocities exactly. Two velocity-level, hard, unrelaxed steps of the same solver with e = 0 and e = 1/2 leave an impact at −1 m/s with 0 and 1/2 m/s; with and without projection a ball 1 mm deep ends at 0 and at −1 mm.",
+        correct_statement: "All solve a problem whose dual has W as its operator; a primal method (SAP's and MuJoCo's Newton) solves it \
+            without ever forming W. And the four things do not determine the motion: restitution, the amount of compliance and the \
+            stabilisation differ as well.",
+        argument: "Tower of three on soft contacts, R = 1/100: the primal system (M + HᵀR⁻¹H) v = M v_free and the dual (W + R) r = −H \
+            v_free give the same velocities exactly. Two velocity-level, hard, unrelaxed steps of the same solver with e = 0 and e = 1/2 \
+            leave an impact at −1 m/s with 0 and 1/2 m/s; with and without projection a ball 1 mm deep ends at 0 and at −1 mm.",
         control: "Two simulators that also agree in e.",
         sources: &["chapter §10, essential insight"],
         check: four_dimensions,
     },
     Claim {
         id: "S10.results-differ",
-        statement: "Different simulators use different discretisations, cones, relaxations and solvers, so their results differ systematically; that is normal, not a bug.",
+        statement: "Different simulators use different discretisations, cones, relaxations and solvers, so their results differ \
+            systematically; that is normal, not a bug.",
         verdict: Verdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated. The differences are those of the declared models and can be predicted from them.",
-        argument: "1 kg at rest on the floor: 0 m deep under an LCP scheme, 3.6718e-4 m in MuJoCo. Rebound of the default contact: e⁻² = 0.135 in MuJoCo, e in a rigid scheme. Block that should stick on 20°, h = 10 ms: 0 (Anitescu), R_t h g_t (SAP), R_t g_t/b (MuJoCo), 1.06 v_s (Drake Similar, Lagged). Sliding: u_n = 0 under Coulomb, μ|u_t| under the relaxation.",
+        argument: "1 kg at rest on the floor: 0 m deep under an LCP scheme, 3.6718e-4 m in MuJoCo. Rebound of the default contact: e⁻² = \
+            0.135 in MuJoCo, e in a rigid scheme. Block that should stick on 20°, h = 10 ms: 0 (Anitescu), R_t h g_t (SAP), R_t g_t/b \
+            (MuJoCo), 1.06 v_s (Drake Similar, Lagged). Sliding: u_n = 0 under Coulomb, μ|u_t| under the relaxation.",
         control: "Stewart–Trinkle in place of MuJoCo: at rest it agrees with Moreau–Jean.",
         sources: &[
             "chapter §10, pitfall “another simulator, the same result”",
@@ -44,11 +52,14 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S10.mujoco-gliding",
-        statement: "Exercise 3, one stack of cubes: of Bullet, Drake SAP and MuJoCo, which penetrates least, which trembles most easily, which shows O(h) gliding, which has gradients?",
+        statement: "Exercise 3, one stack of cubes: of Bullet, Drake SAP and MuJoCo, which penetrates least, which trembles most easily, \
+            which shows O(h) gliding, which has gradients?",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "Of gliding: SAP creeps by O(h) at rest, MuJoCo at a speed that does not depend on h (set by impratio, solimp and solref), a scheme with hard friction such as Bullet's model not at all.",
-        argument: "Stepped to a steady state on 20°, μ = 1/2, at h = 4 and 2 ms: SAP's creep halves, MuJoCo's stays the same to rounding, the hard block does not move; each agrees with its closed form.",
+        correct_statement: "Of gliding: SAP creeps by O(h) at rest, MuJoCo at a speed that does not depend on h (set by impratio, solimp \
+            and solref), a scheme with hard friction such as Bullet's model not at all.",
+        argument: "Stepped to a steady state on 20°, μ = 1/2, at h = 4 and 2 ms: SAP's creep halves, MuJoCo's stays the same to rounding, \
+            the hard block does not move; each agrees with its closed form.",
         control: "MuJoCo in place of SAP.",
         sources: &["chapter §10, exercise 3", "stored runs of MuJoCo 3.17.0 and Drake 1.51.1, see tests/references"],
         check: gliding,

@@ -20,22 +20,31 @@ const SAP_PAPER: &str = "Castro, Permenter and Han, IEEE Trans. Robotics 39 (202
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S10.drake-tamsi-row",
-        statement: "Drake TAMSI: semi-implicit Euler, non-convex complementarity with a line search that limits the angle of slip, compliant Hunt–Crossley contact; mature, but may fail.",
+        statement: "Drake TAMSI: semi-implicit Euler, non-convex complementarity with a line search that limits the angle of slip, \
+            compliant Hunt–Crossley contact; mature, but may fail.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "As stated for releases that have it: Drake 1.51.1 does, and announces its removal from 2026-09-01 on. There is no complementarity left in it: friction is regularised, and the step is a nonlinear equation that no function has as its gradient.",
-        argument: "A touching contact that slips, μ = 3/4: ∂r_t/∂u_n = −μ n′, ∂r_n/∂u_t = 0, so ∂r/∂u is not symmetric and r is no gradient.",
+        correct_statement: "As stated for releases that have it: Drake 1.51.1 does, and announces its removal from 2026-09-01 on. There is \
+            no complementarity left in it: friction is regularised, and the step is a nonlinear equation that no function has as its \
+            gradient.",
+        argument: "A touching contact that slips, μ = 3/4: ∂r_t/∂u_n = −μ n′, ∂r_n/∂u_t = 0, so ∂r/∂u is not symmetric and r is no \
+            gradient.",
         control: "A symmetric ∂r/∂u, as Lagged's and Similar's are.",
         sources: &["chapter §10, table of simulators", PACKAGE],
         check: tamsi,
     },
     Claim {
         id: "S10.drake-sap-row",
-        statement: "Drake SAP: semi-implicit Euler or midpoint of second order, Newton with exact line search on a convex potential, compliant Kelvin–Voigt contact with a rigid limit; globally convergent; glides by O(δt).",
+        statement: "Drake SAP: semi-implicit Euler or midpoint of second order, Newton with exact line search on a convex potential, \
+            compliant Kelvin–Voigt contact with a rigid limit; globally convergent; glides by O(δt).",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "Kelvin–Voigt contact and its rigid limit belong to the approximation kSap, which is not the default; the default, kLagged, has Hunt–Crossley contact and does not glide. A discrete plant steps by semi-implicit Euler only: the midpoint rule is in the paper. The lift of a sliding block is (δt + τ) μ v, which vanishes with δt only where τ = 0.",
-        argument: "Stored fall at h = 1/100 s: q⁺ − q − h v⁺ = 0 to rounding. One step of our SAP on a contact 1 mm deep: r_n = h k(−φ⁺ − τ u_n⁺). With k = 1e9 and 1e10 N/m the step is the same. Sliding at 0.7 instead of 0.2 m/s, τ = 5 ms, h = 4 ms: lifted by 1.35 mm; Lagged by nothing.",
+        correct_statement: "Kelvin–Voigt contact and its rigid limit belong to the approximation kSap, which is not the default; the \
+            default, kLagged, has Hunt–Crossley contact and does not glide. A discrete plant steps by semi-implicit Euler only: the \
+            midpoint rule is in the paper. The lift of a sliding block is (δt + τ) μ v, which vanishes with δt only where τ = 0.",
+        argument: "Stored fall at h = 1/100 s: q⁺ − q − h v⁺ = 0 to rounding. One step of our SAP on a contact 1 mm deep: r_n = h k(−φ⁺ − \
+            τ u_n⁺). With k = 1e9 and 1e10 N/m the step is the same. Sliding at 0.7 instead of 0.2 m/s, τ = 5 ms, h = 4 ms: lifted by 1.35 \
+            mm; Lagged by nothing.",
         control: "kLagged's lift in place of kSap's.",
         sources: &["chapter §10, table of simulators", PACKAGE, SAP_PAPER],
         check: sap,
@@ -46,18 +55,23 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Cited,
         correct_statement: "As a solver. The default contact model that it solves is not kSap but kLagged.",
-        argument: "A plant of 1.51.1 answers kSap when asked for its solver and kLagged when asked for its approximation; kSap, kSimilar and kLagged all take the solver kSap.",
+        argument: "A plant of 1.51.1 answers kSap when asked for its solver and kLagged when asked for its approximation; kSap, kSimilar \
+            and kLagged all take the solver kSap.",
         control: "The default approximation in place of the default solver.",
         sources: &["chapter §10, table of choices", PACKAGE],
         check: default_solver,
     },
     Claim {
         id: "S10.sap-theorem",
-        statement: "SAP: a strictly convex objective with a Lipschitz Hessian makes Newton's method with exact line search converge globally, linearly at first and quadratically at the end.",
+        statement: "SAP: a strictly convex objective with a Lipschitz Hessian makes Newton's method with exact line search converge \
+            globally, linearly at first and quadratically at the end.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "It converges globally because the objective is strongly convex with a Lipschitz gradient, and quadratically once it is in the region of one mode per contact. The Hessian itself is not Lipschitz: it jumps where a contact opens or begins to slip.",
-        argument: "Across the boundary between stick and slip at μ = 1/2 the derivative of the projection jumps by 1 in norm, however close the two points are: the projector I − ggᵀ drops out.",
+        correct_statement: "It converges globally because the objective is strongly convex with a Lipschitz gradient, and quadratically \
+            once it is in the region of one mode per contact. The Hessian itself is not Lipschitz: it jumps where a contact opens or \
+            begins to slip.",
+        argument: "Across the boundary between stick and slip at μ = 1/2 the derivative of the projection jumps by 1 in norm, however \
+            close the two points are: the projector I − ggᵀ drops out.",
         control: "Two points on the same side of the boundary.",
         sources: &["chapter §11, table of theorems", SAP_PAPER],
         check: theorem,
@@ -67,7 +81,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Drake's two contact solvers are in tamsi_solver.cc and contact_solvers/sap/sap_solver.cc.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Cited,
-        correct_statement: "Both below multibody/, the first in plant/, in releases up to the removal of TAMSI, announced for 2026-09-01 and later. The Python package holds neither file; it offers both solvers.",
+        correct_statement: "Both below multibody/, the first in plant/, in releases up to the removal of TAMSI, announced for 2026-09-01 \
+            and later. The Python package holds neither file; it offers both solvers.",
         argument: "1.51.1 offers the solvers kSap and kTamsi, and documents the second as deprecated.",
         control: "A release without an announced removal.",
         sources: &["chapter §10, source files", PACKAGE, "Drake's repository, multibody/plant and multibody/contact_solvers/sap"],
@@ -141,7 +156,8 @@ fn default_solver(reading: Reading) -> Result<Vec<Finding>> {
     ])
 }
 
-/// How much the derivative of the projection on K_½ changes between two points `apart` of each other around a boundary point, or inside the cone.
+/// How much the derivative of the projection on K_½ changes between two points `apart` of each other around a boundary point, or inside the
+/// cone.
 fn jump(apart: f64, across: bool) -> f64 {
     let middle = if across { 2.0 } else { 3.0 };
     let at = |offset: f64| projection_jacobian(&[middle + offset, 1.0, 0.0], 0.5);
@@ -151,7 +167,8 @@ fn jump(apart: f64, across: bool) -> f64 {
 fn theorem(reading: Reading) -> Result<Vec<Finding>> {
     let across = reading == Reading::Recorded;
     let (near, nearer) = (jump(1.0 / 1024.0, across), jump(1.0 / 1_048_576.0, across));
-    // the slipping side lacks the projector I − ggᵀ in the plane of n and t₁, g = (2, 1)/√5; across it the stretch changes by s c = 2/5 per unit of z_n
+    // the slipping side lacks the projector I − ggᵀ in the plane of n and t₁, g = (2, 1)/√5; across it the stretch changes by s c = 2/5 per
+    // unit of z_n
     let expected = 1.0;
     Ok(vec![
         Finding::equal("jump of the derivative at a distance of 2⁻²⁰", nearer, expected, 1.0 / 1_048_576.0, "1"),

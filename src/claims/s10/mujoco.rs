@@ -12,11 +12,14 @@ pub const CLAIMS: &[Claim] = &[ROW, PATH];
 
 const PATH: Claim = Claim {
     id: "S10.path-mujoco",
-    statement: "MuJoCo: src/engine/engine_solver.c with mj_solPGS, mj_solCG and mj_solNewton, engine_core_constraint.c; MJX: mujoco/mjx/_src/solver.py.",
+    statement: "MuJoCo: src/engine/engine_solver.c with mj_solPGS, mj_solCG and mj_solNewton, engine_core_constraint.c; MJX: \
+        mujoco/mjx/_src/solver.py.",
     verdict: Verdict::Conditional,
     evidence: Evidence::Cited,
-    correct_statement: "The two C files are right. In the repository MJX's file is mjx/mujoco/mjx/_src/solver.py; what the chapter gives is its path in the package.",
-    argument: "The library of the pinned release names the C files that it was compiled from, as the compiler left them. The functions and MJX's file: repository at commit a725507 of August 2026, not asked of a package.",
+    correct_statement: "The two C files are right. In the repository MJX's file is mjx/mujoco/mjx/_src/solver.py; what the chapter gives \
+        is its path in the package.",
+    argument: "The library of the pinned release names the C files that it was compiled from, as the compiler left them. The functions and \
+        MJX's file: repository at commit a725507 of August 2026, not asked of a package.",
     control: "engine_pgs.c in place of engine_solver.c.",
     sources: &["chapter §10, source files", "MuJoCo 3.17.0, answers in references/facts/mujoco.json", "MuJoCo's repository at a725507"],
     check: paths,
@@ -24,11 +27,13 @@ const PATH: Claim = Claim {
 
 const ROW: Claim = Claim {
     id: "S10.mujoco-row",
-    statement: "MuJoCo: semi-implicit Euler, implicitfast, RK4; PGS, CG, Newton; a quadratic or second-order cone program; no explicit impact law; h from 1 to 10 ms; differentiable.",
+    statement: "MuJoCo: semi-implicit Euler, implicitfast, RK4; PGS, CG, Newton; a quadratic or second-order cone program; no explicit \
+        impact law; h from 1 to 10 ms; differentiable.",
     verdict: Verdict::Conditional,
     evidence: Evidence::Measured,
     correct_statement: "As stated, with implicit and discrete added to the integrators and without “differentiable” (S6.mjx-gradients).",
-    argument: "Integrators, solvers and the default h = 2 ms are the pinned release's. A step with pyramids has one-sided rows only, a quadratic program; with elliptic cones it is a second-order cone program.",
+    argument: "Integrators, solvers and the default h = 2 ms are the pinned release's. A step with pyramids has one-sided rows only, a \
+        quadratic program; with elliptic cones it is a second-order cone program.",
     control: "One cone in place of the two.",
     sources: &["chapter §10, table", "MuJoCo 3.17.0, answers in references/facts/mujoco.json"],
     check: row,

@@ -9,33 +9,44 @@ use crate::tolerance::references::SICONOS_PER_STEP;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S10.siconos-row",
-        statement: "Siconos: Moreau–Jean θ, Schatzman–Paoli, event-driven, nonsmooth generalised-α; NSGS, AC/FB/NM nonsmooth Newton, proximal, VI extragradient, interior point; Newton, Moreau and Frémond laws built in.",
+        statement: "Siconos: Moreau–Jean θ, Schatzman–Paoli, event-driven, nonsmooth generalised-α; NSGS, AC/FB/NM nonsmooth Newton, \
+            proximal, VI extragradient, interior point; Newton, Moreau and Frémond laws built in.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Cited,
-        correct_statement: "In release 4.4.0 all but two: there is no Frémond law (FremondImpactFrictionNSL is in the development version only), and its generalised-α, NewMarkAlphaOSI, is a Newmark-α integrator for constrained smooth motion, used with event handling, not the nonsmooth scheme of Chen, Acary and Brüls. From Python neither NewMarkAlphaOSI nor SchatzmanPaoliOSI can be reached.",
-        argument: "Headers and solver identifiers of Debian's packages 4.4.0+dfsg-2. MoreauJeanOSI activates φ + ½h u_n ≤ 0 with the present velocity: our scheme with that rule reproduces its stored steps to 1e-12, the other two rules do not.",
+        correct_statement: "In release 4.4.0 all but two: there is no Frémond law (FremondImpactFrictionNSL is in the development version \
+            only), and its generalised-α, NewMarkAlphaOSI, is a Newmark-α integrator for constrained smooth motion, used with event \
+            handling, not the nonsmooth scheme of Chen, Acary and Brüls. From Python neither NewMarkAlphaOSI nor SchatzmanPaoliOSI can be \
+            reached.",
+        argument: "Headers and solver identifiers of Debian's packages 4.4.0+dfsg-2. MoreauJeanOSI activates φ + ½h u_n ≤ 0 with the \
+            present velocity: our scheme with that rule reproduces its stored steps to 1e-12, the other two rules do not.",
         control: "A Frémond law in 4.4.0.",
         sources: &["chapter §10, table of simulators", "Siconos 4.4.0 in Debian; github.com/siconos/siconos at 6070f0f6"],
         check: row,
     },
     Claim {
         id: "S10.siconos-not-avoid",
-        statement: "Siconos is the school that faces the NCP or SOCCP: it does not evade nonsmoothness, and is mathematically the most rigorous, with the most complete set of solvers.",
+        statement: "Siconos is the school that faces the NCP or SOCCP: it does not evade nonsmoothness, and is mathematically the most \
+            rigorous, with the most complete set of solvers.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::NotDecidable,
-        correct_statement: "Rigour and completeness are matters of taste. What can be checked: its steps solve Coulomb's law, not the convex relaxation; a sliding block does not lift off.",
-        argument: "Stored steps of a block that slides under Siconos's Moreau–Jean, e = 1/2: u_n⁺ + e u_n = 0 and r_t = −μ r_n to rounding while u_t⁺ ≥ 0.33 m/s. The relaxation would have u_n⁺ + e u_n = μ u_t⁺ ≥ 0.1 m/s.",
+        correct_statement: "Rigour and completeness are matters of taste. What can be checked: its steps solve Coulomb's law, not the \
+            convex relaxation; a sliding block does not lift off.",
+        argument: "Stored steps of a block that slides under Siconos's Moreau–Jean, e = 1/2: u_n⁺ + e u_n = 0 and r_t = −μ r_n to rounding \
+            while u_t⁺ ≥ 0.33 m/s. The relaxation would have u_n⁺ + e u_n = μ u_t⁺ ≥ 0.1 m/s.",
         control: "The relaxation's u_n⁺ + e u_n = μ|u_t⁺|.",
         sources: &["chapter §10, three schools"],
         check: school,
     },
     Claim {
         id: "S10.path-siconos",
-        statement: "In Siconos look at numerics/src/FrictionContact/fc3d_nsgs.c, fc3d_nonsmooth_Newton_AlartCurnier.c and gfc3d_ipm.c, and at kernel/src/simulationTools/MoreauJeanOSI.cpp.",
+        statement: "In Siconos look at numerics/src/FrictionContact/fc3d_nsgs.c, fc3d_nonsmooth_Newton_AlartCurnier.c and gfc3d_ipm.c, and \
+            at kernel/src/simulationTools/MoreauJeanOSI.cpp.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Cited,
-        correct_statement: "All four for the releases up to 4.4.0. In the development version of August 2026 two have moved: MoreauJeanOSI.cpp to kernel/src/simulation/, and the Alart–Curnier file to FrictionContact/nsn_formulation/.",
-        argument: "The names of three are in Debian's libraries 4.4.0+dfsg-2 as the compiler left them, the fourth by its functions; all four are in the tag 4.4.0, and two at commit 6070f0f6.",
+        correct_statement: "All four for the releases up to 4.4.0. In the development version of August 2026 two have moved: \
+            MoreauJeanOSI.cpp to kernel/src/simulation/, and the Alart–Curnier file to FrictionContact/nsn_formulation/.",
+        argument: "The names of three are in Debian's libraries 4.4.0+dfsg-2 as the compiler left them, the fourth by its functions; all \
+            four are in the tag 4.4.0, and two at commit 6070f0f6.",
         control: "The path of the development version, looked for in 4.4.0.",
         sources: &[
             "chapter §10, where to look in the sources",

@@ -8,11 +8,15 @@ use crate::{Error, Result};
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S10.h-ranges",
-    statement: "Typical step sizes: Siconos 1e-5 to 1e-3 s, TAMSI 1e-3, SAP and MuJoCo 1e-3 to 1e-2, Chrono 1e-3, Bullet 1e-3 to 1/60, Pinocchio 1e-4 to 5e-3.",
+    statement: "Typical step sizes: Siconos 1e-5 to 1e-3 s, TAMSI 1e-3, SAP and MuJoCo 1e-3 to 1e-2, Chrono 1e-3, Bullet 1e-3 to 1/60, \
+        Pinocchio 1e-4 to 5e-3.",
     verdict: Verdict::Ambiguous,
     evidence: Evidence::Measured,
-    correct_statement: "What is typical is usage and not decidable. The defaults that can be read are MuJoCo 2e-3, Drake's plant 1e-3, Bullet's stepping 1/60 (PyBullet 1/240), all within. One end of a range means something in the code: beyond 1e-2 s MuJoCo's default contact, timeconst 0.02 s, is no longer the one that was asked for, because refsafe stretches timeconst to 2h.",
-    argument: "Stored runs of MuJoCo 3.17.0, block that Coulomb holds, creep: the same at 1/1000 and 1/240 s, 1.56 times as much at 1/60 s.",
+    correct_statement: "What is typical is usage and not decidable. The defaults that can be read are MuJoCo 2e-3, Drake's plant 1e-3, \
+        Bullet's stepping 1/60 (PyBullet 1/240), all within. One end of a range means something in the code: beyond 1e-2 s MuJoCo's \
+        default contact, timeconst 0.02 s, is no longer the one that was asked for, because refsafe stretches timeconst to 2h.",
+    argument: "Stored runs of MuJoCo 3.17.0, block that Coulomb holds, creep: the same at 1/1000 and 1/240 s, 1.56 times as much at 1/60 \
+        s.",
     control: "1/60 s expected to behave like 1/240 s.",
     sources: &["chapter §10, table of simulators", "the packages mujoco 3.17.0, drake 1.51.1 and pybullet 3.2.7, for the defaults"],
     check: stretched,

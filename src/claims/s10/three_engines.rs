@@ -26,11 +26,17 @@ const CHRONO_SOLVERS: [&str; 5] = ["ChSolverADMM.cpp", "ChSolverAPGD.cpp", "ChSo
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S10.chrono-row",
-        statement: "Chrono NSC: Anitescu's semi-implicit step, or HHT; solvers APGD (Nesterov), PSOR, BB, ADMM; a convex cone complementarity problem.",
+        statement: "Chrono NSC: Anitescu's semi-implicit step, or HHT; solvers APGD (Nesterov), PSOR, BB, ADMM; a convex cone \
+            complementarity problem.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "NSC is Anitescu's step, with a maximal recovery speed for penetrations and with rebounds, and the four algorithms solve its convex problem. HHT integrates smooth forces: it belongs to Chrono's other system, of penalty contacts (SMC).",
-        argument: "Each of the four, programmed from its equations, gives the velocities of Clarabel's interior point on the step of a sliding block, and the gap μ h v_t of the relaxation, at every step length; a body 0.1 m deep comes out at 0.6 m/s. `ChSolver::Type` names PSOR, BARZILAIBORWEIN, APGD, ADMM; a contact's constraint is loaded by `ChContactNSC`, which HHT does not solve as an inequality.",
+        correct_statement: "NSC is Anitescu's step, with a maximal recovery speed for penetrations and with rebounds, and the four \
+            algorithms solve its convex problem. HHT integrates smooth forces: it belongs to Chrono's other system, of penalty contacts \
+            (SMC).",
+        argument: "Each of the four, programmed from its equations, gives the velocities of Clarabel's interior point on the step of a \
+            sliding block, and the gap μ h v_t of the relaxation, at every step length; a body 0.1 m deep comes out at 0.6 m/s. \
+            `ChSolver::Type` names PSOR, BARZILAIBORWEIN, APGD, ADMM; a contact's constraint is loaded by `ChContactNSC`, which HHT does \
+            not solve as an inequality.",
         control: "Coulomb's law in place of the relaxation: no gap.",
         sources: &[
             "chapter §10, table of simulators",
@@ -43,30 +49,42 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Chrono NSC handles granular flow of more than a million bodies and extends to GPUs.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::NotDecidable,
-        correct_statement: "Not decided here: no run of that size can be made or checked. What can be said is that its solvers need no matrix W, without which such a size would be out of reach.",
-        argument: "A million bodies with three contacts each have 9·10⁶ rows. A dense W would take 6.5·10¹⁴ bytes; H with 12 entries per row takes 8.6·10⁸. APGD, BB and PSOR use products with H and M⁻¹ only.",
+        correct_statement: "Not decided here: no run of that size can be made or checked. What can be said is that its solvers need no \
+            matrix W, without which such a size would be out of reach.",
+        argument: "A million bodies with three contacts each have 9·10⁶ rows. A dense W would take 6.5·10¹⁴ bytes; H with 12 entries per \
+            row takes 8.6·10⁸. APGD, BB and PSOR use products with H and M⁻¹ only.",
         control: "The dense W fits into a terabyte.",
         sources: &["chapter §10, table of simulators"],
         check: granular,
     },
     Claim {
         id: "S10.bullet-row",
-        statement: "Bullet: semi-implicit Euler with sequential impulses (projected Gauss–Seidel), MLCP by Lemke or Dantzig; Newton's e through a bias velocity, Baumgarte's ERP; h from 1 ms to 1/60 s.",
+        statement: "Bullet: semi-implicit Euler with sequential impulses (projected Gauss–Seidel), MLCP by Lemke or Dantzig; Newton's e \
+            through a bias velocity, Baumgarte's ERP; h from 1 ms to 1/60 s.",
         verdict: Verdict::True,
         evidence: Evidence::Measured,
-        correct_statement: "As stated. The bias is e|u_n| + ERP d/h for a depth d, and e|u_n| − d/h for a gap d, u_n after gravity (multibodies) or before (rigid bodies): a rebound equals e only up to these terms. ERP of contacts is 0.2 in Bullet and 0.08 in PyBullet.",
-        argument: "Stored motions of PyBullet 3.2.7: the first rebound of a ball equals e(|v| + g h) + ERP d/h, and a ball 1 cm deep rises so that its depth shrinks by 0.92 in every step, each to 1e-12; the scheme `bullet` reproduces every sample. The source names the solvers and 1/60 s.",
+        correct_statement: "As stated. The bias is e|u_n| + ERP d/h for a depth d, and e|u_n| − d/h for a gap d, u_n after gravity \
+            (multibodies) or before (rigid bodies): a rebound equals e only up to these terms. ERP of contacts is 0.2 in Bullet and 0.08 \
+            in PyBullet.",
+        argument: "Stored motions of PyBullet 3.2.7: the first rebound of a ball equals e(|v| + g h) + ERP d/h, and a ball 1 cm deep rises \
+            so that its depth shrinks by 0.92 in every step, each to 1e-12; the scheme `bullet` reproduces every sample. The source names \
+            the solvers and 1/60 s.",
         control: "ERP 0.2, Bullet's own default, in the same formulas.",
         sources: &["chapter §10, table of simulators", "PyBullet 3.2.7, source distribution", "references/bullet"],
         check: bullet_row,
     },
     Claim {
         id: "S10.pinocchio-row",
-        statement: "Pinocchio 3 / Simple: an NCP or SOCCP per step, rigid and compliant alike, by ADMM with automatic ρ and a proximal term, PGS, or as CCP.",
+        statement: "Pinocchio 3 / Simple: an NCP or SOCCP per step, rigid and compliant alike, by ADMM with automatic ρ and a proximal \
+            term, PGS, or as CCP.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "So it is in the release 4.1.0, where Coulomb's law is the default and the convex problem a switch of ADMM (`solve_ncp` = false), which PGS does not heed. And Pinocchio is no simulator: a step, its contacts and their stabilisation come from elsewhere.",
-        argument: "Stored answers of 4.1.0 for a sliding box, hard and with compliance 1/16 kg⁻¹, under Coulomb's law and relaxed: our ADMM, with ρ found by itself and the proximal term, finds the same velocities to 1e-7 m/s or better, and the certificate accepts them.",
+        correct_statement: "So it is in the release 4.1.0, where Coulomb's law is the default and the convex problem a switch of ADMM \
+            (`solve_ncp` = false), which PGS does not heed. And Pinocchio is no simulator: a step, its contacts and their stabilisation \
+            come from elsewhere.",
+        argument: "Stored answers of 4.1.0 for a sliding box, hard and with compliance 1/16 kg⁻¹, under Coulomb's law and relaxed: our \
+            ADMM, with ρ found by itself and the proximal term, finds the same velocities to 1e-7 m/s or better, and the certificate \
+            accepts them.",
         control: "The relaxed answer in place of the one under Coulomb's law.",
         sources: &["chapter §10, table of simulators", "Pinocchio 4.1.0: ADMMConstraintSolver", "references/pinocchio"],
         check: pinocchio_row,
@@ -76,8 +94,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Drake's SAP and Pinocchio's ADMM are the convex primal school, the industrial form of Anitescu's relaxation.",
         verdict: Verdict::Inconsistent,
         evidence: Evidence::Certified,
-        correct_statement: "Of SAP it holds. Pinocchio's ADMM solves Coulomb's law unless told otherwise, as the chapter's own table says (NCP); with `solve_ncp` = false it solves the relaxation.",
-        argument: "A box that slides on four corners: by default the loaded corners stay on the ground, u_n = 0; relaxed they leave it with u_n = μ‖u_t‖. Both answers are stored and certified.",
+        correct_statement: "Of SAP it holds. Pinocchio's ADMM solves Coulomb's law unless told otherwise, as the chapter's own table says \
+            (NCP); with `solve_ncp` = false it solves the relaxation.",
+        argument: "A box that slides on four corners: by default the loaded corners stay on the ground, u_n = 0; relaxed they leave it \
+            with u_n = μ‖u_t‖. Both answers are stored and certified.",
         control: "The relaxed answer as the default one.",
         sources: &["chapter §10, four routes, against its table of simulators", "references/pinocchio"],
         check: route,
@@ -98,7 +118,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Bullet: src/BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp.",
         verdict: Verdict::True,
         evidence: Evidence::Cited,
-        correct_statement: "As stated. PyBullet's bodies are multibodies by default, and these are solved in src/BulletDynamics/Featherstone/btMultiBodyConstraintSolver.cpp.",
+        correct_statement: "As stated. PyBullet's bodies are multibodies by default, and these are solved in \
+            src/BulletDynamics/Featherstone/btMultiBodyConstraintSolver.cpp.",
         argument: "Both are in the source distribution of PyBullet 3.2.7.",
         control: "The file in the folder of the MLCP solvers.",
         sources: &["chapter §10, source files", "PyBullet 3.2.7, source distribution: references/bullet/package.json"],
@@ -109,7 +130,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Pinocchio: include/pinocchio/algorithm/admm-solver.hxx, contact-cholesky.hpp.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Cited,
-        correct_statement: "So in Pinocchio 3. In 4.1.0 the solver is algorithm/solvers/admm-solver.hpp with src/algorithm/solvers/admm-solver.hxx, and contact-cholesky.hpp stands under deprecated/.",
+        correct_statement: "So in Pinocchio 3. In 4.1.0 the solver is algorithm/solvers/admm-solver.hpp with \
+            src/algorithm/solvers/admm-solver.hxx, and contact-cholesky.hpp stands under deprecated/.",
         argument: "The files of the wheel libpinocchio 4.1.0, listed.",
         control: "The printed path in 4.1.0.",
         sources: &["chapter §10, source files", "libpinocchio 4.1.0: references/pinocchio/package.json"],

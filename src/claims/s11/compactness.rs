@@ -16,11 +16,14 @@ use nalgebra::{DMatrix, DVector};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S11.bv",
-        statement: "Step 1: the velocities of all steps have uniformly bounded variation. Copositive-plus bounds the impulse of every step's complementarity problem, the energy the dissipation.",
+        statement: "Step 1: the velocities of all steps have uniformly bounded variation. Copositive-plus bounds the impulse of every \
+            step's complementarity problem, the energy the dissipation.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "With a pointed friction cone (no impulses that cancel) and starts that do not penetrate. Copositive-plus yields a solution, not a bound on it; and the Stewart–Trinkle matrix has it only without friction (S4.copos-plus).",
-        argument: "A mass between opposite walls, H = (1, −1)ᵀ, both touching: W = (1, −1; −1, 1) is copositive-plus, exactly, and P = (c, c) solves 0 ≤ P ⟂ W P ≥ 0 for c = 1, 10³, 10⁶. One wall, plastic, h = 2⁻⁴ … 2⁻⁸: the variation is 1 at every h.",
+        correct_statement: "With a pointed friction cone (no impulses that cancel) and starts that do not penetrate. Copositive-plus \
+            yields a solution, not a bound on it; and the Stewart–Trinkle matrix has it only without friction (S4.copos-plus).",
+        argument: "A mass between opposite walls, H = (1, −1)ᵀ, both touching: W = (1, −1; −1, 1) is copositive-plus, exactly, and P = (c, \
+            c) solves 0 ≤ P ⟂ W P ≥ 0 for c = 1, 10³, 10⁶. One wall, plastic, h = 2⁻⁴ … 2⁻⁸: the variation is 1 at every h.",
         control: "Walls at right angles, whose cone is pointed.",
         sources: &["chapter §11, step 1", "Stewart 1998 (not read)"],
         check: bounded_variation,
@@ -30,19 +33,24 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Impulses cannot be unbounded, because energy would then grow without bound.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "If Hᵀ P = 0 with P in the cone implies P = 0. Otherwise impulses that cancel each other do no work, and energy says nothing of them.",
-        argument: "Opposite walls: P = (c, c) leaves a resting mass at rest, kinetic energy 0 for c = 1, 10³, 10⁶. A wedge with normals (±3/5, 4/5): P₁ + P₂ ≤ (5/4)‖HᵀP‖, since both normals have the component 4/5 along (0, 1).",
+        correct_statement: "If Hᵀ P = 0 with P in the cone implies P = 0. Otherwise impulses that cancel each other do no work, and energy \
+            says nothing of them.",
+        argument: "Opposite walls: P = (c, c) leaves a resting mass at rest, kinetic energy 0 for c = 1, 10³, 10⁶. A wedge with normals \
+            (±3/5, 4/5): P₁ + P₂ ≤ (5/4)‖HᵀP‖, since both normals have the component 4/5 along (0, 1).",
         control: "Walls at right angles.",
         sources: &["chapter §11, step 1, intuition"],
         check: energy_and_impulse,
     },
     Claim {
         id: "S11.helly",
-        statement: "Step 2, Helly: of functions that are uniformly bounded with uniformly bounded variation a subsequence converges pointwise, to a function of bounded variation.",
+        statement: "Step 2, Helly: of functions that are uniformly bounded with uniformly bounded variation a subsequence converges \
+            pointwise, to a function of bounded variation.",
         verdict: Verdict::True,
         evidence: Evidence::Cited,
-        correct_statement: "As stated; a standard theorem, not proved here. That its hypothesis on the variation is needed, and that the velocities of a scheme satisfy it, is checked.",
-        argument: "Stewart–Trinkle on a wall: variation 1 for h = 2⁻⁴ … 2⁻⁸. The signs of sin 2πnt, n = 2⁰ … 2⁵, are bounded, jump 2n − 1 times, and any two of them differ on half of the interval: no subsequence converges.",
+        correct_statement: "As stated; a standard theorem, not proved here. That its hypothesis on the variation is needed, and that the \
+            velocities of a scheme satisfy it, is checked.",
+        argument: "Stewart–Trinkle on a wall: variation 1 for h = 2⁻⁴ … 2⁻⁸. The signs of sin 2πnt, n = 2⁰ … 2⁵, are bounded, jump 2n − 1 \
+            times, and any two of them differ on half of the interval: no subsequence converges.",
         control: "Those signs in place of the velocities.",
         sources: &["chapter §11, step 2", "Helly's selection theorem, in textbooks of real analysis"],
         check: helly,
@@ -53,7 +61,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated. A subsequence is meant: at the time of an impact the whole sequence need not converge.",
-        argument: "Stewart–Trinkle on a wall that is hit at ⅓ s: ∫|v_h − v| = 4h/9, which bounds the error of the position. v_h = −1 and 0 at 1/4 s and 1/2 s, but v_h(⅓) = −⅓ for h = 2⁻ᵏ with even k and −⅔ with odd k.",
+        argument: "Stewart–Trinkle on a wall that is hit at ⅓ s: ∫|v_h − v| = 4h/9, which bounds the error of the position. v_h = −1 and 0 \
+            at 1/4 s and 1/2 s, but v_h(⅓) = −⅓ for h = 2⁻ᵏ with even k and −⅔ with odd k.",
         control: "The whole sequence at ⅓ s.",
         sources: &["chapter §11, step 2"],
         check: subsequence,
@@ -64,7 +73,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; C([0, T]) is separable. Weakly*, and in no stronger sense: not in mass.",
-        argument: "The same wall: P_h has mass 1 in two steps next to ⅓ s, ∫g dP_h → g(⅓) for g = t, t², |t − ⅓| with errors of at most 2h times the slope; the mass of P_h − δ_⅓ is 2 at every h.",
+        argument: "The same wall: P_h has mass 1 in two steps next to ⅓ s, ∫g dP_h → g(⅓) for g = t, t², |t − ⅓| with errors of at most 2h \
+            times the slope; the mass of P_h − δ_⅓ is 2 at every h.",
         control: "Convergence in mass.",
         sources: &["chapter §11, step 3"],
         check: weak_star,
@@ -82,22 +92,28 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S11.step4",
-        statement: "Step 4: complementarity and the normal-cone relation carry over to the limit because the graph of the normal cone is closed.",
+        statement: "Step 4: complementarity and the normal-cone relation carry over to the limit because the graph of the normal cone is \
+            closed.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "The conclusion is the theorem's; the closed graph alone does not give it. v_h converges pointwise and P_h weakly*, and ∫v_h dP_h need not converge to ∫v dP: a further argument is needed where both jump, such as the energy balance.",
-        argument: "v_h = 1 from ½ on, P_h = δ at ½ − h: ∫v_h dP_h = 0 at every h, ∫v dP = 1. Stewart–Trinkle's own steps on the wall: Σ v⁺P = −2/9 at every h, although v⁺ = 0 in the limit and P = δ_⅓; while Σ ½(v + v⁺)P = −½ at every h, as in the limit.",
+        correct_statement: "The conclusion is the theorem's; the closed graph alone does not give it. v_h converges pointwise and P_h \
+            weakly*, and ∫v_h dP_h need not converge to ∫v dP: a further argument is needed where both jump, such as the energy balance.",
+        argument: "v_h = 1 from ½ on, P_h = δ at ½ − h: ∫v_h dP_h = 0 at every h, ∫v dP = 1. Stewart–Trinkle's own steps on the wall: Σ \
+            v⁺P = −2/9 at every h, although v⁺ = 0 in the limit and P = δ_⅓; while Σ ½(v + v⁺)P = −½ at every h, as in the limit.",
         control: "Σ v⁺P in the limit in place of that of the steps.",
         sources: &["chapter §11, step 4"],
         check: passage,
     },
     Claim {
         id: "S11.no-taylor",
-        statement: "The four steps are a template: whoever wants to prove a new scheme convergent goes through them, with compactness in place of Taylor expansions.",
+        statement: "The four steps are a template: whoever wants to prove a new scheme convergent goes through them, with compactness in \
+            place of Taylor expansions.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::NotDecidable,
-        correct_statement: "A plan, not a theorem. Steps 1 to 3 can succeed with a limit that is no solution: step 4 has to be proved for each scheme.",
-        argument: "Stewart–Trinkle's constraint with the trapezoidal position update: variation of at most 2, a plastic body that rebounds at 2/5 of its speed for h = 1/100 and 1/1000. Its limit exists and violates the impact law.",
+        correct_statement: "A plan, not a theorem. Steps 1 to 3 can succeed with a limit that is no solution: step 4 has to be proved for \
+            each scheme.",
+        argument: "Stewart–Trinkle's constraint with the trapezoidal position update: variation of at most 2, a plastic body that rebounds \
+            at 2/5 of its speed for h = 1/100 and 1/1000. Its limit exists and violates the impact law.",
         control: "A rebound of 0, the plastic law.",
         sources: &["chapter §11, essential insight after step 4", "S4.nonpen"],
         check: template,
@@ -107,8 +123,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Exercise: for a mass that hits a wall the energy estimate bounds the variation of v_h uniformly.",
         verdict: Verdict::True,
         evidence: Evidence::Certified,
-        correct_statement: "As stated: impulses push one way only, so Σ P/m = v_N − v_0 + g T and the variation is at most 2 g T + v_N − v_0 ≤ 2 g T + √(2 g q₀) + g h for a drop from q₀ with e ≤ 1.",
-        argument: "Moreau–Jean, θ = ½, e = ½, q₀ = 1/8 m, g = 10 m/s², T = 2 s, h = 2⁻⁴ … 2⁻¹²: no speed above √(2 g q₀) + g h, no variation above the bound.",
+        correct_statement: "As stated: impulses push one way only, so Σ P/m = v_N − v_0 + g T and the variation is at most 2 g T + v_N − \
+            v_0 ≤ 2 g T + √(2 g q₀) + g h for a drop from q₀ with e ≤ 1.",
+        argument: "Moreau–Jean, θ = ½, e = ½, q₀ = 1/8 m, g = 10 m/s², T = 2 s, h = 2⁻⁴ … 2⁻¹²: no speed above √(2 g q₀) + g h, no \
+            variation above the bound.",
         control: "e = 2.",
         sources: &["chapter §11, exercise 1"],
         check: exercise,

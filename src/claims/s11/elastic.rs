@@ -12,12 +12,17 @@ use crate::trajectory::{Level, fit_order};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S11.rigid-to-fem",
-        statement: "The convergence proof of rigid-body time-stepping does not carry over to flexible bodies and finite elements: discrete elastic waves with contact easily bring a numerical drift of energy, which needs integrators of its own.",
+        statement: "The convergence proof of rigid-body time-stepping does not carry over to flexible bodies and finite elements: discrete \
+            elastic waves with contact easily bring a numerical drift of energy, which needs integrators of its own.",
         verdict: Verdict::True,
         evidence: Evidence::Measured,
-        correct_statement: "As stated, seen on a bar that hits a wall. The solution is of another kind (a finite force ρcAV over 2L/c, e = 1, no atom), refining the mesh changes the finite-dimensional problem, and what is proved for each mesh says nothing of the limit of the force.",
-        argument: "Mesh of 20 to 80 elements, h = Δ/(2c), plastic law at the node. Midpoint: the energy lost is 1/31 at N = 20 and proportional to Δ, where a rigid body loses all; its force is off by 0.88 of the true impulse at every N. \
-            Average acceleration multiplies the energy by 4 and more. With the end's mass redistributed the force converges and the energy stays within 3·10⁻⁴.",
+        correct_statement: "As stated, seen on a bar that hits a wall. The solution is of another kind (a finite force ρcAV over 2L/c, e = \
+            1, no atom), refining the mesh changes the finite-dimensional problem, and what is proved for each mesh says nothing of the \
+            limit of the force.",
+        argument: "Mesh of 20 to 80 elements, h = Δ/(2c), plastic law at the node. Midpoint: the energy lost is 1/31 at N = 20 and \
+            proportional to Δ, where a rigid body loses all; its force is off by 0.88 of the true impulse at every N. \
+            Average acceleration multiplies the energy by 4 and more. With the end's mass redistributed the force converges and the energy \
+            stays within 3·10⁻⁴.",
         control: "What a rigid body with e = 0 does: it loses all its energy.",
         sources: &[
             "chapter §11, infinite-dimensional extension and pitfalls",
@@ -28,11 +33,14 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S11.fem-refs",
-        statement: "Laursen and Chawla (1997) and Laursen and Love (2002) construct energy–momentum conserving finite-element integrators for impact; Hauret and Le Tallec (2006) estimate the dissipation; Hesch and Betsch treat contact in the same spirit.",
+        statement: "Laursen and Chawla (1997) and Laursen and Love (2002) construct energy–momentum conserving finite-element integrators \
+            for impact; Hauret and Le Tallec (2006) estimate the dissipation; Hesch and Betsch treat contact in the same spirit.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::Cited,
-        correct_statement: "Citations without a statement to decide; the papers were not read. What the first two names stand for is checked: the persistency condition keeps the energy, at the price of a penetration of a step and of a force that oscillates.",
-        argument: "Midpoint with 0 ≤ λ ⟂ u⁺ − u ≥ 0 once closed: ΔE = λ(u⁺ − u) = 0 in every step, to rounding, at N = 20, 40, 80. Without it ΔE ≤ 0 in every step.",
+        correct_statement: "Citations without a statement to decide; the papers were not read. What the first two names stand for is \
+            checked: the persistency condition keeps the energy, at the price of a penetration of a step and of a force that oscillates.",
+        argument: "Midpoint with 0 ≤ λ ⟂ u⁺ − u ≥ 0 once closed: ΔE = λ(u⁺ − u) = 0 in every step, to rounding, at N = 20, 40, 80. Without \
+            it ΔE ≤ 0 in every step.",
         control: "Average acceleration in place of the persistency condition.",
         sources: &[
             "chapter §11, infinite-dimensional extension",

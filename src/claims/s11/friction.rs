@@ -10,21 +10,26 @@ use crate::scalar::{Rational, ratio};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S11.painleve",
-        statement: "Stewart (1998) constructs the solution with an atom; so a solution exists in Painlevé's configurations, as a measure, and the paradox of a hundred years is dissolved for good.",
+        statement: "Stewart (1998) constructs the solution with an atom; so a solution exists in Painlevé's configurations, as a measure, \
+            and the paradox of a hundred years is dissolved for good.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Existence is; uniqueness is not. Where no sliding force exists the step has one answer, an impulse that stays finite as h → 0. Where two exist it has three, of which the construction takes one.",
-        argument: "The rod with tan θ = 4/3, μ = 2: for b = −5 m/s² no sliding force and one answer, P_n = 9/25 + (73/20) h; for b = +5 m/s² three answers, at h = 10⁻³, 10⁻⁴ and 10⁻⁵, in rationals.",
+        correct_statement: "Existence is; uniqueness is not. Where no sliding force exists the step has one answer, an impulse that stays \
+            finite as h → 0. Where two exist it has three, of which the construction takes one.",
+        argument: "The rod with tan θ = 4/3, μ = 2: for b = −5 m/s² no sliding force and one answer, P_n = 9/25 + (73/20) h; for b = +5 \
+            m/s² three answers, at h = 10⁻³, 10⁻⁴ and 10⁻⁵, in rationals.",
         control: "μ = 1, below μ_P = 13/9: one answer each, without an impulse that stays.",
         sources: &["chapter §11, Painlevé as a by-product", "Stewart 1998 (not read)"],
         check: painleve,
     },
     Claim {
         id: "S11.friction-split",
-        statement: "The proof above (Stewart's, whose by-product is the solution of Painlevé's paradox) is the case without friction; with friction convergence was first shown in 2007.",
+        statement: "The proof above (Stewart's, whose by-product is the solution of Painlevé's paradox) is the case without friction; with \
+            friction convergence was first shown in 2007.",
         verdict: Verdict::Inconsistent,
         evidence: Evidence::Exact,
-        correct_statement: "Painlevé's paradox needs friction, μ > μ_P > 0, and so does the Stewart–Trinkle scheme whose limit the proof takes. A proof that resolves it is one with friction.",
+        correct_statement: "Painlevé's paradox needs friction, μ > μ_P > 0, and so does the Stewart–Trinkle scheme whose limit the proof \
+            takes. A proof that resolves it is one with friction.",
         argument: "The rod at b = −1: with μ = 0, 1 and 13/9 − 1/100 there is one sliding force, with 13/9 + 1/100 and 2 there is none.",
         control: "A paradox at μ = 0.",
         sources: &["chapter §11, four steps; Painlevé as a by-product; convergence with friction"],
@@ -32,26 +37,36 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S11.dmm",
-        statement: "Dzonou and Monteiro Marques (Nonlinear Anal. TMA 2007) give the first rigorous result with friction, by de Saxcé's bipotential, for small μ and Lipschitz M.",
+        statement: "Dzonou and Monteiro Marques (Nonlinear Anal. TMA 2007) give the first rigorous result with friction, by de Saxcé's \
+            bipotential, for small μ and Lipschitz M.",
         verdict: Verdict::False,
         evidence: Evidence::Cited,
-        correct_statement: "Not the first: by the chapter's own account Stewart's proof of 1998 has friction, enough of it for Painlevé, and Monteiro Marques's book of 1993 has “Shocks and Dry Friction” in its title. No such paper of 2007 was found; what was found of these authors (2007, 2009) is about one constraint without friction, in its abstract.",
-        argument: "The rod is without a sliding force only above μ_P = 13/9, exactly, which the earlier proof covers and a result for small μ does not. The years: 1993 and 1998, before 2007.",
+        correct_statement: "Not the first: by the chapter's own account Stewart's proof of 1998 has friction, enough of it for Painlevé, \
+            and Monteiro Marques's book of 1993 has “Shocks and Dry Friction” in its title. No such paper of 2007 was found; what was \
+            found of these authors (2007, 2009) is about one constraint without friction, in its abstract.",
+        argument: "The rod is without a sliding force only above μ_P = 13/9, exactly, which the earlier proof covers and a result for \
+            small μ does not. The years: 1993 and 1998, before 2007.",
         control: "Painlevé's rod at μ = 1/10.",
         sources: &[
             "chapter §11, convergence with friction",
-            "Monteiro Marques, Differential Inclusions in Nonsmooth Mechanical Problems: Shocks and Dry Friction (1993), for title and year",
+            "Monteiro Marques, Differential Inclusions in Nonsmooth Mechanical Problems: Shocks and Dry Friction (1993), for title and \
+                year",
             "Dzonou, Monteiro Marques and Paoli, Nonlinear Dynamics 58 (2009) 361 (abstract)",
         ],
         check: first,
     },
     Claim {
         id: "S11.discontinuous-friction",
-        statement: "With friction step 4 fails because Coulomb's law is not semicontinuous: the force's direction jumps between sliding and sticking, so that the closed graph is lost.",
+        statement: "With friction step 4 fails because Coulomb's law is not semicontinuous: the force's direction jumps between sliding \
+            and sticking, so that the closed graph is lost.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "As a set-valued law Coulomb's has a closed graph, which is what step 4 uses; only the single-valued sign jumps (and the set is not lower semicontinuous). What friction takes away is monotonicity: the law is not the normal-cone relation of a fixed set.",
-        argument: "Slips (3, 4)/5·10⁻ᵏ with r = (1, −(3, 4)μ/5): all in the law, and so is the limit, slip 0 with the same r. Two states of sliding with r = (1, −μ), slip 2, and (10, −10μ), slip 1: ⟨Δu, Δr⟩ = +9μ, where a monotone law has ≤ 0. Lifted by u_n = μ|u_t|, as in the associated law: 0.",
+        correct_statement: "As a set-valued law Coulomb's has a closed graph, which is what step 4 uses; only the single-valued sign jumps \
+            (and the set is not lower semicontinuous). What friction takes away is monotonicity: the law is not the normal-cone relation \
+            of a fixed set.",
+        argument: "Slips (3, 4)/5·10⁻ᵏ with r = (1, −(3, 4)μ/5): all in the law, and so is the limit, slip 0 with the same r. Two states \
+            of sliding with r = (1, −μ), slip 2, and (10, −10μ), slip 1: ⟨Δu, Δr⟩ = +9μ, where a monotone law has ≤ 0. Lifted by u_n = \
+            μ|u_t|, as in the associated law: 0.",
         control: "The single-valued law, r_t = 0 at slip 0.",
         sources: &["chapter §11, convergence with friction; exercise 2"],
         check: closed_graph,
@@ -61,8 +76,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "With friction, which is not semicontinuous, the proof took ten years.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::NotDecidable,
-        correct_statement: "History, told from two dates the chapter gives, 1998 and 2007. Counted from the scheme to the proof that covers Painlevé's configurations, and so friction, it took two.",
-        argument: "The scheme: 1996, from the SICI of its paper. The proof that resolves the paradox, which exists above μ_P = 13/9 only: 1998.",
+        correct_statement: "History, told from two dates the chapter gives, 1998 and 2007. Counted from the scheme to the proof that \
+            covers Painlevé's configurations, and so friction, it took two.",
+        argument: "The scheme: 1996, from the SICI of its paper. The proof that resolves the paradox, which exists above μ_P = 13/9 only: \
+            1998.",
         control: "Ten years from the scheme to the proof.",
         sources: &["chapter §11, pitfalls", "S11.friction-split", "S4.cites"],
         check: years,

@@ -17,11 +17,13 @@ use nalgebra::{DMatrix, DVector};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S11.projection-singular",
-        statement: "Projecting the velocity onto what the contact allows has a singular Jacobian; a map with a singular Jacobian is not symplectic.",
+        statement: "Projecting the velocity onto what the contact allows has a singular Jacobian; a map with a singular Jacobian is not \
+            symplectic.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated: v ↦ v − M⁻¹n (nᵀM⁻¹n)⁻¹ nᵀv has the eigenvalue 0, and DᵀJD = J gives (det D)² = 1.",
-        argument: "Two coupled masses, M = (2, 1; 1, 3), n = (0, 1), in rationals: det D = 0, and DᵀJD ≠ J. In one dimension D = diag(1, 0).",
+        argument: "Two coupled masses, M = (2, 1; 1, 3), n = (0, 1), in rationals: det D = 0, and DᵀJD ≠ J. In one dimension D = diag(1, \
+            0).",
         control: "The reflection v ↦ v − 2M⁻¹n (nᵀM⁻¹n)⁻¹ nᵀv.",
         sources: &["chapter §11, symplectic incompatibility"],
         check: velocity_projection,
@@ -32,29 +34,37 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated, where it acts on an open set of states: one that is put back on the wall has lost the depth it had.",
-        argument: "A semi-implicit step of two coupled masses in a cubic potential, put back on the wall where it ends below: det D = 0 exactly.",
+        argument: "A semi-implicit step of two coupled masses in a cubic potential, put back on the wall where it ends below: det D = 0 \
+            exactly.",
         control: "The mirror image in the wall in place of the projection: a correction that projects nothing.",
         sources: &["chapter §11, symplectic incompatibility"],
         check: position_projection,
     },
     Claim {
         id: "S11.reflection-symplectic",
-        statement: "The exception: for e = 1 without correction the collision is a reflection v → −v, which keeps the energy and is symplectic.",
+        statement: "The exception: for e = 1 without correction the collision is a reflection v → −v, which keeps the energy and is \
+            symplectic.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "The flow across the collision is. The reflection by itself, (q, v) ↦ (q, −v) at fixed q, keeps the energy too, with determinant −1 and DᵀJD = −J: it reverses the form. That the time of the impact moves with the start makes the difference.",
-        argument: "Ball on a floor, e = 1, in rationals: the flow from before to after the impact has det D = 1 and DᵀJD = J; the reflection det D = −1 and DᵀJD = −J.",
+        correct_statement: "The flow across the collision is. The reflection by itself, (q, v) ↦ (q, −v) at fixed q, keeps the energy too, \
+            with determinant −1 and DᵀJD = −J: it reverses the form. That the time of the impact moves with the start makes the \
+            difference.",
+        argument: "Ball on a floor, e = 1, in rationals: the flow from before to after the impact has det D = 1 and DᵀJD = J; the \
+            reflection det D = −1 and DᵀJD = −J.",
         control: "The reflection in place of the flow.",
         sources: &["chapter §11, symplectic incompatibility; exercise 3(d)"],
         check: reflection,
     },
     Claim {
         id: "S11.no-symplectic-contact",
-        statement: "That is why no improved symplectic contact integrator can succeed completely: the obstacle is geometric, not technical.",
+        statement: "That is why no improved symplectic contact integrator can succeed completely: the obstacle is geometric, not \
+            technical.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "For e < 1 the motion itself does not keep the form, so no method should; and no projection can. For e = 1 such integrators exist: variational ones, and those whose correction is a mirror image.",
-        argument: "The exact flow across an impact with e = 4/5 has det D = 16/25. For e = 1 a variational step with an impact in it, two coordinates, cubic potential, curved wall: DᵀJD − J = 0 in rationals; a mirrored step the same.",
+        correct_statement: "For e < 1 the motion itself does not keep the form, so no method should; and no projection can. For e = 1 such \
+            integrators exist: variational ones, and those whose correction is a mirror image.",
+        argument: "The exact flow across an impact with e = 4/5 has det D = 16/25. For e = 1 a variational step with an impact in it, two \
+            coordinates, cubic potential, curved wall: DᵀJD − J = 0 in rationals; a mirrored step the same.",
         control: "The variational step with its velocity cut to 4/5.",
         sources: &["chapter §11, essential insight on symplecticity", "S8.kmow", "S8.cirak-west"],
         check: exceptions,
@@ -64,18 +74,22 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Every operation that corrects penetration destroys symplecticity, whether explicit or implicit.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Of a projection that is so, whatever method made the step. A mirror image leaves it to the method: symplectic after a symplectic step, not after another.",
-        argument: "A spring stepped by explicit Euler, semi-implicit Euler, the midpoint rule and implicit Euler, h ω = 1/4, then projected: det D = 0 for all four. Mirrored: 17/16, 1, 1 and 16/17.",
+        correct_statement: "Of a projection that is so, whatever method made the step. A mirror image leaves it to the method: symplectic \
+            after a symplectic step, not after another.",
+        argument: "A spring stepped by explicit Euler, semi-implicit Euler, the midpoint rule and implicit Euler, h ω = 1/4, then \
+            projected: det D = 0 for all four. Mirrored: 17/16, 1, 1 and 16/17.",
         control: "Determinant 0 for the mirrored steps too.",
         sources: &["chapter §11, pitfalls"],
         check: either,
     },
     Claim {
         id: "S11.ex3",
-        statement: "Exercise: the Jacobian of the projection v < 0 ↦ 0 is singular, so it cannot be symplectic; and the elastic reflection is an exception – what is its Jacobian?",
+        statement: "Exercise: the Jacobian of the projection v < 0 ↦ 0 is singular, so it cannot be symplectic; and the elastic reflection \
+            is an exception – what is its Jacobian?",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "The projection: diag(1, 0). The reflection: diag(1, −1), determinant −1, which is not symplectic. The exception is the flow across the impact: over a time T without forces −(1, T; 0, 1), determinant 1.",
+        correct_statement: "The projection: diag(1, 0). The reflection: diag(1, −1), determinant −1, which is not symplectic. The \
+            exception is the flow across the impact: over a time T without forces −(1, T; 0, 1), determinant 1.",
         argument: "One dimension, in rationals with dual numbers: determinants 0, −1 and 1.",
         control: "Determinant 1 for the reflection.",
         sources: &["chapter §11, exercise 3"],

@@ -12,11 +12,14 @@ use nalgebra::{DMatrix, DVector};
 /// The claims of this file.
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S12.ex3",
-    statement: "In one dimension without friction the convex QP of Anitescu is equivalent to the LCP; with a tangential direction (friction, horizontal initial velocity) LCP and relaxation begin to differ by an O(h) gliding.",
+    statement: "In one dimension without friction the convex QP of Anitescu is equivalent to the LCP; with a tangential direction \
+        (friction, horizontal initial velocity) LCP and relaxation begin to differ by an O(h) gliding.",
     verdict: Verdict::Conditional,
     evidence: Evidence::Exact,
-    correct_statement: "The one-dimensional QP and LCP have the same solution. With friction they differ only while the contact slides, by the gap μh|v_t|; they agree where it sticks.",
-    argument: "QP: min ½P² − 1.585 P over P ≥ 0 has the minimiser max(0, 1.585) = 317/200, which is the solution of the LCP 0 ≤ P ⟂ P − 317/200 ≥ 0 of the chapter's contact step. On the 3-4-5 slope, h = 1/200: with μ = 1 both laws give v = 0; with μ = 1/2 \
+    correct_statement: "The one-dimensional QP and LCP have the same solution. With friction they differ only while the contact slides, by \
+        the gap μh|v_t|; they agree where it sticks.",
+    argument: "QP: min ½P² − 1.585 P over P ≥ 0 has the minimiser max(0, 1.585) = 317/200, which is the solution of the LCP 0 ≤ P ⟂ P − \
+        317/200 ≥ 0 of the chapter's contact step. On the 3-4-5 slope, h = 1/200: with μ = 1 both laws give v = 0; with μ = 1/2 \
                Coulomb slides at φ = 0 and the relaxed step at φ = μ h v_t exactly.",
     control: "Coulomb's step in place of the relaxed one: it has no gap.",
     sources: &["chapter §12, exercise 3"],

@@ -13,20 +13,25 @@ pub const CLAIMS: &[Claim] = &[
         statement: "De Saxcé's bipotential is b(v, r) = μ‖v_t‖ r_n + ⟨v, r⟩.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "b(−u, r) = μ r_n‖u_t‖ plus the indicators of u_n ≥ 0 and r ∈ K_μ. The printed expression is its residual b(−u, r) + ⟨u, r⟩ without the indicators, zero exactly on the contact law.",
-        argument: "A bipotential satisfies b(−u, r) ≥ −⟨u, r⟩ with equality on the law. Sliding with u = (0, 1, 0), r = (1, −μ, 0), μ = 7/10: −⟨u, r⟩ = 7/10 = μ r_n‖u_t‖, but the printed expression is 0 with v = u (against ⟨u, r⟩ = −7/10) and 7/5 with v = −u. \
-            The formula is right under another name: as the residual it is ≥ 0 for r ∈ K_μ, u_n ≥ 0, and it vanishes on all stick, slip and open pairs of the grid and on no other.",
+        correct_statement: "b(−u, r) = μ r_n‖u_t‖ plus the indicators of u_n ≥ 0 and r ∈ K_μ. The printed expression is its residual b(−u, \
+            r) + ⟨u, r⟩ without the indicators, zero exactly on the contact law.",
+        argument: "A bipotential satisfies b(−u, r) ≥ −⟨u, r⟩ with equality on the law. Sliding with u = (0, 1, 0), r = (1, −μ, 0), μ = \
+            7/10: −⟨u, r⟩ = 7/10 = μ r_n‖u_t‖, but the printed expression is 0 with v = u (against ⟨u, r⟩ = −7/10) and 7/5 with v = −u. \
+            The formula is right under another name: as the residual it is ≥ 0 for r ∈ K_μ, u_n ≥ 0, and it vanishes on all stick, slip \
+            and open pairs of the grid and on no other.",
         control: "The printed expression, with v = −u, as the bipotential.",
         sources: &["chapter §2, friction by the bipotential", "de Saxcé and Feng, The bipotential method (1998)"],
         check: bipotential,
     },
     Claim {
         id: "S2.desaxce-incl",
-        statement: "With the bipotential, contact with friction becomes one implicit inclusion that unites normal complementarity and maximal dissipation.",
+        statement: "With the bipotential, contact with friction becomes one implicit inclusion that unites normal complementarity and \
+            maximal dissipation.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "K_μ ∋ r ⟂ u + μ‖u_t‖ n ∈ K_μ*.",
-        argument: "û_n = u_n + μ‖u_t‖, so û ∈ K* iff u_n ≥ 0, and r·û = r_n u_n + (μ r_n‖u_t‖ + r_t·u_t) is a sum of two terms that are ≥ 0 on r ∈ K: it vanishes iff Signorini's and Coulomb's laws hold. \
+        argument: "û_n = u_n + μ‖u_t‖, so û ∈ K* iff u_n ≥ 0, and r·û = r_n u_n + (μ r_n‖u_t‖ + r_t·u_t) is a sum of two terms that are ≥ \
+            0 on r ∈ K: it vanishes iff Signorini's and Coulomb's laws hold. \
             On a grid of rational pairs with rational norms the two formulations agree everywhere; stick, slip and separation all occur.",
         control: "The inclusion without the term μ‖u_t‖ n.",
         sources: &["chapter §2, friction by the bipotential", "de Saxcé and Feng, The bipotential method (1998)"],

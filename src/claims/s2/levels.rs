@@ -17,11 +17,14 @@ use nalgebra::{DVector, dvector};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S2.NTC-robust",
-        statement: "Replacing N_C(q) by the velocity-level N_{T_C(q)}(v⁺) removes the 0/1 switch of the position level: it suffices to impose ∇φ·v⁺ ≥ 0 at the contacts with φ ≤ 0 (or about to be), so the scheme is naturally robust to activation.",
+        statement: "Replacing N_C(q) by the velocity-level N_{T_C(q)}(v⁺) removes the 0/1 switch of the position level: it suffices to \
+            impose ∇φ·v⁺ ≥ 0 at the contacts with φ ≤ 0 (or about to be), so the scheme is naturally robust to activation.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "No event time is needed, but T_C(q) jumps from the whole space to a half-space at φ = 0 just as N_C does, and the discrete result depends on the activation rule.",
-        argument: "v = −1 is tangent at φ = 2⁻⁴⁰ and not at φ = 0. A plastic ball dropped from 1/10 m with h = 1/64 s comes to rest under the rules A (φ ≤ 0), B (half a step ahead) and D (free forecast) within h·|v| of the floor, \
+        correct_statement: "No event time is needed, but T_C(q) jumps from the whole space to a half-space at φ = 0 just as N_C does, and \
+            the discrete result depends on the activation rule.",
+        argument: "v = −1 is tangent at φ = 2⁻⁴⁰ and not at φ = 0. A plastic ball dropped from 1/10 m with h = 1/64 s comes to rest under \
+            the rules A (φ ≤ 0), B (half a step ahead) and D (free forecast) within h·|v| of the floor, \
             without any event detected; but under A it rests below the floor and under D on or above it.",
         control: "Rule A compared with itself, as if every rule gave the same.",
         sources: &["chapter §2, from N_C to N_{T_C}"],
@@ -29,11 +32,13 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S2.pos-vel-equiv",
-        statement: "Position and velocity level are equivalent in persistent contact (φ ≡ 0); they differ when contact is about to be made.",
+        statement: "Position and velocity level are equivalent in persistent contact (φ ≡ 0); they differ when contact is about to be \
+            made.",
         verdict: Verdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated, in continuous time; for a linear gap it holds step by step.",
-        argument: "φ ≡ 0 on an interval gives φ̇ = 0; conversely ∇φ·v⁺ ≥ 0 with complementarity from φ = 0 keeps φ ≥ 0. For linear φ = 0 Stewart–Trinkle's condition φ/h + u_n ≥ 0 is Moreau–Jean's u_n ≥ 0: \
+        argument: "φ ≡ 0 on an interval gives φ̇ = 0; conversely ∇φ·v⁺ ≥ 0 with complementarity from φ = 0 keeps φ ≥ 0. For linear φ = 0 \
+            Stewart–Trinkle's condition φ/h + u_n ≥ 0 is Moreau–Jean's u_n ≥ 0: \
             twenty steps of a block on an incline, sliding (μ = 0.3) and sticking (μ = 0.8), agree to rounding and leave φ = 0.",
         control: "The same block started 1/64 m above the incline, about to make contact.",
         sources: &["chapter §2, table of levels", "chapter §4"],
@@ -45,7 +50,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "Exact for linear φ. With φ linearised in each step there remains −½h² v·∇²φ v, which does not accumulate.",
-        argument: "A bead of unit speed on the inside of a unit circle: the linearised condition puts q⁺ on the tangent line, |q⁺|² = 1 + h²w² with the tangential speed w ≤ 1, whatever the gap before. \
+        argument: "A bead of unit speed on the inside of a unit circle: the linearised condition puts q⁺ on the tangent line, |q⁺|² = 1 + \
+            h²w² with the tangential speed w ≤ 1, whatever the gap before. \
             So φ = 1 − √(1+h²) after the first step and never below −h²/2: −5.0e-5 and −5.0e-7 m for h = 1e-2 and 1e-3 s over two seconds.",
         control: "The velocity level (Moreau–Jean, θ = 1, activation φ ≤ 0).",
         sources: &["chapter §2, table of levels"],
@@ -57,7 +63,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "On curved constraints: the depth grows like h v² T/(2R). For linear φ in persistent contact there is none.",
-        argument: "The bead on the unit circle moves along the tangent, so |q⁺|² = |q|² + h²w², and |q| w is conserved: |q|² ≤ 1 + hT. The depth after T lies in [hT/((1+hT)(1+√(1+hT))), √(1+hT) − 1]; \
+        argument: "The bead on the unit circle moves along the tangent, so |q⁺|² = |q|² + h²w², and |q| w is conserved: |q|² ≤ 1 + hT. The \
+            depth after T lies in [hT/((1+hT)(1+√(1+hT))), √(1+hT) − 1]; \
             it is 9.85e-3 and 9.99e-4 m for h = 1e-2 and 1e-3 s at T = 2 s. A block sliding on a plane keeps φ = 0 exactly.",
         control: "The position level (Stewart–Trinkle).",
         sources: &["chapter §2, table of levels", "chapter §3, pitfall on drift"],
@@ -69,7 +76,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Certified,
         correct_statement: "The continuous motion satisfies φ ≥ 0 at all times by definition; discrete ones need the drift corrected.",
-        argument: "q(t) ∈ C is part of the problem. The exact bouncing ball (e = 1/2) is not below the floor at any of 4000 instants up to twice its last impact; its discretisation with the activation φ ≤ 0 is, by up to h|v|.",
+        argument: "q(t) ∈ C is part of the problem. The exact bouncing ball (e = 1/2) is not below the floor at any of 4000 instants up to \
+            twice its last impact; its discretisation with the activation φ ≤ 0 is, by up to h|v|.",
         control: "The discrete motion of Moreau–Jean, activation φ ≤ 0, without correction.",
         sources: &["chapter §2, sweeping process and penalty compared"],
         check: penetration,

@@ -7,11 +7,15 @@ use crate::scalar::{Rational, Scalar, ratio};
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S2.dzonou",
-    statement: "De Saxcé's bipotential is the key of the convergence proof by Dzonou and Monteiro Marques (Nonlinear Analysis, 2007), which gets over the lack of semicontinuity of Coulomb's law.",
+    statement: "De Saxcé's bipotential is the key of the convergence proof by Dzonou and Monteiro Marques (Nonlinear Analysis, 2007), \
+        which gets over the lack of semicontinuity of Coulomb's law.",
     verdict: Verdict::Ambiguous,
     evidence: Evidence::Cited,
-    correct_statement: "The paper was not read. Those found under these names treat one perfect constraint without friction (with Paoli, Nonlinear Dynamics 58 (2009) 361). What can be decided: as a set-valued law, with or without a bipotential, Coulomb's law has a closed graph; what lacks it is the single-valued law with r_t = 0 at rest.",
-    argument: "μ = 7/10, r_n = 1: the sliding pairs u = (0, 1/k), r = (1, −μ), k = 1 … 64, have r ∈ K and r·û = 0, and so has their limit u = 0. The single-valued law holds at every k and not in the limit.",
+    correct_statement: "The paper was not read. Those found under these names treat one perfect constraint without friction (with Paoli, \
+        Nonlinear Dynamics 58 (2009) 361). What can be decided: as a set-valued law, with or without a bipotential, Coulomb's law has a \
+        closed graph; what lacks it is the single-valued law with r_t = 0 at rest.",
+    argument: "μ = 7/10, r_n = 1: the sliding pairs u = (0, 1/k), r = (1, −μ), k = 1 … 64, have r ∈ K and r·û = 0, and so has their limit \
+        u = 0. The single-valued law holds at every k and not in the limit.",
     control: "The single-valued law in the limit.",
     sources: &["chapter §2, friction by the bipotential, and §7, convergence with friction", "HAL hal-01552482 (abstract)"],
     check: closed_graph,

@@ -15,12 +15,16 @@ use std::cmp::Ordering;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S2.base-measure",
-        statement: "The base measure is dμ = dt + Σᵢ δ_{tᵢ}, the Lebesgue measure and an atom at each impact; v is of bounded variation and dv splits into v̇ dt and jumps.",
+        statement: "The base measure is dμ = dt + Σᵢ δ_{tᵢ}, the Lebesgue measure and an atom at each impact; v is of bounded variation \
+            and dv splits into v̇ dt and jumps.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "True for finitely many impacts in bounded time and without a Cantor part of dv. Past a Zeno point the atoms need summable weights, for instance the jumps: dμ = dt + |dv|.",
-        argument: "The bouncing ball with e = 1/2 makes infinitely many impacts before T∞: unit atoms have mass n after n of them, so Σδ_{tᵢ} is not finite on any neighbourhood of T∞. The jumps (1+e)eᵏv₀ sum to (1+e)/(1−e) v₀ = 3 v₀. \
-            Functions of bounded variation may also grow on a null set without jumping: the Cantor function rises by 1 on intervals of total length (2/3)²⁰ < 1/3000 in steps of at most 2⁻²⁰. \
+        correct_statement: "True for finitely many impacts in bounded time and without a Cantor part of dv. Past a Zeno point the atoms \
+            need summable weights, for instance the jumps: dμ = dt + |dv|.",
+        argument: "The bouncing ball with e = 1/2 makes infinitely many impacts before T∞: unit atoms have mass n after n of them, so \
+            Σδ_{tᵢ} is not finite on any neighbourhood of T∞. The jumps (1+e)eᵏv₀ sum to (1+e)/(1−e) v₀ = 3 v₀. \
+            Functions of bounded variation may also grow on a null set without jumping: the Cantor function rises by 1 on intervals of \
+            total length (2/3)²⁰ < 1/3000 in steps of at most 2⁻²⁰. \
             As the values of the inclusion are cones, any other dμ that dominates dt and dv serves as well.",
         control: "Unit atoms at every impact of the ball.",
         sources: &["chapter §2, step 4, term by term", "Ambrosio, Fusco and Pallara, Functions of Bounded Variation (2000), §3.2"],
@@ -28,12 +32,16 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S2.sweep-theory",
-        statement: "Sweeping processes are rigorous, with a complete theory of existence and uniqueness (Moreau 1977 for convex C(t), later prox-regular sets), in first order or their second-order dynamic version.",
+        statement: "Sweeping processes are rigorous, with a complete theory of existence and uniqueness (Moreau 1977 for convex C(t), \
+            later prox-regular sets), in first order or their second-order dynamic version.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Existence and uniqueness hold for the first-order process with convex or prox-regular C(t). For the second-order process of this chapter uniqueness fails in general.",
-        argument: "First order, convex: the catching-up steps q ↦ P_{C(t)}(q) are non-expansive, so two motions never separate – checked exactly on a moving interval. Not prox-regular: C(t) = {|q| ≥ t} sweeps q(0) = 0 to t and to −t, both with −q̇ ∈ N. \
-            Second order with friction: W = (1 2; 2 5), μ = 1, free motion (1, 10) admits r = (0,0), (1,−1) and (15,−8): separation, sliding contact, impact (Painlevé).",
+        correct_statement: "Existence and uniqueness hold for the first-order process with convex or prox-regular C(t). For the \
+            second-order process of this chapter uniqueness fails in general.",
+        argument: "First order, convex: the catching-up steps q ↦ P_{C(t)}(q) are non-expansive, so two motions never separate – checked \
+            exactly on a moving interval. Not prox-regular: C(t) = {|q| ≥ t} sweeps q(0) = 0 to t and to −t, both with −q̇ ∈ N. \
+            Second order with friction: W = (1 2; 2 5), μ = 1, free motion (1, 10) admits r = (0,0), (1,−1) and (15,−8): separation, \
+            sliding contact, impact (Painlevé).",
         control: "The second-order problem with friction as if its solution were unique.",
         sources: &[
             "chapter §2, pitfall on the sweeping process",

@@ -11,11 +11,15 @@ use crate::tolerance::claims::{SOFT_STEP, soft_restitution};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S2.soft-diff",
-        statement: "Penalty or soft contact is a smooth function, differentiable everywhere, whereas hard contact is not differentiable where the active set changes.",
+        statement: "Penalty or soft contact is a smooth function, differentiable everywhere, whereas hard contact is not differentiable \
+            where the active set changes.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "The clamped spring max(0, −kφ) is continuous with a kink at φ = 0; with damping the force jumps at touchdown. It is differentiable away from the change of the active set – as hard contact is.",
-        argument: "The difference quotients of max(0, −kφ) at 0 are −k from the left and 0 from the right, at every step size. With a dashpot, −kφ − c φ̇ for φ < 0, the force at touchdown with 2 m/s and c = 30 N·s/m is 60 N an instant after contact and 0 before it.",
+        correct_statement: "The clamped spring max(0, −kφ) is continuous with a kink at φ = 0; with damping the force jumps at touchdown. \
+            It is differentiable away from the change of the active set – as hard contact is.",
+        argument: "The difference quotients of max(0, −kφ) at 0 are −k from the left and 0 from the right, at every step size. With a \
+            dashpot, −kφ − c φ̇ for φ < 0, the force at touchdown with 2 m/s and c = 30 N·s/m is 60 N an instant after contact and 0 \
+            before it.",
         control: "The spring without the clamp, −kφ, which is differentiable but holds the bodies together.",
         sources: &["chapter §2, sweeping process and penalty compared"],
         check: differentiability,
@@ -25,9 +29,11 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Soft and hard contact are united for k → ∞: the stiff limit of soft contact is hard contact.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "Penetration vanishes like v√(m/k), and the limit is hard contact with the restitution that the damping ratio ζ fixes, independent of k: e = 1 without damping, \
+        correct_statement: "Penetration vanishes like v√(m/k), and the limit is hard contact with the restitution that the damping ratio ζ \
+            fixes, independent of k: e = 1 without damping, \
             exp(−πζ/√(1−ζ²)) if the dashpot acts until φ = 0, and a larger one if the force may not pull.",
-        argument: "In the time √(m/k) the impact is m x″ + 2ζ x′ + x = 0, without k. Integrated for k = 1e4 and 1e8 N/m: e = 0.5266 (ζ = 0.2) and 0.1630 (ζ = 0.5) for the dashpot until φ = 0; 0.5717 and 0.2984 when contact ends with the force; 1 for ζ = 0. \
+        argument: "In the time √(m/k) the impact is m x″ + 2ζ x′ + x = 0, without k. Integrated for k = 1e4 and 1e8 N/m: e = 0.5266 (ζ = \
+            0.2) and 0.1630 (ζ = 0.5) for the dashpot until φ = 0; 0.5717 and 0.2984 when contact ends with the force; 1 for ζ = 0. \
             So k → ∞ at fixed damping c instead of fixed ζ tends to the elastic law, whatever c was meant to model.",
         control: "Fixed damping c while k grows.",
         sources: &[

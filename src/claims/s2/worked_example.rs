@@ -13,11 +13,14 @@ use nalgebra::{DMatrix, DVector};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S2.case2",
-        statement: "Case two of the example: from −M dv ∈ N_{T_C(0)}(v⁺), with v⁻ < 0, the impulse makes v⁺ = 0 (plastic, e = 0) or v⁺ = −e v⁻ = e|v⁻| > 0 (rebound).",
+        statement: "Case two of the example: from −M dv ∈ N_{T_C(0)}(v⁺), with v⁻ < 0, the impulse makes v⁺ = 0 (plastic, e = 0) or v⁺ = \
+            −e v⁻ = e|v⁻| > 0 (rebound).",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "−M dv ∈ N_{T_C(0)}(v⁺) has the one solution v⁺ = 0. A rebound needs the argument v⁺ + e v⁻ of §3, whose one solution is v⁺ = −e v⁻.",
-        argument: "If v⁺ > 0, then v⁺ is interior to T_C(0) = {u ≥ 0}, N = {0}, and v⁺ = v⁻ < 0: a contradiction. From v⁻ = −1 the solutions of the printed inclusion are {0}; v⁺ = 1/2 is none of them. \
+        correct_statement: "−M dv ∈ N_{T_C(0)}(v⁺) has the one solution v⁺ = 0. A rebound needs the argument v⁺ + e v⁻ of §3, whose one \
+            solution is v⁺ = −e v⁻.",
+        argument: "If v⁺ > 0, then v⁺ is interior to T_C(0) = {u ≥ 0}, N = {0}, and v⁺ = v⁻ < 0: a contradiction. From v⁻ = −1 the \
+            solutions of the printed inclusion are {0}; v⁺ = 1/2 is none of them. \
             The text means the two impact laws and labels them by e; only the replacement of the argument is missing.",
         control: "The inclusion with the argument v⁺ + v⁻/2, as if the printed one had the rebound among its solutions.",
         sources: &["chapter §2, worked example, case two"],
@@ -29,18 +32,21 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::False,
         evidence: Evidence::Exact,
         correct_statement: "The set {g ≤ 0} is right; for C = {q ≥ 0} it points out of C. The force −g is what points in.",
-        argument: "0 + t g = −t ∉ C for g = −1 and every t > 0. Only the words in parentheses are wrong; three lines on, the text has the wall push along the inward normal, which is right.",
+        argument: "0 + t g = −t ∉ C for g = −1 and every t > 0. Only the words in parentheses are wrong; three lines on, the text has the \
+            wall push along the inward normal, which is right.",
         control: "The inward normal g = +1 as the member of the cone.",
         sources: &["chapter §2, worked example, case two"],
         check: cone_direction,
     },
     Claim {
         id: "S2.case13",
-        statement: "Cases one and three: inside (q > 0), or at the wall and leaving (q = 0, v > 0), there is no force and v does not change.",
+        statement: "Cases one and three: inside (q > 0), or at the wall and leaving (q = 0, v > 0), there is no force and v does not \
+            change.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated: the normal cone is {0}.",
-        argument: "Inside T_C = ℝ, at the wall with v > 0 the velocity is interior to T_C = {u ≥ 0}; in both N = {0}, hence P = m(v⁺ − v⁻) = 0. The solution sets for v⁻ = 1/3, 2 are {v⁻}, and of all g = −2 … 2 only 0 is in the cone.",
+        argument: "Inside T_C = ℝ, at the wall with v > 0 the velocity is interior to T_C = {u ≥ 0}; in both N = {0}, hence P = m(v⁺ − v⁻) \
+            = 0. The solution sets for v⁻ = 1/3, 2 are {v⁻}, and of all g = −2 … 2 only 0 is in the cone.",
         control: "Case two, v⁻ < 0 at the wall.",
         sources: &["chapter §2, worked example, cases one and three"],
         check: cases_one_and_three,
@@ -62,19 +68,24 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "P = m(v⁺ − v⁻) = −(1 + e) m v⁻.",
-        argument: "Integrating the inclusion over the atom gives P = m(v⁺ − v⁻); v⁺ = −e v⁻ is the only solution with argument v⁺ + e v⁻. For m = 3/2 and v⁻ = −2: P = 3, 9/2, 6 N·s for e = 0, 1/2, 1.",
+        argument: "Integrating the inclusion over the atom gives P = m(v⁺ − v⁻); v⁺ = −e v⁻ is the only solution with argument v⁺ + e v⁻. \
+            For m = 3/2 and v⁻ = −2: P = 3, 9/2, 6 N·s for e = 0, 1/2, 1.",
         control: "The argument v⁺ instead of v⁺ + e v⁻.",
         sources: &["chapter §2, exercise 1"],
         check: exercise_one,
     },
     Claim {
         id: "S2.ex3",
-        statement: "Exercise 3: on a smooth phase the inclusion is equivalent to 0 ≤ λ ⟂ ∇φ·v⁺ ≥ 0; with the friction cone this becomes a nonlinear complementarity problem instead of an LCP.",
+        statement: "Exercise 3: on a smooth phase the inclusion is equivalent to 0 ≤ λ ⟂ ∇φ·v⁺ ≥ 0; with the friction cone this becomes a \
+            nonlinear complementarity problem instead of an LCP.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "The equivalence holds on φ = 0. Friction leaves an LCP in the plane and for polyhedral cones; the nonlinear problem comes with the circular cone of a spatial contact.",
-        argument: "At φ > 0 the inclusion admits every v⁺ with λ = 0, the complementarity only those with ∇φ·v⁺ ≥ 0. In the plane the Stewart–Trinkle LCP with ±t has for W = I, u_free = (−1, 1), μ = 1/2 the one solution r = (1, −1/2), \
-            on the cone and opposed to u = (0, 1/2): Coulomb's law, exactly. In space, four directions and u_free = (−1, 1, 1), the same LCP gives ‖r_t‖²/(μ r_n)² = 1/2 instead of 1. \
+        correct_statement: "The equivalence holds on φ = 0. Friction leaves an LCP in the plane and for polyhedral cones; the nonlinear \
+            problem comes with the circular cone of a spatial contact.",
+        argument: "At φ > 0 the inclusion admits every v⁺ with λ = 0, the complementarity only those with ∇φ·v⁺ ≥ 0. In the plane the \
+            Stewart–Trinkle LCP with ±t has for W = I, u_free = (−1, 1), μ = 1/2 the one solution r = (1, −1/2), \
+            on the cone and opposed to u = (0, 1/2): Coulomb's law, exactly. In space, four directions and u_free = (−1, 1, 1), the same \
+            LCP gives ‖r_t‖²/(μ r_n)² = 1/2 instead of 1. \
             No rational LCP with one solution can do better there: Coulomb's r_t = −(1,1)/(2√2) is irrational.",
         control: "The spatial contact with four directions as if its LCP were Coulomb's law.",
         sources: &["chapter §2, exercise 3"],

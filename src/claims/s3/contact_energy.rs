@@ -20,19 +20,26 @@ pub const CLAIMS: &[Claim] = &[
         statement: "ΔE_contact = −½Pᵀ(U⁺ + U⁻) (the chapter adds: the sign depends on the convention).",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "With P ≥ 0 and M(v⁺ − v⁻) = HᵀP, the convention of the scheme in §3, ΔT = +½Pᵀ(U⁺ + U⁻). The minus sign belongs to P = ∫dR with M(v⁺ − v⁻) = −HᵀP, the convention of §0.",
-        argument: "ΔT = ½(v⁺ + v⁻)ᵀM(v⁺ − v⁻) = ±½Pᵀ(U⁺ + U⁻). Two unit masses in line at 1 and 0 m/s, e = 0: P = 1/2, U⁻ = −1, U⁺ = 0, ΔT = −1/4 = +½·½·(−1).",
+        correct_statement: "With P ≥ 0 and M(v⁺ − v⁻) = HᵀP, the convention of the scheme in §3, ΔT = +½Pᵀ(U⁺ + U⁻). The minus sign \
+            belongs to P = ∫dR with M(v⁺ − v⁻) = −HᵀP, the convention of §0.",
+        argument: "ΔT = ½(v⁺ + v⁻)ᵀM(v⁺ − v⁻) = ±½Pᵀ(U⁺ + U⁻). Two unit masses in line at 1 and 0 m/s, e = 0: P = 1/2, U⁻ = −1, U⁺ = 0, ΔT \
+            = −1/4 = +½·½·(−1).",
         control: "The minus sign together with the convention of §3.",
         sources: &["chapter §3, energy change in the contact phase", "chapter §0 for the sign of dR"],
         check: work_sign,
     },
     Claim {
         id: "S3.contact-diss",
-        statement: "In the Moreau–Jean frame Pᵀ(v⁺ + e v⁻)/2 ≥ 0 guarantees that the contact dissipates in addition (e < 1 loses energy, e = 1 keeps it).",
+        statement: "In the Moreau–Jean frame Pᵀ(v⁺ + e v⁻)/2 ≥ 0 guarantees that the contact dissipates in addition (e < 1 loses energy, e \
+            = 1 keeps it).",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "For one common e, a pure impact, and the law on every component if there is friction: ΔT ≤ −½(1−e)/(1+e) PᵀWP ≤ 0, with equality without friction.",
-        argument: "Ū = U⁺ + eU⁻ and U⁺ − U⁻ = WP give U⁺ + U⁻ = 2Ū/(1+e) − (1−e)/(1+e) WP; complementarity makes PᵀŪ = 0 in the convention P ≥ 0 (and the sign of the chapter's inequality is right in the convention P = ∫dR). Checked in rationals on a chain of balls for e = 0, 1/3, 1. With e = (1, 0) at the two ends of a rod, W = [[1, −1/2], [−1/2, 1]], U⁻ = (−1, 1/2), the kinetic energy grows by 1/6.",
+        correct_statement: "For one common e, a pure impact, and the law on every component if there is friction: ΔT ≤ −½(1−e)/(1+e) PᵀWP \
+            ≤ 0, with equality without friction.",
+        argument: "Ū = U⁺ + eU⁻ and U⁺ − U⁻ = WP give U⁺ + U⁻ = 2Ū/(1+e) − (1−e)/(1+e) WP; complementarity makes PᵀŪ = 0 in the convention \
+            P ≥ 0 (and the sign of the chapter's inequality is right in the convention P = ∫dR). Checked in rationals on a chain of balls \
+            for e = 0, 1/3, 1. With e = (1, 0) at the two ends of a rod, W = [[1, −1/2], [−1/2, 1]], U⁻ = (−1, 1/2), the kinetic energy \
+            grows by 1/6.",
         control: "The rod with two different coefficients of restitution.",
         sources: &["chapter §3, energy change in the contact phase"],
         check: dissipation,
@@ -42,8 +49,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Moreau's impact law: e < 1 dissipates, e = 1 conserves (and friction dissipates by itself).",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "For one common e without friction, and with friction if v⁺ + e v⁻ is taken in normal and tangential components. Newton's law on the normal component alone, combined with Coulomb friction, can gain energy.",
-        argument: "W = [[2, 4], [4, 9]], μ = 7/4, e = 1, U⁻ = (−1, −2): with the full vector P = (1, 0) lies in the cone, U⁺ = −U⁻ and the energy is kept; with the normal component alone ½UᵀW⁻¹U grows from 1/4 J to 9/4 J.",
+        correct_statement: "For one common e without friction, and with friction if v⁺ + e v⁻ is taken in normal and tangential \
+            components. Newton's law on the normal component alone, combined with Coulomb friction, can gain energy.",
+        argument: "W = [[2, 4], [4, 9]], μ = 7/4, e = 1, U⁻ = (−1, −2): with the full vector P = (1, 0) lies in the cone, U⁺ = −U⁻ and the \
+            energy is kept; with the normal component alone ½UᵀW⁻¹U grows from 1/4 J to 9/4 J.",
         control: "Restitution of the normal component alone.",
         sources: &["chapter §3 and §7", "Kane and Levinson, Dynamics: Theory and Applications, 1985, for energy gain with friction"],
         check: moreau_law,

@@ -16,18 +16,22 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "W is positive semidefinite, and positive definite iff the rows of H are independent.",
-        argument: "xᵀWx = (Hᵀx)ᵀM⁻¹(Hᵀx) ≥ 0, zero iff Hᵀx = 0. Decided exactly here for H with independent and dependent rows, and on a thousand random systems in the property family.",
+        argument: "xᵀWx = (Hᵀx)ᵀM⁻¹(Hᵀx) ≥ 0, zero iff Hᵀx = 0. Decided exactly here for H with independent and dependent rows, and on a \
+            thousand random systems in the property family.",
         control: "A symmetric invertible M that is not positive definite.",
         sources: &["chapter §3, step 5; table of theorems"],
         check: semidefinite,
     },
     Claim {
         id: "S3.delassus-phys",
-        statement: "W is the contact's effective compliance: ΔU = W P; one contact and one velocity: 1/m; off-diagonal entries couple contacts; nearly parallel contact directions or extreme masses make W ill-conditioned.",
+        statement: "W is the contact's effective compliance: ΔU = W P; one contact and one velocity: 1/m; off-diagonal entries couple \
+            contacts; nearly parallel contact directions or extreme masses make W ill-conditioned.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated. Two contacts of a point at the angle α have condition number cot²(α/2); two contacts of a chain of masses 1, 1/ρ, 1 have 1 + 2ρ.",
-        argument: "With tan(α/2) = t the two normals have cosine (1−t²)/(1+t²), and W = (1/m)[[1, c], [c, 1]] has eigenvalues 1 ± c, ratio 1/t²: 10⁶ at t = 1/1000. The chain's W = [[1+ρ, −ρ], [−ρ, 1+ρ]] has eigenvalues 1 (vector (1, 1)) and 1 + 2ρ (vector (1, −1)).",
+        correct_statement: "As stated. Two contacts of a point at the angle α have condition number cot²(α/2); two contacts of a chain of \
+            masses 1, 1/ρ, 1 have 1 + 2ρ.",
+        argument: "With tan(α/2) = t the two normals have cosine (1−t²)/(1+t²), and W = (1/m)[[1, c], [c, 1]] has eigenvalues 1 ± c, ratio \
+            1/t²: 10⁶ at t = 1/1000. The chain's W = [[1+ρ, −ρ], [−ρ, 1+ρ]] has eigenvalues 1 (vector (1, 1)) and 1 + 2ρ (vector (1, −1)).",
         control: "Perpendicular normals and equal masses, where the condition numbers are 1 and 3.",
         sources: &["chapter §3, “what the Delassus operator is”"],
         check: compliance,

@@ -14,11 +14,18 @@ use std::collections::BTreeSet;
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S3.energy-runs-down",
-    statement: "θ = 1 draws energy off artificially; where long-term conservation matters (satellite, pendulum, chains of elastic collisions) the simulation runs ever slower until it stands still.",
+    statement: "θ = 1 draws energy off artificially; where long-term conservation matters (satellite, pendulum, chains of elastic \
+        collisions) the simulation runs ever slower until it stands still.",
     verdict: Verdict::False,
     evidence: Evidence::Exact,
-    correct_statement: "True for the pendulum and other oscillators. Elastic collisions do not run down: without forces θ has no effect on the energy, and under gravity E − (θ−½) m g h v is conserved exactly across flights and impacts, so E only oscillates by O(h). A satellite loses energy, but by falling to a lower and faster orbit.",
-    argument: "Elastic ball, θ = 1, dropped from 1/2 m, 500 steps of h = 1/100 s and eight bounces in rationals: the invariant takes one value, for the activation rules A, B and D (A: φ ≤ 0, B: φ + ½hu ≤ 0, D: φ + h u_free ≤ 0). Three equal balls with e = 1: one value of the kinetic energy through two collisions. Satellite from a circular orbit of radius 1, speed 1, 250 steps of h = 1/50 by backward Euler: energy falls from −1/2, the radius shrinks to 0.74 and the speed grows to 1.17 (energy −0.673). Oscillator with ω = 1: E falls by (1 + h²)^{-N}.",
+    correct_statement: "True for the pendulum and other oscillators. Elastic collisions do not run down: without forces θ has no effect on \
+        the energy, and under gravity E − (θ−½) m g h v is conserved exactly across flights and impacts, so E only oscillates by O(h). A \
+        satellite loses energy, but by falling to a lower and faster orbit.",
+    argument: "Elastic ball, θ = 1, dropped from 1/2 m, 500 steps of h = 1/100 s and eight bounces in rationals: the invariant takes one \
+        value, for the activation rules A, B and D (A: φ ≤ 0, B: φ + ½hu ≤ 0, D: φ + h u_free ≤ 0). Three equal balls with e = 1: one \
+        value of the kinetic energy through two collisions. Satellite from a circular orbit of radius 1, speed 1, 250 steps of h = 1/50 by \
+        backward Euler: energy falls from −1/2, the radius shrinks to 0.74 and the speed grows to 1.17 (energy −0.673). Oscillator with ω \
+        = 1: E falls by (1 + h²)^{-N}.",
     control: "An oscillator, for which the statement is right, in place of the elastic ball.",
     sources: &["chapter §3, common pitfalls (“the larger θ the better”)"],
     check: runs_down,

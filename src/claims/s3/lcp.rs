@@ -16,11 +16,15 @@ use nalgebra::{DMatrix, DVector};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.psd-lcp",
-        statement: "The LCP of a positive semidefinite matrix has a solution if it is feasible, and Lemke's algorithm (or PGS, see S3.pgs-ok) finds one.",
+        statement: "The LCP of a positive semidefinite matrix has a solution if it is feasible, and Lemke's algorithm (or PGS, see \
+            S3.pgs-ok) finds one.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "True, for symmetric and asymmetric semidefinite matrices; Lemke's method ends on a ray exactly when the LCP is infeasible.",
-        argument: "zᵀ(Mz + q) is a convex quadratic bounded below on the feasible set, so it attains its minimum, and the optimality conditions make the minimum 0. Here: three semidefinite matrices (singular, singular with a skew part, skew) and all q from {−3, …, 3}²: every feasible one solved, every infeasible one a ray.",
+        correct_statement: "True, for symmetric and asymmetric semidefinite matrices; Lemke's method ends on a ray exactly when the LCP is \
+            infeasible.",
+        argument: "zᵀ(Mz + q) is a convex quadratic bounded below on the feasible set, so it attains its minimum, and the optimality \
+            conditions make the minimum 0. Here: three semidefinite matrices (singular, singular with a skew part, skew) and all q from \
+            {−3, …, 3}²: every feasible one solved, every infeasible one a ray.",
         control: "The indefinite matrix [[−1, 1], [0, 1]], for which q = (−1, 0) is feasible and unsolvable.",
         sources: &["chapter §3, step 5", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.1"],
         check: semidefinite,
@@ -30,8 +34,11 @@ pub const CLAIMS: &[Claim] = &[
         statement: "W ⪰ 0 guarantees that the normal LCP of every Moreau–Jean step is solvable.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Semidefinite is half of it, feasibility the other half. With one coefficient e for all contacts, as the chapter writes it, the LCP is always feasible, with any redundancy; with different eᵢ it need not be.",
-        argument: "Infeasible iff some y ≥ 0 has Hᵀy = 0 and yᵀ diag(e) H v < 0 (Farkas). With one e the second is e(Hᵀy)ᵀv = 0. Unit point between two walls moving at 1 into the first: W = [[1, −1], [−1, 1]], U⁻ = (−1, 1), e = (1, 0): q = (−2, 1), and the rows add up to 0 ≥ 1. With e = (1/2, 1/2) it is feasible and solvable.",
+        correct_statement: "Semidefinite is half of it, feasibility the other half. With one coefficient e for all contacts, as the \
+            chapter writes it, the LCP is always feasible, with any redundancy; with different eᵢ it need not be.",
+        argument: "Infeasible iff some y ≥ 0 has Hᵀy = 0 and yᵀ diag(e) H v < 0 (Farkas). With one e the second is e(Hᵀy)ᵀv = 0. Unit \
+            point between two walls moving at 1 into the first: W = [[1, −1], [−1, 1]], U⁻ = (−1, 1), e = (1, 0): q = (−2, 1), and the \
+            rows add up to 0 ≥ 1. With e = (1/2, 1/2) it is feasible and solvable.",
         control: "The same step with e = (1/2, 1/2).",
         sources: &["chapter §3, step 5"],
         check: normal_lcp,
@@ -41,8 +48,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "With friction the block structure is more complicated; solvability then needs the copositive-plus argument of §4.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "With friction the matrix is not copositive-plus; solvability follows from copositivity together with bᵀλ ≥ 0 on the homogeneous solutions (see S4.copos-plus, on which this depends).",
-        argument: "Neither the chapter's contact with μ = 1/2 (witness x = (0, 0, 0, 1)) nor the wedge of two contacts with μ = 1 is copositive-plus; yet Lemke solves both with gaps 0.",
+        correct_statement: "With friction the matrix is not copositive-plus; solvability follows from copositivity together with bᵀλ ≥ 0 \
+            on the homogeneous solutions (see S4.copos-plus, on which this depends).",
+        argument: "Neither the chapter's contact with μ = 1/2 (witness x = (0, 0, 0, 1)) nor the wedge of two contacts with μ = 1 is \
+            copositive-plus; yet Lemke solves both with gaps 0.",
         control: "The contact without friction, whose matrix is copositive-plus.",
         sources: &["chapter §3, step 5, parenthesis", "chapter §4, theorem on M_LCP"],
         check: friction_block,
@@ -53,7 +62,9 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "True because W is symmetric and positive semidefinite.",
-        argument: "The gradient of the objective is ½(W + Wᵀ)P + U_free, which is WP + U_free only for symmetric W. For W = [[2, 1], [1, 2]] and U_free = (−3, −1) the LCP gives P = (3/2, 0) and the conditions of the program hold there. For the asymmetric [[2, 1], [−1, 2]] the LCP gives (1, 1), where the gradient is (−1, 1).",
+        argument: "The gradient of the objective is ½(W + Wᵀ)P + U_free, which is WP + U_free only for symmetric W. For W = [[2, 1], [1, \
+            2]] and U_free = (−3, −1) the LCP gives P = (3/2, 0) and the conditions of the program hold there. For the asymmetric [[2, 1], \
+            [−1, 2]] the LCP gives (1, 1), where the gradient is (−1, 1).",
         control: "The asymmetric matrix [[2, 1], [−1, 2]].",
         sources: &["chapter §3, the LCP as a quadratic program"],
         check: quadratic_program,
@@ -63,8 +74,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The solution is the projection of the unconstrained solution onto the cone.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "It is the projection in the metric of W, and only for positive definite W (otherwise there may be no unconstrained solution). The Euclidean projection is wrong as soon as W couples contacts.",
-        argument: "W = [[2, 1], [1, 2]], unconstrained P₀ = (1, −1), so U_free = (−1, 1). Minimising (P − P₀)ᵀW(P − P₀) over P ≥ 0 gives (1/2, 0), the solution of the LCP; clipping gives (1, 0), where WP + U_free = (1, 2) is not complementary.",
+        correct_statement: "It is the projection in the metric of W, and only for positive definite W (otherwise there may be no \
+            unconstrained solution). The Euclidean projection is wrong as soon as W couples contacts.",
+        argument: "W = [[2, 1], [1, 2]], unconstrained P₀ = (1, −1), so U_free = (−1, 1). Minimising (P − P₀)ᵀW(P − P₀) over P ≥ 0 gives \
+            (1/2, 0), the solution of the LCP; clipping gives (1, 0), where WP + U_free = (1, 2) is not complementary.",
         control: "The Euclidean projection (1, 0).",
         sources: &["chapter §3, the LCP as a quadratic program"],
         check: projection,

@@ -22,18 +22,23 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::Conditional,
         evidence: Evidence::Measured,
         correct_statement: "Orders 2 and 1 while the motion is smooth; through an impact every θ has order 1 in the position.",
-        argument: "q̈ = −q to t = 2: the one-step factor is R = (1 + (1−θ)z)/(1 − θz) = 1 + z + θz² + …, z = ±ih, so the order is 2 iff θ = 1/2. The fitted slopes are those of C hᵖ(1 + O(h)) with constants within 15 % on these steps.",
+        argument: "q̈ = −q to t = 2: the one-step factor is R = (1 + (1−θ)z)/(1 − θz) = 1 + z + θz² + …, z = ±ih, so the order is 2 iff θ \
+            = 1/2. The fitted slopes are those of C hᵖ(1 + O(h)) with constants within 15 % on these steps.",
         control: "The same oscillator with an elastic stop at q = 0, hit at t = π/2, for θ = 1/2.",
         sources: &["chapter §3, history and step 2", "Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I"],
         check: smooth_orders,
     },
     Claim {
         id: "S3.table-2nd-order",
-        statement: "Table, overall behaviour of θ = 1/2: second order and energy neutral; for elastic collisions and long conservative motions.",
+        statement: "Table, overall behaviour of θ = 1/2: second order and energy neutral; for elastic collisions and long conservative \
+            motions.",
         verdict: Verdict::False,
         evidence: Evidence::Certified,
-        correct_statement: "θ = 1/2 is energy neutral for constant and linear forces; its order is 2 on smooth pieces and 1 through impacts, like that of every θ.",
-        argument: "Elastic ball, activation φ ≤ 0, θ = 1/2: a step that starts δ ∈ [0, h) after the true impact turns v into −v without moving, so the ball goes on exactly, but late by h + 2δ. With v* = √(2 g q₀) the position error is at least v*h − (3/2) g h² and at most 3 v*h + g h². For g = 9.81 m/s², q₀ = 1 m the error divided by h stays above 4.4 m/s minus O(h): order one.",
+        correct_statement: "θ = 1/2 is energy neutral for constant and linear forces; its order is 2 on smooth pieces and 1 through \
+            impacts, like that of every θ.",
+        argument: "Elastic ball, activation φ ≤ 0, θ = 1/2: a step that starts δ ∈ [0, h) after the true impact turns v into −v without \
+            moving, so the ball goes on exactly, but late by h + 2δ. With v* = √(2 g q₀) the position error is at least v*h − (3/2) g h² \
+            and at most 3 v*h + g h². For g = 9.81 m/s², q₀ = 1 m the error divided by h stays above 4.4 m/s minus O(h): order one.",
         control: "The run ended before the first impact, where θ = 1/2 is exact.",
         sources: &["chapter §3, table of θ"],
         check: order_through_an_impact,
@@ -43,8 +48,11 @@ pub const CLAIMS: &[Claim] = &[
         statement: "θ = 1/2 behaves like a symplectic integrator: no long-term drift of the energy.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "For smooth motions: on linear systems the θ = 1/2 step preserves area, on nonlinear ones it does not but is conjugate to the midpoint rule, which does. No such statement holds across impacts.",
-        argument: "The step is (I − hf/2)⁻¹∘(I + hf/2), so its Jacobian determinant is (1 + h²V''(q)/4)/(1 + h²V''(q⁺)/4) for q̈ = −V'(q): exactly 1 for the oscillator, 1.00016 for the pendulum at (1.3, 0.7), h = 0.1. Conjugating with half a step swaps the factors and gives the midpoint rule.",
+        correct_statement: "For smooth motions: on linear systems the θ = 1/2 step preserves area, on nonlinear ones it does not but is \
+            conjugate to the midpoint rule, which does. No such statement holds across impacts.",
+        argument: "The step is (I − hf/2)⁻¹∘(I + hf/2), so its Jacobian determinant is (1 + h²V''(q)/4)/(1 + h²V''(q⁺)/4) for q̈ = −V'(q): \
+            exactly 1 for the oscillator, 1.00016 for the pendulum at (1.3, 0.7), h = 0.1. Conjugating with half a step swaps the factors \
+            and gives the midpoint rule.",
         control: "The pendulum, taken as if its step preserved area.",
         sources: &["chapter §3, essential insight on θ", "Hairer, Lubich, Wanner, Geometric Numerical Integration, VI.8"],
         check: area,

@@ -8,11 +8,15 @@ use crate::claims::{Claim, Evidence, Reading, Verdict};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.siconos-path",
-        statement: "Siconos's MoreauJeanOSI implements the θ-scheme in kernel/src/simulationTools/MoreauJeanOSI.cpp; for positions it has CombinedProjectedMoreauJeanOSI.",
+        statement: "Siconos's MoreauJeanOSI implements the θ-scheme in kernel/src/simulationTools/MoreauJeanOSI.cpp; for positions it has \
+            CombinedProjectedMoreauJeanOSI.",
         verdict: Verdict::False,
         evidence: Evidence::Cited,
-        correct_statement: "The class with projection is MoreauJeanCombinedProjectionOSI. The path is right for release 4.4.0; the development version has since moved it to kernel/src/simulation/ (commit ee174c26f, February 2026).",
-        argument: "Debian's packages 4.4.0+dfsg-2: the library was compiled from the path named; there is a header MoreauJeanCombinedProjectionOSI.hpp and none of the other name. What the scheme does is held against ours step by step (tests/references, siconos).",
+        correct_statement: "The class with projection is MoreauJeanCombinedProjectionOSI. The path is right for release 4.4.0; the \
+            development version has since moved it to kernel/src/simulation/ (commit ee174c26f, February 2026).",
+        argument: "Debian's packages 4.4.0+dfsg-2: the library was compiled from the path named; there is a header \
+            MoreauJeanCombinedProjectionOSI.hpp and none of the other name. What the scheme does is held against ours step by step \
+            (tests/references, siconos).",
         control: "The printed name of the class.",
         sources: &[
             "chapter §3, Moreau–Jean in engineering, and pitfall on drift",
@@ -22,10 +26,13 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S3.cmame",
-        statement: "Moreau (CMAME 177, 1999, 329–349) and Jean (CMAME 177, 1999, 235–257) are the founding analyses of convergence of these schemes.",
+        statement: "Moreau (CMAME 177, 1999, 329–349) and Jean (CMAME 177, 1999, 235–257) are the founding analyses of convergence of \
+            these schemes.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::Cited,
-        correct_statement: "The two papers stand at these pages, as “Numerical aspects of the sweeping process” and “The non smooth contact dynamics method”. Neither was read here; by their titles they present methods, and proofs of convergence are usually cited from Monteiro Marques 1993, Mabrouk 1998 and Paoli and Schatzman.",
+        correct_statement: "The two papers stand at these pages, as “Numerical aspects of the sweeping process” and “The non smooth \
+            contact dynamics method”. Neither was read here; by their titles they present methods, and proofs of convergence are usually \
+            cited from Monteiro Marques 1993, Mabrouk 1998 and Paoli and Schatzman.",
         argument: "Both titles and page ranges stand in the bibliography of Siconos's own header MoreauJeanOSI.hpp.",
         control: "The page ranges exchanged with those of volume 256.",
         sources: &["chapter §3", "Siconos 4.4.0, MoreauJeanOSI.hpp"],
@@ -33,10 +40,13 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S3.ab-chapters",
-        statement: "Acary and Brogliato 2008 (Springer LNACM 35), chapters 9–10, is the encyclopaedia of nonsmooth time-stepping for engineers.",
+        statement: "Acary and Brogliato 2008 (Springer LNACM 35), chapters 9–10, is the encyclopaedia of nonsmooth time-stepping for \
+            engineers.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::Cited,
-        correct_statement: "The book exists, as volume 35 of that series, and Siconos refers to it for review. Which chapters: the text itself says 9–10 here and 7–11 in its reading list; the one range lies within the other. The book's table of contents was not at hand.",
+        correct_statement: "The book exists, as volume 35 of that series, and Siconos refers to it for review. Which chapters: the text \
+            itself says 9–10 here and 7–11 in its reading list; the one range lies within the other. The book's table of contents was not \
+            at hand.",
         argument: "The bibliography of Siconos's headers names the volume; chapters 9 to 10 ⊂ 7 to 11.",
         control: "The reading list cut to chapters 7–9, which would contradict.",
         sources: &["chapter §3, Moreau–Jean in engineering; reading list", "Siconos 4.4.0, MoreauJeanOSI.hpp"],

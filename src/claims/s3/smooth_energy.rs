@@ -22,7 +22,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; with the mean velocity ½(v⁺ + v) and the scheme's own force F_θ the identity holds for every θ.",
-        argument: "ΔT = ½(v⁺ + v)ᵀM(v⁺ − v) = ½(v⁺ + v)ᵀ h F_θ, and v_{1/2} = ½(v⁺ + v). Residual zero in rationals for two coupled masses on springs under a constant force, θ = 0, 1/4, 1/2, 1.",
+        argument: "ΔT = ½(v⁺ + v)ᵀM(v⁺ − v) = ½(v⁺ + v)ᵀ h F_θ, and v_{1/2} = ½(v⁺ + v). Residual zero in rationals for two coupled masses \
+            on springs under a constant force, θ = 0, 1/4, 1/2, 1.",
         control: "v_θ at θ = 1 in place of v_{1/2}.",
         sources: &["chapter §3, energy estimate, and exercise 2"],
         check: work_of_the_force,
@@ -32,8 +33,11 @@ pub const CLAIMS: &[Claim] = &[
         statement: "θ = 1/2 is energy neutral: no numerical dissipation and no injection.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Kinetic plus potential energy is conserved exactly for constant and linear forces. For a nonlinear force the error per step is O(h³), of either sign.",
-        argument: "Gravity and springs: change exactly 0 over 100 steps in rationals. For the pendulum the trapezoidal rule changes E by the error of trapezoidal quadrature, (q⁺ − q)³ sin(ξ)/12 with ξ between q and q⁺: from (1.3, 0.7) 2.2e-5, 3.1e-6, 4.1e-7 at h = 0.1, 0.05, 0.025 – small, and not zero.",
+        correct_statement: "Kinetic plus potential energy is conserved exactly for constant and linear forces. For a nonlinear force the \
+            error per step is O(h³), of either sign.",
+        argument: "Gravity and springs: change exactly 0 over 100 steps in rationals. For the pendulum the trapezoidal rule changes E by \
+            the error of trapezoidal quadrature, (q⁺ − q)³ sin(ξ)/12 with ξ between q and q⁺: from (1.3, 0.7) 2.2e-5, 3.1e-6, 4.1e-7 at h \
+            = 0.1, 0.05, 0.025 – small, and not zero.",
         control: "The pendulum in place of the linear system.",
         sources: &["chapter §3, energy estimate and table of θ"],
         check: neutral,
@@ -43,8 +47,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "θ = 1 adds −(h²/2)‖F‖²_{M⁻¹} < 0: numerical dissipation O(h²).",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "The term is a loss of total energy, −(θ − ½)h²FᵀM⁻¹F, for a constant force; it is per step, so O(h) over a fixed time. A linear spring has E⁺/E = (1 + (1−θ)²h²ω²)/(1 + θ²h²ω²) instead; θ < 1/2 injects.",
-        argument: "Free fall of 1 kg for 1 s at h = 1/1000 s: −½ m g² h T = −(981/100)²/2000 = −0.04811805 J exactly. On a spring the energy lost in a step is not h²F²/(2m).",
+        correct_statement: "The term is a loss of total energy, −(θ − ½)h²FᵀM⁻¹F, for a constant force; it is per step, so O(h) over a \
+            fixed time. A linear spring has E⁺/E = (1 + (1−θ)²h²ω²)/(1 + θ²h²ω²) instead; θ < 1/2 injects.",
+        argument: "Free fall of 1 kg for 1 s at h = 1/1000 s: −½ m g² h T = −(981/100)²/2000 = −0.04811805 J exactly. On a spring the \
+            energy lost in a step is not h²F²/(2m).",
         control: "The spring, whose loss is compared with the constant-force formula.",
         sources: &["chapter §3, energy estimate, and exercise 2"],
         check: backward_euler,
@@ -54,8 +60,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "θ in (1/2, 1): intermediate dissipation.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "The loss carries the factor 2θ − 1 between 0 at θ = 1/2 and 1 at θ = 1, for a constant force; a spring loses a fraction that grows with θ.",
-        argument: "Free fall: loss at θ = 3/4 over loss at θ = 1 is exactly 1/2. Spring with hω = 1/2: E⁺/E = 65/73 at 3/4, between 1 and 4/5.",
+        correct_statement: "The loss carries the factor 2θ − 1 between 0 at θ = 1/2 and 1 at θ = 1, for a constant force; a spring loses a \
+            fraction that grows with θ.",
+        argument: "Free fall: loss at θ = 3/4 over loss at θ = 1 is exactly 1/2. Spring with hω = 1/2: E⁺/E = 65/73 at 3/4, between 1 and \
+            4/5.",
         control: "θ = 1/4, outside the interval: it gains energy.",
         sources: &["chapter §3, table of θ"],
         check: between,

@@ -16,8 +16,10 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "The normal LCP with positive semidefinite W is solved by Lemke's method or by projected Gauss–Seidel.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "Projected Gauss–Seidel needs W_ii > 0. For singular W it converges to a solution that depends on the start; WP is the same for all of them.",
-        argument: "A table on four legs, H = (1, ±1, ±1), unit masses, u_free = −1: from P = 0 and from P = (1/4, 0, 0, 1/4) it ends at impulses more than 0.1 N·s apart, while W P = (1, 1, 1, 1) from both, \
+        correct_statement: "Projected Gauss–Seidel needs W_ii > 0. For singular W it converges to a solution that depends on the start; WP \
+            is the same for all of them.",
+        argument: "A table on four legs, H = (1, ±1, ±1), unit masses, u_free = −1: from P = 0 and from P = (1/4, 0, 0, 1/4) it ends at \
+            impulses more than 0.1 N·s apart, while W P = (1, 1, 1, 1) from both, \
                    to the accuracy that the two residuals imply for a convex problem. A row with W_ii = 0 is refused.",
         control: "The impulses P in place of WP.",
         sources: &["chapter §3, solvability of the normal LCP", "the agreement bound is derived with the tolerance"],
@@ -25,11 +27,14 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S3.moreau-env",
-        statement: "The Moreau envelope smooths the non-differentiable indicator of the feasible cone with a smooth quadratic lower bound whose minimiser is the projection.",
+        statement: "The Moreau envelope smooths the non-differentiable indicator of the feasible cone with a smooth quadratic lower bound \
+            whose minimiser is the projection.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "e_λ(x) = min over y ∈ C of ‖x − y‖²/(2λ) = dist(x, C)²/(2λ) ≤ ι_C(x); it is C¹ with gradient (x − P_C(x))/λ, piecewise quadratic, and the minimising y is P_C(x).",
-        argument: "For C = [0, ∞): e_λ(x) = min(x, 0)²/(2λ). At 41 rational points with λ = 1/3: no y of a grid on C is nearer than P(x) = max(x, 0), e_λ = 0 on C, where the indicator is 0, and the derivative is min(x, 0)/λ, continuous through 0. \
+        correct_statement: "e_λ(x) = min over y ∈ C of ‖x − y‖²/(2λ) = dist(x, C)²/(2λ) ≤ ι_C(x); it is C¹ with gradient (x − P_C(x))/λ, \
+            piecewise quadratic, and the minimising y is P_C(x).",
+        argument: "For C = [0, ∞): e_λ(x) = min(x, 0)²/(2λ). At 41 rational points with λ = 1/3: no y of a grid on C is nearer than P(x) = \
+            max(x, 0), e_λ = 0 on C, where the indicator is 0, and the derivative is min(x, 0)/λ, continuous through 0. \
                    It is quadratic on either side of 0, not globally: x²/(2λ) would exceed the indicator on C.",
         control: "The global quadratic x²/(2λ) in place of the envelope.",
         sources: &["chapter §3, LCP as projection", "Moreau (1965)"],
@@ -37,11 +42,14 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S3.prox-cond",
-        statement: "The proximal term ½ρ‖P − Pᵏ‖² adds ρI to W and so improves the condition number of an ill-conditioned Delassus operator.",
+        statement: "The proximal term ½ρ‖P − Pᵏ‖² adds ρI to W and so improves the condition number of an ill-conditioned Delassus \
+            operator.",
         verdict: Verdict::True,
         evidence: Evidence::Certified,
-        correct_statement: "cond(W + ρI) = (λ_max + ρ)/(λ_min + ρ), which decreases with ρ ≥ 0 (strictly unless all eigenvalues are equal).",
-        argument: "The derivative in ρ is (λ_min − λ_max)/(λ_min + ρ)² ≤ 0. Two nearly parallel contacts, W = (1, 0.999; 0.999, 1) with eigenvalues 1.999 and 0.001: the condition number is 1999, 183, 20.8 and 3.0 for ρ = 0, 0.01, 0.1 and 1.",
+        correct_statement: "cond(W + ρI) = (λ_max + ρ)/(λ_min + ρ), which decreases with ρ ≥ 0 (strictly unless all eigenvalues are \
+            equal).",
+        argument: "The derivative in ρ is (λ_min − λ_max)/(λ_min + ρ)² ≤ 0. Two nearly parallel contacts, W = (1, 0.999; 0.999, 1) with \
+            eigenvalues 1.999 and 0.001: the condition number is 1999, 183, 20.8 and 3.0 for ρ = 0, 0.01, 0.1 and 1.",
         control: "A scaling (1 + ρ)W in place of the shift, which leaves the condition number as it is.",
         sources: &["chapter §3, proximal view of ADMM"],
         check: conditioning,
@@ -51,8 +59,11 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "MuJoCo's regularisation R is in essence a Moreau–Yosida smoothing of fixed strength, as the proximal term of ADMM is.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "R is a quadratic term centred at zero (Tikhonov): it changes the answer for good. A proximal term is centred at the previous iterate: it vanishes at the fixed point, which is the unregularised answer. Both are Moreau–Yosida smoothings of the same strength, of different problems.",
-        argument: "One contact, W = 1/1000, u_free = −1, ρ = R = 1: the exact impulse is 1000; with R it is 1/(W + R) = 1000/1001 ≈ 0.999; the proximal iteration P ← (1 + ρP)/(W + ρ) has the fixed point 1000 and reduces the error by 1000/1001 per step \
+        correct_statement: "R is a quadratic term centred at zero (Tikhonov): it changes the answer for good. A proximal term is centred \
+            at the previous iterate: it vanishes at the fixed point, which is the unregularised answer. Both are Moreau–Yosida smoothings \
+            of the same strength, of different problems.",
+        argument: "One contact, W = 1/1000, u_free = −1, ρ = R = 1: the exact impulse is 1000; with R it is 1/(W + R) = 1000/1001 ≈ 0.999; \
+            the proximal iteration P ← (1 + ρP)/(W + ρ) has the fixed point 1000 and reduces the error by 1000/1001 per step \
                    (200 exact steps).",
         control: "The iteration centred at zero: it stays at 1000/1001.",
         sources: &["chapter §3, closing insight", "elementary"],

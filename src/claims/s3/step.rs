@@ -18,11 +18,14 @@ use num_traits::{One, Zero};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.explicit-bad",
-        statement: "Naive explicit Euler: with q⁺ = q + h v and the old velocity v, the contact force acts too late and the body has already penetrated.",
+        statement: "Naive explicit Euler: with q⁺ = q + h v and the old velocity v, the contact force acts too late and the body has \
+            already penetrated.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "With θ = 0 the impulse of a step cannot change the position at its end; penetration follows whenever q + h v < 0.",
-        argument: "q = 1/100 m, v = −2 m/s, h = 1/50 s: q⁺ = 1/100 − 2/50 = −3/100 m although the step's impulse r = 2 N·s stops the ball (v⁺ = 0). With θ = 1 the same impulse gives q⁺ = 1/100 m.",
+        correct_statement: "With θ = 0 the impulse of a step cannot change the position at its end; penetration follows whenever q + h v < \
+            0.",
+        argument: "q = 1/100 m, v = −2 m/s, h = 1/50 s: q⁺ = 1/100 − 2/50 = −3/100 m although the step's impulse r = 2 N·s stops the ball \
+            (v⁺ = 0). With θ = 1 the same impulse gives q⁺ = 1/100 m.",
         control: "The same step with the new velocity, θ = 1.",
         sources: &["chapter §3, “what goes wrong with a naive discretisation”"],
         check: explicit_position,
@@ -33,7 +36,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "This is the definition of the scheme's contact law; U⁺ = H v⁺ itself need not be complementary to P.",
-        argument: "Three balls of 1, 2 and 4 kg in line at velocities 3, 0, −1 m/s, both contacts closed, e = 1/2: Lemke in rationals gives P, and U = H(v⁺ + e v) is zero where P > 0.",
+        argument: "Three balls of 1, 2 and 4 kg in line at velocities 3, 0, −1 m/s, both contacts closed, e = 1/2: Lemke in rationals \
+            gives P, and U = H(v⁺ + e v) is zero where P > 0.",
         control: "Restitution on the wrong side, the complementarity of H(v⁺ − e v).",
         sources: &["chapter §3, step 3 of the θ scheme"],
         check: complementarity,
@@ -43,19 +47,26 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The argument v⁺ + e v embeds Newton's impact law v⁺ = −e v⁻.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "U_n⁺ = −e U_n holds exactly at contacts with P > 0, and U_n is the velocity at the start of the step, which differs from the velocity at the impact by at most g h in free fall. A closed contact with P = 0 separates by its own velocity.",
-        argument: "e = 1/2, h = 1/100 s, q = 1/200 m, v = −1 m/s: v⁺ = 1/2 exactly, while the ball reaches the floor with 1.048 m/s, so that v⁺ differs from e times that by 0.024 ≤ e g h = 0.049 m/s. At q = 0, v = +1 m/s the contact is closed, P = 0 and v⁺ = 1 − g h, not −e v.",
+        correct_statement: "U_n⁺ = −e U_n holds exactly at contacts with P > 0, and U_n is the velocity at the start of the step, which \
+            differs from the velocity at the impact by at most g h in free fall. A closed contact with P = 0 separates by its own \
+            velocity.",
+        argument: "e = 1/2, h = 1/100 s, q = 1/200 m, v = −1 m/s: v⁺ = 1/2 exactly, while the ball reaches the floor with 1.048 m/s, so \
+            that v⁺ differs from e times that by 0.024 ≤ e g h = 0.049 m/s. At q = 0, v = +1 m/s the contact is closed, P = 0 and v⁺ = 1 − \
+            g h, not −e v.",
         control: "The law claimed at a closed contact that separates.",
         sources: &["chapter §3, step 3 of the θ scheme"],
         check: newton_law,
     },
     Claim {
         id: "S3.ufree",
-        statement: "With v_free = v + h M⁻¹F: U = W P + U_free, U_free = H(v_free + e v) = (1+e) H v + h H M⁻¹F, W = H M⁻¹Hᵀ (F explicit or linearised).",
+        statement: "With v_free = v + h M⁻¹F: U = W P + U_free, U_free = H(v_free + e v) = (1+e) H v + h H M⁻¹F, W = H M⁻¹Hᵀ (F explicit \
+            or linearised).",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Exact for an explicit force. For a linearised implicit force −Kq − Cv, M is replaced by M̂ = M + hθC + h²θ²K, in W and in v_free alike.",
-        argument: "m = 1 kg, k = 100 N/m, h = 1/10 s, θ = 1/2: a unit impulse changes v⁺ of the implicit step by 1/(1 + h²θ²k) = 4/5 m/s, not by 1/m = 1 m/s.",
+        correct_statement: "Exact for an explicit force. For a linearised implicit force −Kq − Cv, M is replaced by M̂ = M + hθC + h²θ²K, \
+            in W and in v_free alike.",
+        argument: "m = 1 kg, k = 100 N/m, h = 1/10 s, θ = 1/2: a unit impulse changes v⁺ of the implicit step by 1/(1 + h²θ²k) = 4/5 m/s, \
+            not by 1/m = 1 m/s.",
         control: "W = H M⁻¹Hᵀ for the implicit step.",
         sources: &["chapter §3, step 4 and exercise 1"],
         check: free_velocity,

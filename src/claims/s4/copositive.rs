@@ -20,7 +20,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "This is the standard definition.",
-        argument: "[[0, 1], [0, 0]] is copositive (form x₁x₂) but x = (1, 0) has form 0 and (N + Nᵀ)x = (0, 1): part (ii) excludes it. [[1, −1], [−1, 1]] and [[0, 1], [−1, 0]] satisfy both parts.",
+        argument: "[[0, 1], [0, 0]] is copositive (form x₁x₂) but x = (1, 0) has form 0 and (N + Nᵀ)x = (0, 1): part (ii) excludes it. \
+            [[1, −1], [−1, 1]] and [[0, 1], [−1, 0]] satisfy both parts.",
         control: "Part (i) alone.",
         sources: &["chapter §4, definition before the theorem on M_LCP", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.8"],
         check: definition,
@@ -31,7 +32,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "M_LCP is copositive for every μ ≥ 0, any number of contacts and any redundancy.",
-        argument: "xᵀM x = x₁ᵀW̃x₁ + Σμᵢλᵢσᵢ is a sum of two terms that are ≥ 0 for x ≥ 0 (x₁ = (λ, β)). Decided exactly here for the chapter's contact, a wedge of two contacts and the jamming 4×4 matrix; on a thousand random systems in the property family.",
+        argument: "xᵀM x = x₁ᵀW̃x₁ + Σμᵢλᵢσᵢ is a sum of two terms that are ≥ 0 for x ≥ 0 (x₁ = (λ, β)). Decided exactly here for the \
+            chapter's contact, a wedge of two contacts and the jamming 4×4 matrix; on a thousand random systems in the property family.",
         control: "The last row with reversed sign, (−μ, Eᵀ).",
         sources: &["chapter §4, theorem on M_LCP, part (i)"],
         check: copositivity,
@@ -41,19 +43,30 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Theorem (the chapter attributes it to Anitescu and Potra 1997): the Stewart–Trinkle matrix M_LCP is copositive-plus.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "M_LCP is copositive; it is copositive-plus if and only if every μ is 0. Solvability rests on something else: with q = (nᵀv + b, Dᵀv, 0), v the free velocity and b = φ/h, if bᵀλ ≥ 0 for all λ, β ≥ 0 with nλ + Dβ = 0 and Eᵀβ ≤ μλ – true if all gaps are ≥ 0, or if the friction cone is pointed – the LCP has a solution and lexicographic Lemke with any covering vector d > 0 finds one.",
-        argument: "Witness in the chapter's own 4×4 example (μ = 1/2): x = (0, 0, 0, 1) ≥ 0 has xᵀMx = 0 but (M + Mᵀ)x = (1/2, 0, 0, 0) ≠ 0. In general x = (0, 0, σ) gives (M + Mᵀ)x = (μσ, 0, 0). No scaling or sign convention removes it. If every μ is 0 then xᵀMx = x₁ᵀW̃x₁ with W̃ ⪰ 0, and M is copositive-plus. Proof of the corrected theorem: on a secondary ray the direction x̂ = (λ, β, σ) satisfies x̂ᵀMx̂ = 0 and Mx̂ ≥ 0, hence nλ + Dβ = 0, and x̂ᵀq < 0; but x̂ᵀq = vᵀ(nλ + Dβ) + bᵀλ = bᵀλ ≥ 0. This refutes the chapter's theorem, not the paper, which was not read.",
-        control: "The matrix whose quadratic form is the one the chapter's proof computes (μ missing from the last row): it is copositive-plus.",
+        correct_statement: "M_LCP is copositive; it is copositive-plus if and only if every μ is 0. Solvability rests on something else: \
+            with q = (nᵀv + b, Dᵀv, 0), v the free velocity and b = φ/h, if bᵀλ ≥ 0 for all λ, β ≥ 0 with nλ + Dβ = 0 and Eᵀβ ≤ μλ – true \
+            if all gaps are ≥ 0, or if the friction cone is pointed – the LCP has a solution and lexicographic Lemke with any covering \
+            vector d > 0 finds one.",
+        argument: "Witness in the chapter's own 4×4 example (μ = 1/2): x = (0, 0, 0, 1) ≥ 0 has xᵀMx = 0 but (M + Mᵀ)x = (1/2, 0, 0, 0) ≠ \
+            0. In general x = (0, 0, σ) gives (M + Mᵀ)x = (μσ, 0, 0). No scaling or sign convention removes it. If every μ is 0 then xᵀMx \
+            = x₁ᵀW̃x₁ with W̃ ⪰ 0, and M is copositive-plus. Proof of the corrected theorem: on a secondary ray the direction x̂ = (λ, β, \
+            σ) satisfies x̂ᵀMx̂ = 0 and Mx̂ ≥ 0, hence nλ + Dβ = 0, and x̂ᵀq < 0; but x̂ᵀq = vᵀ(nλ + Dβ) + bᵀλ = bᵀλ ≥ 0. This refutes the \
+            chapter's theorem, not the paper, which was not read.",
+        control: "The matrix whose quadratic form is the one the chapter's proof computes (μ missing from the last row): it is \
+            copositive-plus.",
         sources: &["chapter §4, theorem on M_LCP", "proof: module certificate::existence"],
         check: not_plus,
     },
     Claim {
         id: "S4.quadratic-general",
-        statement: "Proof and exercise 2: xᵀM_LCP x = x₁ᵀW̃x₁, because the friction row and the tangential column cancel; and xᵀMx = 0 implies (M + Mᵀ)x = 0.",
+        statement: "Proof and exercise 2: xᵀM_LCP x = x₁ᵀW̃x₁, because the friction row and the tangential column cancel; and xᵀMx = 0 \
+            implies (M + Mᵀ)x = 0.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "xᵀM_LCP x = x₁ᵀW̃x₁ + Σμᵢλᵢσᵢ: only +E against −Eᵀ cancels, μ has no partner. Copositivity follows all the same; the second implication does not, and falls with S4.copos-plus.",
-        argument: "In the wedge of two contacts with μ = 1/2 and x = (1, …, 1) the form exceeds x₁ᵀW̃x₁ by μ₁ + μ₂ = 1. At x = (0, 0, σ) it vanishes with (M + Mᵀ)x = (μσ, 0, 0).",
+        correct_statement: "xᵀM_LCP x = x₁ᵀW̃x₁ + Σμᵢλᵢσᵢ: only +E against −Eᵀ cancels, μ has no partner. Copositivity follows all the \
+            same; the second implication does not, and falls with S4.copos-plus.",
+        argument: "In the wedge of two contacts with μ = 1/2 and x = (1, …, 1) the form exceeds x₁ᵀW̃x₁ by μ₁ + μ₂ = 1. At x = (0, 0, σ) \
+            it vanishes with (M + Mᵀ)x = (μσ, 0, 0).",
         control: "The matrices without μ in their last rows, for which the printed identity and its consequence hold.",
         sources: &["chapter §4, exercise 2, and the proof of the theorem on M_LCP (whose display is not legible in the source)"],
         check: general_form,
@@ -64,7 +77,9 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "True; but it does not apply to the Stewart–Trinkle LCP with friction, whose matrix is not copositive-plus.",
-        argument: "A secondary ray of Lemke's method would give x ≥ 0 with xᵀMx = 0, Mx ≥ 0 and xᵀq < 0; (ii) turns Mx ≥ 0 into Mᵀx ≤ 0, so xᵀ(Mz + q) < 0 for every z ≥ 0, against feasibility. Here: three copositive-plus matrices with all q from {−2, …, 2}², every feasible one solved. The merely copositive 4×4 matrix of a jammed contact has a feasible q without solution.",
+        argument: "A secondary ray of Lemke's method would give x ≥ 0 with xᵀMx = 0, Mx ≥ 0 and xᵀq < 0; (ii) turns Mx ≥ 0 into Mᵀx ≤ 0, \
+            so xᵀ(Mz + q) < 0 for every z ≥ 0, against feasibility. Here: three copositive-plus matrices with all q from {−2, …, 2}², \
+            every feasible one solved. The merely copositive 4×4 matrix of a jammed contact has a feasible q without solution.",
         control: "The merely copositive 4×4 matrix with q = (−1, 0, 0, 0).",
         sources: &["chapter §4, corollary “every step is solvable”", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.8"],
         check: feasible_is_solvable,

@@ -16,15 +16,19 @@ use nalgebra::DVector;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.cites",
-        statement: "Stewart and Trinkle, IJNME 39:2673 (1996); Anitescu and Potra, Nonlinear Dynamics 14:231 (1997); Stewart, ARMA 145:215 (1998).",
+        statement: "Stewart and Trinkle, IJNME 39:2673 (1996); Anitescu and Potra, Nonlinear Dynamics 14:231 (1997); Stewart, ARMA 145:215 \
+            (1998).",
         verdict: Verdict::True,
         evidence: Evidence::Cited,
         correct_statement: "As stated, volume and first page: 39 (15), 2673–2691; 14 (3), 231–247; 145 (3), 215–260.",
-        argument: "The first paper's DOI contains its SICI, which names volume 39 and page 2673 and ends in a check character that agrees with them (mod 37); so does the ISSN in it (mod 11). The other two DOIs carry neither volume nor page: for them the reference lists of other papers agree with the chapter, two for each.",
+        argument: "The first paper's DOI contains its SICI, which names volume 39 and page 2673 and ends in a check character that agrees \
+            with them (mod 37); so does the ISSN in it (mod 11). The other two DOIs carry neither volume nor page: for them the reference \
+            lists of other papers agree with the chapter, two for each.",
         control: "Page 2763, two digits exchanged: the check character is another.",
         sources: &[
             "chapter §4, and the list of papers at its end",
-            "doi:10.1002/(SICI)1097-0207(19960815)39:15<2673::AID-NME972>3.0.CO;2-I; doi:10.1023/A:1008292328909; doi:10.1007/s002050050129",
+            "doi:10.1002/(SICI)1097-0207(19960815)39:15<2673::AID-NME972>3.0.CO;2-I; doi:10.1023/A:1008292328909; \
+                doi:10.1007/s002050050129",
         ],
         check: places,
     },
@@ -33,19 +37,25 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Early Drake (TimeSteppingRigidBodyPlant) derives from Stewart and Trinkle.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Cited,
-        correct_statement: "A class of that name existed from September 2017 to April 2018, in multibody/dev, with a polygonal friction cone; whether it derives from the paper was not checked. The pinned release does not know it any more.",
-        argument: "Drake's repository: added by commit 0e218d926b, removed by fc428c0fa2. The documentation of the plant's module in 1.51.1 does not have the name, but the MultibodyPlant that took its place.",
+        correct_statement: "A class of that name existed from September 2017 to April 2018, in multibody/dev, with a polygonal friction \
+            cone; whether it derives from the paper was not checked. The pinned release does not know it any more.",
+        argument: "Drake's repository: added by commit 0e218d926b, removed by fc428c0fa2. The documentation of the plant's module in \
+            1.51.1 does not have the name, but the MultibodyPlant that took its place.",
         control: "The name of the present plant.",
         sources: &["chapter §4, motivation", "Drake 1.51.1 (references/facts/drake.json); its repository's history"],
         check: early_drake,
     },
     Claim {
         id: "S4.first-proof",
-        statement: "Anitescu and Potra's is the first proof of solvability that does not need the matrix of the complementarity problem to be positive definite.",
+        statement: "Anitescu and Potra's is the first proof of solvability that does not need the matrix of the complementarity problem to \
+            be positive definite.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::NotDecidable,
-        correct_statement: "Who was first is not decided here; Pang and Trinkle had existence results for several bodies with Coulomb friction in print a year before. What the sentence says of the matrix is so: it is not even semidefinite, it is copositive, and Lemke's method solves the step.",
-        argument: "The chapter's example, μ = 1/2: xᵀMx = −1 at x = (1, 0, 0, −4), since the quadratic form holds μ λ σ; copositive, decided exactly; a closing contact is solved by Lemke in rationals.",
+        correct_statement: "Who was first is not decided here; Pang and Trinkle had existence results for several bodies with Coulomb \
+            friction in print a year before. What the sentence says of the matrix is so: it is not even semidefinite, it is copositive, \
+            and Lemke's method solves the step.",
+        argument: "The chapter's example, μ = 1/2: xᵀMx = −1 at x = (1, 0, 0, −4), since the quadratic form holds μ λ σ; copositive, \
+            decided exactly; a closing contact is solved by Lemke in rationals.",
         control: "μ = 0, where the form is that of the Delassus operator, 1 ≥ 0 at this x.",
         sources: &[
             "chapter §4, essential insight on copositive-plus",

@@ -15,11 +15,14 @@ use nalgebra::{DMatrix, DVector};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.groups",
-        statement: "The LCP has three complementarity groups: 0 ≤ λ_n ⟂ normal separation velocity ≥ 0; 0 ≤ β ⟂ λE + Dᵀv⁺ ≥ 0, “where σ is the slip rate”; 0 ≤ σ ⟂ μλ_n − Eᵀβ ≥ 0.",
+        statement: "The LCP has three complementarity groups: 0 ≤ λ_n ⟂ normal separation velocity ≥ 0; 0 ≤ β ⟂ λE + Dᵀv⁺ ≥ 0, “where σ is \
+            the slip rate”; 0 ≤ σ ⟂ μλ_n − Eᵀβ ≥ 0.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "The three groups hold with σE in the second: 0 ≤ β ⟂ σE + Dᵀv⁺ ≥ 0. The printed λ is undefined there; the clause about σ shows what is meant.",
-        argument: "Unit point mass, μ = 1/2, φ = 0, free velocity (2, −1): λ = 1, β = (0, 1/2), v⁺ = (3/2, 0), σ = 3/2. The second group with σ is (3, 0) ≥ 0 and complementary to β; with λ in its place it is (5/2, −1/2).",
+        correct_statement: "The three groups hold with σE in the second: 0 ≤ β ⟂ σE + Dᵀv⁺ ≥ 0. The printed λ is undefined there; the \
+            clause about σ shows what is meant.",
+        argument: "Unit point mass, μ = 1/2, φ = 0, free velocity (2, −1): λ = 1, β = (0, 1/2), v⁺ = (3/2, 0), σ = 3/2. The second group \
+            with σ is (3, 0) ≥ 0 and complementary to β; with λ in its place it is (5/2, −1/2).",
         control: "The second group as printed, with λ in place of σ.",
         sources: &["chapter §4, step 3 of the construction"],
         check: groups,
@@ -29,7 +32,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The upper left block over (λ, β) is symmetric positive semidefinite.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "W̃ = CᵀM⁻¹C with C = (n D) is symmetric positive semidefinite because M ≻ 0; with opposite directions in D it is singular.",
+        correct_statement: "W̃ = CᵀM⁻¹C with C = (n D) is symmetric positive semidefinite because M ≻ 0; with opposite directions in D it \
+            is singular.",
         argument: "xᵀW̃x = (Cx)ᵀM⁻¹(Cx) ≥ 0. In the chapter's example x = (0, 1, 1) has Cx = 0, so W̃ is not definite: rank 2 of 3.",
         control: "An indefinite “mass” diag(1, −1) in place of M: the block must then stop being semidefinite.",
         sources: &["chapter §4, reading of the matrix block by block"],
@@ -37,11 +41,14 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S4.ex-jacobian",
-        statement: "Example: a block with m = 1, I = 1 touches the ground with a corner straight below its centre of mass; for simplicity the contact Jacobian then has no rotational coupling.",
+        statement: "Example: a block with m = 1, I = 1 touches the ground with a corner straight below its centre of mass; for simplicity \
+            the contact Jacobian then has no rotational coupling.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "A contact point at distance r straight below the centre of mass has the tangential row (1, 0, r): W_nt = 0, but W_tt = 1/m + r²/I. The matrix of the example is that of a point mass (r = 0), a declared simplification.",
-        argument: "The velocity of the point (0, −r) is (vₓ + rω, v_y). With m = I = r = 1: W_tt = 2, not 1; the square with m = I = 1 on its corner has r² = 3 and W_tt = 4. Only the normal-tangential block vanishes.",
+        correct_statement: "A contact point at distance r straight below the centre of mass has the tangential row (1, 0, r): W_nt = 0, \
+            but W_tt = 1/m + r²/I. The matrix of the example is that of a point mass (r = 0), a declared simplification.",
+        argument: "The velocity of the point (0, −r) is (vₓ + rω, v_y). With m = I = r = 1: W_tt = 2, not 1; the square with m = I = 1 on \
+            its corner has r² = 3 and W_tt = 4. Only the normal-tangential block vanishes.",
         control: "The lever arm r = 0 that the example's row (1, 0, 0) stands for.",
         sources: &["chapter §4, example “2D block on the ground”"],
         check: lever_arm,
@@ -73,7 +80,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Example: the cross terms with σ cancel and xᵀMx = λ² + (β₁ − β₂)² ≥ 0 remains.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "xᵀMx = λ² + (β₁ − β₂)² + ½λσ: the terms σ(β₁ + β₂) cancel, μλσ remains. It is ≥ 0 for x ≥ 0, so the conclusion drawn there survives, but M is not positive semidefinite. (The dropped term is that of S4.quadratic-general.)",
+        correct_statement: "xᵀMx = λ² + (β₁ − β₂)² + ½λσ: the terms σ(β₁ + β₂) cancel, μλσ remains. It is ≥ 0 for x ≥ 0, so the conclusion \
+            drawn there survives, but M is not positive semidefinite. (The dropped term is that of S4.quadratic-general.)",
         argument: "x = (1, 0, 0, 1): xᵀMx = 3/2, the printed formula gives 1. x = (−1/10, 0, 0, 1): xᵀMx = 1/100 − 1/20 = −1/25 < 0.",
         control: "The matrix without μ in the row of the friction cone, whose form is the printed one.",
         sources: &["chapter §4, example “2D block on the ground”"],
@@ -84,8 +92,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Proof: partition M_LCP as [[W̃, b], [bᵀ, 0]], where the last row and column hold [μ, −Eᵀ] and [0; E].",
         verdict: Verdict::Inconsistent,
         evidence: Evidence::Exact,
-        correct_statement: "M_LCP = [[W̃, b], [cᵀ, 0]] with b = (0; E) and c = (μ; −E) ≠ b; the same sentence names both correctly, so this is a slip of notation.",
-        argument: "With cᵀ in the last row every entry of the example's row [1/2, −1, −1, 0] and column (0, 1, 1, 0) is met; with bᵀ the three entries 0, 1, 1 replace 1/2, −1, −1.",
+        correct_statement: "M_LCP = [[W̃, b], [cᵀ, 0]] with b = (0; E) and c = (μ; −E) ≠ b; the same sentence names both correctly, so \
+            this is a slip of notation.",
+        argument: "With cᵀ in the last row every entry of the example's row [1/2, −1, −1, 0] and column (0, 1, 1, 0) is met; with bᵀ the \
+            three entries 0, 1, 1 replace 1/2, −1, −1.",
         control: "bᵀ in the last row, as displayed.",
         sources: &["chapter §4, proof of the theorem on M_LCP"],
         check: block_form,
@@ -96,7 +106,9 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::Ambiguous,
         evidence: Evidence::Exact,
         correct_statement: "The matrix is 3×3 in blocks (λ, β, σ) and 4×4 in scalars (λ, β₁, β₂, σ), as in the section's own example.",
-        argument: "Unknowns: 1 normal impulse, 2 direction impulses, 1 slip speed – four scalars in three blocks. The text does not say which size is meant; leaving σ out would lose the row of the friction cone the exercise asks for, and the three scalars (λ, β₁, σ) of d₁ alone brake one sense of sliding only: \
+        argument: "Unknowns: 1 normal impulse, 2 direction impulses, 1 slip speed – four scalars in three blocks. The text does not say \
+            which size is meant; leaving σ out would lose the row of the friction cone the exercise asks for, and the three scalars (λ, \
+            β₁, σ) of d₁ alone brake one sense of sliding only: \
             a slide at 2 m/s to 3/2 m/s in one sense, not at all in the other.",
         control: "The three scalars (λ, β₁, σ) of the direction d₁ alone.",
         sources: &["chapter §4, exercise 1"],

@@ -21,22 +21,29 @@ use nalgebra::{DMatrix, DVector, dvector};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.painleve",
-        statement: "Painlevé 1895: for some rigid bodies with Coulomb friction (a rod sliding on the ground with large μ) the equations of motion have no solution or several.",
+        statement: "Painlevé 1895: for some rigid bodies with Coulomb friction (a rod sliding on the ground with large μ) the equations of \
+            motion have no solution or several.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "For the uniform rod this happens for μ > μ_P = W_nn/|W_nt| = (4 + tan²)/(3 tan) ≥ 4/3 when it slides towards the side it leans to.",
-        argument: "Sliding force λ with friction μλ: 0 ≤ λ ⟂ Aλ + b ≥ 0, A = W_nn − μ|W_nt|. At cos = 3/5: μ_P = 13/9. With μ = 2: A = −4/5; b = −1 has no solution, b = 1 has two (0 and 5/4). (4 + t²)/(3t) − 4/3 = (t − 2)²/(3t) ≥ 0, so μ_P is least at tan = 2.",
+        correct_statement: "For the uniform rod this happens for μ > μ_P = W_nn/|W_nt| = (4 + tan²)/(3 tan) ≥ 4/3 when it slides towards \
+            the side it leans to.",
+        argument: "Sliding force λ with friction μλ: 0 ≤ λ ⟂ Aλ + b ≥ 0, A = W_nn − μ|W_nt|. At cos = 3/5: μ_P = 13/9. With μ = 2: A = \
+            −4/5; b = −1 has no solution, b = 1 has two (0 and 5/4). (4 + t²)/(3t) − 4/3 = (t − 2)²/(3t) ≥ 0, so μ_P is least at tan = 2.",
         control: "μ = 1 < μ_P: exactly one solution for either sign of b.",
         sources: &["chapter §4, resolution of Painlevé's paradox", "Painlevé 1895; Génot and Brogliato 1999"],
         check: paradox,
     },
     Claim {
         id: "S4.painleve-atom",
-        statement: "The limit h → 0 of Stewart–Trinkle solutions exists and contains an impulsive atom, “impact without collision”; time stepping delivers it automatically.",
+        statement: "The limit h → 0 of Stewart–Trinkle solutions exists and contains an impulsive atom, “impact without collision”; time \
+            stepping delivers it automatically.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Where no sliding force exists the step has one solution, whose impulse does not vanish with h: P_n = |W_nt||v_t|/det W, P_t = W_nn|v_t|/det W, and the end sticks. Where two forces exist the step has three solutions, and the solver's pivoting rule decides whether there is an atom.",
-        argument: "cos = 3/5, μ = 2, v_t = −1, gravity 9.81, h = 10⁻¹ … 10⁻⁶: one solution each, P = W⁻¹(g h, 1) → (9/25, 13/25). At h = 10⁻⁶ P = (0.3600071…, 0.5200035…). With an upward normal free velocity: 3 solutions (open, sliding, impact).",
+        correct_statement: "Where no sliding force exists the step has one solution, whose impulse does not vanish with h: P_n = \
+            |W_nt||v_t|/det W, P_t = W_nn|v_t|/det W, and the end sticks. Where two forces exist the step has three solutions, and the \
+            solver's pivoting rule decides whether there is an atom.",
+        argument: "cos = 3/5, μ = 2, v_t = −1, gravity 9.81, h = 10⁻¹ … 10⁻⁶: one solution each, P = W⁻¹(g h, 1) → (9/25, 13/25). At h = \
+            10⁻⁶ P = (0.3600071…, 0.5200035…). With an upward normal free velocity: 3 solutions (open, sliding, impact).",
         control: "μ = 1 < μ_P: the impulse is of order h and there is no atom.",
         sources: &["chapter §4, resolution of Painlevé's paradox", "Stewart 1998 (not read)"],
         check: atom,
@@ -47,7 +54,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "It dissipates: ΔT = ½Pᵀ(u⁺ + u⁻) = −½ W_nn v_t²/det W = −(1 + 3cos²)/8 · m v_t².",
-        argument: "u⁻ = (0, −1), P = (9/25, 13/25), u⁺ = 0: ΔT = ½·(13/25)·(−1) = −13/50 with m = 1, cos = 3/5; the same from ½vᵀMv before and after.",
+        argument: "u⁻ = (0, −1), P = (9/25, 13/25), u⁺ = 0: ΔT = ½·(13/25)·(−1) = −13/50 with m = 1, cos = 3/5; the same from ½vᵀMv before \
+            and after.",
         control: "The tangential impulse reversed, along the sliding.",
         sources: &["chapter §4, exercise 3"],
         check: dissipation,

@@ -20,12 +20,16 @@ use std::f64::consts::PI;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.poly-order",
-        statement: "The polyhedral cone has an error O(1/d) in its shape (§4, its summary, §5's insight); it has an error O(1/d²) in the radius (§4's pitfall) and in its shape (§5's table).",
+        statement: "The polyhedral cone has an error O(1/d) in its shape (§4, its summary, §5's insight); it has an error O(1/d²) in the \
+            radius (§4's pitfall) and in its shape (§5's table).",
         verdict: Verdict::Inconsistent,
         evidence: Evidence::Certified,
-        correct_statement: "Shape and strength: 1 − cos(π/d) ≈ π²/(2d²). Direction of the force: π/d; force vector: 2 sin(π/2d) ≈ π/d. In the plane d = 2 has no error.",
-        argument: "The inscribed regular d-gon has inradius cos(π/d), which is its Hausdorff distance 1 − cos(π/d) from the disk: times d² it lies in [π²/2 − π⁴/(24 d²), π²/2], times d it goes to 0. \
-            The vertex that maximal dissipation picks is up to π/d beside the sliding direction. O(1/d) is a valid, not a sharp, bound for the shape and sharp for the direction; \
+        correct_statement: "Shape and strength: 1 − cos(π/d) ≈ π²/(2d²). Direction of the force: π/d; force vector: 2 sin(π/2d) ≈ π/d. In \
+            the plane d = 2 has no error.",
+        argument: "The inscribed regular d-gon has inradius cos(π/d), which is its Hausdorff distance 1 − cos(π/d) from the disk: times d² \
+            it lies in [π²/2 − π⁴/(24 d²), π²/2], times d it goes to 0. \
+            The vertex that maximal dissipation picks is up to π/d beside the sliding direction. O(1/d) is a valid, not a sharp, bound for \
+            the shape and sharp for the direction; \
             the pitfall's O(1/d²) \"for the radius\" is exactly right. Two sharp orders for the same shape cannot both stand.",
         control: "First order as the sharp order of the shape.",
         sources: &["chapter §4, compromise, summary and pitfall", "chapter §5, table and insight on the two approximations"],
@@ -33,24 +37,32 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S4.d8",
-        statement: "The error of the polyhedral cone is O(1/d²) (for the radius); d = 8 is already quite accurate. What changes in kind is a slight anisotropy.",
+        statement: "The error of the polyhedral cone is O(1/d²) (for the radius); d = 8 is already quite accurate. What changes in kind is \
+            a slight anisotropy.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Measured,
-        correct_statement: "d = 8 is 7.6 % weak in the worst direction and up to 22.5° off in the direction of the force; a free slide drifts sideways by up to 10.6 % of its stopping distance.",
-        argument: "1 − cos(π/8) = 0.0761. A slide at angle ψ from a direction keeps that direction's friction until the velocity has turned to the bisector, then follows the bisector: with v² = 2μg·s the sideways displacement has the closed form of `lateral_drift`, \
-            largest at ψ = 0.200 where it is 0.1056 of the stopping distance. Stewart–Trinkle with 8 directions measures the same; the first order of the drift is (π/4)/d, not 1/d².",
+        correct_statement: "d = 8 is 7.6 % weak in the worst direction and up to 22.5° off in the direction of the force; a free slide \
+            drifts sideways by up to 10.6 % of its stopping distance.",
+        argument: "1 − cos(π/8) = 0.0761. A slide at angle ψ from a direction keeps that direction's friction until the velocity has \
+            turned to the bisector, then follows the bisector: with v² = 2μg·s the sideways displacement has the closed form of \
+            `lateral_drift`, \
+            largest at ψ = 0.200 where it is 0.1056 of the stopping distance. Stewart–Trinkle with 8 directions measures the same; the \
+            first order of the drift is (π/4)/d, not 1/d².",
         control: "The circular cone, which is what quite accurate would mean.",
         sources: &["chapter §4, pitfall on the polyhedral cone"],
         check: eight_directions,
     },
     Claim {
         id: "S4.aniso",
-        statement: "The friction force is restricted to d discrete directions, which makes sliding along the basis directions slightly easier or harder than along the diagonals.",
+        statement: "The friction force is restricted to d discrete directions, which makes sliding along the basis directions slightly \
+            easier or harder than along the diagonals.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "Basis directions are the harder ones (full μ), bisectors the easier ones (μ cos(π/d)), so stopping distances differ by sec(π/d): 1.414, 1.082, 1.020 for d = 4, 8, 16. \
+        correct_statement: "Basis directions are the harder ones (full μ), bisectors the easier ones (μ cos(π/d)), so stopping distances \
+            differ by sec(π/d): 1.414, 1.082, 1.020 for d = 4, 8, 16. \
             Sticking and sliding along a bisector use combinations of directions; the bisectors attract the sliding direction.",
-        argument: "The inscribed polygon reaches μ at its vertices and μ cos(π/d) at the middle of its sides. One Stewart–Trinkle step along a direction and along the bisector loses speed in exactly this ratio, \
+        argument: "The inscribed polygon reaches μ at its vertices and μ cos(π/d) at the middle of its sides. One Stewart–Trinkle step \
+            along a direction and along the bisector loses speed in exactly this ratio, \
             and a slide that starts a quarter of the way from direction to bisector turns towards the bisector.",
         control: "Coulomb's circular cone.",
         sources: &["chapter §4, pitfall on the polyhedral cone"],
@@ -58,12 +70,16 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S4.maxdiss",
-        statement: "The slip-rate multiplier σ with μλ − Eᵀβ ≥ 0 ⟂ σ ≥ 0 reproduces the principle of maximal dissipation: σ = 0 while sticking, σ > 0 and full friction while sliding.",
+        statement: "The slip-rate multiplier σ with μλ − Eᵀβ ≥ 0 ⟂ σ ≥ 0 reproduces the principle of maximal dissipation: σ = 0 while \
+            sticking, σ > 0 and full friction while sliding.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "β maximises −u_t·Dβ over β ≥ 0, Eᵀβ ≤ μλ – on the polyhedral cone – and σ is the multiplier of that linear programme, σ = max_j(−D_j·u_t).",
-        argument: "β ≥ 0 ⟂ Dᵀu_t + Eσ ≥ 0 and μλ − Eᵀβ ≥ 0 ⟂ σ ≥ 0 are the optimality conditions of max −u_t·Dβ. Its value is μλ max_j(−D_j·u_t) by duality. \
-            For eight rational directions, a coupled rational W and four free velocities the exact Lemke solution dissipates exactly that, and σ = 0 when it sticks.",
+        correct_statement: "β maximises −u_t·Dβ over β ≥ 0, Eᵀβ ≤ μλ – on the polyhedral cone – and σ is the multiplier of that linear \
+            programme, σ = max_j(−D_j·u_t).",
+        argument: "β ≥ 0 ⟂ Dᵀu_t + Eσ ≥ 0 and μλ − Eᵀβ ≥ 0 ⟂ σ ≥ 0 are the optimality conditions of max −u_t·Dβ. Its value is μλ \
+            max_j(−D_j·u_t) by duality. \
+            For eight rational directions, a coupled rational W and four free velocities the exact Lemke solution dissipates exactly that, \
+            and σ = 0 when it sticks.",
         control: "An LCP whose cone rows carry 2Eᵀ, which halves the available friction.",
         sources: &["chapter §4, the LCP matrix and σ"],
         check: maximal_dissipation,

@@ -16,22 +16,31 @@ use nalgebra::{DMatrix, DVector};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.sigma",
-        statement: "σ is the slip rate: σ = 0 when sticking (inside the friction cone), σ > 0 when sliding (on its boundary, friction at its maximum).",
+        statement: "σ is the slip rate: σ = 0 when sticking (inside the friction cone), σ > 0 when sliding (on its boundary, friction at \
+            its maximum).",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Where λ_n > 0, σ ≥ max(−dⱼ·v⁺) with equality as soon as a βⱼ > 0; sticking has σ = 0 also on the boundary of the cone. At an open contact every σ ≥ max(−dⱼ·v⁺) is a solution, and σ says nothing.",
-        argument: "Unit point mass, μ = 1/2, all solutions enumerated. Free velocity (2, −1) at φ = 0: one solution, σ = 3/2 = |v_t⁺|. (1/4, −1): sticks, σ = 0 in every solution. (1/2, −1): sticks on the boundary, σ = 0. Open (φ/h = 10, free velocity (2, 0)): λ = β = 0 and the family σ ≥ 2.",
+        correct_statement: "Where λ_n > 0, σ ≥ max(−dⱼ·v⁺) with equality as soon as a βⱼ > 0; sticking has σ = 0 also on the boundary of \
+            the cone. At an open contact every σ ≥ max(−dⱼ·v⁺) is a solution, and σ says nothing.",
+        argument: "Unit point mass, μ = 1/2, all solutions enumerated. Free velocity (2, −1) at φ = 0: one solution, σ = 3/2 = |v_t⁺|. \
+            (1/4, −1): sticks, σ = 0 in every solution. (1/2, −1): sticks on the boundary, σ = 0. Open (φ/h = 10, free velocity (2, 0)): λ \
+            = β = 0 and the family σ ≥ 2.",
         control: "The closed sliding contact in place of the open one: there σ is unique.",
         sources: &["chapter §4, reading of the complementarity μλ_n − Eᵀβ ≥ 0 ⟂ σ ≥ 0"],
         check: slip_speed,
     },
     Claim {
         id: "S4.nonunique",
-        statement: "Existence is not uniqueness: in simultaneous contacts (three balls at once, the four corners of a block) the LCP may have several solutions, and solvers may differ.",
+        statement: "Existence is not uniqueness: in simultaneous contacts (three balls at once, the four corners of a block) the LCP may \
+            have several solutions, and solvers may differ.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Several solutions arise with friction or redundant contacts: σ at an open contact, β when sticking, impulses (not velocities) of a block on four frictionless corners, and even velocities for Painlevé's rod. The frictionless three-ball chain has exactly one solution; its ambiguity lies in the impact law.",
-        argument: "Painlevé's rod (cos = 3/5, μ = 2, free normal velocity 1/10) has 3 solutions with 3 different velocities after the step. Four corners (1, ±1, ±1): W has rank 3, the impulses form a family, W·P is the same for all. Three equal balls in a row: W = [[2, −1], [−1, 2]] has minors 2, 2, 3 > 0, so one solution for every q.",
+        correct_statement: "Several solutions arise with friction or redundant contacts: σ at an open contact, β when sticking, impulses \
+            (not velocities) of a block on four frictionless corners, and even velocities for Painlevé's rod. The frictionless three-ball \
+            chain has exactly one solution; its ambiguity lies in the impact law.",
+        argument: "Painlevé's rod (cos = 3/5, μ = 2, free normal velocity 1/10) has 3 solutions with 3 different velocities after the \
+            step. Four corners (1, ±1, ±1): W has rank 3, the impulses form a family, W·P is the same for all. Three equal balls in a row: \
+            W = [[2, −1], [−1, 2]] has minors 2, 2, 3 > 0, so one solution for every q.",
         control: "The three-ball chain in place of the four corners.",
         sources: &["chapter §4, pitfall “solvable means unique”"],
         check: several_solutions,
@@ -41,7 +50,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Uniqueness needs a stronger condition, for instance that M_LCP is a P-matrix.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "A P-matrix makes the LCP uniquely solvable for every q, but a Stewart–Trinkle matrix is never one: its diagonal entry at σ is 0.",
+        correct_statement: "A P-matrix makes the LCP uniquely solvable for every q, but a Stewart–Trinkle matrix is never one: its \
+            diagonal entry at σ is 0.",
         argument: "Principal minor {σ} = 0, whatever μ and W̃. Uniqueness can only be had for velocities or in the absence of friction.",
         control: "The frictionless W of three balls in a row, which is a P-matrix.",
         sources: &["chapter §4, pitfall “solvable means unique”", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.3"],
@@ -52,8 +62,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "LCP solutions are not differentiable where the active set changes.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As a function of q the solution is piecewise linear; its one-sided derivatives differ where the active set changes.",
-        argument: "W = 1: λ(q) = max(0, −q). At q = 0 the left slope is −1, the right slope 0; at q = −1, inside one active set, both are −1.",
+        correct_statement: "As a function of q the solution is piecewise linear; its one-sided derivatives differ where the active set \
+            changes.",
+        argument: "W = 1: λ(q) = max(0, −q). At q = 0 the left slope is −1, the right slope 0; at q = −1, inside one active set, both are \
+            −1.",
         control: "A point inside one active set, q = −1.",
         sources: &["chapter §4, summary"],
         check: kink,

@@ -16,11 +16,15 @@ use nalgebra::{DMatrix, DVector};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.feasible",
-        statement: "The Stewart–Trinkle LCP is always feasible: β = 0, λ_n = 0, σ = 0 with free motion gives a feasible point (“the degenerate case can be constructed”).",
+        statement: "The Stewart–Trinkle LCP is always feasible: β = 0, λ_n = 0, σ = 0 with free motion gives a feasible point (“the \
+            degenerate case can be constructed”).",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "Zero is infeasible at every closing contact, and the LCP itself can be infeasible. If every gap is ≥ 0 it is feasible, indeed solvable.",
-        argument: "At zero the normal slack is φ/h + n·v_free, negative whenever the free motion would penetrate. A point between two walls that both penetrate it (normals ±y, φ₁ = φ₂ = −1, h = 1): the two normal rows demand v_y ≥ 1 and −v_y ≥ 1; their sum is a Farkas certificate against any v_y, with any λ, β, σ. With φ₁ = φ₂ = 0 the same walls are feasible.",
+        correct_statement: "Zero is infeasible at every closing contact, and the LCP itself can be infeasible. If every gap is ≥ 0 it is \
+            feasible, indeed solvable.",
+        argument: "At zero the normal slack is φ/h + n·v_free, negative whenever the free motion would penetrate. A point between two \
+            walls that both penetrate it (normals ±y, φ₁ = φ₂ = −1, h = 1): the two normal rows demand v_y ≥ 1 and −v_y ≥ 1; their sum is \
+            a Farkas certificate against any v_y, with any λ, β, σ. With φ₁ = φ₂ = 0 the same walls are feasible.",
         control: "The same two walls with gaps 0.",
         sources: &["chapter §4, corollary “every step is solvable”"],
         check: feasible,
@@ -30,8 +34,15 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Every step of the Stewart–Trinkle scheme has a solution, because its matrix is copositive-plus and the LCP feasible.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "A step is solvable if bᵀλ ≥ 0 for all λ, β ≥ 0 with nλ + Dβ = 0 and Eᵀβ ≤ μλ (b = φ/h); in particular if all gaps are ≥ 0 (any μ, redundancy, jamming) or the friction cone is pointed (any gap). Otherwise it may be feasible and unsolvable.",
-        argument: "One contact with n = 3/5, d = ±4/5 on a unit mass with one velocity, μ = 1, φ/h = −1: M = [[9, 12, −12, 0], [12, 16, −16, 25], [−12, −16, 16, 25], [25, −25, −25, 0]]/25 and q = (−1, 0, 0, 0). z = (3, 0, 0, 2) is feasible, none of the 16 complementary cones contains q, and Lemke ends on a ray: to separate, friction must point against the motion, and β₂ = λ takes back 4/5 of every 3/5 that λ gives. A point in a wedge with normals (±4/5, 3/5) and φ = −h on both sides is solvable for μ = 7/10 and not for μ = 3/4. Newton's law on the normal alone (φ = 0, e = 1/2, v = −1, so q = (−9/10, −4/5, 4/5, 0)) is unsolvable with the same matrix; with e on the full vector it is solvable.",
+        correct_statement: "A step is solvable if bᵀλ ≥ 0 for all λ, β ≥ 0 with nλ + Dβ = 0 and Eᵀβ ≤ μλ (b = φ/h); in particular if all \
+            gaps are ≥ 0 (any μ, redundancy, jamming) or the friction cone is pointed (any gap). Otherwise it may be feasible and \
+            unsolvable.",
+        argument: "One contact with n = 3/5, d = ±4/5 on a unit mass with one velocity, μ = 1, φ/h = −1: M = [[9, 12, −12, 0], [12, 16, \
+            −16, 25], [−12, −16, 16, 25], [25, −25, −25, 0]]/25 and q = (−1, 0, 0, 0). z = (3, 0, 0, 2) is feasible, none of the 16 \
+            complementary cones contains q, and Lemke ends on a ray: to separate, friction must point against the motion, and β₂ = λ takes \
+            back 4/5 of every 3/5 that λ gives. A point in a wedge with normals (±4/5, 3/5) and φ = −h on both sides is solvable for μ = \
+            7/10 and not for μ = 3/4. Newton's law on the normal alone (φ = 0, e = 1/2, v = −1, so q = (−9/10, −4/5, 4/5, 0)) is \
+            unsolvable with the same matrix; with e on the full vector it is solvable.",
         control: "The frictionless matrix (μ = 0) in place of the jamming one: it is copositive-plus and the step has a solution.",
         sources: &["chapter §4, corollary “every step is solvable”", "proof: module certificate::existence"],
         check: solvable,

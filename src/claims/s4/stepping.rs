@@ -14,11 +14,13 @@ use nalgebra::dvector;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.linearised",
-        statement: "In practice the non-linear gap is linearised: φ + h∇φᵀv⁺ ≥ 0; against the velocity level of Moreau–Jean this adds the term φ/h.",
+        statement: "In practice the non-linear gap is linearised: φ + h∇φᵀv⁺ ≥ 0; against the velocity level of Moreau–Jean this adds the \
+            term φ/h.",
         verdict: Verdict::True,
         evidence: Evidence::Certified,
         correct_statement: "φ/h + ∇φᵀv⁺ ≥ 0, with a residual of O(h²) per step, −½h²v²/R on a circle of radius R.",
-        argument: "A bead on the unit circle with unit tangential speed: the linearised constraint is met with 0 and the gap after the step is 1 − √(1 + h²) ∈ (−½h², −½h² + h⁴/8). A contact at φ = 1/4 with h = 1/64 enters the law with the shift φ/h = 16.",
+        argument: "A bead on the unit circle with unit tangential speed: the linearised constraint is met with 0 and the gap after the \
+            step is 1 − √(1 + h²) ∈ (−½h², −½h² + h⁴/8). A contact at φ = 1/4 with h = 1/64 enters the law with the shift φ/h = 16.",
         control: "Moreau–Jean, whose shift e·u_n does not contain the gap.",
         sources: &["chapter §4, step 1 of the construction"],
         check: linearised,
@@ -28,8 +30,12 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Stewart–Trinkle is strictly non-penetrating (after linearisation approximately) and does not drift.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "The gap stays ≥ −½h²·max v²/R and does not accumulate, provided the position update is the one of the constraint, q⁺ = q + hv⁺. With a trapezoidal update the plastic ball rebounds at (1 − c)/2 of its speed for every h, where c = φ/(h|v|) at the step of the impact.",
-        argument: "The constraint gives |q| + h q̂·v ≤ R, so |q + hv| ≤ √(R² + h²v²) ≤ R + h²v²/2R, whatever happened before. Bead, R = 1, v = 1, h = 1/100, 200 steps: gap ≥ −½h²v². Trapezoidal update, unit ball at φ = h/5 with v = −1: v⁺ = −1/5, q⁺ = −2h/5, then v⁺ = +2/5 at h = 1/100 as at h = 1/1000.",
+        correct_statement: "The gap stays ≥ −½h²·max v²/R and does not accumulate, provided the position update is the one of the \
+            constraint, q⁺ = q + hv⁺. With a trapezoidal update the plastic ball rebounds at (1 − c)/2 of its speed for every h, where c = \
+            φ/(h|v|) at the step of the impact.",
+        argument: "The constraint gives |q| + h q̂·v ≤ R, so |q + hv| ≤ √(R² + h²v²) ≤ R + h²v²/2R, whatever happened before. Bead, R = 1, \
+            v = 1, h = 1/100, 200 steps: gap ≥ −½h²v². Trapezoidal update, unit ball at φ = h/5 with v = −1: v⁺ = −1/5, q⁺ = −2h/5, then \
+            v⁺ = +2/5 at h = 1/100 as at h = 1/1000.",
         control: "Moreau–Jean on the same circle, which drifts out by √(1 + nh²v²) − 1.",
         sources: &["chapter §4, table Stewart–Trinkle versus Moreau–Jean"],
         check: no_drift,
@@ -39,7 +45,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Because of φ/h Stewart–Trinkle can brake before contact; Moreau–Jean waits until φ = 0.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "A ball that would pass the floor within the step gets v⁺ = −φ/h; the impact is spread over two steps, with the total impulse m|v|.",
+        correct_statement: "A ball that would pass the floor within the step gets v⁺ = −φ/h; the impact is spread over two steps, with the \
+            total impulse m|v|.",
         argument: "m = 1, v = −1, h = 1/10, φ = 3/100, no gravity: v⁺ = −3/10 with impulse 7/10, then v⁺ = 0 with impulse 3/10.",
         control: "Moreau–Jean with activation φ ≤ 0.",
         sources: &["chapter §4, end of the comparison with Moreau–Jean"],
@@ -50,7 +57,9 @@ pub const CLAIMS: &[Claim] = &[
         statement: "For φ < 0 the term φ/h actively pushes the body out, so Stewart–Trinkle needs no Baumgarte stabilisation.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "It corrects penetration within one step, v⁺ = |φ|/h, but injects the kinetic energy ½m(φ/h)², unbounded as h → 0 for a given penetration; and with penetration the LCP may lose its solution. Penetrations must be O(h²), as the scheme's own are.",
+        correct_statement: "It corrects penetration within one step, v⁺ = |φ|/h, but injects the kinetic energy ½m(φ/h)², unbounded as h → \
+            0 for a given penetration; and with penetration the LCP may lose its solution. Penetrations must be O(h²), as the scheme's own \
+            are.",
         argument: "Penetration 1 mm, m = 1: v⁺ = 1/10, 1, 10 m/s at h = 10⁻², 10⁻³, 10⁻⁴, with the kinetic energies 1/200, 1/2, 50 J.",
         control: "Moreau–Jean, which leaves the body where it is.",
         sources: &["chapter §4, pitfall “position level versus velocity level”"],
@@ -61,19 +70,24 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Stewart–Trinkle and Moreau–Jean are equivalent in persistent contact.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "They produce the same iterates in persistent contact if φ is linear, e·u_n = 0, and both update q⁺ = q + hv⁺. On a curved constraint Moreau–Jean drifts and Stewart–Trinkle does not.",
-        argument: "Block on a 20° incline, μ = 0.3 (slides) and 0.5 (sticks), 50 steps: the same to rounding. Bead on the unit circle, h = 1/100, 2 s: Moreau–Jean ends outside by √(1 + nh²v²) − 1 with v between 1 − nh²/2 and 1, about 9.9·10⁻³; Stewart–Trinkle by at most ½h²v² = 5·10⁻⁵.",
+        correct_statement: "They produce the same iterates in persistent contact if φ is linear, e·u_n = 0, and both update q⁺ = q + hv⁺. \
+            On a curved constraint Moreau–Jean drifts and Stewart–Trinkle does not.",
+        argument: "Block on a 20° incline, μ = 0.3 (slides) and 0.5 (sticks), 50 steps: the same to rounding. Bead on the unit circle, h = \
+            1/100, 2 s: Moreau–Jean ends outside by √(1 + nh²v²) − 1 with v between 1 − nh²/2 and 1, about 9.9·10⁻³; Stewart–Trinkle by at \
+            most ½h²v² = 5·10⁻⁵.",
         control: "The bead on the circle in place of the block on the incline.",
         sources: &["chapter §4, end of the comparison with Moreau–Jean; §2, table of the two levels"],
         check: persistent_contact,
     },
     Claim {
         id: "S4.conv-chain",
-        statement: "Convergence proof: a uniform bound on the variation of v_h, Helly's selection theorem, weak* compactness of the impulses, and the limit satisfies the measure differential inclusion.",
+        statement: "Convergence proof: a uniform bound on the variation of v_h, Helly's selection theorem, weak* compactness of the \
+            impulses, and the limit satisfies the measure differential inclusion.",
         verdict: Verdict::True,
         evidence: Evidence::Certified,
         correct_statement: "The chain is sound; its first link needs starting positions that do not penetrate (or only by O(h)).",
-        argument: "Plastic ball from height 1, T = 1: impulses are ≥ 0 and v ≤ 0, so TV(v_h) ≤ gT + Σr/m = 2gT + v_N − v_0 ≤ 2gT = 19.62 for every h = 2⁻⁴ … 2⁻¹². From a penetration of 1/64 the first step alone makes TV ≥ 1/(64h).",
+        argument: "Plastic ball from height 1, T = 1: impulses are ≥ 0 and v ≤ 0, so TV(v_h) ≤ gT + Σr/m = 2gT + v_N − v_0 ≤ 2gT = 19.62 \
+            for every h = 2⁻⁴ … 2⁻¹². From a penetration of 1/64 the first step alone makes TV ≥ 1/(64h).",
         control: "A start with penetration 1/64.",
         sources: &["chapter §4, convergence; §11, four steps", "Stewart 1998 (not read)"],
         check: bounded_variation,

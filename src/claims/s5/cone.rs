@@ -12,12 +12,15 @@ use crate::scalar::{Rational, ratio};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.relaxed-constraint",
-        statement: "The relaxed friction constraint is μ(n·v) + ‖Dᵀv‖ ≤ 0 (so printed in the section on creep; the display of step 3 is not legible in the source).",
+        statement: "The relaxed friction constraint is μ(n·v) + ‖Dᵀv‖ ≤ 0 (so printed in the section on creep; the display of step 3 is \
+            not legible in the source).",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
         correct_statement: "n·v + φ/h ≥ μ‖Dᵀv‖: the law velocity lies in the dual cone K_μ*.",
-        argument: "The printed set is −K_μ. It demands n·v ≤ 0, so it excludes separation, and steady sliding: with μ = 1/2 and n·v = μ‖v_t‖ = 1/2, which is in K_μ* and orthogonal to r = (1, −1/2), it reads 1/4 + 1 ≤ 0. \
-            Reversing n gives K_μ, not K_μ*: μ stands on the wrong factor unless μ = 1. As the polar cone it fails too: (−1, 19/10) is in K_μ° but not in the printed set.",
+        argument: "The printed set is −K_μ. It demands n·v ≤ 0, so it excludes separation, and steady sliding: with μ = 1/2 and n·v = \
+            μ‖v_t‖ = 1/2, which is in K_μ* and orthogonal to r = (1, −1/2), it reads 1/4 + 1 ≤ 0. \
+            Reversing n gives K_μ, not K_μ*: μ stands on the wrong factor unless μ = 1. As the polar cone it fails too: (−1, 19/10) is in \
+            K_μ° but not in the printed set.",
         control: "The printed set as the constraint.",
         sources: &[
             "chapter §5, section on creep",
@@ -27,11 +30,14 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S5.proj",
-        statement: "The projection on K has three cases: inside, unchanged; the force points along the negative normal (it would pull), zero; outside, the cone's surface. (The formula is not legible in the source; these are its words.)",
+        statement: "The projection on K has three cases: inside, unchanged; the force points along the negative normal (it would pull), \
+            zero; outside, the cone's surface. (The formula is not legible in the source; these are its words.)",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::Exact,
-        correct_statement: "Zero iff z is in the polar cone, μ‖z_t‖ ≤ −z_n; on the surface r_n = (z_n + μ‖z_t‖)/(1 + μ²), r_t = μ r_n z_t/‖z_t‖.",
-        argument: "Taken as the rule \"z_n < 0 gives 0\" the words are wrong: for μ = 1 and z = (−1/10, 1) the nearest point is (9/20, 9/20), at distance 0.778, while 0 is at distance 1.005. \
+        correct_statement: "Zero iff z is in the polar cone, μ‖z_t‖ ≤ −z_n; on the surface r_n = (z_n + μ‖z_t‖)/(1 + μ²), r_t = μ r_n \
+            z_t/‖z_t‖.",
+        argument: "Taken as the rule \"z_n < 0 gives 0\" the words are wrong: for μ = 1 and z = (−1/10, 1) the nearest point is (9/20, \
+            9/20), at distance 0.778, while 0 is at distance 1.005. \
             Taken as the gloss on the standard result the text refers to, they are right: what is sent to 0 has z_n < 0 or is 0.",
         control: "The words as the rule: every z with z_n < 0 goes to 0.",
         sources: &["chapter §5, analytic cone projection"],
@@ -42,8 +48,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The three cases of the projection are the three states stick, separation and slip.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "At a fixed point r = P_K(r − η y) of the cone complementarity problem, with y ≠ 0 unless it sticks; for an arbitrary iterate the case says nothing about the state.",
-        argument: "At solutions: y = 0 gives z = r ∈ K; y ∈ int K* gives r = 0 and z = −η y ∈ K°; y ≠ 0 on ∂K* orthogonal to r ≠ 0 gives z outside both. Away from them: W = I, u_free = (−1, −2), μ = 1/2 slips, r = (8/5, 4/5), \
+        correct_statement: "At a fixed point r = P_K(r − η y) of the cone complementarity problem, with y ≠ 0 unless it sticks; for an \
+            arbitrary iterate the case says nothing about the state.",
+        argument: "At solutions: y = 0 gives z = r ∈ K; y ∈ int K* gives r = 0 and z = −η y ∈ K°; y ≠ 0 on ∂K* orthogonal to r ≠ 0 gives z \
+            outside both. Away from them: W = I, u_free = (−1, −2), μ = 1/2 slips, r = (8/5, 4/5), \
             but the iterate r = (4, 0) with η = 1/2 has z = (5/2, 1), inside the cone – \"stick\".",
         control: "That iterate as if it were a fixed point.",
         sources: &["chapter §5, physical meaning of the three cases"],
@@ -51,11 +59,14 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S5.sap-inner",
-        statement: "The analytic projection on the cone is the inner operation of every iteration of the convex primal methods, Chrono's APGD and Drake's SAP.",
+        statement: "The analytic projection on the cone is the inner operation of every iteration of the convex primal methods, Chrono's \
+            APGD and Drake's SAP.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Of APGD, yes. SAP projects in the norm of the regularisation R, with μ̂ = μ R_t/R_n in the case conditions, inside a Newton method on velocities; the two projections agree for R_t = R_n only.",
-        argument: "argmin over K of ½(γ − y)ᵀR(γ − y), R = diag(R_n, R_t), is characterised by γ ∈ K, R(y − γ) ∈ K°, γ·R(y − γ) = 0; in the third case γ_n = (y_n + μ̂‖y_t‖)/(1 + μ μ̂). With R_t/R_n = 1/1000, μ = 1/2, y = (1, 2): \
+        correct_statement: "Of APGD, yes. SAP projects in the norm of the regularisation R, with μ̂ = μ R_t/R_n in the case conditions, \
+            inside a Newton method on velocities; the two projections agree for R_t = R_n only.",
+        argument: "argmin over K of ½(γ − y)ᵀR(γ − y), R = diag(R_n, R_t), is characterised by γ ∈ K, R(y − γ) ∈ K°, γ·R(y − γ) = 0; in \
+            the third case γ_n = (y_n + μ̂‖y_t‖)/(1 + μ μ̂). With R_t/R_n = 1/1000, μ = 1/2, y = (1, 2): \
             γ_n = 1.00075 against 8/5 of the Euclidean projection, which violates the characterisation.",
         control: "The Euclidean projection as the minimiser in the R-norm.",
         sources: &[
@@ -66,11 +77,14 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S5.diff",
-        statement: "The solution of the convex QP is, if strictly convex and unique, continuously differentiable in its parameters, with gradients from the implicit function theorem on the KKT conditions.",
+        statement: "The solution of the convex QP is, if strictly convex and unique, continuously differentiable in its parameters, with \
+            gradients from the implicit function theorem on the KKT conditions.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "It is Lipschitz and piecewise smooth. It is continuously differentiable where strict complementarity and nondegeneracy hold, not across a change of the active set.",
-        argument: "min ½(x − θ)² over x ≥ 0 is strictly convex; x = max(0, θ) has the one-sided derivatives 0 and 1 at θ = 0. With friction, min ½‖γ‖² + r·γ over K_{1/2} (W = I): at the change from stick to slip, r = (−2, 1), \
+        correct_statement: "It is Lipschitz and piecewise smooth. It is continuously differentiable where strict complementarity and \
+            nondegeneracy hold, not across a change of the active set.",
+        argument: "min ½(x − θ)² over x ≥ 0 is strictly convex; x = max(0, θ) has the one-sided derivatives 0 and 1 at θ = 0. With \
+            friction, min ½‖γ‖² + r·γ over K_{1/2} (W = I): at the change from stick to slip, r = (−2, 1), \
             ∂(γ_n, γ_t)/∂r_t jumps from (0, −1) to (2/5, −1/5).",
         control: "A parameter inside the sticking region, where strict complementarity holds.",
         sources: &[

@@ -13,8 +13,12 @@ pub const CLAIMS: &[Claim] = &[Claim {
     statement: "Drake's documentation of SAP calls the slow slip of a block that friction should hold on a slope “O(δt) gliding”.",
     verdict: Verdict::False,
     evidence: Evidence::Certified,
-    correct_statement: "Drake calls gliding what happens in sliding contact, under kSap and kSimilar: the block is lifted by (δt + τ) μ v. Under kSap that vanishes with δt only without relaxation time. A block at rest does creep by O(δt) under kSap, but by its regularised friction, for which Drake has no such name.",
-    argument: "Documentation of 1.51.1: kSap and kSimilar introduce gliding in sliding contact, O(δt); kLagged does not. Slide at 0.7 instead of 0.2 m/s, μ = 0.3, τ = 5 ms: lifted by 1.35 mm at h = 4 ms and 0.9 mm at 1 ms, a ratio of 2/3 and not 1/4; Lagged by nothing. Creep of the resting block under kSap: halved with h.",
+    correct_statement: "Drake calls gliding what happens in sliding contact, under kSap and kSimilar: the block is lifted by (δt + τ) μ v. \
+        Under kSap that vanishes with δt only without relaxation time. A block at rest does creep by O(δt) under kSap, but by its \
+        regularised friction, for which Drake has no such name.",
+    argument: "Documentation of 1.51.1: kSap and kSimilar introduce gliding in sliding contact, O(δt); kLagged does not. Slide at 0.7 \
+        instead of 0.2 m/s, μ = 0.3, τ = 5 ms: lifted by 1.35 mm at h = 4 ms and 0.9 mm at 1 ms, a ratio of 2/3 and not 1/4; Lagged by \
+        nothing. Creep of the resting block under kSap: halved with h.",
     control: "A lift in proportion to h.",
     sources: &[
         "chapter §5, the price of the relaxation",

@@ -11,16 +11,22 @@ use crate::scalar::{Rational, ratio};
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.gliding-creep",
-        statement: "Anitescu's relaxation produces a visible artefact: an object that should stick, for instance a block at rest on an incline, \
+        statement: "Anitescu's relaxation produces a visible artefact: an object that should stick, for instance a block at rest on an \
+            incline, \
                     slips slowly with a speed of order h (the chapter quotes Drake's SAP documentation for it).",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "The hard relaxation sticks exactly: from rest at φ = 0 with tan α ≤ μ its step keeps v = 0. Its artefact belongs to sliding contacts, which \
-                            hover at the gap φ = μ h |v_t|. Creep of order h in stick belongs to schemes that also regularise friction, such as \
+        correct_statement: "The hard relaxation sticks exactly: from rest at φ = 0 with tan α ≤ μ its step keeps v = 0. Its artefact \
+            belongs to sliding contacts, which \
+                            hover at the gap φ = μ h |v_t|. Creep of order h in stick belongs to schemes that also regularise friction, \
+                            such as \
                             Drake's SAP with its tangential softness R_t.",
-        argument: "At φ = 0, v = 0 the impulse r = h m g (cos α, −sin α) lies in K_μ for tan α ≤ μ and makes u = 0 ∈ K_μ*; r·u = 0, so this is the \
-                   step, and v⁺ is unique. 200 exact steps with tan α = 3/4, μ = 751/1000 and h = 1/10, 1/100, 1/1000 give v_t = 0 and φ = 0. \
-                   Sliding (μ = 1/2, started at φ = μ h v_t): complementarity puts u + (φ/h) n on the boundary of K*, φ + h v_n = μ h |v_t|, and \
+        argument: "At φ = 0, v = 0 the impulse r = h m g (cos α, −sin α) lies in K_μ for tan α ≤ μ and makes u = 0 ∈ K_μ*; r·u = 0, so \
+            this is the \
+                   step, and v⁺ is unique. 200 exact steps with tan α = 3/4, μ = 751/1000 and h = 1/10, 1/100, 1/1000 give v_t = 0 and φ = \
+                   0. \
+                   Sliding (μ = 1/2, started at φ = μ h v_t): complementarity puts u + (φ/h) n on the boundary of K*, φ + h v_n = μ h \
+                   |v_t|, and \
                    φ/(μ h v_t) = 1 after every step.",
         control: "The same block with the tangential softness R_t = 1/1000 kg⁻¹ of a regularised scheme, which does creep.",
         sources: &["chapter §5, the price of convexity", "KKT conditions of the convex step"],
@@ -31,10 +37,13 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "When the normal force is large the body slips with a speed proportional to the normal force, although it should stick.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "The hard relaxation does not creep at all (S5.gliding-creep). With a tangential softness R_t the creep is v = R_t r_t, proportional to the \
+        correct_statement: "The hard relaxation does not creep at all (S5.gliding-creep). With a tangential softness R_t the creep is v = \
+            R_t r_t, proportional to the \
                             tangential impulse and independent of the normal load.",
-        argument: "In stick the law velocity y_t = u_t + R_t r_t vanishes, so u_t = −R_t r_t whatever r_n is, as long as |r_t| ≤ μ r_n. In 20 exact steps \
-                   from rest with R_t = 1/1000: pressing twice as hard (g_n 8 → 16 m/s²) changes the speed by the factor 1, pulling twice as hard along the slope \
+        argument: "In stick the law velocity y_t = u_t + R_t r_t vanishes, so u_t = −R_t r_t whatever r_n is, as long as |r_t| ≤ μ r_n. In \
+            20 exact steps \
+                   from rest with R_t = 1/1000: pressing twice as hard (g_n 8 → 16 m/s²) changes the speed by the factor 1, pulling twice \
+                   as hard along the slope \
                    (g_t 3 → 6 m/s²) by the factor 2.",
         control: "A block beyond its friction angle (μ = 1/2 < tan α = 3/4): the speed of a real slide does depend on the normal load.",
         sources: &["chapter §5, the price of convexity"],
@@ -42,29 +51,40 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S5.gliding-mechanism",
-        statement: "The slip arises because the relaxed constraint μ(n·v) + |Dᵀv| ≤ 0 couples the two velocities: through the gap term and softening a small \
+        statement: "The slip arises because the relaxed constraint μ(n·v) + |Dᵀv| ≤ 0 couples the two velocities: through the gap term and \
+            softening a small \
                     penetration velocity along the normal leaks into tangential slip.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "The constraint is n·v + φ/h ≥ μ|v_t|. It lets tangential motion force normal lift, u_n = μ|u_t|; a normal approach or a penetration forces no \
+        correct_statement: "The constraint is n·v + φ/h ≥ μ|v_t|. It lets tangential motion force normal lift, u_n = μ|u_t|; a normal \
+            approach or a penetration forces no \
                             tangential motion.",
-        argument: "A block with μ = 1 that arrives with v_n = −1/10 under the tangential load of the 3-4-5 slope stops: v⁺ = (0, 0). A block \
-                   that lies 1/1000 deep on level ground leaves with v⁺ = (1/10, 0) for h = 1/100: no slip in that step. (On an incline gravity then acts along the slope while the contact is open, under Coulomb's law as well.) Conversely a tangential velocity of 1 m/s \
-                   with μ = 1/2 on level ground without gravity becomes v_t = 1/(1+μ²) = 4/5 and v_n = μ/(1+μ²) = 2/5. The leak needs the sign as printed: the set \
-                   μ n·v + |v_t| ≤ 0 contains the velocity (−9/50, 3/50) of free fall into the slope and lets it pass. (One mistake, counted at S5.relaxed-constraint.)",
+        argument: "A block with μ = 1 that arrives with v_n = −1/10 under the tangential load of the 3-4-5 slope stops: v⁺ = (0, 0). A \
+            block \
+                   that lies 1/1000 deep on level ground leaves with v⁺ = (1/10, 0) for h = 1/100: no slip in that step. (On an incline \
+                   gravity then acts along the slope while the contact is open, under Coulomb's law as well.) Conversely a tangential \
+                   velocity of 1 m/s \
+                   with μ = 1/2 on level ground without gravity becomes v_t = 1/(1+μ²) = 4/5 and v_n = μ/(1+μ²) = 2/5. The leak needs the \
+                   sign as printed: the set \
+                   μ n·v + |v_t| ≤ 0 contains the velocity (−9/50, 3/50) of free fall into the slope and lets it pass. (One mistake, \
+                   counted at S5.relaxed-constraint.)",
         control: "The printed set: the velocity it leaves to the arriving block is its free one, because the set contains it.",
         sources: &["chapter §5, the price of convexity and exercise 2"],
         check: no_leak,
     },
     Claim {
         id: "S5.glide-h-not-mu",
-        statement: "The slip is inherent to the scheme and proportional to h, not to the friction coefficient; raising μ only treats the symptom.",
+        statement: "The slip is inherent to the scheme and proportional to h, not to the friction coefficient; raising μ only treats the \
+            symptom.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "True of the creep of a block at rest under a regularised convex scheme (R_t independent of h, as in Drake's SAP): v = R_t r_t is proportional to h and \
+        correct_statement: "True of the creep of a block at rest under a regularised convex scheme (R_t independent of h, as in Drake's \
+            SAP): v = R_t r_t is proportional to h and \
                             independent of μ. The hard relaxation has no creep; its sliding gap μ h |v_t| is proportional to h and to μ.",
-        argument: "R_t = 1/1000, 20 exact steps from rest on the 3-4-5 slope: the creep with h/10 is 1/10 of that with h, and μ = 1 and μ = 2 give the same creep, \
-                   because u_t⁺ = (u_t + h g_t)·R_t/(1 + R_t) contains no μ. The gap of a hard slide is φ = μ h v_t: 1/2 and 1/4 of h v_t for μ = 1/2 and μ = 1/4.",
+        argument: "R_t = 1/1000, 20 exact steps from rest on the 3-4-5 slope: the creep with h/10 is 1/10 of that with h, and μ = 1 and μ \
+            = 2 give the same creep, \
+                   because u_t⁺ = (u_t + h g_t)·R_t/(1 + R_t) contains no μ. The gap of a hard slide is φ = μ h v_t: 1/2 and 1/4 of h v_t \
+                   for μ = 1/2 and μ = 1/4.",
         control: "The gap of the hard slide in place of the creep, whose ratio between the two friction coefficients is 2.",
         sources: &["chapter §5, pitfalls and exercise 2"],
         check: proportional_to_h,

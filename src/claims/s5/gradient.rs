@@ -17,8 +17,10 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "The projected gradient iteration uses a step η ≤ 1/‖N‖, the spectral norm of the Delassus operator.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "η ≤ 1/‖N‖ suffices (and Nesterov's bound needs it); the plain iteration converges for every η < 2/‖N‖ and not beyond.",
-        argument: "Inside the cone the error is multiplied by I − ηN, whose factor along the largest eigenvalue L = ‖N‖ is 1 − ηL. N = (2, −1; −1, 2), L = 3, r = (−1, −1), solution (1, 1): an error of 1/100 along (1, −1) is after ten exact steps 0 for \
+        correct_statement: "η ≤ 1/‖N‖ suffices (and Nesterov's bound needs it); the plain iteration converges for every η < 2/‖N‖ and not \
+            beyond.",
+        argument: "Inside the cone the error is multiplied by I − ηN, whose factor along the largest eigenvalue L = ‖N‖ is 1 − ηL. N = (2, \
+            −1; −1, 2), L = 3, r = (−1, −1), solution (1, 1): an error of 1/100 along (1, −1) is after ten exact steps 0 for \
                    η = 1/L, (9/10)¹⁰ of itself for η = 1.9/L and (11/10)¹⁰ for η = 2.1/L.",
         control: "η = 2.1/‖N‖ in place of 1/‖N‖.",
         sources: &["chapter §5, APGD iteration"],
@@ -29,8 +31,11 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Nesterov's acceleration improves the convergence rate of projected gradient from O(1/k) to O(1/k²).",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "f(r_k) − f* ≤ L R²/(2k) for the plain and ≤ 2 L R²/(k+1)² for the accelerated iteration, R = ‖r₀ − r*‖. These are upper bounds for step 1/L, not rates to be measured: a well-conditioned problem converges far faster.",
-        argument: "Beck and Teboulle's bounds, asserted at each of the first 300 iterations of a row of 40 pressed masses (N tridiagonal 2, −1, condition number about 680, R² ≈ 13, r* from Lemke). With N = I both end after one iteration, so no exponent describes them.",
+        correct_statement: "f(r_k) − f* ≤ L R²/(2k) for the plain and ≤ 2 L R²/(k+1)² for the accelerated iteration, R = ‖r₀ − r*‖. These \
+            are upper bounds for step 1/L, not rates to be measured: a well-conditioned problem converges far faster.",
+        argument: "Beck and Teboulle's bounds, asserted at each of the first 300 iterations of a row of 40 pressed masses (N tridiagonal \
+            2, −1, condition number about 680, R² ≈ 13, r* from Lemke). With N = I both end after one iteration, so no exponent describes \
+            them.",
         control: "The plain iteration held against the accelerated bound, which it breaks.",
         sources: &[
             "chapter §5, APGD",
@@ -40,12 +45,16 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S5.one-matvec",
-        statement: "Each iteration needs one product N y (possibly without forming N) and one projection, so that its cost is linear in the number of contacts.",
+        statement: "Each iteration needs one product N y (possibly without forming N) and one projection, so that its cost is linear in \
+            the number of contacts.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "One product and one projection per iteration suffice for the iteration with a fixed step; a backtracking step or a residual test needs more. The cost is linear in the contacts if N is applied as Dᵀ(M⁻¹(Dγ)): assembled, N has k² blocks \
+        correct_statement: "One product and one projection per iteration suffice for the iteration with a fixed step; a backtracking step \
+            or a residual test needs more. The cost is linear in the contacts if N is applied as Dᵀ(M⁻¹(Dγ)): assembled, N has k² blocks \
                             for k contacts on one body.",
-        argument: "A fixed-step implementation that counts its products uses 50 in 50 iterations and reproduces the iterates of the library's solver; with a backtracking test it uses 100. Doubling the contacts from 32 to 64 multiplies the non-zeros of D by 2; of the assembled N \
+        argument: "A fixed-step implementation that counts its products uses 50 in 50 iterations and reproduces the iterates of the \
+            library's solver; with a backtracking test it uses 100. Doubling the contacts from 32 to 64 multiplies the non-zeros of D by \
+            2; of the assembled N \
                    by 4 if all contacts touch one body.",
         control: "The iteration with a backtracking test.",
         sources: &["chapter §5, APGD iteration"],

@@ -19,7 +19,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Cited,
         correct_statement: "As stated: Optimization-based simulation of nonsmooth rigid multibody dynamics, 105 (1), 113–143.",
-        argument: "Volume and page as other papers' lists of references have them; the DOI carries neither. The journal's ISSN, 0025-5610, agrees with its check digit.",
+        argument: "Volume and page as other papers' lists of references have them; the DOI carries neither. The journal's ISSN, 0025-5610, \
+            agrees with its check digit.",
         control: "ISSN 0025-5601, two digits exchanged.",
         sources: &["chapter §5, and the list of papers at its end", "doi:10.1007/s10107-005-0590-7"],
         check: journal,
@@ -29,12 +30,16 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "APGD, Nesterov's accelerated projected gradient, is of Tasora and Anitescu (2011), and Chrono's main solver.",
         verdict: Verdict::False,
         evidence: Evidence::Cited,
-        correct_statement: "The paper of 2011 has an iterated fixed point with separable projections, which its abstract calls a contractive mapping. Accelerated gradients for these problems came with Mazhar, Heyn, Negrut and Tasora (2015). That they are in Chrono is so.",
-        argument: "A contractive mapping never moves away from the solution. On a row of 40 pressed masses the plain projected gradient does not in 300 iterations; with Nesterov's momentum it does.",
+        correct_statement: "The paper of 2011 has an iterated fixed point with separable projections, which its abstract calls a \
+            contractive mapping. Accelerated gradients for these problems came with Mazhar, Heyn, Negrut and Tasora (2015). That they are \
+            in Chrono is so.",
+        argument: "A contractive mapping never moves away from the solution. On a row of 40 pressed masses the plain projected gradient \
+            does not in 300 iterations; with Nesterov's momentum it does.",
         control: "The plain iteration in place of the accelerated one.",
         sources: &[
             "chapter §5, APGD; list of papers",
-            "Tasora and Anitescu, A matrix-free cone complementarity approach (2011), abstract; Mazhar et al., ACM Trans. Graph. 34 (2015), not read",
+            "Tasora and Anitescu, A matrix-free cone complementarity approach (2011), abstract; Mazhar et al., ACM Trans. Graph. 34 \
+                (2015), not read",
             "S10.path-chrono",
         ],
         check: contraction,
@@ -45,7 +50,9 @@ pub(super) const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Cited,
         correct_statement: "As stated; SAP with regularisation R > 0.",
-        argument: "The schemes that reproduce SAP's stored motions and Chrono's closed forms pose the associated law over round cones. The pinned Siconos has, among its solvers for friction, FRICTION_3D_SOCLCP, over second-order cones, and FRICTION_3D_GAMS_LCP_PATH, over polyhedral ones.",
+        argument: "The schemes that reproduce SAP's stored motions and Chrono's closed forms pose the associated law over round cones. The \
+            pinned Siconos has, among its solvers for friction, FRICTION_3D_SOCLCP, over second-order cones, and \
+            FRICTION_3D_GAMS_LCP_PATH, over polyhedral ones.",
         control: "Moreau–Jean in place of SAP: Coulomb's law, not its relaxation.",
         sources: &["chapter §5, table of cones", "moreau systems", "references/facts/siconos.json"],
         check: users,
@@ -55,8 +62,10 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Pivoting is less scalable than first-order methods at 10⁵ contacts.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::NotDecidable,
-        correct_statement: "Scalable with respect to what is not said: a pivoting method ends with an exact answer, a first-order one with an error. What can be said is memory: a dense tableau does not fit.",
-        argument: "Stewart–Trinkle with four directions has 6 unknowns per contact: at 10⁵ contacts a tableau of 3.6·10¹¹ entries, 2.9·10¹² bytes; H with two bodies per contact 12 entries in each of three rows, 2.9·10⁷ bytes.",
+        correct_statement: "Scalable with respect to what is not said: a pivoting method ends with an exact answer, a first-order one with \
+            an error. What can be said is memory: a dense tableau does not fit.",
+        argument: "Stewart–Trinkle with four directions has 6 unknowns per contact: at 10⁵ contacts a tableau of 3.6·10¹¹ entries, \
+            2.9·10¹² bytes; H with two bodies per contact 12 entries in each of three rows, 2.9·10⁷ bytes.",
         control: "10³ contacts, whose tableau fits.",
         sources: &["chapter §5, motivation"],
         check: tableau,

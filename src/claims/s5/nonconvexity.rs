@@ -21,7 +21,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "Coulomb's step problem may have a non-convex solution set, for instance three isolated solutions.",
-        argument: "Painlevé's rod (W = (73, −36; −36, 52)/25, μ = 3 > 73/36, free velocity (1/10, −1)): enumeration of all complementary cones gives exactly three isolated solutions, r = 0, the sliding jam r = (1/14, 3/14) and \
+        argument: "Painlevé's rod (W = (73, −36; −36, 52)/25, μ = 3 > 73/36, free velocity (1/10, −1)): enumeration of all complementary \
+            cones gives exactly three isolated solutions, r = 0, the sliding jam r = (1/14, 3/14) and \
                    the sticking jam r = (77/250, 347/500). Their pairwise midpoints are not solutions.",
         control: "The same rod with μ = 1 < 73/36, where the solution is unique.",
         sources: &["chapter §5, why the original problem is not convex", "enumeration of the Stewart–Trinkle LCP"],
@@ -32,44 +33,60 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Against the LCP, whose solution may be non-unique, the convex step buys uniqueness, differentiability and stability.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "The convex step makes v⁺ and Nγ unique also where the LCP has several solutions; γ is unique only if N is definite, and uniqueness does not make the relaxed answer the right one.",
-        argument: "Painlevé's rod with μ = 3: the Stewart–Trinkle LCP has three solutions, the convex step one. On two sticking corners of a box the convex step has infinitely many impulses with one velocity.",
+        correct_statement: "The convex step makes v⁺ and Nγ unique also where the LCP has several solutions; γ is unique only if N is \
+            definite, and uniqueness does not make the relaxed answer the right one.",
+        argument: "Painlevé's rod with μ = 3: the Stewart–Trinkle LCP has three solutions, the convex step one. On two sticking corners of \
+            a box the convex step has infinitely many impulses with one velocity.",
         control: "The box in place of the rod: its convex step does not have a unique impulse.",
         sources: &["chapter §5, pitfalls", "enumeration of both LCPs"],
         check: uniqueness,
     },
     Claim {
         id: "S5.apitfall-poly",
-        statement: "Polyhedral and relaxed are different things: polyhedral friction leaves an LCP that may be non-convex, the relaxation makes the solution set convex.",
+        statement: "Polyhedral and relaxed are different things: polyhedral friction leaves an LCP that may be non-convex, the relaxation \
+            makes the solution set convex.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "The polyhedral step is an LCP whose solution set may be non-convex; the solution set of the relaxed step is convex.",
-        argument: "The midpoint of two solutions of the rod's Stewart–Trinkle LCP is not a solution. Minimisers of a convex program form a convex set: the midpoint of two different optimal impulses of the sticking box is optimal.",
+        correct_statement: "The polyhedral step is an LCP whose solution set may be non-convex; the solution set of the relaxed step is \
+            convex.",
+        argument: "The midpoint of two solutions of the rod's Stewart–Trinkle LCP is not a solution. Minimisers of a convex program form a \
+            convex set: the midpoint of two different optimal impulses of the sticking box is optimal.",
         control: "The rod's LCP in the place of the relaxed problem: its midpoint would have to be a solution.",
         sources: &["chapter §5, pitfalls"],
         check: midpoints,
     },
     Claim {
         id: "S5.orthogonal",
-        statement: "The polyhedral cone (shape of the cone) and the convex relaxation (structure of the constraint) are two independent approximations that can be combined freely.",
+        statement: "The polyhedral cone (shape of the cone) and the convex relaxation (structure of the constraint) are two independent \
+            approximations that can be combined freely.",
         verdict: Verdict::True,
         evidence: Evidence::Certified,
-        correct_statement: "All four combinations exist. The relaxation decides whether a sliding contact lifts off, u_n = μ|u_t|-like or 0; the shape decides how strong friction is in which direction.",
-        argument: "One contact with W = I, μ = 1/2, sliding at 2 m/s in the direction 22.5° from tangent 1 against u_n = −1: all four laws are solved and certified. Round and polyhedral (d = 4) Coulomb keep u_n = 0, both relaxed laws lift off. \
-                   The friction of the round cone opposes sliding, that of the polyhedral one points along a direction 22.5° beside it, relaxed or not.",
+        correct_statement: "All four combinations exist. The relaxation decides whether a sliding contact lifts off, u_n = μ|u_t|-like or \
+            0; the shape decides how strong friction is in which direction.",
+        argument: "One contact with W = I, μ = 1/2, sliding at 2 m/s in the direction 22.5° from tangent 1 against u_n = −1: all four laws \
+            are solved and certified. Round and polyhedral (d = 4) Coulomb keep u_n = 0, both relaxed laws lift off. \
+                   The friction of the round cone opposes sliding, that of the polyhedral one points along a direction 22.5° beside it, \
+                   relaxed or not.",
         control: "Coulomb's laws in the place of the relaxed ones: nothing lifts off.",
         sources: &["chapter §5, two orthogonal approximations"],
         check: four_combinations,
     },
     Claim {
         id: "S5.diff-necessary",
-        statement: "Convexity is the necessary premise of differentiable contact: LCP solutions are not differentiable where the active set changes, solutions of a strictly convex QP are; back-propagation through KKT conditions is well defined only in the convex case.",
+        statement: "Convexity is the necessary premise of differentiable contact: LCP solutions are not differentiable where the active \
+            set changes, solutions of a strictly convex QP are; back-propagation through KKT conditions is well defined only in the convex \
+            case.",
         verdict: Verdict::Inconsistent,
         evidence: Evidence::Exact,
-        correct_statement: "Convexity buys uniqueness and Lipschitz continuity, not derivatives. At a change of the active set both the LCP and the QP have a kink; away from it both are differentiable by the implicit function theorem. (That the QP's solution is differentiable at all parameters is S5.diff.)",
-        argument: "By §3 the frictionless LCP is the optimality system of the QP, so their solutions are the same function and cannot differ in differentiability. 0 ≤ z ⟂ 2z + θ ≥ 0 (Lemke) and min z² + θz over z ≥ 0 (projection of the unconstrained minimiser) both have the slopes −1/2 for θ < 0 and 0 for θ > 0; \
+        correct_statement: "Convexity buys uniqueness and Lipschitz continuity, not derivatives. At a change of the active set both the \
+            LCP and the QP have a kink; away from it both are differentiable by the implicit function theorem. (That the QP's solution is \
+            differentiable at all parameters is S5.diff.)",
+        argument: "By §3 the frictionless LCP is the optimality system of the QP, so their solutions are the same function and cannot \
+            differ in differentiability. 0 ≤ z ⟂ 2z + θ ≥ 0 (Lemke) and min z² + θz over z ≥ 0 (projection of the unconstrained minimiser) \
+            both have the slopes −1/2 for θ < 0 and 0 for θ > 0; \
                    §6 itself calls the convex problem only subdifferentiable at the boundary of the cone.",
-        control: "The QP away from the change of the active set (at θ = −1), the only place where it has the derivative the contrast needs.",
+        control: "The QP away from the change of the active set (at θ = −1), the only place where it has the derivative the contrast \
+            needs.",
         sources: &["chapter §5, convexity and differentiable contact", "chapter §3, QP form of the normal LCP", "chapter §6"],
         check: same_kink,
     },

@@ -13,11 +13,14 @@ use nalgebra::{DMatrix, DVector};
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.strict-qp",
-        statement: "Every step solves a strictly convex quadratic program in the contact impulses γ, whose Hessian is the Delassus operator N = DᵀM⁻¹D.",
+        statement: "Every step solves a strictly convex quadratic program in the contact impulses γ, whose Hessian is the Delassus \
+            operator N = DᵀM⁻¹D.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "The program is strictly convex in the velocity, so v⁺ and Nγ are unique. In γ it is convex, and strictly convex only if D has full column rank.",
-        argument: "N = DᵀM⁻¹D is positive semidefinite, and xᵀNx = 0 exactly for Dx = 0. A box on two corners has 4 contact rows and 3 velocities: LDLᵀ over the rationals gives rank \
+        correct_statement: "The program is strictly convex in the velocity, so v⁺ and Nγ are unique. In γ it is convex, and strictly \
+            convex only if D has full column rank.",
+        argument: "N = DᵀM⁻¹D is positive semidefinite, and xᵀNx = 0 exactly for Dx = 0. A box on two corners has 4 contact rows and 3 \
+            velocities: LDLᵀ over the rationals gives rank \
                    3 and a kernel vector k with Nk = 0. A single corner has N positive definite.",
         control: "One corner instead of two, for which N is positive definite.",
         sources: &["chapter §5, steps 3 and 5 of the construction"],
@@ -25,12 +28,15 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S5.D-rank",
-        statement: "D_i = [d_1, …, d_d] collects tangential direction vectors (§4 takes them in pairs ±d); when D has full column rank (no redundant contact) N is positive definite, so the solution is unique.",
+        statement: "D_i = [d_1, …, d_d] collects tangential direction vectors (§4 takes them in pairs ±d); when D has full column rank (no \
+            redundant contact) N is positive definite, so the solution is unique.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "The implication holds, but its hypothesis needs columns (n, t₁, t₂) per contact and independent contacts. With direction pairs ±d the columns are \
+        correct_statement: "The implication holds, but its hypothesis needs columns (n, t₁, t₂) per contact and independent contacts. With \
+            direction pairs ±d the columns are \
                             dependent for every single contact, and N is singular.",
-        argument: "A point of unit mass with columns (n, t): N = I, definite. With columns (n, d, −d): N = (1,0,0; 0,1,−1; 0,−1,1), which has the kernel (0,1,1): adding the same amount to both \
+        argument: "A point of unit mass with columns (n, t): N = I, definite. With columns (n, d, −d): N = (1,0,0; 0,1,−1; 0,−1,1), which \
+            has the kernel (0,1,1): adding the same amount to both \
                    opposite impulses changes nothing.",
         control: "Columns (n, t) fed in place of the symmetric direction set.",
         sources: &["chapter §4, construction of the polyhedral cone", "chapter §5, steps 1 and 5"],
@@ -38,12 +44,17 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S5.psd-unique",
-        statement: "Even if N is only positive semidefinite, the solution is usually still unique once the friction cone is added; or a proximal regularisation guarantees it.",
+        statement: "Even if N is only positive semidefinite, the solution is usually still unique once the friction cone is added; or a \
+            proximal regularisation guarantees it.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "If N is singular, v⁺ and Nγ stay unique, but the impulses are in general not: a box that sticks on two corners has a segment of optimal impulses for every load inside the cones. The alternative the text names does hold: a regularised program is strictly convex in γ.",
-        argument: "Both corners of a box have the same tangential row, so k = (0,1,0,−1) has Nk = 0. If γ is optimal with both corners strictly inside their cones, γ + s k is feasible with the same objective, \
-                   hence optimal, for all small s; and being strictly inside is an open condition on the load. Checked exactly for three loads: γ, γ ± k/20 all satisfy K ∋ γ ⟂ y ∈ K* and give the same v⁺. The text says \
+        correct_statement: "If N is singular, v⁺ and Nγ stay unique, but the impulses are in general not: a box that sticks on two corners \
+            has a segment of optimal impulses for every load inside the cones. The alternative the text names does hold: a regularised \
+            program is strictly convex in γ.",
+        argument: "Both corners of a box have the same tangential row, so k = (0,1,0,−1) has Nk = 0. If γ is optimal with both corners \
+            strictly inside their cones, γ + s k is feasible with the same objective, \
+                   hence optimal, for all small s; and being strictly inside is an open condition on the load. Checked exactly for three \
+                   loads: γ, γ ± k/20 all satisfy K ∋ γ ⟂ y ∈ K* and give the same v⁺. The text says \
                    “usually”; this is the usual case of a box at rest.",
         control: "A single contact, where the same shift of the tangential impulse is no longer a solution.",
         sources: &["chapter §5, step 5"],
@@ -54,31 +65,39 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "The relaxed non-penetration constraint is written on velocities with a gap term, n·v + φ/h ≥ 0.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "n·v⁺ + φ/h ≥ 0: for a gap that is linear in q the gap after the step, φ + h n·v⁺, is non-negative, and zero where the contact pushes without sliding.",
-        argument: "φ⁺ = φ + h n·v⁺ = h (n·v⁺ + φ/h). A ball 1/250 m above the ground falling at 1 m/s (h = 1/100) lands at φ⁺ = 0 exactly, with n·v⁺ = −2/5.",
+        correct_statement: "n·v⁺ + φ/h ≥ 0: for a gap that is linear in q the gap after the step, φ + h n·v⁺, is non-negative, and zero \
+            where the contact pushes without sliding.",
+        argument: "φ⁺ = φ + h n·v⁺ = h (n·v⁺ + φ/h). A ball 1/250 m above the ground falling at 1 m/s (h = 1/100) lands at φ⁺ = 0 exactly, \
+            with n·v⁺ = −2/5.",
         control: "The constraint without the gap term, n·v ≥ 0, which stops the ball in the air.",
         sources: &["chapter §5, step 2 of the construction"],
         check: gap_term,
     },
     Claim {
         id: "S5.qp-form",
-        statement: "Eliminating the velocity, each step is min ½γᵀNγ + rᵀγ over the friction cones, where r contains the free velocity and the gap term φ/h.",
+        statement: "Eliminating the velocity, each step is min ½γᵀNγ + rᵀγ over the friction cones, where r contains the free velocity and \
+            the gap term φ/h.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "With v⁺ = v_free + M⁻¹Dγ: ½‖v⁺‖²_M − ½‖v_free‖²_M + (φ/h)·γ_n = ½γᵀNγ + rᵀγ, r = Dᵀv_free + φ/h on the normal rows.",
-        argument: "Expand ½(v_free + M⁻¹Dγ)ᵀM(v_free + M⁻¹Dγ). Checked as an identity of rationals on 12 impulses of a box on two corners with gaps 1/7 and 2/7 m/s.",
+        correct_statement: "With v⁺ = v_free + M⁻¹Dγ: ½‖v⁺‖²_M − ½‖v_free‖²_M + (φ/h)·γ_n = ½γᵀNγ + rᵀγ, r = Dᵀv_free + φ/h on the normal \
+            rows.",
+        argument: "Expand ½(v_free + M⁻¹Dγ)ᵀM(v_free + M⁻¹Dγ). Checked as an identity of rationals on 12 impulses of a box on two corners \
+            with gaps 1/7 and 2/7 m/s.",
         control: "r without the gap term.",
         sources: &["chapter §5, step 3 and exercise 1"],
         check: elimination,
     },
     Claim {
         id: "S5.ccp",
-        statement: "The optimality conditions of the program are the cone complementarity problem K ∋ γ ⟂ Nγ + r ∈ K*, K* the dual of the friction cone.",
+        statement: "The optimality conditions of the program are the cone complementarity problem K ∋ γ ⟂ Nγ + r ∈ K*, K* the dual of the \
+            friction cone.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "γ minimises ½γᵀNγ + rᵀγ over K if and only if K ∋ γ ⟂ Nγ + r ∈ K*, with K* = {u_n ≥ μ‖u_t‖}.",
-        argument: "f is convex with gradient y = Nγ + r, so γ is optimal iff y·(x − γ) ≥ 0 for all x ∈ K; x = 0 and x = 2γ give y·γ = 0, and then y·x ≥ 0 on K is y ∈ K*. Conversely \
-                   f(x) − f(γ) = y·(x−γ) + ½‖x−γ‖²_N ≥ 0. Checked exactly for a sliding box: the answer is cone complementary, and none of the 81 cone points of a grid around it has a smaller objective.",
+        argument: "f is convex with gradient y = Nγ + r, so γ is optimal iff y·(x − γ) ≥ 0 for all x ∈ K; x = 0 and x = 2γ give y·γ = 0, \
+            and then y·x ≥ 0 on K is y ∈ K*. Conversely \
+                   f(x) − f(γ) = y·(x−γ) + ½‖x−γ‖²_N ≥ 0. Checked exactly for a sliding box: the answer is cone complementary, and none of \
+                   the 81 cone points of a grid around it has a smaller objective.",
         control: "Coulomb's answer to the same step: it satisfies another complementarity and is not optimal.",
         sources: &["chapter §5, step 4", "first-order optimality over a convex cone"],
         check: optimality,
@@ -88,9 +107,12 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "The global optimum is unique and depends continuously on the parameters.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "v⁺ is unique and depends on v_free with Lipschitz constant 1 in the M-norm. Continuity in the geometry and in μ needs a pointed cone of generalised impulses (Slater's condition); γ need not be unique.",
-        argument: "v⁺ is the M-projection of v_free on the convex set {v : Dᵀv + φ/h ∈ K*}, and projections do not expand: 32 pairs of loads on a box, ‖Δv⁺‖²_M ≤ ‖Δv_free‖²_M exactly. Without Slater continuity fails: \
-                   constraints v_y ≥ 0 and εv_x − v_y ≥ 0 and v_free = (−1, 0) give v⁺ = (−1, 0) at ε = 0 but v⁺ = (0, 0) for every ε > 0 (ε = 10⁻³, 10⁻⁶, 10⁻⁹: distance 1).",
+        correct_statement: "v⁺ is unique and depends on v_free with Lipschitz constant 1 in the M-norm. Continuity in the geometry and in \
+            μ needs a pointed cone of generalised impulses (Slater's condition); γ need not be unique.",
+        argument: "v⁺ is the M-projection of v_free on the convex set {v : Dᵀv + φ/h ∈ K*}, and projections do not expand: 32 pairs of \
+            loads on a box, ‖Δv⁺‖²_M ≤ ‖Δv_free‖²_M exactly. Without Slater continuity fails: \
+                   constraints v_y ≥ 0 and εv_x − v_y ≥ 0 and v_free = (−1, 0) give v⁺ = (−1, 0) at ε = 0 but v⁺ = (0, 0) for every ε > 0 \
+                   (ε = 10⁻³, 10⁻⁶, 10⁻⁹: distance 1).",
         control: "The second constraint as εv_x + v_y ≥ 0, which leaves the cone pointed: the solution moves by O(ε) only.",
         sources: &["chapter §5, motivation", "non-expansiveness of projections on convex sets"],
         check: continuity,

@@ -15,21 +15,30 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "The price of the relaxation is an artefact of order h that vanishes with h; it is not a permanent deviation.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "For motions that meet the contact compatibly (free landing, sliding that grows from stick, a slide started at φ = μh|v_t|) the error is O(h). A tangential velocity imposed in closed contact (φ = 0, v_t = V: a shock, a moving belt) makes the body hop by \
+        correct_statement: "For motions that meet the contact compatibly (free landing, sliding that grows from stick, a slide started at \
+            φ = μh|v_t|) the error is O(h). A tangential velocity imposed in closed contact (φ = 0, v_t = V: a shock, a moving belt) makes \
+            the body hop by \
                             (μV)²/(2g(1+μ²)²), whatever h.",
-        argument: "From φ = 0, v = (0, V) the step projects on u_n ≥ μ|u_t|: v_n = (μV − μ²hg)/(1+μ²), v_t = (V − μhg)/(1+μ²), and flight follows. With μ = 1/2, V = 1 m/s, g = 10 m/s² the gap rises to at least 1/125 m = 8 mm for h = 1/100 and for h = 1/1000 \
-                   (exact steps; the limit is exactly 8 mm), while Coulomb's step stays at φ = 0. Started at φ = μhV the gap never exceeds μhV.",
+        argument: "From φ = 0, v = (0, V) the step projects on u_n ≥ μ|u_t|: v_n = (μV − μ²hg)/(1+μ²), v_t = (V − μhg)/(1+μ²), and flight \
+            follows. With μ = 1/2, V = 1 m/s, g = 10 m/s² the gap rises to at least 1/125 m = 8 mm for h = 1/100 and for h = 1/1000 \
+                   (exact steps; the limit is exactly 8 mm), while Coulomb's step stays at φ = 0. Started at φ = μhV the gap never exceeds \
+                   μhV.",
         control: "The compatible start φ = μhV in place of φ = 0.",
         sources: &["chapter §5, convergence theorem and pitfalls", "exact steps of the convex program"],
         check: hop,
     },
     Claim {
         id: "S5.conv2006",
-        statement: "Convergence theorem (Anitescu 2006): as h → 0, and the relaxation parameter with it, the solutions of the convex step converge to solutions of the differential variational inequality, that is of the MDI.",
+        statement: "Convergence theorem (Anitescu 2006): as h → 0, and the relaxation parameter with it, the solutions of the convex step \
+            converge to solutions of the differential variational inequality, that is of the MDI.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "The limit satisfies the weak measure differential inclusion: no penetration, impulses in the friction cone. It need not satisfy Signorini–Coulomb with e = 0: where a tangential velocity meets a closed contact, the limit separates with v_n = μV/(1+μ²).",
-        argument: "After one step from φ = 0, v_t = V = 1 m/s (μ = 1/2, g = 10 m/s²) v_n = 2/5 − 2h: the sequence converges, to 2/5 m/s. All gaps are non-negative and all impulses in the cone, which is what the weak inclusion asks. Coulomb's law with e = 0 asks v_n = 0. The paper itself was not read; \
+        correct_statement: "The limit satisfies the weak measure differential inclusion: no penetration, impulses in the friction cone. It \
+            need not satisfy Signorini–Coulomb with e = 0: where a tangential velocity meets a closed contact, the limit separates with \
+            v_n = μV/(1+μ²).",
+        argument: "After one step from φ = 0, v_t = V = 1 m/s (μ = 1/2, g = 10 m/s²) v_n = 2/5 − 2h: the sequence converges, to 2/5 m/s. \
+            All gaps are non-negative and all impulses in the cone, which is what the weak inclusion asks. Coulomb's law with e = 0 asks \
+            v_n = 0. The paper itself was not read; \
                    the statement is judged as printed here.",
         control: "Coulomb's step in place of the relaxed one: its limit is v_n = 0.",
         sources: &["chapter §5, convergence theorem"],

@@ -21,8 +21,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "All four formats of constrained dynamics meet in W = J M⁻¹Jᵀ.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "In their dual form. The primal solvers, Newton and CG here and SAP's in Drake, minimise over velocities and never form W.",
-        argument: "The stored sliding block: Newton on M, J and b alone and sweeps on W + R give the same impulses; with the diagonal of R doubled on one side they do not.",
+        correct_statement: "In their dual form. The primal solvers, Newton and CG here and SAP's in Drake, minimise over velocities and \
+            never form W.",
+        argument: "The stored sliding block: Newton on M, J and b alone and sweeps on W + R give the same impulses; with the diagonal of R \
+            doubled on one side they do not.",
         control: "R doubled in the dual problem.",
         sources: &["chapter §6, step 3", SOURCE],
         check: primal_and_dual,
@@ -32,8 +34,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "CG is the nonlinear method of Polak and Ribière (plus).",
         verdict: Verdict::Conditional,
         evidence: Evidence::Measured,
-        correct_statement: "True of MuJoCo up to 3.9; from 3.10 on the direction is Hager and Zhang's. With an exact line search the two are one formula while β ≥ 0: pᵀg⁺ = 0 turns one into the other.",
-        argument: "MuJoCo 3.17's accelerations after 1 to 5 iterations of CG from free motion, exact line search, sliding block, both cones: both formulas reproduce them to 1e-9 of their size. Steepest descent does not.",
+        correct_statement: "True of MuJoCo up to 3.9; from 3.10 on the direction is Hager and Zhang's. With an exact line search the two \
+            are one formula while β ≥ 0: pᵀg⁺ = 0 turns one into the other.",
+        argument: "MuJoCo 3.17's accelerations after 1 to 5 iterations of CG from free motion, exact line search, sliding block, both \
+            cones: both formulas reproduce them to 1e-9 of their size. Steepest descent does not.",
         control: "β = 0.",
         sources: &["chapter §6, table of solvers", "MuJoCo change log, 3.10.0, item 6 (commit 828052e6)", "references/facts/mujoco.json"],
         check: conjugate_directions,
@@ -43,19 +47,23 @@ pub const CLAIMS: &[Claim] = &[
         statement: "CG's line search is exact, with analytic second derivatives of a piecewise quadratic cost, and needs no preparation.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "The cost is piecewise quadratic over pyramids. On a round cone that slips it is not: its curvature turns with the direction of slip. The derivatives are analytic in both cases.",
-        argument: "Second derivative of the cost of one contact along t₂ at two points of the same zone: equal to the last bit for a one-sided row, different for a slipping cone.",
+        correct_statement: "The cost is piecewise quadratic over pyramids. On a round cone that slips it is not: its curvature turns with \
+            the direction of slip. The derivatives are analytic in both cases.",
+        argument: "Second derivative of the cost of one contact along t₂ at two points of the same zone: equal to the last bit for a \
+            one-sided row, different for a slipping cone.",
         control: "The one-sided row in place of the cone.",
         sources: &["chapter §6, table of solvers", SOURCE],
         check: piecewise_quadratic,
     },
     Claim {
         id: "S6.pgs-qcqp",
-        statement: "With elliptic cones PGS alternates a step along the ray of the current force and a small problem with a quadratic constraint for friction.",
+        statement: "With elliptic cones PGS alternates a step along the ray of the current force and a small problem with a quadratic \
+            constraint for friction.",
         verdict: Verdict::True,
         evidence: Evidence::Cited,
         correct_statement: "As stated.",
-        argument: "That MuJoCo does it is read from its source (engine_solver.c, solPGS). That the two substeps suffice is shown by ours: from zero to the optimum of the stored sliding block, by the certificate; one sweep does not get there.",
+        argument: "That MuJoCo does it is read from its source (engine_solver.c, solPGS). That the two substeps suffice is shown by ours: \
+            from zero to the optimum of the stored sliding block, by the certificate; one sweep does not get there.",
         control: "One sweep.",
         sources: &["chapter §6, table of solvers", SOURCE],
         check: rays_and_discs,
@@ -66,7 +74,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Measured,
         correct_statement: "As stated, of the models measured here.",
-        argument: "Our own Newton from free motion on stacks of 3 and 10 boxes, mass ratios 1 and 2, both cones: five to nine steps to a relative gradient of 1e-10, where conjugate gradients take 112 to 274.",
+        argument: "Our own Newton from free motion on stacks of 3 and 10 boxes, mass ratios 1 and 2, both cones: five to nine steps to a \
+            relative gradient of 1e-10, where conjugate gradients take 112 to 274.",
         control: "Conjugate gradients.",
         sources: &["chapter §6, table of solvers", SOURCE],
         check: few_iterations,
@@ -76,8 +85,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Ten sweeps of PGS are usually indistinguishable from the global optimum on typical models.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Measured,
-        correct_statement: "It depends on the model: with a few bodies on the ground and a good start it is near; the bottom of a stack learns of its top through the boxes between, and ten sweeps from zero leave a visible part of the forces missing.",
-        argument: "Change of velocity after ten sweeps from zero against Newton's, in the norm of M: 14 % of it is wrong in a stack of ten boxes, 16 % with mass ratio 2, 0.24 % for a single box.",
+        correct_statement: "It depends on the model: with a few bodies on the ground and a good start it is near; the bottom of a stack \
+            learns of its top through the boxes between, and ten sweeps from zero leave a visible part of the forces missing.",
+        argument: "Change of velocity after ten sweeps from zero against Newton's, in the norm of M: 14 % of it is wrong in a stack of ten \
+            boxes, 16 % with mass ratio 2, 0.24 % for a single box.",
         control: "Five thousand sweeps.",
         sources: &["chapter §6, table of solvers", SOURCE],
         check: ten_sweeps,
@@ -88,7 +99,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::False,
         evidence: Evidence::Measured,
         correct_statement: "No order holds for all models. For a given accuracy PGS needs most on stacks; on one contact it needs least.",
-        argument: "Multiplications until the impulses are right to 1e-6, counted from iterations, rows n and velocities n_v: n² per sweep and n²n_v once for PGS, n n_v² + n_v³/3 per Newton step. A stack of ten boxes costs PGS more than Newton, a single ball less.",
+        argument: "Multiplications until the impulses are right to 1e-6, counted from iterations, rows n and velocities n_v: n² per sweep \
+            and n²n_v once for PGS, n n_v² + n_v³/3 per Newton step. A stack of ten boxes costs PGS more than Newton, a single ball less.",
         control: "The ball in place of the stack.",
         sources: &["chapter §6, pitfall on solvers", SOURCE],
         check: work,
@@ -99,7 +111,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated, for one step's problem: it is strictly convex. (The post-processing `noslip` is not part of it.)",
-        argument: "Newton, conjugate gradients and sweeps on a stack of three: the same impulses once each is at rest, different ones after ten sweeps.",
+        argument: "Newton, conjugate gradients and sweeps on a stack of three: the same impulses once each is at rest, different ones \
+            after ten sweeps.",
         control: "Ten sweeps.",
         sources: &["chapter §6, pitfall on solvers", SOURCE],
         check: solver_dependence,

@@ -10,22 +10,28 @@ const MODEL: &str = "MuJoCo documentation, Computation: friction cones (3.17)";
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S6.elliptic-cone",
-        statement: "The elliptic cone {f₁ ≥ 0, f₁² ≥ Σ fᵢ²/μᵢ₋₁²} is the exact second-order cone, with sliding, torsional and rolling friction, and isotropic.",
+        statement: "The elliptic cone {f₁ ≥ 0, f₁² ≥ Σ fᵢ²/μᵢ₋₁²} is the exact second-order cone, with sliding, torsional and rolling \
+            friction, and isotropic.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "It is the second-order cone of the scaled forces fᵢ/μᵢ₋₁. Isotropic in the tangent plane only if the two sliding coefficients are equal, as by default; torsion and rolling need condim 4 and 6.",
-        argument: "μ = (1/2, 1/2): the forces 1/2 (3/5, 4/5) and 1/2 (1, 0) per unit of normal force are both on the boundary. μ = (1, 1/2): (4/5, 0) inside, (0, 4/5) outside. In rationals.",
+        correct_statement: "It is the second-order cone of the scaled forces fᵢ/μᵢ₋₁. Isotropic in the tangent plane only if the two \
+            sliding coefficients are equal, as by default; torsion and rolling need condim 4 and 6.",
+        argument: "μ = (1/2, 1/2): the forces 1/2 (3/5, 4/5) and 1/2 (1, 0) per unit of normal force are both on the boundary. μ = (1, \
+            1/2): (4/5, 0) inside, (0, 4/5) outside. In rationals.",
         control: "Isotropy for μ = (1, 1/2).",
         sources: &["chapter §6, step 4", MODEL],
         check: elliptic,
     },
     Claim {
         id: "S6.pyramidal-cone",
-        statement: "The pyramidal cone {f ∈ ℝ^{2(n−1)}, f ≥ 0} is a polyhedral approximation in edge forces, as of Stewart and Trinkle; faster to compute, but anisotropic.",
+        statement: "The pyramidal cone {f ∈ ℝ^{2(n−1)}, f ≥ 0} is a polyhedral approximation in edge forces, as of Stewart and Trinkle; \
+            faster to compute, but anisotropic.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "As a set of forces it is the four-sided cone of Stewart and Trinkle at condim 3, 1/√2 as strong along the diagonals as along the axes. That it is faster is not decided here.",
-        argument: "Edges (1, ±μ, 0), (1, 0, ±μ): forces with |t₁| + |t₂| ≤ μ f₁. μ = 1: along an axis 1 is reached, along the diagonal (1/2, 1/2) and no more, a squared strength of 1/2.",
+        correct_statement: "As a set of forces it is the four-sided cone of Stewart and Trinkle at condim 3, 1/√2 as strong along the \
+            diagonals as along the axes. That it is faster is not decided here.",
+        argument: "Edges (1, ±μ, 0), (1, 0, ±μ): forces with |t₁| + |t₂| ≤ μ f₁. μ = 1: along an axis 1 is reached, along the diagonal \
+            (1/2, 1/2) and no more, a squared strength of 1/2.",
         control: "The strength of the elliptic cone along the diagonal.",
         sources: &["chapter §6, step 4", MODEL],
         check: pyramidal,

@@ -18,22 +18,27 @@ const MODEL: &str = "MuJoCo documentation, Computation: constraint model (3.17)"
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S6.gauss",
-        statement: "Gauss' principle: the true acceleration is the one that deviates least, in the norm of the mass matrix, from the unconstrained one, among those the constraints allow.",
+        statement: "Gauss' principle: the true acceleration is the one that deviates least, in the norm of the mass matrix, from the \
+            unconstrained one, among those the constraints allow.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated, for constraints J x = b that do no work.",
-        argument: "Three coupled coordinates, one constraint: the minimiser by Newton's equations M x = M a₀ + Jᵀf with J x = b. Every other admissible x + n, J n = 0, deviates by exactly ½ nᵀM n more, in rationals.",
+        argument: "Three coupled coordinates, one constraint: the minimiser by Newton's equations M x = M a₀ + Jᵀf with J x = b. Every \
+            other admissible x + n, J n = 0, deviates by exactly ½ nᵀM n more, in rationals.",
         control: "The Euclidean norm in place of that of M.",
         sources: &["chapter §6, Gauss' principle and step 1", "Udwadia and Kalaba, A new perspective on constrained motion (1992)"],
         check: gauss,
     },
     Claim {
         id: "S6.primal-terms",
-        statement: "The primal problem adds to Gauss' term a penalty on J x − a_ref in the norm of R⁻¹, with a Huber function for friction loss.",
+        statement: "The primal problem adds to Gauss' term a penalty on J x − a_ref in the norm of R⁻¹, with a Huber function for friction \
+            loss.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; at the minimiser M(x − a₀) = Jᵀf with the forces f = −s′(J x − a_ref).",
-        argument: "Two-sided row, friction loss at its bound and two contacts, one of them open, on three coordinates: the accelerations of the enumerated optimal forces show these forces again, and P rises in all 26 directions of the unit cube around them. In rationals.",
+        argument: "Two-sided row, friction loss at its bound and two contacts, one of them open, on three coordinates: the accelerations \
+            of the enumerated optimal forces show these forces again, and P rises in all 26 directions of the unit cube around them. In \
+            rationals.",
         control: "The forces from twice the regularisation.",
         sources: &["chapter §6, step 1", MODEL],
         check: primal,
@@ -44,7 +49,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; the minima of the primal and the dual problem add up to zero.",
-        argument: "The same problem: P(x) + D(f) = 0 exactly at the enumerated optimum, and positive at every other of 81 admissible forces tried. Its two contacts alone, solved by Clarabel, have the impulses that enumeration finds.",
+        argument: "The same problem: P(x) + D(f) = 0 exactly at the enumerated optimum, and positive at every other of 81 admissible \
+            forces tried. Its two contacts alone, solved by Clarabel, have the impulses that enumeration finds.",
         control: "D without R.",
         sources: &["chapter §6, step 2", MODEL],
         check: dual,
@@ -54,8 +60,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The Huber function of friction loss is quadratic and then linear, smooth and bounded.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated of its force, which is bounded by η; the function itself grows without bound and is continuously differentiable once. Its dual is the box |f| ≤ η.",
-        argument: "η = 2 N, R = 1/2 1/kg: force ∓2 N beyond |y| = 1, where the two pieces have the same value 1 and slope 2; penalty 199 at y = 100. In the mixed problem the row with friction loss is at its bound.",
+        correct_statement: "As stated of its force, which is bounded by η; the function itself grows without bound and is continuously \
+            differentiable once. Its dual is the box |f| ≤ η.",
+        argument: "η = 2 N, R = 1/2 1/kg: force ∓2 N beyond |y| = 1, where the two pieces have the same value 1 and slope 2; penalty 199 \
+            at y = 100. In the mixed problem the row with friction loss is at its bound.",
         control: "The quadratic without the linear part.",
         sources: &["chapter §6, step 1", "Huber, Robust estimation of a location parameter (1964)"],
         check: huber,
@@ -65,19 +73,23 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The deformation dynamics of the constraint is ω̇ = a_ref − R f.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated for the rows that are inside their bounds, where J x = a_ref − R f. On a row at its bound J x differs, and ω̇ with it.",
-        argument: "The same problem, row by row in rationals: equality on the two-sided row and the closed contact, a difference on the open contact and on the row with friction loss, whose bound is reached.",
+        correct_statement: "As stated for the rows that are inside their bounds, where J x = a_ref − R f. On a row at its bound J x \
+            differs, and ω̇ with it.",
+        argument: "The same problem, row by row in rationals: equality on the two-sided row and the closed contact, a difference on the \
+            open contact and on the row with friction loss, whose bound is reached.",
         control: "The row at its bound counted among those inside.",
         sources: &["chapter §6, step 3", MODEL],
         check: deformation,
     },
     Claim {
         id: "S6.R-uniqueness",
-        statement: "Adding R makes the dual Hessian strictly positive definite, so that the force is unique even if A is singular through redundant contacts.",
+        statement: "Adding R makes the dual Hessian strictly positive definite, so that the force is unique even if A is singular through \
+            redundant contacts.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated.",
-        argument: "Four corners of a box, normal rows: A has rank 3, and two different sets of forces give the same accelerations. A + R with R = 1/9 is definite, and enumeration finds one optimum, 81/37 N on each corner. All decided in rationals.",
+        argument: "Four corners of a box, normal rows: A has rank 3, and two different sets of forces give the same accelerations. A + R \
+            with R = 1/9 is definite, and enumeration finds one optimum, 81/37 N on each corner. All decided in rationals.",
         control: "R = 0.",
         sources: &["chapter §6, step 2", MODEL],
         check: four_corners,
@@ -98,8 +110,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Todorov (2014) proves that the dynamics is analytically invertible.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "From accelerations to forces, for R > 0 and a forward problem that was solved: the inverse multiplies an error of the acceleration by 1/R on each row, so that it is lost as R → 0. It is not the inverse of a time step, nor time reversal.",
-        argument: "One row of 1 kg: ∂τ/∂a = 10 and 10000 kg at d = 0.9 and 0.9999; with R = 0 all loads from 5 to 50 N have the acceleration a_ref. The round trip of S6.inverse-closed-form is exact.",
+        correct_statement: "From accelerations to forces, for R > 0 and a forward problem that was solved: the inverse multiplies an error \
+            of the acceleration by 1/R on each row, so that it is lost as R → 0. It is not the inverse of a time step, nor time reversal.",
+        argument: "One row of 1 kg: ∂τ/∂a = 10 and 10000 kg at d = 0.9 and 0.9999; with R = 0 all loads from 5 to 50 N have the \
+            acceleration a_ref. The round trip of S6.inverse-closed-form is exact.",
         control: "d = 0.9 in place of the hard row.",
         sources: &["chapter §6, history", "Todorov, Convex and analytically-invertible dynamics (2014)"],
         check: invertible,

@@ -19,8 +19,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "MuJoCo gives up rigid contact: it uses a soft model in continuous time and writes each step as a convex optimisation.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Measured,
-        correct_statement: "As stated for the integrators Euler, implicit, implicitfast and RK4, whose accelerations do not know the step. The integrator `discrete` of newer versions solves for the step itself.",
-        argument: "The acceleration of a sliding block does not change to the last bit when h is halved under Euler (timeconst above 2h), and changes by 0.32 under discrete.",
+        correct_statement: "As stated for the integrators Euler, implicit, implicitfast and RK4, whose accelerations do not know the step. \
+            The integrator `discrete` of newer versions solves for the step itself.",
+        argument: "The acceleration of a sliding block does not change to the last bit when h is halved under Euler (timeconst above 2h), \
+            and changes by 0.32 under discrete.",
         control: "discrete in place of Euler.",
         sources: &["chapter §6, philosophy", STORED],
         check: continuous_time,
@@ -30,8 +32,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The unconstrained acceleration of the contact rows is a_u = J M⁻¹(τ − c) + J̇v.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Measured,
-        correct_statement: "That is the acceleration of material points. MuJoCo leaves J̇v out for contacts: its problem has J M⁻¹(τ − c) − a_ref.",
-        argument: "A box with one corner 1 mm in the floor, turning at 5 rad/s: J̇v of the normal row, by differences, is 3.28 m/s²; efc_b − J a_smooth + a_ref is 0.",
+        correct_statement: "That is the acceleration of material points. MuJoCo leaves J̇v out for contacts: its problem has J M⁻¹(τ − c) \
+            − a_ref.",
+        argument: "A box with one corner 1 mm in the floor, turning at 5 rad/s: J̇v of the normal row, by differences, is 3.28 m/s²; efc_b \
+            − J a_smooth + a_ref is 0.",
         control: "J̇v as part of efc_b.",
         sources: &["chapter §6, step 2", STORED],
         check: omitted_rate,
@@ -42,7 +46,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Cited,
         correct_statement: "As stated. That updates are incremental is a matter of the source code and does not show in results.",
-        argument: "opt.solver of an empty model is Newton. On a stack of three that slides and turns, elliptic, our own Newton goes from a relative gradient of 1e-2 to 1e-10 in at most three steps, conjugate gradients need more.",
+        argument: "opt.solver of an empty model is Newton. On a stack of three that slides and turns, elliptic, our own Newton goes from a \
+            relative gradient of 1e-2 to 1e-10 in at most three steps, conjugate gradients need more.",
         control: "Conjugate gradients in place of Newton.",
         sources: &["chapter §6, table of solvers", STORED],
         check: super::algorithms::second_order,
@@ -53,7 +58,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Measured,
         correct_statement: "As stated.",
-        argument: "One state of a sliding block under 3 solvers, 2 cones and 2 Jacobians, run to the end: accelerations agree within a cone to 3e-7 m/s² (PGS; the others to 1e-13), the two cones differ by more than 1 m/s².",
+        argument: "One state of a sliding block under 3 solvers, 2 cones and 2 Jacobians, run to the end: accelerations agree within a \
+            cone to 3e-7 m/s² (PGS; the others to 1e-13), the two cones differ by more than 1 m/s².",
         control: "The pyramid's acceleration in place of the elliptic one.",
         sources: &["chapter §6, table of solvers", STORED],
         check: all_twelve,
@@ -63,8 +69,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The main integrator is semi-implicit Euler; there are implicitfast and RK4 as well.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Measured,
-        correct_statement: "Euler is the default, and with damping at joints it is not the textbook's rule: dampers are implicit. There are also implicit and, in newer versions, discrete.",
-        argument: "integrator = 0 = Euler. A mass of 1 kg at 1 m/s with a damper of 1000 N·s/m, h = 10 ms: Euler leaves 1/11 m/s, as v/(1 + hC/m); with explicit forces it would be 1 − 10 = −9.",
+        correct_statement: "Euler is the default, and with damping at joints it is not the textbook's rule: dampers are implicit. There \
+            are also implicit and, in newer versions, discrete.",
+        argument: "integrator = 0 = Euler. A mass of 1 kg at 1 m/s with a damper of 1000 N·s/m, h = 10 ms: Euler leaves 1/11 m/s, as v/(1 \
+            + hC/m); with explicit forces it would be 1 − 10 = −9.",
         control: "The explicit damper.",
         sources: &["chapter §6, step 6", STORED],
         check: default_integrator,
@@ -75,7 +83,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; for the undamped spring up to hω = 2.",
-        argument: "Stored fall: q⁺ − q − h v⁺ = 0 to rounding, with the old velocity it is g h². One step on a spring, hω = 1/2: |det| = 1 and |trace| < 2 for the semi-implicit rule, det = 5/4 for the explicit one.",
+        argument: "Stored fall: q⁺ − q − h v⁺ = 0 to rounding, with the old velocity it is g h². One step on a spring, hω = 1/2: |det| = 1 \
+            and |trace| < 2 for the semi-implicit rule, det = 5/4 for the explicit one.",
         control: "The explicit rule.",
         sources: &["chapter §6, step 6", "stored run of MuJoCo 3.17.0, Euler"],
         check: new_velocity,
@@ -85,8 +94,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "implicitfast treats velocity-dependent forces implicitly and is more stable at large steps.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Measured,
-        correct_statement: "It does for passive forces and actuators. It leaves out Coriolis and gyroscopic terms (but for bodies that float freely, in newer versions), and contact forces are not among them either.",
-        argument: "1 kg at 1 m/s with a velocity servo of 1000 N·s/m, h = 10 ms: Euler gives −9 m/s, implicitfast 1/11. A torque-free top on a ball joint gains the same energy under implicitfast as under Euler, 0.77 % in 1 s; implicit loses instead.",
+        correct_statement: "It does for passive forces and actuators. It leaves out Coriolis and gyroscopic terms (but for bodies that \
+            float freely, in newer versions), and contact forces are not among them either.",
+        argument: "1 kg at 1 m/s with a velocity servo of 1000 N·s/m, h = 10 ms: Euler gives −9 m/s, implicitfast 1/11. A torque-free top \
+            on a ball joint gains the same energy under implicitfast as under Euler, 0.77 % in 1 s; implicit loses instead.",
         control: "implicit for the top.",
         sources: &["chapter §6, step 6", STORED],
         check: implicit_fast,

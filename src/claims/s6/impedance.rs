@@ -25,19 +25,25 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The impedance d lies in [0, 1], is small without contact and tends to 1 as the violation grows.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "d goes from d₀ at the surface to d_w beyond the width, by default from 0.9 to 0.95 and no further; both are kept in [0.0001, 0.9999]. It falls with depth if d₀ > d_w. Without contact there is no row and no d.",
-        argument: "The default curve at 0, 1 mm and 1 m; solimp = (0, 1, …) gives 1/10000 and 9999/10000; (95/100, 9/10, …) falls. In rationals.",
+        correct_statement: "d goes from d₀ at the surface to d_w beyond the width, by default from 0.9 to 0.95 and no further; both are \
+            kept in [0.0001, 0.9999]. It falls with depth if d₀ > d_w. Without contact there is no row and no d.",
+        argument: "The default curve at 0, 1 mm and 1 m; solimp = (0, 1, …) gives 1/10000 and 9999/10000; (95/100, 9/10, …) falls. In \
+            rationals.",
         control: "d = 1 at a depth of 1 m.",
         sources: &["chapter §6, step 3", PARAMETERS],
         check: range,
     },
     Claim {
         id: "S6.impedance-curve",
-        statement: "d passes smoothly from d₀ = 0.9 to d_w = 0.95 over a width of 1 mm, its shape given by power 2 (quadratic) and midpoint 0.5.",
+        statement: "d passes smoothly from d₀ = 0.9 to d_w = 0.95 over a width of 1 mm, its shape given by power 2 (quadratic) and \
+            midpoint 0.5.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: y = 2x² up to the midpoint and 1 − 2(1−x)² beyond, x the depth over the width. It is continuously differentiable, not twice.",
-        argument: "d at 0, 1/4, 1/2, 3/4 and 1 mm is 0.9, 0.90625, 0.925, 0.94375 and 0.95, in rationals. One-sided derivatives by dual numbers: 0 and 0 at both ends, 100 1/m on both sides of the midpoint. The second derivative jumps there from 200000 to −200000 1/m².",
+        correct_statement: "As stated: y = 2x² up to the midpoint and 1 − 2(1−x)² beyond, x the depth over the width. It is continuously \
+            differentiable, not twice.",
+        argument: "d at 0, 1/4, 1/2, 3/4 and 1 mm is 0.9, 0.90625, 0.925, 0.94375 and 0.95, in rationals. One-sided derivatives by dual \
+            numbers: 0 and 0 at both ends, 100 1/m on both sides of the midpoint. The second derivative jumps there from 200000 to −200000 \
+            1/m².",
         control: "The straight line, power 1.",
         sources: &[CURVE, PARAMETERS],
         check: curve,
@@ -48,7 +54,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Cited,
         correct_statement: "As stated, read back from MuJoCo 3.17.0 in the stored step problems.",
-        argument: "What a ball at rest in MuJoCo 3.17.0 with its defaults shows, 3.671818e-4 m, is the depth that these five numbers give with solref = (0.02, 1); power 1 would give another.",
+        argument: "What a ball at rest in MuJoCo 3.17.0 with its defaults shows, 3.671818e-4 m, is the depth that these five numbers give \
+            with solref = (0.02, 1); power 1 would give another.",
         control: "power 1.",
         sources: &[CURVE, "stored step problem ball_rest, newton-elliptic, h = 1 ms (MuJoCo 3.17.0)"],
         check: default_parameters,
@@ -58,8 +65,11 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The impedance sets the regularisation, R ∝ (1−d)/d.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "R = (1−d)/d · Â for a normal row, with MuJoCo's approximation Â of the diagonal of A, which for one body is 1/m for every contact point. Only where Â is the true diagonal does a single row move with d a_ref + (1−d) a_u. Friction rows have R/impratio.",
-        argument: "1 kg: R = 1/9 1/kg at the surface, 1/19 from 1 mm on. At the corner of a cube A = 4/m, so that with R = 1/9 the weight of a_ref is 36/37, not 9/10.",
+        correct_statement: "R = (1−d)/d · Â for a normal row, with MuJoCo's approximation Â of the diagonal of A, which for one body is \
+            1/m for every contact point. Only where Â is the true diagonal does a single row move with d a_ref + (1−d) a_u. Friction rows \
+            have R/impratio.",
+        argument: "1 kg: R = 1/9 1/kg at the surface, 1/19 from 1 mm on. At the corner of a cube A = 4/m, so that with R = 1/9 the weight \
+            of a_ref is 36/37, not 9/10.",
         control: "The weight 9/10 at the corner.",
         sources: &[CURVE, MODEL],
         check: regularisation,
@@ -80,8 +90,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "solimp can model a soft layer over a hard core: soft at small penetration, hard at large.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, with d₀ far below d_w: the force that holds a depth δ is k d² δ/((1−d)Â), a spring whose stiffness rises with d.",
-        argument: "solimp = (1/10, 19/20, 1 cm, 1/2, 2): force over depth at the core is 1624.5 times that at the surface, 361/20 over 1/90; with the default it is 2.23 times. In rationals.",
+        correct_statement: "As stated, with d₀ far below d_w: the force that holds a depth δ is k d² δ/((1−d)Â), a spring whose stiffness \
+            rises with d.",
+        argument: "solimp = (1/10, 19/20, 1 cm, 1/2, 2): force over depth at the core is 1624.5 times that at the surface, 361/20 over \
+            1/90; with the default it is 2.23 times. In rationals.",
         control: "Constant impedance.",
         sources: &[CURVE],
         check: layer,
@@ -91,8 +103,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Hard objects penetrate a little, like a sponge; most tasks accept penetration of the order of a millimetre.",
         verdict: Verdict::True,
         evidence: Evidence::Certified,
-        correct_statement: "As stated; a ball on the floor rests 0.367 mm deep with default parameters, whatever its mass. It is not g/k_p = 3.9 mm: the load acts with 1−d. What a task accepts is not decided here.",
-        argument: "k d² δ = (1−d) g with d = d(δ) has the root δ = 3.671818e-4 m; the replay of 3000 steps of 1 ms and the stored run of MuJoCo 3.17.0 end there. With constant d = 9/10, δ = g/k_p/10 in rationals.",
+        correct_statement: "As stated; a ball on the floor rests 0.367 mm deep with default parameters, whatever its mass. It is not g/k_p \
+            = 3.9 mm: the load acts with 1−d. What a task accepts is not decided here.",
+        argument: "k d² δ = (1−d) g with d = d(δ) has the root δ = 3.671818e-4 m; the replay of 3000 steps of 1 ms and the stored run of \
+            MuJoCo 3.17.0 end there. With constant d = 9/10, δ = g/k_p/10 in rationals.",
         control: "g/k_p.",
         sources: &["chapter §6, pitfalls on stiffness and on hard contact", MODEL],
         check: rest,
@@ -102,8 +116,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "R is the regulariser that makes a constraint soft; the larger R, the softer.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: a = (A a_ref + R a_u)/(A + R) moves from a_ref at R = 0 monotonically towards the free acceleration.",
-        argument: "A = 1, a_ref = 5, a_u = −10: a = 5 at R = 0, −5/2 at R = 1, within 1/1000 of −10 at R = 15000; da/dR = A (a_u − a_ref)/(A + R)² by dual numbers.",
+        correct_statement: "As stated: a = (A a_ref + R a_u)/(A + R) moves from a_ref at R = 0 monotonically towards the free \
+            acceleration.",
+        argument: "A = 1, a_ref = 5, a_u = −10: a = 5 at R = 0, −5/2 at R = 1, within 1/1000 of −10 at R = 15000; da/dR = A (a_u − \
+            a_ref)/(A + R)² by dual numbers.",
         control: "A row that wants a_ref = a_u, where R changes nothing.",
         sources: &["chapter §6, step 1", MODEL],
         check: softness,
@@ -124,8 +140,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "solref is what the constraint wants, the target dynamics; solimp what it is able to do. The two roles are separate.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "In the motion without load beyond the width: there d_w cancels and solref alone decides. Before it, a_ref itself contains d(δ) and d_w from solimp, and under load the depth at rest depends on both.",
-        argument: "solimp (1/2, 1/2, …) in place of (19/20, 19/20, …), solref (1/50, 1): d² k = 2500 and d b = 100 both times, but a_ref at φ = −1 mm is 5 m/s² in place of 50/19, and 1 kg rests under g = 10 m/s² at 2 mm in place of 1/5 mm.",
+        correct_statement: "In the motion without load beyond the width: there d_w cancels and solref alone decides. Before it, a_ref \
+            itself contains d(δ) and d_w from solimp, and under load the depth at rest depends on both.",
+        argument: "solimp (1/2, 1/2, …) in place of (19/20, 19/20, …), solref (1/50, 1): d² k = 2500 and d b = 100 both times, but a_ref \
+            at φ = −1 mm is 5 m/s² in place of 50/19, and 1 kg rests under g = 10 m/s² at 2 mm in place of 1/5 mm.",
         control: "The same solimp twice.",
         sources: &["chapter §6, step 3 and the pitfall on solref and solimp", PARAMETERS],
         check: roles,

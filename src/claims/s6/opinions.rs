@@ -26,8 +26,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Gradients are well defined everywhere, so MJX is differentiable.",
         verdict: Verdict::False,
         evidence: Evidence::Certified,
-        correct_statement: "The optimum is a Lipschitz function of the step's data while the set of contacts stays the same. The step as a function of the state jumps where a moving contact enters that set, so it has no gradient there.",
-        argument: "A ball of 1 kg that falls at 1 m/s, 10⁻¹² m above and below touch: v⁺ differs by d₀ h (g + b v) = 0.207 m/s, the same at a thousandth of the distance. MJX itself was not run; its issue tracker reports NaN gradients (1517, 2841).",
+        correct_statement: "The optimum is a Lipschitz function of the step's data while the set of contacts stays the same. The step as a \
+            function of the state jumps where a moving contact enters that set, so it has no gradient there.",
+        argument: "A ball of 1 kg that falls at 1 m/s, 10⁻¹² m above and below touch: v⁺ differs by d₀ h (g + b v) = 0.207 m/s, the same \
+            at a thousandth of the distance. MJX itself was not run; its issue tracker reports NaN gradients (1517, 2841).",
         control: "The ball at rest without weight, where nothing jumps.",
         sources: &["chapter §6, consequences", MODEL, "github.com/google-deepmind/mujoco, issues 1517 and 2841"],
         check: jump_at_touch,
@@ -37,19 +39,25 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Soft, convex and continuous in time means reversible in time: the inverse dynamics have a closed form.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "Forces follow from accelerations in closed form, f = −∇s(Ja − a_ref). That is invertibility; the motion itself is not reversible, since contact dissipates.",
-        argument: "Stack of three: an arbitrary change of velocity has a closed-form push that causes it, and Newton finds it again from the push. A ball dropped from 0.2 m and turned round after half a second comes back to its bed on the floor, 0.2 m below its start.",
+        correct_statement: "Forces follow from accelerations in closed form, f = −∇s(Ja − a_ref). That is invertibility; the motion itself \
+            is not reversible, since contact dissipates.",
+        argument: "Stack of three: an arbitrary change of velocity has a closed-form push that causes it, and Newton finds it again from \
+            the push. A ball dropped from 0.2 m and turned round after half a second comes back to its bed on the floor, 0.2 m below its \
+            start.",
         control: "A reversible drop.",
         sources: &["chapter §6, consequences", "Todorov, Convex and analytically-invertible dynamics with contacts and constraints (2014)"],
         check: reversal,
     },
     Claim {
         id: "S6.hard-engine-cost",
-        statement: "Hard constraints need exact collision detection and the solution of complementarity problems, and are hard to run in parallel on GPUs.",
+        statement: "Hard constraints need exact collision detection and the solution of complementarity problems, and are hard to run in \
+            parallel on GPUs.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::NotDecidable,
-        correct_statement: "Speed on a machine is no mathematical statement. What can be decided: hard contact alone does not make a step a complementarity problem that needs more than convex minimisation; Coulomb's law does. Soft contact reads the same gaps.",
-        argument: "The hard step of Anitescu for a stack of three is solved by projected gradients to the certificate, as MuJoCo's soft step is. With Coulomb's law in place of the associated one the method refuses: no convex problem is left.",
+        correct_statement: "Speed on a machine is no mathematical statement. What can be decided: hard contact alone does not make a step \
+            a complementarity problem that needs more than convex minimisation; Coulomb's law does. Soft contact reads the same gaps.",
+        argument: "The hard step of Anitescu for a stack of three is solved by projected gradients to the certificate, as MuJoCo's soft \
+            step is. With Coulomb's law in place of the associated one the method refuses: no convex problem is left.",
         control: "Coulomb's law.",
         sources: &["chapter §6, philosophy"],
         check: hard_and_convex,
@@ -59,7 +67,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Pyramidal cones are faster to compute.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::NotDecidable,
-        correct_statement: "It depends on the model, as MuJoCo's documentation says. A pyramid has four rows for three but a piecewise quadratic cost.",
+        correct_statement: "It depends on the model, as MuJoCo's documentation says. A pyramid has four rows for three but a piecewise \
+            quadratic cost.",
         argument: "Rows on a stack of ten: 160 edges against 120 components; Newton steps are counted for both.",
         control: "The same number of rows.",
         sources: &["chapter §6, step 4", MODEL],
@@ -70,8 +79,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Contact is less rigid than in Drake's SAP or in Siconos.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::NotDecidable,
-        correct_statement: "Against Siconos, whose contact is rigid, always. SAP and MuJoCo are both soft, by parameters: either can be made the softer one.",
-        argument: "Depth of 1 kg on one contact: 3.67e-4 m in MuJoCo by default, 9.81e-5 m in SAP with 1e5 N/m; with solref (−10⁶, −10³) MuJoCo's is the smaller.",
+        correct_statement: "Against Siconos, whose contact is rigid, always. SAP and MuJoCo are both soft, by parameters: either can be \
+            made the softer one.",
+        argument: "Depth of 1 kg on one contact: 3.67e-4 m in MuJoCo by default, 9.81e-5 m in SAP with 1e5 N/m; with solref (−10⁶, −10³) \
+            MuJoCo's is the smaller.",
         control: "MuJoCo's default in both comparisons.",
         sources: &["chapter §6, consequences", MODEL],
         check: depths,
@@ -81,7 +92,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "It is made for reinforcement learning in a million parallel environments.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::NotDecidable,
-        correct_statement: "No mathematical statement. What a step needs for it holds: environments do not couple, so that each can be stepped alone.",
+        correct_statement: "No mathematical statement. What a step needs for it holds: environments do not couple, so that each can be \
+            stepped alone.",
         argument: "The program of two stacks side by side has the minimisers of the two as its minimiser, to the solver's stopping rule.",
         control: "Two stacks coupled by their mass.",
         sources: &["chapter §6, philosophy"],

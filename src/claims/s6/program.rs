@@ -1,4 +1,5 @@
-//! MuJoCo's convex program in rationals: its primal form in accelerations, its dual form in forces, and the solution of the dual by enumeration.
+//! MuJoCo's convex program in rationals: its primal form in accelerations, its dual form in forces, and the solution of the dual by
+//! enumeration.
 //!
 //! ```text
 //!     primal   P(x) = ½ (x − a₀)ᵀM(x − a₀) + Σ sᵢ((J x − a_ref)ᵢ) ,      a₀ = M⁻¹(τ − c)

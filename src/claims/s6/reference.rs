@@ -20,19 +20,25 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The reference acceleration is that of a virtual spring and damper, with stiffness k_p and damping k_d.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: a_ref = −b φ̇ − k d φ. The stiffness k d depends on the depth through the impedance d, so that the spring is linear only where d is constant.",
-        argument: "Default parameters, φ = −1 mm, φ̇ = −3/10 m/s: b = 2000/19 1/s, k d = 50000/19 1/s², a_ref = 650/19 = 34.2105 m/s². In rationals, and from the rounded formula that reproduces the stored runs of MuJoCo. The stiffness at half a millimetre is another one.",
+        correct_statement: "As stated: a_ref = −b φ̇ − k d φ. The stiffness k d depends on the depth through the impedance d, so that the \
+            spring is linear only where d is constant.",
+        argument: "Default parameters, φ = −1 mm, φ̇ = −3/10 m/s: b = 2000/19 1/s, k d = 50000/19 1/s², a_ref = 650/19 = 34.2105 m/s². In \
+            rationals, and from the rounded formula that reproduces the stored runs of MuJoCo. The stiffness at half a millimetre is \
+            another one.",
         control: "φ̇ = +3/10 m/s, with the damper's sign reversed.",
         sources: &["chapter §6, step 3", DOCUMENTATION],
         check: form,
     },
     Claim {
         id: "S6.solref-meaning",
-        statement: "solref = (timeconst, dampratio) fixes the natural frequency and the damping ratio of the spring and damper, with ω₀ = 1/timeconst.",
+        statement: "solref = (timeconst, dampratio) fixes the natural frequency and the damping ratio of the spring and damper, with ω₀ = \
+            1/timeconst.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "ω₀ = 1/(timeconst · dampratio), so 1/timeconst only at dampratio 1; the frequency and the ratio are those of an unloaded row where d = d_w. A negative solref means (−stiffness, −damping) per mass.",
-        argument: "From d² k = ω₀² and d b = 2ζω₀ at d = d_w, in rationals: (1/50 s, 1) has ω₀ = 50 1/s; (1/50, 1/2) has ω₀ = 100, ζ = 1/2; (1/50, 2) has 25. (−2500, −100) is the same as (1/50, 1).",
+        correct_statement: "ω₀ = 1/(timeconst · dampratio), so 1/timeconst only at dampratio 1; the frequency and the ratio are those of \
+            an unloaded row where d = d_w. A negative solref means (−stiffness, −damping) per mass.",
+        argument: "From d² k = ω₀² and d b = 2ζω₀ at d = d_w, in rationals: (1/50 s, 1) has ω₀ = 50 1/s; (1/50, 1/2) has ω₀ = 100, ζ = \
+            1/2; (1/50, 2) has 25. (−2500, −100) is the same as (1/50, 1).",
         control: "ω₀ = 1/timeconst at dampratio 1/2.",
         sources: &["chapter §6, step 3 and the numerical example of solref", DOCUMENTATION],
         check: meaning,
@@ -42,7 +48,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The default solref = (0.02, 1) means k_p = ω₀² = 2500 and k_d = 2ζω₀ = 100 per unit of effective mass.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "They are d² k and d b, the coefficients of the motion of a row that carries no load, from a depth of 1 mm on, where d = d_w. At the surface, d = 9/10, they are 810000/361 = 2243.77 1/s² and 1800/19 = 94.74 1/s.",
+        correct_statement: "They are d² k and d b, the coefficients of the motion of a row that carries no load, from a depth of 1 mm on, \
+            where d = d_w. At the surface, d = 9/10, they are 810000/361 = 2243.77 1/s² and 1800/19 = 94.74 1/s.",
         argument: "k = 1000000/361 1/s², b = 2000/19 1/s and the default impedance, in rationals at depths of 0, 1/2, 1 and 5 mm.",
         control: "The surface in place of a depth of 1 mm.",
         sources: &["chapter §6, numerical example of solref", DOCUMENTATION],
@@ -53,19 +60,26 @@ pub const CLAIMS: &[Claim] = &[
         statement: "With the default parameters a_ref = −2500 φ − 100 φ̇.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "a_ref = −k d φ − b φ̇ with b = 2000/19 = 105.26 1/s and k d from 900000/361 = 2493.07 1/s² at the surface to 50000/19 = 2631.58 from 1 mm on: MuJoCo divides by d_w so that the motion, which is d a_ref, gets 2500 and 100 there.",
-        argument: "φ = −1 mm at rest: a_ref = 50/19 = 2.632 m/s², not 5/2. φ = 0, φ̇ = −1 m/s: 2000/19 m/s², not 100. d a_ref is 5/2 and 100 at d = d_w.",
+        correct_statement: "a_ref = −k d φ − b φ̇ with b = 2000/19 = 105.26 1/s and k d from 900000/361 = 2493.07 1/s² at the surface to \
+            50000/19 = 2631.58 from 1 mm on: MuJoCo divides by d_w so that the motion, which is d a_ref, gets 2500 and 100 there.",
+        argument: "φ = −1 mm at rest: a_ref = 50/19 = 2.632 m/s², not 5/2. φ = 0, φ̇ = −1 m/s: 2000/19 m/s², not 100. d a_ref is 5/2 and \
+            100 at d = d_w.",
         control: "The printed coefficients for a_ref.",
         sources: &["chapter §6, numerical example of solref", DOCUMENTATION],
         check: coefficients,
     },
     Claim {
         id: "S6.critical-no-overshoot",
-        statement: "Critical damping, ζ = 1, pushes the violation back to zero without overshoot; it is the default because it returns fastest and does not oscillate.",
+        statement: "Critical damping, ζ = 1, pushes the violation back to zero without overshoot; it is the default because it returns \
+            fastest and does not oscillate.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "Without overshoot from rest, for a two-sided row without load. An impact leaves the surface at e⁻² = 13.5 % of its speed. Fastest holds for a given ω₀; for a given timeconst, which is what solref holds fixed, every ζ ≤ 1 decays at the same rate 1/timeconst.",
-        argument: "Characteristic polynomial λ² + (2/t_c) λ + 1/(t_c ζ)²: discriminant 0 at ζ = 1, complex roots with real part −1/t_c for ζ < 1, at ζ = 5/4 the slower root is −2/5 of 1/t_c. Replay of MuJoCo's contact, constant impedance, 2⁻¹⁴ of 1/ω₀ a step: rebound speed e⁻² at ζ = 1.",
+        correct_statement: "Without overshoot from rest, for a two-sided row without load. An impact leaves the surface at e⁻² = 13.5 % of \
+            its speed. Fastest holds for a given ω₀; for a given timeconst, which is what solref holds fixed, every ζ ≤ 1 decays at the \
+            same rate 1/timeconst.",
+        argument: "Characteristic polynomial λ² + (2/t_c) λ + 1/(t_c ζ)²: discriminant 0 at ζ = 1, complex roots with real part −1/t_c for \
+            ζ < 1, at ζ = 5/4 the slower root is −2/5 of 1/t_c. Replay of MuJoCo's contact, constant impedance, 2⁻¹⁴ of 1/ω₀ a step: \
+            rebound speed e⁻² at ζ = 1.",
         control: "A rebound speed of zero.",
         sources: &[
             "chapter §6, numerical example of solref",
@@ -78,8 +92,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "ζ < 1 is underdamped and bounces; ζ > 1 returns more slowly.",
         verdict: Verdict::True,
         evidence: Evidence::Certified,
-        correct_statement: "As stated. The bounce of a contact falls with ζ without vanishing at 1: e(ζ) = exp(−ζ/√(1−ζ²) · acos(2ζ²−1)), e⁻² at 1, and smaller beyond.",
-        argument: "Replay of MuJoCo's contact at ζ = 1/10, 3/10, 1/2, 1, 2: rebound 0.74408, 0.45098, 0.29844, 0.13534, 0.04777. The slower root at ζ = 5/4 is −1/2 of ω₀ = 4/5 of 1/t_c, that is −2/5 of 1/t_c; at ζ = 1 it is −1/t_c.",
+        correct_statement: "As stated. The bounce of a contact falls with ζ without vanishing at 1: e(ζ) = exp(−ζ/√(1−ζ²) · acos(2ζ²−1)), \
+            e⁻² at 1, and smaller beyond.",
+        argument: "Replay of MuJoCo's contact at ζ = 1/10, 3/10, 1/2, 1, 2: rebound 0.74408, 0.45098, 0.29844, 0.13534, 0.04777. The \
+            slower root at ζ = 5/4 is −1/2 of ω₀ = 4/5 of 1/t_c, that is −2/5 of 1/t_c; at ζ = 1 it is −1/t_c.",
         control: "The rebounds in the order of rising ζ, taken to rise.",
         sources: &["chapter §6, numerical example of solref", "Schwager and Pöschel (2007)"],
         check: bounce,

@@ -16,33 +16,44 @@ const MODEL: &str = "MuJoCo documentation, Computation: constraint model (3.17)"
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S6.lcp-nondiff",
-        statement: "Hard contact is not differentiable: the solution of an LCP is not where the active set switches, and even the convex cone problem is only subdifferentiable at the boundary of the cone, between stick and slip.",
+        statement: "Hard contact is not differentiable: the solution of an LCP is not where the active set switches, and even the convex \
+            cone problem is only subdifferentiable at the boundary of the cone, between stick and slip.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, where subdifferentiable means Lipschitz with one-sided derivatives in every direction. R > 0 changes the size of the kinks and does not remove them (S6.smooth-everywhere).",
-        argument: "f = max(0, −q/W), W = 2: one-sided derivatives −1/2 and 0 at q = 0. Cone with μ = 1/2 and W = I at the load (−2, 1), where stick becomes slip: ∂f_t/∂b_t = −1 on the side of stick and −1/5 on that of slip. Dual numbers over rationals.",
+        correct_statement: "As stated, where subdifferentiable means Lipschitz with one-sided derivatives in every direction. R > 0 \
+            changes the size of the kinks and does not remove them (S6.smooth-everywhere).",
+        argument: "f = max(0, −q/W), W = 2: one-sided derivatives −1/2 and 0 at q = 0. Cone with μ = 1/2 and W = I at the load (−2, 1), \
+            where stick becomes slip: ∂f_t/∂b_t = −1 on the side of stick and −1/5 on that of slip. Dual numbers over rationals.",
         control: "q = −1 and the load (−2, 1/2), inside the active sets.",
         sources: &["chapter §6, hard contact and learning", "Cottle, Pang and Stone, The Linear Complementarity Problem, chapter 7"],
         check: hard_kinks,
     },
     Claim {
         id: "S6.smooth-everywhere",
-        statement: "In MuJoCo the contact force is a smooth function of the gap without on/off switch, and the problem is differentiable everywhere.",
+        statement: "In MuJoCo the contact force is a smooth function of the gap without on/off switch, and the problem is differentiable \
+            everywhere.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "The force jumps at touch, for there is no row above the surface and d₀ > 0 below it: by d₀ m (b|v| + g) at approach speed |v|. As a function of the control it is Lipschitz, with kinks where a contact begins to press and where it begins to slip.",
-        argument: "1 kg at −1 m/s under 9.81 m/s², default parameters: 0 above the surface, 9/10 (2000/19 + 981/100) = 103.566 N just below; with d₀ = 0, which counts as 1/10000, 0.0115 N. Control: ∂f/∂τ is 0 on one side of the onset and d = 9/10 on the other. Load across the change from stick to slip, R = 1/9: ∂f_t/∂b_t = −9/10 and −9/50.",
+        correct_statement: "The force jumps at touch, for there is no row above the surface and d₀ > 0 below it: by d₀ m (b|v| + g) at \
+            approach speed |v|. As a function of the control it is Lipschitz, with kinks where a contact begins to press and where it \
+            begins to slip.",
+        argument: "1 kg at −1 m/s under 9.81 m/s², default parameters: 0 above the surface, 9/10 (2000/19 + 981/100) = 103.566 N just \
+            below; with d₀ = 0, which counts as 1/10000, 0.0115 N. Control: ∂f/∂τ is 0 on one side of the onset and d = 9/10 on the other. \
+            Load across the change from stick to slip, R = 1/9: ∂f_t/∂b_t = −9/10 and −9/50.",
         control: "A point inside contact and inside stick.",
         sources: &["chapter §6, MuJoCo's choice, bridge, and the pitfall on hard contact", MODEL],
         check: soft_kinks,
     },
     Claim {
         id: "S6.cone-softened",
-        statement: "MuJoCo adds R and softens the friction cone, which makes it differentiable everywhere, where Anitescu has the hard cone.",
+        statement: "MuJoCo adds R and softens the friction cone, which makes it differentiable everywhere, where Anitescu has the hard \
+            cone.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "The set of forces is the hard cone; R is added to the Hessian only. A slipping contact has |f_t| = μ f_n exactly, and the penalty that eliminating the force leaves is continuously differentiable once, not twice.",
-        argument: "μ = 1/2, R = 1/9 and 1: loads (−2, b_t) with b_t = 2, 5 and 50 have f_t = f_n/2 exactly. The force is the gradient of the minimum in b, and its slope at b_t = 1 is −1/(1+R) for stick and −1/(5(1+R)) for slip.",
+        correct_statement: "The set of forces is the hard cone; R is added to the Hessian only. A slipping contact has |f_t| = μ f_n \
+            exactly, and the penalty that eliminating the force leaves is continuously differentiable once, not twice.",
+        argument: "μ = 1/2, R = 1/9 and 1: loads (−2, b_t) with b_t = 2, 5 and 50 have f_t = f_n/2 exactly. The force is the gradient of \
+            the minimum in b, and its slope at b_t = 1 is −1/(1+R) for stick and −1/(5(1+R)) for slip.",
         control: "A load that sticks, for which |f_t| < μ f_n.",
         sources: &["chapter §6, step 2 and exercise 3", MODEL],
         check: hard_cone,

@@ -22,18 +22,22 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated, once converged: the problem is strictly convex (S6.R-uniqueness).",
-        argument: "Two coupled soft contacts, by projected Gauss–Seidel, accelerated projected gradients, Clarabel, and enumeration in rationals: the same forces to the solvers' stopping rule times the conditioning. MuJoCo's own solvers are compared on stored steps in tests/references.",
+        argument: "Two coupled soft contacts, by projected Gauss–Seidel, accelerated projected gradients, Clarabel, and enumeration in \
+            rationals: the same forces to the solvers' stopping rule times the conditioning. MuJoCo's own solvers are compared on stored \
+            steps in tests/references.",
         control: "One sweep of Gauss–Seidel.",
         sources: &["chapter §6, step 5 and the pitfall on solvers", MODEL],
         check: same_optimum,
     },
     Claim {
         id: "S6.unique-warmstart",
-        statement: "Convexity gives one global optimum per step, so that the last step's solution can start the next one and convergence is fast.",
+        statement: "Convexity gives one global optimum per step, so that the last step's solution can start the next one and convergence \
+            is fast.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; it is R > 0, strict convexity, that makes the optimum unique.",
-        argument: "Box on four corners, R = 1/9: enumeration finds one optimum; with R = 0, which is convex too, at least two. Gauss–Seidel started at the solution stops in fewer sweeps than from zero.",
+        argument: "Box on four corners, R = 1/9: enumeration finds one optimum; with R = 0, which is convex too, at least two. \
+            Gauss–Seidel started at the solution stops in fewer sweeps than from zero.",
         control: "R = 0.",
         sources: &["chapter §6, bridge", MODEL],
         check: warm_start,
@@ -43,19 +47,24 @@ pub const CLAIMS: &[Claim] = &[
         statement: "PGS converges at first order, sublinearly.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "It converges linearly: the problem is strictly convex, and over a polyhedron Gauss–Seidel contracts the error by a constant factor from some sweep on. The factor may be close to one.",
-        argument: "Two coupled soft contacts, both closed: every sweep multiplies the error by exactly H₁₂²/(H₁₁H₂₂) = 19/157, sweeps 3 to 10 in rationals.",
+        correct_statement: "It converges linearly: the problem is strictly convex, and over a polyhedron Gauss–Seidel contracts the error \
+            by a constant factor from some sweep on. The factor may be close to one.",
+        argument: "Two coupled soft contacts, both closed: every sweep multiplies the error by exactly H₁₂²/(H₁₁H₂₂) = 19/157, sweeps 3 to \
+            10 in rationals.",
         control: "The factor 10/11 of a sublinear sequence 1/k at k = 10.",
         sources: &["chapter §6, table of solvers", "Luo and Tseng, On the convergence of the coordinate descent method (1992)"],
         check: gauss_seidel,
     },
     Claim {
         id: "S6.same-as-anitescu",
-        statement: "MuJoCo's dual problem and Anitescu's convex problem are the same thing; MuJoCo is the special case of Anitescu's with a regularisation.",
+        statement: "MuJoCo's dual problem and Anitescu's convex problem are the same thing; MuJoCo is the special case of Anitescu's with \
+            a regularisation.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "They coincide for R = 0, b = 1/h, k d = 1/h² and equal cones, with γ = h f. MuJoCo's parameters do not reach that: R ≥ Â/9999, and timeconst ≥ 2h gives k d h² ≤ 1/(4d) at ζ = 1, a quarter, while b h is at most 1/d.",
-        argument: "h (a_u − a_ref) = v_free + φ/h for b = 1/h and k d = 1/h², in rationals at φ = −1 mm, v = −3 m/s, a_u = −10 m/s², h = 1/100 s. At timeconst 2h, ζ = 1 and d = 9999/10000: b h = 10000/9999, k d h² = 2500/9999, R/Â = 1/9999.",
+        correct_statement: "They coincide for R = 0, b = 1/h, k d = 1/h² and equal cones, with γ = h f. MuJoCo's parameters do not reach \
+            that: R ≥ Â/9999, and timeconst ≥ 2h gives k d h² ≤ 1/(4d) at ζ = 1, a quarter, while b h is at most 1/d.",
+        argument: "h (a_u − a_ref) = v_free + φ/h for b = 1/h and k d = 1/h², in rationals at φ = −1 mm, v = −3 m/s, a_u = −10 m/s², h = \
+            1/100 s. At timeconst 2h, ζ = 1 and d = 9999/10000: b h = 10000/9999, k d h² = 2500/9999, R/Â = 1/9999.",
         control: "MuJoCo's stiffest parameters in the identity.",
         sources: &[
             "chapter §6, insight on Anitescu's problem",
@@ -69,7 +78,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "Larger is harder, as stated; but it is the ratio of frictional to normal impedance: R_t = R_n/impratio.",
-        argument: "Creep of one elliptic contact under a tangential load, v_t = R_t f_t/b: ten times smaller with impratio 10, at an unchanged depth; hence R_n/R_t = 10.",
+        argument: "Creep of one elliptic contact under a tangential load, v_t = R_t f_t/b: ten times smaller with impratio 10, at an \
+            unchanged depth; hence R_n/R_t = 10.",
         control: "impratio 1/10.",
         sources: &["chapter §6, step 4", "MuJoCo documentation, option impratio (3.17)"],
         check: impedance_ratio,

@@ -23,19 +23,27 @@ pub const CLAIMS: &[Claim] = &[
         statement: "timeconst ≥ 2h is a hard recommendation of MuJoCo's documentation; behind it stands numerical stability.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "MuJoCo enforces it: with refsafe, the default, a smaller timeconst counts as 2h. The direct form (−stiffness, −damping) is not limited. It keeps contacts with dampratio > 1/(2√2) = 0.354 stable, and no others.",
-        argument: "h = 2 ms: timeconst 1, 2 and 3 ms have the k and b of 4 ms, in rationals. At timeconst = 2h, s = hω₀ = 1/(2ζ), which is below the bound 2(√(1+ζ²) − ζ) iff ζ² > 1/8: decided at ζ = 36/100 and 35/100. MuJoCo 3.17 itself, a ball of 1 kg released 1 mm above the floor at timeconst = 2h and constant impedance, is calm with dampratio 0.4 and thrown 43 mm high and more with 0.35, 9 m with 0.2.",
+        correct_statement: "MuJoCo enforces it: with refsafe, the default, a smaller timeconst counts as 2h. The direct form (−stiffness, \
+            −damping) is not limited. It keeps contacts with dampratio > 1/(2√2) = 0.354 stable, and no others.",
+        argument: "h = 2 ms: timeconst 1, 2 and 3 ms have the k and b of 4 ms, in rationals. At timeconst = 2h, s = hω₀ = 1/(2ζ), which is \
+            below the bound 2(√(1+ζ²) − ζ) iff ζ² > 1/8: decided at ζ = 36/100 and 35/100. MuJoCo 3.17 itself, a ball of 1 kg released 1 \
+            mm above the floor at timeconst = 2h and constant impedance, is calm with dampratio 0.4 and thrown 43 mm high and more with \
+            0.35, 9 m with 0.2.",
         control: "The limit 2h taken away.",
         sources: &[STABILITY, REFSAFE],
         check: enforced,
     },
     Claim {
         id: "S6.timeconst-lt-2h-unstable",
-        statement: "If timeconst < 2h, the discrete spring and damper oscillates unstably: the contact force switches between pressing and releasing at high frequency.",
+        statement: "If timeconst < 2h, the discrete spring and damper oscillates unstably: the contact force switches between pressing and \
+            releasing at high frequency.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "At the default ζ = 1 it is stable for timeconst > (1+√2)h/2 = 1.2071 h. Below 2h one eigenvalue is negative: a component that changes its sign every step and decays. Between 1.25h and 1.5h a contact, which cannot pull, starts to chatter.",
-        argument: "w = h/timeconst: z² − (2 − 2w − w²)z + (1 − 2w) = 0. The determinant is 0 at 2h and negative below; decided in rationals: decay at 1.9h, 1.5h, 1.25h, growth at 1.2h, and both sides of 1.2071h. Spectral radius 0.69906 at 1.5h. Replayed contact: at rest with 1.5h, thrown up again and again with 1.2h.",
+        correct_statement: "At the default ζ = 1 it is stable for timeconst > (1+√2)h/2 = 1.2071 h. Below 2h one eigenvalue is negative: a \
+            component that changes its sign every step and decays. Between 1.25h and 1.5h a contact, which cannot pull, starts to chatter.",
+        argument: "w = h/timeconst: z² − (2 − 2w − w²)z + (1 − 2w) = 0. The determinant is 0 at 2h and negative below; decided in \
+            rationals: decay at 1.9h, 1.5h, 1.25h, growth at 1.2h, and both sides of 1.2071h. Spectral radius 0.69906 at 1.5h. Replayed \
+            contact: at rest with 1.5h, thrown up again and again with 1.2h.",
         control: "timeconst = 1.2h in place of 1.9h.",
         sources: &[STABILITY],
         check: stability,
@@ -46,7 +54,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "For dampratio 1. Since ω₀ = 1/(timeconst · dampratio), timeconst < 2h means ω₀ > 1/(2h · dampratio).",
-        argument: "h = 1: timeconst = 3, dampratio 1/2: ω₀ = 2/3 > 1/2 although timeconst ≥ 2h; timeconst = 1, dampratio 4: ω₀ = 1/4 < 1/2 although timeconst < 2h. With dampratio 1, timeconst 199/100 and 201/100 lie on the two sides.",
+        argument: "h = 1: timeconst = 3, dampratio 1/2: ω₀ = 2/3 > 1/2 although timeconst ≥ 2h; timeconst = 1, dampratio 4: ω₀ = 1/4 < 1/2 \
+            although timeconst < 2h. With dampratio 1, timeconst 199/100 and 201/100 lie on the two sides.",
         control: "dampratio 1 in place of 1/2.",
         sources: &[STABILITY],
         check: faster_than_the_step,
@@ -56,8 +65,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "timeconst ≥ 2h guarantees that each period of the constraint is resolved by at least a few steps.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "The undamped period 2π/ω₀ has 2π ζ timeconst/h ≥ 4πζ steps: 12.6 at ζ = 1, 1.26 at ζ = 1/10, where the rule does not prevent divergence (S6.timeconst-2h-doc).",
-        argument: "h ω₀ = 1/(2ζ) at timeconst = 2h, in rationals from the coefficients: 1/2 at ζ = 1, 5 at ζ = 1/10; three steps per period need hω₀ < 2π/3 < 21/10.",
+        correct_statement: "The undamped period 2π/ω₀ has 2π ζ timeconst/h ≥ 4πζ steps: 12.6 at ζ = 1, 1.26 at ζ = 1/10, where the rule \
+            does not prevent divergence (S6.timeconst-2h-doc).",
+        argument: "h ω₀ = 1/(2ζ) at timeconst = 2h, in rationals from the coefficients: 1/2 at ζ = 1, 5 at ζ = 1/10; three steps per \
+            period need hω₀ < 2π/3 < 21/10.",
         control: "ζ = 1 in place of 1/10.",
         sources: &[STABILITY],
         check: period,
@@ -75,11 +86,14 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S6.stiff-needs-small-h",
-        statement: "Setting timeconst extremely small against penetration makes the simulation explode or jitter violently unless the step shrinks too.",
+        statement: "Setting timeconst extremely small against penetration makes the simulation explode or jitter violently unless the step \
+            shrinks too.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "Without the limit of refsafe, or in the direct form. By default MuJoCo raises timeconst to 2h: a smaller one changes nothing, neither stability nor depth.",
-        argument: "Ball of 1 kg dropped from 1 mm on the replayed contact, h = 1 ms, constant impedance: timeconst = h/2 throws it higher than it fell from without the limit; with the limit the depths at timeconst = h/2, h and 2h are the same.",
+        correct_statement: "Without the limit of refsafe, or in the direct form. By default MuJoCo raises timeconst to 2h: a smaller one \
+            changes nothing, neither stability nor depth.",
+        argument: "Ball of 1 kg dropped from 1 mm on the replayed contact, h = 1 ms, constant impedance: timeconst = h/2 throws it higher \
+            than it fell from without the limit; with the limit the depths at timeconst = h/2, h and 2h are the same.",
         control: "The limited contact in the place of the unlimited one.",
         sources: &["chapter §6, pitfall on stiffness", REFSAFE],
         check: stiff,
@@ -89,7 +103,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Exercise: what happens numerically when timeconst is reduced to 2 ms, equal to the step?",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "By default nothing, for it counts as 4 ms. Without refsafe a two-sided row oscillates with alternating sign and grows by the golden ratio, 1.618, every step; a contact is thrown up.",
+        correct_statement: "By default nothing, for it counts as 4 ms. Without refsafe a two-sided row oscillates with alternating sign \
+            and grows by the golden ratio, 1.618, every step; a contact is thrown up.",
         argument: "w = 1, ζ = 1: trace −1, determinant −1, z² + z − 1 = 0, z = −(1+√5)/2.",
         control: "timeconst 4 ms.",
         sources: &["chapter §6, exercise 2", REFSAFE],

@@ -15,44 +15,57 @@ use crate::tolerance::claims::impact::SIX_DECIMALS;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.ex1",
-        statement: "Exercise 1: two balls in central impact under Newton's law and conservation of momentum have ΔE = −½(1 − e²) μ₁₂ (v₁ − v₂)², μ₁₂ = m₁m₂/(m₁ + m₂).",
+        statement: "Exercise 1: two balls in central impact under Newton's law and conservation of momentum have ΔE = −½(1 − e²) μ₁₂ (v₁ − \
+            v₂)², μ₁₂ = m₁m₂/(m₁ + m₂).",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; v₁⁺ = (m₁v₁ + m₂v₂ − e m₂(v₁ − v₂))/(m₁ + m₂) and v₂⁺ = (m₁v₁ + m₂v₂ + e m₁(v₁ − v₂))/(m₁ + m₂).",
-        argument: "W = 1/μ₁₂ and U⁻ = v₂ − v₁ in Moreau's law give the impulse and the energy of the formula, in rationals, for masses 2/7, 1, 5 and e = 0, 1/3, 1.",
+        argument: "W = 1/μ₁₂ and U⁻ = v₂ − v₁ in Moreau's law give the impulse and the energy of the formula, in rationals, for masses \
+            2/7, 1, 5 and e = 0, 1/3, 1.",
         control: "1 − e in the place of 1 − e².",
         sources: &["chapter §7, exercise 1"],
         check: two_balls,
     },
     Claim {
         id: "S7.ex2",
-        statement: "Exercise 2: find a counterexample like Kane's, for instance a rod that hits two fixed points at once; why may Newton's law with e = 1 at each point increase the total kinetic energy?",
+        statement: "Exercise 2: find a counterexample like Kane's, for instance a rod that hits two fixed points at once; why may Newton's \
+            law with e = 1 at each point increase the total kinetic energy?",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "It cannot in this example: without friction U⁺ = −U⁻ at both points conserves energy, whatever the coupling. A gain needs unequal coefficients with a separating end, friction, or impulses computed as if each point were alone.",
-        argument: "Rod of 1 kg and 2 m, supports at ±1, ±1/2, ±1/4 m, three pairs of velocities: ΔT = 0 under Newton's law, with U⁻ ≤ 0 under Poisson's and always under Moreau's. Supports at ±1/4 m, uncoupled impulses: P = (32/19, 32/19) gains 832/361 J.",
+        correct_statement: "It cannot in this example: without friction U⁺ = −U⁻ at both points conserves energy, whatever the coupling. A \
+            gain needs unequal coefficients with a separating end, friction, or impulses computed as if each point were alone.",
+        argument: "Rod of 1 kg and 2 m, supports at ±1, ±1/2, ±1/4 m, three pairs of velocities: ΔT = 0 under Newton's law, with U⁻ ≤ 0 \
+            under Poisson's and always under Moreau's. Supports at ±1/4 m, uncoupled impulses: P = (32/19, 32/19) gains 832/361 J.",
         control: "Uncoupled impulses.",
         sources: &["chapter §7, exercise 2"],
         check: rod_on_two_points,
     },
     Claim {
         id: "S7.ex3",
-        statement: "Exercise 3: expand −P ∈ N_{T_C}(v⁺ + e v⁻) for v⁻ ≈ 0 and for v⁻ < 0; it becomes v⁺ ≥ 0 with resting contact, and v⁺ = −e v⁻.",
+        statement: "Exercise 3: expand −P ∈ N_{T_C}(v⁺ + e v⁻) for v⁻ ≈ 0 and for v⁻ < 0; it becomes v⁺ ≥ 0 with resting contact, and v⁺ = \
+            −e v⁻.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated, for one contact and a velocity change by P alone: 0 ≤ v⁺ + e v⁻ ⟂ P ≥ 0.",
-        argument: "W = 2. v⁻ = 0: v⁺ = 0 and P = 0. v⁻ = −1, e = 1/2: P = 3/4, v⁺ = 1/2. For small v⁻ = −1/1000 the same formula gives 1/2000: it tends to the resting case.",
+        argument: "W = 2. v⁻ = 0: v⁺ = 0 and P = 0. v⁻ = −1, e = 1/2: P = 3/4, v⁺ = 1/2. For small v⁻ = −1/1000 the same formula gives \
+            1/2000: it tends to the resting case.",
         control: "e = 0 in the second case.",
         sources: &["chapter §7, exercise 3"],
         check: two_cases,
     },
     Claim {
         id: "S7.routh",
-        statement: "With friction the compression impulse couples through W into the tangential direction, so that the end of compression is not tied to the velocity ratio.",
+        statement: "With friction the compression impulse couples through W into the tangential direction, so that the end of compression \
+            is not tied to the velocity ratio.",
         verdict: Verdict::True,
         evidence: Evidence::Certified,
-        correct_statement: "As stated, and solvable in closed form for one planar contact: the slip stops at P_s = |U_t|/(μW_tt − sW_nt), then sticks if μ ≥ |W_nt|/W_tt and turns round otherwise; Newton, Poisson and Stronge end at different points of one path of at most two straight pieces.",
-        argument: "The rod, e = 1. μ = 1 sticks: P = (41/40, 3/8) and (4/5, 6/25) under Newton and Poisson, p_c = 2/5, so that the velocity ratio 1 is the impulse ratio 25/16. μ = 1/2 turns round: (368/385, 20/77) and (296/385, 64/385), ΔT = +0.053972, −0.087381, −0.055264 (Stronge). With W_nt > 0 it slides on and the laws agree: (8/7, −4/7). Each from the path and from the formulas by regime.",
+        correct_statement: "As stated, and solvable in closed form for one planar contact: the slip stops at P_s = |U_t|/(μW_tt − sW_nt), \
+            then sticks if μ ≥ |W_nt|/W_tt and turns round otherwise; Newton, Poisson and Stronge end at different points of one path of \
+            at most two straight pieces.",
+        argument: "The rod, e = 1. μ = 1 sticks: P = (41/40, 3/8) and (4/5, 6/25) under Newton and Poisson, p_c = 2/5, so that the \
+            velocity ratio 1 is the impulse ratio 25/16. μ = 1/2 turns round: (368/385, 20/77) and (296/385, 64/385), ΔT = +0.053972, \
+            −0.087381, −0.055264 (Stronge). With W_nt > 0 it slides on and the laws agree: (8/7, −4/7). Each from the path and from the \
+            formulas by regime.",
         control: "The rod without friction, where the velocity ratio 1 is the impulse ratio 1.",
         sources: &["chapter §7, comparison of Poisson and Newton", "Routh 1905; Wang and Mason, J. Appl. Mech. 59 (1992) 635"],
         check: routh,

@@ -14,11 +14,15 @@ use nalgebra::{DMatrix, DVector};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.kane-multi",
-        statement: "Kane's counterexample: in some collisions of several bodies, Newton's law applied independently at every contact increases the total kinetic energy.",
+        statement: "Kane's counterexample: in some collisions of several bodies, Newton's law applied independently at every contact \
+            increases the total kinetic energy.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Yes with friction, with unequal coefficients, or if each impulse is computed as if its contact were alone. Not without friction for one e and the coupled problem: ΔT = −½(1 − e²)U⁻ᵀW⁻¹U⁻ ≤ 0, and e = 1 conserves exactly.",
-        argument: "W = (2, 1; 1, 2): e = 1 and U⁻ = (−1, −1) with uncoupled impulses P = (1, 1) gains 1 J; e = (1, 0) and U⁻ = (−1, −1/2), reversed together, gains 1/12 J. One contact with friction gains 9/80 J. No gain in 35 coupled frictionless impacts with e = 1.",
+        correct_statement: "Yes with friction, with unequal coefficients, or if each impulse is computed as if its contact were alone. Not \
+            without friction for one e and the coupled problem: ΔT = −½(1 − e²)U⁻ᵀW⁻¹U⁻ ≤ 0, and e = 1 conserves exactly.",
+        argument: "W = (2, 1; 1, 2): e = 1 and U⁻ = (−1, −1) with uncoupled impulses P = (1, 1) gains 1 J; e = (1, 0) and U⁻ = (−1, −1/2), \
+            reversed together, gains 1/12 J. One contact with friction gains 9/80 J. No gain in 35 coupled frictionless impacts with e = \
+            1.",
         control: "Uncoupled impulses in the coupled problem's place.",
         sources: &["chapter §7, the energy trap of Newton's law", "Kane and Levinson, Dynamics: Theory and Applications (1985)"],
         check: several_contacts,
@@ -28,30 +32,43 @@ pub const CLAIMS: &[Claim] = &[
         statement: "With friction, Newton's law gets into trouble: some impact laws create energy.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, and one contact is enough. The rod at 45° with μ = 1, U⁻ = (−1, 3/5) has ΔT(e) = (e² − 16/25)/(16/5): a gain for e > 4/5.",
-        argument: "At e = 1 P = (41/40, 3/8), U⁺ = (1, 0), T from 1/5 to 5/16. ΔT = 9/80, 17/320, 0, −39/320, −1/5 for e = 1, 9/10, 4/5, 1/2, 0. The end sticks in compression, then rebounds from a body that turns: the normal velocity at the sticking end costs less energy to make than friction and compression left unspent.",
+        correct_statement: "As stated, and one contact is enough. The rod at 45° with μ = 1, U⁻ = (−1, 3/5) has ΔT(e) = (e² − \
+            16/25)/(16/5): a gain for e > 4/5.",
+        argument: "At e = 1 P = (41/40, 3/8), U⁺ = (1, 0), T from 1/5 to 5/16. ΔT = 9/80, 17/320, 0, −39/320, −1/5 for e = 1, 9/10, 4/5, \
+            1/2, 0. The end sticks in compression, then rebounds from a body that turns: the normal velocity at the sticking end costs \
+            less energy to make than friction and compression left unspent.",
         control: "Poisson's law in Newton's place.",
         sources: &["chapter §7, the energy trap of Newton's law", "Stronge, J. Appl. Mech. 58 (1991) 1049"],
         check: friction,
     },
     Claim {
         id: "S7.kane-double-pendulum",
-        statement: "Kane's counterexample is a real mechanism: a double pendulum whose tip hits the ground gains energy under Newton's law with friction.",
+        statement: "Kane's counterexample is a real mechanism: a double pendulum whose tip hits the ground gains energy under Newton's law \
+            with friction.",
         verdict: Verdict::True,
         evidence: Evidence::Certified,
-        correct_statement: "As stated, for uniform rods of equal mass and length at 20° and 30° and ω = (−0.1, −0.2) rad/s (masses and lengths are a choice made here): ΔT/T = +0.298 with μ = 0.5, e = 0.9, and +2.11 with μ = e = 0.7. Poisson's and Stronge's laws lose energy.",
-        argument: "Routh's path with W = (1.009560, 1.521309, 2.440338): sticking needs μ ≥ 0.6234. μ = 0.5, e = 0.9: ΔT/T = +0.29808, −0.40076, −0.34191 (Newton, Poisson, Stronge); μ = e = 0.7: +2.11149, −0.46146, −0.42922. The same in rationals at sin θ = 12/37, 8/17: Newton gains, Poisson does not.",
+        correct_statement: "As stated, for uniform rods of equal mass and length at 20° and 30° and ω = (−0.1, −0.2) rad/s (masses and \
+            lengths are a choice made here): ΔT/T = +0.298 with μ = 0.5, e = 0.9, and +2.11 with μ = e = 0.7. Poisson's and Stronge's laws \
+            lose energy.",
+        argument: "Routh's path with W = (1.009560, 1.521309, 2.440338): sticking needs μ ≥ 0.6234. μ = 0.5, e = 0.9: ΔT/T = +0.29808, \
+            −0.40076, −0.34191 (Newton, Poisson, Stronge); μ = e = 0.7: +2.11149, −0.46146, −0.42922. The same in rationals at sin θ = \
+            12/37, 8/17: Newton gains, Poisson does not.",
         control: "Poisson's law in Newton's place.",
         sources: &["chapter §7, Kane's counterexample (named only)", "Kane and Levinson 1985 for the mechanism; their table was not found"],
         check: pendulum,
     },
     Claim {
         id: "S7.kane-different-e",
-        statement: "The cause: Newton's law prescribes velocity ratios, and since rigid bodies couple the contact velocities, prescribing them independently over-constrains the motion or injects energy.",
+        statement: "The cause: Newton's law prescribes velocity ratios, and since rigid bodies couple the contact velocities, prescribing \
+            them independently over-constrains the motion or injects energy.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Coupling alone does neither: a singular W over-constrains, and unequal coefficients inject energy if a separating contact receives an impulse or an impulse pulls. With P ≥ 0 and every contact approaching, ΔT = ½Σ(1 − e_i)P_iU_i⁻ ≤ 0 for any coefficients.",
-        argument: "Rod above supports at its ends, e = (1, 0), U⁻ = (−1, 1/2): P = (7/6, 1/3), U⁺ = (1, 0), T from 1/4 to 1/3. Supports near the middle, U⁻ = (−1, −1/2), all reversed: P = (7/6, −1/3), again +1/12. With P ≥ 0 and U⁻ ≤ 0 none of 60 impacts gains. W = (1, 1; 1, 1) with e = (1, 0): no solution.",
+        correct_statement: "Coupling alone does neither: a singular W over-constrains, and unequal coefficients inject energy if a \
+            separating contact receives an impulse or an impulse pulls. With P ≥ 0 and every contact approaching, ΔT = ½Σ(1 − e_i)P_iU_i⁻ \
+            ≤ 0 for any coefficients.",
+        argument: "Rod above supports at its ends, e = (1, 0), U⁻ = (−1, 1/2): P = (7/6, 1/3), U⁺ = (1, 0), T from 1/4 to 1/3. Supports \
+            near the middle, U⁻ = (−1, −1/2), all reversed: P = (7/6, −1/3), again +1/12. With P ≥ 0 and U⁻ ≤ 0 none of 60 impacts gains. \
+            W = (1, 1; 1, 1) with e = (1, 0): no solution.",
         control: "Equal coefficients.",
         sources: &["chapter §7, the energy trap of Newton's law"],
         check: unequal_coefficients,

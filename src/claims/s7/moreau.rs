@@ -15,63 +15,81 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Moreau: −P ∈ N_{T_C}(v⁺ + e v⁻); its normal component gives v_n⁺ = −e v_n⁻, as Newton.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "v_n⁺ = −e v_n⁻ where P > 0, v_n⁺ ≥ −e v_n⁻ elsewhere. A contact that separated before may so leave into the ground.",
-        argument: "0 ≤ U⁺ + eU⁻ ⟂ P ≥ 0. W = (2, 1; 1, 2), e = 1/2, U⁻ = (−1, −1/4): P = (3/4, 0), U⁺ = (1/2, 1/2), and −eU₂⁻ = 1/8. W = (2, −1; −1, 2), e = 1, U⁻ = (−1, 1/2): U⁺ = (1, −1/2) approaches, and no impulse acts there.",
+        correct_statement: "v_n⁺ = −e v_n⁻ where P > 0, v_n⁺ ≥ −e v_n⁻ elsewhere. A contact that separated before may so leave into the \
+            ground.",
+        argument: "0 ≤ U⁺ + eU⁻ ⟂ P ≥ 0. W = (2, 1; 1, 2), e = 1/2, U⁻ = (−1, −1/4): P = (3/4, 0), U⁺ = (1/2, 1/2), and −eU₂⁻ = 1/8. W = \
+            (2, −1; −1, 2), e = 1, U⁻ = (−1, 1/2): U⁺ = (1, −1/2) approaches, and no impulse acts there.",
         control: "The contact without impulse in the place of the one with.",
         sources: &["chapter §7, Moreau's law"],
         check: definition,
     },
     Claim {
         id: "S7.moreau-dissipative",
-        statement: "Moreau's law, restitution on the normal component and Coulomb friction in the same inclusion, dissipates friction automatically.",
+        statement: "Moreau's law, restitution on the normal component and Coulomb friction in the same inclusion, dissipates friction \
+            automatically.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "With e on the normal component it can gain energy, as Newton's law: it is Newton's law wherever the slip does not turn round. With the whole vector v⁺ + e v⁻, and for e = 0, it never gains: ΔT = PᵀŪ/(1+e) − ½(1−e)/(1+e) PᵀWP with PᵀŪ ≤ 0.",
-        argument: "The rod, μ = 1: ΔT = 9/80, 17/320, 0, −39/320 for e = 1, 9/10, 4/5, 1/2 with e on the normal component; 0 and −3/20 for e = 1 and 1/2 with the whole vector, which gains in none of 150 planar impacts. Where the slip turns round it differs from Newton's law along Routh's path: μ = 1/2 sticks, P = (41/40, 3/8), +9/80, where Routh's path gives (368/385, 20/77).",
+        correct_statement: "With e on the normal component it can gain energy, as Newton's law: it is Newton's law wherever the slip does \
+            not turn round. With the whole vector v⁺ + e v⁻, and for e = 0, it never gains: ΔT = PᵀŪ/(1+e) − ½(1−e)/(1+e) PᵀWP with PᵀŪ ≤ \
+            0.",
+        argument: "The rod, μ = 1: ΔT = 9/80, 17/320, 0, −39/320 for e = 1, 9/10, 4/5, 1/2 with e on the normal component; 0 and −3/20 for \
+            e = 1 and 1/2 with the whole vector, which gains in none of 150 planar impacts. Where the slip turns round it differs from \
+            Newton's law along Routh's path: μ = 1/2 sticks, P = (41/40, 3/8), +9/80, where Routh's path gives (368/385, 20/77).",
         control: "The whole vector in the place of the normal component.",
         sources: &["chapter §7, table of impact laws; the chapter's table of symbols for U, the pitfall on tangential restitution for e_t"],
         check: automatic_dissipation,
     },
     Claim {
         id: "S7.moreau-no-split",
-        statement: "One formula covers collision and resting contact: for v⁻ ≈ 0 the argument v⁺ + e v⁻ demands v⁺ ≥ 0, for v⁻ < 0 it enforces v⁺ = −e v⁻; no case distinction.",
+        statement: "One formula covers collision and resting contact: for v⁻ ≈ 0 the argument v⁺ + e v⁻ demands v⁺ ≥ 0, for v⁻ < 0 it \
+            enforces v⁺ = −e v⁻; no case distinction.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "For v⁻ ≤ 0. A contact that is active and separates, v⁻ > 0, may be left with v⁺ down to −e v⁻: into the ground.",
-        argument: "A ball of 1 kg, e = 1/2: v = 0, g h = 1/10: v⁺ = 0, P = 1/10. v = −1 without load: v⁺ = 1/2. v = 1 at zero gap with g h = 13/10: v_free = −3/10, v_free + e v = 1/5 > 0, so P = 0 and v⁺ = −3/10.",
+        correct_statement: "For v⁻ ≤ 0. A contact that is active and separates, v⁻ > 0, may be left with v⁺ down to −e v⁻: into the \
+            ground.",
+        argument: "A ball of 1 kg, e = 1/2: v = 0, g h = 1/10: v⁺ = 0, P = 1/10. v = −1 without load: v⁺ = 1/2. v = 1 at zero gap with g h \
+            = 13/10: v_free = −3/10, v_free + e v = 1/5 > 0, so P = 0 and v⁺ = −3/10.",
         control: "The last step with e = 0.",
         sources: &["chapter §7, the meaning of Moreau's choice"],
         check: no_distinction,
     },
     Claim {
         id: "S7.atom",
-        statement: "In a collision P takes the value of an atom of the impulse measure; in resting contact it is the ordinary force times the step.",
+        statement: "In a collision P takes the value of an atom of the impulse measure; in resting contact it is the ordinary force times \
+            the step.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated: P/h → ∞ in one case and P/h = m g in the other.",
-        argument: "Ball of 1 kg, g = 10, e = 1/2. Resting: P/h = 10 N for h = 1/10, 1/100, 1/1000 s. Arriving at −1 m/s: P = 3/2 + 10 h, which tends to (1 + e) m|v⁻|.",
+        argument: "Ball of 1 kg, g = 10, e = 1/2. Resting: P/h = 10 N for h = 1/10, 1/100, 1/1000 s. Arriving at −1 m/s: P = 3/2 + 10 h, \
+            which tends to (1 + e) m|v⁻|.",
         control: "The resting contact read as an atom.",
         sources: &["chapter §7, the meaning of Moreau's choice"],
         check: atom,
     },
     Claim {
         id: "S7.no-tangential-restitution",
-        statement: "Tangential motion belongs to friction; forcing a tangential coefficient of restitution on it conflicts with the friction cone and may gain energy.",
+        statement: "Tangential motion belongs to friction; forcing a tangential coefficient of restitution on it conflicts with the \
+            friction cone and may gain energy.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "It may gain energy for e_t < e_n, and most at e_t = 0, which is what the chapter recommends; e_t = e_n never gains. There is no conflict with the cone: the law is posed with it.",
-        argument: "The rod, μ = 1, e_n = 1: ΔT = 9/80, 9/320, 0 for e_t = 0, 1/2, 1, with P = (41/40, 3/8), (73/80, 3/16), (4/5, 0), all inside the cone. Of 150 planar impacts with e_t = e_n none gains.",
+        correct_statement: "It may gain energy for e_t < e_n, and most at e_t = 0, which is what the chapter recommends; e_t = e_n never \
+            gains. There is no conflict with the cone: the law is posed with it.",
+        argument: "The rod, μ = 1, e_n = 1: ΔT = 9/80, 9/320, 0 for e_t = 0, 1/2, 1, with P = (41/40, 3/8), (73/80, 3/16), (4/5, 0), all \
+            inside the cone. Of 150 planar impacts with e_t = e_n none gains.",
         control: "e_t = 1 expected to gain.",
         sources: &["chapter §7, pitfall on tangential restitution"],
         check: tangential_coefficient,
     },
     Claim {
         id: "S7.friction-bound",
-        statement: "In a collision the tangential impulse is bounded by the normal one, ‖β‖ ≤ μP_n, and its direction is set by the sliding.",
+        statement: "In a collision the tangential impulse is bounded by the normal one, ‖β‖ ≤ μP_n, and its direction is set by the \
+            sliding.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "The bound holds. The direction is that against the sliding at every instant, not against the sliding before the collision: once the end sticks, coupling sets it.",
-        argument: "The rod, μ = 1, e = 1: P_t = +3/8 while the end slid at +3/5. With W_nt = +3/2 and μ = 1/2 the slip never stops, and P_t = −4/7.",
+        correct_statement: "The bound holds. The direction is that against the sliding at every instant, not against the sliding before \
+            the collision: once the end sticks, coupling sets it.",
+        argument: "The rod, μ = 1, e = 1: P_t = +3/8 while the end slid at +3/5. With W_nt = +3/2 and μ = 1/2 the slip never stops, and \
+            P_t = −4/7.",
         control: "The rod whose slip never stops.",
         sources: &["chapter §7, pitfall on tangential restitution"],
         check: bound_and_direction,

@@ -11,10 +11,12 @@ use crate::scalar::{Rational, ratio};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.newton-single",
-        statement: "The naive law v_n⁺ = −e v_n⁻ is fine for one contact point; it goes wrong when several points collide at once or when there is friction.",
+        statement: "The naive law v_n⁺ = −e v_n⁻ is fine for one contact point; it goes wrong when several points collide at once or when \
+            there is friction.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Fine for one contact without friction: ΔT = −½(1 − e²)(U⁻)²/W. With friction one contact is enough to gain energy.",
+        correct_statement: "Fine for one contact without friction: ΔT = −½(1 − e²)(U⁻)²/W. With friction one contact is enough to gain \
+            energy.",
         argument: "W = 2, U⁻ = −1: ΔT = 0 at e = 1 and −3/16 at e = 1/2. One contact of a rod, μ = 1, e = 1: ΔT = +9/80.",
         control: "The rod with friction as the one contact.",
         sources: &["chapter §7, the energy trap of Newton's law"],
@@ -22,11 +24,14 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S7.four-generations",
-        statement: "Four generations, Newton (17th century), Poisson (19th), Stronge (1990s, mending Kane's counterexample), Moreau (1980s), are not replacements of one another but corrections of different defects.",
+        statement: "Four generations, Newton (17th century), Poisson (19th), Stronge (1990s, mending Kane's counterexample), Moreau \
+            (1980s), are not replacements of one another but corrections of different defects.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Cited,
-        correct_statement: "The four laws are different laws. As a chronology Moreau stands before Stronge, and energetic restitution was published in 1990 for friction that turns round or stops.",
-        argument: "The rod with μ = 1 and e = 1 has four different outcomes: P_n = 41/40 (Newton), 4/5 with P_t = 6/25 (Poisson), 4/5 with P_t = 0 (Moreau, full vector), and U_n⁺² = 62/125 (Stronge). Dates as cited, not checked.",
+        correct_statement: "The four laws are different laws. As a chronology Moreau stands before Stronge, and energetic restitution was \
+            published in 1990 for friction that turns round or stops.",
+        argument: "The rod with μ = 1 and e = 1 has four different outcomes: P_n = 41/40 (Newton), 4/5 with P_t = 6/25 (Poisson), 4/5 with \
+            P_t = 0 (Moreau, full vector), and U_n⁺² = 62/125 (Stronge). Dates as cited, not checked.",
         control: "The rod without friction, where the four agree.",
         sources: &["chapter §7, history", "Stronge, Proc. R. Soc. A 431 (1990), and J. Appl. Mech. 58 (1991) 1049 (titles and dates only)"],
         check: four_laws,
@@ -36,8 +41,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Newton: e = 1 conserves energy, e < 1 dissipates; with several bodies it may gain energy (Kane).",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Without friction and with one e for all contacts, solved together: ΔT = −½(1 − e²)U⁻ᵀW⁻¹U⁻, for any number of bodies. A gain needs friction, unequal coefficients, or impulses computed contact by contact.",
-        argument: "The identity holds exactly for 35 impacts of two coupled contacts and e = 0, 1/2, 1. One contact with friction gains +17/320 at e = 9/10.",
+        correct_statement: "Without friction and with one e for all contacts, solved together: ΔT = −½(1 − e²)U⁻ᵀW⁻¹U⁻, for any number of \
+            bodies. A gain needs friction, unequal coefficients, or impulses computed contact by contact.",
+        argument: "The identity holds exactly for 35 impacts of two coupled contacts and e = 0, 1/2, 1. One contact with friction gains \
+            +17/320 at e = 9/10.",
         control: "The identity expected of the rod with friction.",
         sources: &["chapter §7, table of impact laws"],
         check: table,
@@ -48,7 +55,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Without friction. With friction a rebound lengthens the rubbing, and e = 1 may take most.",
-        argument: "Without friction ΔT ∝ −(1 − e²). A particle of 1 kg with U⁻ = (−1, 10), μ = 1/2: ΔT = −43/8, −243/32, −19/2 for e = 0, 1/2, 1.",
+        argument: "Without friction ΔT ∝ −(1 − e²). A particle of 1 kg with U⁻ = (−1, 10), μ = 1/2: ΔT = −43/8, −243/32, −19/2 for e = 0, \
+            1/2, 1.",
         control: "The particle with friction.",
         sources: &["chapter §7, Newton's law"],
         check: most_dissipative,
@@ -58,7 +66,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Newton's law is the most intuitive, and the most accurate for single points.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::NotDecidable,
-        correct_statement: "Intuition cannot be checked, and accuracy would be a matter of measured collisions. What can be decided: for one contact without friction all four laws are the same law, so none is more accurate.",
+        correct_statement: "Intuition cannot be checked, and accuracy would be a matter of measured collisions. What can be decided: for \
+            one contact without friction all four laws are the same law, so none is more accurate.",
         argument: "W = 2, U⁻ = −1, e = 1/2: P = 3/4 under Newton, Poisson and Moreau; Stronge ends at U_n⁺² = 1/4 as well.",
         control: "The rod with friction, where they differ.",
         sources: &["chapter §7, Newton's law"],

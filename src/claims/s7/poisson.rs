@@ -11,22 +11,30 @@ use crate::scalar::{Rational, ratio};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.poisson-def",
-        statement: "Poisson: a compression phase from v⁻ to zero relative velocity with the impulse P_c, then a restitution phase with P_r = e P_c.",
+        statement: "Poisson: a compression phase from v⁻ to zero relative velocity with the impulse P_c, then a restitution phase with P_r \
+            = e P_c.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Well defined for one contact: with a positive definite W compression always ends, even if the contact is driven down at first. With several contacts both phases are complementarity problems, and a contact may take more than e P_c.",
-        argument: "W = (2, 4; 4, 9), U⁻ = (−1, 1), μ = 1: U_n falls to −7/5 while the slip lasts, then compression ends at p_c = 13/2. Two contacts, W = (2, −1; −1, 2), U⁻ = (−1, −1/2), e = (1, 0): P_c = (5/6, 2/3), but the second takes 5/12 in restitution instead of 0, else it would be driven into the ground.",
+        correct_statement: "Well defined for one contact: with a positive definite W compression always ends, even if the contact is \
+            driven down at first. With several contacts both phases are complementarity problems, and a contact may take more than e P_c.",
+        argument: "W = (2, 4; 4, 9), U⁻ = (−1, 1), μ = 1: U_n falls to −7/5 while the slip lasts, then compression ends at p_c = 13/2. Two \
+            contacts, W = (2, −1; −1, 2), U⁻ = (−1, −1/2), e = (1, 0): P_c = (5/6, 2/3), but the second takes 5/12 in restitution instead \
+            of 0, else it would be driven into the ground.",
         control: "P_r = e P_c at every contact.",
         sources: &["chapter §7, Poisson's law", "Pfeiffer and Glocker, Multibody Dynamics with Unilateral Contacts (1996)"],
         check: definition,
     },
     Claim {
         id: "S7.poisson-conserved",
-        statement: "Poisson's law constrains the impulse, a conserved quantity, instead of the velocity; that is why it is more consistent in energy.",
+        statement: "Poisson's law constrains the impulse, a conserved quantity, instead of the velocity; that is why it is more consistent \
+            in energy.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "A contact impulse is not conserved: it is what the contact hands over, and total momentum is kept under every law. Prescribing impulse ratios does not by itself prevent a gain: Newton's outcome is also one of a prescribed ratio. The reason is that dT/dP_n is concave along the path and negative at the end of compression (S7.poisson-better).",
-        argument: "The rod with μ = 1: p_c = 2/5, and Newton's e = 1 is the impulse ratio 25/16, which gains 9/80 J; the ratio 1 loses 9/125 J. Three balls keep their momentum under Newton's law as under Poisson's.",
+        correct_statement: "A contact impulse is not conserved: it is what the contact hands over, and total momentum is kept under every \
+            law. Prescribing impulse ratios does not by itself prevent a gain: Newton's outcome is also one of a prescribed ratio. The \
+            reason is that dT/dP_n is concave along the path and negative at the end of compression (S7.poisson-better).",
+        argument: "The rod with μ = 1: p_c = 2/5, and Newton's e = 1 is the impulse ratio 25/16, which gains 9/80 J; the ratio 1 loses \
+            9/125 J. Three balls keep their momentum under Newton's law as under Poisson's.",
         control: "The impulse ratio 1 in the place of 25/16.",
         sources: &["chapter §7, Poisson's law and its comparison with Newton's"],
         check: conserved,
@@ -36,8 +44,14 @@ pub const CLAIMS: &[Claim] = &[
         statement: "With friction and several bodies Poisson's law is more consistent in energy than Newton's.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "One contact with friction never gains for e ≤ 1, nor do any number of frictionless contacts with any coefficients. Two contacts with friction and unequal coefficients may gain; for equal ones this is not decided here.",
-        argument: "One contact: g = dT/dp = U_n − μ|U_t| is concave along Routh's path and at most 0 at p_c, so its mean over (0, (1+e)p_c) is at most g((1+e)p_c/2) ≤ 0. Frictionless: the end minimises the kinetic energy over P_r ≥ e P_c, and P_r = P_c, which undoes compression, is allowed. Of 150 planar impacts with e = 1 Poisson gains in none, Newton in some; the rod: −9/125 against +9/80. Of 140 frictionless ones with four pairs of coefficients none gains. Two rough contacts, W = (3, 1, 0, −3; 1, 2, −1, 0; 0, −1, 3, −1; −3, 0, −1, 4), U⁻ = (−1, 0, −1, 1), μ = 1, e = (1, 0): P_c = (4, −1, 2, 2)/5, P_r = (4, −2, 0, 0)/5, T from 1/2 to 43/50.",
+        correct_statement: "One contact with friction never gains for e ≤ 1, nor do any number of frictionless contacts with any \
+            coefficients. Two contacts with friction and unequal coefficients may gain; for equal ones this is not decided here.",
+        argument: "One contact: g = dT/dp = U_n − μ|U_t| is concave along Routh's path and at most 0 at p_c, so its mean over (0, \
+            (1+e)p_c) is at most g((1+e)p_c/2) ≤ 0. Frictionless: the end minimises the kinetic energy over P_r ≥ e P_c, and P_r = P_c, \
+            which undoes compression, is allowed. Of 150 planar impacts with e = 1 Poisson gains in none, Newton in some; the rod: −9/125 \
+            against +9/80. Of 140 frictionless ones with four pairs of coefficients none gains. Two rough contacts, W = (3, 1, 0, −3; 1, \
+            2, −1, 0; 0, −1, 3, −1; −3, 0, −1, 4), U⁻ = (−1, 0, −1, 1), μ = 1, e = (1, 0): P_c = (4, −1, 2, 2)/5, P_r = (4, −2, 0, 0)/5, T \
+            from 1/2 to 43/50.",
         control: "Newton's law in Poisson's place.",
         sources: &["chapter §7, table of impact laws", "Wang and Mason, J. Appl. Mech. 59 (1992) 635"],
         check: consistent,
@@ -55,11 +69,16 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S7.newton-neq-poisson-multi",
-        statement: "With several bodies or friction the off-diagonal entries of W couple the contacts, and prescribing impulse ratios gives another result than prescribing velocity ratios.",
+        statement: "With several bodies or friction the off-diagonal entries of W couple the contacts, and prescribing impulse ratios \
+            gives another result than prescribing velocity ratios.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "With friction, unequal coefficients or a separating contact. Without friction, for one e and U⁻ ≤ 0, Poisson's law is Moreau's, P = (1 + e)P_c, however large the off-diagonal entries; Newton's law for all contacts together differs from both only where its impulses would pull.",
-        argument: "With P = (1 + e)P_c: U⁺ + eU⁻ = (1 + e)U_c, complementary to P_c, and U⁺ = (1 + e)U_c − eU⁻ ≥ 0. No difference in 60 impacts (20 with three values of e). e = (1, 0), W = (2, −1; −1, 2), U⁻ = (−1, −1/2): P_r2 = 5/12 under Poisson, U⁺ differs. Rod with friction, e = 1: U_n⁺ = 16/25 under Poisson, 1 under Newton.",
+        correct_statement: "With friction, unequal coefficients or a separating contact. Without friction, for one e and U⁻ ≤ 0, Poisson's \
+            law is Moreau's, P = (1 + e)P_c, however large the off-diagonal entries; Newton's law for all contacts together differs from \
+            both only where its impulses would pull.",
+        argument: "With P = (1 + e)P_c: U⁺ + eU⁻ = (1 + e)U_c, complementary to P_c, and U⁺ = (1 + e)U_c − eU⁻ ≥ 0. No difference in 60 \
+            impacts (20 with three values of e). e = (1, 0), W = (2, −1; −1, 2), U⁻ = (−1, −1/2): P_r2 = 5/12 under Poisson, U⁺ differs. \
+            Rod with friction, e = 1: U_n⁺ = 16/25 under Poisson, 1 under Newton.",
         control: "Unequal coefficients among the 60.",
         sources: &["chapter §7, comparison of Poisson and Newton"],
         check: when_different,
@@ -70,7 +89,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Zero at the contacts that carry a compression impulse; the others may already separate: 0 ≤ U_c ⟂ P_c ≥ 0.",
-        argument: "Three balls: U_c = (0, 0). W = (2, 1; 1, 2), U⁻ = (−1, −1/4): P_c = (1/2, 0) and U_c = (0, 1/4), although both contacts approach.",
+        argument: "Three balls: U_c = (0, 0). W = (2, 1; 1, 2), U⁻ = (−1, −1/4): P_c = (1/2, 0) and U_c = (0, 1/4), although both contacts \
+            approach.",
         control: "The second contact of the pair in the place of the cradle's.",
         sources: &["chapter §7, comparison of Poisson and Newton"],
         check: end_of_compression,

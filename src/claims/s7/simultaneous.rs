@@ -19,11 +19,15 @@ use nalgebra::{DMatrix, DVector};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.multi-nonunique",
-        statement: "Three balls colliding at once, or a block landing on four corners: there is no unique Newton solution; the velocities after it depend on the microscopic order of the contacts.",
+        statement: "Three balls colliding at once, or a block landing on four corners: there is no unique Newton solution; the velocities \
+            after it depend on the microscopic order of the contacts.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "Posed at once without friction, the velocities are unique: v⁺ solves a strictly convex program; for three balls even the impulses are, for four corners not. What is not unique is whether it happens at once: another order is another problem, and its outcome differs, as the chapter says of the order.",
-        argument: "Three balls, e = 1: one solution, v⁺ = (−1/3, 2/3, 2/3). One impact after the other: (0, 0, 1). Both keep momentum and energy. e = 1/2: (0, 1/2, 1/2) against (13, 15, 36)/64. Four corners: a family of impulses, all with U⁺ = eU.",
+        correct_statement: "Posed at once without friction, the velocities are unique: v⁺ solves a strictly convex program; for three \
+            balls even the impulses are, for four corners not. What is not unique is whether it happens at once: another order is another \
+            problem, and its outcome differs, as the chapter says of the order.",
+        argument: "Three balls, e = 1: one solution, v⁺ = (−1/3, 2/3, 2/3). One impact after the other: (0, 0, 1). Both keep momentum and \
+            energy. e = 1/2: (0, 1/2, 1/2) against (13, 15, 36)/64. Four corners: a family of impulses, all with U⁺ = eU.",
         control: "The two orders among the solutions that must agree.",
         sources: &["chapter §7, simultaneous impacts"],
         check: uniqueness,
@@ -33,30 +37,39 @@ pub const CLAIMS: &[Claim] = &[
         statement: "A block landing flat on four corners is a pathological case.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "For the impulses only: W has rank 3 with null vector (1, −1, 1, −1), so that any multiple of it may be added while P stays ≥ 0. The velocities are unique.",
-        argument: "Cube of 1 kg and 1 m: W_ij = 4, 1 and −2 for a corner with itself, its neighbours and the opposite one. U⁻ = −1 everywhere, e = 0: P = (1, 1, 1, 1)/4 + t(1, −1, 1, −1), |t| ≤ 1/4, all with U⁺ = 0.",
+        correct_statement: "For the impulses only: W has rank 3 with null vector (1, −1, 1, −1), so that any multiple of it may be added \
+            while P stays ≥ 0. The velocities are unique.",
+        argument: "Cube of 1 kg and 1 m: W_ij = 4, 1 and −2 for a corner with itself, its neighbours and the opposite one. U⁻ = −1 \
+            everywhere, e = 0: P = (1, 1, 1, 1)/4 + t(1, −1, 1, −1), |t| ≤ 1/4, all with U⁺ = 0.",
         control: "Three corners, whose W is nonsingular.",
         sources: &["chapter §7, simultaneous impacts"],
         check: four_corners,
     },
     Claim {
         id: "S7.solver-pivot",
-        statement: "Simulators return some solution of such an impact, which depends on the solver's order of pivots; one more reason for “another solver, another result”.",
+        statement: "Simulators return some solution of such an impact, which depends on the solver's order of pivots; one more reason for \
+            “another solver, another result”.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "The impulses depend on it, the velocities do not as long as there is no friction. With friction the velocities may (S4.painleve-atom: three solutions).",
-        argument: "Four corners, e = 0, Lemke's method with the contacts in all 24 orders: several different P, one U⁺. Three balls: one P.",
+        correct_statement: "The impulses depend on it, the velocities do not as long as there is no friction. With friction the velocities \
+            may (S4.painleve-atom: three solutions).",
+        argument: "Four corners, e = 0, Lemke's method with the contacts in all 24 orders: several different P, one U⁺. Three balls: one \
+            P.",
         control: "The impulses in the place of the velocities.",
         sources: &["chapter §7, simultaneous impacts"],
         check: order_of_pivots,
     },
     Claim {
         id: "S7.fremond-2024",
-        statement: "A solution: Frémond's law for several bodies (Acary and others, 2024), a global energy functional that constrains all contacts.",
+        statement: "A solution: Frémond's law for several bodies (Acary and others, 2024), a global energy functional that constrains all \
+            contacts.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::Cited,
-        correct_statement: "The paper was not found. Siconos has a law of that name: Newton's e on the normal components and Coulomb friction on θU_t⁺ + (1−θ)U_t⁻. At θ = 1/2 it cannot gain energy from approaching contacts, at any number of them. It does not settle the order: without friction it is Moreau's law.",
-        argument: "ΔT = −½Σ(1−e)P_n|U_n⁻| − Σ μP_n½|U_t⁺ + U_t⁻|. The rod, μ = 1, e = 1: 0 where e on the normal component gains 9/80. Two contacts with μ = 1/8, U⁻ = (−5/2, 3/2), (−1, 2), e = 1: −3/8 J, as the formula says. Three balls: (−1/3, 2/3, 2/3).",
+        correct_statement: "The paper was not found. Siconos has a law of that name: Newton's e on the normal components and Coulomb \
+            friction on θU_t⁺ + (1−θ)U_t⁻. At θ = 1/2 it cannot gain energy from approaching contacts, at any number of them. It does not \
+            settle the order: without friction it is Moreau's law.",
+        argument: "ΔT = −½Σ(1−e)P_n|U_n⁻| − Σ μP_n½|U_t⁺ + U_t⁻|. The rod, μ = 1, e = 1: 0 where e on the normal component gains 9/80. Two \
+            contacts with μ = 1/8, U⁻ = (−5/2, 3/2), (−1, 2), e = 1: −3/8 J, as the formula says. Three balls: (−1/3, 2/3, 2/3).",
         control: "Coulomb friction on U_t⁺ alone.",
         sources: &[
             "chapter §7, simultaneous impacts",
@@ -66,11 +79,15 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S7.pfeiffer-glocker-proj",
-        statement: "A solution: an energy-consistent Pfeiffer–Glocker projection, which projects the velocities after the impact on the feasible set of no energy gain.",
+        statement: "A solution: an energy-consistent Pfeiffer–Glocker projection, which projects the velocities after the impact on the \
+            feasible set of no energy gain.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::Exact,
-        correct_statement: "Such a projection exists and is explicit: on the cone U ≥ 0, then scaled, in the metric W⁻¹, which keeps momentum. But it may leave an impulse that pulls. Under this name no source was found; Pfeiffer and Glocker's two complementarity problems gain no energy by themselves.",
-        argument: "W = (2, 1; 1, 2), e = (1, 0), U⁻ = (−1, −1/2), all reversed: T from 1/4 to 1/3; projected U⁺ = √(3/4) (1, 0), T = 1/4, and P₂ = −√(3/4)/3 < 0. W = (2, −1; −1, 2), U⁻ = (−1, 1/2): the same factor, and P > 0.",
+        correct_statement: "Such a projection exists and is explicit: on the cone U ≥ 0, then scaled, in the metric W⁻¹, which keeps \
+            momentum. But it may leave an impulse that pulls. Under this name no source was found; Pfeiffer and Glocker's two \
+            complementarity problems gain no energy by themselves.",
+        argument: "W = (2, 1; 1, 2), e = (1, 0), U⁻ = (−1, −1/2), all reversed: T from 1/4 to 1/3; projected U⁺ = √(3/4) (1, 0), T = 1/4, \
+            and P₂ = −√(3/4)/3 < 0. W = (2, −1; −1, 2), U⁻ = (−1, 1/2): the same factor, and P > 0.",
         control: "The second pair in the place of the first.",
         sources: &["chapter §7, simultaneous impacts", "Pfeiffer and Glocker 1996 for the two problems"],
         check: projection,
@@ -80,8 +97,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Velocity jumps with several contacts are not determined by a pointwise e alone (the block that lands on its base).",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: with e = 0 at both edges the outcome depends on friction. If the edge that is hit holds, ω⁺/ω⁻ = 1 − 3/2 sin²α (Housner); on a smooth floor (c² − 2b²)/(c² + 4b²).",
-        argument: "Half width 1, half height 2: 7/10 for μ ≥ 6/17, 1/4 for μ = 0, both from one Moreau step with two contacts; at μ = 1/3 the edge slips and the ratio is another.",
+        correct_statement: "As stated: with e = 0 at both edges the outcome depends on friction. If the edge that is hit holds, ω⁺/ω⁻ = 1 \
+            − 3/2 sin²α (Housner); on a smooth floor (c² − 2b²)/(c² + 4b²).",
+        argument: "Half width 1, half height 2: 7/10 for μ ≥ 6/17, 1/4 for μ = 0, both from one Moreau step with two contacts; at μ = 1/3 \
+            the edge slips and the ratio is another.",
         control: "μ = 1/3 expected to hold the edge.",
         sources: &["chapter §7, simultaneous impacts", "Housner 1963 for the ratio, derived again here"],
         check: rocking,

@@ -13,11 +13,14 @@ use crate::tolerance::rounding;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.stronge-def",
-        statement: "Stronge: the energetic coefficient e_*² = E⁺/E⁻, the energy released in restitution over the energy stored in compression.",
+        statement: "Stronge: the energetic coefficient e_*² = E⁺/E⁻, the energy released in restitution over the energy stored in \
+            compression.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::Exact,
-        correct_statement: "Right if E means the work of the normal impulse in each phase; wrong if it is read as the kinetic energies after and before, which friction lowers as well.",
-        argument: "The rod, μ = 1, e_* = 1: the normal impulse takes 31/200 J and returns 31/200 J, ratio 1; the kinetic energy goes from 1/5 to 31/200 J, ratio 31/40.",
+        correct_statement: "Right if E means the work of the normal impulse in each phase; wrong if it is read as the kinetic energies \
+            after and before, which friction lowers as well.",
+        argument: "The rod, μ = 1, e_* = 1: the normal impulse takes 31/200 J and returns 31/200 J, ratio 1; the kinetic energy goes from \
+            1/5 to 31/200 J, ratio 31/40.",
         control: "The ratio of kinetic energies.",
         sources: &["chapter §7, Stronge's law", "Stronge, Proc. R. Soc. A 431 (1990)"],
         check: two_ratios,
@@ -28,7 +31,8 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated, for one contact: ΔT = −(1 − e_*²)|W_c| + W_friction with W_friction ≤ 0.",
-        argument: "The normal work of both phases is −(1 − e_*²)|W_c|, and ∫U_t dq ≤ 0 along Routh's path, exactly, in 150 planar impacts; with e_* = 1 in floating point ΔT < 0 in all of them. The rod, μ = 1: −9/200 J.",
+        argument: "The normal work of both phases is −(1 − e_*²)|W_c|, and ∫U_t dq ≤ 0 along Routh's path, exactly, in 150 planar impacts; \
+            with e_* = 1 in floating point ΔT < 0 in all of them. The rod, μ = 1: −9/200 J.",
         control: "Newton's law in Stronge's place.",
         sources: &["chapter §7, table of impact laws", "Stronge, J. Appl. Mech. 58 (1991) 1049"],
         check: no_gain,
@@ -38,8 +42,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "To conserve energy with several bodies one needs Stronge's law or an energy-consistent projection.",
         verdict: Verdict::False,
         evidence: Evidence::Certified,
-        correct_statement: "Without friction they are not needed: Newton's and Moreau's laws conserve at e = 1. With friction they do not conserve: e_* = 1 still loses the work of friction, and a projection only takes energy away.",
-        argument: "Three balls, e = 1: ΔT = 0 under Newton, Poisson and Moreau. The rod, e_* = 1: −9/200 J with μ = 1 (sticks), −0.055264 J with μ = 1/2 (turns round). Projecting the plastic outcome of the balls leaves its loss of 1/3 J.",
+        correct_statement: "Without friction they are not needed: Newton's and Moreau's laws conserve at e = 1. With friction they do not \
+            conserve: e_* = 1 still loses the work of friction, and a projection only takes energy away.",
+        argument: "Three balls, e = 1: ΔT = 0 under Newton, Poisson and Moreau. The rod, e_* = 1: −9/200 J with μ = 1 (sticks), −0.055264 \
+            J with μ = 1/2 (turns round). Projecting the plastic outcome of the balls leaves its loss of 1/3 J.",
         control: "The rod with friction among those that conserve.",
         sources: &["chapter §7, pitfall on e = 1"],
         check: conservation,
@@ -49,30 +55,40 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Newton's, Poisson's and Stronge's e are different numbers for the same collision (velocity, impulse, energy).",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, with friction that stops or turns round. Without friction, or while the slip goes on, the three agree.",
-        argument: "The rod, μ = 1: U_n⁺/|U_n⁻| = e_N = (16/25) e_P = (√310/25) e_*. A bounce at 16/25 is e_N = 0.64, e_P = 1 and e_* = 16/√310 ≈ 0.909.",
+        correct_statement: "As stated, with friction that stops or turns round. Without friction, or while the slip goes on, the three \
+            agree.",
+        argument: "The rod, μ = 1: U_n⁺/|U_n⁻| = e_N = (16/25) e_P = (√310/25) e_*. A bounce at 16/25 is e_N = 0.64, e_P = 1 and e_* = \
+            16/√310 ≈ 0.909.",
         control: "The rod without friction.",
         sources: &["chapter §7, pitfall on e as a material constant"],
         check: three_numbers,
     },
     Claim {
         id: "S7.e-not-material",
-        statement: "e is not a material constant: it depends on speed, geometry and temperature, and is usually smaller at high speed; used as a constant across speeds it makes a simulation inaccurate.",
+        statement: "e is not a material constant: it depends on speed, geometry and temperature, and is usually smaller at high speed; \
+            used as a constant across speeds it makes a simulation inaccurate.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::NotDecidable,
-        correct_statement: "Speed and temperature are physics that no scheme decides. What can be decided: the velocity ratio depends on geometry and friction even if the energetic coefficient is fixed, and none of these laws with a constant e can express a dependence on speed, because all are homogeneous of degree one.",
-        argument: "e_* = 1: U_n⁺²/U_n⁻² is 1 without friction, 62/125 for the rod with μ = 1. Three times the velocity gives three times the impulse under Newton and Poisson.",
+        correct_statement: "Speed and temperature are physics that no scheme decides. What can be decided: the velocity ratio depends on \
+            geometry and friction even if the energetic coefficient is fixed, and none of these laws with a constant e can express a \
+            dependence on speed, because all are homogeneous of degree one.",
+        argument: "e_* = 1: U_n⁺²/U_n⁻² is 1 without friction, 62/125 for the rod with μ = 1. Three times the velocity gives three times \
+            the impulse under Newton and Poisson.",
         control: "The rod without friction expected at 62/125.",
         sources: &["chapter §7, pitfall on e as a material constant"],
         check: not_material,
     },
     Claim {
         id: "S7.e1-single-conserves",
-        statement: "e = 1 conserves energy for a single contact only; with several bodies colliding at once, Newton's law with e = 1 at every point may change the energy.",
+        statement: "e = 1 conserves energy for a single contact only; with several bodies colliding at once, Newton's law with e = 1 at \
+            every point may change the energy.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "Without friction, the setting of the sentence, Newton's law with e = 1 conserves energy for any number of contacts, solved together: ΔT = ½Pᵀ(U⁺ + U⁻) = 0 because U⁺ = −U⁻. What changes it is friction (already with one contact) or computing each impulse as if it were alone.",
-        argument: "U⁺ + U⁻ = 0 at every contact. Newton and Moreau in 35 and Poisson in 20 impacts of two coupled contacts: ΔT = 0 exactly. One contact with friction: +9/80 (Newton), −9/125 (Poisson).",
+        correct_statement: "Without friction, the setting of the sentence, Newton's law with e = 1 conserves energy for any number of \
+            contacts, solved together: ΔT = ½Pᵀ(U⁺ + U⁻) = 0 because U⁺ = −U⁻. What changes it is friction (already with one contact) or \
+            computing each impulse as if it were alone.",
+        argument: "U⁺ + U⁻ = 0 at every contact. Newton and Moreau in 35 and Poisson in 20 impacts of two coupled contacts: ΔT = 0 \
+            exactly. One contact with friction: +9/80 (Newton), −9/125 (Poisson).",
         control: "Impulses computed contact by contact.",
         sources: &["chapter §7, pitfall on e = 1"],
         check: elastic,

@@ -19,19 +19,27 @@ pub const CLAIMS: &[Claim] = &[
         statement: "A contact as in MuJoCo is modelled as a spring and a damper, m φ̈ = −k φ − c φ̇, with ω₀ = √(k/m).",
         verdict: Verdict::True,
         evidence: Evidence::Certified,
-        correct_statement: "As stated; MuJoCo's contact of constant impedance at depth δ > 0 is that oscillator under semi-implicit Euler, with ω₀ = 1/(t_c ζ) and c/m = 2/t_c. So t_c = 1/ω₀, as the chapter has it, at ζ = 1 only.",
-        argument: "The replay of MuJoCo's contact that reproduces its stored runs, h = 1 ms, t_c = 2 and 5 ms, ζ = 1: its step matrix for (δ, −v), from two depths and two velocities, is that of semi-implicit Euler on the spring and damper, entry by entry to rounding.",
+        correct_statement: "As stated; MuJoCo's contact of constant impedance at depth δ > 0 is that oscillator under semi-implicit Euler, \
+            with ω₀ = 1/(t_c ζ) and c/m = 2/t_c. So t_c = 1/ω₀, as the chapter has it, at ζ = 1 only.",
+        argument: "The replay of MuJoCo's contact that reproduces its stored runs, h = 1 ms, t_c = 2 and 5 ms, ζ = 1: its step matrix for \
+            (δ, −v), from two depths and two velocities, is that of semi-implicit Euler on the spring and damper, entry by entry to \
+            rounding.",
         control: "The same spring without damper.",
         sources: &["chapter §8, example on stability bounds", "MuJoCo documentation, solver parameters (3.17)"],
         check: soft_contact,
     },
     Claim {
         id: "S8.damped-bound",
-        statement: "The stability bound h ≤ 2/ω₀ of the spring-damper contact links the time constant of §6, the integrator of §8 and the jitter of §9.",
+        statement: "The stability bound h ≤ 2/ω₀ of the spring-damper contact links the time constant of §6, the integrator of §8 and the \
+            jitter of §9.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "h ≤ 2/ω₀ is derived, rightly, without damping, and does not carry over to the damped contact: with damping at the old velocity the bound is s = hω₀ < 2(√(1+ζ²) − ζ), 0.828 at MuJoCo's default ζ = 1. With damping at the new velocity it is 2(√(1+ζ²) + ζ), above 2.",
-        argument: "Trace 2 − 2ζs − s², determinant 1 − 2ζs; Jury's condition 1 + T + D = 4 − 4ζs − s² > 0. Rational cases, decided at the bound itself: ζ = 3/4 gives s < 1, ζ = 5/12 gives 4/3. Both sides for ζ = 0.05, 0.1, 0.5, 1, 2: 1.90250, 1.80998, 1.23607, 0.82843, 0.47214. At ζ = 1 the printed bound is 2.41 times too large. \
+        correct_statement: "h ≤ 2/ω₀ is derived, rightly, without damping, and does not carry over to the damped contact: with damping at \
+            the old velocity the bound is s = hω₀ < 2(√(1+ζ²) − ζ), 0.828 at MuJoCo's default ζ = 1. With damping at the new velocity it \
+            is 2(√(1+ζ²) + ζ), above 2.",
+        argument: "Trace 2 − 2ζs − s², determinant 1 − 2ζs; Jury's condition 1 + T + D = 4 − 4ζs − s² > 0. Rational cases, decided at the \
+            bound itself: ζ = 3/4 gives s < 1, ζ = 5/12 gives 4/3. Both sides for ζ = 0.05, 0.1, 0.5, 1, 2: 1.90250, 1.80998, 1.23607, \
+            0.82843, 0.47214. At ζ = 1 the printed bound is 2.41 times too large. \
                    The smaller s at which a soft contact starts to jitter is this one (S9.jitter).",
         control: "ζ = 0, for which the printed bound is right.",
         sources: &["chapter §8, essential insight on the bound, and the example before it"],
@@ -42,19 +50,25 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The stability of semi-implicit Euler is far better than that of explicit Euler.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Up to ζ = 1/√3: beyond it explicit Euler, with bound 2ζ (ζ ≤ 1), bears the larger step. At ζ = 1 the bounds are 2 for explicit and 0.828 for semi-implicit Euler with explicit damping.",
-        argument: "2ζ = 2(√(1+ζ²) − ζ) at ζ = 1/√3. ζ = 1, s = 1: explicit Euler has both eigenvalues 0, semi-implicit Euler has trace −1 and determinant −1. ζ = 1/2, s = 11/10: the other way round.",
+        correct_statement: "Up to ζ = 1/√3: beyond it explicit Euler, with bound 2ζ (ζ ≤ 1), bears the larger step. At ζ = 1 the bounds \
+            are 2 for explicit and 0.828 for semi-implicit Euler with explicit damping.",
+        argument: "2ζ = 2(√(1+ζ²) − ζ) at ζ = 1/√3. ζ = 1, s = 1: explicit Euler has both eigenvalues 0, semi-implicit Euler has trace −1 \
+            and determinant −1. ζ = 1/2, s = 11/10: the other way round.",
         control: "ζ = 1/2 in place of 1.",
         sources: &["chapter §8, three levels"],
         check: comparison,
     },
     Claim {
         id: "S8.timeconst-origin",
-        statement: "The bound is where MuJoCo's rule timeconst ≥ 2h comes from: with timeconst = 1/ω₀, h ≤ 2 timeconst means timeconst ≥ h/2, and MuJoCo takes 2h to leave a margin.",
+        statement: "The bound is where MuJoCo's rule timeconst ≥ 2h comes from: with timeconst = 1/ω₀, h ≤ 2 timeconst means timeconst ≥ \
+            h/2, and MuJoCo takes 2h to leave a margin.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "The default contact is critically damped, so its limit is t_c > (1 + √2)h/2 = 1.2071 h, not h/2. t_c ≥ 2h does leave a margin to that, of 1.66; what it marks is h·2/t_c = 1, the largest step whose matrix has no negative eigenvalue.",
-        argument: "ζ = 1, s = h/t_c. At t_c = h/2 (s = 2): z² + 6z − 3 = 0, spectral radius 3 + 2√3 = 6.46. At t_c = 2h (s = 1/2): determinant exactly 0, eigenvalues 0 and 3/4; for larger s it is negative. Both sides of 1.2071 h. Why MuJoCo chose 2h is not decided here.",
+        correct_statement: "The default contact is critically damped, so its limit is t_c > (1 + √2)h/2 = 1.2071 h, not h/2. t_c ≥ 2h does \
+            leave a margin to that, of 1.66; what it marks is h·2/t_c = 1, the largest step whose matrix has no negative eigenvalue.",
+        argument: "ζ = 1, s = h/t_c. At t_c = h/2 (s = 2): z² + 6z − 3 = 0, spectral radius 3 + 2√3 = 6.46. At t_c = 2h (s = 1/2): \
+            determinant exactly 0, eigenvalues 0 and 3/4; for larger s it is negative. Both sides of 1.2071 h. Why MuJoCo chose 2h is not \
+            decided here.",
         control: "ζ = 0, where t_c = h/2 is the bound.",
         sources: &["chapter §8, example on stability bounds", "MuJoCo documentation, solver parameters: refsafe (3.17)"],
         check: time_constant,

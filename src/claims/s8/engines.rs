@@ -21,8 +21,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "No serious simulator uses pure explicit Euler for contact.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::NotDecidable,
-        correct_statement: "A survey without a list, and “serious” is a judgement. The engines stored here whose falls are kept step by step, MuJoCo and Drake, do not.",
-        argument: "Stored falls of MuJoCo 3.17.0 (integrator Euler) and Drake 1.51.1 (SAP) at h = 1/100 s: q⁺ − q − h v⁺ is zero to rounding, q⁺ − q − h v is g h² = 9.81·10⁻⁴ m in every step.",
+        correct_statement: "A survey without a list, and “serious” is a judgement. The engines stored here whose falls are kept step by \
+            step, MuJoCo and Drake, do not.",
+        argument: "Stored falls of MuJoCo 3.17.0 (integrator Euler) and Drake 1.51.1 (SAP) at h = 1/100 s: q⁺ − q − h v⁺ is zero to \
+            rounding, q⁺ − q − h v is g h² = 9.81·10⁻⁴ m in every step.",
         control: "A fall under explicit Euler in place of MuJoCo's.",
         sources: &["chapter §8, why explicit Euler fails", "references/mujoco and references/drake, ball_drop at h = 0.01"],
         check: nobody,
@@ -32,19 +34,27 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Semi-implicit Euler is the main integrator of MuJoCo, Bullet and Drake.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Measured,
-        correct_statement: "Of the position update: all three move with the velocity at the end of the step. The contact forces are not evaluated at the old state, as forces are in semi-implicit Euler, but solved for the velocity at its end; MuJoCo offers other integrators.",
-        argument: "MuJoCo and Drake: as in S8.nobody-explicit. PyBullet 3.2.7: a thrown body is ½ g h t = 0.04905 m off its parabola at h = 1/60 s, to rounding, as an Euler rule is.",
+        correct_statement: "Of the position update: all three move with the velocity at the end of the step. The contact forces are not \
+            evaluated at the old state, as forces are in semi-implicit Euler, but solved for the velocity at its end; MuJoCo offers other \
+            integrators.",
+        argument: "MuJoCo and Drake: as in S8.nobody-explicit. PyBullet 3.2.7: a thrown body is ½ g h t = 0.04905 m off its parabola at h \
+            = 1/60 s, to rounding, as an Euler rule is.",
         control: "Siconos 4.4.0 in place of Bullet: it follows the parabola to rounding.",
         sources: &["chapter §8, three levels and table", "references/scoreboard, flight/projectile"],
         check: main_integrator,
     },
     Claim {
         id: "S8.drake-midpoint",
-        statement: "Implicit end of the range: Drake's SAP midpoint, and implicitfast, stand for the fully implicit level with O(h²) dissipation.",
+        statement: "Implicit end of the range: Drake's SAP midpoint, and implicitfast, stand for the fully implicit level with O(h²) \
+            dissipation.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "Midpoint is θ = 1/2: it neither dissipates nor is L-stable. A step that is implicit in the velocity alone, as implicitfast is, is semi-implicit Euler on an undamped spring, with its bound hω < 2. Drake's discrete stepper, as stored here, moves with the new velocity. (The text says that they lean to this end; the table names SAP midpoint as its representative.)",
-        argument: "hω = 3/10 in rationals: θ = 1/2 has E⁺/E = 1 and determinant 1; the step with implicit damping has the matrix of semi-implicit Euler. Drake 1.51.1: q⁺ = q + h v⁺ to rounding in a stored fall.",
+        correct_statement: "Midpoint is θ = 1/2: it neither dissipates nor is L-stable. A step that is implicit in the velocity alone, as \
+            implicitfast is, is semi-implicit Euler on an undamped spring, with its bound hω < 2. Drake's discrete stepper, as stored \
+            here, moves with the new velocity. (The text says that they lean to this end; the table names SAP midpoint as its \
+            representative.)",
+        argument: "hω = 3/10 in rationals: θ = 1/2 has E⁺/E = 1 and determinant 1; the step with implicit damping has the matrix of \
+            semi-implicit Euler. Drake 1.51.1: q⁺ = q + h v⁺ to rounding in a stored fall.",
         control: "θ = 1 in place of the midpoint rule.",
         sources: &[
             "chapter §8, three levels and table",
@@ -58,8 +68,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "That is why all simulators use semi-implicit Euler and not the explicit one.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::Measured,
-        correct_statement: "Not explicit: true of the engines stored here. All semi-implicit: not so. Siconos uses its θ scheme, as the chapter says elsewhere.",
-        argument: "A thrown body at h = 1/60 s: an Euler rule is ½ g h t = 0.04905 m off the parabola; Siconos 4.4.0 is off by rounding, θ = 1/2.",
+        correct_statement: "Not explicit: true of the engines stored here. All semi-implicit: not so. Siconos uses its θ scheme, as the \
+            chapter says elsewhere.",
+        argument: "A thrown body at h = 1/60 s: an Euler rule is ½ g h t = 0.04905 m off the parabola; Siconos 4.4.0 is off by rounding, θ \
+            = 1/2.",
         control: "Bullet in place of Siconos.",
         sources: &["chapter §8, pitfall: semi-implicit and explicit Euler are nearly the same", "references/scoreboard, flight/projectile"],
         check: not_all,
@@ -69,19 +81,28 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Contact of robots mostly has e ≈ 0, so that symplectic integrators fail there altogether.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::NotDecidable,
-        correct_statement: "How common plastic contact is, is a statement about models, and “fail” a judgement. At the impact nothing is left to preserve; between impacts a symplectic step stays one.",
-        argument: "Flow across an impact on a disk: det D = 0 at e = 0 and 1/100 at e = 1/10. Free steps on an undamped spring keep determinant 1.",
+        correct_statement: "How common plastic contact is, is a statement about models, and “fail” a judgement. At the impact nothing is \
+            left to preserve; between impacts a symplectic step stays one.",
+        argument: "Flow across an impact on a disk: det D = 0 at e = 0 and 1/100 at e = 1/10. Free steps on an undamped spring keep \
+            determinant 1.",
         control: "e = 1.",
         sources: &["chapter §8, conclusion of the negative result"],
         check: common,
     },
     Claim {
         id: "S8.mujoco-choice",
-        statement: "MuJoCo gave up variational integrators, which plastic contact and corrections of penetration rule out, for semi-implicit Euler with a soft convex solver: not symplectic, but differentiable and time-reversible, which matters more for MPC and learning.",
+        statement: "MuJoCo gave up variational integrators, which plastic contact and corrections of penetration rule out, for \
+            semi-implicit Euler with a soft convex solver: not symplectic, but differentiable and time-reversible, which matters more for \
+            MPC and learning.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::NotDecidable,
-        correct_statement: "A statement of motives. MuJoCo's documentation names the cost of variational integrators, which are implicit where the inertia depends on the configuration, and that continuous-time dynamics are defined backward in time; it names neither plastic contact nor Cirak and West. The step itself is not reversible in time, and at the touching point not differentiable.",
-        argument: "In rationals: a step h of semi-implicit Euler followed by a step −h does not return, on a spring without damper; Verlet's does. At touching, ∂v⁺/∂φ of a step on a one-sided spring of unit stiffness is 0 on the separated and −h on the pressed side. With MuJoCo's smallest t_c = 2h the contact step is singular (S8.timeconst-origin).",
+        correct_statement: "A statement of motives. MuJoCo's documentation names the cost of variational integrators, which are implicit \
+            where the inertia depends on the configuration, and that continuous-time dynamics are defined backward in time; it names \
+            neither plastic contact nor Cirak and West. The step itself is not reversible in time, and at the touching point not \
+            differentiable.",
+        argument: "In rationals: a step h of semi-implicit Euler followed by a step −h does not return, on a spring without damper; \
+            Verlet's does. At touching, ∂v⁺/∂φ of a step on a one-sided spring of unit stiffness is 0 on the separated and −h on the \
+            pressed side. With MuJoCo's smallest t_c = 2h the contact step is singular (S8.timeconst-origin).",
         control: "Verlet's step in place of semi-implicit Euler's.",
         sources: &[
             "chapter §8, why MuJoCo does not use variational integrators",

@@ -19,8 +19,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Explicit Euler adds energy to oscillating systems (it is unstable).",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated for an undamped oscillator: E⁺ = (1 + h²ω²) E from every state. A damper that takes more than that, 2ζ > hω, makes the same step decay (S8.explicit-G).",
-        argument: "With D the step matrix and Q = diag(ω², 1): DᵀQD = (1 + h²ω²) Q, an identity of matrices, checked in rationals with ω = 2, h = 3/20.",
+        correct_statement: "As stated for an undamped oscillator: E⁺ = (1 + h²ω²) E from every state. A damper that takes more than that, \
+            2ζ > hω, makes the same step decay (S8.explicit-G).",
+        argument: "With D the step matrix and Q = diag(ω², 1): DᵀQD = (1 + h²ω²) Q, an identity of matrices, checked in rationals with ω = \
+            2, h = 3/20.",
         control: "Semi-implicit Euler in place of explicit Euler.",
         sources: &["chapter §8, explicit Euler"],
         check: injects,
@@ -30,8 +32,11 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Explicit Euler is stable only for h < 2/√(k/m), a bound that shrinks with the stiffness.",
         verdict: Verdict::Inconsistent,
         evidence: Evidence::Exact,
-        correct_statement: "Without damping no step is stable, as the same section derives a few lines later. 2/ω is the bound of semi-implicit Euler. With damping the bound of explicit Euler is s = hω < 2ζ for ζ ≤ 1 and s < 2/(ζ + √(ζ²−1)) beyond; it equals 2 at ζ = 1 only.",
-        argument: "Trace 2 − 2ζs, determinant 1 − 2ζs + s². ζ = 0: the determinant is 1 + s² > 1 for every s. Decided in rationals at s = 1/1000, 1, 199/100, all below 2: powers grow. Both sides of the bound at ζ = 0.3, 1, 1.25 and 2.",
+        correct_statement: "Without damping no step is stable, as the same section derives a few lines later. 2/ω is the bound of \
+            semi-implicit Euler. With damping the bound of explicit Euler is s = hω < 2ζ for ζ ≤ 1 and s < 2/(ζ + √(ζ²−1)) beyond; it \
+            equals 2 at ζ = 1 only.",
+        argument: "Trace 2 − 2ζs, determinant 1 − 2ζs + s². ζ = 0: the determinant is 1 + s² > 1 for every s. Decided in rationals at s = \
+            1/1000, 1, 199/100, all below 2: powers grow. Both sides of the bound at ζ = 0.3, 1, 1.25 and 2.",
         control: "Semi-implicit Euler, whose bound 2/ω is.",
         sources: &["chapter §8, why explicit Euler fails, against the example on stability bounds"],
         check: bound_of_explicit,
@@ -41,8 +46,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "With the old velocity in the position update the contact force comes too late to stop the penetration.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: the step in which the contact acts still moves by h v, so that a ball that touches the floor at speed |v| ends the step h|v| below it, whatever e.",
-        argument: "Moreau–Jean with θ = 0, ball at q = 0 with v = −2 m/s, h = 1/100 s: q⁺ = −1/50 m for e = 0 and e = 1/2, while v⁺ is already 0 and 1. With θ = 1 the ball ends at 0 and at 1/100 m.",
+        correct_statement: "As stated: the step in which the contact acts still moves by h v, so that a ball that touches the floor at \
+            speed |v| ends the step h|v| below it, whatever e.",
+        argument: "Moreau–Jean with θ = 0, ball at q = 0 with v = −2 m/s, h = 1/100 s: q⁺ = −1/50 m for e = 0 and e = 1/2, while v⁺ is \
+            already 0 and 1. With θ = 1 the ball ends at 0 and at 1/100 m.",
         control: "θ = 1 in the position update.",
         sources: &["chapter §8, why explicit Euler fails"],
         check: lag,
@@ -53,18 +60,22 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated, for the undamped spring that it names.",
-        argument: "Eigenvalues 1 ± i s: trace 2 and determinant 1 + s² exactly. At ζ = 3/10 steps below s = 6/10 are stable: |G|² = 0.9941 at 0.59 and 1.0061 at 0.61.",
+        argument: "Eigenvalues 1 ± i s: trace 2 and determinant 1 + s² exactly. At ζ = 3/10 steps below s = 6/10 are stable: |G|² = 0.9941 \
+            at 0.59 and 1.0061 at 0.61.",
         control: "The spring with ζ = 3/10 at s = 1/2.",
         sources: &["chapter §8, example on stability bounds"],
         check: amplification,
     },
     Claim {
         id: "S8.ex1",
-        statement: "Exercise: under explicit Euler E = ½(v² + ω²x²) grows by (1 + ω²h²) a step; under semi-implicit Euler a conserved quantity bounds it.",
+        statement: "Exercise: under explicit Euler E = ½(v² + ω²x²) grows by (1 + ω²h²) a step; under semi-implicit Euler a conserved \
+            quantity bounds it.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated; the conserved quantity is v² + ω²x² − hω²xv, which bounds E if and only if hω < 2. With the position updated first the sign of the last term is reversed.",
-        argument: "200 steps with ω = 2, h = 1/10 in rationals from (1, 1/3): one value. The form has determinant ω²(1 − s²/4), positive iff s < 2.",
+        correct_statement: "As stated; the conserved quantity is v² + ω²x² − hω²xv, which bounds E if and only if hω < 2. With the \
+            position updated first the sign of the last term is reversed.",
+        argument: "200 steps with ω = 2, h = 1/10 in rationals from (1, 1/3): one value. The form has determinant ω²(1 − s²/4), positive \
+            iff s < 2.",
         control: "The invariant without its last term, which is twice the energy.",
         sources: &["chapter §8, exercise 1"],
         check: exercise,

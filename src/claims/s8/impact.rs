@@ -19,11 +19,15 @@ use nalgebra::{DMatrix, DVector};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S8.activation-not-diffeo",
-        statement: "The switching of the active set is not a diffeomorphism: at activation the phase space is folded, and the fold does not keep the symplectic form.",
+        statement: "The switching of the active set is not a diffeomorphism: at activation the phase space is folded, and the fold does \
+            not keep the symplectic form.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "At e = 0, where the flow is singular, and at a grazing impact, where its derivative grows without bound. Across an impact with e > 0 and a normal speed the flow is smooth with a smooth inverse: its determinant is e².",
-        argument: "Disk of radius 1 hit from outside at (3/5, 4/5) under the constant acceleration (1/2, −3), e = 1/2: determinant exactly 1/4. Ball on a floor, g = 10: the entry ∂v⁺/∂q is about (1+e) g/|v_n|: arriving at 1/10, 1/100, 1/1000 m/s it grows by a factor of ten each time.",
+        correct_statement: "At e = 0, where the flow is singular, and at a grazing impact, where its derivative grows without bound. \
+            Across an impact with e > 0 and a normal speed the flow is smooth with a smooth inverse: its determinant is e².",
+        argument: "Disk of radius 1 hit from outside at (3/5, 4/5) under the constant acceleration (1/2, −3), e = 1/2: determinant exactly \
+            1/4. Ball on a floor, g = 10: the entry ∂v⁺/∂q is about (1+e) g/|v_n|: arriving at 1/10, 1/100, 1/1000 m/s it grows by a \
+            factor of ten each time.",
         control: "e = 0 in place of 1/2.",
         sources: &[
             "chapter §8, the negative result, intuition",
@@ -36,8 +40,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "As soon as e < 1 the symplectic form is lost.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: det D = e² for every number of coordinates, curved walls and constant forces. J⁻¹DᵀJD has the eigenvalues e², e², 1, 1, …: with one coordinate the form is scaled by e², with more it is not.",
-        argument: "Impact on the disk as in S8.activation-not-diffeo, e = 4/5: det D = 16/25, in space on the sphere too; A = J⁻¹DᵀJD has trace 2 + 2e² and (A − I)(A − e²I) = 0, A ≠ e²I, exactly. Ball on the floor: DᵀJD = e²J.",
+        correct_statement: "As stated: det D = e² for every number of coordinates, curved walls and constant forces. J⁻¹DᵀJD has the \
+            eigenvalues e², e², 1, 1, …: with one coordinate the form is scaled by e², with more it is not.",
+        argument: "Impact on the disk as in S8.activation-not-diffeo, e = 4/5: det D = 16/25, in space on the sphere too; A = J⁻¹DᵀJD has \
+            trace 2 + 2e² and (A − I)(A − e²I) = 0, A ≠ e²I, exactly. Ball on the floor: DᵀJD = e²J.",
         control: "e = 1, which keeps the form.",
         sources: &["chapter §8, the negative result"],
         check: dissipative,
@@ -47,7 +53,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "A plastic impact (e = 0) and symplecticity contradict each other.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: the flow is not even invertible. On a flat wall it loses two dimensions, the gap and its rate; a curved one, which the body leaves along the tangent, keeps one of them, the time of the impact.",
+        correct_statement: "As stated: the flow is not even invertible. On a flat wall it loses two dimensions, the gap and its rate; a \
+            curved one, which the body leaves along the tangent, keeps one of them, the time of the impact.",
         argument: "Impact without load, e = 0, in rationals: det D = 0 on the disk and on a flat floor; rank 3 and 2 of 4.",
         control: "e = 1/2.",
         sources: &["chapter §8, conclusion of the negative result"],
@@ -58,8 +65,11 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Symplecticity is kept only for e = 1, purely elastic, and without correction of the penetration.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "The flow with exact impacts keeps it iff e = 1. A time-stepping scheme without correction need not: a Moreau–Jean step in which the contact acts has determinant −e, that is −1 for e = 1, for every θ. And a correction need not destroy it (S8.cirak-west).",
-        argument: "Flow across the disk, e = 1: DᵀJD − J = 0 exactly. Ball, Moreau–Jean in rationals with dual numbers: D = (1, h(1 − θ − θe); 0, −e) at θ = 0, 1/2, 1; −1/2 for e = 1/2.",
+        correct_statement: "The flow with exact impacts keeps it iff e = 1. A time-stepping scheme without correction need not: a \
+            Moreau–Jean step in which the contact acts has determinant −e, that is −1 for e = 1, for every θ. And a correction need not \
+            destroy it (S8.cirak-west).",
+        argument: "Flow across the disk, e = 1: DᵀJD − J = 0 exactly. Ball, Moreau–Jean in rationals with dual numbers: D = (1, h(1 − θ − \
+            θe); 0, −e) at θ = 0, 1/2, 1; −1/2 for e = 1/2.",
         control: "The Moreau–Jean step in place of the flow.",
         sources: &["chapter §8, conclusion of the negative result"],
         check: elastic_only,
@@ -69,7 +79,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "(Beside the text, which speaks of dissipation by e alone.) What friction does to phase volume in an impact.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "An impact in which the body slides throughout has det D = e², as without friction, and is not symplectic even at e = 1: conserved volume does not show a conserved form. An impact that sticks has det D = 0.",
+        correct_statement: "An impact in which the body slides throughout has det D = e², as without friction, and is not symplectic even \
+            at e = 1: conserved volume does not show a conserved form. An impact that sticks has det D = 0.",
         argument: "Disk, μ = 1/2: det D = 9/25 for e = 3/5, and 1 for e = 1 with DᵀJD ≠ J. Sticking: 0.",
         control: "No friction, which at e = 1 is symplectic.",
         sources: &["S8.e-lt-1", "Routh's impact with one phase of sliding"],
@@ -77,22 +88,28 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S8.ex2-fold",
-        statement: "Exercise: pushing a penetrating body back squashes or folds phase space; the purely elastic impact without correction is an exception.",
+        statement: "Exercise: pushing a penetrating body back squashes or folds phase space; the purely elastic impact without correction \
+            is an exception.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Projection squashes, determinant 0. The exception is the flow with the impact at its time, determinant 1; reversing the velocity at the end of a step is not, determinant −1.",
-        argument: "A semi-implicit step put back on the wall: 0. The same step with its velocity reversed, e = 1: −1. The flow of a ball across its elastic impact: 1, and symplectic.",
+        correct_statement: "Projection squashes, determinant 0. The exception is the flow with the impact at its time, determinant 1; \
+            reversing the velocity at the end of a step is not, determinant −1.",
+        argument: "A semi-implicit step put back on the wall: 0. The same step with its velocity reversed, e = 1: −1. The flow of a ball \
+            across its elastic impact: 1, and symplectic.",
         control: "The reversed velocity in place of the flow.",
         sources: &["chapter §8, exercise 2"],
         check: fold,
     },
     Claim {
         id: "S8.ex3-tasks",
-        statement: "Exercise: which integrator for (a) planets over a million years, (b) ten seconds of a trotting quadruped, (c) a million elastic bounces without friction, (d) training by reinforcement.",
+        statement: "Exercise: which integrator for (a) planets over a million years, (b) ten seconds of a trotting quadruped, (c) a \
+            million elastic bounces without friction, (d) training by reinforcement.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::NotDecidable,
-        correct_statement: "A judgement. For (c) it can be said what holds its energy: located impacts do, and so does Moreau–Jean, up to an oscillation of O(h) and with no symplecticity at its impacts; e = 0.9999 instead of 1 leaves nothing.",
-        argument: "Ball at 1 m/s, g = 10, a million located elastic impacts: speed unchanged to rounding. Moreau–Jean, θ = 1/2, h = 1/100 s, ten thousand steps in floating point: energy within rounding. e = 0.9999: the speed is 3.7·10⁻⁴⁴ m/s.",
+        correct_statement: "A judgement. For (c) it can be said what holds its energy: located impacts do, and so does Moreau–Jean, up to \
+            an oscillation of O(h) and with no symplecticity at its impacts; e = 0.9999 instead of 1 leaves nothing.",
+        argument: "Ball at 1 m/s, g = 10, a million located elastic impacts: speed unchanged to rounding. Moreau–Jean, θ = 1/2, h = 1/100 \
+            s, ten thousand steps in floating point: energy within rounding. e = 0.9999: the speed is 3.7·10⁻⁴⁴ m/s.",
         control: "e = 0.9999.",
         sources: &["chapter §8, exercise 3", "S8.backwards-theta-energy"],
         check: tasks,

@@ -18,22 +18,28 @@ use crate::tolerance::rounding;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S8.implicit-AL",
-        statement: "Fully implicit integration (θ = 1) is the most stable, A-stable and L-stable; it allows large steps and needs a nonlinear system solved per step.",
+        statement: "Fully implicit integration (θ = 1) is the most stable, A-stable and L-stable; it allows large steps and needs a \
+            nonlinear system solved per step.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated; a system that is nonlinear where the forces are, with contact in it in any case. θ = 1/2 is A-stable, not L-stable.",
-        argument: "R(z) = 1/(1 − z): |R| < 1 in the left half plane, and R → 0. In rationals: every s from 1/1000 to 10⁶ decays at ζ = 1/1000, 1 and 50, for θ = 1 and 1/2; a damper with h c/m = 10⁹ keeps 1/(1 + 10⁹) of its velocity under θ = 1 and −(10⁹ − 2)/(10⁹ + 2) under θ = 1/2.",
+        correct_statement: "As stated; a system that is nonlinear where the forces are, with contact in it in any case. θ = 1/2 is \
+            A-stable, not L-stable.",
+        argument: "R(z) = 1/(1 − z): |R| < 1 in the left half plane, and R → 0. In rationals: every s from 1/1000 to 10⁶ decays at ζ = \
+            1/1000, 1 and 50, for θ = 1 and 1/2; a damper with h c/m = 10⁹ keeps 1/(1 + 10⁹) of its velocity under θ = 1 and −(10⁹ − \
+            2)/(10⁹ + 2) under θ = 1/2.",
         control: "θ = 1/2 in place of 1.",
         sources: &["chapter §8, three levels", "Hairer and Wanner, Solving Ordinary Differential Equations II, IV.3"],
         check: stiff,
     },
     Claim {
         id: "S8.backward-uncond",
-        statement: "Implicit Euler is unconditionally stable on the spring, |G| < 1 for every h; the price is an O(h²) dissipation that wipes out the contact's oscillation at large steps.",
+        statement: "Implicit Euler is unconditionally stable on the spring, |G| < 1 for every h; the price is an O(h²) dissipation that \
+            wipes out the contact's oscillation at large steps.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; |G|² = 1/(1 + s²), per step (over a fixed time the loss is O(h), S8.implicit-diss).",
-        argument: "Determinant 1/(1 + s²) and decay at s = 1/1000, 1, 2, 10⁶ in rationals, without damping; |G| = 1/√(1 + s²) in floating point.",
+        argument: "Determinant 1/(1 + s²) and decay at s = 1/1000, 1, 2, 10⁶ in rationals, without damping; |G| = 1/√(1 + s²) in floating \
+            point.",
         control: "θ = 1/2, for which |G| = 1.",
         sources: &["chapter §8, example on stability bounds"],
         check: backward,
@@ -44,40 +50,49 @@ pub const CLAIMS: &[Claim] = &[
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Per step: E⁺/E = 1/(1 + h²ω²). Over a fixed time t it is O(h), E(t) = E₀ (1 + h²ω²)^(−t/h) ≈ E₀ e^(−ω²ht).",
-        argument: "ω = 1, t = 1, in rationals: the energy lost with h = 1/32 over that with h = 1/64 lies within 1/16 of 2, not of 4; the loss of one step over that of half a step within 1/16 of 4.",
+        argument: "ω = 1, t = 1, in rationals: the energy lost with h = 1/32 over that with h = 1/64 lies within 1/16 of 2, not of 4; the \
+            loss of one step over that of half a step within 1/16 of 4.",
         control: "The loss of one step in the place of that over a fixed time.",
         sources: &["chapter §8, three levels and table"],
         check: dissipation,
     },
     Claim {
         id: "S8.implicit-not-always",
-        statement: "Fully implicit integration is not always best: each step is dearer, and its dissipation takes the motion away where details or energy matter.",
+        statement: "Fully implicit integration is not always best: each step is dearer, and its dissipation takes the motion away where \
+            details or energy matter.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated.",
-        argument: "Undamped spring, 20 steps of s = 1: θ = 1 leaves 2⁻²⁰ of the energy, θ = 1/2 all of it, and semi-implicit Euler returns to its start after six steps, without solving anything.",
+        argument: "Undamped spring, 20 steps of s = 1: θ = 1 leaves 2⁻²⁰ of the energy, θ = 1/2 all of it, and semi-implicit Euler returns \
+            to its start after six steps, without solving anything.",
         control: "θ = 1/2 in place of 1.",
         sources: &["chapter §8, pitfall: fully implicit is always best"],
         check: not_always,
     },
     Claim {
         id: "S8.theta-spectrum",
-        statement: "The θ scheme parametrises the spectrum: θ = 0 explicit, θ = 1 fully implicit, θ = 1/2 trapezoidal, close to a symplectic method's neutrality in energy.",
+        statement: "The θ scheme parametrises the spectrum: θ = 0 explicit, θ = 1 fully implicit, θ = 1/2 trapezoidal, close to a \
+            symplectic method's neutrality in energy.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated; on linear forces θ = 1/2 is symplectic and keeps the energy exactly: E⁺/E = (1 + (1−θ)²s²)/(1 + θ²s²), determinant the same number.",
-        argument: "hω = 3/10 in rationals, θ = 0, 1/4, 1/2, 3/4, 1, by two implementations: energy ratio and determinant are the formula, and 1 at θ = 1/2.",
+        correct_statement: "As stated; on linear forces θ = 1/2 is symplectic and keeps the energy exactly: E⁺/E = (1 + (1−θ)²s²)/(1 + \
+            θ²s²), determinant the same number.",
+        argument: "hω = 3/10 in rationals, θ = 0, 1/4, 1/2, 3/4, 1, by two implementations: energy ratio and determinant are the formula, \
+            and 1 at θ = 1/2.",
         control: "θ = 2/5 in the place of 1/2.",
         sources: &["chapter §8, bridge to §3"],
         check: spectrum,
     },
     Claim {
         id: "S8.semi-on-spectrum",
-        statement: "Semi-implicit Euler is a particular splitting (velocity implicit, position semi-implicit); it, the θ scheme of Siconos and Drake's are points of the same spectrum.",
+        statement: "Semi-implicit Euler is a particular splitting (velocity implicit, position semi-implicit); it, the θ scheme of Siconos \
+            and Drake's are points of the same spectrum.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Of the spectrum from explicit to implicit, yes; no value of θ gives it unless the force is constant. It takes the force at the old position, θ_v = 0, and the velocity at the new one, θ_q = 1.",
-        argument: "Its determinant is 1, which on the θ family only θ = 1/2 has, where the trace is 2(4 − s²)/(4 + s²) ≠ 2 − s². At s = 1: 6/5 against 1. Under a constant force θ = 1 is the same step.",
+        correct_statement: "Of the spectrum from explicit to implicit, yes; no value of θ gives it unless the force is constant. It takes \
+            the force at the old position, θ_v = 0, and the velocity at the new one, θ_q = 1.",
+        argument: "Its determinant is 1, which on the θ family only θ = 1/2 has, where the trace is 2(4 − s²)/(4 + s²) ≠ 2 − s². At s = 1: \
+            6/5 against 1. Under a constant force θ = 1 is the same step.",
         control: "θ = 1/2 as if it were semi-implicit Euler.",
         sources: &["chapter §8, bridge to §3"],
         check: no_theta,
@@ -87,8 +102,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "θ = 1/2 is neutral in energy, θ = 1 dissipates.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "On forces that depend on the state. Under gravity alone θ = 1 loses ½ m g²h² per step of free flight, and an elastic impact gives it back: E − (θ − ½) m g h v is conserved through flights and impacts, for every θ.",
-        argument: "Elastic ball from 1 m, h = 1/100 s, 2000 steps with θ = 1 in rationals: (E − ½ m g h v)/E₀ = 1. One step of flight loses ½ g²h² per kilogram. A spring with hω = 3/10 keeps 100/109 of its energy per step, for ever.",
+        correct_statement: "On forces that depend on the state. Under gravity alone θ = 1 loses ½ m g²h² per step of free flight, and an \
+            elastic impact gives it back: E − (θ − ½) m g h v is conserved through flights and impacts, for every θ.",
+        argument: "Elastic ball from 1 m, h = 1/100 s, 2000 steps with θ = 1 in rationals: (E − ½ m g h v)/E₀ = 1. One step of flight \
+            loses ½ g²h² per kilogram. A spring with hω = 3/10 keeps 100/109 of its energy per step, for ever.",
         control: "The spring in the place of the ball.",
         sources: &["chapter §8, bridge to §3", "S3.energy-runs-down"],
         check: under_gravity,

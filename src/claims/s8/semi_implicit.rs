@@ -29,7 +29,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "On an undamped spring semi-implicit Euler has |G| = 1 if and only if ω h ≤ 2.",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, of the moduli of the eigenvalues: the step matrix has trace 2 − s² and determinant 1. At s = 2 the powers grow all the same (S8.semi-bound).",
+        correct_statement: "As stated, of the moduli of the eigenvalues: the step matrix has trace 2 − s² and determinant 1. At s = 2 the \
+            powers grow all the same (S8.semi-bound).",
         argument: "Determinant 1 and |2 − s²| ≤ 2 iff s ≤ 2. Decided in rationals at s = 1/1000, 1, 2 − 10⁻⁶, 2 and 2 + 10⁻⁶.",
         control: "The spring with ζ = 1/10, for which s = 2 is beyond the bound.",
         sources: &["chapter §8, example on stability bounds"],
@@ -40,8 +41,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The stability bound of semi-implicit Euler is h ≤ 2/ω₀.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "h < 2/ω₀, strictly: at s = 2 the step is −(I + N) with N² = 0, and the motion grows by the same amount every step. Below, the amplitude is at most q₀/√(1 − s²/4) from rest.",
-        argument: "From q₀ at rest with s = 2: q_n = (−1)ⁿ (1 + 2n) q₀ exactly, 1 mm becomes 4.001 m after 2000 steps. With s = 199/100 the amplitude stays below 10.0125 mm; with s = 201/100 it passes 10¹⁷⁰ m.",
+        correct_statement: "h < 2/ω₀, strictly: at s = 2 the step is −(I + N) with N² = 0, and the motion grows by the same amount every \
+            step. Below, the amplitude is at most q₀/√(1 − s²/4) from rest.",
+        argument: "From q₀ at rest with s = 2: q_n = (−1)ⁿ (1 + 2n) q₀ exactly, 1 mm becomes 4.001 m after 2000 steps. With s = 199/100 \
+            the amplitude stays below 10.0125 mm; with s = 201/100 it passes 10¹⁷⁰ m.",
         control: "s = 199/100 in place of 2.",
         sources: &["chapter §8, example on stability bounds"],
         check: at_the_bound,
@@ -62,7 +65,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The step may not exceed about 1/π of the contact's period; a harder contact allows smaller steps only.",
         verdict: Verdict::True,
         evidence: Evidence::Certified,
-        correct_statement: "As stated without damping, and exactly: 2/ω = T/π. With damping the share is smaller, 0.132 at ζ = 1 (S8.damped-bound).",
+        correct_statement: "As stated without damping, and exactly: 2/ω = T/π. With damping the share is smaller, 0.132 at ζ = 1 \
+            (S8.damped-bound).",
         argument: "Largest stable step found by bisection in rationals for k = 10⁶ N/m, m = 1 kg, over the period 2π/1000 s: 1/π.",
         control: "Critical damping.",
         sources: &["chapter §8, example on stability bounds"],
@@ -70,7 +74,8 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S8.k1e6",
-        statement: "k = 10⁶ N/m, m = 1 kg: ω₀ = 1000 rad/s and h ≤ 2·10⁻³ s; k = 10⁸: h ≤ 2·10⁻⁴ s. A hundred times the stiffness needs a tenth of the step.",
+        statement: "k = 10⁶ N/m, m = 1 kg: ω₀ = 1000 rad/s and h ≤ 2·10⁻³ s; k = 10⁸: h ≤ 2·10⁻⁴ s. A hundred times the stiffness needs a \
+            tenth of the step.",
         verdict: Verdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated, without damping.",
@@ -81,11 +86,16 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S8.misc-order",
-        statement: "Merely exchanging the order of the updates makes the difference between exponential growth and an amplitude that stays bounded for ever.",
+        statement: "Merely exchanging the order of the updates makes the difference between exponential growth and an amplitude that stays \
+            bounded for ever.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "On the undamped oscillator, for hω < 2. Bounded is not conserved: the largest over the smallest energy is up to (1 + s/2)/(1 − s/2), that is 21/19 at s = 1/10, 7 at 3/2 and 399 at 199/100; from s = 2 on both orders grow. With strong damping explicit Euler bears the larger step (S8.semi-much-better).",
-        argument: "From q = v/ω, where the energy is largest for its value of the invariant v² + ω²q² − hω²qv: at s = 3/2 no energy in 200 steps lies outside [1/7, 1] of it, and some come within a tenth of the lower end. Explicit Euler multiplies the energy by 1 + s² every step.",
+        correct_statement: "On the undamped oscillator, for hω < 2. Bounded is not conserved: the largest over the smallest energy is up \
+            to (1 + s/2)/(1 − s/2), that is 21/19 at s = 1/10, 7 at 3/2 and 399 at 199/100; from s = 2 on both orders grow. With strong \
+            damping explicit Euler bears the larger step (S8.semi-much-better).",
+        argument: "From q = v/ω, where the energy is largest for its value of the invariant v² + ω²q² − hω²qv: at s = 3/2 no energy in 200 \
+            steps lies outside [1/7, 1] of it, and some come within a tenth of the lower end. Explicit Euler multiplies the energy by 1 + \
+            s² every step.",
         control: "s = 2, where the energy leaves every bound.",
         sources: &["chapter §8, pitfall: semi-implicit and explicit Euler are nearly the same"],
         check: order_of_updates,

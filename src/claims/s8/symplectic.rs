@@ -22,8 +22,13 @@ pub const CLAIMS: &[Claim] = &[
         statement: "For smooth Hamiltonian systems semi-implicit Euler is symplectic, and its energy stays bounded for ever without drift.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "With a constant mass matrix, forces that have a potential, and hω < 2 for the fastest vibration. With M(q), as in joint coordinates, the step that updates v and then q is not symplectic and its energy can drift; the variant with the momentum, which is, needs an implicit solve.",
-        argument: "DᵀJD = J exactly for two coupled masses in a cubic potential. One coordinate with M = q², which is a free particle: the factor of phase volume is 1 − 5x² + 5x⁴ − 2x⁵ with x = h v/q, 0.95048 at x = 1/10; with the momentum, p⁺ = p + h p⁺²/q³, it is 1. A free particle in polar coordinates, r = 1, at 1 m/s across, to t = 2: the energy has grown by 1.27 % with h = 1/100 and half of that with h = 1/200.",
+        correct_statement: "With a constant mass matrix, forces that have a potential, and hω < 2 for the fastest vibration. With M(q), as \
+            in joint coordinates, the step that updates v and then q is not symplectic and its energy can drift; the variant with the \
+            momentum, which is, needs an implicit solve.",
+        argument: "DᵀJD = J exactly for two coupled masses in a cubic potential. One coordinate with M = q², which is a free particle: the \
+            factor of phase volume is 1 − 5x² + 5x⁴ − 2x⁵ with x = h v/q, 0.95048 at x = 1/10; with the momentum, p⁺ = p + h p⁺²/q³, it is \
+            1. A free particle in polar coordinates, r = 1, at 1 m/s across, to t = 2: the energy has grown by 1.27 % with h = 1/100 and \
+            half of that with h = 1/200.",
         control: "The step with M = q² in place of the one with constant mass.",
         sources: &[
             "chapter §8, three levels",
@@ -34,22 +39,31 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S8.cirak-west",
-        statement: "Theorem (Cirak and West 2005): an explicit symplectic scheme necessarily loses symplecticity at the moment a contact becomes active, and every operation that corrects penetration destroys it.",
+        statement: "Theorem (Cirak and West 2005): an explicit symplectic scheme necessarily loses symplecticity at the moment a contact \
+            becomes active, and every operation that corrects penetration destroys it.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "Projecting a penetrating state back does (its Jacobian is singular). Neither every correction nor every activation does: the mirror image of a penetrating state in the wall, position and velocity together, is symplectic for a flat wall and e = 1, and so is a variational step with an elastic impact. Whether the cited paper states such a theorem is not decided here; its abstract announces an algorithm with good conservation of momentum and energy.",
-        argument: "Two coupled masses, M = (2, 1; 1, 3), semi-implicit Euler in a cubic potential into the wall and mirrored in the metric of M: DᵀJD − J = 0 exactly, in a step that penetrates. The projected step has determinant 0. The variational step is S8.kmow.",
+        correct_statement: "Projecting a penetrating state back does (its Jacobian is singular). Neither every correction nor every \
+            activation does: the mirror image of a penetrating state in the wall, position and velocity together, is symplectic for a flat \
+            wall and e = 1, and so is a variational step with an elastic impact. Whether the cited paper states such a theorem is not \
+            decided here; its abstract announces an algorithm with good conservation of momentum and energy.",
+        argument: "Two coupled masses, M = (2, 1; 1, 3), semi-implicit Euler in a cubic potential into the wall and mirrored in the metric \
+            of M: DᵀJD − J = 0 exactly, in a step that penetrates. The projected step has determinant 0. The variational step is S8.kmow.",
         control: "Projection in place of the mirror image.",
         sources: &["chapter §8, the negative result", "Cirak and West, Int. J. Numer. Meth. Engng 64 (2005) 1078–1110 (abstract)"],
         check: corrections,
     },
     Claim {
         id: "S8.kmow",
-        statement: "Kane, Marsden, Ortiz and West 2000 prove that variational integrators can preserve the symplectic form in elastic contact (e = 1).",
+        statement: "Kane, Marsden, Ortiz and West 2000 prove that variational integrators can preserve the symplectic form in elastic \
+            contact (e = 1).",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::Exact,
-        correct_statement: "The statement on elastic contact holds, for the variational integrator that makes the time of impact a variable. It is in Fetecau, Marsden, Ortiz and West 2003; the abstract of the paper of 2000 speaks of the Newmark family and of dissipation, and its text was not read.",
-        argument: "Verlet's discrete Lagrangian with an elastic impact in the step, two coordinates, cubic potential, curved wall: DᵀJD − J = 0 in rationals. The impact is solved exactly at a start for which it is rational.",
+        correct_statement: "The statement on elastic contact holds, for the variational integrator that makes the time of impact a \
+            variable. It is in Fetecau, Marsden, Ortiz and West 2003; the abstract of the paper of 2000 speaks of the Newmark family and \
+            of dissipation, and its text was not read.",
+        argument: "Verlet's discrete Lagrangian with an elastic impact in the step, two coordinates, cubic potential, curved wall: DᵀJD − \
+            J = 0 in rationals. The impact is solved exactly at a start for which it is rational.",
         control: "The same step with its velocity at the end cut to 4/5.",
         sources: &[
             "chapter §8, the negative result",
@@ -73,7 +87,8 @@ fn volume_with_mass_of_place(h: &Rational) -> Rational {
     volume(&SEMI_IMPLICIT.jacobian(&MassOfPlace, &now, h)) * &after * &after
 }
 
-/// The factor of phase volume of symplectic Euler with the momentum, p⁺ = p + h p⁺²/q³, q⁺ = q + h p⁺/q², for M = q²: from q = 1, with p⁺ = 1.
+/// The factor of phase volume of symplectic Euler with the momentum, p⁺ = p + h p⁺²/q³, q⁺ = q + h p⁺/q², for M = q²: from q = 1, with p⁺
+/// = 1.
 fn volume_with_momentum(h: &Rational) -> Rational {
     let step = |x: &DVector<Dual<Rational>>| {
         let (q, p, h) = (x[0].clone(), x[1].clone(), Dual::constant(h.clone()));

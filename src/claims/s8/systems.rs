@@ -109,8 +109,8 @@ impl ScalarField for CurvedFloor {
     }
 }
 
-/// A start that hits the wall at q̃ = (2/3, −1/9) after τ with ṽ⁻ = −2n, and the jump λ = 4 of its impact. The steps are reversible, so the body
-/// leaves with ṽ⁺ = 2n the way it came, with the same discrete energy.
+/// A start that hits the wall at q̃ = (2/3, −1/9) after τ with ṽ⁻ = −2n, and the jump λ = 4 of its impact. The steps are reversible, so the
+/// body leaves with ṽ⁺ = 2n the way it came, with the same discrete energy.
 pub fn variational_start(integrator: &Variational<Bowl, CurvedFloor>, time: &Rational) -> (Phase<Rational>, Rational) {
     let position = entries(&[(2, 3), (-1, 9)]);
     let leaving = integrator.gap.gradient(&position) * ratio(2, 1);

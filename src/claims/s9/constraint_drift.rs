@@ -22,8 +22,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Baumgarte stabilisation φ̈ + 2αφ̇ + β²φ = 0 forces the violation φ to decay to zero as a damped oscillation.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "φ decays if α > 0 and β > 0, with oscillation only if α < β. The semi-implicit step of it decays if and only if, besides, 4αh + β²h² < 4: above that the violation grows.",
-        argument: "Roots −α ± √(α² − β²). From φ̇ = 0 and β = 5/s, φ crosses zero nine times in 10 s for α = 4/s and never for α = 6/s. The step has determinant 1 − 2αh and trace 2 − 2αh − β²h²: for 2αh = 1, β²h² = 2 − 10⁻⁶ decays and 2 does not.",
+        correct_statement: "φ decays if α > 0 and β > 0, with oscillation only if α < β. The semi-implicit step of it decays if and only \
+            if, besides, 4αh + β²h² < 4: above that the violation grows.",
+        argument: "Roots −α ± √(α² − β²). From φ̇ = 0 and β = 5/s, φ crosses zero nine times in 10 s for α = 4/s and never for α = 6/s. \
+            The step has determinant 1 − 2αh and trace 2 − 2αh − β²h²: for 2αh = 1, β²h² = 2 − 10⁻⁶ decays and 2 does not.",
         control: "α = 6/s in place of 4/s.",
         sources: &["chapter §9, constraint drift, (1)", "Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1"],
         check: equation,
@@ -33,19 +35,26 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Critical damping α = β is hard to hit exactly in practice, and that is why Baumgarte is hard to tune.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Both numbers are chosen, and φ obeys the equation whatever the masses are, so α = β can be hit exactly. But it is not critical for the step: α = β(1 − βh/2) is, and 2αh = βh = 1 ends any violation in two steps. Near α = β the rate is sensitive on one side only: overdamping by 5 % costs 27 % of it, underdamping by 5 % costs 5 %.",
-        argument: "Slow rate over β for α/β = 0.95, 1, 1.01, 1.05, 1.1: 0.95, 1, 0.8682, 0.7298, 0.6417. At βh = 1/5 the step with α = β has trace² − 4 det = 21/625 > 0, overdamped, and with 2αh = 9/25 exactly 0.",
+        correct_statement: "Both numbers are chosen, and φ obeys the equation whatever the masses are, so α = β can be hit exactly. But it \
+            is not critical for the step: α = β(1 − βh/2) is, and 2αh = βh = 1 ends any violation in two steps. Near α = β the rate is \
+            sensitive on one side only: overdamping by 5 % costs 27 % of it, underdamping by 5 % costs 5 %.",
+        argument: "Slow rate over β for α/β = 0.95, 1, 1.01, 1.05, 1.1: 0.95, 1, 0.8682, 0.7298, 0.6417. At βh = 1/5 the step with α = β \
+            has trace² − 4 det = 21/625 > 0, overdamped, and with 2αh = 9/25 exactly 0.",
         control: "α = β as the critical damping of the step.",
         sources: &["chapter §9, constraint drift, (1), and exercise 2"],
         check: tuning,
     },
     Claim {
         id: "S9.erp-sim2real",
-        statement: "Bullet's ERP of 0.2 artificially flattens the oscillations of a robot's joints, which causes a gap between simulation and reality.",
+        statement: "Bullet's ERP of 0.2 artificially flattens the oscillations of a robot's joints, which causes a gap between simulation \
+            and reality.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::NotDecidable,
-        correct_statement: "How large a gap to a real robot is cannot be decided here. The bias acts on the violation of a joint, which it lets decay by 4/5 a step without oscillation; the motion that the joint allows is not flattened: on a circle it keeps the angular momentum exactly, and settles with more energy than projection leaves.",
-        argument: "Point on a circle, hv/R = 1/100, 10⁴ steps (16 turns): bias −0.2 φ/h keeps E/E₀ = 0.9995 and stays h²v²/(2·0.2 R) outside; coordinate projection keeps 1/(1 + n h²v²/R²) = 1/2.",
+        correct_statement: "How large a gap to a real robot is cannot be decided here. The bias acts on the violation of a joint, which it \
+            lets decay by 4/5 a step without oscillation; the motion that the joint allows is not flattened: on a circle it keeps the \
+            angular momentum exactly, and settles with more energy than projection leaves.",
+        argument: "Point on a circle, hv/R = 1/100, 10⁴ steps (16 turns): bias −0.2 φ/h keeps E/E₀ = 0.9995 and stays h²v²/(2·0.2 R) \
+            outside; coordinate projection keeps 1/(1 + n h²v²/R²) = 1/2.",
         control: "Projection in place of the bias.",
         sources: &["chapter §9, constraint drift, (1)", "S9.bullet-erp for the value and its decay"],
         check: joint_oscillation,
@@ -55,8 +64,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "GGL stabilisation imposes position and velocity constraint at the same time; no damping to tune, but a larger system.",
         verdict: Verdict::True,
         evidence: Evidence::Certified,
-        correct_statement: "As stated: two multipliers per constraint in place of one. It is not free of numerical damping: with the implicit Euler rule a point on a circle keeps 1/(1 + n h²v²/R²) of its energy, exactly what coordinate projection leaves.",
-        argument: "Circle, hv/R = 1/100: after 1000 steps φ and Gv are at rounding and E/E₀ = 1/1.1. The bias has φ = 2.5e-4 R instead, and no stabilisation 4.7 %.",
+        correct_statement: "As stated: two multipliers per constraint in place of one. It is not free of numerical damping: with the \
+            implicit Euler rule a point on a circle keeps 1/(1 + n h²v²/R²) of its energy, exactly what coordinate projection leaves.",
+        argument: "Circle, hv/R = 1/100: after 1000 steps φ and Gv are at rounding and E/E₀ = 1/1.1. The bias has φ = 2.5e-4 R instead, \
+            and no stabilisation 4.7 %.",
         control: "The bias with ERP = 0.2.",
         sources: &["chapter §9, constraint drift, (2) and table", "Gear, Leimkuhler and Gupta, J. Comput. Appl. Math. 12–13 (1985) 77"],
         check: index_two,
@@ -66,8 +77,11 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Post-stabilisation projects only the position after each step, coordinate projection position and velocity together.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::Cited,
-        correct_statement: "Usage differs: Ascher and Petzold's post-stabilisation corrects position and velocity as well. And for a step that imposes G v⁺ = 0 at its start the two make the same motion: the positions agree, and the velocities differ by the projection which the next step makes anyway.",
-        argument: "Pendulum of 1 m from 1.5 rad, h = 1/100 s, 1000 steps: positions agree to rounding, velocities differ by up to 0.1 m/s. Reason: v⁺ = P v + h P M⁻¹F and P P v = P v, for forces that depend on q.",
+        correct_statement: "Usage differs: Ascher and Petzold's post-stabilisation corrects position and velocity as well. And for a step \
+            that imposes G v⁺ = 0 at its start the two make the same motion: the positions agree, and the velocities differ by the \
+            projection which the next step makes anyway.",
+        argument: "Pendulum of 1 m from 1.5 rad, h = 1/100 s, 1000 steps: positions agree to rounding, velocities differ by up to 0.1 m/s. \
+            Reason: v⁺ = P v + h P M⁻¹F and P P v = P v, for forces that depend on q.",
         control: "The velocities in place of the positions.",
         sources: &[
             "chapter §9, constraint drift, (3)",
@@ -80,8 +94,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Exercise 2: find the time constant of φ̈ + 2αφ̇ + β²φ = 0; how does the violation evolve for α < β and for α > β?",
         verdict: Verdict::True,
         evidence: Evidence::Certified,
-        correct_statement: "α ≤ β: τ = 1/α, for α < β oscillating at √(β² − α²). α > β: two decays without oscillation, the slower with τ = 1/(α − √(α² − β²)) ≈ 2α/β²: beyond critical, more damping is slower.",
-        argument: "β = 5/s, α = 1, 5, 10, 50/s: τ = 1, 0.2, 0.74641, 3.98997 s. Integrated from a start on the slow solution, each decays by e⁻¹ in τ.",
+        correct_statement: "α ≤ β: τ = 1/α, for α < β oscillating at √(β² − α²). α > β: two decays without oscillation, the slower with τ \
+            = 1/(α − √(α² − β²)) ≈ 2α/β²: beyond critical, more damping is slower.",
+        argument: "β = 5/s, α = 1, 5, 10, 50/s: τ = 1, 0.2, 0.74641, 3.98997 s. Integrated from a start on the slow solution, each decays \
+            by e⁻¹ in τ.",
         control: "τ = 1/α for α > β.",
         sources: &["chapter §9, exercise 2"],
         check: exercise,

@@ -11,8 +11,10 @@ pub const CLAIMS: &[Claim] = &[Claim {
     statement: "Drake has coordinate projection built in.",
     verdict: Verdict::False,
     evidence: Evidence::Cited,
-    correct_statement: "Not found: the documentation of its plant does not know the term, and its contacts are left with the depth that carries the load. Discrete constraints are compliant, near rigid where they should be hard.",
-    argument: "The phrase occurs 0 times in the documentation of 1.51.1's multibody plant (“contact” 1356 times). A ball of 1 kg at rest under SAP, k = 1e5 N/m, stays at m g/k = 98.1 µm below the ground; a projection would end at 0.",
+    correct_statement: "Not found: the documentation of its plant does not know the term, and its contacts are left with the depth that \
+        carries the load. Discrete constraints are compliant, near rigid where they should be hard.",
+    argument: "The phrase occurs 0 times in the documentation of 1.51.1's multibody plant (“contact” 1356 times). A ball of 1 kg at rest \
+        under SAP, k = 1e5 N/m, stays at m g/k = 98.1 µm below the ground; a projection would end at 0.",
     control: "A ball that ends on the ground.",
     sources: &[
         "chapter §9, constraint drift, (4)",

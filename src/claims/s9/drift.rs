@@ -14,39 +14,51 @@ use crate::tolerance::claims::{lcp::circle_residual, pathology as tolerance};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S9.velocity-legal",
-        statement: "The velocity constraint ∇φᵀv⁺ ≥ 0 only guarantees that the velocity of this step is admissible; the position constraint drifts.",
+        statement: "The velocity constraint ∇φᵀv⁺ ≥ 0 only guarantees that the velocity of this step is admissible; the position \
+            constraint drifts.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "Moreau–Jean constrains v⁺ + e v, so its new velocity is admissible, ∇φᵀv⁺ ≥ 0, if e = 0; with e > 0 a body that is moving away may \
+        correct_statement: "Moreau–Jean constrains v⁺ + e v, so its new velocity is admissible, ∇φᵀv⁺ ≥ 0, if e = 0; with e > 0 a body \
+            that is moving away may \
                             leave the step with an approach velocity down to −e∇φᵀv.",
-        argument: "m = 1, φ = 0, v = 1 m/s, a load that takes 13/10 m/s in the step: v_free = −3/10. With e = 1/2 the law velocity v_free + e v = 1/5 is \
-                   positive, so P = 0 and v⁺ = −3/10 < 0. With e = 0, v⁺ = max(0, v_free) ≥ 0 whatever v is: checked for 41 velocities from −2 to 2 m/s.",
+        argument: "m = 1, φ = 0, v = 1 m/s, a load that takes 13/10 m/s in the step: v_free = −3/10. With e = 1/2 the law velocity v_free \
+            + e v = 1/5 is \
+                   positive, so P = 0 and v⁺ = −3/10 < 0. With e = 0, v⁺ = max(0, v_free) ≥ 0 whatever v is: checked for 41 velocities \
+                   from −2 to 2 m/s.",
         control: "e = 1/2 in place of e = 0.",
         sources: &["chapter §9, why stabilisation is needed", "chapter §3, the scheme"],
         check: admissible_velocity,
     },
     Claim {
         id: "S9.velocity-drift",
-        statement: "Velocity-level schemes (Moreau–Jean): each step only keeps the velocity from penetrating, but numerical error lets the position leave the \
+        statement: "Velocity-level schemes (Moreau–Jean): each step only keeps the velocity from penetrating, but numerical error lets the \
+            position leave the \
                     constraint slowly – the body gradually sinks into the ground.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "On a flat floor with a converged solver a resting body does not move at all. It drifts along curved constraints, by h v²κ/2 per second, and if the \
+        correct_statement: "On a flat floor with a converged solver a resting body does not move at all. It drifts along curved \
+            constraints, by h v²κ/2 per second, and if the \
                             solver is stopped early, by a constant speed proportional to h.",
-        argument: "Ball at rest, 1000 steps: displacement exactly 0 for θ = 1/2 and 1. Bead in a circle of radius 1 m at 1 m/s: |q_n|⁴ lies between 1 + 2nh² and 1 + 2nh² + nh⁴, so \
-                   after 1 s with h = 1/100 it is 4.963e-3 m outside (√(1 + hT) − 1 = 4.988e-3 would neglect that the speed falls as 1/|q|). Tower of five equal bodies, h = 1/100, 10 cold sweeps \
-                   of projected Gauss–Seidel per step: the top sinks 5.9 cm in 1 s, as the linear recursion u⁺ = G¹⁰(u + u_g) predicts; converged: 1e-12 m, what the solver leaves.",
+        argument: "Ball at rest, 1000 steps: displacement exactly 0 for θ = 1/2 and 1. Bead in a circle of radius 1 m at 1 m/s: |q_n|⁴ \
+            lies between 1 + 2nh² and 1 + 2nh² + nh⁴, so \
+                   after 1 s with h = 1/100 it is 4.963e-3 m outside (√(1 + hT) − 1 = 4.988e-3 would neglect that the speed falls as \
+                   1/|q|). Tower of five equal bodies, h = 1/100, 10 cold sweeps \
+                   of projected Gauss–Seidel per step: the top sinks 5.9 cm in 1 s, as the linear recursion u⁺ = G¹⁰(u + u_g) predicts; \
+                   converged: 1e-12 m, what the solver leaves.",
         control: "The tower with 10 sweeps in the place of the converged one.",
         sources: &["chapter §9, why stabilisation is needed", "S3.drift for the activation rules"],
         check: velocity_drift,
     },
     Claim {
         id: "S9.ST-residual",
-        statement: "Even Stewart–Trinkle's linearised position constraint φ + h∇φᵀv⁺ ≥ 0 holds only up to the linearisation: a residual penetration of O(h²).",
+        statement: "Even Stewart–Trinkle's linearised position constraint φ + h∇φᵀv⁺ ≥ 0 holds only up to the linearisation: a residual \
+            penetration of O(h²).",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "A residual of at most ½h²v²/R where φ is concave along the motion (inside a circle), without accumulation; none where φ is convex (outside one) or linear.",
-        argument: "Inside the unit circle |q| + h q̂·v⁺ ≤ 1 gives |q⁺| ≤ √(1 + h²v²) whatever happened before: the deepest penetration over 100 steps is √(1 + h²) − 1 = 1.9998e-4, \
+        correct_statement: "A residual of at most ½h²v²/R where φ is concave along the motion (inside a circle), without accumulation; \
+            none where φ is convex (outside one) or linear.",
+        argument: "Inside the unit circle |q| + h q̂·v⁺ ≤ 1 gives |q⁺| ≤ √(1 + h²v²) whatever happened before: the deepest penetration \
+            over 100 steps is √(1 + h²) − 1 = 1.9998e-4, \
                    5.0000e-5, 1.2500e-5 m for h = 1/50, 1/100, 1/200. For convex φ: φ(q⁺) ≥ φ(q) + ∇φᵀ(q⁺ − q) ≥ 0.",
         control: "Moreau–Jean in place of Stewart–Trinkle: its penetration accumulates.",
         sources: &["chapter §9, why stabilisation is needed"],

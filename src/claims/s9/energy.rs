@@ -15,11 +15,15 @@ use crate::tolerance;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S9.energy-up-causes",
-        statement: "Energy that grows usually comes from explicit components or from Baumgarte's injection: use a (semi-)implicit scheme, and projection instead of Baumgarte.",
+        statement: "Energy that grows usually comes from explicit components or from Baumgarte's injection: use a (semi-)implicit scheme, \
+            and projection instead of Baumgarte.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "These two inject, and so do: Newton's e on the normal component with Coulomb friction, projection itself (m g δ), impulses of the step before that too few sweeps have not corrected, and a contact too stiff for its step (S9.jitter).",
-        argument: "Explicit Euler on a spring with hω = 1/10: 101/100 per step. Baumgarte: 9/125000 J for 1 mm (S9.baumgarte-inject). Neither explicit nor Baumgarte: the rod with W = (5, −3; −3, 5)/2, u⁻ = (−1, 3/5), μ = 1, e = 1 goes from 1/5 to 5/16 J, +9/80; projection 81/80 (S9.projection-energy); \
+        correct_statement: "These two inject, and so do: Newton's e on the normal component with Coulomb friction, projection itself (m g \
+            δ), impulses of the step before that too few sweeps have not corrected, and a contact too stiff for its step (S9.jitter).",
+        argument: "Explicit Euler on a spring with hω = 1/10: 101/100 per step. Baumgarte: 9/125000 J for 1 mm (S9.baumgarte-inject). \
+            Neither explicit nor Baumgarte: the rod with W = (5, −3; −3, 5)/2, u⁻ = (−1, 3/5), μ = 1, e = 1 goes from 1/5 to 5/16 J, \
+            +9/80; projection 81/80 (S9.projection-energy); \
                    a tower of three whose load is taken away, one warm-started sweep: 11/16 (g h)² J out of rest.",
         control: "The rod with e on the whole velocity v⁺ + e v⁻, which cannot gain energy.",
         sources: &["chapter §9, energy drift", "Kane and Levinson 1985; Stronge 1991 for energy gain with friction"],
@@ -30,8 +34,11 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Too much loss of energy comes from θ = 1 or large numerical damping: use θ = 1/2, reduce the damping.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "True of forces that depend on the state (springs): E⁺/E = 1/(1 + h²ω²) at θ = 1 and 1 at θ = 1/2. Under gravity θ has no effect in the long run: E − (θ−½) m g h v is conserved, and an impact keeps e² of the kinetic energy, for every θ.",
-        argument: "Spring, hω = 1/10: 100/101 per step at θ = 1, 1 at θ = 1/2. Elastic ball from 1 m, h = 1/100 s, 2000 steps with θ = 1: (E − ½ g h v)/E₀ = 1 exactly. Ball with e = 1/2: the first impact keeps 1/4 of ½v² with θ = 1 and with θ = 1/2.",
+        correct_statement: "True of forces that depend on the state (springs): E⁺/E = 1/(1 + h²ω²) at θ = 1 and 1 at θ = 1/2. Under \
+            gravity θ has no effect in the long run: E − (θ−½) m g h v is conserved, and an impact keeps e² of the kinetic energy, for \
+            every θ.",
+        argument: "Spring, hω = 1/10: 100/101 per step at θ = 1, 1 at θ = 1/2. Elastic ball from 1 m, h = 1/100 s, 2000 steps with θ = 1: \
+            (E − ½ g h v)/E₀ = 1 exactly. Ball with e = 1/2: the first impact keeps 1/4 of ½v² with θ = 1 and with θ = 1/2.",
         control: "The spring in the place of the ball.",
         sources: &["chapter §9, energy drift", "S3.energy-runs-down"],
         check: causes_of_loss,

@@ -14,22 +14,32 @@ use crate::tolerance::{claims::pathology as tolerance, rounding};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S9.ex1",
-        statement: "Exercise 1: stacked blocks slowly melt into each other. Is it constraint drift, soft penetration or energy? Give the likeliest cause and the cure for Moreau–Jean, MuJoCo and Stewart–Trinkle.",
+        statement: "Exercise 1: stacked blocks slowly melt into each other. Is it constraint drift, soft penetration or energy? Give the \
+            likeliest cause and the cure for Moreau–Jean, MuJoCo and Stewart–Trinkle.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "On a flat table none of the three keeps sinking if the step is solved: Moreau–Jean stands still, MuJoCo stays at its static depth, Stewart–Trinkle has no residual. Continued sinking means a solver stopped early under a velocity-level scheme; φ/h turns the same error into a static depth h times smaller. The cure is more sweeps or a warm start; projection would hide it.",
-        argument: "Tower of five, h = 1/100 s, 10 cold sweeps a step: Moreau–Jean sinks at the constant speed u = G¹⁰(u + u_g), 6.0 cm/s at the top; Stewart–Trinkle stays at h times that, 0.60 mm, after 2 s as after 1 s. Solved steps: 0. MuJoCo's ball: the same depth after 3 s as after 6 s.",
+        correct_statement: "On a flat table none of the three keeps sinking if the step is solved: Moreau–Jean stands still, MuJoCo stays \
+            at its static depth, Stewart–Trinkle has no residual. Continued sinking means a solver stopped early under a velocity-level \
+            scheme; φ/h turns the same error into a static depth h times smaller. The cure is more sweeps or a warm start; projection \
+            would hide it.",
+        argument: "Tower of five, h = 1/100 s, 10 cold sweeps a step: Moreau–Jean sinks at the constant speed u = G¹⁰(u + u_g), 6.0 cm/s \
+            at the top; Stewart–Trinkle stays at h times that, 0.60 mm, after 2 s as after 1 s. Solved steps: 0. MuJoCo's ball: the same \
+            depth after 3 s as after 6 s.",
         control: "Moreau–Jean in place of Stewart–Trinkle: its depth doubles.",
         sources: &["chapter §9, exercise 1"],
         check: melting_stack,
     },
     Claim {
         id: "S9.ex3",
-        statement: "Exercise 3: a gripper trembles. Check in this order: (a) is the integrator at least semi-implicit, (b) is θ or the numerical damping large enough, (c) has the solver converged, (d) do step and stiffness match; say which indicator shows each.",
+        statement: "Exercise 3: a gripper trembles. Check in this order: (a) is the integrator at least semi-implicit, (b) is θ or the \
+            numerical damping large enough, (c) has the solver converged, (d) do step and stiffness match; say which indicator shows each.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "Four switches with four indicators: (a) energy per step, (b) energy of springs – nothing on rigid contacts under a constant load –, (c) the approach velocity left, (d) speed at rest against h/t_c.",
-        argument: "(a) spring, hω = 1/10: 101/100 per explicit step; the semi-implicit one keeps v² + q² − h q v, so E/E₀ ≤ 1/(1 − 1/20). (b) 100/101 at θ = 1, 1 at θ = 1/2; a tower's velocities do not change. (c) tower of ten: 200 more sweeps multiply what is left by cos⁴⁰⁰(π/20) = 0.00705. (d) t_c = h: thrown up; t_c = 1.5h: calm.",
+        correct_statement: "Four switches with four indicators: (a) energy per step, (b) energy of springs – nothing on rigid contacts \
+            under a constant load –, (c) the approach velocity left, (d) speed at rest against h/t_c.",
+        argument: "(a) spring, hω = 1/10: 101/100 per explicit step; the semi-implicit one keeps v² + q² − h q v, so E/E₀ ≤ 1/(1 − 1/20). \
+            (b) 100/101 at θ = 1, 1 at θ = 1/2; a tower's velocities do not change. (c) tower of ten: 200 more sweeps multiply what is \
+            left by cos⁴⁰⁰(π/20) = 0.00705. (d) t_c = h: thrown up; t_c = 1.5h: calm.",
         control: "Switch (b) on a tower, where it must change nothing, read as the spring's.",
         sources: &["chapter §9, exercise 3"],
         check: four_switches,

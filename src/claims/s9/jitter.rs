@@ -14,11 +14,14 @@ use crate::tolerance::claims::pathology as tolerance;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S9.penetration-rigid-vs-soft",
-        statement: "Not every penetration is a bug: that of soft contact (MuJoCo) is by design, set by solref and solimp; to reduce it, stiffen and take smaller steps. That of velocity-level schemes is drift and needs projection.",
+        statement: "Not every penetration is a bug: that of soft contact (MuJoCo) is by design, set by solref and solimp; to reduce it, \
+            stiffen and take smaller steps. That of velocity-level schemes is drift and needs projection.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "The depth at rest is that of the soft law, independent of h: a smaller step alone changes nothing. It helps only by allowing a stiffer contact, because MuJoCo keeps t_c ≥ 2h; above h = t_c/2 the depth grows with h².",
-        argument: "Replay of MuJoCo's contact with default parameters, 1 kg laid on the floor: 3.671818e-4 m at h = 0.5, 1, 2, 5 and 10 ms, 6.0156e-4 at 15 ms, 8.3329e-4 at 20 ms, where t_c = 2h > 20 ms. With t_c = 2 ms at h = 1 ms: 4.3720e-6 m. \
+        correct_statement: "The depth at rest is that of the soft law, independent of h: a smaller step alone changes nothing. It helps \
+            only by allowing a stiffer contact, because MuJoCo keeps t_c ≥ 2h; above h = t_c/2 the depth grows with h².",
+        argument: "Replay of MuJoCo's contact with default parameters, 1 kg laid on the floor: 3.671818e-4 m at h = 0.5, 1, 2, 5 and 10 \
+            ms, 6.0156e-4 at 15 ms, 8.3329e-4 at 20 ms, where t_c = 2h > 20 ms. With t_c = 2 ms at h = 1 ms: 4.3720e-6 m. \
                    The drift of a bead in a circle under Moreau–Jean does shrink with h, by the factor 20 between these steps.",
         control: "The drift of the bead in the place of the soft contact.",
         sources: &[
@@ -29,11 +32,17 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S9.jitter",
-        statement: "Jitter of a stack at rest is almost always a numerical artefact: contact forces switch between pressing and releasing because the step is too large, the stiffness too high or the solver not converged. Cure: more iterations, more numerical damping, smaller steps, warm start.",
+        statement: "Jitter of a stack at rest is almost always a numerical artefact: contact forces switch between pressing and releasing \
+            because the step is too large, the stiffness too high or the solver not converged. Cure: more iterations, more numerical \
+            damping, smaller steps, warm start.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Certified,
-        correct_statement: "Step and stiffness are one cause, h/t_c: a critically damped contact of constant impedance cannot rest for h/t_c > 2√2 − 2 = 0.83 (a little more with MuJoCo's default impedance, which is lower at small depths), and MuJoCo's limit t_c ≥ 2h keeps it away from there. A solver stopped early switches nothing under a velocity-level scheme: it lets a stack sink steadily (S9.velocity-drift). How often jitter is numerical is not decided here.",
-        argument: "Ball dropped from 1 mm on MuJoCo's contact at h = 1 ms, constant impedance: calm (speed 0 to rounding) for t_c = 2h and 1.5h; for t_c = 1.2h and 1h it is thrown up again and again, faster than g h. With the limit, t_c = 1h is calm. \
+        correct_statement: "Step and stiffness are one cause, h/t_c: a critically damped contact of constant impedance cannot rest for \
+            h/t_c > 2√2 − 2 = 0.83 (a little more with MuJoCo's default impedance, which is lower at small depths), and MuJoCo's limit t_c \
+            ≥ 2h keeps it away from there. A solver stopped early switches nothing under a velocity-level scheme: it lets a stack sink \
+            steadily (S9.velocity-drift). How often jitter is numerical is not decided here.",
+        argument: "Ball dropped from 1 mm on MuJoCo's contact at h = 1 ms, constant impedance: calm (speed 0 to rounding) for t_c = 2h and \
+            1.5h; for t_c = 1.2h and 1h it is thrown up again and again, faster than g h. With the limit, t_c = 1h is calm. \
                    Tower of five, 10 cold sweeps a step: the velocities of successive steps are equal to rounding.",
         control: "t_c = h with MuJoCo's limit in place of the unlimited contact.",
         sources: &["chapter §9, energy drift and jitter, and the pitfall “jitter is physical”", "MuJoCo documentation, refsafe"],
@@ -44,8 +53,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Against jitter: increase the numerical damping moderately, θ → 1.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "It damps what a spring stores: E⁺/E = 1/(1 + h²ω²) at θ = 1. On rigid contacts under a constant load it does nothing: θ multiplies state-dependent forces and the position update, and neither enters the contact problem.",
-        argument: "Tower of five, 10 cold sweeps a step, 100 steps with θ = 1/2 and with θ = 1: all velocities are the same bit for bit. A spring with hω = 1/10 loses 1/101 of its energy per step at θ = 1 and none at θ = 1/2.",
+        correct_statement: "It damps what a spring stores: E⁺/E = 1/(1 + h²ω²) at θ = 1. On rigid contacts under a constant load it does \
+            nothing: θ multiplies state-dependent forces and the position update, and neither enters the contact problem.",
+        argument: "Tower of five, 10 cold sweeps a step, 100 steps with θ = 1/2 and with θ = 1: all velocities are the same bit for bit. A \
+            spring with hω = 1/10 loses 1/101 of its energy per step at θ = 1 and none at θ = 1/2.",
         control: "The spring in the place of the tower.",
         sources: &["chapter §9, energy drift and jitter"],
         check: damping,

@@ -12,11 +12,16 @@ use nalgebra::DMatrix;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S9.siconos-class",
-        statement: "Siconos's CombinedProjectedMoreauJeanOSI is a coordinate projection of this kind: it injects no artificial energy and is geometrically clean.",
+        statement: "Siconos's CombinedProjectedMoreauJeanOSI is a coordinate projection of this kind: it injects no artificial energy and \
+            is geometrically clean.",
         verdict: Verdict::False,
         evidence: Evidence::Measured,
-        correct_statement: "The class is MoreauJeanCombinedProjectionOSI. It takes energy: the step of an impact ends on φ = 0 from whatever height q it started, and an elastic ball loses m g q each time. And it moves bodies along H_nᵀ, not along M⁻¹H_nᵀ: the nearest place in the coordinates, not in the kinetic metric.",
-        argument: "Siconos 4.4.0, elastic ball from 1 m, h = 1/100 s, θ = 1/2: after 5 s E/E₀ = 0.8778, less by exactly Σ m g q over the steps that were projected. Masses 1, 2, 4 kg in a row: the moves of the projection add up to zero, those times the masses do not, so that the centre of mass moves.",
+        correct_statement: "The class is MoreauJeanCombinedProjectionOSI. It takes energy: the step of an impact ends on φ = 0 from \
+            whatever height q it started, and an elastic ball loses m g q each time. And it moves bodies along H_nᵀ, not along M⁻¹H_nᵀ: \
+            the nearest place in the coordinates, not in the kinetic metric.",
+        argument: "Siconos 4.4.0, elastic ball from 1 m, h = 1/100 s, θ = 1/2: after 5 s E/E₀ = 0.8778, less by exactly Σ m g q over the \
+            steps that were projected. Masses 1, 2, 4 kg in a row: the moves of the projection add up to zero, those times the masses do \
+            not, so that the centre of mass moves.",
         control: "Energy conserved.",
         sources: &[
             "chapter §9, constraint drift, (3)",
@@ -26,11 +31,18 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S9.refs",
-        statement: "Chen, Acary, Brüls 2013 (IJNME 96:487): nonsmooth generalised-α with adjustable numerical damping, compatible with HHT; Acary 2013 (CMAME 256:224): projected event-capturing Runge–Kutta with adaptive steps; Brüls, Acary, Cardona 2014: Lie-group generalised-α.",
+        statement: "Chen, Acary, Brüls 2013 (IJNME 96:487): nonsmooth generalised-α with adjustable numerical damping, compatible with \
+            HHT; Acary 2013 (CMAME 256:224): projected event-capturing Runge–Kutta with adaptive steps; Brüls, Acary, Cardona 2014: \
+            Lie-group generalised-α.",
         verdict: Verdict::Ambiguous,
         evidence: Evidence::Cited,
-        correct_statement: "The three papers exist; two are described as others are titled. CMAME 256:224–250 is on projected event-capturing schemes with contact and friction; the higher-order event-capturing schemes are Acary, Appl. Numer. Math. 62 (2012) 1259. Brüls, Acary and Cardona, CMAME 281 (2014) 131, is on enforcing constraints at position and velocity level at once. The papers were not read. The damping claimed for generalised-α is true.",
-        argument: "Volume, pages and title of Acary 2013 stand in Siconos's headers. Generalised-α with α_m = (2ρ−1)/(ρ+1), α_f = ρ/(ρ+1) has for an infinitely stiff spring the characteristic polynomial (x + ρ)³, exactly, for ρ = 0, 1/4, 1/2, 3/4; HHT is the same rule with α_m = 0.",
+        correct_statement: "The three papers exist; two are described as others are titled. CMAME 256:224–250 is on projected \
+            event-capturing schemes with contact and friction; the higher-order event-capturing schemes are Acary, Appl. Numer. Math. 62 \
+            (2012) 1259. Brüls, Acary and Cardona, CMAME 281 (2014) 131, is on enforcing constraints at position and velocity level at \
+            once. The papers were not read. The damping claimed for generalised-α is true.",
+        argument: "Volume, pages and title of Acary 2013 stand in Siconos's headers. Generalised-α with α_m = (2ρ−1)/(ρ+1), α_f = ρ/(ρ+1) \
+            has for an infinitely stiff spring the characteristic polynomial (x + ρ)³, exactly, for ρ = 0, 1/4, 1/2, 3/4; HHT is the same \
+            rule with α_m = 0.",
         control: "The trapezoidal rule, whose polynomial is that of ρ = 1.",
         sources: &[
             "chapter §9, higher order",

@@ -12,11 +12,14 @@ use crate::tolerance::claims::pathology as tolerance;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S9.baumgarte-inject",
-        statement: "Baumgarte stabilisation: (α, β) are very hard to tune; too small, the drift is corrected slowly, too large, artificial energy is injected into the system (or it is overdamped).",
+        statement: "Baumgarte stabilisation: (α, β) are very hard to tune; too small, the drift is corrected slowly, too large, artificial \
+            energy is injected into the system (or it is overdamped).",
         verdict: Verdict::True,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: as a velocity bias v⁺ = −ERP φ/h it injects T = ½m(ERP δ/h)², at every ERP and growing with its square.",
-        argument: "1 kg, 1 mm deep, h = 1/60 s, ERP = 1/5, no load: v⁺ = 0.012 m/s, T = 9/125000 = 7.2e-5 J; twice the ERP gives four times that. The body leaves for good: after 2 s it is 23 mm above the floor.",
+        correct_statement: "As stated: as a velocity bias v⁺ = −ERP φ/h it injects T = ½m(ERP δ/h)², at every ERP and growing with its \
+            square.",
+        argument: "1 kg, 1 mm deep, h = 1/60 s, ERP = 1/5, no load: v⁺ = 0.012 m/s, T = 9/125000 = 7.2e-5 J; twice the ERP gives four \
+            times that. The body leaves for good: after 2 s it is 23 mm above the floor.",
         control: "Projection of the position, which leaves the velocity alone.",
         sources: &["chapter §9, constraint drift, (1); pitfall “Baumgarte solves every drift”", "Baumgarte 1972"],
         check: injection,
@@ -26,8 +29,11 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Bullet's default ERP (error reduction parameter) = 0.2 is in essence Baumgarte stabilisation.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "It is the semi-implicit Baumgarte step with 2αh = 1 and β²h² = ERP, constants that follow the step: under load φ⁺ = (1 − ERP)φ, a first-order decay by 4/5 per step whatever h is (time constant 4.48 steps). With given (α, β) it is not.",
-        argument: "φ̇⁺ = φ̇ − h(2αφ̇ + β²φ) with 2αh = 1, β²h² = 1/5 is φ̇⁺ = −φ/(5h). Five loaded steps of 1/240 s: φ₅/φ₀ = (4/5)⁵ for both. The (α, β) that fit 1/60 s leave 79/80 of the error in the first step of 1/240 s. Without load Bullet's bias velocity stays: 23 mm above the floor after 2 s.",
+        correct_statement: "It is the semi-implicit Baumgarte step with 2αh = 1 and β²h² = ERP, constants that follow the step: under load \
+            φ⁺ = (1 − ERP)φ, a first-order decay by 4/5 per step whatever h is (time constant 4.48 steps). With given (α, β) it is not.",
+        argument: "φ̇⁺ = φ̇ − h(2αφ̇ + β²φ) with 2αh = 1, β²h² = 1/5 is φ̇⁺ = −φ/(5h). Five loaded steps of 1/240 s: φ₅/φ₀ = (4/5)⁵ for \
+            both. The (α, β) that fit 1/60 s leave 79/80 of the error in the first step of 1/240 s. Without load Bullet's bias velocity \
+            stays: 23 mm above the floor after 2 s.",
         control: "The constants (α, β) that fit h = 1/60 s, used at h = 1/240 s.",
         sources: &[
             "chapter §9, constraint drift, (1)",
@@ -40,21 +46,29 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Coordinate projection is preferable to Baumgarte: it injects no artificial energy and is geometrically clean.",
         verdict: Verdict::False,
         evidence: Evidence::Exact,
-        correct_statement: "Projection leaves the kinetic energy alone but lifts the body, ΔE = m g δ. How often depends on the activation rule (with the forecast φ + h v_free ≤ 0 never), \
-                            and on the start: a ball dropped from rest comes back to exactly φ = 0 after its first projection, so that rounding decides; thrown, it is projected at every impact.",
-        argument: "Elastic ball (e = 1) from 1 m, g = 10 m/s², h = 1/100 s, θ = 1/2, 20 s: in rationals with the rules φ ≤ 0 and φ + ½hv ≤ 0 there is one projection and E/E₀ = 81/80, all of it m g δ; from then on every \
-                   landing is exactly at φ = 0. In double precision those landings fall on either side of zero and the ball is projected again and again: E/E₀ = 1.152. Thrown upwards with 3/100 m/s, no landing is at φ = 0 and E/E₀ = 1.529 in rationals, 20 projections under φ ≤ 0 and none under the other two rules. Without projection, and with φ + h v_free ≤ 0: 1.",
+        correct_statement: "Projection leaves the kinetic energy alone but lifts the body, ΔE = m g δ. How often depends on the activation \
+            rule (with the forecast φ + h v_free ≤ 0 never), \
+                            and on the start: a ball dropped from rest comes back to exactly φ = 0 after its first projection, so that \
+                            rounding decides; thrown, it is projected at every impact.",
+        argument: "Elastic ball (e = 1) from 1 m, g = 10 m/s², h = 1/100 s, θ = 1/2, 20 s: in rationals with the rules φ ≤ 0 and φ + ½hv ≤ \
+            0 there is one projection and E/E₀ = 81/80, all of it m g δ; from then on every \
+                   landing is exactly at φ = 0. In double precision those landings fall on either side of zero and the ball is projected \
+                   again and again: E/E₀ = 1.152. Thrown upwards with 3/100 m/s, no landing is at φ = 0 and E/E₀ = 1.529 in rationals, 20 \
+                   projections under φ ≤ 0 and none under the other two rules. Without projection, and with φ + h v_free ≤ 0: 1.",
         control: "The same drop without projection.",
         sources: &["chapter §9, constraint drift, (3) and table of stabilisations"],
         check: projection,
     },
     Claim {
         id: "S9.clean-dirty",
-        statement: "Stabilisations differ in whether they disturb the physics while pulling the constraint back: Baumgarte injects energy (dirty), projection does not (clean).",
+        statement: "Stabilisations differ in whether they disturb the physics while pulling the constraint back: Baumgarte injects energy \
+            (dirty), projection does not (clean).",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "As a comparison: both pay the lift m g δ, Baumgarte pays ½m(ERP δ/h)² of kinetic energy on top. That projection adds nothing at all is S9.projection-energy.",
-        argument: "1 kg, 1 mm deep, g = 10 m/s², h = 1/60 s: projection adds 0 J of kinetic and 1/100 J of potential energy, a full bias (ERP = 1) 9/5000 J and the same 1/100 J.",
+        correct_statement: "As a comparison: both pay the lift m g δ, Baumgarte pays ½m(ERP δ/h)² of kinetic energy on top. That \
+            projection adds nothing at all is S9.projection-energy.",
+        argument: "1 kg, 1 mm deep, g = 10 m/s², h = 1/60 s: projection adds 0 J of kinetic and 1/100 J of potential energy, a full bias \
+            (ERP = 1) 9/5000 J and the same 1/100 J.",
         control: "The bias in place of projection.",
         sources: &["chapter §9, essential insight"],
         check: comparison,

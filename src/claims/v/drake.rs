@@ -10,7 +10,8 @@ pub const CLAIMS: &[Claim] = &[Claim {
     statement: "Drake: SAP is the current default.",
     verdict: Verdict::True,
     evidence: Evidence::Cited,
-    correct_statement: "As stated of the solver, in the release checked here, 1.51.1, the last for Python 3.11; on the contact model that it solves see S10.drake-default-sap.",
+    correct_statement: "As stated of the solver, in the release checked here, 1.51.1, the last for Python 3.11; on the contact model that \
+        it solves see S10.drake-default-sap.",
     argument: "A plant of 1.51.1 answers kSap when asked for its solver. Later releases were not asked.",
     control: "TAMSI as the default.",
     sources: &["chapter, table of versions", "references/facts/drake.json"],

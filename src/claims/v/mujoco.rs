@@ -15,7 +15,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "MuJoCo 3.x, open source; MJX is differentiable.",
         verdict: Verdict::Conditional,
         evidence: Evidence::Cited,
-        correct_statement: "The version is a matter of date: 3.x is what this repository pins (3.17.0), 4.0.0 appeared in November 2026. On MJX see S6.mjx-gradients.",
+        correct_statement: "The version is a matter of date: 3.x is what this repository pins (3.17.0), 4.0.0 appeared in November 2026. \
+            On MJX see S6.mjx-gradients.",
         argument: "The pinned package calls itself 3.17.0. Of 4.0.0 only the package index was consulted, on 2026-11-21.",
         control: "Version 4.",
         sources: &["chapter, table of versions", STORED],
@@ -23,11 +24,14 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "V.defaults",
-        statement: "MuJoCo's defaults: solref (0.02, 1), solimp (0.9, 0.95, 0.001, 0.5, 2), Newton, semi-implicit Euler; timeconst ≥ 2h; a spring needs h ≤ 2√(m/k).",
+        statement: "MuJoCo's defaults: solref (0.02, 1), solimp (0.9, 0.95, 0.001, 0.5, 2), Newton, semi-implicit Euler; timeconst ≥ 2h; a \
+            spring needs h ≤ 2√(m/k).",
         verdict: Verdict::Conditional,
         evidence: Evidence::Exact,
-        correct_statement: "The defaults are right. The bound on h is that of the undamped spring; with an explicit damper c it is h²k + 2hc ≤ 4m, and smaller.",
-        argument: "Asked of the pinned release. Semi-implicit step on k = m = 1, c = 1 at h = 3/2 < 2: det = −1/2, trace = −7/4, and 1 + trace + det = −5/4 < 0: an eigenvalue below −1.",
+        correct_statement: "The defaults are right. The bound on h is that of the undamped spring; with an explicit damper c it is h²k + \
+            2hc ≤ 4m, and smaller.",
+        argument: "Asked of the pinned release. Semi-implicit step on k = m = 1, c = 1 at h = 3/2 < 2: det = −1/2, trace = −7/4, and 1 + \
+            trace + det = −5/4 < 0: an eigenvalue below −1.",
         control: "c = 0.",
         sources: &["chapter, table of defaults", STORED],
         check: defaults,

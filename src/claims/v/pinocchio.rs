@@ -7,7 +7,8 @@ use crate::claims::{Claim, Evidence, Reading, Verdict};
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "V.pinocchio",
-    statement: "Pinocchio 3 / Simple: ADMM with a proximal term; admm-solver.hxx, contact-cholesky.hpp; rigid and compliant contact as NCP or SOCCP.",
+    statement: "Pinocchio 3 / Simple: ADMM with a proximal term; admm-solver.hxx, contact-cholesky.hpp; rigid and compliant contact as NCP \
+        or SOCCP.",
     verdict: Verdict::Conditional,
     evidence: Evidence::Cited,
     correct_statement: "So it began. The release checked here is 4.1.0: same solver and default law, other paths (S10.path-pinocchio).",

@@ -2,8 +2,9 @@
 
 use super::super::rounding;
 
-/// Below this share a number of the finest mesh, 80 elements, has come as near to its limit as first order lets it: the front and the release are
-/// each spread over an element, the node that strikes has the energy of half a one, and a third is left for the waves it sends out; 3/80.
+/// Below this share a number of the finest mesh, 80 elements, has come as near to its limit as first order lets it: the front and the
+/// release are each spread over an element, the node that strikes has the energy of half a one, and a third is left for the waves it sends
+/// out; 3/80.
 pub const CONVERGING: f64 = 3.0 / 80.0;
 
 /// A force that oscillates by its own size has an error of the size of the impulse: one half is neither that nor convergence.

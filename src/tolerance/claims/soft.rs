@@ -2,12 +2,12 @@
 
 use super::super::solvers::STOP;
 
-/// Error of the forces \[N\] of the two contacts of `S6.dual` and `S6.same-optimum`, given ‖f‖ and the largest |a_u| + |a_ref|, when each contact's
-/// natural map fᵢ − (fᵢ − ρᵢgᵢ)₊ is at most [`STOP`] times max(‖f‖, ‖ρ(a_u − a_ref)‖).
+/// Error of the forces \[N\] of the two contacts of `S6.dual` and `S6.same-optimum`, given ‖f‖ and the largest |a_u| + |a_ref|, when each
+/// contact's natural map fᵢ − (fᵢ − ρᵢgᵢ)₊ is at most [`STOP`] times max(‖f‖, ‖ρ(a_u − a_ref)‖).
 ///
-/// Strong monotony of H = A + R gives ‖f − f*‖ ≤ (1/ρ + ‖H‖)/λ_min(H) times the natural map. Here H = (4/5, 2/5; 2/5, 8/5 + 1/19): trace below 5/2,
-/// determinant above 1.16, so that λ_min > 2/5, and 1/ρᵢ = Hᵢᵢ between 4/5 and 5/3; (5/3 + 5/2)·5/2 < 11, and ‖ρ(a_u − a_ref)‖ ≤ √2·5/4 < 2 times
-/// its largest entry.
+/// Strong monotony of H = A + R gives ‖f − f*‖ ≤ (1/ρ + ‖H‖)/λ_min(H) times the natural map. Here H = (4/5, 2/5; 2/5, 8/5 + 1/19): trace
+/// below 5/2, determinant above 1.16, so that λ_min > 2/5, and 1/ρᵢ = Hᵢᵢ between 4/5 and 5/3; (5/3 + 5/2)·5/2 < 11, and ‖ρ(a_u − a_ref)‖ ≤
+/// √2·5/4 < 2 times its largest entry.
 pub fn two_contacts(force: f64, acceleration: f64) -> f64 {
     11.0 * STOP * force.max(2.0 * acceleration)
 }
@@ -16,19 +16,19 @@ pub fn two_contacts(force: f64, acceleration: f64) -> f64 {
 /// numbers of size 1.
 pub const COMPUTED: f64 = 1e-6;
 
-/// Distance \[m/s²\] of accelerations of about 140 m/s² that solvers find which run until their cost stands still: the cost is known to ε, the
-/// acceleration to √ε of its size, and ten times that with the conditioning of a dual method (R is a tenth of A).
+/// Distance \[m/s²\] of accelerations of about 140 m/s² that solvers find which run until their cost stands still: the cost is known to ε,
+/// the acceleration to √ε of its size, and ten times that with the conditioning of a dual method (R is a tenth of A).
 pub const SAME_OPTIMUM: f64 = 10.0 * 140.0 / 67_108_864.0;
 
 /// What “a few” iterations are.
 pub const FEW: f64 = 10.0;
 
-/// Relative distance of five iterates of conjugate gradients from an engine's: line searches exact to 2⁻⁴⁰ each, and a condition number of a thousand
-/// between step length and iterate.
+/// Relative distance of five iterates of conjugate gradients from an engine's: line searches exact to 2⁻⁴⁰ each, and a condition number of
+/// a thousand between step length and iterate.
 pub const ITERATES: f64 = 1000.0 / (1u64 << 40) as f64;
 
-/// Relative gradient, natural map or distance of an answer at rest: a hundred times [`STOP`], for a distance is the residual times (A + R)/R, of the order
-/// of a hundred.
+/// Relative gradient, natural map or distance of an answer at rest: a hundred times [`STOP`], for a distance is the residual times (A +
+/// R)/R, of the order of a hundred.
 pub const SOLVED: f64 = 100.0 * STOP;
 
 /// Accuracy of the impulses for which the work of a solver is counted.
@@ -37,6 +37,6 @@ pub const COUNTED: f64 = 1e-6;
 /// Gaps \[m\] at which a ball is just in touch, or just not.
 pub const TOUCH: [f64; 2] = [1e-12, 1e-15];
 
-/// Relative error of a jump at such a depth δ against that at δ = 0: (d − d₀)/d₀ ≤ (δ/width)²/d₀ and k d δ over b v + g ≈ 115 m/s² are below 3e-11, and
-/// the rounding of v⁺ is below 1e-14.
+/// Relative error of a jump at such a depth δ against that at δ = 0: (d − d₀)/d₀ ≤ (δ/width)²/d₀ and k d δ over b v + g ≈ 115 m/s² are
+/// below 3e-11, and the rounding of v⁺ is below 1e-14.
 pub const AT_TOUCH: f64 = 1e-8;

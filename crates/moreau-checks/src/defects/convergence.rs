@@ -26,7 +26,8 @@ pub const DEFECTS: &[Defect] = &[
     },
     Defect {
         name: "convergence/fixed-margin",
-        mistake: "contacts are active at φ ≤ 1 cm instead of φ ≤ 0: the ball bounces above the floor by a length that does not shrink with h",
+        mistake: "contacts are active at φ ≤ 1 cm instead of φ ≤ 0: the ball bounces above the floor by a length that does not shrink with \
+            h",
         defective: || one_impact(&Altered(Mistake::FixedMargin)),
         reference: || one_impact(&JUDGED),
     },

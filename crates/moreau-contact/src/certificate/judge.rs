@@ -5,9 +5,10 @@
 //!     tangential    ‖r_t − P_disk(μ r_n)(r_t − ρ_t y_t)‖                                              [N·s]
 //!     w = y_n  (frictionless, Coulomb) ,      w = y_n − μ‖y_t‖  (associated)                          [m/s]
 //! ```
-//! Both vanish at a contact exactly if its law holds there: r_n ⟂ w is Signorini's condition, and the disk gives Coulomb's friction for the normal
-//! impulse r_n; with w = y_n − μ‖y_t‖ they say K ∋ r ⟂ y ∈ K*. Unlike r − P_K(r − ρŷ) they do not take the difference of two numbers as
-//! large as the slip speed, and they tell a wrong normal impulse from a wrong direction of friction. Polyhedral laws are judged by their pairs.
+//! Both vanish at a contact exactly if its law holds there: r_n ⟂ w is Signorini's condition, and the disk gives Coulomb's friction for the
+//! normal impulse r_n; with w = y_n − μ‖y_t‖ they say K ∋ r ⟂ y ∈ K*. Unlike r − P_K(r − ρŷ) they do not take the difference of two numbers
+//! as large as the slip speed, and they tell a wrong normal impulse from a wrong direction of friction. Polyhedral laws are judged by their
+//! pairs.
 //!
 //! Where a contact slides, friction is held against μ s_r, and the rounding of its velocity counts as the angle it is of the slip.
 

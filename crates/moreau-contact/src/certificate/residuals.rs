@@ -1,5 +1,5 @@
-//! Residuals of a proposed solution, each in its own unit and at its own contact: how far r is from its cone, ŷ from the dual cone, and both from
-//! being complementary.
+//! Residuals of a proposed solution, each in its own unit and at its own contact: how far r is from its cone, ŷ from the dual cone, and
+//! both from being complementary.
 //!
 //! ```text
 //!     primal            dist(r, K)                              [N·s]
@@ -10,11 +10,11 @@
 //!     velocity          |u − (W r + u_free)|                    [m/s]     the stored u against the impulses
 //! ```
 //! y = u_free + shift + (W + R) r is computed from r here; a solution's own velocity is only compared. Polyhedral laws are judged by their
-//! complementary pairs (`polyhedral`). Contact by contact each residual is held against max(τ · scale, floor), see `scales`: a light contact beside a heavy
-//! one is judged by its own size.
+//! complementary pairs (`polyhedral`). Contact by contact each residual is held against max(τ · scale, floor), see `scales`: a light
+//! contact beside a heavy one is judged by its own size.
 //!
-//! For comparison with other programs there are two norms over all contacts that decide nothing: ‖r − P_K(r − ρŷ)‖ with ρ = rows/tr(W_kk + R_kk),
-//! and Siconos's number with ρ = 1 kg.
+//! For comparison with other programs there are two norms over all contacts that decide nothing: ‖r − P_K(r − ρŷ)‖ with ρ = rows/tr(W_kk +
+//! R_kk), and Siconos's number with ρ = 1 kg.
 
 use super::judge::{Here, Judge, Judged, check_sizes};
 use super::natural_map;
@@ -52,8 +52,8 @@ pub struct Residuals {
 /// The residuals of `solution` as an answer to `problem`.
 ///
 /// # Errors
-/// [`Error::Invalid`](moreau_exact::Error::Invalid) if the solution has another size than the problem, or if an edge compliance makes the answer depend on
-/// edge impulses that it does not give.
+/// [`Error::Invalid`](moreau_exact::Error::Invalid) if the solution has another size than the problem, or if an edge compliance makes the
+/// answer depend on edge impulses that it does not give.
 pub fn residuals(problem: &ContactProblem, solution: &Solution) -> Result<Residuals> {
     problem.validate()?;
     check_sizes(problem, solution)?;
@@ -132,8 +132,8 @@ pub fn momentum(
 }
 
 impl Residuals {
-    /// Whether every residual is at most max(`tolerance` · scale, rounding) at every contact. NaN is never a solution, and neither is an answer whose
-    /// norms overflow: infinity is at most infinity, which shows nothing.
+    /// Whether every residual is at most max(`tolerance` · scale, rounding) at every contact. NaN is never a solution, and neither is an
+    /// answer whose norms overflow: infinity is at most infinity, which shows nothing.
     pub fn is_solution(&self, tolerance: f64) -> bool {
         let finite = [self.natural_map, self.impulse_scale, self.velocity_scale, self.natural_map_scale].into_iter().all(f64::is_finite);
         finite && self.judged.accepts(tolerance)

@@ -8,15 +8,15 @@
 //!     floor = γ (Σ_j |W_kj||r_j| + |u_free| + |shift| + R_k|r_k|) ,   γ = mε/(1 − mε) ,   m = 2 rows + 8         [m/s]
 //! ```
 //! with q = u_free + shift and (W r) with R r in it, net: what cancels between the contacts of a body is no excuse for another body. Normal
-//! and tangential parts stay apart, so that fast sliding does not widen what a normal impulse is held against: for the associated laws q_n − μ‖q_t‖ stands in place of
-//! q_n, and a point that leaves fast excuses no other point of its body.
+//! and tangential parts stay apart, so that fast sliding does not widen what a normal impulse is held against: for the associated laws q_n
+//! − μ‖q_t‖ stands in place of q_n, and a point that leaves fast excuses no other point of its body.
 //!
-//! None is more than 10⁶ ρ V, V the largest velocity of the problem in q or W r, net: impulses that push against each other and move nothing would otherwise excuse any velocity,
-//! and a jaw that closes from both sides, which has no solution, would have one. Nor is a floor more than a hundredth of the largest velocity in q: where rounding hides
-//! that, nothing is certain.
+//! None is more than 10⁶ ρ V, V the largest velocity of the problem in q or W r, net: impulses that push against each other and move
+//! nothing would otherwise excuse any velocity, and a jaw that closes from both sides, which has no solution, would have one. Nor is a
+//! floor more than a hundredth of the largest velocity in q: where rounding hides that, nothing is certain.
 //!
-//! Two contacts lie between the same two bodies if their rows of H touch the same velocities; without H, if the file names the same pair and W couples
-//! them. A name alone joins nothing: it could hide a light contact behind a heavy one that it never meets.
+//! Two contacts lie between the same two bodies if their rows of H touch the same velocities; without H, if the file names the same pair
+//! and W couples them. A name alone joins nothing: it could hide a light contact behind a heavy one that it never meets.
 //!
 //! `DIFFERENCE` One ρ = rows/tr(W_kk) for a whole contact would accept a normal velocity that is wrong by W_tt/W_nn times τ.
 
@@ -110,7 +110,8 @@ impl Scales {
         }
     }
 
-    /// The floors of a contact's normal row and of its tangential ones \[m/s\], below what rounding could hide of the velocities that are given.
+    /// The floors of a contact's normal row and of its tangential ones \[m/s\], below what rounding could hide of the velocities that are
+    /// given.
     pub fn floors_at(&self, rows: std::ops::Range<usize>) -> [f64; 2] {
         let floors = &self.floors[rows];
         let most = if self.fastest[0] > 0.0 { self.fastest[0] * HIDDEN } else { f64::INFINITY };
@@ -125,7 +126,8 @@ impl Scales {
     }
 }
 
-/// What the data ask of the normal impulse \[m/s\]: q_n, less what the associated laws give way to the slip. Its rounding is 8ε of its terms.
+/// What the data ask of the normal impulse \[m/s\]: q_n, less what the associated laws give way to the slip. Its rounding is 8ε of its
+/// terms.
 fn closing(law: Law, mu: f64, q: &[f64]) -> f64 {
     match law {
         Law::Associated => q[0] - mu * tangential_norm(q),
@@ -138,8 +140,8 @@ fn closing(law: Law, mu: f64, q: &[f64]) -> f64 {
     }
 }
 
-/// Whether two contacts lie between the same two bodies: the columns of H decide, where there are any, and pairs named in the file count only
-/// where nothing else contradicts them.
+/// Whether two contacts lie between the same two bodies: the columns of H decide, where there are any, and pairs named in the file count
+/// only where nothing else contradicts them.
 fn same_bodies(problem: &ContactProblem, [j, k]: [usize; 2]) -> bool {
     let same_pair = |bodies: &Vec<[Option<usize>; 2]>| bodies[j] == bodies[k] || bodies[j] == [bodies[k][1], bodies[k][0]];
     let (rows, named) = (problem.rows_per_contact, problem.bodies.as_ref().map(same_pair));

@@ -3,7 +3,8 @@
 //! ```text
 //!     relative residual ≤ limit  ⟺  accepted
 //! ```
-//! A scheme through the waist is judged by the certificate of its contact problems, one with a law of its own by its own residual and stopping rule.
+//! A scheme through the waist is judged by the certificate of its contact problems, one with a law of its own by its own residual and
+//! stopping rule.
 
 /// The worst residual of a step, relative to what it is held against.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -70,7 +70,8 @@ pub fn along_neighbours(r: [f64; 2], d: usize, beta: &mut Vec<f64>) {
     beta[(j + 1) % d] = parts[1];
 }
 
-/// f with Σ fⱼ(n + μDⱼ) = r: the neighbours carry r_t/μ, and what is left of r_n is spread evenly, which adds no tangential impulse; `edges` is empty before.
+/// f with Σ fⱼ(n + μDⱼ) = r: the neighbours carry r_t/μ, and what is left of r_n is spread evenly, which adds no tangential impulse;
+/// `edges` is empty before.
 pub fn along_edges(r: &[f64], mu: f64, d: usize, edges: &mut Vec<f64>) {
     let [first, second] = [r.get(1), r.get(2)].map(|r| r.copied().unwrap_or(0.0));
     if mu > 0.0 {

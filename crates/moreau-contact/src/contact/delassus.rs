@@ -143,7 +143,8 @@ fn definite<T: Scalar>(j: usize, pivot: T, entry: &T, n: usize) -> Result<T> {
     Err(Error::invalid("mass", problem, "every velocity needs a positive inertia"))
 }
 
-/// Whether M has finite numbers on its diagonal and zeros beside it, as that of free bodies in principal axes: most of it need not be looked at again.
+/// Whether M has finite numbers on its diagonal and zeros beside it, as that of free bodies in principal axes: most of it need not be
+/// looked at again.
 fn is_diagonal<T: Scalar>(mass: &DMatrix<T>) -> bool {
     let is_finite = |x: &T| (x.clone() - x.clone()).is_zero();
     let beside = |(j, column): (usize, &[T])| column.iter().enumerate().all(|(i, x)| if i == j { is_finite(x) } else { x.is_zero() });

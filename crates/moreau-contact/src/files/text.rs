@@ -17,8 +17,8 @@ pub fn read_text(file: &Path) -> Result<String> {
 
 /// The text of a file of at most `limit` bytes; `cure` tells what to do about a larger one.
 ///
-/// A plain file is measured before it is read. A device or a pipe has no size: it is read up to the limit, and no further than its first byte 0, which no text
-/// holds.
+/// A plain file is measured before it is read. A device or a pipe has no size: it is read up to the limit, and no further than its first
+/// byte 0, which no text holds.
 ///
 /// # Errors
 /// Those of [`read_text`].

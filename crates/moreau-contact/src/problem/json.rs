@@ -6,8 +6,8 @@
 //! ```
 //! Numbers in SI. `dimension` is the number of rows per contact. A matrix is `rows`, or `triplets` {row, column, value}
 //! counted from 0, each place at most once. Instead of `delassus` a file may give `mass` and `jacobian`. Optional:
-//! `shift` (default 0), `directions` (polyhedral laws), `compliance` {coordinates: contact | edge, diagonal}, `bodies` (the two bodies of each
-//! contact, the ground as null), `provenance` (anything).
+//! `shift` (default 0), `directions` (polyhedral laws), `compliance` {coordinates: contact | edge, diagonal}, `bodies` (the two bodies of
+//! each contact, the ground as null), `provenance` (anything).
 
 use super::{Compliance, ContactProblem, Coordinates, Dynamics, Law, Solution};
 use crate::contact::delassus::delassus;
@@ -224,7 +224,8 @@ impl Solution {
     /// Reads a file `solution/1` that answers this problem; residuals stored in it are not trusted and not kept.
     ///
     /// # Errors
-    /// [`Error::Read`], or [`Error::InFile`] around what [`Solution::from_json`] says, or around [`Error::Invalid`] where the file names another problem.
+    /// [`Error::Read`], or [`Error::InFile`] around what [`Solution::from_json`] says, or around [`Error::Invalid`] where the file names
+    /// another problem.
     pub fn read(file: &Path, problem: &ContactProblem) -> Result<Self> {
         let answer: Result<SolutionFile> = read_schema(&read_json(file)?, SOLUTION_SCHEMA);
         answer.and_then(|answer| answer.answers(problem).map(|()| Self::from(answer))).map_err(|error| error.in_file(file))

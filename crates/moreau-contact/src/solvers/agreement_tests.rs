@@ -325,7 +325,8 @@ fn the_plain_method_is_the_projected_gradient_and_restarts_beat_it_where_the_pro
     let mut problem = random(Law::Frictionless, 1, 2, 2, 1.0, 0.0, 0);
     problem.delassus = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 1.0 / 1024.0]);
     problem.free_velocity = DVector::from_element(2, -1.0);
-    // L = 1: the first entry is found at once, the error of the second shrinks by 1 − 1/1024 in every step, its value is (1 − (1023/1024)ᵏ)·1024.
+    // L = 1: the first entry is found at once, the error of the second shrinks by 1 − 1/1024 in every step, its value is (1 −
+    // (1023/1024)ᵏ)·1024.
     let plain = AcceleratedProjectedGradient { momentum: Momentum::Plain, ..Default::default() };
     let mut iterates = Vec::new();
     let steps = plain.solve_observed(&problem, None, |_, impulse| iterates.push(impulse.clone())).unwrap().iterations;

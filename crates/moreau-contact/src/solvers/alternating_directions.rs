@@ -9,12 +9,12 @@
 //! Coulomb's law s = μ‖z_t‖n is de Saxcé's correction of the last z, contact by contact; for the convex laws s = 0. The answer is p.
 //!
 //! **ρ by itself.** With the primal residual ‖x − p‖ \[N·s\] and the dual one max(ρ, η)‖x − x₋‖ \[m/s\], ρ is multiplied by √(primal/dual)
-//! as soon as one exceeds ten times the other. Everything is measured in units in which the mean diagonal entry of A is 1 and so is the largest
-//! entry of q, so that a change of units changes nothing. For a convex law and ρ held fixed the method converges from anywhere; to that end ρ is held longer
-//! and longer, the n-th value for n iterations. For Coulomb's law nothing is promised: the certificate decides.
+//! as soon as one exceeds ten times the other. Everything is measured in units in which the mean diagonal entry of A is 1 and so is the
+//! largest entry of q, so that a change of units changes nothing. For a convex law and ρ held fixed the method converges from anywhere; to
+//! that end ρ is held longer and longer, the n-th value for n iterations. For Coulomb's law nothing is promised: the certificate decides.
 //!
-//! `DIFFERENCE` Pinocchio 4.1.0 writes τρ for ρ (τ = ½), may change ρ in every iteration, and has no units: its η = 10⁻⁶ and the bounds of ρ
-//! are numbers. Project Chrono has the same iteration with the proximal term on p and ρ balanced every six iterations.
+//! `DIFFERENCE` Pinocchio 4.1.0 writes τρ for ρ (τ = ½), may change ρ in every iteration, and has no units: its η = 10⁻⁶ and the bounds of
+//! ρ are numbers. Project Chrono has the same iteration with the proximal term on p and ρ balanced every six iterations.
 
 use super::ContactSolver;
 use super::stopping::Stopping;

@@ -3,8 +3,8 @@
 //! ```text
 //!     x⁺ = G(x) − Σ γ_i ΔG_i ,   γ = argmin ‖f(x) − Σ γ_i ΔF_i‖ ,
 //! ```
-//! with the differences ΔG_i, ΔF_i of the last few steps. Where G is affine this is GMRES in disguise; the sweeps of a contact solver are affine as
-//! long as no contact changes between open, sticking and sliding, and are slow there exactly when many sweeps carry
+//! with the differences ΔG_i, ΔF_i of the last few steps. Where G is affine this is GMRES in disguise; the sweeps of a contact solver are
+//! affine as long as no contact changes between open, sticking and sliding, and are slow there exactly when many sweeps carry
 //! information through a pile.
 //!
 //! A step that made ‖f‖ larger is taken back: the iteration goes on from the last plain G(x), without memory. So every second

@@ -7,7 +7,8 @@
 //!     at a vertex    A = 0                       g = Dⱼ
 //!     on a side      A = t tᵀ                    g = cos(π/d) m        t along the side, m its normal
 //! ```
-//! A point outside a regular polygon is nearest to the side in whose sector it lies: the reflections that keep the polygon keep its projection.
+//! A point outside a regular polygon is nearest to the side in whose sector it lies: the reflections that keep the polygon keep its
+//! projection.
 
 use crate::cones::polyhedral::direction;
 use std::f64::consts::PI;

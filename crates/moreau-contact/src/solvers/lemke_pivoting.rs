@@ -219,7 +219,8 @@ impl Scaled {
         Scaled { lcp: Lcp::new(matrix, vector / size), scale, size }
     }
 
-    /// The theorem holds for every positive covering vector; a ray that rounding made does not survive a change of it, nor does a basis that rounding spoilt.
+    /// The theorem holds for every positive covering vector; a ray that rounding made does not survive a change of it, nor does a basis
+    /// that rounding spoilt.
     fn coverings(&self) -> [DVector<f64>; 5] {
         let n = self.lcp.size();
         let rising = DVector::from_fn(n, |i, _| 1.0 + i as f64 / n as f64);

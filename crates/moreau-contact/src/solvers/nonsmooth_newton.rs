@@ -5,18 +5,22 @@
 //!     F_n = r_n − max(a, 0) ,      F_t = r_t − P_R(z) ,      J d = −F ,   r ← r + s d
 //!     w = y_n ,   or y_n − μ max { s·(−y_t) : s ∈ S } for the associated laws
 //! ```
-//! with P_R the projection on R·S, S the disk or the polygon of the law (`friction_set.rs`). With a polygon F is piecewise linear, and the right piece ends it.
+//! with P_R the projection on R·S, S the disk or the polygon of the law (`friction_set.rs`). With a polygon F is piecewise linear, and the
+//! right piece ends it.
 //!
-//! Where contacts do not change between open, sticking and sliding the error squares in every step; far from a solution nothing is promised. So it goes on from
-//! what sweeps have found, and ends problems on which they creep: a box on four corners, whose W has rank six of twelve.
+//! Where contacts do not change between open, sticking and sliding the error squares in every step; far from a solution nothing is
+//! promised. So it goes on from what sweeps have found, and ends problems on which they creep: a box on four corners, whose W has rank six
+//! of twelve.
 //!
-//! **Rank.** Several impulses give one velocity, and J is singular along them. η on the diagonal of the rows that ask for a velocity makes it regular, holds back the
-//! step along the null space, and leaves the zeros of F alone. A large η keeps contacts from changing their state for nothing, a small one squares the error at the end;
-//! they are tried in turn, each with steps s = 1, ½, ¼, …, until ‖F‖ is halved; else the least ‖F‖ is taken, even a larger one: a cycle is left by a jump. Which cycle an
-//! iteration ends in depends on η: other ones start again. The best iterate, by the certificate's residual, is returned.
+//! **Rank.** Several impulses give one velocity, and J is singular along them. η on the diagonal of the rows that ask for a velocity makes
+//! it regular, holds back the step along the null space, and leaves the zeros of F alone. A large η keeps contacts from changing their
+//! state for nothing, a small one squares the error at the end; they are tried in turn, each with steps s = 1, ½, ¼, …, until ‖F‖ is
+//! halved; else the least ‖F‖ is taken, even a larger one: a cycle is left by a jump. Which cycle an iteration ends in depends on η: other
+//! ones start again. The best iterate, by the certificate's residual, is returned.
 //!
 //! # Source
-//! Alart and Curnier, *A mixed formulation for frictional contact problems prone to Newton like solution methods*, Comput. Methods Appl. Mech. Eng. 92 (1991).
+//! Alart and Curnier, *A mixed formulation for frictional contact problems prone to Newton like solution methods*, Comput. Methods Appl.
+//! Mech. Eng. 92 (1991).
 
 use super::ContactSolver;
 use super::friction_set::{FrictionSet, Piece};

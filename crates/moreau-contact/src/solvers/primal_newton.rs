@@ -5,8 +5,8 @@
 //!     g = M x − Hᵀ r(u) ,   r_i = −∇ℓ_i ,     (M + Hᵀ G H) d = −g ,   G_i = ∇²ℓ_i ,     x ← x + α d .
 //! ```
 //! α is the minimiser along d, the root of the increasing function α ↦ dᵀM(x + αd) − (Hd)ᵀr(u + αHd); the value of ℓ is never needed.
-//! The objective is strongly convex in the kinetic norm, so that ‖x − x*‖_M ≤ ‖g‖_{M⁻¹} however curved ℓ is. With ∇²ℓ only piecewise continuous
-//! every step still descends, and the last ones converge quadratically.
+//! The objective is strongly convex in the kinetic norm, so that ‖x − x*‖_M ≤ ‖g‖_{M⁻¹} however curved ℓ is. With ∇²ℓ only piecewise
+//! continuous every step still descends, and the last ones converge quadratically.
 //!
 //! # Source
 //! Castro, Permenter and Han, *An unconstrained convex formulation of compliant contact* (2022), §IV.
@@ -111,7 +111,8 @@ impl Step<'_> {
         (&hessian + hessian.transpose()) * 0.5
     }
 
-    /// The root α of the slope along d: bracketed by doubling, then by Newton's method that falls back on bisection. `None` if d does not descend.
+    /// The root α of the slope along d: bracketed by doubling, then by Newton's method that falls back on bisection. `None` if d does not
+    /// descend.
     fn line_minimum(&self, change: &DVector<f64>, direction: &DVector<f64>) -> Option<f64> {
         let along = &self.dynamics.jacobian * direction;
         let weighted = &self.dynamics.mass * direction;

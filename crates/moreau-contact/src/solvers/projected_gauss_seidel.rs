@@ -5,8 +5,8 @@
 //! Each contact is solved to rounding (`one_contact`). For symmetric positive semidefinite W and a convex law the
 //! sweeps descend on ½rᵀ(W+R)r + (u_free+shift)ᵀr and converge; for Coulomb's law they usually do, and the certificate tells.
 //!
-//! Accelerated sweeps keep their best iterate and return it. Sweeps that no longer halve its residual have stalled and end with it too; plain sweeps that
-//! reach their declared number return the last one.
+//! Accelerated sweeps keep their best iterate and return it. Sweeps that no longer halve its residual have stalled and end with it too;
+//! plain sweeps that reach their declared number return the last one.
 
 use super::ContactSolver;
 use super::anderson::Anderson;
@@ -17,7 +17,8 @@ use crate::tolerance::solvers as tolerance;
 use moreau_exact::{Error, Result};
 use nalgebra::{DVector, Matrix3, Vector3};
 
-/// Block projected Gauss–Seidel for the frictionless, Coulomb and associated laws and, at spatial contacts, polyhedral Coulomb; W may be asymmetric and rank deficient.
+/// Block projected Gauss–Seidel for the frictionless, Coulomb and associated laws and, at spatial contacts, polyhedral Coulomb; W may be
+/// asymmetric and rank deficient.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProjectedGaussSeidel {
     /// Sweep limit.
@@ -198,7 +199,8 @@ impl Sweeper<'_> {
         self.impulse = impulse;
     }
 
-    /// The largest relative residual; one within the tolerance is taken on a freshly computed y, since the updated one carries old rounding.
+    /// The largest relative residual; one within the tolerance is taken on a freshly computed y, since the updated one carries old
+    /// rounding.
     fn measure(&mut self, tolerance: f64) -> f64 {
         let mut relative = self.stopping.relative(&self.impulse, &self.law_velocity);
         if relative <= tolerance {

@@ -7,8 +7,8 @@
 //! λ_k(1/ω − ½)‖Δr_k‖², so that it converges for 0 < ω < 2; beyond, a single contact already overshoots for ever. Block Gauss–Seidel
 //! ([`super::ProjectedGaussSeidel`]) solves each contact instead of stepping once.
 //!
-//! `DIFFERENCE` Project Chrono divides by the mean of the diagonal of A_kk, not by λ_k. The two are the same where A_kk is a multiple of the
-//! identity; where λ_k exceeds twice the mean, as in diag(1, 1/10, 1/10), Chrono's step with its default ω = 1 is beyond 2 and swings.
+//! `DIFFERENCE` Project Chrono divides by the mean of the diagonal of A_kk, not by λ_k. The two are the same where A_kk is a multiple of
+//! the identity; where λ_k exceeds twice the mean, as in diag(1, 1/10, 1/10), Chrono's step with its default ω = 1 is beyond 2 and swings.
 
 use super::ContactSolver;
 use super::stopping::Stopping;

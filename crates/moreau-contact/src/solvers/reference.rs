@@ -30,8 +30,8 @@ pub const NAMES: [&str; 14] = [
     "sequential-impulses",
 ];
 
-/// The default choice: one algorithm after another, in a fixed order, until the certificate's residuals are below [`ENOUGH`], after the first of nonsmooth Newton
-/// below [`ACCEPTABLE`]; otherwise the best answer seen.
+/// The default choice: one algorithm after another, in a fixed order, until the certificate's residuals are below [`ENOUGH`], after the
+/// first of nonsmooth Newton below [`ACCEPTABLE`]; otherwise the best answer seen.
 ///
 /// | for | algorithm |
 /// |---|---|
@@ -48,8 +48,8 @@ pub const NAMES: [&str; 14] = [
 /// | polyhedral Coulomb in space | plain sweeps |
 /// | the associated law | accelerated projected gradient, Clarabel |
 ///
-/// Each starts from the best answer of those before. The order and the numbers of iterations are fixed, so that the same problem has the same answer on
-/// every machine; no clock is asked. The answer names the algorithm it came from, with the iterations of all.
+/// Each starts from the best answer of those before. The order and the numbers of iterations are fixed, so that the same problem has the
+/// same answer on every machine; no clock is asked. The answer names the algorithm it came from, with the iterations of all.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reference;
 
@@ -142,7 +142,8 @@ fn unknowns(problem: &ContactProblem, directions: usize) -> usize {
     (2 + directions) * problem.contacts()
 }
 
-/// Newton's method on softer contacts, W + α/ρ in place of W, from soft to hard, α = 1, ¼, …: each answer is near the next, and where none is the last one is.
+/// Newton's method on softer contacts, W + α/ρ in place of W, from soft to hard, α = 1, ¼, …: each answer is near the next, and where none
+/// is the last one is.
 fn through_softness(problem: &ContactProblem, _: Option<&DVector<f64>>) -> Result<Solution> {
     let (weights, mut softer) = (Judge::weights(problem), problem.clone());
     let (rows, mut impulse, mut iterations) = (problem.rows_per_contact, None, 0);
@@ -176,7 +177,8 @@ fn more_sweeps(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result
     swept(problem, start, if has_second_order_cone(problem) { tolerance::AUTO_SWEEPS } else { tolerance::FIRST_SWEEPS })
 }
 
-/// Accelerated sweeps; of the round cone where the law has none of its own, which in the plane is the same one and in space tells which contacts press.
+/// Accelerated sweeps; of the round cone where the law has none of its own, which in the plane is the same one and in space tells which
+/// contacts press.
 fn swept(problem: &ContactProblem, start: Option<&DVector<f64>>, sweeps: usize) -> Result<Solution> {
     let solver = ProjectedGaussSeidel { sweeps, ..ProjectedGaussSeidel::accelerated() };
     let round = match problem.law {

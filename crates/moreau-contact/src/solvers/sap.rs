@@ -4,7 +4,8 @@
 //!     K ∋ r ⟂ y = u + shift + R r ∈ K*   ⇔   r = argmin_{K} ½ ‖r − ŷ‖²_R ,   ŷ = −R⁻¹ (u + shift) ,
 //!     ℓ(u) = ½ ‖r(u)‖²_R ,   min ½ ‖v − v_free‖²_M + Σ ℓ_i(u_i) .
 //! ```
-//! The projection is analytic because R_t is the same for both tangents. With z = R^½ ŷ it is the Euclidean one on K with μ̃ = μ √(R_t/R_n), so that
+//! The projection is analytic because R_t is the same for both tangents. With z = R^½ ŷ it is the Euclidean one on K with μ̃ = μ
+//! √(R_t/R_n), so that
 //! ```text
 //!     ‖ŷ_t‖ ≤ μ ŷ_n                 sticks      r = ŷ
 //!     ŷ_n ≤ −μ̂ ‖ŷ_t‖               opens       r = 0                                             μ̂ = μ R_t/R_n

@@ -1,18 +1,20 @@
-//! Sequential impulses, Bullet's iteration: one row after the other, the normals of all contacts first, then their friction, a given number of times.
+//! Sequential impulses, Bullet's iteration: one row after the other, the normals of all contacts first, then their friction, a given number
+//! of times.
 //!
 //! ```text
 //!     r_n ← max(0, r_n − y_n / D_nn) ,     y = u_free + shift + (W + R) r ,   D = diag(W + R) ,
 //!     cone:  r_t ← P(r_t − D_t⁻¹ y_t)               both rows at once, P scales into the disc ‖r_t‖ ≤ μ r_n
 //!     box:   r_e ← min(max(r_e − y_e / D_ee, −b), b)    for one axis e after the other, b = μ r_n, left alone while r_n = 0
 //! ```
-//! with the r_n of the moment. At the start r_n is a share of the previous step's impulse and r_t = 0. A sweep in which no row's velocity changed by more
-//! than the residual is the last; the two rows of a cone count by the sum of their changes, which may cancel.
+//! with the r_n of the moment. At the start r_n is a share of the previous step's impulse and r_t = 0. A sweep in which no row's velocity
+//! changed by more than the residual is the last; the two rows of a cone count by the sum of their changes, which may cancel.
 //!
 //! The box is the polyhedral law with four directions: |r·d₁| + |r·d₂| ≤ μ r_n is, along the axes turned by 45°, |r_e| ≤ μ r_n/√2. In the
 //! plane box and cone are one row.
 //!
-//! A fixed point of the cone's sweeps solves Coulomb's law, P being the projection that the law is written with as long as D_t is a multiple of the
-//! identity. A fixed point of the box's sweeps need not solve its law: a contact whose normal impulse comes back to zero keeps the friction it had.
+//! A fixed point of the cone's sweeps solves Coulomb's law, P being the projection that the law is written with as long as D_t is a
+//! multiple of the identity. A fixed point of the box's sweeps need not solve its law: a contact whose normal impulse comes back to zero
+//! keeps the friction it had.
 
 use super::ContactSolver;
 use crate::problem::{ContactProblem, Law, Solution};
@@ -20,11 +22,12 @@ use crate::tolerance::solvers::BULLET_RESIDUAL;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
-/// Sequential impulses for the frictionless and Coulomb's law and, with four directions, the polyhedral one; W may be asymmetric and rank deficient.
+/// Sequential impulses for the frictionless and Coulomb's law and, with four directions, the polyhedral one; W may be asymmetric and rank
+/// deficient.
 ///
 /// # Source
-/// Bullet 3.25, `btSequentialImpulseConstraintSolver::solveSingleIteration` and `btMultiBodyConstraintSolver::solveSingleIteration`; E. Catto,
-/// Iterative dynamics with temporal coherence, 2005.
+/// Bullet 3.25, `btSequentialImpulseConstraintSolver::solveSingleIteration` and `btMultiBodyConstraintSolver::solveSingleIteration`; E.
+/// Catto, Iterative dynamics with temporal coherence, 2005.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SequentialImpulses {
     /// Most sweeps (`numSolverIterations`).
@@ -36,7 +39,8 @@ pub struct SequentialImpulses {
 }
 
 impl Default for SequentialImpulses {
-    /// PyBullet's values for its multibodies, which start from zero; its rigid bodies start from 0.1. Bullet's own are 10 sweeps, 0.85 and 0.
+    /// PyBullet's values for its multibodies, which start from zero; its rigid bodies start from 0.1. Bullet's own are 10 sweeps, 0.85
+    /// and 0.
     fn default() -> Self {
         SequentialImpulses { sweeps: 50, warm_start: 0.0, residual: BULLET_RESIDUAL }
     }
@@ -127,7 +131,8 @@ impl Sweep<'_> {
         largest
     }
 
-    /// What the row Σ axis_i · row_{first+i} would add to its impulse if it were alone and without bound \[N·s\], and its D \[1/kg\]; nothing where D is zero.
+    /// What the row Σ axis_i · row_{first+i} would add to its impulse if it were alone and without bound \[N·s\], and its D \[1/kg\];
+    /// nothing where D is zero.
     fn alone(&self, first: usize, axis: &[f64]) -> (f64, f64) {
         let (mut velocity, mut diagonal) = (0.0, 0.0);
         for (i, a) in axis.iter().enumerate() {

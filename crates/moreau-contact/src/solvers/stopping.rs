@@ -33,8 +33,8 @@ impl<'a> Stopping<'a> {
 
     /// The largest relative residual over the contacts, infinite where it is not a number.
     ///
-    /// The rounding of y costs a pass over W. It is taken from an earlier call where the residual is large, or where it is above the tolerance and the impulses are still of one
-    /// size, on which alone that rounding depends; and now and then it is taken anew.
+    /// The rounding of y costs a pass over W. It is taken from an earlier call where the residual is large, or where it is above the
+    /// tolerance and the impulses are still of one size, on which alone that rounding depends; and now and then it is taken anew.
     pub(super) fn relative(&mut self, impulse: &DVector<f64>, law_velocity: &DVector<f64>) -> f64 {
         self.answer.impulse.clone_from(impulse);
         self.calls += 1;

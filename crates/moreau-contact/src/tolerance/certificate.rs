@@ -14,14 +14,16 @@ pub fn gamma(operations: usize) -> f64 {
 /// operations with the radius μ r_n.
 pub const PROJECTED: f64 = 8.0 * EPSILON;
 
-/// Most that an impulse may exceed what the velocities of its problem ask of its own contact and still widen a limit, 10⁶, the largest mass ratio that is promised: a body
-/// between two that are so much heavier is held against its real load, and what is accepted at 10⁻⁸ is within a hundredth of those velocities however hard contacts press.
+/// Most that an impulse may exceed what the velocities of its problem ask of its own contact and still widen a limit, 10⁶, the largest mass
+/// ratio that is promised: a body between two that are so much heavier is held against its real load, and what is accepted at 10⁻⁸ is
+/// within a hundredth of those velocities however hard contacts press.
 pub const JAMMED: f64 = 1e6;
 
 /// Part of the largest velocity in the data that rounding may hide, that hundredth.
 pub const HIDDEN: f64 = 1e-2;
 
-/// Size of an entry of W between two contacts, relative to those on the diagonal, from which it couples them: √ε, below which the product of two impulses' motions is rounding.
+/// Size of an entry of W between two contacts, relative to those on the diagonal, from which it couples them: √ε, below which the product
+/// of two impulses' motions is rounding.
 pub const COUPLED: f64 = 1.0 / 67_108_864.0;
 
 /// Default of `certify --tolerance`, relative to the scale of each residual's unit.

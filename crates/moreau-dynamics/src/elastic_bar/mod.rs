@@ -5,8 +5,8 @@
 //!     M lumped: ρAΔ, half of it at both ends;   K: k on the diagonal at the ends, 2k inside, −k beside it
 //!     redistributed mass: node 0 has none, node 1 has it, and u₀ = u₁ + λ/k follows from statics
 //! ```
-//! One step is a contact problem of one row, W r + u_free with r = hλ, and with R = 1/k where the mass is redistributed: the finite mass at the
-//! end is what makes the contact force of the others oscillate at the frequency of the mesh.
+//! One step is a contact problem of one row, W r + u_free with r = hλ, and with R = 1/k where the mass is redistributed: the finite mass at
+//! the end is what makes the contact force of the others oscillate at the frequency of the mesh.
 
 use moreau_exact::{Error, Result};
 use moreau_forms::ElasticBar;

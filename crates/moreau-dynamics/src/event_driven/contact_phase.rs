@@ -28,8 +28,8 @@ pub struct ContactPhase<'a> {
 }
 
 impl<'a> ContactPhase<'a> {
-    /// The phase that begins at (q, v) with these contacts touching and not parting; `ahead` is where the basis is decided, the state itself
-    /// or one that the last phase reaches a moment later.
+    /// The phase that begins at (q, v) with these contacts touching and not parting; `ahead` is where the basis is decided, the state
+    /// itself or one that the last phase reaches a moment later.
     ///
     /// # Errors
     /// Those of [`Accelerations::solve`].

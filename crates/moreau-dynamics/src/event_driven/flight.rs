@@ -5,8 +5,8 @@
 //!     bracket     g_i on the continuous extension x(ϑh) at ϑ = 1/8, …, 1
 //!     locate      the root of s ↦ g_i(step(x, s)), the step itself and not its extension, to rounding
 //! ```
-//! A function that starts at zero or below (the gap of a body that has just bounced) is watched as (g(s) − g(0))/s instead, whose root is the
-//! next one. The state at an event is a full step of order five, so that locating costs no order.
+//! A function that starts at zero or below (the gap of a body that has just bounced) is watched as (g(s) − g(0))/s instead, whose root is
+//! the next one. The state at an event is a full step of order five, so that locating costs no order.
 
 use super::root::falling_root;
 use crate::integrators::DormandPrinceStep;

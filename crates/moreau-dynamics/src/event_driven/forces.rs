@@ -6,8 +6,8 @@
 //!     slipping, u_t ≠ 0       force λ (n − μ s t) ,  s = sign u_t
 //!     sticking, u_t = 0       0 ≤ β± ⟂ ±a_t + σ ≥ 0 ,  0 ≤ σ ⟂ μλ − β⁺ − β⁻ ≥ 0          (Coulomb's law on accelerations)
 //! ```
-//! z = (λ, or λ, β⁺, β⁻, σ, contact by contact), 0 ≤ z ⟂ Nz + b ≥ 0. For slipping contacts N is not symmetric, and for Painlevé's rod there may
-//! be no solution or several; Lemke's method then ends on a ray, or picks one.
+//! z = (λ, or λ, β⁺, β⁻, σ, contact by contact), 0 ≤ z ⟂ Nz + b ≥ 0. For slipping contacts N is not symmetric, and for Painlevé's rod there
+//! may be no solution or several; Lemke's method then ends on a ray, or picks one.
 //!
 //! # Source
 //! Lötstedt, *Mechanical systems of rigid bodies subject to unilateral constraints* (1982); Pfeiffer and Glocker (1996).

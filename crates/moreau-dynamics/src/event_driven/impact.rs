@@ -1,13 +1,14 @@
-//! Impacts of touching contacts: Newton's restitution and Coulomb's law in one contact problem, and the rule that carries on beyond infinitely
-//! many of them.
+//! Impacts of touching contacts: Newton's restitution and Coulomb's law in one contact problem, and the rule that carries on beyond
+//! infinitely many of them.
 //!
 //! ```text
 //!     M (v⁺ − v⁻) = Hᵀ r ,   K_μ ∋ r ⟂ y + μ‖y_t‖ n ∈ K_μ* ,   y = H v⁺ + e min(u_n⁻, 0) n
 //!     flight that e would start:  2 e |u_n⁻| / (−a_n) ,   a_n the acceleration of the gap without contact forces
 //!     Zeno rule: where it is shorter than `shortest_flight`, e = 0 for this impact
 //! ```
-//! The rule skips flights that last τ(1 + e + e² + …) ≤ τ/(1 − e) in all and rise by at most |a_n|τ²/8; the energy lost with them is at most
-//! ½ m (½|a_n|τ)². Without it (τ = 0) an event-driven method gets through infinitely many impacts only because floating-point time stops.
+//! The rule skips flights that last τ(1 + e + e² + …) ≤ τ/(1 − e) in all and rise by at most |a_n|τ²/8; the energy lost with them is at
+//! most ½ m (½|a_n|τ)². Without it (τ = 0) an event-driven method gets through infinitely many impacts only because floating-point time
+//! stops.
 
 use crate::mechanics::Mechanism;
 use moreau_contact::contact::delassus::{MassFactor, delassus};
@@ -34,7 +35,8 @@ pub struct Impact<'a> {
 }
 
 impl Impact<'_> {
-    /// Velocities after the impact and the impulses of the touching contacts, row by row; `None` if no contact arrives faster than `slow` \[m/s\].
+    /// Velocities after the impact and the impulses of the touching contacts, row by row; `None` if no contact arrives faster than `slow`
+    /// \[m/s\].
     ///
     /// # Errors
     /// Those of the solver, or if the mass matrix is not positive definite.

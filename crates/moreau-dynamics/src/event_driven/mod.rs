@@ -6,9 +6,9 @@
 //!     at them     impact law  [`impact`],  contact forces from the accelerations  [`forces`]
 //!     beyond      infinitely many impacts: the Zeno rule of [`impact`];  sliding modes: [`filippov`]
 //! ```
-//! The opposite of the time-stepping schemes: between events it is of order five, and it needs every event. It is not defined where no contact
-//! force exists (Painlevé), and says so; beyond an accumulation of impacts it is defined by the declared rule only. Mechanisms on a line and in
-//! the plane whose coordinates form a vector space.
+//! The opposite of the time-stepping schemes: between events it is of order five, and it needs every event. It is not defined where no
+//! contact force exists (Painlevé), and says so; beyond an accumulation of impacts it is defined by the declared rule only. Mechanisms on a
+//! line and in the plane whose coordinates form a vector space.
 //!
 //! # Source
 //! Chapter §1; Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts* (1996); Acary and Brogliato (2008), chapter 8.

@@ -3,8 +3,8 @@
 //! ```text
 //!     q(t) = q + t v + ½ t² a ,   φ(q(t₁)) = 0 ,   n = ∇φ(q(t₁)) ,     v⁺ = v⁻ − (1+e) (n·v⁻)/(n·n) (n − μ t)
 //! ```
-//! with t ⟂ n, |t| = |n|, t·v⁻ ≥ 0 the direction in which a body slides (μ = 0: no friction). Its Jacobian has determinant e²: the impact map v⁻ ↦ v⁺
-//! contributes −e, and the dependence of t₁ on the start the other factor −e.
+//! with t ⟂ n, |t| = |n|, t·v⁻ ≥ 0 the direction in which a body slides (μ = 0: no friction). Its Jacobian has determinant e²: the impact
+//! map v⁻ ↦ v⁺ contributes −e, and the dependence of t₁ on the start the other factor −e.
 
 use super::variational::ScalarField;
 use super::{Phase, ahead};

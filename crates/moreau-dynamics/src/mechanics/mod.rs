@@ -106,19 +106,19 @@ pub trait Mechanism: Send + Sync {
     fn contacts_between(&self, position: &DVector<f64>, bodies: (usize, Option<usize>)) -> Vec<Contact> {
         self.contacts(position).into_iter().filter(|contact| contact.place.is_some_and(|place| place.bodies == bodies)).collect()
     }
-    /// The candidates of [`Mechanism::contacts_within`], their rows taken at the point halfway between the two points that touch: both bodies
-    /// are looked at there. Where the gap is zero nothing changes; by default nothing ever does.
+    /// The candidates of [`Mechanism::contacts_within`], their rows taken at the point halfway between the two points that touch: both
+    /// bodies are looked at there. Where the gap is zero nothing changes; by default nothing ever does.
     fn contacts_halfway(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact> {
         self.contacts_within(position, reach)
     }
-    /// Σ 1/m over the two bodies of a contact \[1/kg\]: how easily a push at their centres moves them apart. `None` if the mechanism does not
-    /// consist of free bodies.
+    /// Σ 1/m over the two bodies of a contact \[1/kg\]: how easily a push at their centres moves them apart. `None` if the mechanism does
+    /// not consist of free bodies.
     fn inverse_mass(&self, contact: &Contact) -> Option<f64> {
         let _ = contact;
         None
     }
-    /// The relative angular velocity of the two bodies of a contact about its n, t₁ and t₂, as rows times v \[rad/s\]. `None` if the mechanism does
-    /// not consist of bodies that turn by themselves in space.
+    /// The relative angular velocity of the two bodies of a contact about its n, t₁ and t₂, as rows times v \[rad/s\]. `None` if the
+    /// mechanism does not consist of bodies that turn by themselves in space.
     fn contact_rotation(&self, position: &DVector<f64>, contact: &Contact) -> Option<DMatrix<f64>> {
         let _ = (position, contact);
         None

@@ -3,8 +3,8 @@
 //! ```text
 //!     8 bytes × (4 nv² + 4 m nv + 8 m²) ,   m = rows · contacts
 //! ```
-//! nv²: M, M̂, the copy in the problem and one of its factors. m nv: the rows of every candidate, H, its copy in the problem and L⁻¹Hᵀ. m²: W and what a solver and
-//! the certificate make of it. Everything is dense.
+//! nv²: M, M̂, the copy in the problem and one of its factors. m nv: the rows of every candidate, H, its copy in the problem and L⁻¹Hᵀ. m²:
+//! W and what a solver and the certificate make of it. Everything is dense.
 
 use super::Mechanism;
 use moreau_contact::memory::{matrix, require};

@@ -8,10 +8,10 @@
 //!     φ_i = n·(x + R s_i) − c − ρ_i                        sphere i over the plane
 //!     φ_i = signed distance of x + R s_i from a box − ρ_i    sphere i of one body and the faces of another
 //! ```
-//! Spheres meet planes and faces, never each other. The contact point lies halfway between sphere and plane or face, x + R s_i − (ρ_i + φ_i/2) n.
-//! The same bodies as [`SpatialBodies`](super::SpatialBodies) in other coordinates: M is not diagonal when a body is tilted, the rotation moves by one
-//! step of Euler's method, and both bodies are looked at halfway. These are the coordinates of Drake, whose contact law depends
-//! on them: its regularisation reads the diagonal of M.
+//! Spheres meet planes and faces, never each other. The contact point lies halfway between sphere and plane or face, x + R s_i − (ρ_i +
+//! φ_i/2) n. The same bodies as [`SpatialBodies`](super::SpatialBodies) in other coordinates: M is not diagonal when a body is tilted, the
+//! rotation moves by one step of Euler's method, and both bodies are looked at halfway. These are the coordinates of Drake, whose contact
+//! law depends on them: its regularisation reads the diagonal of M.
 
 use super::point_mass::{Plane, positive};
 use super::spatial::{Pose, Touch, sphere_box};
@@ -38,8 +38,8 @@ pub struct SphereBody {
 
 /// Bodies with spheres over a plane, whose friction and restitution hold for every pair.
 ///
-/// Contact candidates in fixed order: the spheres of each body with the ground, then the spheres of each body with the box of each other body, the normal
-/// pointing to the sphere.
+/// Contact candidates in fixed order: the spheres of each body with the ground, then the spheres of each body with the box of each other
+/// body, the normal pointing to the sphere.
 #[derive(Clone, Debug)]
 pub struct SphereBodies {
     name: String,
@@ -52,7 +52,8 @@ impl SphereBodies {
     /// Bodies under gravity \[m/s²\] over a plane.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if there is no body, a mass, moment, radius or half extent is not positive, a body has no sphere, or the ground is not a plane in space.
+    /// [`Error::Invalid`] if there is no body, a mass, moment, radius or half extent is not positive, a body has no sphere, or the ground
+    /// is not a plane in space.
     pub fn new(name: impl Into<String>, bodies: Vec<SphereBody>, gravity: [f64; 3], ground: Plane) -> Result<Self> {
         if bodies.is_empty() {
             return Err(Error::invalid("bodies", "is empty", "give at least one body"));
@@ -72,7 +73,8 @@ impl SphereBodies {
         Ok(SphereBodies { name: name.into(), bodies, gravity: gravity.into(), ground })
     }
 
-    /// q and v of bodies in the order of the mechanism: centre \[m\], quaternion \[w, x, y, z\], velocity \[m/s\] and ω \[rad/s\] in world axes of each.
+    /// q and v of bodies in the order of the mechanism: centre \[m\], quaternion \[w, x, y, z\], velocity \[m/s\] and ω \[rad/s\] in world
+    /// axes of each.
     pub fn state(bodies: impl IntoIterator<Item = ([f64; 3], [f64; 4], [f64; 3], [f64; 3])>) -> State {
         let (mut position, mut velocity) = (Vec::new(), Vec::new());
         for (place, orientation, linear, angular) in bodies {

@@ -1,6 +1,7 @@
 //! A scene as an engine sees it that has no contact of boxes: a sphere in each corner of a box, tangent to its faces.
 //!
-//! The corners' centres are at (±(a − ρ), ±(b − ρ), ±(c − ρ)), ρ the radius: faces touch the ground where the box's would, but the feet stand ρ further in.
+//! The corners' centres are at (±(a − ρ), ±(b − ρ), ±(c − ρ)), ρ the radius: faces touch the ground where the box's would, but the feet
+//! stand ρ further in.
 
 use super::{Body, Scene};
 use crate::mechanics::{Mechanism, Plane, SphereBodies, SphereBody, State};
@@ -8,8 +9,8 @@ use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
 impl Scene {
-    /// The scene's bodies over its ground, boxes with spheres of `corner_radius` \[m\] in their corners that meet the ground and the other boxes, and
-    /// the initial state.
+    /// The scene's bodies over its ground, boxes with spheres of `corner_radius` \[m\] in their corners that meet the ground and the other
+    /// boxes, and the initial state.
     ///
     /// # Errors
     /// [`Error::Unsupported`] unless there are a body and a ground; [`Error::Invalid`] as [`Scene::validate`].

@@ -144,7 +144,8 @@ impl Scene {
     /// Parses and validates the text of a `scene/1` file.
     ///
     /// # Errors
-    /// [`Error::Json`](moreau_exact::Error::Json) if the text is not JSON, otherwise [`Error::Invalid`](moreau_exact::Error::Invalid) naming the field and the cure.
+    /// [`Error::Json`](moreau_exact::Error::Json) if the text is not JSON, otherwise [`Error::Invalid`](moreau_exact::Error::Invalid)
+    /// naming the field and the cure.
     pub fn from_json(text: &str) -> Result<Self> {
         let scene: Scene = read_schema(text, SCHEMA)?;
         scene.validate()?;

@@ -1,7 +1,7 @@
 //! Every contact problem that a scheme poses is certified.
 //!
-//! [`Certified`] stands between a scheme and its solver, so that a step with many problems (events, stages, contacts that join) hands on the worst of
-//! them. It judges answers and changes none.
+//! [`Certified`] stands between a scheme and its solver, so that a step with many problems (events, stages, contacts that join) hands on
+//! the worst of them. It judges answers and changes none.
 
 use moreau_contact::certificate::{Judge, StepResidual};
 use moreau_contact::problem::{ContactProblem, Solution};

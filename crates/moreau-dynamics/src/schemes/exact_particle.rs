@@ -67,8 +67,8 @@ impl<T: Scalar> Ball<T> {
         self.outcome(now, &T::one(), h, free_velocity, impulse, true)
     }
 
-    /// One step of nonsmooth generalised-α, which under a constant force is the same for every spectral radius: active if the free step ends at or below the floor, position
-    /// update q + ½h (v + v⁺).
+    /// One step of nonsmooth generalised-α, which under a constant force is the same for every spectral radius: active if the free step
+    /// ends at or below the floor, position update q + ½h (v + v⁺).
     pub fn generalised_alpha(&self, now: &Motion<T>, h: &T) -> Outcome<T> {
         let free_velocity = now.velocity.clone() - self.gravity.clone() * h.clone();
         let half = T::ratio(1, 2);

@@ -10,8 +10,8 @@
 //! Without contact the method is of second order, and an infinitely stiff spring loses all but ρ of its motion per step: ρ = 1 is the
 //! trapezoidal rule and keeps the energy of a spring, ρ = 0 forgets. Through impacts the order is one, as for every fixed step.
 //!
-//! Linear forces −K q − C v are implicit, others are taken at the start of the step. With c = (1−α_m)/(1−α_f) and S = c M + h² β K + h γ C the
-//! impulse acts through M̂ = M A⁻¹ S, A = c M + h² (β − γ/2) K, which is symmetric if the damping is proportional.
+//! Linear forces −K q − C v are implicit, others are taken at the start of the step. With c = (1−α_m)/(1−α_f) and S = c M + h² β K + h γ C
+//! the impulse acts through M̂ = M A⁻¹ S, A = c M + h² (β − γ/2) K, which is symmetric if the damping is proportional.
 //!
 //! [`Scheme::assemble`] alone makes a first step, from a = M⁻¹F(q, v); [`super::run`] carries a from step to step.
 //!
@@ -19,8 +19,8 @@
 //! ```text
 //!     T̂(v⁺) ≤ T̂(v_free) − Σ e r_n u_n⁻ − ½ rᵀŴ r ,      ΔE ≤ (1−e)/(1+e) · h²FᵀM⁻¹F/8
 //! ```
-//! The second for a constant force, one e, and no friction or e = 0. T(v_free) of a body with three unequal axes has no theorem: the scheme remembers its accelerations, and a spin
-//! of h‖Ω‖ ≈ 1 grows without contact (`moreau::checks::energy_balance`).
+//! The second for a constant force, one e, and no friction or e = 0. T(v_free) of a body with three unequal axes has no theorem: the scheme
+//! remembers its accelerations, and a spin of h‖Ω‖ ≈ 1 grows without contact (`moreau::checks::energy_balance`).
 
 use super::assembly::{self, normal_only};
 use super::{Scheme, Step, StepProblem};
@@ -35,7 +35,8 @@ use nalgebra::{DMatrix, DVector};
 /// The nonsmooth generalised-α scheme.
 ///
 /// # Source
-/// Chapter §9, higher order; Chen, Acary, Virlez and Brüls, Int. J. Numer. Meth. Eng. 96 (2013) 487; Chung and Hulbert, J. Appl. Mech. 60 (1993) 371.
+/// Chapter §9, higher order; Chen, Acary, Virlez and Brüls, Int. J. Numer. Meth. Eng. 96 (2013) 487; Chung and Hulbert, J. Appl. Mech. 60
+/// (1993) 371.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GeneralisedAlpha {
     spectral_radius: f64,

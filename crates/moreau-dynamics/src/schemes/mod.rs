@@ -45,7 +45,8 @@ pub use variational::Variational;
 /// What a scheme assembled for one step: the problem of the active contacts, and what turns impulses into velocities.
 #[derive(Clone, Debug)]
 pub struct StepProblem {
-    /// The contact problem of the active contacts; `None` if no contact is active, or if the scheme's law is none of [`moreau_contact::problem::Law`].
+    /// The contact problem of the active contacts; `None` if no contact is active, or if the scheme's law is none of
+    /// [`moreau_contact::problem::Law`].
     pub problem: Option<ContactProblem>,
     /// Indices of the active contacts into [`Mechanism::contacts`].
     pub active: Vec<usize>,
@@ -92,8 +93,8 @@ pub trait Scheme: Send + Sync {
         let _ = (solver, mechanism, state, h);
         None
     }
-    /// The impulses of a scheme whose law is no relation between r and y and that therefore assembles no [`ContactProblem`]; none for the others,
-    /// whose problem goes to a solver.
+    /// The impulses of a scheme whose law is no relation between r and y and that therefore assembles no [`ContactProblem`]; none for the
+    /// others, whose problem goes to a solver.
     ///
     /// # Errors
     /// [`moreau_exact::Error::Solver`] if the scheme's own iteration breaks down.
@@ -240,8 +241,8 @@ pub fn carry_over(previous: &[ContactImpulse], active: &[usize], places: &[Optio
     start
 }
 
-/// `steps` steps of size h from `initial`, every sample recorded with the residual of its step; sample k lies at time initial.time + k h. Each solve starts
-/// from the impulses of the step before at the same contacts.
+/// `steps` steps of size h from `initial`, every sample recorded with the residual of its step; sample k lies at time initial.time + k h.
+/// Each solve starts from the impulses of the step before at the same contacts.
 ///
 /// # Errors
 /// Those of [`run`], or if the recording needs more memory than the limit.

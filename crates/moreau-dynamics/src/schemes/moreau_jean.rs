@@ -23,9 +23,10 @@
 //! ```text
 //!     T̂(v⁺) ≤ T̂(v_free) − r·(e u⁻) − ½ rᵀŴ r ,      ΔẼ ≤ (1−e)/(1+e) · h²FᵀM⁻¹F/8 + e/(1+e) r·(u_g − u⁻) ,   Ẽ = T + V + (θ−½) h F·v
 //! ```
-//! u⁻ is the normal part or the full vector. The first holds always: e = 0 never exceeds T(v_free). The second is the gain of discretised gravity, for one e at all contacts
-//! without friction, with e = 0, or with the full vector; u_g = H v_g is the velocity after torque-free rotation alone. Unequal e, and e > 0 on normals beside friction,
-//! have no bound on the total energy. With linear forces M̂ and v_free − v take the places of M and h M⁻¹F (`moreau::checks::energy_balance`).
+//! u⁻ is the normal part or the full vector. The first holds always: e = 0 never exceeds T(v_free). The second is the gain of discretised
+//! gravity, for one e at all contacts without friction, with e = 0, or with the full vector; u_g = H v_g is the velocity after torque-free
+//! rotation alone. Unequal e, and e > 0 on normals beside friction, have no bound on the total energy. With linear forces M̂ and v_free − v
+//! take the places of M and h M⁻¹F (`moreau::checks::energy_balance`).
 
 use super::assembly::{self, Candidate, Rules, normal_only};
 use super::{Scheme, StepProblem};

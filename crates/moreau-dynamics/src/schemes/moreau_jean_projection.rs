@@ -5,8 +5,8 @@
 //!         M̂ (v⁺ − v) = h F_θ + Hᵀ r ,  H at q⁺ ,   K_μ ∋ r ⟂ y + μ‖y_t‖ n ∈ K_μ* ,   y = H v⁺ + e u_n n ,  u = H(q) v ,   for I
 //!         q⁺ = q + h (θ v⁺ + (1−θ) v) ,  then   q⁺ ← q⁺ − H_nᵀ (H_n H_nᵀ)⁻¹ φ   until φ = 0 for all of I
 //! ```
-//! The gap decides implicitly, at the end of the step, where `moreau-jean` forecasts it. The projection is an equality: a contact of I is moved
-//! onto φ = 0 from outside as well as from inside. It is the nearest move in the coordinates, not in the norm of M.
+//! The gap decides implicitly, at the end of the step, where `moreau-jean` forecasts it. The projection is an equality: a contact of I is
+//! moved onto φ = 0 from outside as well as from inside. It is the nearest move in the coordinates, not in the norm of M.
 //!
 //! An elastic ball that is projected from the height q loses m g q: unlike clipping at φ ≤ 0, which adds m g δ, this takes energy.
 //!
@@ -32,7 +32,8 @@ use nalgebra::{DMatrix, DVector};
 /// Moreau–Jean with combined projection.
 ///
 /// # Source
-/// Siconos 4.4.0, `MoreauJeanCombinedProjectionOSI` and `TimeSteppingCombinedProjection`; Acary, Comput. Methods Appl. Mech. Eng. 256 (2013) 224.
+/// Siconos 4.4.0, `MoreauJeanCombinedProjectionOSI` and `TimeSteppingCombinedProjection`; Acary, Comput. Methods Appl. Mech. Eng. 256
+/// (2013) 224.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MoreauJeanProjection {
     /// θ ∈ \[0, 1\] of the position update and of linear forces.
@@ -44,7 +45,8 @@ fn is_held(index: usize, contact: &Contact, held: &[Identity]) -> bool {
     held.iter().any(|one| one.is_same(&Identity::of(index, contact)))
 }
 
-/// The contacts of the next problem: those of `contacts` that are closed or held already, and those held before that are no candidates any more, as they were.
+/// The contacts of the next problem: those of `contacts` that are closed or held already, and those held before that are no candidates any
+/// more, as they were.
 fn joined(contacts: Vec<Contact>, held: Vec<(Identity, Contact)>) -> Vec<(Identity, Contact)> {
     let keys: Vec<Identity> = held.iter().map(|(key, _)| *key).collect();
     let listed = contacts.into_iter().enumerate().filter(|(k, contact)| contact.gap <= 0.0 || is_held(*k, contact, &keys));
@@ -57,8 +59,8 @@ fn joined(contacts: Vec<Contact>, held: Vec<(Identity, Contact)>) -> Vec<(Identi
 /// Iterations of the projection: Newton's method on gaps that are closed to O(h²) needs some five.
 const ITERATIONS: usize = 50;
 
-/// q moved onto φ = 0 of the contacts held; where they contradict each other, to the least squares of their gaps. A contact that is no candidate any more
-/// has no gap to close.
+/// q moved onto φ = 0 of the contacts held; where they contradict each other, to the least squares of their gaps. A contact that is no
+/// candidate any more has no gap to close.
 fn project(mechanism: &dyn Mechanism, mut position: DVector<f64>, held: &[Identity]) -> Result<DVector<f64>> {
     for _ in 0..ITERATIONS {
         let contacts = mechanism.contacts(&position);

@@ -6,9 +6,9 @@
 //!     α̃ = α/h² (XPBD);   PBD: α = 0 and the share s of ΔΛ
 //!     v = (q⁺ − q)/h ,   then at contacts with Λ_n > 0:   u_n ← max(−e ũ_n, 0) ,  ũ = H v_free ,  e = 0 below |ũ_n| = 2h|H M⁻¹F|_n
 //! ```
-//! In impulses r = Λ/h the position problem is the one of [`Scheme::assemble`]: u = W r + u_free, y = u + φ/h + R r with R = α/h² on normals and a
-//! friction cone in tangential displacement. A sweep of XPBD is a sweep of Gauss–Seidel on it, with gaps taken anew at each contact.
-//! Which candidates there are may change while the bodies are pushed: see `position_based/sweeps.rs`.
+//! In impulses r = Λ/h the position problem is the one of [`Scheme::assemble`]: u = W r + u_free, y = u + φ/h + R r with R = α/h² on
+//! normals and a friction cone in tangential displacement. A sweep of XPBD is a sweep of Gauss–Seidel on it, with gaps taken anew at each
+//! contact. Which candidates there are may change while the bodies are pushed: see `position_based/sweeps.rs`.
 //!
 //! # Energy
 //! ```text
@@ -31,7 +31,8 @@ use sweeps::{Held, Positions};
 
 mod sweeps;
 
-/// Candidates farther away than this many times what the free motion can close in a step are not looked at, unless the pushes of a sweep come near that.
+/// Candidates farther away than this many times what the free motion can close in a step are not looked at, unless the pushes of a sweep
+/// come near that.
 const SPARE: f64 = 4.0;
 
 /// What makes a contact soft.
@@ -46,8 +47,8 @@ pub enum Softness {
 /// Position-based dynamics.
 ///
 /// # Source
-/// Müller et al. (2007); Macklin, Müller and Chentanez (2016); Müller et al. (2020). Friction is projected with the positions, static and dynamic
-/// alike.
+/// Müller et al. (2007); Macklin, Müller and Chentanez (2016); Müller et al. (2020). Friction is projected with the positions, static and
+/// dynamic alike.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PositionBased {
     /// What makes a contact soft.
@@ -170,7 +171,8 @@ impl PositionBased {
     }
 }
 
-/// The velocity pass, and the impulses of the contacts that carried one: of those that are candidates still in their order, then of those that are none any more.
+/// The velocity pass, and the impulses of the contacts that carried one: of those that are candidates still in their order, then of those
+/// that are none any more.
 fn bounce(done: &Positions, free: &DVector<f64>, pull: &DVector<f64>, h: f64, velocity: &mut DVector<f64>) -> Vec<ContactImpulse> {
     let (present, gone) = done.carrying();
     let of = |held: &Held| ContactImpulse {

@@ -12,8 +12,8 @@
 //! ```text
 //!     T(v⁺) ≤ T(v_free) − Σ e r_n min(u_free,n, 0) − ½ rᵀW r ,      H and M at q⁺
 //! ```
-//! A constant force has no error of its own, so that ΔE is what contact does to T; other forces add h⁵, and a body at rest sinks and loses V
-//! (`moreau::checks::energy_balance`).
+//! A constant force has no error of its own, so that ΔE is what contact does to T; other forces add h⁵, and a body at rest sinks and loses
+//! V (`moreau::checks::energy_balance`).
 //!
 //! # Source
 //! Chapter §0, why high order is of no use across impacts.

@@ -6,7 +6,8 @@
 //! ```
 //! Every contact candidate takes part: a contact that cannot be reached within the step has φ/h + u_n⁺ > 0 and hence
 //! no impulse, so leaving it out would change nothing, and keeping it needs no bound on the unknown v⁺.
-//! All forces are explicit, the linear ones too, as in the chapter. There is no restitution: e of the mechanism is not used (a plastic impact law).
+//! All forces are explicit, the linear ones too, as in the chapter. There is no restitution: e of the mechanism is not used (a plastic
+//! impact law).
 //!
 //! # Energy
 //! ```text

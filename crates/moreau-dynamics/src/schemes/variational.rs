@@ -4,11 +4,11 @@
 //!     L_d(q, q⁺, h) = h (½ v̄ᵀM v̄ − ½ V(q) − ½ V(q⁺)) ,  q⁺ = q ⊕ h v̄ ,        v̄ = v + ½h M⁻¹F(q) ,   v⁺ = v̄ + ½h M⁻¹F(q⁺)
 //!     impact after τ, at q̃:   φ(q̃) = 0 ,   M (ṽ⁺ − ṽ⁻) = nᵀr ,   E_d before = E_d after ,   E_d = ½ v̄ᵀM v̄ + ½ V(start) + ½ V(end)
 //! ```
-//! n is the normal row of H. What makes the action stationary in q̃ and τ is symplectic through the impact. Both parts of the step have one energy E_d, which is
-//! not E: an impact of a ball under gravity changes E by m g² h (h − 2τ)/8, up or down.
+//! n is the normal row of H. What makes the action stationary in q̃ and τ is symplectic through the impact. Both parts of the step have one
+//! energy E_d, which is not E: an impact of a ball under gravity changes E by m g² h (h − 2τ)/8, up or down.
 //!
-//! It is a scheme for e = 1 and no friction (μ = 0, or no tangential velocity before and after): an impact with another law is refused, as are two contacts hit
-//! at once, whose impulses E_d alone does not decide, and a second impact in one step.
+//! It is a scheme for e = 1 and no friction (μ = 0, or no tangential velocity before and after): an impact with another law is refused, as
+//! are two contacts hit at once, whose impulses E_d alone does not decide, and a second impact in one step.
 //!
 //! # Energy
 //! ```text

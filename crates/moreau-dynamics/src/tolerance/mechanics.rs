@@ -40,11 +40,12 @@ pub const BESIDE: f64 = 1.0 / 16.0;
 /// own:
 /// - α = θ/2 ≤ 2⁻¹⁵ for a corner over a face. While it slides by s its gap changes unseen by at most 2⁻¹⁵ s, 31 µm per metre;
 /// - tan α ≤ 2 sin(θ/2)/sin ψ ≤ θ₀/[`PARALLEL`] = [`BESIDE`] for edges that cross at the angle ψ. Their crossing stays within the outline
-///   of the overlap, of diameter D, and the gap of two planes differs by at most θ D over it, so no slide changes it unseen by more than θ₀ D.
+///   of the overlap, of diameter D, and the gap of two planes differs by at most θ D over it, so no slide changes it unseen by more than θ₀
+///   D.
 ///
 /// Both are errors of one step: the next one measures the gaps anew. Gaps measured along the two normals differ by a factor cos α,
-/// 1 − 2⁻³¹ for corners and at least 1 − 2⁻⁹ for edges. In exchange, normals that differ by less do not occur. Rows that are dependent but for a
-/// tilt θ have an operator W with eigenvalues of θ² beside those of order one, and sweeps need 1/θ² rounds to see the difference.
+/// 1 − 2⁻³¹ for corners and at least 1 − 2⁻⁹ for edges. In exchange, normals that differ by less do not occur. Rows that are dependent but
+/// for a tilt θ have an operator W with eigenvalues of θ² beside those of order one, and sweeps need 1/θ² rounds to see the difference.
 pub const PARALLEL_FACES: f64 = PARALLEL * BESIDE;
 
 /// How far two faces are parallel, w = 2 − c/θ₀ cut off at 0 and 1, for outward normals whose sum has the length c = 2 sin(θ/2): 1 up to
@@ -62,8 +63,8 @@ pub const SAME_POINT: f64 = 1.0 / 67_108_864.0;
 /// Gap \[m\] of candidates that tests look at without touch: 2⁻¹⁰, nothing beside levers of a tenth of a metre.
 pub const NEAR: f64 = 1.0 / 1024.0;
 
-/// Tilt \[rad\] from which points with normals of their own must show more velocities than rounding does: a tilt turns one row of two points, whose levers and
-/// distances are above a tenth, so that the singular value beyond those of the face is above a thousandth of it.
+/// Tilt \[rad\] from which points with normals of their own must show more velocities than rounding does: a tilt turns one row of two
+/// points, whose levers and distances are above a tenth, so that the singular value beyond those of the face is above a thousandth of it.
 pub fn tilt_shown(bound: f64) -> f64 {
     1024.0 * bound
 }

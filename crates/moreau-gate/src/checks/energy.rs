@@ -5,8 +5,8 @@
 //!     positions with (v + v⁺)/2:   ΔE = ½ pᵀ(u⁻ + u⁺) ≤ 0
 //!     positions with v⁺:           ΔE = ½ pᵀ(u⁻ + u⁺) + ½ m g h Δv_z
 //! ```
-//! So E − ½ m g h v_z is the invariant of a semi-implicit scheme, and E may rise by ½ m g h times the range of v_z. The body is a cube, whose
-//! gyroscopic torque is zero: the error of a rotation scheme plays no part.
+//! So E − ½ m g h v_z is the invariant of a semi-implicit scheme, and E may rise by ½ m g h times the range of v_z. The body is a cube,
+//! whose gyroscopic torque is zero: the error of a rotation scheme plays no part.
 
 use crate::check::{Control, Expected, Run};
 use crate::checks::motion::{Sample, samples};
@@ -26,7 +26,8 @@ pub const CHECKS: &[Check] = &[Check {
     name: "energy/passive",
     level: Level::Simulate,
     question: "Does the energy of a cube that tumbles onto a rough floor ever rise?",
-    derivation: "Contacts without restitution do no positive work. E may rise by ½ m g h times the range of v_z where positions advance with \
+    derivation: "Contacts without restitution do no positive work. E may rise by ½ m g h times the range of v_z where positions advance \
+        with \
                  v⁺; by ½ m (g h)²/4 a step where a contact is found while the corner rises slower than g h; and by ½ P u where corners \
                  that have turned below the floor by ½ ω²ρ h² are pushed out within a step at u = ½ ω²ρ h. A compliant contact stores \
                  what it takes and starts unloaded: its energy is held against that of the start.",

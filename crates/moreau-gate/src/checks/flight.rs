@@ -30,7 +30,8 @@ pub const CHECKS: &[Check] = &[
         name: "flight/momentum",
         level: Level::Simulate,
         question: "Do free bodies keep their momentum and, about their principal axes, their angular momentum?",
-        derivation: "Without forces p = Σ m v and L = Σ (m x × v + R J Rᵀ ω) are constant; a spin about a principal axis is steady, so only \
+        derivation: "Without forces p = Σ m v and L = Σ (m x × v + R J Rᵀ ω) are constant; a spin about a principal axis is steady, so \
+            only \
                      rounding remains. Under gravity p(t) = p₀ + m g t.",
         source: "Newton's second law, summed over the bodies",
         run: Run::EachStep(momentum),

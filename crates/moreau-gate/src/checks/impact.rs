@@ -20,8 +20,10 @@ pub const CHECKS: &[Check] = &[
         name: "impact/two-spheres",
         level: Level::Simulate,
         question: "Do two spheres of different mass exchange momentum by Newton's law, head-on and obliquely?",
-        derivation: "Velocities are constant but for the impact, so v⁺ is exact whatever h. Without friction the impulse lies along the line of \
-                     centres; the spheres may be up to two steps' motion s from the place of contact, which turns it by at most δ = b s/(R − s)². An approach speed taken along \
+        derivation: "Velocities are constant but for the impact, so v⁺ is exact whatever h. Without friction the impulse lies along the \
+            line of \
+                     centres; the spheres may be up to two steps' motion s from the place of contact, which turns it by at most δ = b s/(R \
+                     − s)². An approach speed taken along \
                      the normal of the step before is off by δ tan φ + ½ δ² of itself, φ the angle of the normal to the line of flight.",
         source: "closed form of the central impact; Newton's law",
         run: Run::EachStep(two_spheres),
@@ -31,7 +33,8 @@ pub const CHECKS: &[Check] = &[
         name: "impact/cradle",
         level: Level::Simulate,
         question: "What do three equal elastic spheres do, two of them in contact?",
-        derivation: "One impact after another gives (0, 0, v), both at once by Newton's law (−v/3, 2v/3, 2v/3); both keep momentum and energy and \
+        derivation: "One impact after another gives (0, 0, v), both at once by Newton's law (−v/3, 2v/3, 2v/3); both keep momentum and \
+            energy and \
                      the theory of rigid bodies does not decide. The first sphere's velocity says which it is.",
         source: "Newton's cradle; non-uniqueness of multiple impacts",
         run: Run::EachStep(cradle),
@@ -67,7 +70,8 @@ const SPEED: f64 = 2.5;
 /// Radii \[m\], their sum R = 1 m: large against the motion of a step.
 const RADII: [f64; 2] = [0.4, 0.6];
 const MASSES: [f64; 2] = [1.0, 3.0];
-/// Gap before the impact \[m\]: more than an engine's contact margin, and no whole number of steps away, where rounding would decide when it is.
+/// Gap before the impact \[m\]: more than an engine's contact margin, and no whole number of steps away, where rounding would decide when
+/// it is.
 const GAP: f64 = 0.0473;
 
 /// A sphere that flies along x at another at rest, `offset` \[m\] beside the line of flight.
@@ -157,8 +161,8 @@ fn declared(bench: &Bench, restitution: f64, approach: f64, allowed: f64, h: f64
     (still || low < high).then(|| Expectation::equal(0.5 * (low + high), allowed + 0.5 * (high - low), why))
 }
 
-/// [p, c]: what a declared law adds to the velocity after an impact at `approach` \[m/s\], over it: up to p where it takes back a part of the
-/// depth, at most v h, at which the impact was found; and down to −c (1 + e) where it mixes forces.
+/// [p, c]: what a declared law adds to the velocity after an impact at `approach` \[m/s\], over it: up to p where it takes back a part of
+/// the depth, at most v h, at which the impact was found; and down to −c (1 + e) where it mixes forces.
 fn softness(bench: &Bench, approach: f64, h: f64) -> [f64; 2] {
     match Model::of(bench.description()) {
         Model::Coulomb(limits) => [limits.push(approach * h, h) / approach, limits.force_mixing],

@@ -29,8 +29,8 @@ pub(super) fn start_gap(bench: &Bench, h: f64, (mass, contacts): (f64, f64), pre
     normal.rest_depth(&model, load).or_else(sprung).map_or(CLEARANCE, |depth| -depth)
 }
 
-/// Whether contacts yield by declaration: a compliant law, or a rigid one with springs or a penetration allowance. Such a body is not at rest
-/// at once, and the lever of its contacts is shorter than its radius.
+/// Whether contacts yield by declaration: a compliant law, or a rigid one with springs or a penetration allowance. Such a body is not at
+/// rest at once, and the lever of its contacts is shorter than its radius.
 pub(super) fn yields(bench: &Bench) -> bool {
     let allowed = match Model::of(bench.description()) {
         Model::Coulomb(limits) => limits.penetration_allowance > 0.0 || limits.ground_contact_frequency > 0.0,

@@ -47,8 +47,8 @@ fn arm() -> [f64; 2] {
     [l * c - t * s, l * s + t * c]
 }
 
-/// Principal moments \[kg·m²\]: that of the solid box about its width, and large ones about the other axes, as of outriggers to both sides. A
-/// bare rod could also land on one corner and spin about its length, another solution of the same problem.
+/// Principal moments \[kg·m²\]: that of the solid box about its width, and large ones about the other axes, as of outriggers to both sides.
+/// A bare rod could also land on one corner and spin about its length, another solution of the same problem.
 fn inertia() -> [f64; 3] {
     let about_width = (HALF[0] * HALF[0] + HALF[2] * HALF[2]) / 3.0;
     [1000.0, about_width, 1000.0]

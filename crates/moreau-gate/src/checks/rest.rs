@@ -18,7 +18,8 @@ use moreau_dynamics::trajectory::{BodyTrack, Trajectory};
 use moreau_forms::soft_rigid_contact::inverse_mass_at;
 use nalgebra::{Matrix3, Vector3};
 
-const CARRIED: &str = "A body at rest stays at rest: each step's velocity is 0 up to rounding and to the solver, which may leave a part 3.5e-4 of \
+const CARRIED: &str = "A body at rest stays at rest: each step's velocity is 0 up to rounding and to the solver, which may leave a part \
+    3.5e-4 of \
                        the impulse m g h of each step, as everywhere in the gate.";
 
 /// The checks of the family.
@@ -45,7 +46,8 @@ pub const CHECKS: &[Check] = &[
         name: "rest/depth",
         level: Level::Simulate,
         question: "How deep do a sphere and a box rest in the floor?",
-        derivation: "Signorini: 0; event capturing may leave a step's fall, g h². A compliant law rests where its force carries the weight: \
+        derivation: "Signorini: 0; event capturing may leave a step's fall, g h². A compliant law rests where its force carries the \
+            weight: \
                      MuJoCo k d² δ = (1−d) Â m g/n_c, SAP δ = (h+τ) R_n h m g/n_c, springs δ = m g/(n_c k), with n_c = 4 for the box.",
         source: "the engines' documented force laws",
         run: Run::EachStep(depth),
@@ -59,8 +61,8 @@ const EVERY: usize = 7;
 const RADIUS: f64 = 0.1;
 const HALF: [f64; 3] = [0.1, 0.15, 0.05];
 const MASSES: [f64; 2] = [1.0, 2.0];
-/// Smallest lever \[m\] that turns the velocity an impulse causes at its contact into an angular velocity: I/(m ℓ), 0.4 R for the sphere; for the
-/// box (0.1² + 0.05²)/(3·0.1) = 0.042 about y, and more about x and z.
+/// Smallest lever \[m\] that turns the velocity an impulse causes at its contact into an angular velocity: I/(m ℓ), 0.4 R for the sphere;
+/// for the box (0.1² + 0.05²)/(3·0.1) = 0.042 about y, and more about x and z.
 const TURN: f64 = 0.04;
 const FRICTION: f64 = 0.5;
 
@@ -112,7 +114,8 @@ fn sprung(model: &Model) -> Option<[f64; 2]> {
     depths[0].zip(depths[1]).map(|(ball, block)| [ball, block])
 }
 
-/// ‖W_ii‖_F/3 \[1/kg\] of a contact under the box, so far inside its edges \[m\] and at this depth \[m\]: W = 1/m + Σ_k (a_k × r)(a_k × r)ᵀ/J_k.
+/// ‖W_ii‖_F/3 \[1/kg\] of a contact under the box, so far inside its edges \[m\] and at this depth \[m\]: W = 1/m + Σ_k (a_k × r)(a_k ×
+/// r)ᵀ/J_k.
 fn corner_diagonal([x, y]: [f64; 2], depth: f64) -> f64 {
     let cross = Vector3::new(HALF[0] - x, HALF[1] - y, 0.5 * depth - HALF[2]).cross_matrix();
     let block = Matrix3::identity() / MASSES[1] + cross * inverse_inertia() * cross.transpose();

@@ -27,8 +27,10 @@ pub const CHECKS: &[Check] = &[
         name: "rolling/five-sevenths",
         level: Level::Simulate,
         question: "Does a sphere thrown along the floor end with 5/7 of its speed, rolling, and after the right time?",
-        derivation: "Angular momentum about a point of the floor is kept by any friction there: v = 5/7 v₀. Slip falls as v₀ − 7/2 μ (g t + v_n), \
-                     so rolling begins at 2 v₀/(7 μ g), earlier by v_n/g in a model that hops, within the step. No rolling resistance: from \
+        derivation: "Angular momentum about a point of the floor is kept by any friction there: v = 5/7 v₀. Slip falls as v₀ − 7/2 μ (g t \
+            + v_n), \
+                     so rolling begins at 2 v₀/(7 μ g), earlier by v_n/g in a model that hops, within the step. No rolling resistance: \
+                     from \
                      then on speed and spin do not change. A contact at a depth δ has the lever R − δ.",
         source: "Newton–Euler and Coulomb; Goldsmith, Impact (billiards)",
         run: Run::EachStep(throw),
@@ -38,7 +40,8 @@ pub const CHECKS: &[Check] = &[
         name: "rolling/incline",
         level: Level::Simulate,
         question: "Does a sphere roll down a 20° slope with 5/7 g sin α?",
-        derivation: "Sticking needs 2/7 tan α ≤ μ, here 0.10 < 0.5. Constant forces are integrated exactly; the acceleration is taken over the \
+        derivation: "Sticking needs 2/7 tan α ≤ μ, here 0.10 < 0.5. Constant forces are integrated exactly; the acceleration is taken over \
+            the \
                      second half, after the start has settled. A contact at a depth δ has the lever R − δ.",
         source: "Newton–Euler: a = g sin α/(1 + I/mR²)",
         run: Run::EachStep(incline),

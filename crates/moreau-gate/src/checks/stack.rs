@@ -40,7 +40,8 @@ const GAP: f64 = 0.0005;
 /// Steps between samples.
 const EVERY: usize = 10;
 
-const RESTING: &str = "Once landed nothing moves. A solver that leaves a part s of its impulses leaves velocities of s Σm g h/m_min, which add up \
+const RESTING: &str = "Once landed nothing moves. A solver that leaves a part s of its impulses leaves velocities of s Σm g h/m_min, which \
+    add up \
                        over the steps. A landing at v is found up to a step late and acted on in the next, 3/2 h (v + g h) deep, level by \
                        level, and may be corrected later. A compliant or slack contact sinks by at most twice its declared rest depth \
                        under the whole load, level by level, at up to √(2 g · sink); springs may give the energy of \
@@ -84,7 +85,8 @@ fn width(k: usize) -> f64 {
     WIDTH * (1.0 - NARROWER * k as f64)
 }
 
-/// Boxes of these masses \[kg\], from below, with these gaps to what is below \[m\], each narrower by `ledge` \[m\] more than [`width`] says.
+/// Boxes of these masses \[kg\], from below, with these gaps to what is below \[m\], each narrower by `ledge` \[m\] more than [`width`]
+/// says.
 fn stack(masses: &[f64], gaps: &[f64], ledge: f64) -> Scene {
     let height = |k: usize| (2 * k + 1) as f64 * HALF + gaps[..=k].iter().sum::<f64>();
     let width = |k: usize| width(k) + ledge * (masses.len() - 1 - k) as f64;
@@ -129,8 +131,8 @@ impl Start {
         }
     }
 
-    /// The boxes as they start. Where they fall apart, a corner which is found late, at the step h \[s\], is still nearer to the top of the box
-    /// below than to its side.
+    /// The boxes as they start. Where they fall apart, a corner which is found late, at the step h \[s\], is still nearer to the top of the
+    /// box below than to its side.
     fn scene(&self, masses: &[f64], h: f64) -> Scene {
         let ledge = match self {
             Start::Apart => (tolerance::found_depth(GRAVITY, GAP, masses.len(), h) - NARROWER * WIDTH).max(0.0),
@@ -269,8 +271,8 @@ impl Rest {
     }
 }
 
-/// Speed \[m/s\] at which the uppermost box rises while the depths of all landings \[m\] are taken back; the declared cap of an impact need not
-/// hold in a pile.
+/// Speed \[m/s\] at which the uppermost box rises while the depths of all landings \[m\] are taken back; the declared cap of an impact need
+/// not hold in a pile.
 fn rise(model: &Model, landing: f64, h: f64) -> f64 {
     match model {
         Model::Coulomb(limits) => limits.error_reduction * landing / h,

@@ -29,7 +29,8 @@ pub(super) fn frame(trajectory: &Trajectory) -> Seen {
     } else if disagreement(track, inverse, false) <= allowed || disagreement(track, inverse, true) <= allowed {
         "the orientations are from world to body: conjugate them, coming in and going out"
     } else {
-        "check the order of the quaternion, its sense (body to world) and the frame of the angular velocity (world), coming in and going out"
+        "check the order of the quaternion, its sense (body to world) and the frame of the angular velocity (world), coming in and going \
+            out"
     };
     Err(problem(format!("the body turns otherwise than its angular velocity says, by {seen:.2} rad/s of {size:.2} rad/s"), cure))
 }

@@ -43,7 +43,8 @@ impl Normal {
         Normal { mass, arms: Arms::Spheres(arms), acceleration: -gravity, friction, cone, time_step }
     }
 
-    /// ‖W_ii‖_F/3 \[1/kg\]: normal 1/m̄, both tangents 1/m̄ + Σ (r − δ/2)²/J, as equal stiffnesses put the contact point in the middle of the overlap.
+    /// ‖W_ii‖_F/3 \[1/kg\]: normal 1/m̄, both tangents 1/m̄ + Σ (r − δ/2)²/J, as equal stiffnesses put the contact point in the middle of
+    /// the overlap.
     fn diagonal_mean(&self, depth: f64) -> f64 {
         match self.arms {
             Arms::Fixed(mean) => mean,

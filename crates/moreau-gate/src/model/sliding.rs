@@ -28,7 +28,8 @@ pub fn replayed(description: &Description, h: f64, [mass, radius]: [f64; 2], fri
     Some(SlidingContact { law, time_step: h, mass, radius, friction, press: gravity[0], pull: gravity[1] })
 }
 
-/// Whether the declared law lifts a contact off when it slips: the convex ones, among them Drake's Similar, whose motion has no closed form.
+/// Whether the declared law lifts a contact off when it slips: the convex ones, among them Drake's Similar, whose motion has no closed
+/// form.
 pub fn hops(description: &Description) -> bool {
     let similar = description.options.get("approximation").and_then(serde_json::Value::as_str) == Some("similar");
     let model = Model::of(description);

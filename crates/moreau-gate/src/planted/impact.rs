@@ -13,7 +13,8 @@ use moreau_exact::Result;
 pub const PLANTED: &[Planted] = &[
     Planted {
         name: "ball/restitution-lost-at-large-steps",
-        mistake: "takes an impact for resting contact when a step is longer than 2 ms, and returns nothing: what rapier 0.35.0-beta.0 shows from some heights",
+        mistake: "takes an impact for resting contact when a step is longer than 2 ms, and returns nothing: what rapier 0.35.0-beta.0 \
+            shows from some heights",
         engine: || {
             Box::new(Misread(|scene, h| {
                 if h > 0.002 {

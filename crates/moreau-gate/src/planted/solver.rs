@@ -100,7 +100,8 @@ mod tests {
     use crate::planted::judge;
     use crate::{Verdict, check};
 
-    /// The other side of the boundary: with a tenth of what the planted solver leaves, every question about motion is answered as the ideal demands.
+    /// The other side of the boundary: with a tenth of what the planted solver leaves, every question about motion is answered as the ideal
+    /// demands.
     #[test]
     fn a_solver_that_leaves_a_ten_thousandth_passes_where_one_that_leaves_a_thousandth_fails() {
         let engine = || with_solver(|_| Ok(Box::new(Answers(|problem, start| left_over(problem, start, 1e-4)))));

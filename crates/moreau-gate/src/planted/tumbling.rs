@@ -16,7 +16,8 @@ use std::collections::VecDeque;
 pub const PLANTED: &[Planted] = &[
     Planted {
         name: "tumbling/extrapolated-sweeps",
-        mistake: "extrapolates sweeps by Anderson's rule, takes no step back however much worse it is, and answers its last iterate at the limit",
+        mistake: "extrapolates sweeps by Anderson's rule, takes no step back however much worse it is, and answers its last iterate at the \
+            limit",
         engine: || with_solver(|_| Ok(Box::new(Answers(extrapolated)))),
         caught_by: &["tumbling/rough"],
     },
@@ -93,7 +94,8 @@ fn extrapolated(problem: &ContactProblem, start: &DVector<f64>) -> Result<Soluti
     Ok(answer(problem, impulse, LIMIT))
 }
 
-/// G(x) less the part of f that the differences ΔF span, newest first, carried over to ΔG; what is dependent to half the digits is left out.
+/// G(x) less the part of f that the differences ΔF span, newest first, carried over to ΔG; what is dependent to half the digits is left
+/// out.
 fn extrapolate(residual: &DVector<f64>, image: &DVector<f64>, differences: &VecDeque<[DVector<f64>; 2]>) -> DVector<f64> {
     let mut next = image.clone();
     let mut basis: Vec<[DVector<f64>; 2]> = Vec::new();

@@ -18,8 +18,10 @@ struct Highlight {
 const HIGHLIGHTS: &[Highlight] = &[
     Highlight {
         title: "Friction that is not opposed to slip",
-        explanation: "A block on a 20° slope with μ = 0.3 gains 0.5897 m/s² whatever its direction. Rapier's `Coulomb` friction does so in 0.34; in 0.36 \
-                      it gains 47 % more where the slip is along a friction direction of the contact: the impulse stays on the cone but does not \
+        explanation: "A block on a 20° slope with μ = 0.3 gains 0.5897 m/s² whatever its direction. Rapier's `Coulomb` friction does so in \
+            0.34; in 0.36 \
+                      it gains 47 % more where the slip is along a friction direction of the contact: the impulse stays on the cone but \
+                      does not \
                       oppose the slip. `Simplified`, the default, is right in both.",
         check: "incline/slide",
         quantity: "(v_t + μ v_n)/T, less the initial speed",
@@ -27,15 +29,18 @@ const HIGHLIGHTS: &[Highlight] = &[
     },
     Highlight {
         title: "MuJoCo's creep does not depend on the time step",
-        explanation: "A block that Coulomb holds creeps in proportion to 1/impratio, as the declared law predicts: the creep belongs to the softness of \
-                      the model, and no smaller step removes it. Only where `refsafe` stretches the time constant to 2h, above h = 0.01 s, is it faster.",
+        explanation: "A block that Coulomb holds creeps in proportion to 1/impratio, as the declared law predicts: the creep belongs to \
+            the softness of \
+                      the model, and no smaller step removes it. Only where `refsafe` stretches the time constant to 2h, above h = 0.01 s, \
+                      is it faster.",
         check: "incline/stick",
         quantity: "creep speed",
         engines: &["mujoco", "mujoco-elliptic", "mujoco-elliptic-impratio10", "mujoco-elliptic-impratio100"],
     },
     Highlight {
         title: "Drake: SAP creeps with the step, Lagged and TAMSI do not",
-        explanation: "SAP's tangential regularisation is a share of the step's own stiffness, so its creep is proportional to h where the block sticks. \
+        explanation: "SAP's tangential regularisation is a share of the step's own stiffness, so its creep is proportional to h where the \
+            block sticks. \
                       Lagged and TAMSI slip at a speed that the stiction tolerance fixes, at every h.",
         check: "incline/stick",
         quantity: "creep speed",
@@ -43,7 +48,8 @@ const HIGHLIGHTS: &[Highlight] = &[
     },
     Highlight {
         title: "Bullet's effective restitution",
-        explanation: "A ball with e = 0.5, dropped from 5 m, keeps another share of its velocity at every step size, above e at large steps and below it \
+        explanation: "A ball with e = 0.5, dropped from 5 m, keeps another share of its velocity at every step size, above e at large \
+            steps and below it \
                       at small ones: Bullet's contacts may act before they close. DART, beside it, keeps e within the error of a step.",
         check: "ball/restitution",
         quantity: "e = 0.5 from 5 m, impact 1: v+/v-",
@@ -51,9 +57,12 @@ const HIGHLIGHTS: &[Highlight] = &[
     },
     Highlight {
         title: "Stacks that a sweep method lets drift",
-        explanation: "Ten equal cubes stand still in theory. Sweeps that end after a fixed number of iterations let them wander sideways at 1/60 s: DART's \
-                      projected Gauss–Seidel by a tenth of a metre, Bullet by centimetres, Rapier by millimetres to a centimetre, PhysX by more than half \
-                      a millimetre; less at smaller steps. MuJoCo's solvers, DART's Dantzig pivoting and Siconos's sweeps, which go on until the residual is \
+        explanation: "Ten equal cubes stand still in theory. Sweeps that end after a fixed number of iterations let them wander sideways \
+            at 1/60 s: DART's \
+                      projected Gauss–Seidel by a tenth of a metre, Bullet by centimetres, Rapier by millimetres to a centimetre, PhysX by \
+                      more than half \
+                      a millimetre; less at smaller steps. MuJoCo's solvers, DART's Dantzig pivoting and Siconos's sweeps, which go on \
+                      until the residual is \
                       small, keep them within two micrometres at every step.",
         check: "stack/ten",
         quantity: "largest horizontal displacement while standing",
@@ -61,8 +70,10 @@ const HIGHLIGHTS: &[Highlight] = &[
     },
     Highlight {
         title: "A released engine that lost restitution, from 2 m",
-        explanation: "Rapier 0.35.0-beta.0 loses the restitution of a contact that it finds before the step that closes it. From 2 m over a box it \
-                      bounces at h = 1/1000 s and not at 1/60 or 1/240 s, so that a test at the smallest of the three misses it; over a half-space it \
+        explanation: "Rapier 0.35.0-beta.0 loses the restitution of a contact that it finds before the step that closes it. From 2 m over \
+            a box it \
+                      bounces at h = 1/1000 s and not at 1/60 or 1/240 s, so that a test at the smallest of the three misses it; over a \
+                      half-space it \
                       bounces at none of them. Which steps bounce depends on the height of the drop.",
         check: "ball/restitution",
         quantity: "e = 0.5 from 2 m, impact 1: v+/v-",
@@ -70,7 +81,8 @@ const HIGHLIGHTS: &[Highlight] = &[
     },
     Highlight {
         title: "The same engine from 5 m",
-        explanation: "From 5 m the first impact of Rapier 0.35.0-beta.0 bounces at h = 1/60 s, and is lost at 1/240 and 1/1000 s. No single step and no \
+        explanation: "From 5 m the first impact of Rapier 0.35.0-beta.0 bounces at h = 1/60 s, and is lost at 1/240 and 1/1000 s. No \
+            single step and no \
                       single height is sure to show the loss; a sweep over both does.",
         check: "ball/restitution",
         quantity: "e = 0.5 from 5 m, impact 1: v+/v-",

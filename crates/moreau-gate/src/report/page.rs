@@ -29,7 +29,8 @@ pub fn html(report: &Report, changes: Option<&[Change]>) -> Result<String> {
             body {
                 h1 { (title) }
                 (engine(report))
-                p { "In the pictures: " b style="color:#0072b2" { "measured" } ", " b style="color:#999" { "allowed to a sound discretisation" } ", "
+                p { "In the pictures: " b style="color:#0072b2" { "measured" } ", " b style="color:#999" { "allowed to a sound \
+                    discretisation" } ", "
                     b style="color:#d55e00" { "the declared law's own deviation" } "." }
                 @if let Some(changes) = changes { (comparison(changes)) }
                 @for part in details { (part) }
@@ -44,9 +45,11 @@ fn engine(report: &Report) -> Markup {
     let steps: Vec<String> = report.sweep.iter().map(|h| significant(*h)).collect();
     html! {
         table {
-            tr { th { "declared contact" } td { (format!("{:?}", model.kind).to_lowercase()) ", " (model.law.as_deref().unwrap_or("no documented law")) } }
+            tr { th { "declared contact" } td { (format!("{:?}", model.kind).to_lowercase()) ", " (model.law.as_deref().unwrap_or("no \
+                documented law")) } }
             tr { th { "parameters" } td {
-                @for (name, parameter) in &model.parameters { code { (name) " = " (serde_json::json!(parameter.value)) " " (serde_json::json!(parameter.unit)) } " " }
+                @for (name, parameter) in &model.parameters { code { (name) " = " (serde_json::json!(parameter.value)) " \
+                    " (serde_json::json!(parameter.unit)) } " " }
             } }
             tr { th { "options" } td { code { (serde_json::Value::Object(report.engine.options.clone())) } } }
             tr { th { "time steps [s]" } td { (steps.join(", ")) } }
@@ -59,7 +62,8 @@ fn comparison(changes: &[Change]) -> Markup {
     html! {
         h2 { "Against the baseline" }
         @if changes.is_empty() { p { "As the baseline." } }
-        ul { @for change in changes { li class=(class(change.kind)) { b { (format!("{:?}", change.kind)) } " " (change.check) ": " (change.what) } } }
+        ul { @for change in changes { li class=(class(change.kind)) { b { (format!("{:?}", change.kind)) } " " (change.check) ": \
+            " (change.what) } } }
     }
 }
 
@@ -97,7 +101,8 @@ fn values(outcome: &CheckOutcome) -> Markup {
     let rows = outcome.steps.iter().flat_map(|step| step.measurements.iter().map(move |one| (step, one)));
     html! {
         table {
-            tr { th { "h [s]" } th { "quantity" } th { "value" } th { "spread" } th { "Coulomb–Signorini" } th { "declared law" } th { "verdict" } }
+            tr { th { "h [s]" } th { "quantity" } th { "value" } th { "spread" } th { "Coulomb–Signorini" } th { "declared \
+                law" } th { "verdict" } }
             @for (step, one) in rows { (row(step, one)) }
         }
     }

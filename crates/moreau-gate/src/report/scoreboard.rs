@@ -58,7 +58,8 @@ fn markdown(standings: &[Standing], causes: &[Cause]) -> String {
         let cells = families.iter().map(|family| marks(report, family));
         text += &row(&[name].into_iter().chain(cells).chain([counted(&standing.entry.name, report, causes)]).collect::<Vec<_>>());
     }
-    text + "\n✓ as Coulomb–Signorini demands · ≈ different, as the engine's declared law predicts · ✗ fails · ! errored · – the engine does not do this\n"
+    text + "\n✓ as Coulomb–Signorini demands · ≈ different, as the engine's declared law predicts · ✗ fails · ! errored · – the engine \
+        does not do this\n"
 }
 
 /// `solver 3, collision 1`.
@@ -94,7 +95,8 @@ pub fn html(standings: &[Standing], causes: &[Cause]) -> Result<String> {
             head { meta charset="utf-8"; title { "moreau scoreboard" } style { (PreEscaped(style)) } }
             body {
                 h1 { "moreau scoreboard: simulators through one set of checks" }
-                p { "✓ as Coulomb–Signorini demands · ≈ different, as the engine's declared law predicts · ✗ fails · ! errored · – the engine does not do this. Point at a mark to see the number." }
+                p { "✓ as Coulomb–Signorini demands · ≈ different, as the engine's declared law predicts · ✗ fails · ! errored · – the \
+                    engine does not do this. Point at a mark to see the number." }
                 (table(standings, causes))
                 h2 { "What it shows" }
                 (highlights::html(standings))
@@ -112,7 +114,8 @@ fn reasons(causes: &[Cause]) -> Markup {
         table {
             tr { th { "engines" } th { "checks" } th { "what is at fault" } th { "cause" } th { "evidence" } }
             @for cause in causes {
-                tr { td { (cause.engines.join(", ")) } td { (cause.checks.join(", ")) } td { (cause.error.word()) } td { (cause.cause) } td { (cause.evidence) } }
+                tr { td { (cause.engines.join(", ")) } td { (cause.checks.join(", \
+                    ")) } td { (cause.error.word()) } td { (cause.cause) } td { (cause.evidence) } }
             }
         }
     }
@@ -124,10 +127,12 @@ fn table(standings: &[Standing], causes: &[Cause]) -> Markup {
             tr { th { "engine" } @for check in check::all() { th.r title=(check.question) { (check.name) } } }
             @for standing in standings {
                 tr {
-                    td { (standing.entry.name) @if let Some(report) = &standing.report { br; small { (report.engine.name) " " (report.engine.version) } } }
+                    td { (standing.entry.name) @if let Some(report) = &standing.report { br; small { (report.engine.name) " \
+                        " (report.engine.version) } } }
                     @match &standing.report {
                         Some(report) => { @for check in check::all() { (cell(report, check.name, cause::find(causes, &standing.entry.name, check.name))) } },
-                        None => td colspan=(check::all().count()) { "not run: " (standing.not_run.as_deref().unwrap_or("no reason stored")) },
+                        None => td colspan=(check::all().count()) { "not run: " (standing.not_run.as_deref().unwrap_or("no reason \
+                            stored")) },
                     }
                 }
             }

@@ -21,15 +21,15 @@ pub fn depth(speed: f64, gravity: f64, h: f64) -> f64 {
     1.5 * (speed + gravity * h) * h
 }
 
-/// Error of the apex after a bounce, over the height H of the drop: e²·½v² off by (v⁺ + ½δ) δ with δ = g (s + 2h) (1 + e), and it starts up to
-/// the depth away from the floor.
+/// Error of the apex after a bounce, over the height H of the drop: e²·½v² off by (v⁺ + ½δ) δ with δ = g (s + 2h) (1 + e), and it starts up
+/// to the depth away from the floor.
 pub fn apex(e: f64, speed: f64, height: f64, gravity: f64, h: f64, spacing: f64) -> f64 {
     let off = gravity * (spacing + 2.0 * h) * (1.0 + e);
     ((e * speed + 0.5 * off) * off / gravity + depth(speed, gravity, h)) / height
 }
 
-/// What an elastic ball may seem to gain at an apex, over the height H of the drop: a θ-scheme keeps E − (θ−½) g h v, and the slowest sample
-/// has |v| ≤ ½ g s, at both apexes: ½ g h s; and n roundings of the energy, which has condition number two.
+/// What an elastic ball may seem to gain at an apex, over the height H of the drop: a θ-scheme keeps E − (θ−½) g h v, and the slowest
+/// sample has |v| ≤ ½ g s, at both apexes: ½ g h s; and n roundings of the energy, which has condition number two.
 pub fn apex_gain(height: f64, gravity: f64, h: f64, spacing: f64, samples: usize, epsilon: f64) -> f64 {
     let steps = samples as f64 * spacing / h;
     0.5 * gravity * h * spacing / height + 16.0 * steps * epsilon
@@ -53,7 +53,8 @@ pub fn settled_speed(gravity: f64, h: f64) -> f64 {
     gravity * h
 }
 
-/// Where a ball may come to rest \[m\]: the places proved in [`moreau_checks::tolerance::zeno`], 7, lie between −2.875 and 1 times g h² at e = ½.
+/// Where a ball may come to rest \[m\]: the places proved in [`moreau_checks::tolerance::zeno`], 7, lie between −2.875 and 1 times g h² at
+/// e = ½.
 pub fn resting_gap(gravity: f64, h: f64) -> f64 {
     3.0 * gravity * h * h
 }
@@ -69,9 +70,9 @@ pub const SETTLING_SAMPLE: f64 = 2e-3;
 /// Longest contact that is waited for \[s\]: half a period π√(m/k) of a spring of 1 kg softer than any engine's default, 1 kN/m.
 pub const LONGEST_CONTACT: f64 = 0.1;
 
-/// Relative error of a replayed impact: each step of the engine's solver ends within a relative 1e-6 of its answer (SAP's documented stopping rule,
-/// the loosest), or at √ε, and the map of a step does not spread differences; only the steps in contact count, and each sample stands for one of
-/// them or more, whose errors are independent of the step's size.
+/// Relative error of a replayed impact: each step of the engine's solver ends within a relative 1e-6 of its answer (SAP's documented
+/// stopping rule, the loosest), or at √ε, and the map of a step does not spread differences; only the steps in contact count, and each
+/// sample stands for one of them or more, whose errors are independent of the step's size.
 pub fn replay(samples: usize, epsilon: f64) -> f64 {
     samples as f64 * moreau_forms::tolerance::SAP_RELATIVE.max(epsilon.sqrt())
 }

@@ -28,8 +28,8 @@ pub fn approach(gravity: f64, h: f64, landing: f64) -> f64 {
     gravity * h + SOLVED * landing
 }
 
-/// Slip \[m/s\] from which on a step is one of sliding: twice what friction takes off in a step (`rate` h), and a twentieth of the speed, at which
-/// regularised friction with a stiction tolerance of millimetres per second is full to 1e-4.
+/// Slip \[m/s\] from which on a step is one of sliding: twice what friction takes off in a step (`rate` h), and a twentieth of the speed,
+/// at which regularised friction with a stiction tolerance of millimetres per second is full to 1e-4.
 pub fn full_slip(rate: f64, h: f64, speed: f64) -> f64 {
     (2.0 * rate * h).max(0.05 * speed)
 }

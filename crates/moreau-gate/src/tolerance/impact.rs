@@ -1,7 +1,7 @@
 //! Impacts of free spheres: nothing depends on the step but where they meet.
 
-/// Relative error of a velocity after an impact: one contact is one division, but a solver that minimises an energy to rounding gives each of
-/// two velocities to √ε, and both are subtracted.
+/// Relative error of a velocity after an impact: one contact is one division, but a solver that minimises an energy to rounding gives each
+/// of two velocities to √ε, and both are subtracted.
 pub fn velocity(epsilon: f64) -> f64 {
     4.0 * epsilon.sqrt()
 }
@@ -30,8 +30,8 @@ pub struct SoftCradle {
 }
 
 /// A push of up to p times the speed makes each impulse up to 1 + p/2 times what it was; force mixing c, (W + c·diag W) r = b with
-/// diag W = 2/m, changes r = W⁻¹b by at most 2c/m ‖W⁻¹‖‖r‖ with ‖W⁻¹‖ = m and r = m v (4/3, 2/3) for both at once: 3 c m v, which is 9/2 c of the
-/// smaller impulse.
+/// diag W = 2/m, changes r = W⁻¹b by at most 2c/m ‖W⁻¹‖‖r‖ with ‖W⁻¹‖ = m and r = m v (4/3, 2/3) for both at once: 3 c m v, which is 9/2 c
+/// of the smaller impulse.
 ///
 /// ```text
 ///     both at once        (1 − 4/3 s, 2/3 s, 2/3 s)     s from 1 − 9/2 c to 1 + p/2      energy 1 + 8/3 s (s − 1)

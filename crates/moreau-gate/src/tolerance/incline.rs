@@ -2,8 +2,8 @@
 
 use super::SOLVED;
 
-/// Creep \[m/s\] that a step's solver may leave where Coulomb sticks: [`SOLVED`] of what gravity gains in a step, g sin α h. It does not add
-/// up, because the next step starts from that velocity and stops it again. Plus two positions of size L \[m\] read over a time T \[s\].
+/// Creep \[m/s\] that a step's solver may leave where Coulomb sticks: [`SOLVED`] of what gravity gains in a step, g sin α h. It does not
+/// add up, because the next step starts from that velocity and stops it again. Plus two positions of size L \[m\] read over a time T \[s\].
 pub fn creep(pull: f64, h: f64, epsilon: f64, size: f64, time: f64) -> f64 {
     SOLVED * pull * h + 2.0 * epsilon * size / time
 }
@@ -21,13 +21,14 @@ pub fn slide(friction: f64, press: f64, h: f64, time: f64) -> f64 {
     friction * press * h / time + SOLVED * press
 }
 
-/// The momentum law per time \[m/s²\]: holds for any normal impulses, also those of a contact that is found late, so only the solver's part.
+/// The momentum law per time \[m/s²\]: holds for any normal impulses, also those of a contact that is found late, so only the solver's
+/// part.
 pub fn momentum(press: f64) -> f64 {
     SOLVED * press
 }
 
-/// Mean acceleration \[m/s²\] that a law whose friction μ g cos α (`full`) needs a slip v_c \[m/s\] to saturate gains over a time T: at worst
-/// friction acts fully only from v_c on, which a slide with the acceleration a reaches after v_c/a at the latest.
+/// Mean acceleration \[m/s²\] that a law whose friction μ g cos α (`full`) needs a slip v_c \[m/s\] to saturate gains over a time T: at
+/// worst friction acts fully only from v_c on, which a slide with the acceleration a reaches after v_c/a at the latest.
 pub fn unsaturated(full: f64, slip: f64, acceleration: f64, time: f64) -> f64 {
     full * slip / acceleration / time
 }

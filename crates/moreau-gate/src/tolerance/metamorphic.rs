@@ -1,15 +1,16 @@
 //! How far two motions may differ that the laws of mechanics map to each other ([`crate::checks::metamorphic`]).
 //!
-//! A covariant scheme gives the same numbers up to rounding, and up to what its solver leaves, a part [`SOLVED`] of every change of velocity,
-//! whichever solver is used:
+//! A covariant scheme gives the same numbers up to rounding, and up to what its solver leaves, a part [`SOLVED`] of every change of
+//! velocity, whichever solver is used:
 //! ```text
 //!     changes of velocity     ≤ 2 (speed + g T)     fall, landing and friction without restitution
 //!     velocity                SOLVED · 2 (speed + g T)
 //!     position                T · velocity ,      orientation   T · velocity/arm
 //! ```
 //! Errors add up without growth: a step with contacts is a projection in the norm of the kinetic energy, hence non-expansive, where the
-//! friction bounds do not depend on the answer, as in these scenes. Compliant bodies rebound, and a turn of 1e-3 rad/s can decide in which step
-//! a corner lands again: such growth is not allowed for, because an engine whose law is covariant differs by rounding and has nothing to grow.
+//! friction bounds do not depend on the answer, as in these scenes. Compliant bodies rebound, and a turn of 1e-3 rad/s can decide in which
+//! step a corner lands again: such growth is not allowed for, because an engine whose law is covariant differs by rounding and has nothing
+//! to grow.
 
 use super::SOLVED;
 
@@ -40,8 +41,8 @@ pub fn anisotropy(directions: Option<usize>, friction: f64, normal_impulse: f64)
     chord * friction * normal_impulse
 }
 
-/// Where a linear damping c \[1/s\] of every velocity leaves a frame that moves with V \[m/s\], after T \[s\]: V(1 − e^(−cT)) in velocity and
-/// V(T − (1 − e^(−cT))/c) in position; and how far a first-order damping, v⁺ = (1 − c h) v or v/(1 + c h), may be from it: relative
+/// Where a linear damping c \[1/s\] of every velocity leaves a frame that moves with V \[m/s\], after T \[s\]: V(1 − e^(−cT)) in velocity
+/// and V(T − (1 − e^(−cT))/c) in position; and how far a first-order damping, v⁺ = (1 − c h) v or v/(1 + c h), may be from it: relative
 /// error c²h T/2 in velocity, T times that and c h T (the rectangle rule of the path) in position.
 pub fn damped_frame(speed: f64, damping: f64, duration: f64, h: f64) -> [(f64, f64); 2] {
     let lost = -(-damping * duration).exp_m1();
@@ -50,15 +51,15 @@ pub fn damped_frame(speed: f64, damping: f64, duration: f64, h: f64) -> [(f64, f
     [(speed * lost, velocity_error), (position, duration * velocity_error + damping * h * duration * speed)]
 }
 
-/// Difference \[m/s\] of the horizontal velocity of a landed, sliding block at steps h and h/2: each gives friction μ per normal impulse, and
-/// both normal impulses bring the same body to rest, so that only a step of gravity may be counted late, once in each motion:
+/// Difference \[m/s\] of the horizontal velocity of a landed, sliding block at steps h and h/2: each gives friction μ per normal impulse,
+/// and both normal impulses bring the same body to rest, so that only a step of gravity may be counted late, once in each motion:
 /// μ g (h + h/2).
 pub fn halved_velocity(friction: f64, gravity: f64, h: f64) -> f64 {
     1.5 * friction * gravity * h
 }
 
-/// Difference \[m\] of positions at steps h and h/2 of bodies that land without restitution at speeds up to v: each motion is off by at most
-/// 2 h v vertically (found up to a step late, acted on in the next) and h times the variation of its velocity along the floor.
+/// Difference \[m\] of positions at steps h and h/2 of bodies that land without restitution at speeds up to v: each motion is off by at
+/// most 2 h v vertically (found up to a step late, acted on in the next) and h times the variation of its velocity along the floor.
 pub fn halved_position(landing_speed: f64, friction: f64, normal_impulse: f64, h: f64) -> f64 {
     1.5 * h * (2.0 * landing_speed + 3.0 * friction * normal_impulse)
 }

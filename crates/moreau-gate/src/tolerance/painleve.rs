@@ -1,8 +1,8 @@
 //! Errors of a first-order scheme around the impact of a sliding edge ([`crate::checks::painleve`]).
 
-/// Error \[m/s\] of the velocity change by the impact, measured after at most `steps` further steps: per step, the reaction that carries the
-/// body afterwards, at most m (g + ω²ℓ) with the distance ℓ from the edge to the centre; and the approach speed, off by g h from the step
-/// in which the edge arrives, with the gain `gain` = max |m⁻¹ ∂P/∂w|.
+/// Error \[m/s\] of the velocity change by the impact, measured after at most `steps` further steps: per step, the reaction that carries
+/// the body afterwards, at most m (g + ω²ℓ) with the distance ℓ from the edge to the centre; and the approach speed, off by g h from the
+/// step in which the edge arrives, with the gain `gain` = max |m⁻¹ ∂P/∂w|.
 pub fn velocity_change(gravity: f64, spin: f64, arm: f64, gain: f64, steps: usize, h: f64) -> f64 {
     steps as f64 * h * (gravity + spin * spin * arm) + gain * gravity * h
 }

@@ -8,8 +8,8 @@
 
 use super::SOLVED;
 
-/// Distance \[m\] from the place of rest after n steps of a stable map that is evaluated, not solved, and starts there: n steps leave 16 roundings
-/// each of a velocity g h times h, to √ε where an energy is minimised, and of the coordinate \[m\].
+/// Distance \[m\] from the place of rest after n steps of a stable map that is evaluated, not solved, and starts there: n steps leave 16
+/// roundings each of a velocity g h times h, to √ε where an energy is minimised, and of the coordinate \[m\].
 pub fn settled(steps: usize, size: f64, gravity: f64, h: f64, epsilon: f64) -> f64 {
     let steps = steps as f64;
     steps * h * epsilon.sqrt() * gravity * h + 16.0 * steps * epsilon * size

@@ -8,9 +8,9 @@ pub fn residual(epsilon: f64) -> f64 {
     epsilon.sqrt()
 }
 
-/// How far the velocity of an answer with residuals of [`residual`] may be from the known one, relative to the velocity scale, for one contact
-/// on a point mass: [`agreement`] with ‖W‖ = ρ = 1, a residual of √ε against the exact answer's 0, and impulses apart by at most twice
-/// their scale.
+/// How far the velocity of an answer with residuals of [`residual`] may be from the known one, relative to the velocity scale, for one
+/// contact on a point mass: [`agreement`] with ‖W‖ = ρ = 1, a residual of √ε against the exact answer's 0, and impulses apart by at most
+/// twice their scale.
 pub fn known_velocity(epsilon: f64) -> f64 {
     agreement(1.0, residual(epsilon), 2.0, 1.0)
 }

@@ -5,27 +5,28 @@
 //!     −s = ē |u_n| − d/h        while d = φ + slop > 0 ,
 //!     −s = ē |u_n| − ERP d/h    afterwards ,          ē = e if u_n ≤ −v_t, and 0 below that threshold .
 //! ```
-//! Contacts take part up to the gap `margin`. Bullet solves the problem by at most 50 sweeps of [`moreau_contact::solvers::SequentialImpulses`]; with that
-//! solver the scheme takes Bullet's steps, with another one those of the law, which the sweeps tend to with the two exceptions told there.
+//! Contacts take part up to the gap `margin`. Bullet solves the problem by at most 50 sweeps of
+//! [`moreau_contact::solvers::SequentialImpulses`]; with that solver the scheme takes Bullet's steps, with another one those of the law,
+//! which the sweeps tend to with the two exceptions told there.
 //!
-//! **Two families of bodies**, and they step differently ([`Bodies`]). Multibodies, PyBullet's default: u_n = H v_free, the velocity after the
-//! forces, so that an elastic ball gains g h in every impact; w = 0, whatever `useSplitImpulse` says. Rigid bodies: u_n = H v, before the forces;
-//! and a contact deeper than d ≤ −4 cm is undone by *split impulses*, ERP left out of s and
+//! **Two families of bodies**, and they step differently ([`Bodies`]). Multibodies, PyBullet's default: u_n = H v_free, the velocity after
+//! the forces, so that an elastic ball gains g h in every impact; w = 0, whatever `useSplitImpulse` says. Rigid bodies: u_n = H v, before
+//! the forces; and a contact deeper than d ≤ −4 cm is undone by *split impulses*, ERP left out of s and
 //! ```text
 //!     w = M⁻¹Hᵀp ,     0 ≤ p_n ⟂ (H w)_n + ERP d/h ≥ 0     at the deep contacts:
 //! ```
 //! the body moves without being given a velocity. Either way the depth shrinks by the factor 1 − ERP in every step.
 //!
-//! **Friction** ([`Friction`]) of multibodies is the round cone unless told otherwise, of rigid bodies always boxed: |r_t₁| ≤ μ r_n and |r_t₂| ≤ μ r_n, each
-//! against its own slip. A box is the polyhedral law with four directions in tangents turned by 45° and with √2 μ; which tangents, says `tangents.rs`.
+//! **Friction** ([`Friction`]) of multibodies is the round cone unless told otherwise, of rigid bodies always boxed: |r_t₁| ≤ μ r_n and
+//! |r_t₂| ≤ μ r_n, each against its own slip. A box is the polyhedral law with four directions in tangents turned by 45° and with √2 μ; which tangents, says `tangents.rs`.
 //! In the plane box and cone are one.
 //!
 //! # Energy
 //! ```text
 //!     T(v⁺) ≤ T(v_free) − Σ r_n s − ½ rᵀW r ,      multibodies: ΔẼ ≤ −Σ r_n s + h²FᵀM⁻¹F/8 ,   Ẽ = E + ½ h F·v
 //! ```
-//! For the law; the declared number of sweeps leaves a residual whose work comes on top. e on v_free gains g h in every elastic impact, and split impulses move rigid bodies in V
-//! without a law ([`crate::energy_balance`]).
+//! For the law; the declared number of sweeps leaves a residual whose work comes on top. e on v_free gains g h in every elastic impact, and
+//! split impulses move rigid bodies in V without a law ([`crate::energy_balance`]).
 
 use moreau_contact::contact::delassus::{MassFactor, delassus};
 use moreau_contact::contact::{Contact, pairs};
@@ -82,8 +83,8 @@ pub struct Bullet {
     pub margin: f64,
 }
 
-/// Share of half the diagonal of the box around a body (`contactBreakingThreshold`): from there on contact points begin, and once a point has
-/// slid as far, it is dropped.
+/// Share of half the diagonal of the box around a body (`contactBreakingThreshold`): from there on contact points begin, and once a point
+/// has slid as far, it is dropped.
 pub const BREAKING_THRESHOLD: f64 = 0.02;
 
 /// d \[m\] at and below which rigid bodies are moved by split impulses.

@@ -1,4 +1,5 @@
-//! Stored steps of PyBullet, taken again from each of its own states with its own contact points: the scheme and its sweeps without a difference in collision.
+//! Stored steps of PyBullet, taken again from each of its own states with its own contact points: the scheme and its sweeps without a
+//! difference in collision.
 //!
 //! ```text
 //!     (q_k, v_k), contact points of step k ──► one step of ours ──► |v − v_{k+1}| , |x − x_{k+1}| , |Σ over rows − r_k|

@@ -5,8 +5,8 @@
 //!     rigid bodies   d₁ = u_t/|u_t|, u after the forces, if |u_t|² > ε; else as above
 //!     d₂ = n × d₁, at the ground −n × d₁ ;      box: t₁ = (d₁ + d₂)/√2 , t₂ = (d₂ − d₁)/√2
 //! ```
-//! Bullet's normal points to the body that was made first, and that is the ground: d₁ and n change their signs, n × d₁ does not. The only one to notice is
-//! the end of a cone's sweeps, which looks at the sum of the changes along d₁ and d₂.
+//! Bullet's normal points to the body that was made first, and that is the ground: d₁ and n change their signs, n × d₁ does not. The only
+//! one to notice is the end of a cone's sweeps, which looks at the sum of the changes along d₁ and d₂.
 //!
 //! The box |r·d₁| ≤ μ r_n, |r·d₂| ≤ μ r_n is the square with its corners on t₁ and t₂: the polyhedral law with four directions and √2 μ.
 

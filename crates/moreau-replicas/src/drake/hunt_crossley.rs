@@ -109,7 +109,8 @@ pub(super) mod testing {
         Touch { time_step: 0.25, material, depth: 0.5, friction: 0.75, explicit: 3.0, slip_scale: 0.5 }
     }
 
-    /// The curvature is minus the derivative of the impulse, symmetric and positive semidefinite, at points that touch and points that do not.
+    /// The curvature is minus the derivative of the impulse, symmetric and positive semidefinite, at points that touch and points that do
+    /// not.
     pub fn is_convex_with_its_own_gradient(potential: &dyn Potential) {
         let step = 1.0 / 1024.0;
         for velocity in [[-1.0, 0.5, -0.25], [0.25, 2.0, 1.0], [-0.5, 0.0, 0.0], [1.5, 0.25, 0.5], [9.0, 1.0, 0.0]] {

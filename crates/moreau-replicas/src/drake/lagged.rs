@@ -4,14 +4,15 @@
 //!     ℓ(u) = −N(u_n) + μ n₀ √(‖u_t‖² + v_ε²) ,     N' = n ,
 //!     r_n = n(u_n) ,     r_t = −μ n₀ u_t/√(‖u_t‖² + v_ε²)
 //! ```
-//! n, n₀ and v_ε as in [`hunt_crossley`](crate::drake::Touch). As n₀ does not move with u_n the two parts are independent: nothing lifts a sliding contact,
-//! and in the step that first touches friction follows a depth the normal impulse has long left.
+//! n, n₀ and v_ε as in [`hunt_crossley`](crate::drake::Touch). As n₀ does not move with u_n the two parts are independent: nothing lifts a
+//! sliding contact, and in the step that first touches friction follows a depth the normal impulse has long left.
 //!
 //! # Energy
 //! ```text
 //!     T(v⁺) ≤ T(v_free) − Σ (r_n φ/h + r_n²/(h²k)) − ½ rᵀW r ,      ΔẼ ≤ −Σ (r_n φ/h + r_n²/(h²k)) + h²FᵀM⁻¹F/8 ,   Ẽ = E + ½ h F·v
 //! ```
-//! Friction takes energy, and r·u ≤ r_n z with z = (δ − r_n/(h k))/h; with d > 0, r_n z ≤ max(0, …). A depth gives back at most k φ²/4 ([`crate::energy_balance`]).
+//! Friction takes energy, and r·u ≤ r_n z with z = (δ − r_n/(h k))/h; with d > 0, r_n z ≤ max(0, …). A depth gives back at most k φ²/4
+//! ([`crate::energy_balance`]).
 //!
 //! # Source
 //! Castro et al., *Irrotational contact fields* (2023), §IV.

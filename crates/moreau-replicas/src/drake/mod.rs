@@ -4,9 +4,10 @@
 //!     M (v⁺ − v) = h F(q, v) + Hᵀ r(v⁺) ,     q⁺ = q + h v⁺ ,     contacts with φ(q) < 0
 //!     w = ‖H_i diag(M)⁻¹ H_iᵀ‖_F / 3          a contact's response, from the diagonal of M in the mechanism's own velocities
 //! ```
-//! [`DrakeSap`] is the associated cone law with compliance; [`DrakeSimilar`] and [`DrakeLagged`] follow Hunt and Crossley with friction regularised
-//! so that the step stays convex, and [`DrakeTamsi`] with friction that follows its own normal impulse, which is not.
-//! w depends on the velocities M is written in. Drake writes a free body's in world axes ([`SphereBodies`](moreau_dynamics::mechanics::SphereBodies)).
+//! [`DrakeSap`] is the associated cone law with compliance; [`DrakeSimilar`] and [`DrakeLagged`] follow Hunt and Crossley with friction
+//! regularised so that the step stays convex, and [`DrakeTamsi`] with friction that follows its own normal impulse, which is not.
+//! w depends on the velocities M is written in. Drake writes a free body's in world axes
+//! ([`SphereBodies`](moreau_dynamics::mechanics::SphereBodies)).
 //!
 //! # Source
 //! Drake 1.51's `DiscreteContactApproximation`; the papers are named with each law.

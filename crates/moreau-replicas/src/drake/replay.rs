@@ -1,17 +1,18 @@
 //! Drake's stored motions made again, step by step, by our scheme of the same law.
 //!
-//! The mechanism is the one Drake was given: spheres, and boxes with a sphere in each corner, in Drake's coordinates. What is left is the stopping rule:
-//! ours ends at rounding, Drake's within δ of it in the kinetic norm ([`sap_velocity`](references::sap_velocity), for TAMSI
+//! The mechanism is the one Drake was given: spheres, and boxes with a sphere in each corner, in Drake's coordinates. What is left is the
+//! stopping rule: ours ends at rounding, Drake's within δ of it in the kinetic norm ([`sap_velocity`](references::sap_velocity), for TAMSI
 //! [`tamsi_velocity`](references::tamsi_velocity)), in every step with contact.
 //! ```text
 //!     intervals       from every stored sample to the next:  e_v ← e_v + e_q/(h + τ) + δ ,  e_q ← e_q + h e_v
 //!     whole motion    ‖v − v'‖_M ≤ 8 Σ δ ,      |x − x'| ≤ 8 t Σ δ/√m
 //! ```
-//! *Intervals.* A step is a proximal map, which does not spread velocities apart in the kinetic norm, and a depth enters it divided by h + τ (τ = 0 but for SAP).
-//! *Whole motion.* While the same contacts stay closed a step is the implicit Euler step of monotone forces, of a spring in the gap and of friction in the
-//! velocity: two motions do not move apart in the norm ‖e_v‖²_M + Σ k e_φ², and every step adds its own δ. The factor is for contacts that open in
-//! one of the two only. An impact may amplify more: those motions are held by their intervals; where every step is
-//! stored, an interval is one step and its bound δ alone, through impacts too.
+//! *Intervals.* A step is a proximal map, which does not spread velocities apart in the kinetic norm, and a depth enters it divided by h +
+//! τ (τ = 0 but for SAP).
+//! *Whole motion.* While the same contacts stay closed a step is the implicit Euler step of monotone forces, of a spring in the gap and of
+//! friction in the velocity: two motions do not move apart in the norm ‖e_v‖²_M + Σ k e_φ², and every step adds its own δ. The factor is
+//! for contacts that open in one of the two only. An impact may amplify more: those motions are held by their intervals; where every step
+//! is stored, an interval is one step and its bound δ alone, through impacts too.
 
 use crate::drake::Material;
 use crate::tolerance::references;

@@ -4,10 +4,10 @@
 //!     K_μ ∋ r ⟂ u⁺ + φ/(h + τ) n + R r ∈ K_μ* ,
 //!     R_n = max( w/4π² , 1/(h k (h + τ)) ) ,     R_t = σ w ,     σ = 1e-3
 //! ```
-//! A spring k with relaxation time τ, treated implicitly, is R_n = 1/(h k (h + τ)): r_n = h k (−φ⁺ − τ u_n⁺). Where the step cannot resolve the
-//! spring, the contact is *near rigid*: w/4π² lets its period be h, and the depth no longer depends on k. R_t makes friction a dashpot inside the cone:
-//! a block that should stick creeps at σ w r_t, which is O(h). As the cone law is associated, a sliding contact is lifted by (h + τ) μ‖u_t‖, and
-//! leaves the ground where that exceeds the depth.
+//! A spring k with relaxation time τ, treated implicitly, is R_n = 1/(h k (h + τ)): r_n = h k (−φ⁺ − τ u_n⁺). Where the step cannot resolve
+//! the spring, the contact is *near rigid*: w/4π² lets its period be h, and the depth no longer depends on k. R_t makes friction a dashpot
+//! inside the cone: a block that should stick creeps at σ w r_t, which is O(h). As the cone law is associated, a sliding contact is lifted
+//! by (h + τ) μ‖u_t‖, and leaves the ground where that exceeds the depth.
 //!
 //! # Energy
 //! ```text

@@ -4,14 +4,15 @@
 //!     ℓ(u) = −N(z) ,   z = u_n − μ (√(‖u_t‖² + v_ε²) − v_ε) ,   N' = n ,
 //!     r_n = n(z) ,     r_t = −μ n(z) u_t/√(‖u_t‖² + v_ε²)
 //! ```
-//! n and v_ε as in [`hunt_crossley`](crate::drake::Touch). Friction is Coulomb's up to the slip scale v_ε, but the normal impulse is evaluated at z instead of
-//! u_n: a sliding contact is lifted as under the associated cone law, by h μ‖u_t‖.
+//! n and v_ε as in [`hunt_crossley`](crate::drake::Touch). Friction is Coulomb's up to the slip scale v_ε, but the normal impulse is
+//! evaluated at z instead of u_n: a sliding contact is lifted as under the associated cone law, by h μ‖u_t‖.
 //!
 //! # Energy
 //! ```text
 //!     T(v⁺) ≤ T(v_free) − Σ (r_n φ/h + r_n²/(h²k)) − ½ rᵀW r ,      ΔẼ ≤ −Σ (r_n φ/h + r_n²/(h²k)) + h²FᵀM⁻¹F/8 ,   Ẽ = E + ½ h F·v
 //! ```
-//! Friction takes energy, and r·u ≤ r_n z with z = (δ − r_n/(h k))/h; with d > 0, r_n z ≤ max(0, …). A depth gives back at most k φ²/4 ([`crate::energy_balance`]).
+//! Friction takes energy, and r·u ≤ r_n z with z = (δ − r_n/(h k))/h; with d > 0, r_n z ≤ max(0, …). A depth gives back at most k φ²/4
+//! ([`crate::energy_balance`]).
 //!
 //! # Source
 //! Castro et al., *Irrotational contact fields* (2023), §IV.

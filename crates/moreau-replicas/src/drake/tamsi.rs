@@ -5,18 +5,21 @@
 //!     r_n = n(u_n) ,     r_t = −μ c(x) n(u_n) u_t/s ,     s = √(‖u_t‖² + ε²) ,   x = s/v_s ,   ε = v_s/100 ,
 //!     c(x) = x (2 − x) for x < 1, else 1
 //! ```
-//! n as in [`hunt_crossley`](crate::drake::Touch). Friction grows with the normal impulse of the same step but not the other way round: ∂r/∂u is not symmetric,
-//! so the step minimises nothing, and Newton's method has no convex function to descend. Here it descends the residual ‖D (M(v − v_free) − Hᵀr)‖,
-//! D = diag(M)^{−½}; Drake limits how far the slip may turn in an iteration. Where both converge they meet the same equation.
+//! n as in [`hunt_crossley`](crate::drake::Touch). Friction grows with the normal impulse of the same step but not the other way round:
+//! ∂r/∂u is not symmetric, so the step minimises nothing, and Newton's method has no convex function to descend. Here it descends the
+//! residual ‖D (M(v − v_free) − Hᵀr)‖, D = diag(M)^{−½}; Drake limits how far the slip may turn in an iteration. Where both converge they
+//! meet the same equation.
 //!
 //! # Energy
 //! ```text
 //!     T(v⁺) ≤ T(v_free) − Σ (r_n φ/h + r_n²/(h²k)) − ½ rᵀW r ,      ΔẼ ≤ −Σ (r_n φ/h + r_n²/(h²k)) + h²FᵀM⁻¹F/8 ,   Ẽ = E + ½ h F·v
 //! ```
-//! Friction takes energy, and r·u ≤ r_n z with z = (δ − r_n/(h k))/h; with d > 0, r_n z ≤ max(0, …). A depth gives back at most k φ²/4 ([`crate::energy_balance`]).
+//! Friction takes energy, and r·u ≤ r_n z with z = (δ − r_n/(h k))/h; with d > 0, r_n z ≤ max(0, …). A depth gives back at most k φ²/4
+//! ([`crate::energy_balance`]).
 //!
 //! # Source
-//! Castro et al., *A transition-aware method for the simulation of compliant contact with regularized friction* (2020); Drake's `TamsiSolver`.
+//! Castro et al., *A transition-aware method for the simulation of compliant contact with regularized friction* (2020); Drake's
+//! `TamsiSolver`.
 
 use crate::drake::hunt_crossley::{stacked, touches};
 use crate::drake::{Material, Touch, assemble_touching};

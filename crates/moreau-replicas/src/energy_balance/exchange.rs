@@ -5,8 +5,8 @@
 //! ```
 //! The identity holds for every r: it fails only if the velocity after the step is not the one that the reported impulses make.
 //!
-//! **Rounding.** Every number below is a sum of products. With N(v) = Σ √M̂_ii |v_i| the factorisation of M̂ errs by γ N(v) N(x) in vᵀM̂x, since
-//! (|L||D||Lᵀ|)_ij ≤ √(M̂_ii M̂_jj), and Hᵀr by γ |H|ᵀ|r|. `size` sums what these errors multiply.
+//! **Rounding.** Every number below is a sum of products. With N(v) = Σ √M̂_ii |v_i| the factorisation of M̂ errs by γ N(v) N(x) in vᵀM̂x,
+//! since (|L||D||Lᵀ|)_ij ≤ √(M̂_ii M̂_jj), and Hᵀr by γ |H|ᵀ|r|. `size` sums what these errors multiply.
 
 use crate::energy_balance::Taken;
 use moreau_contact::contact::delassus::MassFactor;

@@ -6,8 +6,8 @@
 //!     ‖v_g − v‖_M ≤ h ( Σ_bodies (2 T_rot √J_max / J_min)² )^½ .
 //! ```
 //! The implicit midpoint rule keeps T_rot ([`moreau_dynamics::mechanics::spatial`]). Explicitly F_g·v = 0, so that only the square is left.
-//! **The bound.** ‖Ω × JΩ‖_{J⁻¹} ≤ |Ω| |JΩ| / √J_min with |Ω| ≤ √(2T_rot/J_min) and |JΩ| ≤ √(2T_rot J_max). The midpoint Ω_m of two spins of one energy
-//! has no more of it, and the parts of a step add up.
+//! **The bound.** ‖Ω × JΩ‖_{J⁻¹} ≤ |Ω| |JΩ| / √J_min with |Ω| ≤ √(2T_rot/J_min) and |JΩ| ≤ √(2T_rot J_max). The midpoint Ω_m of two spins
+//! of one energy has no more of it, and the parts of a step add up.
 
 use crate::energy_balance::exchange::{kinetic, norm};
 use crate::energy_balance::total::Constant;
@@ -74,7 +74,8 @@ impl Turned {
     }
 }
 
-/// √(J_max/J_min) over all bodies: no spin of the same energy is faster than the present one by more than this factor, √3 for three axes aside.
+/// √(J_max/J_min) over all bodies: no spin of the same energy is faster than the present one by more than this factor, √3 for three axes
+/// aside.
 fn largest_ratio(taken: &Taken) -> f64 {
     let mass = taken.mechanism.mass_matrix(&taken.before.position);
     let ratio = |k: usize| {

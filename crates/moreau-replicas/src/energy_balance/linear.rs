@@ -6,10 +6,11 @@
 //!     r·u_θ ≤ κ ‖v_free − v‖²_M̂/4 + w/(1+e) ,   κ = 1/(1+e) − θ ≥ 0          one e as for a constant force
 //!     r·u_θ ≤ −r·shift + w + (1−θ) ‖v_free − v‖²_M̂/4                          otherwise
 //! ```
-//! **The identity** is the equation of motion times v_θ: v_θ·M(v⁺ − v) = ΔT + (θ−½)‖v⁺ − v‖²_M, and with Δq = h v_θ, q_θ = (1−θ) q + θ q⁺ the force's part is
-//! −ΔV − (θ−½)‖Δq‖²_K − h‖v_θ‖²_C.
-//! **The bounds.** A = r·u⁻, B = r·u⁺ = A + Q̂, Q̂ = rᵀŴr + r·H(v_free − v) ≥ −‖v_free − v‖²_M̂/4 and r·u_θ = A + θQ̂ = B − (1−θ)Q̂; with (1+e) A ≤ −Q̂ + w it is
-//! at most −κ Q̂ + w/(1+e). For θ = ½, κ = (1−e)/(2(1+e)): the bound of a constant force with h F in place of M̂(v_free − v).
+//! **The identity** is the equation of motion times v_θ: v_θ·M(v⁺ − v) = ΔT + (θ−½)‖v⁺ − v‖²_M, and with Δq = h v_θ, q_θ = (1−θ) q + θ q⁺
+//! the force's part is −ΔV − (θ−½)‖Δq‖²_K − h‖v_θ‖²_C.
+//! **The bounds.** A = r·u⁻, B = r·u⁺ = A + Q̂, Q̂ = rᵀŴr + r·H(v_free − v) ≥ −‖v_free − v‖²_M̂/4 and r·u_θ = A + θQ̂ = B − (1−θ)Q̂; with
+//! (1+e) A ≤ −Q̂ + w it is at most −κ Q̂ + w/(1+e). For θ = ½, κ = (1−e)/(2(1+e)): the bound of a constant force with h F in place of
+//! M̂(v_free − v).
 
 use crate::energy_balance::exchange::{kinetic, norm};
 use crate::energy_balance::total::Position;

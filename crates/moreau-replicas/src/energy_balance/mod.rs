@@ -5,14 +5,17 @@
 //!     r·u⁺ ≤ −r·(shift + R r) + w ,    w = Σ_k max(0, r_k·y_k)        the law; w is what the step's residual adds, zero at a solution
 //!     ΔẼ ≤ (1−e)/(1+e) · h²FᵀM⁻¹F/8 + …                               the total energy under a constant force, one e for all contacts
 //! ```
-//! The first two give T(v⁺) ≤ T(v_free) − r·(shift + R r) − ½ rᵀW r + w: with e = 0 never more than T(v_free), with Newton's restitution on normals and
-//! friction at most −Σ e_k r_n u_n⁻ − ½ rᵀW r more. The third is the gain of the discretisation of gravity. Derivations: of the law in `law.rs`, of the total energy
-//! in `total.rs`, of rotation in `gyroscopic.rs`, of linear forces (M̂ ≠ M) in `linear.rs`, of schemes without a contact problem in `own.rs`, of distances in [`reach`].
+//! The first two give T(v⁺) ≤ T(v_free) − r·(shift + R r) − ½ rᵀW r + w: with e = 0 never more than T(v_free), with Newton's restitution on
+//! normals and friction at most −Σ e_k r_n u_n⁻ − ½ rᵀW r more. The third is the gain of the discretisation of gravity. Derivations: of the
+//! law in `law.rs`, of the total energy in `total.rs`, of rotation in `gyroscopic.rs`, of linear forces (M̂ ≠ M) in `linear.rs`, of schemes
+//! without a contact problem in `own.rs`, of distances in [`reach`].
 //!
-//! A balance takes one step as it was made: the state before, the [`Step`], the mechanism and h. It takes H and M̂ from the step, the impulses that the step reports,
-//! and everything else – the shift, the force, the energies – from the mechanism. Where no theorem bounds a quantity there is no finding on it.
+//! A balance takes one step as it was made: the state before, the [`Step`], the mechanism and h. It takes H and M̂ from the step, the
+//! impulses that the step reports, and everything else – the shift, the force, the energies – from the mechanism. Where no theorem bounds a
+//! quantity there is no finding on it.
 //!
-//! A step whose residual is too large for the certificate is told by the finding [`RESIDUAL`]; the other findings hold for it all the same, with its w.
+//! A step whose residual is too large for the certificate is told by the finding [`RESIDUAL`]; the other findings hold for it all the same,
+//! with its w.
 
 use crate::schemes::Parameters;
 use moreau_checks::Finding;

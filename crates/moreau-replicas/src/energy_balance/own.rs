@@ -4,9 +4,11 @@
 //!     variational:    |ΔE| ≤ h²FᵀM⁻¹F/8 ,  0 without an impact                      constant force
 //!     event-driven:   ΔE ≤ 0 up to the method's own tolerances                      e = 0, or no friction and one contact
 //! ```
-//! **Variational.** E_d of a parabola of length τ is E − τ²FᵀM⁻¹F/8 and the same on both sides of an impact after τ: ΔE = h(h − 2τ)FᵀM⁻¹F/8.
-//! **Event-driven.** Flight keeps E, sliding loses, and an impact with y = u⁺ + e min(u_n⁻, 0) n does not gain with e = 0, nor where one contact alone is hit
-//! without friction: ΔT = −½(1−e²) u_n²/W. Several contacts hit at once with e > 0, or friction beside e > 0, have no theorem.
+//! **Variational.** E_d of a parabola of length τ is E − τ²FᵀM⁻¹F/8 and the same on both sides of an impact after τ: ΔE = h(h −
+//! 2τ)FᵀM⁻¹F/8.
+//! **Event-driven.** Flight keeps E, sliding loses, and an impact with y = u⁺ + e min(u_n⁻, 0) n does not gain with e = 0, nor where one
+//! contact alone is hit without friction: ΔT = −½(1−e²) u_n²/W. Several contacts hit at once with e > 0, or friction beside e > 0, have no
+//! theorem.
 
 use crate::energy_balance::exchange::norm;
 use crate::energy_balance::{Judged, TOTAL, Taken};

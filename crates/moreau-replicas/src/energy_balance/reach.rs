@@ -5,9 +5,9 @@
 //!     w⁺ ≤ ½hf + √(¼h²f² + 2 (X + f D)) ,      X = T₀ + |(θ−½) h F·v₀| + Σ rise ,  D = Σ h max(w, w⁺) ,
 //!     √m_i ‖x_i − x_i(0)‖ ≤ D .
 //! ```
-//! The first line is T̂(v_free) ≤ ½(w + hf)² with what contact adds. The second is V ≥ V₀ − f D for a constant force and T = Ẽ − V − (θ−½)hF·v, whose last
-//! term is at most ½ h f w. The third: a body moves by h times a mean of its velocities before and after, and Σ m_i ‖Δx_i‖² ≤ (h max w)². The mean
-//! stays within both bounds, so that the smaller one holds.
+//! The first line is T̂(v_free) ≤ ½(w + hf)² with what contact adds. The second is V ≥ V₀ − f D for a constant force and T = Ẽ − V −
+//! (θ−½)hF·v, whose last term is at most ½ h f w. The third: a body moves by h times a mean of its velocities before and after, and Σ m_i
+//! ‖Δx_i‖² ≤ (h max w)². The mean stays within both bounds, so that the smaller one holds.
 
 use crate::energy_balance::{Judged, Taken};
 use crate::tolerance::energy_balance as tolerance;
@@ -49,7 +49,8 @@ impl Reach {
         Ok(Reach { start, speed, energy, distance: Some(0.0), steps: 0 })
     }
 
-    /// Takes a step's balance into account and holds every body's distance against D; `masses` \[kg\] of the bodies. No finding without a theorem.
+    /// Takes a step's balance into account and holds every body's distance against D; `masses` \[kg\] of the bodies. No finding without a
+    /// theorem.
     ///
     /// # Errors
     /// If the mass matrix is not positive definite.

@@ -37,7 +37,8 @@ pub(super) enum Shift {
     Mujoco(Softness),
 }
 
-/// The candidate in a list that a contact of the step is: by its features, the nearest normal first; by its index where bodies have no place.
+/// The candidate in a list that a contact of the step is: by its features, the nearest normal first; by its index where bodies have no
+/// place.
 fn candidate<'a>(list: &'a [Contact], index: usize, place: Option<&Place>, normal: &DVector<f64>) -> Option<&'a Contact> {
     let Some(place) = place else { return list.get(index) };
     let same = list.iter().filter(|one| one.place.as_ref().is_some_and(|other| other.is_same(place)));

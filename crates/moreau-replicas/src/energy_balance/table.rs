@@ -1,4 +1,5 @@
-//! The balance of every scheme in words, for `docs/energy.md`; a test holds the names against [`crate::schemes::NAMES`] and the page against this table.
+//! The balance of every scheme in words, for `docs/energy.md`; a test holds the names against [`crate::schemes::NAMES`] and the page
+//! against this table.
 
 /// One scheme's row.
 pub struct Row {
@@ -23,7 +24,8 @@ pub const ROWS: [Row; 20] = [
     Row {
         scheme: "moreau-jean",
         kinetic: "T̂(v⁺) ≤ T̂(v_free) − r·(e u⁻) − ½ rᵀŴ r, u⁻ its normal part or the full vector",
-        total: "one e, and no friction, e = 0 or the full vector: ΔẼ ≤ (1−e)/(1+e) · h²FᵀM⁻¹F/8 + e/(1+e) r·(u_g − u⁻); linear forces: with M̂, v_free − v and κ = 1/(1+e) − θ",
+        total: "one e, and no friction, e = 0 or the full vector: ΔẼ ≤ (1−e)/(1+e) · h²FᵀM⁻¹F/8 + e/(1+e) r·(u_g − u⁻); linear forces: \
+            with M̂, v_free − v and κ = 1/(1+e) − θ",
         open: "unequal e; normal-only e > 0 with friction: then only ΔẼ ≤ −r·(e u⁻) + h²FᵀM⁻¹F/8, which needs the impulses",
     },
     Row {
@@ -62,7 +64,8 @@ pub const ROWS: [Row; 20] = [
         scheme: "mujoco",
         kinetic: "T(v⁺) ≤ T(v_free) + r·(u⁻ + h a_ref) − fᵀR f − ½ rᵀW r",
         total: "ΔẼ ≤ ½‖v_g − v‖²_M + r·(u⁻ + h a_ref) − fᵀR f + h²FᵀM⁻¹F/8, θ = 1",
-        open: "explicit gyroscopic torques gain ½‖v_g − v‖²_M; springs and dampers, implicitfast, RK4 and friction against rotation: no theorem",
+        open: "explicit gyroscopic torques gain ½‖v_g − v‖²_M; springs and dampers, implicitfast, RK4 and friction against rotation: no \
+            theorem",
     },
     Row {
         scheme: "explicit-euler",
@@ -174,11 +177,15 @@ const HEAD: &str = "# The energy balance of every scheme
 
 Written from `crates/moreau-replicas/src/energy_balance/table.rs`; a test compares the two, and the names with `schemes::NAMES`.
 
-u = W r + u_free, y = u + shift + R r; T = ½ vᵀM v, and T̂ with the effective mass M̂ of a step with linear forces; F the constant force (gravity), θ of
-q⁺ = q + h (θ v⁺ + (1−θ) v), Ẽ = T + V + (θ−½) h F·v; u⁻ = H v before the step, v_g the velocity after torque-free rotation alone, u_g = H v_g; f edge impulses. Every bound
-is up to rounding and the work w = Σ max(0, r_k·y_k) of the step's residual, which an accepted step keeps below 10⁻⁸ of s Σ (s ‖diag W_kk‖ + ‖q_k‖ + ‖(W r)_k‖), s the largest ‖r_j‖ or ρ_n|q_n|.
+u = W r + u_free, y = u + shift + R r; T = ½ vᵀM v, and T̂ with the effective mass M̂ of a step with linear forces; F the constant force \
+(gravity), θ of
+q⁺ = q + h (θ v⁺ + (1−θ) v), Ẽ = T + V + (θ−½) h F·v; u⁻ = H v before the step, v_g the velocity after torque-free rotation alone, u_g = H \
+v_g; f edge impulses. Every bound
+is up to rounding and the work w = Σ max(0, r_k·y_k) of the step's residual, which an accepted step keeps below 10⁻⁸ of s Σ (s ‖diag W_kk‖ \
++ ‖q_k‖ + ‖(W r)_k‖), s the largest ‖r_j‖ or ρ_n|q_n|.
 
-For every impulse T(v⁺) = T(v_free) + r·u⁺ − ½ rᵀW r; for every law r·u⁺ ≤ −r·(shift + R r) + w. Rotation enters by v_g: the mean torque over a step keeps T, and
+For every impulse T(v⁺) = T(v_free) + r·u⁺ − ½ rᵀW r; for every law r·u⁺ ≤ −r·(shift + R r) + w. Rotation enters by v_g: the mean torque \
+over a step keeps T, and
 ‖v_g − v‖_M ≤ h (Σ (2 T_rot √J_max/J_min)²)^½.
 
 | scheme | kinetic energy | total energy of a step | not bounded | checked in `crates/moreau-replicas/src/energy_balance/` |
@@ -186,7 +193,8 @@ For every impulse T(v⁺) = T(v_free) + r·u⁺ − ½ rᵀW r; for every law r�
 ";
 
 const FOOT: &str = "
-Each is checked on every step of the random scenes of `tests/random_scenes/`, with the distance that a body can have come on the energy allowed (`reach.rs`), and fails on
+Each is checked on every step of the random scenes of `tests/random_scenes/`, with the distance that a body can have come on the energy \
+allowed (`reach.rs`), and fails on
 the planted mistakes of `defects.rs` there.
 ";
 

@@ -27,7 +27,8 @@ fn rise(judged: &Judged) -> (f64, f64) {
 
 #[test]
 fn the_gain_of_discretised_gravity_is_reached_by_a_ball_that_half_rests() {
-    // Q = x² + h x·c is least where the impulse is half of m g h: (1+e) v + ½ g h = 0, v = −½ g h/(1+e), and y_n = 0 asks v_free + r/m = −e v
+    // Q = x² + h x·c is least where the impulse is half of m g h: (1+e) v + ½ g h = 0, v = −½ g h/(1+e), and y_n = 0 asks v_free + r/m = −e
+    // v
     let h = 0.125;
     for (e, theta) in [(0.0, 0.5), (0.0, 1.0), (0.25, 0.5), (0.5, 0.25), (1.0, 0.5)] {
         let parameters = Parameters { theta, activation: Activation::Gap, ..Parameters::default() };

@@ -6,15 +6,15 @@
 //!     ΔẼ ≤ T(v_g) − T(v) − r·shift − rᵀR r + w + h²FᵀM⁻¹F/8                                       every scheme through the waist
 //!     ΔẼ ≤ T(v_g) − T(v) + (1−e)/(1+e) h²FᵀM⁻¹F/8 + e/(1+e) r·(u_g − u⁻) + w/(1+e)                s = e u⁻, one e, see below
 //! ```
-//! **The identity.** F is constant, so that ΔV = −F·Δq = −h F·(v + v⁺)/2 − (θ−½) h F·(v⁺ − v); the last term is what Ẽ adds. Free bodies have
-//! F ⟂ M⁻¹F_g, hence F·v = F·v_g, and T⁺ − T(v_g) = ½ (v⁺ + v_g)·(h F + Hᵀr).
+//! **The identity.** F is constant, so that ΔV = −F·Δq = −h F·(v + v⁺)/2 − (θ−½) h F·(v⁺ − v); the last term is what Ẽ adds. Free bodies
+//! have F ⟂ M⁻¹F_g, hence F·v = F·v_g, and T⁺ − T(v_g) = ½ (v⁺ + v_g)·(h F + Hᵀr).
 //!
 //! **The bounds.** With B = r·u⁺, A = r·u_g and Q = B − A = rᵀW r + h r·H M⁻¹F the identity is A + ½ Q = B − ½ Q. Completing the square,
 //! Q = ‖x + ½ h M⁻¹F‖²_M − ¼ h²FᵀM⁻¹F with x = M⁻¹Hᵀr, so that Q ≥ −h²FᵀM⁻¹F/4: the first bound, with B ≤ −r·shift − rᵀR r + w.
 //! Where r·y = B + e (A − r·(u_g − u⁻)) ≤ w, that is B ≤ −e A + …, B = A + Q gives (1+e) A ≤ −Q + e r·(u_g − u⁻) + w and
 //! ΔẼ = A + ½ Q + … ≤ −Q (1−e)/(2(1+e)) + (e r·(u_g − u⁻) + w)/(1+e): the second.
-//! r·(shift − e u⁻) = 0 needs one e for all contacts that push, and r_t·u_t⁻ in the shift (full vector) or e = 0 or no friction. Without that
-//! there is no bound: `an_impact_with_two_restitutions_gains` in the tests has a frictionless one that gains.
+//! r·(shift − e u⁻) = 0 needs one e for all contacts that push, and r_t·u_t⁻ in the shift (full vector) or e = 0 or no friction. Without
+//! that there is no bound: `an_impact_with_two_restitutions_gains` in the tests has a frictionless one that gains.
 //!
 //! With e = 1 nothing is gained; with e = 0 and θ = ½ at most h²FᵀM⁻¹F/8, m g²h²/8 for a ball, when the impulse is half of what rest needs.
 //! Where the positions do not follow the velocities of the step (`Flight`), the free flight keeps E and only the kinetic bound is left.

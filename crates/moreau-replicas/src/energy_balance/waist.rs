@@ -32,7 +32,8 @@ pub(super) struct Waist {
     pub regularised: Option<Regularised>,
 }
 
-/// r_n = h k (δ − h z)₊ (1 − d z)₊, δ = −φ, and friction that opposes u_t, so that r·u ≤ r_n z for Drake's three laws: z = u_n, or the smaller argument of Similar.
+/// r_n = h k (δ − h z)₊ (1 − d z)₊, δ = −φ, and friction that opposes u_t, so that r·u ≤ r_n z for Drake's three laws: z = u_n, or the
+/// smaller argument of Similar.
 ///
 /// With d = 0, z = (δ − r_n/(h k))/h and r·u ≤ −r_n φ/h − r_n²/(h²k). With d > 0 this bounds r_n z where z ≥ 0; elsewhere r_n z ≤ 0.
 #[derive(Clone, Copy, Debug, PartialEq)]

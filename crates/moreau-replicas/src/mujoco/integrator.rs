@@ -6,9 +6,9 @@
 //!     implicitfast    v⁺ = v + h (M + hC − hG)⁻¹ F_c ,         q⁺ = q ⊕ h v⁺
 //!     RK4             v⁺ = v + h/6 (a₁ + 2a₂ + 2a₃ + a₄) ,     q⁺ = q ⊕ h/6 (v₁ + 2v₂ + 2v₃ + v₄) ,    a_i = M⁻¹F_c(q_i, v_i)
 //! ```
-//! Contact forces have no derivative in any of them. implicitfast leaves out the derivative of centripetal and Coriolis forces, but since MuJoCo 3.11 not
-//! that of the gyroscopic torque of a body that moves freely by itself, of which G consists; a linkage has none. Each stage of RK4 finds its
-//! contacts anew and poses its own problem.
+//! Contact forces have no derivative in any of them. implicitfast leaves out the derivative of centripetal and Coriolis forces, but since
+//! MuJoCo 3.11 not that of the gyroscopic torque of a body that moves freely by itself, of which G consists; a linkage has none. Each stage
+//! of RK4 finds its contacts anew and poses its own problem.
 
 use crate::mujoco::{Mujoco, Rotational};
 use moreau_contact::certificate::StepResidual;

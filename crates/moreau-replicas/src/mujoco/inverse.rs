@@ -1,4 +1,5 @@
-//! Inverse dynamics at the level of accelerations: which force τ makes a mechanism accelerate as wanted, contacts included, without a solver.
+//! Inverse dynamics at the level of accelerations: which force τ makes a mechanism accelerate as wanted, contacts included, without a
+//! solver.
 //!
 //! ```text
 //!     f = −∇s(H a − a_ref) ,   each contact by itself ,        τ = M a − F(q, v) − Hᵀf .
@@ -6,8 +7,9 @@
 //! Gauss's principle is unconstrained and smooth in a, so that its condition M a = F + τ + Hᵀf(a) can be read backwards: given a, every
 //! contact's f follows from its own rows. The forward problem couples them through M; here nothing is solved.
 //!
-//! **Discrete time.** a is the acceleration at the state, M⁻¹(F + Hᵀf + τ). It is (v⁺ − v)/h only where the integrator adds nothing: Euler without damping.
-//! With damping C or implicitfast (v⁺ − v)/h = (M + hC − hG)⁻¹M a, which [`Mujoco::acceleration_of_step`] undoes; no such map exists for RK4.
+//! **Discrete time.** a is the acceleration at the state, M⁻¹(F + Hᵀf + τ). It is (v⁺ − v)/h only where the integrator adds nothing: Euler
+//! without damping. With damping C or implicitfast (v⁺ − v)/h = (M + hC − hG)⁻¹M a, which [`Mujoco::acceleration_of_step`] undoes; no such
+//! map exists for RK4.
 
 use crate::mujoco::{Integrator, Mujoco};
 use moreau_contact::contact::Place;

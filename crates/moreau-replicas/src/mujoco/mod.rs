@@ -3,28 +3,30 @@
 //! ```text
 //!     a = argmin ½ (a − a₀)ᵀM(a − a₀) + s(H a − a_ref) ,     a₀ = M⁻¹F(q, v) ,     f = −∇s ;     v⁺ = v + h a ,   q⁺ = q ⊕ h v⁺ .
 //! ```
-//! On the waist, with r = h f and u = H v⁺: u_free = H(v + h a₀), shift = −H v − h a_ref, compliance R; the law is the associated one over the
-//! round cone (elliptic) or over the pyramid n ± μ t_j of four edges, whose R acts on edge impulses. R and a_ref: [`softness`](Softness).
+//! On the waist, with r = h f and u = H v⁺: u_free = H(v + h a₀), shift = −H v − h a_ref, compliance R; the law is the associated one over
+//! the round cone (elliptic) or over the pyramid n ± μ t_j of four edges, whose R acts on edge impulses. R and a_ref:
+//! [`softness`](Softness).
 //!
 //! Active are the contacts with φ < margin at the start of the step. H is taken halfway between the two points that touch and does not
-//! account for Ḣv, as MuJoCo does for contacts. Â is the sum of the bodies' inverse masses, and the normal entry of H M⁻¹Hᵀ where a mechanism does not
-//! consist of free bodies. Damping −C v of joints enters the velocity implicitly, after the contact problem:
+//! account for Ḣv, as MuJoCo does for contacts. Â is the sum of the bodies' inverse masses, and the normal entry of H M⁻¹Hᵀ where a
+//! mechanism does not consist of free bodies. Damping −C v of joints enters the velocity implicitly, after the contact problem:
 //! ```text
 //!     v⁺ = v + h (M + hC)⁻¹ (F + Hᵀf) .
 //! ```
 //!
-//! That is the integrator Euler; implicitfast and RK4 are in [`Integrator`]. Torsional and rolling friction ([`Rotational`]) add rows that the waist does not
-//! have: then the program of Gauss's principle is built and solved here. What a given acceleration asks for is in [`InverseDynamics`].
+//! That is the integrator Euler; implicitfast and RK4 are in [`Integrator`]. Torsional and rolling friction ([`Rotational`]) add rows that
+//! the waist does not have: then the program of Gauss's principle is built and solved here. What a given acceleration asks for is in
+//! [`InverseDynamics`].
 //!
-//! DIFFERENCE. In the plane both cones are the same two edges; the elliptic rows are used, and a planar box has two corners where MuJoCo's box
-//! has four, so that each carries more and rests deeper.
+//! DIFFERENCE. In the plane both cones are the same two edges; the elliptic rows are used, and a planar box has two corners where MuJoCo's
+//! box has four, so that each carries more and rests deeper.
 //!
 //! # Energy
 //! ```text
 //!     T(v⁺) ≤ T(v_free) + r·(u⁻ + h a_ref) − fᵀR f − ½ rᵀW r ,      ΔẼ ≤ ½‖v_g − v‖²_M + r·(u⁻ + h a_ref) − fᵀR f + h²FᵀM⁻¹F/8 ,   Ẽ = E + ½ h F·v
 //! ```
-//! f are the impulses that R acts on, edges or rows; v_g − v = h M⁻¹F_g is the explicit gyroscopic torque, whose gain grows without bound in free flight at h‖Ω‖ ≈ 1.
-//! implicitfast, RK4 and friction against rotation have no theorem ([`crate::energy_balance`]).
+//! f are the impulses that R acts on, edges or rows; v_g − v = h M⁻¹F_g is the explicit gyroscopic torque, whose gain grows without bound
+//! in free flight at h‖Ω‖ ≈ 1. implicitfast, RK4 and friction against rotation have no theorem ([`crate::energy_balance`]).
 
 mod integrator;
 mod inverse;
@@ -137,8 +139,8 @@ impl Mujoco {
     fn compliance(&self, coordinates: Coordinates, rows: usize, contacts: &[Soft]) -> Compliance {
         let of = |Soft { contact, inverse_mass, .. }: &Soft| -> Vec<f64> {
             let (gap, mu) = (contact.gap, contact.friction);
-            // Without friction the four edges are one normal, and four in parallel have a quarter of an edge's R; a cone is a half-line, whose
-            // tangential entries nothing reads.
+            // Without friction the four edges are one normal, and four in parallel have a quarter of an edge's R; a cone is a half-line,
+            // whose tangential entries nothing reads.
             let normal = || self.softness.elliptic(gap, *inverse_mass, &[])[0];
             match coordinates {
                 Coordinates::Edge if mu > 0.0 => vec![self.softness.pyramidal(gap, *inverse_mass, mu); 4],

@@ -7,9 +7,9 @@
 //!     elliptic    R_n = (1−d)/d·Â ,   R_1 = R_n/impratio ,   R_j = R_1 μ₁²/μ_j²
 //!     pyramidal   R of every edge = 2 μ₁²/impratio · (1−d)/d · (1 + μ₁²) Â
 //! ```
-//! φ is the gap \[m\], u the contact velocity \[m/s\], Â \[1/kg\] the sum of the two bodies' inverse masses, which stands for the diagonal of
-//! the Delassus operator. An edge n ± μ_j t_j has the reference acceleration a_ref,n ± μ_j a_ref,j. The units of u_j, μ_j and R_j are those of a
-//! rotation for torsion and rolling: rad/s, m and 1/(kg·m²).
+//! φ is the gap \[m\], u the contact velocity \[m/s\], Â \[1/kg\] the sum of the two bodies' inverse masses, which stands for the diagonal
+//! of the Delassus operator. An edge n ± μ_j t_j has the reference acceleration a_ref,n ± μ_j a_ref,j. The units of u_j, μ_j and R_j are
+//! those of a rotation for torsion and rolling: rad/s, m and 1/(kg·m²).
 
 use moreau_exact::{Error, Result};
 

@@ -1,15 +1,16 @@
-//! Stored motion of Siconos's `NewMarkAlphaOSI`: generalised-α between events, which is what ours is between contacts; and what it does at an impact.
+//! Stored motion of Siconos's `NewMarkAlphaOSI`: generalised-α between events, which is what ours is between contacts; and what it does at
+//! an impact.
 //!
 //! ```text
 //!     flight     (1−α_m) a⁺ + α_m a = (1−α_f) q̈⁺ + α_f q̈ ,   v⁺, q⁺ by Newmark's rules: a first step of `generalised-alpha`, w = 0
 //!     impact     v⁺ = v⁻ (1 − (1−α_m)/((1−α_f) γ) · h'/h²) ,      h' the part of the step before it
 //! ```
-//! 4.4.0 sets a = q̈ at the start of every step, where the method would go on with its own a. Every step is then a first step, and for ρ < 1 the velocity has the
-//! weight γ (1−α_f)/(1−α_m) ≠ ½ on q̈⁺: order one in place of two.
+//! 4.4.0 sets a = q̈ at the start of every step, where the method would go on with its own a. Every step is then a first step, and for ρ <
+//! 1 the velocity has the weight γ (1−α_f)/(1−α_m) ≠ ½ on q̈⁺: order one in place of two.
 //!
-//! The class belongs to Siconos's event-driven strategy: it is not the nonsmooth generalised-α of Chen, Acary, Virlez and Brüls, whose impulses act within
-//! steps. Its impact, as 4.4.0 has it, is the velocity constraint of a smooth step: h'/γ' u + (H Ŵ⁻¹Hᵀ) λ = 0 with γ' = γ/β and
-//! Ŵ = (1−α_m)/((1−α_f) β h²) M, and λ is then taken for an impulse. e does not occur in it, and the factor has the unit 1/s.
+//! The class belongs to Siconos's event-driven strategy: it is not the nonsmooth generalised-α of Chen, Acary, Virlez and Brüls, whose
+//! impulses act within steps. Its impact, as 4.4.0 has it, is the velocity constraint of a smooth step: h'/γ' u + (H Ŵ⁻¹Hᵀ) λ = 0 with γ' =
+//! γ/β and Ŵ = (1−α_m)/((1−α_f) β h²) M, and λ is then taken for an impulse. e does not occur in it, and the factor has the unit 1/s.
 
 use crate::siconos::steps::Provenance;
 use crate::tolerance::references::{siconos_alpha_step, siconos_step};

@@ -5,9 +5,10 @@
 //!     t |v⁻| [m]                    a gap that is δ off closes δ/|v⁻| earlier or later
 //!     v⁺ / (1 + |a|/|v⁻|) [m/s]     and at another speed by |a| δ/|v⁻| , a the acceleration of the flight
 //! ```
-//! Siconos integrates with LSODAR, whose estimated error of every step is below its tolerances; ours with Dormand–Prince. Siconos has no rule for
-//! infinitely many impacts but what floating-point numbers and its event tolerance make of them. Impacts that arrive so slowly that the error of the gap
-//! decides when they happen are left out; those that follow are still longer than the flights our rule leaves out.
+//! Siconos integrates with LSODAR, whose estimated error of every step is below its tolerances; ours with Dormand–Prince. Siconos has no
+//! rule for infinitely many impacts but what floating-point numbers and its event tolerance make of them. Impacts that arrive so slowly
+//! that the error of the gap decides when they happen are left out; those that follow are still longer than the flights our rule leaves
+//! out.
 
 use crate::siconos::steps::{Provenance, Stored};
 use crate::tolerance::references::siconos_flight;

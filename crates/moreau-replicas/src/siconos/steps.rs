@@ -8,8 +8,8 @@
 //! ```text
 //!     M (q_{k+1} − 2 q_k + q_{k−1}) = h² F(q_k) + h Hᵀr ,   0 ≤ r ⟂ φ(q_{k+1}) + e φ(q_{k−1}) ≥ 0 ,      q_1 = q_0 + h v_0 ,
 //! ```
-//! which is our scheme with v_k = (q_k − q_{k−1})/h; the velocity it shows is (q_k − q_{k−2})/(2h) instead, and a step from q_0 to q_1 is never one
-//! with contact.
+//! which is our scheme with v_k = (q_k − q_{k−1})/h; the velocity it shows is (q_k − q_{k−2})/(2h) instead, and a step from q_0 to q_1 is
+//! never one with contact.
 
 use crate::tolerance::references::{siconos_double_sum, siconos_run, siconos_step};
 use delegate::delegate;
@@ -239,8 +239,8 @@ impl SiconosSteps {
         siconos_step(largest)
     }
 
-    /// The same for position, velocity and impulse. A two-step scheme knows its velocity to the rounding of a position over h, and its impulse
-    /// to m times that.
+    /// The same for position, velocity and impulse. A two-step scheme knows its velocity to the rounding of a position over h, and its
+    /// impulse to m times that.
     pub fn tolerances(&self) -> [f64; 3] {
         let (one, h) = (self.tolerance(), self.time_step);
         if !self.is_two_step() {

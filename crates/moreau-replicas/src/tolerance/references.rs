@@ -16,17 +16,17 @@ pub fn mujoco_gradient(tolerance: f64, mass: &DMatrix<f64>) -> f64 {
     tolerance * mass.trace()
 }
 
-/// How near a stored step of MuJoCo's Newton is to the minimiser, relative to the velocity change and to the impulses: it stops where the gradient over
-/// tr M falls below `tolerance` = 1e-8 m/s², while the change of acceleration is of the size of gravity; with the inertia of a rotation two
-/// hundred times below the mass that is 1e-8/9.81·√200.
+/// How near a stored step of MuJoCo's Newton is to the minimiser, relative to the velocity change and to the impulses: it stops where the
+/// gradient over tr M falls below `tolerance` = 1e-8 m/s², while the change of acceleration is of the size of gravity; with the inertia of
+/// a rotation two hundred times below the mass that is 1e-8/9.81·√200.
 pub const REPLAYED_STEP: f64 = 1.5e-8;
 
-/// `tolerance` of the stored runs of MuJoCo's Newton that go on until rounding is nearly all that is left: their gradient is below 1e-9 N where forces are
-/// 10 N, measured over all of them.
+/// `tolerance` of the stored runs of MuJoCo's Newton that go on until rounding is nearly all that is left: their gradient is below 1e-9 N
+/// where forces are 10 N, measured over all of them.
 pub const CONVERGED_MUJOCO: f64 = 1e-20;
 
-/// What issue and README promise of a step of MuJoCo's Newton run to the end, relative to accelerations and forces. Its steps end in a quadratic zone or
-/// close to it, where the last one leaves less than the 1e-10 of the line above.
+/// What issue and README promise of a step of MuJoCo's Newton run to the end, relative to accelerations and forces. Its steps end in a
+/// quadratic zone or close to it, where the last one leaves less than the 1e-10 of the line above.
 pub const CONVERGED_STEP: f64 = 1e-9;
 
 /// What they promise of a motion of 500 steps \[m\], where the engine was run to the end.
@@ -64,11 +64,11 @@ pub fn cg_momentum(tolerance: f64, rows: f64, mass_trace: f64, body: f64, h: f64
     last_improvement(tolerance, rows, mass_trace) * body.sqrt() * h * steps
 }
 
-/// Gradient in the norm of M⁻¹ \[kg^½·m/s²\] that may be left where a step of MuJoCo's solvers improves the cost ½‖q̈ − q̈₀‖²_M + s(Jq̈ − a_ref) by less than
-/// `tolerance` · tr M, which ends them.
+/// Gradient in the norm of M⁻¹ \[kg^½·m/s²\] that may be left where a step of MuJoCo's solvers improves the cost ½‖q̈ − q̈₀‖²_M + s(Jq̈ −
+/// a_ref) by less than `tolerance` · tr M, which ends them.
 ///
-/// A step improves it by at least ‖g‖²_{M⁻¹}/2L, what steepest descent would, with L = 1 + Σ A_ii/R_i. Here A_ii ≤ 4 Â_i (corners of these boxes),
-/// R ≥ (1 − d_w)/d_w Â with d_w = 0.95, and there are at most 60 rows: ‖g‖_{M⁻¹} ≤ √(2 L tolerance tr M).
+/// A step improves it by at least ‖g‖²_{M⁻¹}/2L, what steepest descent would, with L = 1 + Σ A_ii/R_i. Here A_ii ≤ 4 Â_i (corners of these
+/// boxes), R ≥ (1 − d_w)/d_w Â with d_w = 0.95, and there are at most 60 rows: ‖g‖_{M⁻¹} ≤ √(2 L tolerance tr M).
 pub fn last_improvement(tolerance: f64, rows: f64, mass_trace: f64) -> f64 {
     let lipschitz = 1.0 + 4.0 * rows * 0.95 / (1.0 - 0.95);
     (2.0 * lipschitz * tolerance * mass_trace).sqrt()
@@ -88,9 +88,9 @@ pub const CREEP_GEOMETRY: f64 = 1e-4;
 /// What issue and README promise of a step against Siconos's, in m, m/s and N·s: larger than rounding allows, [`siconos_step`].
 pub const SICONOS_PER_STEP: f64 = 1e-12;
 
-/// Distance of one step from Siconos's with direct solvers on both sides, for numbers of the given size: 64 operations, and the 1e-14 m at which its
-/// projection ends. That is also ten times the 1e-15 at which its iteration for spatial friction does, whose residual, the natural map with
-/// ρ = 1 kg, is at least 1 − μ ≥ ½ times the error of the impulse of a mass of 1 kg.
+/// Distance of one step from Siconos's with direct solvers on both sides, for numbers of the given size: 64 operations, and the 1e-14 m at
+/// which its projection ends. That is also ten times the 1e-15 at which its iteration for spatial friction does, whose residual, the
+/// natural map with ρ = 1 kg, is at least 1 − μ ≥ ½ times the error of the impulse of a mass of 1 kg.
 pub fn siconos_step(size: f64) -> f64 {
     moreau_exact::tolerance::rounding(64, size) + 1e-14
 }
@@ -101,47 +101,50 @@ pub fn siconos_run(steps: usize, step: f64) -> f64 {
     steps as f64 * step
 }
 
-/// The same \[m\] for a scheme that keeps two positions: an error δ of one step is an error δ/h of the velocity, and grows to at most k δ in the k steps
-/// after it.
+/// The same \[m\] for a scheme that keeps two positions: an error δ of one step is an error δ/h of the velocity, and grows to at most k δ
+/// in the k steps after it.
 pub fn siconos_double_sum(steps: usize, step: f64) -> f64 {
     (steps * steps) as f64 * step
 }
 
-/// Distance \[m/s\] of one step from Siconos's generalised-α, for velocities and gains of velocity of the given size: rounding, and what Newton's iteration leaves
-/// of the momentum equation, whose tolerance \[N\] is h/m times an error of velocity.
+/// Distance \[m/s\] of one step from Siconos's generalised-α, for velocities and gains of velocity of the given size: rounding, and what
+/// Newton's iteration leaves of the momentum equation, whose tolerance \[N\] is h/m times an error of velocity.
 pub fn siconos_alpha_step(size: f64, newton: f64) -> f64 {
     siconos_step(size) + newton
 }
 
-/// Error of a flight between two of Siconos's events, in position and velocity alike: `theirs` steps of LSODAR, whose estimated error is below the absolute
-/// tolerance and the relative one times the size, and ten of ours below [`TOLERANCE`](moreau_dynamics::tolerance::event_driven::TOLERANCE) (1 + size). An error of velocity
-/// grows into one of position with the duration \[s\].
+/// Error of a flight between two of Siconos's events, in position and velocity alike: `theirs` steps of LSODAR, whose estimated error is
+/// below the absolute tolerance and the relative one times the size, and ten of ours below
+/// [`TOLERANCE`](moreau_dynamics::tolerance::event_driven::TOLERANCE) (1 + size). An error of velocity grows into one of position with the
+/// duration \[s\].
 pub fn siconos_flight(theirs: usize, relative: f64, absolute: f64, size: f64, duration: f64) -> f64 {
     let steps = theirs as f64 * (absolute + relative * size) + 10.0 * moreau_dynamics::tolerance::event_driven::TOLERANCE * (1.0 + size);
     steps * (1.0 + duration)
 }
 
-/// Difference \[m/s\] up to which two solvers' velocities count as the same: contact velocities here are 0.01 to 10 m/s, so that five to eight digits agree.
-/// Pinocchio's ADMM stops at residuals of 10⁻¹³, which fall by a factor q = 10^(−13/N) in each of N ≤ 1000 iterations: what is left is at most
-/// 10⁻¹³/(1 − q) ≤ 4·10⁻¹², divided by its penalty and multiplied by ‖W + R‖, whose quotient the balance of the residuals keeps below 10⁴.
+/// Difference \[m/s\] up to which two solvers' velocities count as the same: contact velocities here are 0.01 to 10 m/s, so that five to
+/// eight digits agree. Pinocchio's ADMM stops at residuals of 10⁻¹³, which fall by a factor q = 10^(−13/N) in each of N ≤ 1000 iterations:
+/// what is left is at most 10⁻¹³/(1 − q) ≤ 4·10⁻¹², divided by its penalty and multiplied by ‖W + R‖, whose quotient the balance of the
+/// residuals keeps below 10⁴.
 pub const SAME_VELOCITY: f64 = 1e-7;
 
-/// Velocity error \[m/s\] that one step of ours leaves at speeds up to `speed`: the solver's stopping rule on data of that size, and 64 roundings.
+/// Velocity error \[m/s\] that one step of ours leaves at speeds up to `speed`: the solver's stopping rule on data of that size, and 64
+/// roundings.
 pub fn replayed_step(speed: f64) -> f64 {
     (moreau_contact::tolerance::solvers::STOP + 64.0 * f64::EPSILON) * speed
 }
 
 pub use moreau_contact::tolerance::solvers::BULLET_RESIDUAL;
 
-/// Velocity error \[m/s\] of a body whose sweeps Bullet ended at the residual threshold `stop` \[m²/s²\]: the last sweep changed no row's velocity by more
-/// than √stop, and sweeps over the twelve rows of four corners, whose error halves at least, leave at most twice as much.
+/// Velocity error \[m/s\] of a body whose sweeps Bullet ended at the residual threshold `stop` \[m²/s²\]: the last sweep changed no row's
+/// velocity by more than √stop, and sweeps over the twelve rows of four corners, whose error halves at least, leave at most twice as much.
 pub fn bullet_sweeps(stop: f64) -> f64 {
     2.0 * stop.sqrt()
 }
 
-/// Distance of one step from Bullet's with the same contact points, for velocities of the given size \[m/s\]: each of the `rows` rows reads and writes
-/// a velocity of six entries in every sweep, 24 products, and what a sweep has rounded the following ones at most keep. Impulses \[N·s\] are those
-/// velocities times 1 kg, and a body of the scenes is not heavier.
+/// Distance of one step from Bullet's with the same contact points, for velocities of the given size \[m/s\]: each of the `rows` rows reads
+/// and writes a velocity of six entries in every sweep, 24 products, and what a sweep has rounded the following ones at most keep. Impulses
+/// \[N·s\] are those velocities times 1 kg, and a body of the scenes is not heavier.
 pub fn bullet_step(sweeps: usize, rows: usize, size: f64) -> f64 {
     moreau_exact::tolerance::rounding(24 * rows * sweeps, size)
 }
@@ -158,20 +161,21 @@ pub fn stored_number(amplification: f64, stopping: f64, steps: f64, size: f64) -
     HEADROOM * (amplification * steps * f64::EPSILON + stopping) + 64.0 * f64::EPSILON * size
 }
 
-/// Distance in the kinetic norm \[kg^½·m/s\] that the stopping errors of all steps, Σ δ, may bring a motion away from its exact one: they add up while the
-/// same contacts stay closed (see [`crate::drake::replay`]), with the headroom for contacts that open in one of the two only.
+/// Distance in the kinetic norm \[kg^½·m/s\] that the stopping errors of all steps, Σ δ, may bring a motion away from its exact one: they
+/// add up while the same contacts stay closed (see [`crate::drake::replay`]), with the headroom for contacts that open in one of the two
+/// only.
 pub fn replayed(injected: f64) -> f64 {
     HEADROOM * injected
 }
 
-/// Rounding of `steps` steps from a stored sample, whose velocities and positions divided by h are of the given size \[m/s\]: a matrix of six rows is
-/// factored in each.
+/// Rounding of `steps` steps from a stored sample, whose velocities and positions divided by h are of the given size \[m/s\]: a matrix of
+/// six rows is factored in each.
 pub fn sample_rounding(steps: usize, size: f64) -> f64 {
     moreau_exact::tolerance::rounding(64 * steps, size)
 }
 
-/// Kinetic distance \[kg^½·m/s\] at which TAMSI may stop: an iteration that changes the contact velocities by less than v_s/100 is its last. Newton's method
-/// then squares the error, of which no use is made; a contact velocity weighs at most the largest mass.
+/// Kinetic distance \[kg^½·m/s\] at which TAMSI may stop: an iteration that changes the contact velocities by less than v_s/100 is its
+/// last. Newton's method then squares the error, of which no use is made; a contact velocity weighs at most the largest mass.
 pub fn tamsi_velocity(mass: &DMatrix<f64>, stiction_tolerance: f64) -> f64 {
     0.01 * stiction_tolerance * mass.diagonal().max().sqrt()
 }

@@ -40,8 +40,8 @@ pub struct Minimiser {
 
 /// The best iterate so far, and how long nothing better has come.
 ///
-/// The cost decides while it falls by more than its own rounding; the gradient may well grow then, where contacts change their zones. Where the cost
-/// stands still the gradient decides.
+/// The cost decides while it falls by more than its own rounding; the gradient may well grow then, where contacts change their zones. Where
+/// the cost stands still the gradient decides.
 struct Progress<'a> {
     program: &'a GaussProgram,
     cost: f64,

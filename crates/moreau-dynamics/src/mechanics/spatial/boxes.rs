@@ -14,8 +14,8 @@
 //! least as far as the boxes are separated, and φ has the same sign with a factor cos of an angle: no candidate is deeper
 //! than the boxes overlap, and none is negative while they do not.
 //!
-//! The axis may also run from an edge or corner of one box past an edge of the other. Corners then lie over the *plane* of a face, not over the
-//! face: such pairs are left out while they are apart. And if no pair is as near as the boxes are apart along the axis, the nearest
+//! The axis may also run from an edge or corner of one box past an edge of the other. Corners then lie over the *plane* of a face, not over
+//! the face: such pairs are left out while they are apart. And if no pair is as near as the boxes are apart along the axis, the nearest
 //! points of their edges are a candidate too.
 //!
 //! Two edges that cross at a small angle ψ have no reliable common normal, and need none: there the outline of the overlap bends by ψ

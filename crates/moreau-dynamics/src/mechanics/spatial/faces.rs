@@ -10,8 +10,8 @@
 //!
 //! For w = 1 the rows are dependent to rounding. Points halfway between two planes along their bisector lie in one plane normal to n.
 //! Both bodies are looked at at the same points x_k, so the relative velocities a + ω × x_k have six degrees of freedom. In this plane a
-//! turn about a tangent moves points along n alone: the normal velocities depend on three of the six, the tangential ones on the other three.
-//! So no normal velocity that the points can have asks for a tangential one.
+//! turn about a tangent moves points along n alone: the normal velocities depend on three of the six, the tangential ones on the other
+//! three. So no normal velocity that the points can have asks for a tangential one.
 //!
 //! The gap changes as dφ/dt = n·v + tan α τ·(v − φ dn/dt) with the relative velocity v of the two points, α the angle between n and m, and
 //! τ the unit tangent towards m: differentiate m·(p − q − φ n) = 0. The rows have the first term, see

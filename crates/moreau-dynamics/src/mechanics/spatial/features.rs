@@ -23,7 +23,8 @@ pub(in crate::mechanics) struct Touch {
     pub normal: Vector3<f64>,
     /// The points of the first and of the second body that touch, in the world.
     pub points: [Vector3<f64>; 2],
-    /// The points of the first and of the second body whose velocities its rows are: `points`, but between parallel faces one point for both.
+    /// The points of the first and of the second body whose velocities its rows are: `points`, but between parallel faces one point for
+    /// both.
     pub seen: [Vector3<f64>; 2],
     /// Numbers of the features of the first and of the second body.
     pub features: [u32; 2],

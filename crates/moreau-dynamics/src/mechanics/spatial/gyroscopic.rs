@@ -11,8 +11,8 @@
 //! **Solution.** In components Ω_m,i = Ω_i + ½h a_i Ω_m,j Ω_m,k with a_1 = (J_2 − J_3)/J_1 and so on. A body's moments satisfy
 //! the triangle inequality, so |a_i| ≤ 1 and the right side has the Lipschitz constant √½·h·s on ‖Ω_m‖ ≤ s. The step is divided until
 //! h s ≤ ½ with s = √(ΩᵀJΩ/min J), which no state of the same energy exceeds: a contraction, on which Newton's method
-//! converges from Ω. The work grows with the spin; [`is_too_fast`] tells where it is too much. With J the same about every axis the answer is Ω⁺ = Ω, at
-//! no cost.
+//! converges from Ω. The work grows with the spin; [`is_too_fast`] tells where it is too much. With J the same about every axis the answer
+//! is Ω⁺ = Ω, at no cost.
 
 use crate::tolerance::limits::PRECESSION_PARTS;
 use crate::tolerance::mechanics::NEWTON_STEPS;

@@ -219,7 +219,8 @@ impl Mechanism for SpatialBodies {
         let turn = spin(k, velocity).norm() * h;
         let problem = format!("of {} turns it by {} rad in a step of {h} s", self.bodies[k].name(), significant(turn));
         let cure = format!(
-            "use a smaller step: the free rotation of a body that is not round is computed in at most {PRECESSION_PARTS} parts of half a radian a step"
+            "use a smaller step: the free rotation of a body that is not round is computed in at most {PRECESSION_PARTS} parts of half a \
+                radian a step"
         );
         Err(Error::invalid("angular_velocity", problem, cure))
     }
@@ -232,8 +233,8 @@ impl Mechanism for SpatialBodies {
         self.candidates(position, reach, |touch| touch.seen)
     }
 
-    /// A sphere has one candidate with the ground and a box its eight corners; a pair has one, or sixteen of two boxes: eight corners and eight crossings
-    /// of the edges of two faces.
+    /// A sphere has one candidate with the ground and a box its eight corners; a pair has one, or sixteen of two boxes: eight corners and
+    /// eight crossings of the edges of two faces.
     fn most_candidates(&self) -> Option<usize> {
         let boxes = self.bodies.iter().filter(|body| matches!(body.shape(), Shape::Box { .. })).count();
         let pairs = |n: usize| n.saturating_mul(n.saturating_sub(1)) / 2;

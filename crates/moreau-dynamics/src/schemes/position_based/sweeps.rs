@@ -3,14 +3,15 @@
 //! ```text
 //!     one sweep:   for each candidate of the list at its start:   ΔΛ_n = max(−Λ_n, −(φ + α̃ Λ_n)/(w_n + α̃)) ,   q ← q + M⁻¹Hᵀ ΔΛ ,   φ and H at q as it is
 //! ```
-//! The pushes move the bodies, and with them the list: a corner leaves a face, another one comes over it. So a candidate is known by its bodies and
-//! features, and its Λ stays with it.
+//! The pushes move the bodies, and with them the list: a corner leaves a face, another one comes over it. So a candidate is known by its
+//! bodies and features, and its Λ stays with it.
 //! - A candidate that appears within a sweep starts with Λ = 0 in the next one.
 //! - A candidate that is none any more is left alone. Its Λ stays: what it has pushed has moved the bodies.
 //!
-//! **Candidates left out.** One with φ > 0 and Λ = 0 pushes nothing, because ΔΛ_n = max(0, −φ/w) = 0 and friction has the limit 0. A candidate farther away
-//! than `reach` stays one of these as long as the pushes of the sweep bring no two points nearer than `reach` in all, of which
-//! [`Mechanism::reach`] gives a bound. Where the bound is exceeded the step begins again with a larger reach. So the answer is that of all candidates.
+//! **Candidates left out.** One with φ > 0 and Λ = 0 pushes nothing, because ΔΛ_n = max(0, −φ/w) = 0 and friction has the limit 0. A
+//! candidate farther away than `reach` stays one of these as long as the pushes of the sweep bring no two points nearer than `reach` in
+//! all, of which [`Mechanism::reach`] gives a bound. Where the bound is exceeded the step begins again with a larger reach. So the answer
+//! is that of all candidates.
 
 use crate::mechanics::{Mechanism, afford};
 use moreau_contact::certificate::StepResidual;
@@ -65,8 +66,8 @@ impl<'a> Positions<'a> {
         }
     }
 
-    /// One sweep over the candidates within `reach`, and the reach it needed: how far its pushes may have brought two points together, or how far away
-    /// a contact is that has pushed and can pull back.
+    /// One sweep over the candidates within `reach`, and the reach it needed: how far its pushes may have brought two points together, or
+    /// how far away a contact is that has pushed and can pull back.
     fn sweep(&mut self, weights: [f64; 2], reach: f64) -> f64 {
         self.nearer = 0.0;
         let near = self.near(reach);
@@ -145,8 +146,8 @@ impl<'a> Positions<'a> {
         }
     }
 
-    /// What the sweeps leave of the position problem, relative to the largest Λ_n: min(Λ_n, (φ + α̃Λ_n)/(w_n + α̃)) and ‖Λ_t − P_disk(μΛ_n)(Λ_t − s_t/w_t)‖/μ,
-    /// s_t the slide since the start of the step. None without a contact that pushes or should.
+    /// What the sweeps leave of the position problem, relative to the largest Λ_n: min(Λ_n, (φ + α̃Λ_n)/(w_n + α̃)) and ‖Λ_t −
+    /// P_disk(μΛ_n)(Λ_t − s_t/w_t)‖/μ, s_t the slide since the start of the step. None without a contact that pushes or should.
     pub fn residual(&self, scaled: f64, reach: f64) -> Option<StepResidual> {
         let (mut left, mut largest) = (0.0f64, 0.0f64);
         let mut pair = None;

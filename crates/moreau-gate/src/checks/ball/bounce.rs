@@ -70,7 +70,8 @@ impl Samples {
         (0..count).map(one).collect()
     }
 
-    /// Height of the apex, gap + v²/2g \[m\], of the drop and of the flights after the first `count` impacts; 0 for a flight that is missing.
+    /// Height of the apex, gap + v²/2g \[m\], of the drop and of the flights after the first `count` impacts; 0 for a flight that is
+    /// missing.
     fn apexes(&self, count: usize) -> Vec<f64> {
         let impacts = self.impacts();
         let flight = |k: usize| {

@@ -19,7 +19,8 @@ pub const CHECKS: &[Check] = &[
         name: "ball/restitution",
         level: Level::Simulate,
         question: "Does every impact of a dropped ball return e times its normal velocity?",
-        derivation: "The velocities at the floor are those of the samples around the impact, carried to the floor by ballistics, at most over \
+        derivation: "The velocities at the floor are those of the samples around the impact, carried to the floor by ballistics, at most \
+            over \
                      one sample: exact for the exact motion. A step that reverses the velocity may leave out or add the gravity of a step \
                      before and after: each velocity is off by at most g (s + 2h), s the time between samples.",
         source: "Newton's impact law; chapter §0",
@@ -40,7 +41,8 @@ pub const CHECKS: &[Check] = &[
         name: "ball/zeno",
         level: Level::Simulate,
         question: "Does the ball come to rest after its infinitely many bounces, when the theory says?",
-        derivation: "T∞ = t₁ (1+e)/(1−e). Event capturing may absorb the ball O(log 1/h) steps early and a bounded number of steps late, both \
+        derivation: "T∞ = t₁ (1+e)/(1−e). Event capturing may absorb the ball O(log 1/h) steps early and a bounded number of steps late, \
+            both \
                      proved for the rules A, B and D and θ from ½ to 1; the widest of these is allowed.",
         source: "chapter §0, the Zeno example",
         run: Run::EachStep(settling::zeno),
@@ -50,7 +52,8 @@ pub const CHECKS: &[Check] = &[
         name: "ball/penetration",
         level: Level::Simulate,
         question: "How deep does the ball get at its impact, and where does it rest?",
-        derivation: "An impact is noticed at most one step late, (v + g h) h deep, and a trapezoidal update goes on for half a step: 3/2 (v + g h) h. \
+        derivation: "An impact is noticed at most one step late, (v + g h) h deep, and a trapezoidal update goes on for half a step: 3/2 \
+            (v + g h) h. \
                      It rests within 3 g h² of the floor. A compliant law's depth is that of its replayed discrete map.",
         source: "the activation rules of Moreau–Jean; the engines' documented force laws",
         run: Run::EachStep(settling::penetration),
@@ -60,7 +63,8 @@ pub const CHECKS: &[Check] = &[
         name: "ball/effective-restitution",
         level: Level::Simulate,
         question: "How much of its speed does a ball keep that should keep nothing?",
-        derivation: "e = 0 leaves no velocity, up to the gravity of the steps around the impact. A compliant law rebounds with an effective e, \
+        derivation: "e = 0 leaves no velocity, up to the gravity of the steps around the impact. A compliant law rebounds with an \
+            effective e, \
                      which is replayed step by step; as h → 0 a spring with damping ratio ζ gives exp(−ζ/√(1−ζ²)·acos(2ζ²−1)).",
         source: "MuJoCo's documentation, solver parameters; Drake's SAP and Hunt–Crossley models",
         run: Run::EachStep(compliant::effective_restitution),

@@ -36,7 +36,8 @@ impl Feet {
         Feet { centres: (0..8).map(centre).collect(), radius, mass, moments }
     }
 
-    /// The contacts of the step between two samples: those that are closed before it. Bodies of equal stiffness touch in the middle of the overlap.
+    /// The contacts of the step between two samples: those that are closed before it. Bodies of equal stiffness touch in the middle of the
+    /// overlap.
     pub(super) fn between(&self, before: &Sample, after: &Sample) -> Vec<Foot> {
         let turn = before.rotation.to_rotation_matrix();
         let inertia = turn.matrix() * Matrix3::from_diagonal(&self.moments) * turn.matrix().transpose();

@@ -66,8 +66,8 @@ fn contact(bench: &Bench, scene: &Scene, slope: &Slope, h: f64) -> Option<Slidin
     replayed(bench.description(), h, [ball.mass, RADIUS], scene.material.friction, [slope.press, slope.pull])
 }
 
-/// Where the sphere may be under laws that are not replayed: between twice its rest depth (an undamped spring) and its surface, up to the top
-/// of a hop at μ times the largest slip, or between a rigid engine's penetration allowance and contact margin.
+/// Where the sphere may be under laws that are not replayed: between twice its rest depth (an undamped spring) and its surface, up to the
+/// top of a hop at μ times the largest slip, or between a rigid engine's penetration allowance and contact margin.
 fn bounds(bench: &Bench, scene: &Scene, slope: &Slope, h: f64, speed: f64) -> Option<Expectation> {
     let (description, model) = (bench.description(), Model::of(bench.description()));
     let friction = scene.material.friction;

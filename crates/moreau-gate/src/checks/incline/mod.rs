@@ -20,7 +20,8 @@ pub const CHECKS: &[Check] = &[
         name: "incline/stick",
         level: Level::Simulate,
         question: "Does a box rest on a 20° slope with μ = 0.5, or does it creep?",
-        derivation: "tan 20° = 0.364 < μ: Coulomb's box does not move. Creep is the displacement over the second half of 1 s. A solver that \
+        derivation: "tan 20° = 0.364 < μ: Coulomb's box does not move. Creep is the displacement over the second half of 1 s. A solver \
+            that \
                      leaves √ε of single precision of a step's impulse creeps with 3.5e-4 g sin α h. Laws that creep: MuJoCo with \
                      m g sin α/(b Σ 1/R_t), independent of h, and its pyramid with the root of Σ μ(f⁺ − f⁻) = m g sin α; SAP with \
                      σ h m g sin α/Σ 1/w_i; Similar and Lagged with v_s s, s/√(1 + s²) = tan α/μ; TAMSI with s (2 − s) = tan α/μ. The \
@@ -33,8 +34,10 @@ pub const CHECKS: &[Check] = &[
         name: "incline/stick-threshold",
         level: Level::Simulate,
         question: "Does a flat box stick with tan α just below μ, and slide with tan α just above?",
-        derivation: "μ = tan α (1 ± 1/16). Above: creep as in incline/stick. Below: v_t + μ v_n = g sin α t/16, whatever the normal impulses \
-                     do; a law that needs a slip v_c to saturate gains at most μ g cos α v_c/a, and one that hops may land with less than full \
+        derivation: "μ = tan α (1 ± 1/16). Above: creep as in incline/stick. Below: v_t + μ v_n = g sin α t/16, whatever the normal \
+            impulses \
+                     do; a law that needs a slip v_c to saturate gains at most μ g cos α v_c/a, and one that hops may land with less than \
+                     full \
                      friction.",
         source: "Coulomb's law: rest exactly for tan α ≤ μ",
         run: Run::EachStep(stick::threshold),
@@ -44,7 +47,8 @@ pub const CHECKS: &[Check] = &[
         name: "incline/slide",
         level: Level::Simulate,
         question: "Does a box slide down a 20° slope with g (sin α − μ cos α), and keep the momentum law through every hop?",
-        derivation: "Constant forces are integrated exactly, so only one step's friction at the start may be off: μ g cos α h/T. Friction on \
+        derivation: "Constant forces are integrated exactly, so only one step's friction at the start may be off: μ g cos α h/T. Friction \
+            on \
                      the cone's boundary and opposed to slip gives v_t + μ v_n = g (sin α − μ cos α) T for every sequence of normal \
                      impulses; convex laws hop, and their acceleration differs from the ideal by exactly −μ v_n/T.",
         source: "Coulomb's law; chapter §5 for the lift-off of the relaxation",

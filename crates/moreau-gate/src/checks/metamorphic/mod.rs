@@ -25,7 +25,8 @@ use transform::Transform;
 const SAMPLES: usize = 20;
 
 /// Where the allowances come from, for every check of the family.
-const SOLVED: &str = "The exact motions correspond. A covariant scheme repeats the same arithmetic up to rounding; what its solver leaves is at \
+const SOLVED: &str = "The exact motions correspond. A covariant scheme repeats the same arithmetic up to rounding; what its solver leaves \
+    is at \
                       most a part 3.5e-4 of every change of velocity, 2 (speed + g T) in all, and is handed on without growth.";
 
 /// The checks of the family.
@@ -111,7 +112,8 @@ pub const CHECKS: &[Check] = &[
     },
 ];
 
-const FACETS: &str = "d friction directions: forces in two frames differ by up to 2 sin(π/d) μ r_n; d = 8, with the slide of one frame nearer to \
+const FACETS: &str = "d friction directions: forces in two frames differ by up to 2 sin(π/d) μ r_n; d = 8, with the slide of one frame \
+    nearer to \
                       a direction than that of the other";
 
 /// The derived verdicts that are not `pass`.

@@ -1,5 +1,5 @@
-//! The scenes that are transformed. No contact begins touching, so that no rounding decides whether it acts, and none is chaotic: errors of a
-//! step are handed on without growth.
+//! The scenes that are transformed. No contact begins touching, so that no rounding decides whether it acts, and none is chaotic: errors of
+//! a step are handed on without growth.
 
 use crate::checks::scenery::{cuboid, over_floor, sphere};
 use moreau_dynamics::scenes::Scene;
@@ -10,7 +10,8 @@ pub const DURATION: f64 = 0.2;
 /// Friction coefficient of every scene here.
 pub const FRICTION: f64 = 0.3;
 
-/// A bound on the speeds \[m/s\] of the centres and, over the radius or half the edge, of the surfaces: √(0.7² + 0.4² + 0.31²) + 0.1·√14 < 1.3.
+/// A bound on the speeds \[m/s\] of the centres and, over the radius or half the edge, of the surfaces: √(0.7² + 0.4² + 0.31²) + 0.1·√14 <
+/// 1.3.
 pub const SPEED: f64 = 1.3;
 
 /// The smallest distance \[m\] that turns a velocity at a contact into an angular velocity: the radius of gyration 0.1·√0.4 over its ratio

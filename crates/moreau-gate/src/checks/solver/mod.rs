@@ -18,7 +18,8 @@ use moreau_contact::certificate::residuals::{Residuals, residuals};
 use moreau_contact::problem::{ContactProblem, Law, Solution};
 use problems::Solved;
 
-const MANUFACTURED: &str = "The velocities after the step and the impulses are chosen, then the velocity without impulses: a solution exists by \
+const MANUFACTURED: &str = "The velocities after the step and the impulses are chosen, then the velocity without impulses: a solution \
+    exists by \
                             construction. A solver that knows an energy to ε knows impulses and velocities to √ε of their scale. A problem \
                             answered with an error was not solved; it is counted, and the residuals are those of the others.";
 

@@ -1,4 +1,5 @@
-//! How deep thrown boxes get, with restitution and friction: Newton's e with friction has no energy theorem, but bodies stay outside each other.
+//! How deep thrown boxes get, with restitution and friction: Newton's e with friction has no energy theorem, but bodies stay outside each
+//! other.
 
 use crate::checks::scenery::{GRAVITY, worst};
 use crate::checks::tumbling::motion::Tumble;
@@ -54,8 +55,8 @@ fn arrival(tumble: &Tumble, k: usize) -> f64 {
     fastest
 }
 
-/// The depth \[m\] at which the declared law stops a body that puts the whole energy of the motion into one contact, if it says; more contacts
-/// or a lighter corner stop it sooner.
+/// The depth \[m\] at which the declared law stops a body that puts the whole energy of the motion into one contact, if it says; more
+/// contacts or a lighter corner stop it sooner.
 fn declared(bench: &Bench, tumble: &Tumble, h: f64) -> Option<f64> {
     let model = Model::of(bench.description());
     let (lightest, total) = weights(tumble);

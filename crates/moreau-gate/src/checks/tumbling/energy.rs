@@ -9,9 +9,9 @@
 //!     y = u⁺ + e u⁻ ,  r·y ≤ 0 ,  μ = 0 :   the same bound times (1 − e)/(1 + e)
 //! ```
 //! So a step gains at most c Σ_b max(0, ½ h g p_b,z − ½ p_b,z²/m_b) ≤ c Σ m g² h²/8, c = (1 − e)/(1 + e), and w R with R = Σ r_n. What
-//! rotation adds is bounded apart; see [`crate::tolerance::tumbling`]. Poses are taken to move with the velocities: what an engine pushes out of a depth
-//! in the position alone rises by m g Δz and is counted. Allowed for is what is declared: a correction that the bodies keep as a speed, and a spring that lifts them
-//! out of a depth, by m g times what the depth loses.
+//! rotation adds is bounded apart; see [`crate::tolerance::tumbling`]. Poses are taken to move with the velocities: what an engine pushes
+//! out of a depth in the position alone rises by m g Δz and is counted. Allowed for is what is declared: a correction that the bodies keep
+//! as a speed, and a spring that lifts them out of a depth, by m g times what the depth loses.
 
 use crate::checks::scenery::GRAVITY;
 use crate::checks::tumbling::depth;
@@ -84,7 +84,8 @@ fn rise(bench: &mut Bench, throw: &Throw, h: f64, law: Law) -> Reply<Measurement
     let measurement =
         Measurement::new(format!("rise of the energy: {}", throw.words()), "J", ideal.rise, Expectation::at_most(0.0, ideal.allowed, why));
     Ok(match Model::of(bench.description()) {
-        // A declared correction of depth is a speed that the bodies keep, a declared spring lifts them; contacts below a declared threshold have another e than the rest.
+        // A declared correction of depth is a speed that the bodies keep, a declared spring lifts them; contacts below a declared threshold
+        // have another e than the rest.
         Model::Coulomb(limits) if limits.error_reduction > 0.0 || depth::is_sprung(&limits) || slowest_bounce(&limits, throw) > 0.0 => {
             let unequal = slowest_bounce(&limits, throw) > 0.0;
             let law = Law { loss: 1.0, returned: if unequal { throw.restitution } else { law.returned }, ..law };
@@ -126,7 +127,8 @@ fn worst_rise(tumble: &Tumble, law: &Law, limits: &RigidLimits, epsilon: f64, fr
 }
 
 /// σ of the scheme, from the first body's flight until the first contact, and the steps of that flight:
-/// z_n − z_0 = h Σ ½(v_k + v_{k−1}) + σ h (v_n − v_0). The last step before an impulse is left out: an engine may take a depth back in it without one.
+/// z_n − z_0 = h Σ ½(v_k + v_{k−1}) + σ h (v_n − v_0). The last step before an impulse is left out: an engine may take a depth back in it
+/// without one.
 fn sigma(tumble: &Tumble) -> (f64, usize) {
     let flies = |k: &usize| {
         (0..tumble.bodies.len()).all(|b| tumble.impulse(b, *k).norm() <= tolerance::flight(tumble.bodies[b].mass, GRAVITY, tumble.h))
@@ -193,8 +195,8 @@ fn turned_below(tumble: &Tumble, k: usize) -> f64 {
     tumble.each(k - 1).map(|(body, state)| tolerance::turned_below(state.spin.norm(), body.radius(), tumble.h)).sum()
 }
 
-/// A bound \[N·s\] on Σ r_n of step k from the motion alone. One body: the upward part of its impulse. Two: the floor's is S, the sum of both;
-/// the upper body's impulse p₂ is that of the other body and at most S√(1 + μ²) of the floor.
+/// A bound \[N·s\] on Σ r_n of step k from the motion alone. One body: the upward part of its impulse. Two: the floor's is S, the sum of
+/// both; the upper body's impulse p₂ is that of the other body and at most S√(1 + μ²) of the floor.
 fn pressed(tumble: &Tumble, friction: f64, k: usize) -> f64 {
     let impulses: Vec<_> = (0..tumble.bodies.len()).map(|body| tumble.impulse(body, k)).collect();
     let floor = impulses.iter().map(|impulse| impulse.z).sum::<f64>().max(0.0);

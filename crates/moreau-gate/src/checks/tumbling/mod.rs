@@ -5,8 +5,8 @@
 //!     e > 0 with friction                      no energy theorem: by e times the speed of arrival more; depths stay bounded
 //!     always                                   m Δv = m g h + Σ p ;   at the end they lie, on the floor and outside each other
 //! ```
-//! The other families have motions in closed form or bodies at rest, which a solver meets with a good start and an answer of known shape. Here every
-//! step is another problem, with one to eight contacts that come and go, and an answer that is wrong once shows at once.
+//! The other families have motions in closed form or bodies at rest, which a solver meets with a good start and an answer of known shape.
+//! Here every step is another problem, with one to eight contacts that come and go, and an answer that is wrong once shows at once.
 
 mod depth;
 mod energy;
@@ -25,9 +25,12 @@ pub const CHECKS: &[Check] = &[
         name: "tumbling/passive",
         level: Level::Simulate,
         question: "Does the energy of boxes that land on a rough floor and on each other ever rise, without restitution?",
-        derivation: "A step gains r·u⁺ − Σ(½ ‖p‖²/m − ½ h g p_z) with r·u⁺ ≤ 0, p the impulses on a body: at most m g² h²/8, nothing for a body \
-                     that is carried. For the σ that fits best the energy is E − σ g h Σ m v_z, |σ| ≤ ½, which a scheme keeps that moves on \
-                     with (½ + σ) v⁺ + (½ − σ) v. Corners that turned below a surface by ½ ω²ρ h² are pushed out at ½ ω²ρ h. A first-order step \
+        derivation: "A step gains r·u⁺ − Σ(½ ‖p‖²/m − ½ h g p_z) with r·u⁺ ≤ 0, p the impulses on a body: at most m g² h²/8, nothing for a \
+            body \
+                     that is carried. For the σ that fits best the energy is E − σ g h Σ m v_z, |σ| ≤ ½, which a scheme keeps that moves \
+                     on \
+                     with (½ + σ) v⁺ + (½ − σ) v. Corners that turned below a surface by ½ ω²ρ h² are pushed out at ½ ω²ρ h. A first-order \
+                     step \
                      of rotation adds ½ h² τᵀJ⁻¹τ + ½ h (J_max − J_min) ω²‖Δω‖, nothing for a cube. The allowances of an interval of steps \
                      add up; the interval farthest above them is reported. A compliant contact stores what it takes: it is held against \
                      the start. Where a rigid law declares that depth is taken back, the speed it declares is added.",
@@ -39,7 +42,8 @@ pub const CHECKS: &[Check] = &[
         name: "tumbling/bouncing",
         level: Level::Simulate,
         question: "Does the energy of boxes ever rise that bounce with one restitution and without friction?",
-        derivation: "With y = u⁺ + e u⁻ and r·y = 0 the bound without restitution holds, times (1−e)/(1+e). Contacts below a declared threshold have \
+        derivation: "With y = u⁺ + e u⁻ and r·y = 0 the bound without restitution holds, times (1−e)/(1+e). Contacts below a declared \
+            threshold have \
                      another e than the rest, and Newton's law with several e has no such theorem: then as with friction.",
         source: "Moreau's law with one e for all contacts dissipates; chapter §9",
         run: Run::EachStep(energy::bouncing),
@@ -49,8 +53,10 @@ pub const CHECKS: &[Check] = &[
         name: "tumbling/rough",
         level: Level::Simulate,
         question: "Does the energy of boxes that bounce on a rough floor rise in a step by more than Newton's law can give?",
-        derivation: "Newton's e with friction has no energy theorem. But r·u⁺ ≤ −e Σ r_n u_n⁻ ≤ e U R, with U the greatest speed of two points \
-                     that may touch, and R = Σ r_n from the change of momentum: the floor's is S = Σ p_z, and of two bodies the upper one's \
+        derivation: "Newton's e with friction has no energy theorem. But r·u⁺ ≤ −e Σ r_n u_n⁻ ≤ e U R, with U the greatest speed of two \
+            points \
+                     that may touch, and R = Σ r_n from the change of momentum: the floor's is S = Σ p_z, and of two bodies the upper \
+                     one's \
                      ‖p‖ + S √(1+μ²) bounds what they do to each other. The rest as without restitution.",
         source: "T(v⁺) − T(v_free) = r·u⁺ − ½ rᵀWr with y_n = u_n⁺ + e u_n⁻ and friction that opposes u_t⁺",
         run: Run::EachStep(energy::rough),
@@ -60,7 +66,8 @@ pub const CHECKS: &[Check] = &[
         name: "tumbling/depth",
         level: Level::Simulate,
         question: "How deep do boxes get into a rough floor and into each other, with restitution where there is any?",
-        derivation: "A corner that arrives at u is noticed a step late and moves on for half a step: 3/2 h (u + g h), u the fastest arrival of the \
+        derivation: "A corner that arrives at u is noticed a step late and moves on for half a step: 3/2 h (u + g h), u the fastest \
+            arrival of the \
                      motion. Two boxes overlap by the least of their overlaps along 15 axes. A compliant or sprung law stops the energy of \
                      the whole motion in one contact at a depth that is replayed.",
         source: "the activation rules of Moreau–Jean; separating axes",
@@ -80,7 +87,8 @@ pub const CHECKS: &[Check] = &[
         name: "tumbling/rest",
         level: Level::Simulate,
         question: "Do boxes come to rest that land without restitution, on the floor and outside each other?",
-        derivation: "Sliding ends after v/(μ g), a landing from edge to edge keeps at most (1 − 3/2 sin²α)² of the energy: both within a second. \
+        derivation: "Sliding ends after v/(μ g), a landing from edge to edge keeps at most (1 − 3/2 sin²α)² of the energy: both within a \
+            second. \
                      After 2.5 s a corner is slower than a step of gravity, g h; the lowest body is within 3 g h² of the floor, and depths \
                      are bounded as in flight.",
         source: "Housner 1963; the places where event capturing lets a ball rest",
