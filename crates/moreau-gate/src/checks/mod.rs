@@ -56,3 +56,16 @@ pub const EXPECTED: &[&[Expected]] = &[
     energy::EXPECTED,
     tumbling::EXPECTED,
 ];
+
+#[cfg(test)]
+mod tests {
+    use crate::check;
+    use crate::tolerance::SOLVED;
+
+    #[test]
+    fn derivations_quote_the_part_that_a_solver_may_leave_as_it_is() {
+        let part = format!("{SOLVED:.1e}");
+        let quoting: Vec<&str> = check::all().filter(|check| check.derivation.contains("3.5e-4")).map(|check| check.name).collect();
+        assert!(part == "3.5e-4" && quoting.len() >= 3, "the texts of {quoting:?} should say {part}");
+    }
+}
