@@ -79,10 +79,11 @@ pub mod defects;
 pub mod gate;
 pub mod report;
 pub mod schemes;
+pub mod solvers;
 pub mod systems;
 pub mod tolerance;
 
-pub use moreau_contact::{ContactProblem, Law, Solution, certificate, cones, contact, conventions, files, memory, problem, solvers};
+pub use moreau_contact::{ContactProblem, Law, Solution, certificate, cones, contact, conventions, files, memory, problem};
 pub use moreau_dynamics::{elastic_bar, event_driven, impact_laws, integrators, mechanics, scenes, stabilisation, trajectory};
 pub use moreau_exact::{Error, Result, elimination, error, number, scalar};
 pub use moreau_forms as closed_forms;

@@ -68,7 +68,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     arguments.memory.apply()?;
     let names = arguments.names()?;
     keep_input(Path::new(&arguments.scene), "--plot", arguments.plot.as_deref())?;
-    let solver = solvers::by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
+    let solver = solvers::ALL.by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
     let duration = arguments.duration.map(|duration| positive("--duration", duration)).transpose()?;
     let staged = stage(&arguments.scene, "SCENE", "")?;
     let duration = duration.unwrap_or(staged.duration);

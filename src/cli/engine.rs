@@ -1,9 +1,10 @@
 //! `moreau engine`: our own schemes behind the protocol that every other engine speaks.
 
 use super::Answer;
+use crate::gate::own::{self, OwnEngine};
 use crate::gate::process::Limits;
-use crate::gate::{own, planted, serve};
-use crate::{Error, Result};
+use crate::gate::{planted, serve};
+use crate::{Error, Result, solvers};
 use std::io::{BufReader, stdin, stdout};
 use std::path::Path;
 
@@ -24,7 +25,7 @@ pub struct Arguments {
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     let mut engine: Box<dyn crate::gate::Engine> = match &arguments.planted {
-        None => Box::new(own::by_name(&arguments.scheme)?),
+        None => Box::new(OwnEngine { solvers: solvers::ALL.clone(), ..own::by_name(&arguments.scheme)? }),
         Some(name) => {
             let unknown = || Error::Unsupported(format!("no planted mistake `{name}`; `moreau defects` lists them"));
             (planted::find(name).ok_or_else(unknown)?.engine)()

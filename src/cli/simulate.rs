@@ -108,7 +108,7 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
     arguments.memory.apply()?;
     let scheme = arguments.options.build(&arguments.scheme)?;
     arguments.keep_files(scene)?;
-    let solver = solvers::by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
+    let solver = solvers::ALL.by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
     let (staged, scene, note) = match scenes::linkage(scene) {
         Some(linkage) => (arguments.build_linkage(linkage)?, None, None),
         None => {
@@ -227,6 +227,10 @@ impl Summary<'_> {
     }
 }
 
+fn solver_names() -> Vec<&'static str> {
+    solvers::ALL.names().collect()
+}
+
 fn list(format: Format) -> Result<()> {
     let bodies = scenes::NAMES.into_iter().map(scenes::named).collect::<Result<Vec<_>>>()?;
     let bodies = bodies.into_iter().map(|scene| (scene.name, scene.description));
@@ -235,8 +239,8 @@ fn list(format: Format) -> Result<()> {
     if format == Format::Json {
         let entry = |(name, description): &(String, String)| serde_json::json!({"name": name, "description": description});
         let described: Vec<_> = scenes.iter().map(entry).collect();
-        return print(&pretty(&serde_json::json!({"scenes": described, "schemes": schemes::NAMES, "solvers": solvers::NAMES}))?);
+        return print(&pretty(&serde_json::json!({"scenes": described, "schemes": schemes::NAMES, "solvers": solver_names()}))?);
     }
     let described: String = scenes.iter().map(|(name, description)| format!("  {name:16} {description}\n")).collect();
-    print(&format!("scenes\n{described}schemes\n  {}\nsolvers\n  {}\n", schemes::NAMES.join("\n  "), solvers::NAMES.join("\n  ")))
+    print(&format!("scenes\n{described}schemes\n  {}\nsolvers\n  {}\n", schemes::NAMES.join("\n  "), solver_names().join("\n  ")))
 }

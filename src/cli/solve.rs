@@ -58,14 +58,15 @@ The smallest problem, a block of 1 kg that slides and arrives at 1 m/s:
 
 /// The solvers there are, for `--help`.
 pub fn solver_help() -> String {
-    format!("Which algorithm proposes the answer: {}", solvers::NAMES.join(", "))
+    format!("Which algorithm proposes the answer: {}", solvers::ALL.names().collect::<Vec<_>>().join(", "))
 }
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     check_tolerance("--tolerance", arguments.tolerance)?;
     arguments.memory.apply()?;
-    let solver = solvers::with_iterations(&arguments.solver, arguments.iterations)
+    let solver = solvers::ALL
+        .with_iterations(&arguments.solver, arguments.iterations)
         .map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
     keep_input(&arguments.problem, "--out", arguments.out.as_deref())?;
     let problem = ContactProblem::read(&arguments.problem)?;

@@ -7,7 +7,7 @@
 use super::{Agreement, Cone, ContactLaw, Level, Measured, System, anitescu, on_a_slope};
 use crate::mechanics::{PointMass, State};
 use crate::schemes::{Chrono, Scheme, simulate};
-use crate::solvers::{Reference, by_name};
+use crate::solvers::{Reference, Solvers};
 use crate::tolerance::rounding;
 use crate::{Error, Result};
 use nalgebra::dvector;
@@ -62,7 +62,8 @@ fn recovery(scheme: &dyn Scheme) -> Result<Measured> {
 }
 
 fn four_algorithms(scheme: &dyn Scheme) -> Result<Measured> {
-    let found = ["psor", "bb", "apgd", "admm"].map(|name| anitescu::stack_against_clarabel(scheme, by_name(name)?.as_ref(), 5));
+    let found =
+        ["psor", "bb", "apgd", "admm"].map(|name| anitescu::stack_against_clarabel(scheme, Solvers::own().by_name(name)?.as_ref(), 5));
     Measured::worst(found.into_iter().collect::<Result<Vec<_>>>()?).ok_or_else(|| Error::Unsupported("no algorithm was asked".into()))
 }
 

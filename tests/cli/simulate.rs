@@ -16,7 +16,7 @@ fn quantity(run: &Run, name: &str) -> Option<f64> {
 fn scenes_schemes_and_solvers_are_listed() {
     let run = moreau(&["simulate", "--list"]);
     assert_eq!(run.code, 0);
-    let names = NAMES.iter().chain(&moreau::schemes::NAMES).chain(&moreau::solvers::NAMES);
+    let names = NAMES.into_iter().chain(moreau::schemes::NAMES).chain(moreau::solvers::ALL.names());
     names.for_each(|name| assert!(run.output.contains(name), "{name}"));
     assert_eq!(
         moreau(&["simulate", "--list", "--format", "json"]).json()["scenes"].as_array().map(Vec::len),

@@ -35,7 +35,7 @@ fn a_file_gets_the_solution_and_standard_output_the_certificate() {
 fn every_solver_that_answers_passes_its_certificate_and_one_outside_its_scope_says_so() {
     let folder = Folder::new("solve-all");
     let problem = folder.file("problem.json", PROBLEM);
-    for solver in moreau::solvers::NAMES {
+    for solver in moreau::solvers::ALL.names() {
         let run = moreau(&["solve", &problem, "--solver", solver]);
         match run.code {
             0 => assert_eq!(run.json()["schema"], "solution/1"),

@@ -6,8 +6,7 @@ use crate::{ContactModel, Description, Engine, Kind, Level, Options, Parameter, 
 use moreau_contact::certificate::{Judgement, StepResidual};
 use moreau_contact::cones::second_order;
 use moreau_contact::problem::{ContactProblem, Solution};
-use moreau_contact::solvers;
-use moreau_contact::solvers::ContactSolver;
+use moreau_contact::solvers::{ContactSolver, Solvers};
 use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::schemes;
@@ -68,12 +67,12 @@ pub struct OwnEngine {
     pub parameters: Parameters,
     /// Whether a step that the certificate rejects is an error. A planted engine is let through: the checks have to see its mistake.
     pub certified: bool,
-    /// The solver when a request names none; see [`moreau_contact::solvers::by_name`].
+    /// The solver when a request names none.
     pub solver_name: String,
     /// The scheme.
     pub scheme: fn(&Parameters) -> Result<Box<dyn Scheme>>,
-    /// The solver, by name.
-    pub solver: fn(&str) -> Result<Box<dyn ContactSolver>>,
+    /// The solvers that a request may name.
+    pub solvers: Solvers,
     /// The mechanism of a scene with its initial state.
     pub mechanism: Mechanics,
     /// Replaces a point (n, t₁, …) by its projection on K_μ.
@@ -104,7 +103,7 @@ pub fn by_name(name: &str) -> Result<OwnEngine> {
         certified: true,
         solver_name: "auto".into(),
         scheme,
-        solver: solvers::by_name,
+        solvers: Solvers::own(),
         mechanism: Scene::spatial_mechanism,
         project: second_order::project,
     };
@@ -155,7 +154,7 @@ impl OwnEngine {
     /// Scheme and solver, or why there are none.
     fn parts(&self) -> Reply<(Box<dyn Scheme>, Box<dyn ContactSolver>)> {
         let scheme = (self.scheme)(&self.parameters).map_err(Refusal::errored)?;
-        Ok((scheme, (self.solver)(&self.solver_name).map_err(Refusal::errored)?))
+        Ok((scheme, self.solvers.by_name(&self.solver_name).map_err(Refusal::errored)?))
     }
 
     fn chosen(&self) -> Options {

@@ -2,6 +2,7 @@
 
 use super::*;
 use moreau_contact::problem::Law as ContactLaw;
+use moreau_contact::solvers::{ProjectedGaussSeidel, SolverEntry};
 use moreau_contact::tolerance::solvers::STOP;
 use moreau_dynamics::scenes::named;
 use moreau_exact::tolerance::rounding;
@@ -163,7 +164,11 @@ fn a_run_with_a_step_that_the_certificate_rejects_is_an_error_with_step_and_resi
     // one sweep carries a stack no better than a planted solver would
     let lazy = |certified: bool| OwnEngine {
         certified,
-        solver: |_| Ok(Box::new(moreau_contact::solvers::ProjectedGaussSeidel { sweeps: 1, ..Default::default() })),
+        solvers: Solvers::of(&[SolverEntry {
+            name: "auto",
+            default: || Box::new(ProjectedGaussSeidel { sweeps: 1, ..Default::default() }),
+            limited: None,
+        }]),
         ..by_name("moreau-jean").expect("listed")
     };
     let stack = short("box-stack", 1.0 / 60.0, 20);

@@ -141,7 +141,7 @@ mod tests {
     fn every_solver_of_chrono_slides_with_the_gap_mu_h_v_and_sticks_without_creep() {
         let h = 0.005;
         for name in ["psor", "bb", "apgd", "admm"] {
-            let solver = solvers::by_name(name).expect("a listed name");
+            let solver = solvers::Solvers::own().by_name(name).expect("a listed name");
             let rest = || State { time: 0.0, position: dvector![0.0, 0.0], velocity: dvector![0.0, 0.0] };
             let sliding = run(&Chrono::default(), solver.as_ref(), &incline(0.2), rest(), h, 40);
             let gap = 0.2 * h * sliding.velocity[0].abs();

@@ -11,4 +11,5 @@ pub mod energy_balance;
 pub mod mujoco;
 pub mod schemes;
 pub mod siconos;
+pub mod solvers;
 pub mod tolerance;

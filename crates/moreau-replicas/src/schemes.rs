@@ -1,4 +1,4 @@
-//! Schemes by name, for the command line.
+//! Schemes by name.
 
 use crate::bullet::Bullet;
 use crate::chrono::Chrono;
@@ -10,30 +10,6 @@ use moreau_dynamics::schemes::{
     RungeKuttaFlip, SchatzmanPaoli, Scheme, Softness, StewartTrinkle, Variational,
 };
 use moreau_exact::{Error, Result};
-
-/// The names [`by_name`] knows.
-pub const NAMES: [&str; 20] = [
-    "moreau-jean",
-    "moreau-jean-projection",
-    "schatzman-paoli",
-    "generalised-alpha",
-    "stewart-trinkle",
-    "anitescu",
-    "chrono",
-    "bullet",
-    "mujoco",
-    "explicit-euler",
-    "semi-implicit-euler",
-    "runge-kutta-flip",
-    "event-driven",
-    "variational",
-    "xpbd",
-    "pbd",
-    "drake-sap",
-    "drake-similar",
-    "drake-lagged",
-    "drake-tamsi",
-];
 
 /// The parameters of all schemes; each scheme takes those it has.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,68 +60,96 @@ impl Default for Parameters {
     }
 }
 
+/// One scheme of the table.
+#[derive(Clone, Copy, Debug)]
+pub struct SchemeEntry {
+    /// Its name on the command line and in files; [`Scheme::name`] starts with it.
+    pub name: &'static str,
+    /// The scheme with these parameters, or why there is none.
+    pub make: fn(&Parameters) -> Result<Box<dyn Scheme>>,
+}
+
+/// Every scheme, in the order in which they are listed; a new one is one more line.
+pub const ALL: &[SchemeEntry] = &[
+    SchemeEntry {
+        name: "moreau-jean",
+        make: |p| {
+            let scheme = MoreauJean { theta: p.theta, activation: p.activation, restitution: p.restitution };
+            valid(scheme.validate(), scheme)
+        },
+    },
+    SchemeEntry {
+        name: "moreau-jean-projection",
+        make: |p| {
+            let scheme = MoreauJeanProjection { theta: p.theta };
+            valid(scheme.validate(), scheme)
+        },
+    },
+    SchemeEntry { name: "schatzman-paoli", make: |_| Ok(Box::new(SchatzmanPaoli)) },
+    SchemeEntry { name: "generalised-alpha", make: |p| Ok(Box::new(GeneralisedAlpha::new(p.spectral_radius)?)) },
+    SchemeEntry {
+        name: "stewart-trinkle",
+        make: |p| {
+            let scheme = StewartTrinkle { directions: p.directions };
+            valid(scheme.validate(), scheme)
+        },
+    },
+    SchemeEntry { name: "anitescu", make: |_| Ok(Box::new(Anitescu)) },
+    SchemeEntry { name: "chrono", make: |_| Ok(Box::new(Chrono::default())) },
+    SchemeEntry { name: "bullet", make: |p| valid(p.bullet.validate(), p.bullet) },
+    SchemeEntry { name: "mujoco", make: |p| valid(p.mujoco.validate(), p.mujoco) },
+    SchemeEntry { name: "explicit-euler", make: |_| Ok(Box::new(Euler::Explicit)) },
+    SchemeEntry { name: "semi-implicit-euler", make: |_| Ok(Box::new(Euler::SemiImplicit)) },
+    SchemeEntry { name: "runge-kutta-flip", make: |_| Ok(Box::new(RungeKuttaFlip)) },
+    SchemeEntry {
+        name: "event-driven",
+        make: |p| {
+            let method = EventDriven { shortest_flight: p.shortest_flight, ..EventDriven::default() };
+            valid(method.validate(), Events { method })
+        },
+    },
+    SchemeEntry { name: "variational", make: |_| Ok(Box::new(Variational)) },
+    SchemeEntry {
+        name: "xpbd",
+        make: |p| position_based(PositionBased { softness: Softness::Compliance(p.compliance), ..PositionBased::XPBD }, p),
+    },
+    SchemeEntry { name: "pbd", make: |p| position_based(PositionBased { softness: Softness::Share(p.share), ..PositionBased::PBD }, p) },
+    SchemeEntry { name: "drake-sap", make: |p| drake::by_name("drake-sap", p.drake) },
+    SchemeEntry { name: "drake-similar", make: |p| drake::by_name("drake-similar", p.drake) },
+    SchemeEntry { name: "drake-lagged", make: |p| drake::by_name("drake-lagged", p.drake) },
+    SchemeEntry { name: "drake-tamsi", make: |p| drake::by_name("drake-tamsi", p.drake) },
+];
+
+/// The names in [`ALL`].
+pub const NAMES: [&str; ALL.len()] = {
+    let mut names = [""; ALL.len()];
+    let mut k = 0;
+    while k < names.len() {
+        names[k] = ALL[k].name;
+        k += 1;
+    }
+    names
+};
+
 /// The scheme with this name.
 ///
 /// # Errors
-/// An unknown name (the message lists the known ones), θ outside \[0, 1\], fewer than three directions, a softness that cannot be meant or
-/// a material that is none.
+/// An unknown name (the message lists the known ones), or a parameter of the scheme outside its range: θ outside \[0, 1\], fewer than three
+/// directions, a negative softness, a material with a negative stiffness.
 pub fn by_name(name: &str, parameters: Parameters) -> Result<Box<dyn Scheme>> {
-    let Parameters { theta, activation, restitution, directions, spectral_radius, mujoco, bullet, drake: material, .. } = parameters;
-    material.validate()?;
-    match name {
-        "moreau-jean" => {
-            let scheme = MoreauJean { theta, activation, restitution };
-            scheme.validate()?;
-            Ok(Box::new(scheme))
-        }
-        "moreau-jean-projection" => {
-            let scheme = MoreauJeanProjection { theta };
-            scheme.validate()?;
-            Ok(Box::new(scheme))
-        }
-        "generalised-alpha" => Ok(Box::new(GeneralisedAlpha::new(spectral_radius)?)),
-        "schatzman-paoli" => Ok(Box::new(SchatzmanPaoli)),
-        "stewart-trinkle" => {
-            let scheme = StewartTrinkle { directions };
-            scheme.validate()?;
-            Ok(Box::new(scheme))
-        }
-        "anitescu" => Ok(Box::new(Anitescu)),
-        "chrono" => Ok(Box::new(Chrono::default())),
-        "bullet" => {
-            bullet.validate()?;
-            Ok(Box::new(bullet))
-        }
-        "mujoco" => {
-            mujoco.validate()?;
-            Ok(Box::new(mujoco))
-        }
-        "explicit-euler" => Ok(Box::new(Euler::Explicit)),
-        "semi-implicit-euler" => Ok(Box::new(Euler::SemiImplicit)),
-        "runge-kutta-flip" => Ok(Box::new(RungeKuttaFlip)),
-        "xpbd" => {
-            position_based(PositionBased { softness: Softness::Compliance(parameters.compliance), ..PositionBased::XPBD }, &parameters)
-        }
-        "pbd" => position_based(PositionBased { softness: Softness::Share(parameters.share), ..PositionBased::PBD }, &parameters),
-        "event-driven" => {
-            let method = EventDriven { shortest_flight: parameters.shortest_flight, ..EventDriven::default() };
-            method.validate()?;
-            Ok(Box::new(Events { method }))
-        }
-        "variational" => Ok(Box::new(Variational)),
-        name if drake::NAMES.contains(&name) => drake::by_name(name, material),
-        _ => Err(unknown("scheme", name, &NAMES)),
-    }
+    let unknown = || Error::invalid("scheme", format!("`{name}` is unknown"), format!("use one of {}", NAMES.join(", ")));
+    let entry = ALL.iter().find(|entry| entry.name == name).ok_or_else(unknown)?;
+    (entry.make)(&parameters)
+}
+
+/// The scheme, unless its parameters were refused.
+fn valid(checked: Result<()>, scheme: impl Scheme + 'static) -> Result<Box<dyn Scheme>> {
+    checked.map(|()| Box::new(scheme) as Box<dyn Scheme>)
 }
 
 fn position_based(scheme: PositionBased, parameters: &Parameters) -> Result<Box<dyn Scheme>> {
     let scheme = PositionBased { sweeps: parameters.sweeps.unwrap_or(scheme.sweeps), ..scheme };
-    scheme.validate()?;
-    Ok(Box::new(scheme))
-}
-
-fn unknown(field: &str, name: &str, known: &[&str]) -> Error {
-    Error::invalid(field, format!("`{name}` is unknown"), format!("use one of {}", known.join(", ")))
+    valid(scheme.validate(), scheme)
 }
 
 #[cfg(test)]

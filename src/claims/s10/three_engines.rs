@@ -174,7 +174,7 @@ fn chrono_row(reading: Reading) -> Result<Vec<Finding>> {
         problem.law = reading.pick(Law::Associated, Law::Coulomb);
         let names: &[&str] = reading.pick(&["psor", "bb", "apgd", "admm"], &["psor", "admm"]);
         for name in names {
-            let found = solvers::by_name(name)?.solve(&problem, None)?.velocity;
+            let found = solvers::ALL.by_name(name)?.solve(&problem, None)?.velocity;
             let difference = (&found - &expected).amax();
             findings.push(Finding::at_most(format!("{name} against Clarabel, h = {h}"), difference, tolerance::same_answer(1.0), "m/s"));
             let gap = (found[0] - mu * found[1].abs()).abs();

@@ -8,8 +8,8 @@ use crate::claims::experiments::soft_stack::{self, STEP};
 use crate::claims::{Claim, Evidence, Reading, Verdict};
 use crate::problem::{Compliance, ContactProblem};
 use crate::schemes::mujoco::Cone;
-use crate::solvers::gauss::{Direction, GaussProgram, Minimiser, SoftPiece};
-use crate::solvers::{ContactSolver, GaussConjugateGradient, GaussNewton, GaussSweeps};
+use crate::solvers::gauss::{GaussProgram, Minimiser, SoftPiece};
+use crate::solvers::{ContactSolver, Direction, GaussConjugateGradient, GaussNewton, GaussSweeps};
 use crate::tolerance::claims::soft::{COUNTED, FEW, ITERATES, SOLVED};
 use nalgebra::DVector;
 

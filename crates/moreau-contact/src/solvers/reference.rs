@@ -1,34 +1,16 @@
-//! The solver to use when nothing is said, and solvers by name.
+//! The solver to use when nothing is said.
 
 #[cfg(feature = "clarabel")]
 use super::ClarabelPolished;
 use super::{
-    AcceleratedProjectedGradient, AlternatingDirections, BarzilaiBorwein, ContactSolver, GaussConjugateGradient, GaussNewton, GaussSweeps,
-    LemkePivoting, NonsmoothNewton, ProjectedGaussSeidel, ProjectedOverRelaxation, SemiAnalyticPrimal, SequentialImpulses,
+    AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, GaussNewton, LemkePivoting, NonsmoothNewton, ProjectedGaussSeidel,
+    ProjectedOverRelaxation,
 };
 use crate::certificate::Judge;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::solvers::{self as tolerance, ACCEPTABLE, ENOUGH};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
-
-/// The names [`by_name`] knows.
-pub const NAMES: [&str; 14] = [
-    "auto",
-    "lemke",
-    "pgs",
-    "psor",
-    "apgd",
-    "bb",
-    "admm",
-    "nonsmooth-newton",
-    "clarabel",
-    "newton",
-    "cg",
-    "gauss-pgs",
-    "sap",
-    "sequential-impulses",
-];
 
 /// The default choice: one algorithm after another, in a fixed order, until the certificate's residuals are below [`ENOUGH`], after the
 /// first of nonsmooth Newton below [`ACCEPTABLE`]; otherwise the best answer seen.
@@ -237,61 +219,6 @@ impl ContactSolver for Reference {
     }
 }
 
-/// The solver of this name with its default settings.
-///
-/// # Errors
-/// [`Error::Unsupported`] lists the names there are.
-pub fn by_name(name: &str) -> Result<Box<dyn ContactSolver>> {
-    match name {
-        "auto" => Ok(Box::new(Reference)),
-        "lemke" => Ok(Box::new(LemkePivoting)),
-        "apgd" => Ok(Box::new(AcceleratedProjectedGradient::default())),
-        "bb" => Ok(Box::new(BarzilaiBorwein::default())),
-        "admm" => Ok(Box::new(AlternatingDirections::default())),
-        "nonsmooth-newton" => Ok(Box::new(NonsmoothNewton::default())),
-        "psor" => Ok(Box::new(ProjectedOverRelaxation::default())),
-        #[cfg(feature = "clarabel")]
-        "clarabel" => Ok(Box::new(ClarabelPolished)),
-        #[cfg(not(feature = "clarabel"))]
-        "clarabel" => Err(Error::Unsupported("this program was built without the feature `clarabel` of moreau-contact".into())),
-        "sap" => Ok(Box::new(SemiAnalyticPrimal)),
-        "sequential-impulses" => Ok(Box::new(SequentialImpulses::default())),
-        "pgs" => Ok(Box::new(ProjectedGaussSeidel::default())),
-        "newton" => Ok(Box::new(GaussNewton::default())),
-        "cg" => Ok(Box::new(GaussConjugateGradient::default())),
-        "gauss-pgs" => Ok(Box::new(GaussSweeps::default())),
-        _ => Err(Error::Unsupported(format!("there is no solver `{name}`; use one of {}", NAMES.join(", ")))),
-    }
-}
-
-/// The solver of this name with another limit of its iterations, from 1 to [`tolerance::MOST_ITERATIONS`]; with its own if none is given.
-///
-/// # Errors
-/// [`Error::Unsupported`] lists the names there are; [`Error::Invalid`] if the limit is outside its range, or if the solver has none.
-pub fn with_iterations(name: &str, iterations: Option<usize>) -> Result<Box<dyn ContactSolver>> {
-    let Some(limit) = iterations else { return by_name(name) };
-    if !(1..=tolerance::MOST_ITERATIONS).contains(&limit) {
-        let cure = format!("use a number from 1 to {}", tolerance::MOST_ITERATIONS);
-        return Err(Error::invalid("iterations", format!("is {limit}"), cure));
-    }
-    Ok(match name {
-        "apgd" => Box::new(AcceleratedProjectedGradient { iterations: limit, ..Default::default() }),
-        "bb" => Box::new(BarzilaiBorwein { iterations: limit, ..Default::default() }),
-        "admm" => Box::new(AlternatingDirections { iterations: limit, ..Default::default() }),
-        "nonsmooth-newton" => Box::new(NonsmoothNewton { steps: limit, ..Default::default() }),
-        "psor" => Box::new(ProjectedOverRelaxation { sweeps: limit, ..Default::default() }),
-        "sequential-impulses" => Box::new(SequentialImpulses { sweeps: limit, ..Default::default() }),
-        "pgs" => Box::new(ProjectedGaussSeidel { sweeps: limit, ..Default::default() }),
-        "newton" => Box::new(GaussNewton { steps: limit, ..Default::default() }),
-        "cg" => Box::new(GaussConjugateGradient { steps: limit, ..Default::default() }),
-        "gauss-pgs" => Box::new(GaussSweeps { sweeps: limit, ..Default::default() }),
-        _ => {
-            let solver = by_name(name)?;
-            return Err(Error::invalid("iterations", format!("is given to `{}`, which has no such limit", solver.name()), "leave it out"));
-        }
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -348,22 +275,5 @@ mod tests {
         let untried = |law: Law| left_out(&points(2, law));
         assert_eq!(untried(Law::Coulomb), "");
         assert_eq!(untried(Law::Associated).contains("clarabel"), !cfg!(feature = "clarabel"));
-    }
-
-    #[test]
-    fn every_listed_name_is_a_solver_of_that_name_and_others_get_the_list() {
-        for name in NAMES {
-            match by_name(name) {
-                Ok(solver) => assert_eq!(solver.name(), name),
-                Err(error) => {
-                    assert!(
-                        name == "clarabel" && !cfg!(feature = "clarabel") && error.to_string().contains("feature `clarabel`"),
-                        "{error}"
-                    );
-                }
-            }
-        }
-        let message = by_name("gauss").err().unwrap().to_string();
-        assert!(NAMES.iter().all(|name| message.contains(name)), "{message}");
     }
 }

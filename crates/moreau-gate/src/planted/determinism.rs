@@ -14,19 +14,19 @@ pub const PLANTED: &[Planted] = &[
     Planted {
         name: "determinism/random-order",
         mistake: "sweeps over the contacts in an order drawn from a global state that is not reset, and stops early",
-        engine: || with_solver(|_| Ok(Box::new(Answers(random_order)))),
+        engine: || with_solver(|| Box::new(Answers(random_order))),
         caught_by: &["determinism/repeat", "determinism/company"],
     },
     Planted {
         name: "determinism/impulses-kept",
         mistake: "starts new contacts from a buffer of impulses that is not cleared between requests, and stops early",
-        engine: || with_solver(|_| Ok(Box::new(Answers(impulses_kept)))),
+        engine: || with_solver(|| Box::new(Answers(impulses_kept))),
         caught_by: &["determinism/company"],
     },
     Planted {
         name: "determinism/memory-not-written",
         mistake: "the last digits of the impulses come from memory that holds what was there before",
-        engine: || with_solver(|_| Ok(Box::new(Answers(memory_not_written)))),
+        engine: || with_solver(|| Box::new(Answers(memory_not_written))),
         caught_by: &["determinism/repeat", "determinism/company"],
     },
 ];

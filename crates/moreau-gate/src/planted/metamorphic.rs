@@ -13,13 +13,13 @@ pub const PLANTED: &[Planted] = &[
     Planted {
         name: "metamorphic/friction-along-axes",
         mistake: "bounds friction along two tangents taken from the world's axes by μ r_n each, and declares a cone",
-        engine: || with_solver(|_| Ok(Box::new(Answers(friction_along_axes)))),
+        engine: || with_solver(|| Box::new(Answers(friction_along_axes))),
         caught_by: &["metamorphic/rotation", "metamorphic/tilt"],
     },
     Planted {
         name: "metamorphic/direction-rounded-down",
         mistake: "turns sliding friction to the next lower of sixteen directions, where the nearest is meant",
-        engine: || with_solver(|_| Ok(Box::new(Answers(direction_rounded_down)))),
+        engine: || with_solver(|| Box::new(Answers(direction_rounded_down))),
         caught_by: &["metamorphic/mirror", "metamorphic/rotation"],
     },
     Planted {

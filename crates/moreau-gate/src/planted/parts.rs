@@ -3,7 +3,7 @@
 use crate::Engine;
 use crate::own::{self, Mechanics, OwnEngine, by_name};
 use moreau_contact::problem::{ContactProblem, Solution};
-use moreau_contact::solvers::{ContactSolver, Reference};
+use moreau_contact::solvers::{ContactSolver, Reference, SolverEntry, Solvers};
 use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::schemes::{Scheme, StepProblem};
 use moreau_exact::{Error, Result};
@@ -18,8 +18,8 @@ pub(super) fn moreau_jean(change: impl FnOnce(&mut OwnEngine)) -> Box<dyn Engine
 }
 
 /// Moreau–Jean with another solver.
-pub(super) fn with_solver(solver: fn(&str) -> Result<Box<dyn ContactSolver>>) -> Box<dyn Engine> {
-    moreau_jean(|engine| engine.solver = solver)
+pub(super) fn with_solver(default: fn() -> Box<dyn ContactSolver>) -> Box<dyn Engine> {
+    moreau_jean(|engine| engine.solvers = Solvers::of(&[SolverEntry { name: "auto", default, limited: None }]))
 }
 
 /// Moreau–Jean of a scene that was misread.

@@ -13,7 +13,7 @@ pub const PLANTED: &[Planted] = &[
     Planted {
         name: "rocking/contacts-glued",
         mistake: "solves the active contacts as equations, so that an impact also holds the edge that should lift",
-        engine: || with_solver(|_| Ok(Box::new(Answers(contacts_glued)))),
+        engine: || with_solver(|| Box::new(Answers(contacts_glued))),
         caught_by: &["rocking/impact", "solver/certificate"],
     },
     Planted {
@@ -25,7 +25,7 @@ pub const PLANTED: &[Planted] = &[
     Planted {
         name: "painleve/slip-fixed-in-advance",
         mistake: "sweeps over normal impulses with friction −μ r_n t tied to them, t the slip before the step",
-        engine: || with_solver(|_| Ok(Box::new(Answers(slip_fixed_in_advance)))),
+        engine: || with_solver(|| Box::new(Answers(slip_fixed_in_advance))),
         caught_by: &["painleve/rod", "solver/certificate"],
     },
 ];

@@ -12,43 +12,43 @@ pub const PLANTED: &[Planted] = &[
     Planted {
         name: "solver/three-sweeps",
         mistake: "Gauss–Seidel stops after three sweeps and forgets the impulses of the step before",
-        engine: || with_solver(|_| Ok(Box::new(Answers(three_sweeps)))),
+        engine: || with_solver(|| Box::new(Answers(three_sweeps))),
         caught_by: &["solver/redundant", "solver/conditioning", "stack/five", "stack/ten", "stack/mass-ratio", "metamorphic/body-order"],
     },
     Planted {
         name: "solver/a-thousandth-left",
         mistake: "stops when a thousandth of every impulse is still missing, three times what the gate allows",
-        engine: || with_solver(|_| Ok(Box::new(Answers(|problem, start| left_over(problem, start, 1e-3))))),
+        engine: || with_solver(|| Box::new(Answers(|problem, start| left_over(problem, start, 1e-3)))),
         caught_by: UNSOLVED,
     },
     Planted {
         name: "solver/no-impulse",
         mistake: "answers zero impulses to every problem",
-        engine: || with_solver(|_| Ok(Box::new(Answers(|problem, _| Ok(answer(problem, DVector::zeros(problem.rows()), 0)))))),
+        engine: || with_solver(|| Box::new(Answers(|problem, _| Ok(answer(problem, DVector::zeros(problem.rows()), 0))))),
         caught_by: &["solver/certificate", "solver/redundant", "solver/jamming", "stack/five"],
     },
     Planted {
         name: "solver/normal-impulses-clipped",
         mistake: "keeps normal impulses from pulling and lets friction be as large as sticking needs",
-        engine: || with_solver(|_| Ok(Box::new(Answers(normals_clipped)))),
+        engine: || with_solver(|| Box::new(Answers(normals_clipped))),
         caught_by: &["solver/certificate", "solver/jamming"],
     },
     Planted {
         name: "solver/shift-ignored",
         mistake: "leaves out what the scheme adds to the velocity: restitution, φ/h",
-        engine: || with_solver(|_| Ok(Box::new(Answers(shift_ignored)))),
+        engine: || with_solver(|| Box::new(Answers(shift_ignored))),
         caught_by: &["solver/certificate", "solver/redundant"],
     },
     Planted {
         name: "solver/convex-relaxation",
         mistake: "declares Coulomb's law and solves the associated one, which lifts what slides",
-        engine: || with_solver(|_| Ok(Box::new(Answers(convex_relaxation)))),
+        engine: || with_solver(|| Box::new(Answers(convex_relaxation))),
         caught_by: &["solver/certificate", "solver/friction-range"],
     },
     Planted {
         name: "solver/velocity-as-wished",
         mistake: "reports the velocity the law asks for instead of the one its impulses give",
-        engine: || with_solver(|_| Ok(Box::new(Answers(velocity_as_wished)))),
+        engine: || with_solver(|| Box::new(Answers(velocity_as_wished))),
         caught_by: &["solver/infeasible"],
     },
 ];
@@ -104,7 +104,7 @@ mod tests {
     /// demands.
     #[test]
     fn a_solver_that_leaves_a_ten_thousandth_passes_where_one_that_leaves_a_thousandth_fails() {
-        let engine = || with_solver(|_| Ok(Box::new(Answers(|problem, start| left_over(problem, start, 1e-4)))));
+        let engine = || with_solver(|| Box::new(Answers(|problem, start| left_over(problem, start, 1e-4))));
         let careful = Planted { name: "a ten-thousandth left", mistake: "", engine, caught_by: UNSOLVED };
         let families = ["rest", "stack", "incline", "contact", "metamorphic", "isotropy", "rolling", "energy"];
         let asked = |check: &&check::Check| check.level == Level::Simulate && families.contains(&check.family());

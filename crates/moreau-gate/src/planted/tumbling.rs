@@ -18,31 +18,31 @@ pub const PLANTED: &[Planted] = &[
         name: "tumbling/extrapolated-sweeps",
         mistake: "extrapolates sweeps by Anderson's rule, takes no step back however much worse it is, and answers its last iterate at the \
             limit",
-        engine: || with_solver(|_| Ok(Box::new(Answers(extrapolated)))),
+        engine: || with_solver(|| Box::new(Answers(extrapolated))),
         caught_by: &["tumbling/rough"],
     },
     Planted {
         name: "tumbling/two-sweeps",
         mistake: "stops at a limit of two sweeps from zero and answers what it has",
-        engine: || with_solver(|_| Ok(Box::new(Answers(two_sweeps)))),
+        engine: || with_solver(|| Box::new(Answers(two_sweeps))),
         caught_by: &["tumbling/passive"],
     },
     Planted {
         name: "tumbling/stale-impulses",
         mistake: "answers the impulses of the step before, as they are, where the contacts are the same",
-        engine: || with_solver(|_| Ok(Box::new(Answers(stale)))),
+        engine: || with_solver(|| Box::new(Answers(stale))),
         caught_by: &["tumbling/passive", "tumbling/bouncing", "tumbling/rough", "tumbling/rest"],
     },
     Planted {
         name: "tumbling/springs-and-extrapolated-sweeps",
         mistake: "declares contact springs of 60 Hz, and extrapolates sweeps without looking at what comes out",
-        engine: || sprung(|| with_solver(|_| Ok(Box::new(Answers(extrapolated))))),
+        engine: || sprung(|| with_solver(|| Box::new(Answers(extrapolated)))),
         caught_by: &["tumbling/rough"],
     },
     Planted {
         name: "tumbling/springs-and-two-sweeps",
         mistake: "declares contact springs of 60 Hz, and stops at a limit of two sweeps",
-        engine: || sprung(|| with_solver(|_| Ok(Box::new(Answers(two_sweeps))))),
+        engine: || sprung(|| with_solver(|| Box::new(Answers(two_sweeps)))),
         caught_by: &["tumbling/passive"],
     },
     Planted {

@@ -6,7 +6,7 @@
 //!     −s = ē |u_n| − ERP d/h    afterwards ,          ē = e if u_n ≤ −v_t, and 0 below that threshold .
 //! ```
 //! Contacts take part up to the gap `margin`. Bullet solves the problem by at most 50 sweeps of
-//! [`moreau_contact::solvers::SequentialImpulses`]; with that solver the scheme takes Bullet's steps, with another one those of the law,
+//! [`SequentialImpulses`]; with that solver the scheme takes Bullet's steps, with another one those of the law,
 //! which the sweeps tend to with the two exceptions told there.
 //!
 //! **Two families of bodies**, and they step differently ([`Bodies`]). Multibodies, PyBullet's default: u_n = H v_free, the velocity after
@@ -38,8 +38,11 @@ use moreau_dynamics::schemes::{Scheme, StepProblem, assembly};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
+pub mod sequential_impulses;
 pub mod steps;
 mod tangents;
+
+pub use sequential_impulses::SequentialImpulses;
 
 /// How friction of multibodies is bounded (`enableConeFriction`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -11,13 +11,14 @@
 //! ```
 //! And which contact of the last step a contact continues: the nearest place on the ground, if nearer than the breaking threshold.
 
+use crate::bullet::SequentialImpulses;
 use crate::bullet::{BREAKING_THRESHOLD, Bodies, Bullet, Friction};
 use crate::tolerance::references::bullet_step;
 use delegate::delegate;
 use moreau_contact::contact::frame::spatial_tangents;
 use moreau_contact::contact::{Contact, Place};
 use moreau_contact::problem::{ContactProblem, Solution};
-use moreau_contact::solvers::{ContactSolver, SequentialImpulses};
+use moreau_contact::solvers::ContactSolver;
 use moreau_dynamics::mechanics::{BodyState, Mechanism, State};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::schemes::step;

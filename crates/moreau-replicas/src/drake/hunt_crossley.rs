@@ -6,10 +6,10 @@
 //! ```
 //! δ = −φ > 0 is the depth at the start of the step. n falls with z from its value at z = 0 to zero at min(δ/h, 1/d), and is zero beyond.
 
+use super::primal_newton::{Potential, minimise};
 use crate::drake::{Material, SIGMA, own_answer, response};
 use moreau_contact::contact::Contact;
 use moreau_contact::problem::{Dynamics, Solution};
-use moreau_contact::solvers::primal_newton::{Potential, minimise};
 use moreau_dynamics::mechanics::State;
 use moreau_dynamics::schemes::{OwnAnswer, StepProblem};
 use moreau_exact::Result;

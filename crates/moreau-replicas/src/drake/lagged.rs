@@ -17,9 +17,9 @@
 //! # Source
 //! Castro et al., *Irrotational contact fields* (2023), §IV.
 
+use super::primal_newton::Potential;
 use crate::drake::hunt_crossley::{answer, blocks, stacked, touches};
 use crate::drake::{Material, Touch, assemble_touching};
-use moreau_contact::solvers::primal_newton::Potential;
 use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::schemes::{OwnAnswer, Scheme, StepProblem};
 use moreau_exact::Result;

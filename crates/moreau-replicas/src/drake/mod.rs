@@ -23,14 +23,17 @@ use nalgebra::{DMatrix, DVector};
 
 mod hunt_crossley;
 mod lagged;
+pub mod primal_newton;
 pub mod replay;
 mod sap;
+pub mod semi_analytic_primal;
 mod similar;
 mod tamsi;
 
 pub use hunt_crossley::Touch;
 pub use lagged::DrakeLagged;
 pub use sap::DrakeSap;
+pub use semi_analytic_primal::SemiAnalyticPrimal;
 pub use similar::DrakeSimilar;
 pub use tamsi::{DrakeTamsi, law as tamsi_law};
 

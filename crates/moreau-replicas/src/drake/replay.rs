@@ -15,9 +15,9 @@
 //! is stored, an interval is one step and its bound δ alone, through impacts too.
 
 use crate::drake::Material;
+use crate::drake::SemiAnalyticPrimal;
 use crate::tolerance::references;
 use moreau_checks::Finding;
-use moreau_contact::solvers::SemiAnalyticPrimal;
 use moreau_dynamics::mechanics::{Mechanism, SphereBodies, State};
 use moreau_dynamics::schemes::{Scheme, run};
 use moreau_dynamics::trajectory::Trajectory;

@@ -92,7 +92,8 @@ impl Scheme for DrakeSap {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use moreau_contact::solvers::{ContactSolver, ProjectedGaussSeidel, SemiAnalyticPrimal};
+    use crate::drake::SemiAnalyticPrimal;
+    use moreau_contact::solvers::{ContactSolver, ProjectedGaussSeidel};
     use moreau_contact::tolerance::solvers;
     use moreau_dynamics::mechanics::PointMass;
     use moreau_dynamics::schemes::simulate;

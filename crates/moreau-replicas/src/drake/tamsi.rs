@@ -23,8 +23,9 @@
 
 use crate::drake::hunt_crossley::{stacked, touches};
 use crate::drake::{Material, Touch, assemble_touching};
+use crate::tolerance::solvers::{LINE_STEPS, NEAR_MINIMUM};
 use moreau_contact::problem::Solution;
-use moreau_contact::tolerance::solvers::{LINE_STEPS, NEAR_MINIMUM, NEWTON_STEPS, STOP};
+use moreau_contact::tolerance::solvers::{NEWTON_STEPS, STOP};
 use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::schemes::{OwnAnswer, Scheme, StepProblem};
 use moreau_exact::{Error, Result};

@@ -28,11 +28,15 @@
 //! f are the impulses that R acts on, edges or rows; v_g − v = h M⁻¹F_g is the explicit gyroscopic torque, whose gain grows without bound
 //! in free flight at h‖Ω‖ ≈ 1. implicitfast, RK4 and friction against rotation have no theorem ([`crate::energy_balance`]).
 
+mod conjugate_gradient;
+mod gauss_sweeps;
 mod integrator;
 mod inverse;
 mod rows;
 mod softness;
 
+pub use conjugate_gradient::{CONJUGATE_GRADIENT, Direction, GaussConjugateGradient};
+pub use gauss_sweeps::{GAUSS_SWEEPS, GaussSweeps};
 pub use integrator::Integrator;
 pub use inverse::{ContactForce, InverseDynamics};
 pub use rows::Rotational;

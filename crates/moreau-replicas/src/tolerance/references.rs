@@ -134,7 +134,7 @@ pub fn replayed_step(speed: f64) -> f64 {
     (moreau_contact::tolerance::solvers::STOP + 64.0 * f64::EPSILON) * speed
 }
 
-pub use moreau_contact::tolerance::solvers::BULLET_RESIDUAL;
+pub use crate::tolerance::solvers::BULLET_RESIDUAL;
 
 /// Velocity error \[m/s\] of a body whose sweeps Bullet ended at the residual threshold `stop` \[m²/s²\]: the last sweep changed no row's
 /// velocity by more than √stop, and sweeps over the twelve rows of four corners, whose error halves at least, leave at most twice as much.

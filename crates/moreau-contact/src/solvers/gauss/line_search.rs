@@ -10,7 +10,7 @@ use crate::tolerance::solvers::{LINE_SLOPE, ROOT_STEPS};
 use nalgebra::DVector;
 
 /// The step α > 0 with φ'(α) = 0 along a direction of descent, or 0 if there is none: φ'(0) ≥ 0.
-pub(super) fn exact_step(program: &GaussProgram, change: &DVector<f64>, direction: &DVector<f64>) -> f64 {
+pub fn exact_step(program: &GaussProgram, change: &DVector<f64>, direction: &DVector<f64>) -> f64 {
     let line = Line::new(program, change, direction);
     let (start, _) = line.slope(0.0);
     if start.is_nan() || start >= 0.0 {

@@ -7,18 +7,15 @@
 //! M \[kg\] is nv × nv and positive definite, H has one row per row of a [`SoftPiece`], y and b are in m/s, r in N·s. The sum is strictly
 //! convex and has one minimiser. MuJoCo writes the same problem for accelerations, which divides Δ, y and b by h.
 
-mod conjugate_gradient;
 mod line_search;
 mod newton;
 mod piece;
 mod program;
-mod sweeps;
 
-pub use conjugate_gradient::{Direction, GaussConjugateGradient};
+pub use line_search::exact_step;
 pub use newton::GaussNewton;
 pub use piece::SoftPiece;
 pub use program::GaussProgram;
-pub use sweeps::GaussSweeps;
 
 use crate::problem::{ContactProblem, Solution};
 use crate::tolerance::solvers::COST_FLOOR;
@@ -42,7 +39,7 @@ pub struct Minimiser {
 ///
 /// The cost decides while it falls by more than its own rounding; the gradient may well grow then, where contacts change their zones. Where
 /// the cost stands still the gradient decides.
-struct Progress<'a> {
+pub struct Progress<'a> {
     program: &'a GaussProgram,
     cost: f64,
     gradient: f64,
@@ -52,12 +49,14 @@ struct Progress<'a> {
 }
 
 impl<'a> Progress<'a> {
-    fn new(program: &'a GaussProgram, change: &DVector<f64>, impulse: &DVector<f64>) -> Self {
+    /// The first iterate: Δ and its r.
+    pub fn new(program: &'a GaussProgram, change: &DVector<f64>, impulse: &DVector<f64>) -> Self {
         let gradient = program.relative_gradient(change, impulse);
         Progress { program, cost: program.cost(change), gradient, change: change.clone(), impulse: impulse.clone(), stalled: 0 }
     }
 
-    fn take(&mut self, change: &DVector<f64>, impulse: &DVector<f64>) {
+    /// Keeps the iterate if it is better.
+    pub fn take(&mut self, change: &DVector<f64>, impulse: &DVector<f64>) {
         let (cost, gradient) = (self.program.cost(change), self.program.relative_gradient(change, impulse));
         if cost < self.cost * (1.0 - COST_FLOOR) || gradient < self.gradient {
             *self = Progress { cost: cost.min(self.cost), stalled: 0, ..Progress::new(self.program, change, impulse) };
@@ -66,13 +65,27 @@ impl<'a> Progress<'a> {
         }
     }
 
-    fn ends(self, iterations: usize) -> Minimiser {
+    /// The relative gradient of the best iterate.
+    pub fn gradient(&self) -> f64 {
+        self.gradient
+    }
+
+    /// Iterates since the best one.
+    pub fn stalled(&self) -> usize {
+        self.stalled
+    }
+
+    /// The best iterate, after so many iterations.
+    pub fn ends(self, iterations: usize) -> Minimiser {
         Minimiser { change: self.change, impulse: self.impulse, iterations, relative_gradient: self.gradient }
     }
 }
 
 /// Solves a contact problem by what minimises its program, and reads the answer in the problem's coordinates.
-fn through_program(
+///
+/// # Errors
+/// Those of [`GaussProgram::of_problem`] and of `minimise`; [`moreau_exact::Error::Solver`] if the answer is not finite.
+pub fn through_program(
     name: &'static str,
     problem: &ContactProblem,
     minimise: impl FnOnce(&GaussProgram) -> Result<Minimiser>,

@@ -7,10 +7,9 @@ mod world;
 use crate::Engine;
 use crate::own::{Law, OwnEngine, by_name};
 use crate::planted::Planted;
-use moreau_contact::solvers::ContactSolver;
+use crate::planted::parts::with_solver;
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::trajectory::Trajectory;
-use moreau_exact::Result;
 use reports::Reporting;
 use solver::RowByRow;
 
@@ -19,37 +18,37 @@ pub const PLANTED: &[Planted] = &[
     Planted {
         name: "incline/friction-not-opposed",
         mistake: "keeps sliding friction on the cone, but turned from the slip towards the diagonals of the tangents",
-        engine: || with_solver(|_| Ok(Box::new(RowByRow(solver::turned_to_diagonals)))),
+        engine: || with_solver(|| Box::new(RowByRow(solver::turned_to_diagonals))),
         caught_by: &["incline/slide", "isotropy/deceleration", "contact/dissipation"],
     },
     Planted {
         name: "isotropy/boxed-friction",
         mistake: "bounds each tangent's friction by μ r_n for itself, and declares a cone",
-        engine: || with_solver(|_| Ok(Box::new(RowByRow(solver::boxed)))),
+        engine: || with_solver(|| Box::new(RowByRow(solver::boxed))),
         caught_by: &["isotropy/straight", "isotropy/deceleration", "contact/cone"],
     },
     Planted {
         name: "contact/lagged-normal",
         mistake: "bounds friction by the normal impulse of the step before",
-        engine: || with_solver(|_| Ok(Box::new(RowByRow(solver::lagged)))),
+        engine: || with_solver(|| Box::new(RowByRow(solver::lagged))),
         caught_by: &["contact/cone", "contact/dissipation"],
     },
     Planted {
         name: "incline/kinetic-friction",
         mistake: "uses 0.8 μ as soon as a contact slides",
-        engine: || with_solver(|_| Ok(Box::new(RowByRow(solver::kinetic)))),
+        engine: || with_solver(|| Box::new(RowByRow(solver::kinetic))),
         caught_by: &["incline/slide", "contact/dissipation"],
     },
     Planted {
         name: "incline/regularised-friction",
         mistake: "smooths friction over slips of 1 cm/s and does not declare it",
-        engine: || with_solver(|_| Ok(Box::new(RowByRow(solver::regularised)))),
+        engine: || with_solver(|| Box::new(RowByRow(solver::regularised))),
         caught_by: &["incline/stick", "incline/stick-threshold"],
     },
     Planted {
         name: "contact/friction-along-slip",
         mistake: "has the sign of sliding friction wrong in one tangent",
-        engine: || with_solver(|_| Ok(Box::new(RowByRow(solver::along_slip)))),
+        engine: || with_solver(|| Box::new(RowByRow(solver::along_slip))),
         caught_by: &["contact/increment", "contact/dissipation", "isotropy/deceleration"],
     },
     Planted {
@@ -134,11 +133,6 @@ pub const PLANTED: &[Planted] = &[
 
 fn own(name: &str) -> OwnEngine {
     OwnEngine { certified: false, ..by_name(name).expect("a listed name") }
-}
-
-/// Moreau–Jean with another solver.
-fn with_solver(solver: fn(&str) -> Result<Box<dyn ContactSolver>>) -> Box<dyn Engine> {
-    Box::new(OwnEngine { solver, ..own("moreau-jean") })
 }
 
 /// Moreau–Jean that simulates another scene than it was given.

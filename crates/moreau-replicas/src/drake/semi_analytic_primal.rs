@@ -14,10 +14,10 @@
 //! # Source
 //! Castro, Permenter and Han, *An unconstrained convex formulation of compliant contact* (2022), §III and §IV; Drake's `SapSolver`.
 
-use super::ContactSolver;
 use super::primal_newton::{Potential, minimise};
-use crate::cones::second_order;
-use crate::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law, Solution};
+use moreau_contact::cones::second_order;
+use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law, Solution};
+use moreau_contact::solvers::{ContactSolver, SolverEntry, parts};
 use moreau_exact::tolerance::rounding;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -28,6 +28,9 @@ pub struct SemiAnalyticPrimal;
 
 const NAME: &str = "sap";
 
+/// Its line in a table of solvers.
+pub const SOLVER: SolverEntry = SolverEntry { name: NAME, default: || Box::new(SemiAnalyticPrimal), limited: None };
+
 impl ContactSolver for SemiAnalyticPrimal {
     fn name(&self) -> &'static str {
         NAME
@@ -36,17 +39,17 @@ impl ContactSolver for SemiAnalyticPrimal {
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         problem.validate()?;
         if !matches!(problem.law, Law::Frictionless | Law::Associated) {
-            return Err(super::not_convex(NAME, problem.law));
+            return Err(parts::not_convex(NAME, problem.law));
         }
-        super::require_symmetry(NAME, problem)?;
+        parts::require_symmetry(NAME, problem)?;
         let potential = Projection::of(problem)?;
         let dynamics = dynamics(problem);
-        let start = super::start(problem, warm_start)?;
+        let start = parts::start(problem, warm_start)?;
         let mass = dynamics.mass.clone().cholesky().ok_or_else(|| Error::solver(NAME, "needs a positive definite mass matrix"))?;
         let start = mass.solve(&dynamics.jacobian.tr_mul(&start));
         let minimum = minimise(NAME, &dynamics, &problem.free_velocity, problem.rows_per_contact, &potential, start)?;
         let velocity = problem.velocity(&minimum.impulse);
-        super::finite(Solution {
+        parts::finite(Solution {
             impulse: minimum.impulse,
             velocity,
             beta: None,
@@ -122,5 +125,5 @@ impl Potential for Projection<'_> {
 }
 
 #[cfg(test)]
-#[path = "sap_tests.rs"]
+#[path = "semi_analytic_primal_tests.rs"]
 mod tests;

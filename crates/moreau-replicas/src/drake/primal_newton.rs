@@ -11,8 +11,9 @@
 //! # Source
 //! Castro, Permenter and Han, *An unconstrained convex formulation of compliant contact* (2022), §IV.
 
-use crate::problem::Dynamics;
-use crate::tolerance::solvers::{LINE_STEPS, NEAR_MINIMUM, NEWTON_STEPS, STOP};
+use crate::tolerance::solvers::{LINE_STEPS, NEAR_MINIMUM};
+use moreau_contact::problem::Dynamics;
+use moreau_contact::tolerance::solvers::{NEWTON_STEPS, STOP};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 

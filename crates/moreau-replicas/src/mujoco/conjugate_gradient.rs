@@ -7,11 +7,11 @@
 //! ```
 //! The first direction is −M⁻¹g.
 
-use super::line_search::exact_step;
-use super::{GaussProgram, Minimiser, Progress, through_program};
-use crate::problem::{ContactProblem, Solution};
-use crate::solvers::ContactSolver;
-use crate::tolerance::solvers::{CONJUGATE_STALLED, CONJUGATE_STEPS, STOP};
+use crate::tolerance::solvers::{CONJUGATE_STALLED, CONJUGATE_STEPS};
+use moreau_contact::problem::{ContactProblem, Solution};
+use moreau_contact::solvers::gauss::{GaussProgram, Minimiser, Progress, exact_step, through_program};
+use moreau_contact::solvers::{ContactSolver, SolverEntry, parts};
+use moreau_contact::tolerance::solvers::STOP;
 use moreau_exact::Result;
 use nalgebra::DVector;
 
@@ -37,9 +37,16 @@ pub struct GaussConjugateGradient {
     pub direction: Direction,
     /// Most steps.
     pub steps: usize,
-    /// As in [`super::GaussNewton`].
+    /// As in [`moreau_contact::solvers::GaussNewton`].
     pub tolerance: f64,
 }
+
+/// Its line in a table of solvers.
+pub const CONJUGATE_GRADIENT: SolverEntry = SolverEntry {
+    name: "cg",
+    default: || Box::new(GaussConjugateGradient::default()),
+    limited: Some(|limit| Box::new(GaussConjugateGradient { steps: limit, ..Default::default() })),
+};
 
 impl Default for GaussConjugateGradient {
     fn default() -> Self {
@@ -80,7 +87,7 @@ impl Slope {
 }
 
 impl GaussConjugateGradient {
-    /// The minimiser, from a start Δ; it ends as [`super::GaussNewton::minimise`] does.
+    /// The minimiser, from a start Δ; it ends as [`moreau_contact::solvers::GaussNewton::minimise`] does.
     pub fn minimise(&self, program: &GaussProgram, start: DVector<f64>) -> Minimiser {
         let mut change = start;
         let mut impulse = program.impulse(&program.violation(&change));
@@ -88,7 +95,7 @@ impl GaussConjugateGradient {
         let mut direction = -&slope.preconditioned;
         let mut progress = Progress::new(program, &change, &impulse);
         let mut iterations = 0;
-        while progress.gradient > self.tolerance && iterations < self.steps && progress.stalled < CONJUGATE_STALLED {
+        while progress.gradient() > self.tolerance && iterations < self.steps && progress.stalled() < CONJUGATE_STALLED {
             let step = exact_step(program, &change, &direction);
             if step == 0.0 {
                 break;
@@ -112,7 +119,7 @@ impl ContactSolver for GaussConjugateGradient {
 
     /// From the motion that the given impulses would cause, or from free motion.
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        let start = super::super::start(problem, warm_start)?;
+        let start = parts::start(problem, warm_start)?;
         through_program(self.name(), problem, |program| {
             let pushed = problem.dynamics.as_ref().map(|dynamics| dynamics.jacobian.tr_mul(&start));
             let change = pushed.map_or_else(|| DVector::zeros(program.velocities()), |push| program.accelerate(&push));

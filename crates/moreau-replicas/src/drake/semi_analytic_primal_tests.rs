@@ -1,11 +1,9 @@
 //! The projection against its three printed cases, the solver against others and against what it must refuse.
 
 use super::*;
-#[cfg(feature = "clarabel")]
-use crate::certificate::residuals;
-#[cfg(feature = "clarabel")]
-use crate::solvers::{ClarabelPolished, ProjectedGaussSeidel, largest_eigenvalue_bound};
-use crate::tolerance::solvers as tolerance;
+use moreau_contact::certificate::residuals;
+use moreau_contact::solvers::{ClarabelPolished, ProjectedGaussSeidel, largest_eigenvalue_bound};
+use moreau_contact::tolerance::solvers as tolerance;
 use nalgebra::dvector;
 
 /// `contacts` contacts on five velocities with R = (r_n, r_t, r_t); the velocities come from a fixed list of numbers.
@@ -27,7 +25,7 @@ fn compliant(contacts: usize, compliance: [f64; 2], friction: f64, seed: u64) ->
         friction: vec![friction; contacts],
         free_velocity: DVector::from_fn(3 * contacts, |_, _| next()),
         shift: DVector::from_fn(3 * contacts, |row, _| if row % 3 == 0 { next() - 0.5 } else { 0.0 }),
-        delassus: crate::contact::delassus::delassus(&mass, &jacobian).unwrap(),
+        delassus: moreau_contact::contact::delassus::delassus(&mass, &jacobian).unwrap(),
         compliance: Some(Compliance {
             coordinates: Coordinates::Contact,
             diagonal: DVector::from_fn(3 * contacts, |row, _| if row % 3 == 0 { normal } else { tangential }),
@@ -55,7 +53,6 @@ fn the_projection_has_the_three_printed_cases() {
     assert!((normal - 3.5 / 1.25).abs() > 1.0);
 }
 
-#[cfg(feature = "clarabel")]
 #[test]
 fn sweeps_the_interior_point_and_newton_agree_on_velocities_and_impulses() {
     for seed in 0..40 {
@@ -68,7 +65,7 @@ fn sweeps_the_interior_point_and_newton_agree_on_velocities_and_impulses() {
             for other in [sweeps, ClarabelPolished.solve(&problem, None).unwrap()] {
                 let residual = own.natural_map + residuals(&problem, &other).unwrap().natural_map;
                 let impulses = (&newton.impulse - &other.impulse).norm() + residual;
-                let rho = crate::certificate::natural_map::scales(&problem).into_iter().fold(f64::INFINITY, f64::min);
+                let rho = moreau_contact::certificate::natural_map::scales(&problem).into_iter().fold(f64::INFINITY, f64::min);
                 let norm = largest_eigenvalue_bound(&problem.law_delassus());
                 let bound = tolerance::agreement(norm, residual, impulses, rho) + rounding(problem.rows(), norm * newton.impulse.norm());
                 let difference = (problem.law_velocity(&newton.impulse) - problem.law_velocity(&other.impulse)).norm();

@@ -9,10 +9,10 @@
 //! ```
 //! Both steps of a cone are exact minimisations over convex sets that hold the current impulse, so that no sweep increases the dual cost.
 
-use super::{GaussProgram, Minimiser, SoftPiece, through_program};
-use crate::problem::{ContactProblem, Solution};
-use crate::solvers::ContactSolver;
-use crate::tolerance::solvers::{ROOT_STEPS, STOP, SWEEPS};
+use moreau_contact::problem::{ContactProblem, Solution};
+use moreau_contact::solvers::gauss::{GaussProgram, Minimiser, SoftPiece, through_program};
+use moreau_contact::solvers::{ContactSolver, SolverEntry};
+use moreau_contact::tolerance::solvers::{ROOT_STEPS, STOP, SWEEPS};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -28,6 +28,13 @@ pub struct GaussSweeps {
     /// Change of Hᵀr in one sweep, relative to it, at which it stops.
     pub tolerance: f64,
 }
+
+/// Its line in a table of solvers.
+pub const GAUSS_SWEEPS: SolverEntry = SolverEntry {
+    name: "gauss-pgs",
+    default: || Box::new(GaussSweeps::default()),
+    limited: Some(|limit| Box::new(GaussSweeps { sweeps: limit, ..Default::default() })),
+};
 
 impl Default for GaussSweeps {
     fn default() -> Self {

@@ -1,0 +1,70 @@
+//! What every solver needs, one that you write yourself too: where to start, what to refuse, when an answer is one.
+
+use crate::cones::second_order;
+use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
+use moreau_exact::{Error, Result};
+use nalgebra::DVector;
+
+/// The impulses an iteration starts from \[N·s\]: the given ones, or zero.
+///
+/// # Errors
+/// [`Error::Invalid`] if the given ones are not as many finite numbers as the problem has rows.
+pub fn start(problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<DVector<f64>> {
+    match warm_start {
+        None => Ok(DVector::zeros(problem.rows())),
+        Some(impulse) if impulse.len() == problem.rows() && impulse.iter().all(|r| r.is_finite()) => Ok(impulse.clone()),
+        Some(impulse) => {
+            let cure = format!("give {} finite impulses", problem.rows());
+            Err(Error::invalid("warm_start", format!("has {} entries, or some not finite", impulse.len()), cure))
+        }
+    }
+}
+
+/// The solution itself, if all its impulses and velocities are finite.
+///
+/// # Errors
+/// [`Error::Solver`] in the name of its solver if one is infinite or not a number.
+pub fn finite(solution: Solution) -> Result<Solution> {
+    if solution.impulse.iter().chain(&solution.velocity).all(|x| x.is_finite()) {
+        return Ok(solution);
+    }
+    Err(Error::solver(&solution.solver, "ended with impulses or velocities too large for a number; rescale the units of the problem"))
+}
+
+/// R of one contact row \[1/kg\], zero if the problem is hard or its compliance acts on edges.
+pub fn compliance(problem: &ContactProblem, row: usize) -> f64 {
+    match &problem.compliance {
+        Some(Compliance { coordinates: Coordinates::Contact, diagonal }) => diagonal[row],
+        _ => 0.0,
+    }
+}
+
+/// μ of the cone that the law uses at contact k: 0 without friction.
+pub fn cone_friction(problem: &ContactProblem, k: usize) -> f64 {
+    if problem.law == Law::Frictionless { 0.0 } else { problem.friction[k] }
+}
+
+/// Replaces every contact's impulse by its projection on the second-order cone.
+pub fn project(problem: &ContactProblem, impulse: &mut DVector<f64>) {
+    for (k, contact) in impulse.as_mut_slice().chunks_exact_mut(problem.rows_per_contact).enumerate() {
+        second_order::project(contact, cone_friction(problem, k));
+    }
+}
+
+/// The error of a solver for convex laws that is given another one, with a solver that takes it.
+pub fn not_convex(solver: &str, law: Law) -> Error {
+    let cure = if law.directions().is_some() { "lemke" } else { "pgs" };
+    Error::solver(solver, format!("does not solve the law `{}`; use `{cure}`", law.name()))
+}
+
+/// Refuses an asymmetric W in the name of a solver that minimises ½rᵀWr, whose gradient is W r only if W is symmetric.
+///
+/// # Errors
+/// [`Error::Solver`] with the relative asymmetry.
+pub fn require_symmetry(solver: &str, problem: &ContactProblem) -> Result<()> {
+    let asymmetry = problem.asymmetry();
+    if asymmetry <= crate::tolerance::solvers::SYMMETRY {
+        return Ok(());
+    }
+    Err(Error::solver(solver, format!("needs a symmetric W, and this one has relative asymmetry {asymmetry:.1e}; use `pgs` or `lemke`")))
+}

@@ -1,0 +1,170 @@
+//! Solvers by name. A table is a value: this crate fills it with its own algorithms, whoever knows more adds them and hands it on.
+
+#[cfg(feature = "clarabel")]
+use super::ClarabelPolished;
+use super::{
+    AcceleratedProjectedGradient, AlternatingDirections, BarzilaiBorwein, ContactSolver, GaussNewton, LemkePivoting, NonsmoothNewton,
+    ProjectedGaussSeidel, ProjectedOverRelaxation, Reference,
+};
+use crate::tolerance::solvers::MOST_ITERATIONS;
+use moreau_exact::{Error, Result};
+
+/// One solver of a table.
+#[derive(Clone, Copy, Debug)]
+pub struct SolverEntry {
+    /// Its name on the command line and in files, [`ContactSolver::name`].
+    pub name: &'static str,
+    /// The algorithm with its default settings.
+    pub default: fn() -> Box<dyn ContactSolver>,
+    /// The same with another limit of its iterations; absent if it has none.
+    pub limited: Option<fn(usize) -> Box<dyn ContactSolver>>,
+}
+
+/// Solvers by name, in the order in which they are listed.
+#[derive(Clone, Debug, Default)]
+pub struct Solvers(Vec<SolverEntry>);
+
+/// The algorithms of this crate; a new one is one more line.
+const OWN: &[SolverEntry] = &[
+    SolverEntry { name: "auto", default: || Box::new(Reference), limited: None },
+    SolverEntry { name: "lemke", default: || Box::new(LemkePivoting), limited: None },
+    SolverEntry {
+        name: "pgs",
+        default: || Box::new(ProjectedGaussSeidel::default()),
+        limited: Some(|limit| Box::new(ProjectedGaussSeidel { sweeps: limit, ..Default::default() })),
+    },
+    SolverEntry {
+        name: "psor",
+        default: || Box::new(ProjectedOverRelaxation::default()),
+        limited: Some(|limit| Box::new(ProjectedOverRelaxation { sweeps: limit, ..Default::default() })),
+    },
+    SolverEntry {
+        name: "apgd",
+        default: || Box::new(AcceleratedProjectedGradient::default()),
+        limited: Some(|limit| Box::new(AcceleratedProjectedGradient { iterations: limit, ..Default::default() })),
+    },
+    SolverEntry {
+        name: "bb",
+        default: || Box::new(BarzilaiBorwein::default()),
+        limited: Some(|limit| Box::new(BarzilaiBorwein { iterations: limit, ..Default::default() })),
+    },
+    SolverEntry {
+        name: "admm",
+        default: || Box::new(AlternatingDirections::default()),
+        limited: Some(|limit| Box::new(AlternatingDirections { iterations: limit, ..Default::default() })),
+    },
+    SolverEntry {
+        name: "nonsmooth-newton",
+        default: || Box::new(NonsmoothNewton::default()),
+        limited: Some(|limit| Box::new(NonsmoothNewton { steps: limit, ..Default::default() })),
+    },
+    #[cfg(feature = "clarabel")]
+    SolverEntry { name: "clarabel", default: || Box::new(ClarabelPolished), limited: None },
+    SolverEntry {
+        name: "newton",
+        default: || Box::new(GaussNewton::default()),
+        limited: Some(|limit| Box::new(GaussNewton { steps: limit, ..Default::default() })),
+    },
+];
+
+impl Solvers {
+    /// The algorithms of this crate.
+    pub fn own() -> Self {
+        Solvers(OWN.to_vec())
+    }
+
+    /// A table of these solvers alone.
+    pub fn of(entries: &[SolverEntry]) -> Self {
+        Solvers(entries.to_vec())
+    }
+
+    /// The same table with more solvers at its end.
+    ///
+    /// # Panics
+    /// If a name is there already: a name stands for one algorithm.
+    pub fn with(mut self, more: &[SolverEntry]) -> Self {
+        for entry in more {
+            assert!(self.names().all(|name| name != entry.name), "there are two solvers `{}`", entry.name);
+            self.0.push(*entry);
+        }
+        self
+    }
+
+    /// The names, in order.
+    pub fn names(&self) -> impl Iterator<Item = &'static str> {
+        self.0.iter().map(|entry| entry.name)
+    }
+
+    /// The solver of this name with its default settings.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] lists the names there are.
+    pub fn by_name(&self, name: &str) -> Result<Box<dyn ContactSolver>> {
+        self.entry(name).map(|entry| (entry.default)())
+    }
+
+    /// The solver of this name with another limit of its iterations, from 1 to [`MOST_ITERATIONS`]; with its own if none is given.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] lists the names there are; [`Error::Invalid`] if the limit is outside its range, or if the solver has none.
+    pub fn with_iterations(&self, name: &str, iterations: Option<usize>) -> Result<Box<dyn ContactSolver>> {
+        let entry = self.entry(name)?;
+        let Some(limit) = iterations else { return Ok((entry.default)()) };
+        if !(1..=MOST_ITERATIONS).contains(&limit) {
+            return Err(Error::invalid("iterations", format!("is {limit}"), format!("use a number from 1 to {MOST_ITERATIONS}")));
+        }
+        let limited = entry.limited.ok_or_else(|| {
+            Error::invalid("iterations", format!("is given to `{}`, which has no such limit", entry.name), "leave it out")
+        })?;
+        Ok(limited(limit))
+    }
+
+    fn entry(&self, name: &str) -> Result<&SolverEntry> {
+        let unknown = || {
+            if name == "clarabel" && !cfg!(feature = "clarabel") {
+                return Error::Unsupported("this program was built without the feature `clarabel` of moreau-contact".into());
+            }
+            Error::Unsupported(format!("there is no solver `{name}`; use one of {}", self.names().collect::<Vec<_>>().join(", ")))
+        };
+        self.0.iter().find(|entry| entry.name == name).ok_or_else(unknown)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_listed_name_is_a_solver_of_that_name_and_others_get_the_list() {
+        let solvers = Solvers::own();
+        for name in solvers.names() {
+            assert_eq!(solvers.by_name(name).expect("listed").name(), name);
+        }
+        let message = solvers.by_name("gauss").err().unwrap().to_string();
+        assert!(solvers.names().all(|name| message.contains(name)), "{message}");
+        assert_eq!(solvers.names().any(|name| name == "clarabel"), cfg!(feature = "clarabel"));
+        if !cfg!(feature = "clarabel") {
+            assert!(solvers.by_name("clarabel").err().unwrap().to_string().contains("feature `clarabel`"));
+        }
+    }
+
+    #[test]
+    fn an_added_solver_is_found_and_two_of_one_name_are_refused() {
+        let mine = SolverEntry { name: "mine", default: || Box::new(Reference), limited: None };
+        assert!(Solvers::own().by_name("mine").is_err());
+        assert!(Solvers::own().with(&[mine]).by_name("mine").is_ok());
+        assert_eq!(Solvers::of(&[mine]).names().collect::<Vec<_>>(), ["mine"]);
+        let twice = std::panic::catch_unwind(|| Solvers::of(&[mine]).with(&[mine]));
+        assert!(twice.is_err());
+    }
+
+    #[test]
+    fn a_limit_of_iterations_is_refused_outside_its_range_and_where_there_is_none() {
+        let refused = |name: &str, limit: usize| Solvers::own().with_iterations(name, Some(limit)).err().map(|error| error.to_string());
+        for (name, limit) in [("pgs", 0), ("pgs", MOST_ITERATIONS + 1), ("lemke", 5)] {
+            assert!(refused(name, limit).expect("refused").contains("iterations"), "{name}");
+        }
+        assert_eq!(refused("pgs", MOST_ITERATIONS), None);
+        assert!(Solvers::own().with_iterations("lemke", None).is_ok());
+    }
+}
