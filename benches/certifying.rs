@@ -20,6 +20,10 @@ impl ContactSolver for Kept {
         "auto"
     }
 
+    fn takes(&self, _law: moreau::Law, _rows: usize, _symmetric: bool) -> bool {
+        true
+    }
+
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> moreau::Result<Solution> {
         let solution = Reference.solve(problem, warm_start)?;
         self.0.lock().expect("no other thread panics").push((problem.clone(), solution.clone()));

@@ -1,6 +1,9 @@
 //! Writing results: standard output that survives a closed pipe, notes on standard error, colours.
 
+use super::Answer;
 use crate::files::is_same_file;
+use crate::report::json::pretty;
+use crate::report::no_answer::NoAnswer;
 use crate::report::text::Style;
 use crate::{Error, Result};
 use std::io::{ErrorKind, IsTerminal, Write};
@@ -35,6 +38,21 @@ pub fn print(text: &str) -> Result<()> {
 /// Writes to standard error what accompanies a result on standard output; nobody need be listening.
 pub fn print_aside(text: &str) {
     let _ = std::io::stderr().write_all(text.as_bytes());
+}
+
+/// The answer of a command in JSON where a solver gave none: its failure on standard output, or beside it on standard error.
+///
+/// # Errors
+/// Any other error, as it is.
+pub fn no_answer(error: Error, aside: bool) -> Result<Answer> {
+    let Some(failure) = NoAnswer::of(&error) else { return Err(error) };
+    let text = pretty(&failure)?;
+    if aside {
+        print_aside(&text)
+    } else {
+        print(&text)?
+    }
+    Ok(Answer::No)
 }
 
 /// Colours for a terminal, unless `NO_COLOR` is set to anything.

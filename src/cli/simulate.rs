@@ -3,7 +3,7 @@
 use super::certificate_options::CertificateOptions;
 use super::dump_options::DumpOptions;
 use super::limits::MemoryOption;
-use super::output::{keep_input, print};
+use super::output::{keep_input, no_answer, print};
 use super::scene::{count_steps, find, for_scheme, positive};
 use super::scheme_options::SchemeOptions;
 use super::{Answer, Format};
@@ -99,7 +99,10 @@ struct Summary<'a> {
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     match &arguments.scene {
-        Some(scene) if !arguments.list => simulate(arguments, scene),
+        Some(scene) if !arguments.list => match simulate(arguments, scene) {
+            Err(error) if arguments.format == Format::Json => no_answer(error, false),
+            answer => answer,
+        },
         _ => list(arguments.format).map(|()| Answer::Yes),
     }
 }

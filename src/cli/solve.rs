@@ -2,7 +2,7 @@
 
 use super::certify::check_tolerance;
 use super::limits::MemoryOption;
-use super::output::{keep_input, print, print_aside};
+use super::output::{keep_input, no_answer, print, print_aside};
 use super::{Answer, Format};
 use crate::certificate::residuals;
 use crate::files::write_atomically;
@@ -50,7 +50,8 @@ Examples:
   moreau solve problem.json | moreau certify problem.json /dev/stdin
 
 Exit code 1 means that the solver gave no answer, or one that its certificate rejects; a rejected
-answer is written all the same, with its residuals.
+answer is written all the same, with its residuals. In JSON, \"status\" tells which: solved, rejected,
+refused (not a problem for this solver), breakdown, ray, limit.
 
 The smallest problem, a block of 1 kg that slides and arrives at 1 m/s:
   {\"schema\": \"contact-problem/1\", \"name\": \"block\", \"dimension\": 2, \"law\": \"coulomb\",
@@ -71,7 +72,11 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     keep_input(&arguments.problem, "--out", arguments.out.as_deref())?;
     let problem = ContactProblem::read(&arguments.problem)?;
     memory::require(&format!("solving {} rows", problem.rows()), 8 * memory::matrix(problem.rows(), problem.rows()))?;
-    let solution = solver.solve(&problem, None).map_err(|error| error.in_file(&arguments.problem))?;
+    let solution = match solver.solve(&problem, None).map_err(|error| error.in_file(&arguments.problem)) {
+        Ok(solution) => solution,
+        Err(error) if arguments.format == Format::Json => return no_answer(error, arguments.out.is_none()),
+        Err(error) => return Err(error),
+    };
     let residuals = residuals(&problem, &solution)?;
     let certificate = Certificate::new(&problem, &solution, &residuals, arguments.tolerance);
     let report = match arguments.format {

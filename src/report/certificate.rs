@@ -9,6 +9,8 @@ use std::fmt::Write;
 /// The certificate of one answer.
 #[derive(Serialize)]
 pub struct Certificate<'a> {
+    /// `solved` or `rejected`.
+    status: &'static str,
     problem: &'a str,
     law: &'static str,
     contacts: usize,
@@ -22,7 +24,9 @@ pub struct Certificate<'a> {
 impl<'a> Certificate<'a> {
     /// Holds the residuals against a tolerance relative to the scales of their units.
     pub fn new(problem: &'a ContactProblem, solution: &'a Solution, residuals: &'a Residuals, tolerance: f64) -> Self {
+        let solution_found = residuals.is_solution(tolerance);
         Certificate {
+            status: if solution_found { "solved" } else { "rejected" },
             problem: &problem.name,
             law: problem.law.name(),
             contacts: problem.contacts(),
@@ -30,7 +34,7 @@ impl<'a> Certificate<'a> {
             iterations: solution.iterations,
             residuals,
             tolerance,
-            solution: residuals.is_solution(tolerance),
+            solution: solution_found,
         }
     }
 

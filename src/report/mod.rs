@@ -4,6 +4,7 @@ pub mod certificate;
 pub mod comparison;
 pub mod json;
 pub mod motion;
+pub mod no_answer;
 pub mod schemas;
 pub mod steps;
 pub mod systems;

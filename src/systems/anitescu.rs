@@ -94,6 +94,10 @@ mod tests {
             "shifted"
         }
 
+        fn takes(&self, _law: crate::Law, _rows: usize, _symmetric: bool) -> bool {
+            true
+        }
+
         fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
             let mut wrong = problem.clone();
             wrong.free_velocity *= 1.1;

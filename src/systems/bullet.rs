@@ -135,6 +135,10 @@ mod tests {
             "friction first"
         }
 
+        fn takes(&self, law: crate::Law, rows: usize, symmetric: bool) -> bool {
+            self.0.takes(law, rows, symmetric)
+        }
+
         fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
             let shorter = SequentialImpulses { sweeps: self.0.sweeps - 1, ..self.0 };
             let solution = shorter.solve(problem, warm_start)?;

@@ -87,6 +87,10 @@ mod tests {
             "rougher"
         }
 
+        fn takes(&self, _law: crate::Law, _rows: usize, _symmetric: bool) -> bool {
+            true
+        }
+
         fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
             let mut other = problem.clone();
             other.friction.iter_mut().for_each(|mu| *mu *= 1.001);

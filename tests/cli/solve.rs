@@ -27,6 +27,7 @@ fn a_file_gets_the_solution_and_standard_output_the_certificate() {
     assert_eq!((run.code, run.message.as_str()), (0, ""));
     let certificate = run.json();
     assert_eq!((&certificate["solution"], &certificate["solver"]), (&Value::Bool(true), &"pgs".into()));
+    assert_eq!(certificate["status"], "solved");
     assert_eq!(folder.names(), ["answer.json", "problem.json"]);
     assert_eq!(moreau(&["certify", &problem, &folder.path("answer.json")]).code, 0);
 }
@@ -48,6 +49,31 @@ fn every_solver_that_answers_passes_its_certificate_and_one_outside_its_scope_sa
         let run = moreau(&["solve", &problem, "--solver", solver]);
         assert!(run.code == 1 && run.message.contains("`coulomb`; use `pgs`"), "{}", run.message);
     }
+}
+
+#[test]
+fn the_status_in_json_tells_how_a_solver_ended() {
+    let folder = Folder::new("solve-status");
+    let answer = folder.path("answer.json");
+    let status = |problem: &str, solver: &str, more: &[&str]| {
+        let run = moreau(&[&["solve", problem, "--solver", solver, "--out", &answer, "--format", "json"], more].concat());
+        assert_eq!((run.code, run.message.as_str()), (1, ""), "{solver}");
+        run.json()["status"].clone()
+    };
+    let empty = folder.file("empty.json", &PROBLEM.replace("[[1, 0], [0, 1]]", "[[0, 0], [0, 0]]"));
+    assert_eq!(status(&empty, "lemke", &[]), "ray");
+    let problem = folder.file("problem.json", PROBLEM);
+    assert_eq!(status(&problem, "clarabel", &[]), "refused");
+    let heavy = folder.file("heavy.json", &PROBLEM.replace("[[1, 0], [0, 1]]", "[[1e-320, 0], [0, 1e-320]]"));
+    assert_eq!(status(&heavy, "pgs", &[]), "breakdown");
+    // one sweep is not enough where the contact's rows depend on each other
+    let coupled = folder.file("coupled.json", &PROBLEM.replace("[[1, 0], [0, 1]]", "[[1, 0.9], [0.9, 1]]"));
+    assert_eq!(status(&coupled, "apgd", &[]), "refused");
+    assert_eq!(status(&coupled, "psor", &["--iterations", "1"]), "rejected");
+    assert!(folder.names().contains(&"answer.json".into()), "a rejected answer is written");
+    // without a file the answer would be on standard output, where nothing else may be
+    let run = moreau(&["solve", &problem, "--solver", "clarabel", "--format", "json"]);
+    assert!(run.output.is_empty() && run.message.contains("\"status\": \"refused\""), "{}", run.message);
 }
 
 #[test]

@@ -48,16 +48,50 @@ pub enum Error {
         inner: Box<Error>,
     },
     /// A solver refuses a problem outside its scope, or ended without a solution.
-    #[error("solver `{solver}`: {reason}")]
+    #[error("solver `{solver}` ({failure}): {reason}")]
     Solver {
         /// The solver's name.
         solver: String,
-        /// Why it refuses, or how it ended.
+        /// Which of the two, and how it ended.
+        failure: Failure,
+        /// Why it refuses, or how it ended, in words.
         reason: String,
     },
     /// A request the crate cannot serve (unknown scheme, scene outside the mechanisms it has…).
     #[error("{0}")]
     Unsupported(String),
+}
+
+/// How a solver ended without a solution; its word stands in messages and, as `"status"`, in JSON.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Failure {
+    /// The problem is outside the algorithm's scope; nothing was computed.
+    Refused,
+    /// The arithmetic broke down: a matrix was singular or indefinite, or a number overflowed.
+    Breakdown,
+    /// A pivoting method ended on a ray, which shows no solution.
+    Ray,
+    /// The iteration reached its limit without an answer.
+    Limit,
+}
+
+impl Failure {
+    /// The word for messages and files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Failure::Refused => "refused",
+            Failure::Breakdown => "breakdown",
+            Failure::Ray => "ray",
+            Failure::Limit => "limit",
+        }
+    }
+}
+
+impl std::fmt::Display for Failure {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
 }
 
 impl Error {
@@ -66,9 +100,29 @@ impl Error {
         Error::Invalid { field: field.into(), problem: problem.into(), cure: cure.into() }
     }
 
-    /// A solver that refuses or fails, by name.
-    pub fn solver(solver: impl Into<String>, reason: impl Into<String>) -> Self {
-        Error::Solver { solver: solver.into(), reason: reason.into() }
+    /// A solver that ended without a solution, by name.
+    pub fn solver(solver: impl Into<String>, failure: Failure, reason: impl Into<String>) -> Self {
+        Error::Solver { solver: solver.into(), failure, reason: reason.into() }
+    }
+
+    /// A solver that refuses a problem outside its scope.
+    pub fn refused(solver: impl Into<String>, reason: impl Into<String>) -> Self {
+        Error::solver(solver, Failure::Refused, reason)
+    }
+
+    /// A solver whose arithmetic broke down.
+    pub fn breakdown(solver: impl Into<String>, reason: impl Into<String>) -> Self {
+        Error::solver(solver, Failure::Breakdown, reason)
+    }
+
+    /// A solver that ended on a ray.
+    pub fn ray(solver: impl Into<String>, reason: impl Into<String>) -> Self {
+        Error::solver(solver, Failure::Ray, reason)
+    }
+
+    /// A solver that reached its limit.
+    pub fn limit(solver: impl Into<String>, reason: impl Into<String>) -> Self {
+        Error::solver(solver, Failure::Limit, reason)
     }
 
     /// The same error, naming the file it came from.

@@ -5,7 +5,7 @@ use crate::tolerance::SAME_TIME;
 use crate::{ContactModel, Description, Engine, Kind, Level, Options, Parameter, Refusal, Reply};
 use moreau_contact::certificate::{Judgement, StepResidual};
 use moreau_contact::cones::second_order;
-use moreau_contact::problem::{ContactProblem, Solution};
+use moreau_contact::problem::{self, ContactProblem, Solution};
 use moreau_contact::solvers::{ContactSolver, Solvers};
 use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::scenes::Scene;
@@ -191,7 +191,7 @@ impl Engine for OwnEngine {
             friction: if engine.law == Law::StewartTrinkle { Friction::Pyramid } else { Friction::Cone },
             reports_contacts: true,
             levels: vec![Level::Simulate, Level::Solve, Level::Project],
-            laws: laws(solver.name()),
+            laws: laws(solver.as_ref()),
             options: engine.chosen(),
         })
     }
@@ -234,7 +234,7 @@ impl Engine for OwnEngine {
 
     fn solve(&mut self, problem: &ContactProblem, options: &Options) -> Reply<Solution> {
         let (_, solver) = self.with(options)?.parts()?;
-        if !laws(solver.name()).iter().any(|law| law == problem.law.name()) {
+        if !solver.takes(problem.law, problem.rows_per_contact, true) {
             return Err(Refusal::unsupported(format!("solver `{}` does not take the law `{}`", solver.name(), problem.law.name())));
         }
         solver.solve(problem, None).map_err(refusal)
@@ -257,21 +257,17 @@ impl Engine for OwnEngine {
     }
 }
 
-/// The laws a solver takes in three dimensions.
-fn laws(solver: &str) -> Vec<String> {
-    let names: &[&str] = match solver {
-        "auto" => &["frictionless", "coulomb", "associated", "polyhedral-coulomb", "polyhedral-associated"],
-        "pgs" => &["frictionless", "coulomb", "associated", "polyhedral-coulomb"],
-        "sequential-impulses" => &["frictionless", "coulomb"],
-        "lemke" => &["frictionless", "polyhedral-coulomb", "polyhedral-associated"],
-        "apgd" | "bb" => &["frictionless", "associated"],
-        "psor" | "admm" | "nonsmooth-newton" => &["frictionless", "coulomb", "associated"],
-        "clarabel" => &["frictionless", "associated", "polyhedral-associated"],
-        // for soft problems with mass and Jacobian
-        "newton" | "cg" | "gauss-pgs" => &["frictionless", "associated", "polyhedral-associated"],
-        _ => &[],
-    };
-    names.iter().map(|name| name.to_string()).collect()
+/// The laws a solver takes at contacts in space, with a symmetric W; those with directions are asked for with four.
+fn laws(solver: &dyn ContactSolver) -> Vec<String> {
+    let directions = 4;
+    let all = [
+        problem::Law::Frictionless,
+        problem::Law::Coulomb,
+        problem::Law::Associated,
+        problem::Law::PolyhedralCoulomb { directions },
+        problem::Law::PolyhedralAssociated { directions },
+    ];
+    all.into_iter().filter(|law| solver.takes(*law, 3, true)).map(|law| law.name().into()).collect()
 }
 
 fn bounces(scene: &Scene) -> bool {

@@ -173,6 +173,10 @@ impl ContactSolver for Sweeps {
     fn name(&self) -> &'static str {
         "truncated pgs"
     }
+    fn takes(&self, _law: Law, _rows: usize, _symmetric: bool) -> bool {
+        true
+    }
+
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         let solver = ProjectedGaussSeidel { sweeps: self.count, ..ProjectedGaussSeidel::default() };
         solver.solve(problem, warm_start.filter(|_| self.warm))

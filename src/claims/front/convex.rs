@@ -133,7 +133,7 @@ fn stack(h: &Rational) -> Result<(DVector<Rational>, Rational)> {
     let lcp = Lcp::new(&jacobian * &inverse_mass * jacobian.transpose(), &jacobian * &free);
     match lemke(&lcp, &DVector::from_element(3, one(1)))? {
         LemkeOutcome::Solution { z, .. } => Ok((free + inverse_mass * jacobian.transpose() * &z, z[0].clone())),
-        LemkeOutcome::Ray { .. } => Err(crate::Error::solver("lemke", "ended on a ray")),
+        LemkeOutcome::Ray { .. } => Err(crate::Error::ray("lemke", "ended on a ray")),
     }
 }
 

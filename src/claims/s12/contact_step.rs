@@ -136,7 +136,7 @@ fn impulse(velocity: Rational, restitution: &Rational) -> Result<Rational> {
     let lcp = Lcp::new(DMatrix::from_element(1, 1, ratio(1, 1)), DVector::from_element(1, vector));
     match lemke(&lcp, &DVector::from_element(1, ratio(1, 1)))? {
         LemkeOutcome::Solution { z, .. } => Ok(z[0].clone()),
-        LemkeOutcome::Ray { .. } => Err(Error::solver("lemke", "ended on a ray although W > 0")),
+        LemkeOutcome::Ray { .. } => Err(Error::ray("lemke", "ended on a ray although W > 0")),
     }
 }
 

@@ -31,7 +31,7 @@ fn exercise(reading: Reading) -> Result<Vec<Finding>> {
     let lcp = Lcp::new(DMatrix::from_element(1, 1, ratio(1, 1)), DVector::from_element(1, free.clone()));
     let by_lcp = match lemke(&lcp, &DVector::from_element(1, ratio(1, 1)))? {
         LemkeOutcome::Solution { z, .. } => z[0].clone(),
-        LemkeOutcome::Ray { .. } => return Err(crate::Error::solver("lemke", "ended on a ray")),
+        LemkeOutcome::Ray { .. } => return Err(crate::Error::ray("lemke", "ended on a ray")),
     };
     // ½P² + fP = ½(P + f)² − ½f²: smaller nowhere on P ≥ 0 than at the LCP's solution
     let objective = |p: &Rational| ratio(1, 2) * p.clone() * p.clone() + free.clone() * p.clone();

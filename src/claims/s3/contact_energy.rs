@@ -95,7 +95,7 @@ impl Impact {
 fn solved(lcp: &Lcp<Rational>) -> Result<DVector<Rational>> {
     match lemke(lcp, &DVector::from_element(lcp.size(), Rational::one()))? {
         LemkeOutcome::Solution { z, .. } => Ok(z),
-        LemkeOutcome::Ray { .. } => Err(Error::solver("lemke", "ended on a ray")),
+        LemkeOutcome::Ray { .. } => Err(Error::ray("lemke", "ended on a ray")),
     }
 }
 

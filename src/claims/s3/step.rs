@@ -109,7 +109,7 @@ fn complementarity(reading: Reading) -> Result<Vec<Finding>> {
     let imposed = reading.pick(restitution.clone(), -restitution.clone());
     let lcp = Lcp::new(delassus(&mass, &jacobian)?, &jacobian * &before * (Rational::one() + imposed));
     let LemkeOutcome::Solution { z: impulse, .. } = lemke(&lcp, &DVector::from_element(2, r(1)))? else {
-        return Err(Error::solver("lemke", "a positive definite problem has a solution"));
+        return Err(Error::breakdown("lemke", "a positive definite problem has a solution"));
     };
     let after = &before + MassFactor::new(&mass)?.solve(&(jacobian.transpose() * &impulse));
     let law = &jacobian * (&after + &before * restitution);

@@ -233,7 +233,7 @@ fn example_size(reading: Reading) -> Result<Vec<Finding>> {
         system.directions.truncate(reading.pick(2, 1));
         let lcp = reference(&system)?;
         let set = all_solutions(&lcp)?;
-        let z = set.points.first().ok_or_else(|| Error::solver("enumeration", "one point over a floor has a solution"))?;
+        let z = set.points.first().ok_or_else(|| Error::breakdown("enumeration", "one point over a floor has a solution"))?;
         Ok((lcp.size(), &system.free_velocity[0] + &system.impulse(z)[0] / &system.mass[0]))
     };
     let ((unknowns, forward), (_, backward)) = (slide(2)?, slide(-2)?);

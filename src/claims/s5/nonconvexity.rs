@@ -211,7 +211,7 @@ fn by_lcp(theta: &Rational) -> Result<Rational> {
     let lcp = Lcp::new(DMatrix::from_element(1, 1, ratio(2, 1)), DVector::from_element(1, theta.clone()));
     match lemke(&lcp, &DVector::from_element(1, ratio(1, 1)))? {
         LemkeOutcome::Solution { z, .. } => Ok(z[0].clone()),
-        LemkeOutcome::Ray { .. } => Err(crate::Error::solver("lemke", "ended on a ray")),
+        LemkeOutcome::Ray { .. } => Err(crate::Error::ray("lemke", "ended on a ray")),
     }
 }
 

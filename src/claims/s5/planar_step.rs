@@ -110,7 +110,7 @@ impl PlanarStep {
                 let impulse = if associated { self.impulse_of_edges(&z) } else { self.impulse_of_stewart_trinkle(&z) };
                 Ok(Answer { velocity: self.velocity(&impulse), impulse })
             }
-            LemkeOutcome::Ray { .. } => Err(Error::solver("lemke", "ended on a ray")),
+            LemkeOutcome::Ray { .. } => Err(Error::ray("lemke", "ended on a ray")),
         }
     }
 

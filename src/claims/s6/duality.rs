@@ -124,7 +124,7 @@ pub const CLAIMS: &[Claim] = &[
 fn optimum(program: &Program) -> Result<DVector<Rational>> {
     let optima = program.optima();
     let [force] = optima.as_slice() else {
-        return Err(Error::solver("enumeration", format!("found {} optima, not one", optima.len())));
+        return Err(Error::breakdown("enumeration", format!("found {} optima, not one", optima.len())));
     };
     Ok(force.clone())
 }
@@ -141,7 +141,7 @@ fn gauss(reading: Reading) -> Result<Vec<Finding>> {
     let Program { mass, free, .. } = Program::mixed();
     let (row, wanted) = (vector(&[1, 1, 0]), ratio(1, 1));
     let norm = reading.pick(mass.clone(), DMatrix::identity(3, 3));
-    let column = solve(&mass, &row).ok_or_else(|| Error::solver("elimination", "M is singular"))?;
+    let column = solve(&mass, &row).ok_or_else(|| Error::breakdown("elimination", "M is singular"))?;
     let force = (&wanted - row.dot(&free)) / row.dot(&column);
     let truth = &free + &column * force.clone();
     let deviation = |x: &DVector<Rational>| (x - &free).dot(&(&norm * (x - &free))) * ratio(1, 2);

@@ -39,7 +39,7 @@ fn settings() -> Result<DefaultSettings<f64>> {
         .tol_gap_rel(tolerance::CLARABEL_STOPPING)
         .tol_feas(tolerance::CLARABEL_STOPPING)
         .build()
-        .map_err(|error| Error::solver("clarabel", error.to_string()))
+        .map_err(|error| Error::breakdown("clarabel", error.to_string()))
 }
 
 /// Clarabel's minimiser of `½‖x − z‖²` over K_μ with the radius of its certificate.
@@ -53,13 +53,13 @@ pub fn minimiser(z: &[f64], mu: f64) -> Result<Certified> {
     let diagonal: Vec<f64> = (0..size).map(|row| -row_scale(row, mu)).collect();
     let matrix = CscMatrix::new(size, size, (0..=size).collect(), (0..size).collect(), diagonal);
     let mut solver = DefaultSolver::new(&CscMatrix::identity(size), &linear, &matrix, &vec![0.0; size], &cones, settings()?)
-        .map_err(|error| Error::solver("clarabel", error.to_string()))?;
+        .map_err(|error| Error::breakdown("clarabel", error.to_string()))?;
     solver.solve();
     let answer = &solver.solution;
     let point: Vec<f64> = answer.s.iter().enumerate().map(|(row, s)| s / row_scale(row, mu)).collect();
     let multiplier: Vec<f64> = answer.z.iter().enumerate().map(|(row, y)| y * row_scale(row, mu)).collect();
     certified(z, mu, point, &multiplier)
-        .map_err(|reason| Error::solver("clarabel", format!("projection of {z:?} for μ = {mu} ended as {}: {reason}", answer.status)))
+        .map_err(|reason| Error::breakdown("clarabel", format!("projection of {z:?} for μ = {mu} ended as {}: {reason}", answer.status)))
 }
 
 /// The point with its radius, once both members of the pair are seen to lie in their cones.

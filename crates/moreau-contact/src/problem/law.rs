@@ -34,6 +34,11 @@ impl Law {
         }
     }
 
+    /// Whether the law is that of a convex program: no friction, or one of the associated laws.
+    pub fn is_convex(self) -> bool {
+        matches!(self, Law::Frictionless | Law::Associated | Law::PolyhedralAssociated { .. })
+    }
+
     /// The number of directions of a polyhedral law.
     pub fn directions(self) -> Option<usize> {
         match self {

@@ -54,6 +54,10 @@ impl ContactSolver for AcceleratedProjectedGradient {
         NAME
     }
 
+    fn takes(&self, law: Law, _rows: usize, symmetric: bool) -> bool {
+        symmetric && matches!(law, Law::Frictionless | Law::Associated)
+    }
+
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         self.solve_observed(problem, warm_start, |_, _| {})
     }

@@ -19,7 +19,7 @@
 use super::ContactSolver;
 use super::stopping::Stopping;
 use crate::certificate::natural_map;
-use crate::problem::{ContactProblem, Solution};
+use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::solvers as tolerance;
 use moreau_exact::{Error, Result};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
@@ -59,10 +59,14 @@ impl ContactSolver for AlternatingDirections {
         NAME
     }
 
+    fn takes(&self, law: Law, _rows: usize, symmetric: bool) -> bool {
+        symmetric && law.directions().is_none()
+    }
+
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         problem.validate()?;
         if problem.law.directions().is_some() {
-            return Err(Error::solver(NAME, format!("does not solve the law `{}`; use `lemke`", problem.law.name())));
+            return Err(Error::refused(NAME, format!("does not solve the law `{}`; use `lemke`", problem.law.name())));
         }
         super::require_symmetry(NAME, problem)?;
         let start = super::start(problem, warm_start)?;
@@ -141,7 +145,7 @@ impl<'a> Scaled<'a> {
 fn factorise(operator: &DMatrix<f64>, penalty: f64) -> Result<Cholesky<f64, Dyn>> {
     let mut damped = operator.clone();
     (0..damped.nrows()).for_each(|k| damped[(k, k)] += penalty + tolerance::ADMM_PROXIMAL);
-    Cholesky::new(damped).ok_or_else(|| Error::solver(NAME, "needs a positive semidefinite W + R; use `pgs`"))
+    Cholesky::new(damped).ok_or_else(|| Error::refused(NAME, "needs a positive semidefinite W + R; use `pgs`"))
 }
 
 #[cfg(test)]

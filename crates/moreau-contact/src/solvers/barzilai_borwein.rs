@@ -50,6 +50,10 @@ impl ContactSolver for BarzilaiBorwein {
         NAME
     }
 
+    fn takes(&self, law: Law, _rows: usize, symmetric: bool) -> bool {
+        symmetric && matches!(law, Law::Frictionless | Law::Associated)
+    }
+
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         problem.validate()?;
         if !matches!(problem.law, Law::Frictionless | Law::Associated) {

@@ -16,6 +16,7 @@ use crate::tolerance::solvers as tolerance;
 use ::clarabel::algebra::CscMatrix;
 use ::clarabel::solver::SupportedConeT::{self, NonnegativeConeT, SecondOrderConeT, ZeroConeT};
 use ::clarabel::solver::{DefaultSettingsBuilder, DefaultSolver, IPSolver};
+use moreau_exact::error::Failure;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -46,6 +47,10 @@ const NAME: &str = "clarabel";
 impl ContactSolver for ClarabelPolished {
     fn name(&self) -> &'static str {
         NAME
+    }
+
+    fn takes(&self, law: Law, _rows: usize, symmetric: bool) -> bool {
+        symmetric && law.is_convex()
     }
 
     /// The warm start is not used: the interior-point method has none.
@@ -94,7 +99,7 @@ fn interior_point(problem: &ContactProblem) -> Result<(DVector<f64>, usize)> {
         return Ok((DVector::zeros(problem.rows()), 0));
     }
     if stiffness == 0.0 {
-        return Err(Error::solver(NAME, "W + R is zero, so no impulse changes any velocity"));
+        return Err(Error::breakdown(NAME, "W + R is zero, so no impulse changes any velocity"));
     }
     let n = problem.rows();
     let quadratic = upper_triangle(&(operator / stiffness));
@@ -107,15 +112,16 @@ fn interior_point(problem: &ContactProblem) -> Result<(DVector<f64>, usize)> {
         .tol_gap_rel(tolerance::CLARABEL)
         .tol_feas(tolerance::CLARABEL)
         .build()
-        .map_err(|error| Error::solver(NAME, error.to_string()))?;
+        .map_err(|error| Error::breakdown(NAME, error.to_string()))?;
     let mut solver = DefaultSolver::new(&quadratic, &linear, &constraint, &vec![0.0; n], &cones, settings)
-        .map_err(|error| Error::solver(NAME, error.to_string()))?;
+        .map_err(|error| Error::breakdown(NAME, error.to_string()))?;
     solver.solve();
     let solution = &solver.solution;
     let impulse = DVector::from_iterator(n, solution.x.iter().map(|r| r * speed / stiffness));
     let infeasible = format!("{:?}", solution.status).contains("Infeasible");
     if infeasible || impulse.iter().any(|r| !r.is_finite()) {
-        return Err(Error::solver(NAME, format!("ended with status {:?}", solution.status)));
+        let failure = if infeasible { Failure::Ray } else { Failure::Breakdown };
+        return Err(Error::solver(NAME, failure, format!("ended with status {:?}", solution.status)));
     }
     Ok((impulse, solution.iterations as usize))
 }

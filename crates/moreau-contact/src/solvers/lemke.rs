@@ -68,7 +68,7 @@ pub fn lemke<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>) -> Result<LemkeOutc
             None => return Ok(tableau.ray(entering, pivots)),
         }
     }
-    Err(Error::solver("lemke", "rounding makes the pivots cycle; scale the problem or use exact rationals"))
+    Err(Error::limit("lemke", "rounding makes the pivots cycle; scale the problem or use exact rationals"))
 }
 
 fn check<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>) -> Result<()> {
@@ -233,7 +233,7 @@ impl<T: Scalar> Tableau<T> {
 }
 
 fn singular() -> Error {
-    Error::solver("lemke", "a basis is singular in rounded arithmetic; use exact rationals")
+    Error::breakdown("lemke", "a basis is singular in rounded arithmetic; use exact rationals")
 }
 
 /// a − b, read as zero where only rounding is left.

@@ -30,6 +30,10 @@ impl ContactSolver for LemkePivoting {
         NAME
     }
 
+    fn takes(&self, law: Law, rows: usize, _symmetric: bool) -> bool {
+        rows <= 2 || !matches!(law, Law::Coulomb | Law::Associated)
+    }
+
     fn solve(&self, problem: &ContactProblem, _warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         problem.validate()?;
         let form = Form::of(problem)?;
@@ -66,7 +70,7 @@ impl ContactSolver for LemkePivoting {
 
 impl LemkePivoting {
     /// Whether the law of this problem is an LCP.
-    pub fn takes(problem: &ContactProblem) -> bool {
+    pub fn fits(problem: &ContactProblem) -> bool {
         Form::of(problem).is_ok()
     }
 }
@@ -94,7 +98,7 @@ impl Form {
                     "the law `{}` in three dimensions is not linear; use `polyhedral-coulomb` or `polyhedral-associated`",
                     law.name()
                 );
-                Err(Error::solver(NAME, reason))
+                Err(Error::refused(NAME, reason))
             }
         }
     }
@@ -234,7 +238,7 @@ impl Scaled {
     fn solve(&self, covering: &DVector<f64>) -> Result<(DVector<f64>, usize)> {
         match lemke(&self.lcp, covering)? {
             LemkeOutcome::Solution { z, pivots } => Ok((z.component_mul(&self.scale) * self.size, pivots)),
-            LemkeOutcome::Ray { .. } => Err(Error::solver(NAME, SECONDARY_RAY)),
+            LemkeOutcome::Ray { .. } => Err(Error::ray(NAME, SECONDARY_RAY)),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Contact solvers, one per file. None of them judges itself: [`crate::certificate`] does.
 
-use crate::problem::{ContactProblem, Solution};
+use crate::problem::{ContactProblem, Law, Solution};
 use moreau_exact::Result;
 use nalgebra::DVector;
 
@@ -48,6 +48,9 @@ pub trait ContactSolver: Send + Sync {
     fn is_truncated(&self) -> bool {
         false
     }
+    /// Whether the algorithm is made for this law, at contacts of `rows` rows each, with a W that is symmetric or not. What else a problem
+    /// may lack (a compliance, the mass, a definite block) is told by [`solve`](ContactSolver::solve), which refuses it.
+    fn takes(&self, law: Law, rows: usize, symmetric: bool) -> bool;
     /// Proposes a solution, starting from `warm_start` impulses if given.
     ///
     /// # Errors

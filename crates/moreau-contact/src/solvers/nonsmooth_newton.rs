@@ -53,10 +53,14 @@ impl ContactSolver for NonsmoothNewton {
         NAME
     }
 
+    fn takes(&self, _law: Law, _rows: usize, _symmetric: bool) -> bool {
+        true
+    }
+
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         problem.validate()?;
-        if !NonsmoothNewton::takes(problem) {
-            return Err(Error::solver(NAME, "does not solve a compliance on edges, of which the impulse is not a function; use `lemke`"));
+        if !NonsmoothNewton::fits(problem) {
+            return Err(Error::refused(NAME, "does not solve a compliance on edges, of which the impulse is not a function; use `lemke`"));
         }
         let equations = Equations::new(problem);
         let mut stopping = Stopping::new(problem, self.tolerance);
@@ -96,7 +100,7 @@ impl ContactSolver for NonsmoothNewton {
 
 impl NonsmoothNewton {
     /// Whether the law of this problem is a function of impulse and velocity.
-    pub fn takes(problem: &ContactProblem) -> bool {
+    pub fn fits(problem: &ContactProblem) -> bool {
         problem.compliance.as_ref().is_none_or(|compliance| compliance.coordinates == Coordinates::Contact)
     }
 }

@@ -28,7 +28,7 @@ pub fn finite(solution: Solution) -> Result<Solution> {
     if solution.impulse.iter().chain(&solution.velocity).all(|x| x.is_finite()) {
         return Ok(solution);
     }
-    Err(Error::solver(&solution.solver, "ended with impulses or velocities too large for a number; rescale the units of the problem"))
+    Err(Error::breakdown(&solution.solver, "ended with impulses or velocities too large for a number; rescale the units of the problem"))
 }
 
 /// R of one contact row \[1/kg\], zero if the problem is hard or its compliance acts on edges.
@@ -54,7 +54,7 @@ pub fn project(problem: &ContactProblem, impulse: &mut DVector<f64>) {
 /// The error of a solver for convex laws that is given another one, with a solver that takes it.
 pub fn not_convex(solver: &str, law: Law) -> Error {
     let cure = if law.directions().is_some() { "lemke" } else { "pgs" };
-    Error::solver(solver, format!("does not solve the law `{}`; use `{cure}`", law.name()))
+    Error::refused(solver, format!("does not solve the law `{}`; use `{cure}`", law.name()))
 }
 
 /// Refuses an asymmetric W in the name of a solver that minimises ½rᵀWr, whose gradient is W r only if W is symmetric.
@@ -66,5 +66,5 @@ pub fn require_symmetry(solver: &str, problem: &ContactProblem) -> Result<()> {
     if asymmetry <= crate::tolerance::solvers::SYMMETRY {
         return Ok(());
     }
-    Err(Error::solver(solver, format!("needs a symmetric W, and this one has relative asymmetry {asymmetry:.1e}; use `pgs` or `lemke`")))
+    Err(Error::refused(solver, format!("needs a symmetric W, and this one has relative asymmetry {asymmetry:.1e}; use `pgs` or `lemke`")))
 }

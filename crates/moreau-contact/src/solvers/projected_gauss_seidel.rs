@@ -43,9 +43,9 @@ impl Default for ProjectedGaussSeidel {
 }
 
 /// Polyhedral Coulomb is solved at spatial contacts; in the plane it is an LCP better solved as one.
-fn takes(problem: &ContactProblem) -> bool {
-    match problem.law {
-        Law::PolyhedralCoulomb { .. } => problem.rows_per_contact == 3,
+fn is_swept(law: Law, rows: usize) -> bool {
+    match law {
+        Law::PolyhedralCoulomb { .. } => rows == 3,
         Law::PolyhedralAssociated { .. } => false,
         _ => true,
     }
@@ -69,11 +69,15 @@ impl ContactSolver for ProjectedGaussSeidel {
         "pgs"
     }
 
+    fn takes(&self, law: Law, rows: usize, _symmetric: bool) -> bool {
+        is_swept(law, rows)
+    }
+
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         problem.validate()?;
-        if !takes(problem) {
+        if !is_swept(problem.law, problem.rows_per_contact) {
             let reason = format!("does not solve the law `{}`; use `lemke` or `clarabel`", problem.law.name());
-            return Err(Error::solver(self.name(), reason));
+            return Err(Error::refused(self.name(), reason));
         }
         let impulse = super::start(problem, warm_start)?;
         let law_velocity = problem.law_velocity(&impulse);
@@ -246,7 +250,7 @@ fn prepare(problem: &ContactProblem, k: usize) -> Result<OneContact> {
         let reason = format!(
             "contact {k} has no positive definite diagonal block W_kk + R_kk, so it cannot be solved alone; remove it or give it compliance"
         );
-        Error::solver("pgs", reason)
+        Error::refused("pgs", reason)
     })
 }
 

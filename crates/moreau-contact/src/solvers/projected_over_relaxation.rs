@@ -46,10 +46,14 @@ impl ContactSolver for ProjectedOverRelaxation {
         NAME
     }
 
+    fn takes(&self, law: Law, _rows: usize, _symmetric: bool) -> bool {
+        law.directions().is_none()
+    }
+
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         problem.validate()?;
         if problem.law.directions().is_some() {
-            return Err(Error::solver(NAME, format!("does not solve the law `{}`; use `lemke`", problem.law.name())));
+            return Err(Error::refused(NAME, format!("does not solve the law `{}`; use `lemke`", problem.law.name())));
         }
         let rows = problem.rows_per_contact;
         let steps = step_lengths(problem, self.relaxation)?;
@@ -92,7 +96,7 @@ fn step_lengths(problem: &ContactProblem, relaxation: f64) -> Result<Vec<f64>> {
         let largest = ((&block + block.transpose()) * 0.5).symmetric_eigenvalues().max();
         let reason =
             || format!("contact {k} moves nothing: its block W_kk + R_kk has no positive eigenvalue; remove it or give it compliance");
-        if largest > 0.0 { Ok(relaxation / largest) } else { Err(Error::solver(NAME, reason())) }
+        if largest > 0.0 { Ok(relaxation / largest) } else { Err(Error::refused(NAME, reason())) }
     };
     (0..problem.contacts()).map(step).collect()
 }

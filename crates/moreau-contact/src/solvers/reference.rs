@@ -91,7 +91,7 @@ fn left_out(problem: &ContactProblem) -> &'static str {
 
 /// All but a compliance on edges.
 fn is_iterated(problem: &ContactProblem) -> bool {
-    NonsmoothNewton::takes(problem)
+    NonsmoothNewton::fits(problem)
 }
 
 /// What sweeps solve of it: in the plane the polyhedral laws with two directions are those of the round cones.
@@ -109,14 +109,14 @@ fn newton(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solu
 
 /// Whether Lemke's pivots are not too many here, or nothing else is for the problem.
 fn is_pivoted(problem: &ContactProblem) -> bool {
-    LemkePivoting::takes(problem)
+    LemkePivoting::fits(problem)
         && (!is_iterated(problem) || unknowns(problem, problem.law.directions().unwrap_or(2)) <= tolerance::LEMKE_UNKNOWNS)
 }
 
 /// Whether no linear complementarity problem is equivalent, and that of a polygon is not too large.
 fn is_round(problem: &ContactProblem) -> bool {
     let small = unknowns(problem, tolerance::LEMKE_DIRECTIONS[0]) <= tolerance::POLYGON_UNKNOWNS;
-    has_second_order_cone(problem) && !LemkePivoting::takes(problem) && small
+    has_second_order_cone(problem) && !LemkePivoting::fits(problem) && small
 }
 
 /// How many λ, β and σ there are with this many directions.
@@ -176,6 +176,10 @@ impl ContactSolver for Reference {
         "auto"
     }
 
+    fn takes(&self, _law: Law, _rows: usize, _symmetric: bool) -> bool {
+        true
+    }
+
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         problem.validate()?;
         let (mut judge, mut iterations) = (Judge::default(), 0);
@@ -209,11 +213,11 @@ impl ContactSolver for Reference {
                 let untried = if relative <= ACCEPTABLE { "" } else { left_out(problem) };
                 Ok(Solution { iterations, solver: solution.solver + untried, ..solution })
             }
-            (None, Some(Error::Solver { solver, reason })) => Err(Error::solver(solver, reason + left_out(problem))),
+            (None, Some(Error::Solver { solver, failure, reason })) => Err(Error::solver(solver, failure, reason + left_out(problem))),
             (None, Some(error)) => Err(error),
             (None, None) => {
                 let reason = "no algorithm gave an answer made of numbers; rescale the units of the problem";
-                Err(Error::solver(self.name(), format!("{reason}{}", left_out(problem))))
+                Err(Error::breakdown(self.name(), format!("{reason}{}", left_out(problem))))
             }
         }
     }

@@ -119,7 +119,7 @@ pub fn advance(method: &EventDriven, system: &dyn Switched, start: &DVector<f64>
         };
         switches.push(Switch { time: elapsed, mode });
     }
-    Err(Error::solver("event-driven", format!("met more than {EVENT_LIMIT} switches")))
+    Err(Error::limit("event-driven", format!("met more than {EVENT_LIMIT} switches")))
 }
 
 /// The mode that begins on the surface.

@@ -86,7 +86,7 @@ pub fn fly(
             if ratio > 1.0 {
                 *first = h * factor;
                 if *first < SHORTEST_STEP * SHORTEST_STEP * duration {
-                    return Err(Error::solver("event-driven", "no step is short enough for its error; the motion is not smooth"));
+                    return Err(Error::limit("event-driven", "no step is short enough for its error; the motion is not smooth"));
                 }
                 continue;
             }

@@ -111,12 +111,12 @@ impl Accelerations {
                 if largest <= CERTIFY * size * (1.0 + z.amax()) {
                     return Ok(z * (pull / size));
                 }
-                Err(Error::solver(
+                Err(Error::breakdown(
                     "event-driven",
                     format!("finds contact forces with a residual of {largest:.1e}; rescale the units of the scene"),
                 ))
             }
-            LemkeOutcome::Ray { .. } => Err(Error::solver(
+            LemkeOutcome::Ray { .. } => Err(Error::ray(
                 "event-driven",
                 "finds no contact forces that keep the contacts closed or open (Painlevé's paradox): the method is not defined here",
             )),

@@ -114,12 +114,12 @@ impl EventDriven {
             stalled = if struck || arrival.elapsed > LOOK_AHEAD * duration { 0 } else { stalled + 1 };
             if stalled > stalled_events(mechanism.rows_per_contact() * contacts.len()) {
                 let reason = format!("events follow each other and no time passes at t = {} s", state.time + duration - left);
-                return Err(Error::solver("event-driven", reason));
+                return Err(Error::limit("event-driven", reason));
             }
             let later = &arrival.state + phase.rate(&arrival.state)? * (LOOK_AHEAD * step.min(left));
             ahead = (!phase.is_gap(event)).then(|| phase.split(&later));
         }
-        Err(Error::solver("event-driven", format!("met more than {EVENT_LIMIT} events before t = {} s", state.time + duration)))
+        Err(Error::limit("event-driven", format!("met more than {EVENT_LIMIT} events before t = {} s", state.time + duration)))
     }
 
     /// Checks the step or tolerance and τ.

@@ -81,7 +81,7 @@ impl<T: Scalar> Impact<T> {
 pub(super) fn solve<T: Scalar>(lcp: &Lcp<T>) -> Result<DVector<T>> {
     match lemke(lcp, &DVector::from_element(lcp.size(), T::one()))? {
         LemkeOutcome::Solution { z, .. } => Ok(z),
-        LemkeOutcome::Ray { .. } => Err(Error::solver("lemke", "ended on a ray")),
+        LemkeOutcome::Ray { .. } => Err(Error::ray("lemke", "ended on a ray")),
     }
 }
 

@@ -34,5 +34,5 @@ pub fn sequential<T: Scalar>(impact: &Impact<T>, restitution: &T, order: &[usize
             }
         }
     }
-    Err(Error::solver("sequential", format!("contacts still approach after {SEQUENCE_LIMIT} rounds")))
+    Err(Error::limit("sequential", format!("contacts still approach after {SEQUENCE_LIMIT} rounds")))
 }

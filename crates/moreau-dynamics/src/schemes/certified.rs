@@ -4,7 +4,7 @@
 //! the worst of them. It judges answers and changes none.
 
 use moreau_contact::certificate::{Judge, StepResidual};
-use moreau_contact::problem::{ContactProblem, Solution};
+use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::ContactSolver;
 use moreau_contact::tolerance::certificate::CERTIFY;
 use moreau_exact::{Error, Result};
@@ -71,11 +71,15 @@ impl ContactSolver for Certified<'_> {
         self.solver.is_truncated()
     }
 
+    fn takes(&self, law: Law, rows: usize, symmetric: bool) -> bool {
+        self.solver.takes(law, rows, symmetric)
+    }
+
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         let solution = self.solver.solve(problem, warm_start)?;
         let mut found = self.found();
         let (residual, worst) =
-            found.judge.judge(problem, &solution).map_err(|error| Error::solver(self.name(), error.to_string()))?.worst();
+            found.judge.judge(problem, &solution).map_err(|error| Error::breakdown(self.name(), error.to_string()))?.worst();
         let relative = worst.part.relative();
         let pair = problem.bodies.as_ref().and_then(|bodies| bodies.get(worst.contact).copied());
         let own = StepResidual { rule: "certificate", residual, relative, limit: self.tolerance, contact: Some(worst.contact), pair };

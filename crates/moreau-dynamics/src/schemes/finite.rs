@@ -11,7 +11,7 @@ use moreau_exact::{Error, Result};
 pub(super) fn finite(scheme: &str, mechanism: &dyn Mechanism, step: usize, state: &State) -> Result<()> {
     let when = || if step == 0 { "at the start".to_string() } else { format!("after step {step}, t = {} s,", significant(state.time)) };
     let refuse = |what: String| {
-        Err(Error::solver(scheme, format!("{} {what} not finite; use a smaller step, or smaller numbers in the scene", when())))
+        Err(Error::breakdown(scheme, format!("{} {what} not finite; use a smaller step, or smaller numbers in the scene", when())))
     };
     let lost = |body: &&BodyState| {
         let rates = body.linear_velocity.iter().chain(&body.angular_velocity);

@@ -353,6 +353,10 @@ mod tests {
             "twice"
         }
 
+        fn takes(&self, law: moreau_contact::Law, rows: usize, symmetric: bool) -> bool {
+            ProjectedGaussSeidel::default().takes(law, rows, symmetric)
+        }
+
         fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
             let warm = ProjectedGaussSeidel::default().solve(problem, warm_start)?;
             let cold = ProjectedGaussSeidel::default().solve(problem, None)?;

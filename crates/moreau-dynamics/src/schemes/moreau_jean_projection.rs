@@ -76,7 +76,7 @@ fn project(mechanism: &dyn Mechanism, mut position: DVector<f64>, held: &[Identi
         }
         position = mechanism.integrate(&position, &correction, 1.0);
     }
-    Err(Error::solver("projection", format!("the contacts were not closed in {ITERATIONS} iterations; use a smaller step")))
+    Err(Error::limit("projection", format!("the contacts were not closed in {ITERATIONS} iterations; use a smaller step")))
 }
 
 impl MoreauJeanProjection {

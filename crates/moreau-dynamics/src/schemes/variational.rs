@@ -163,7 +163,7 @@ impl<'a> Conservative<'a> {
         let most = 4.0 * plastic;
         if plastic <= 0.0 || kept(plastic)? < 0.0 || kept(most)? >= 0.0 {
             let reason = "no impulse keeps the discrete energy: the contact is grazed within the step; take a smaller step";
-            return Err(Error::solver("variational", format!("{}: {reason}", self.mechanism.name())));
+            return Err(Error::breakdown("variational", format!("{}: {reason}", self.mechanism.name())));
         }
         falling_root(kept, plastic, most)
     }

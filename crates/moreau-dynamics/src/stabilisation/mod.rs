@@ -100,5 +100,5 @@ pub(crate) fn free_velocity(system: &dyn Constrained, state: &State, h: f64) -> 
 pub(crate) const ITERATIONS: usize = 200;
 
 pub(crate) fn not_converged(method: &str) -> Error {
-    Error::solver(method, format!("did not reach the constraint in {ITERATIONS} iterations; use a smaller step"))
+    Error::limit(method, format!("did not reach the constraint in {ITERATIONS} iterations; use a smaller step"))
 }

@@ -2,7 +2,7 @@
 
 use crate::Engine;
 use crate::own::{self, Mechanics, OwnEngine, by_name};
-use moreau_contact::problem::{ContactProblem, Solution};
+use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::{ContactSolver, Reference, SolverEntry, Solvers};
 use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::schemes::{Scheme, StepProblem};
@@ -36,6 +36,10 @@ impl ContactSolver for Answers {
         "auto"
     }
 
+    fn takes(&self, _law: Law, _rows: usize, _symmetric: bool) -> bool {
+        true
+    }
+
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         problem.validate()?;
         if problem.law.directions().is_some() {
@@ -44,7 +48,7 @@ impl ContactSolver for Answers {
         let start = warm_start.cloned().unwrap_or_else(|| DVector::zeros(problem.rows()));
         let solution = (self.0)(problem, &start)?;
         let finite = solution.impulse.iter().chain(&solution.velocity).all(|x| x.is_finite());
-        if finite { Ok(solution) } else { Err(Error::solver("auto", "left the numbers")) }
+        if finite { Ok(solution) } else { Err(Error::breakdown("auto", "left the numbers")) }
     }
 }
 

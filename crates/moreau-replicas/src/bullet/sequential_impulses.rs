@@ -70,9 +70,13 @@ impl ContactSolver for SequentialImpulses {
         true
     }
 
+    fn takes(&self, law: Law, rows: usize, _symmetric: bool) -> bool {
+        is_boxed(law, rows).is_ok()
+    }
+
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         problem.validate()?;
-        let boxed = is_boxed(problem)?;
+        let boxed = is_boxed(problem.law, problem.rows_per_contact)?;
         let mut impulse = parts::start(problem, warm_start)?;
         for (row, r) in impulse.iter_mut().enumerate() {
             *r *= if row % problem.rows_per_contact == 0 { self.warm_start } else { 0.0 };
@@ -93,13 +97,13 @@ impl ContactSolver for SequentialImpulses {
 }
 
 /// Whether friction is bounded axis by axis.
-fn is_boxed(problem: &ContactProblem) -> Result<bool> {
-    match (problem.law, problem.rows_per_contact) {
+fn is_boxed(law: Law, rows: usize) -> Result<bool> {
+    match (law, rows) {
         (Law::Frictionless | Law::Coulomb, _) => Ok(false),
         (Law::PolyhedralCoulomb { .. }, 2) => Ok(false),
         (Law::PolyhedralCoulomb { directions: 4 }, 3) => Ok(true),
         (Law::PolyhedralCoulomb { directions }, _) => {
-            Err(Error::solver(NAME, format!("bounds friction by a square, and this problem has {directions} directions; use `lemke`")))
+            Err(Error::refused(NAME, format!("bounds friction by a square, and this problem has {directions} directions; use `lemke`")))
         }
         (law, _) => Err(parts::not_convex(NAME, law)),
     }

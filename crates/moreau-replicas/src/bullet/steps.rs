@@ -17,7 +17,7 @@ use crate::tolerance::references::bullet_step;
 use delegate::delegate;
 use moreau_contact::contact::frame::spatial_tangents;
 use moreau_contact::contact::{Contact, Place};
-use moreau_contact::problem::{ContactProblem, Solution};
+use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::ContactSolver;
 use moreau_dynamics::mechanics::{BodyState, Mechanism, State};
 use moreau_dynamics::scenes::Scene;
@@ -305,6 +305,10 @@ struct Started<'a> {
 impl ContactSolver for Started<'_> {
     fn name(&self) -> &'static str {
         self.solver.name()
+    }
+
+    fn takes(&self, law: Law, rows: usize, symmetric: bool) -> bool {
+        self.solver.takes(law, rows, symmetric)
     }
 
     fn solve(&self, problem: &ContactProblem, _warm_start: Option<&DVector<f64>>) -> Result<Solution> {

@@ -78,7 +78,7 @@ pub fn minimise(
             None
         } else {
             let factor = step.hessian(&velocity).cholesky();
-            let factor = factor.ok_or_else(|| Error::solver(solver, "met a Hessian that is not positive definite"))?;
+            let factor = factor.ok_or_else(|| Error::breakdown(solver, "met a Hessian that is not positive definite"))?;
             let direction = factor.solve(&-gradient);
             step.line_minimum(&change, &direction).map(|length| direction * length)
         };

@@ -36,6 +36,10 @@ impl ContactSolver for SemiAnalyticPrimal {
         NAME
     }
 
+    fn takes(&self, law: Law, _rows: usize, symmetric: bool) -> bool {
+        symmetric && matches!(law, Law::Frictionless | Law::Associated)
+    }
+
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         problem.validate()?;
         if !matches!(problem.law, Law::Frictionless | Law::Associated) {
@@ -45,7 +49,7 @@ impl ContactSolver for SemiAnalyticPrimal {
         let potential = Projection::of(problem)?;
         let dynamics = dynamics(problem);
         let start = parts::start(problem, warm_start)?;
-        let mass = dynamics.mass.clone().cholesky().ok_or_else(|| Error::solver(NAME, "needs a positive definite mass matrix"))?;
+        let mass = dynamics.mass.clone().cholesky().ok_or_else(|| Error::refused(NAME, "needs a positive definite mass matrix"))?;
         let start = mass.solve(&dynamics.jacobian.tr_mul(&start));
         let minimum = minimise(NAME, &dynamics, &problem.free_velocity, problem.rows_per_contact, &potential, start)?;
         let velocity = problem.velocity(&minimum.impulse);
@@ -80,17 +84,20 @@ struct Projection<'a> {
 impl<'a> Projection<'a> {
     fn of(problem: &'a ContactProblem) -> Result<Self> {
         let Some(Compliance { coordinates: Coordinates::Contact, diagonal }) = &problem.compliance else {
-            return Err(Error::solver(NAME, "needs a compliance R > 0 in contact coordinates; use `pgs` or `clarabel` for a hard contact"));
+            return Err(Error::refused(
+                NAME,
+                "needs a compliance R > 0 in contact coordinates; use `pgs` or `clarabel` for a hard contact",
+            ));
         };
         let scaled = |(contact, part): (usize, &[f64])| {
             let friction = if problem.law == Law::Frictionless { 0.0 } else { problem.friction[contact] };
             // without friction no tangential row carries an impulse
             let tangential = if friction > 0.0 { part[1] } else { part[0] };
             if part[0] <= 0.0 || tangential <= 0.0 {
-                return Err(Error::solver(NAME, format!("needs R > 0, and contact {contact} has R = {part:?}")));
+                return Err(Error::refused(NAME, format!("needs R > 0, and contact {contact} has R = {part:?}")));
             }
             if friction > 0.0 && part[1..].iter().any(|other| (other - tangential).abs() > rounding(4, tangential)) {
-                return Err(Error::solver(NAME, format!("needs one R_t for both tangents, and contact {contact} has R = {part:?}")));
+                return Err(Error::refused(NAME, format!("needs one R_t for both tangents, and contact {contact} has R = {part:?}")));
             }
             Ok([part[0].sqrt(), tangential.sqrt(), friction * (tangential / part[0]).sqrt()])
         };

@@ -112,13 +112,13 @@ impl Equation<'_> {
                 return Ok((velocity, now, iterations));
             }
             let direction = now.jacobian.clone().lu().solve(&-&now.residual);
-            let direction = direction.ok_or_else(|| Error::solver(NAME, "met a singular Jacobian"))?;
+            let direction = direction.ok_or_else(|| Error::breakdown(NAME, "met a singular Jacobian"))?;
             let tried = (0..LINE_STEPS).map(|halvings| &velocity + &direction * 0.5f64.powi(halvings as i32));
             let better = tried.map(|next| (self.at(&next), next)).find(|(there, _)| there.size < now.size);
             match better {
                 Some((there, next)) => (velocity, now) = (next, there),
                 None if now.size <= NEAR_MINIMUM * now.terms => return Ok((velocity, now, iterations)),
-                None => return Err(Error::solver(NAME, "found no velocity with a smaller residual")),
+                None => return Err(Error::breakdown(NAME, "found no velocity with a smaller residual")),
             }
         }
         Ok((velocity, now, NEWTON_STEPS))

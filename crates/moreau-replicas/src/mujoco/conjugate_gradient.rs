@@ -8,7 +8,7 @@
 //! The first direction is −M⁻¹g.
 
 use crate::tolerance::solvers::{CONJUGATE_STALLED, CONJUGATE_STEPS};
-use moreau_contact::problem::{ContactProblem, Solution};
+use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::gauss::{GaussProgram, Minimiser, Progress, exact_step, through_program};
 use moreau_contact::solvers::{ContactSolver, SolverEntry, parts};
 use moreau_contact::tolerance::solvers::STOP;
@@ -115,6 +115,10 @@ impl GaussConjugateGradient {
 impl ContactSolver for GaussConjugateGradient {
     fn name(&self) -> &'static str {
         "cg"
+    }
+
+    fn takes(&self, law: Law, _rows: usize, symmetric: bool) -> bool {
+        symmetric && law.is_convex()
     }
 
     /// From the motion that the given impulses would cause, or from free motion.

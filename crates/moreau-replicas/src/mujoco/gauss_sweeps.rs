@@ -9,7 +9,7 @@
 //! ```
 //! Both steps of a cone are exact minimisations over convex sets that hold the current impulse, so that no sweep increases the dual cost.
 
-use moreau_contact::problem::{ContactProblem, Solution};
+use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::gauss::{GaussProgram, Minimiser, SoftPiece, through_program};
 use moreau_contact::solvers::{ContactSolver, SolverEntry};
 use moreau_contact::tolerance::solvers::{ROOT_STEPS, STOP, SWEEPS};
@@ -111,7 +111,7 @@ fn on_disc(matrix: &DMatrix<f64>, linear: &DVector<f64>, friction: &[f64], radiu
     let weights = DVector::from_iterator(friction.len(), friction.iter().map(|mu| 1.0 / (mu * mu)));
     let at = |multiplier: f64| {
         let matrix = matrix + DMatrix::from_diagonal(&(&weights * multiplier));
-        let factor = matrix.cholesky().ok_or_else(|| Error::solver("gauss-pgs", "a contact's block is not positive definite"))?;
+        let factor = matrix.cholesky().ok_or_else(|| Error::breakdown("gauss-pgs", "a contact's block is not positive definite"))?;
         Ok::<_, Error>(-factor.solve(linear))
     };
     let size = |x: &DVector<f64>| x.iter().zip(&weights).map(|(x, weight)| x * x * weight).sum::<f64>().sqrt();
@@ -143,6 +143,10 @@ impl ContactSolver for GaussSweeps {
 
     fn is_truncated(&self) -> bool {
         true
+    }
+
+    fn takes(&self, law: Law, _rows: usize, symmetric: bool) -> bool {
+        symmetric && law.is_convex()
     }
 
     /// Always from r = 0.

@@ -256,6 +256,10 @@ mod tests {
             "certified"
         }
 
+        fn takes(&self, _law: Law, _rows: usize, _symmetric: bool) -> bool {
+            true
+        }
+
         fn solve(&self, problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solution> {
             let solution = GaussNewton::default().solve(problem, start)?;
             assert!(residuals(problem, &solution)?.is_solution(CERTIFY), "{}", problem.name);

@@ -8,7 +8,7 @@
 
 use super::line_search::exact_step;
 use super::{GaussProgram, Minimiser, Progress, through_program};
-use crate::problem::{ContactProblem, Solution};
+use crate::problem::{ContactProblem, Law, Solution};
 use crate::solvers::ContactSolver;
 use crate::tolerance::solvers::{NEWTON_STALLED, NEWTON_STEPS, STOP};
 use moreau_exact::{Error, Result};
@@ -47,7 +47,7 @@ impl GaussNewton {
         let mut iterations = 0;
         while progress.gradient > self.tolerance && iterations < self.steps && progress.stalled < NEWTON_STALLED {
             let hessian = program.hessian(&program.violation(&change));
-            let factor = hessian.cholesky().ok_or_else(|| Error::solver("newton", "the Hessian is not positive definite"))?;
+            let factor = hessian.cholesky().ok_or_else(|| Error::breakdown("newton", "the Hessian is not positive definite"))?;
             let direction = -factor.solve(&program.gradient(&change, &impulse));
             let step = exact_step(program, &change, &direction);
             if step == 0.0 {
@@ -65,6 +65,10 @@ impl GaussNewton {
 impl ContactSolver for GaussNewton {
     fn name(&self) -> &'static str {
         "newton"
+    }
+
+    fn takes(&self, law: Law, _rows: usize, symmetric: bool) -> bool {
+        symmetric && law.is_convex()
     }
 
     /// From the motion that the given impulses would cause, or from free motion.

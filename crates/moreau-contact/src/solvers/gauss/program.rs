@@ -52,12 +52,12 @@ impl GaussProgram {
         problem.validate()?;
         super::super::require_symmetry(solver, problem)?;
         let dynamics =
-            problem.dynamics.as_ref().ok_or_else(|| Error::solver(solver, "needs mass and jacobian, not only W; use `clarabel`"))?;
+            problem.dynamics.as_ref().ok_or_else(|| Error::refused(solver, "needs mass and jacobian, not only W; use `clarabel`"))?;
         let map = rows_of(problem);
         let pieces = pieces(solver, problem)?;
         let offset = &map * (&problem.free_velocity + &problem.shift);
         GaussProgram::new(dynamics.mass.clone(), map * &dynamics.jacobian, offset, pieces)
-            .map_err(|error| Error::solver(solver, error.to_string()))
+            .map_err(|error| Error::breakdown(solver, error.to_string()))
     }
 
     /// nv.
@@ -166,7 +166,7 @@ fn rows_of(problem: &ContactProblem) -> DMatrix<f64> {
 }
 
 fn pieces(solver: &str, problem: &ContactProblem) -> Result<Vec<SoftPiece>> {
-    let hard = || Error::solver(solver, "needs a compliance R > 0 in every row; use `clarabel` for a hard contact");
+    let hard = || Error::refused(solver, "needs a compliance R > 0 in every row; use `clarabel` for a hard contact");
     let Compliance { coordinates, diagonal } = problem.compliance.as_ref().ok_or_else(hard)?;
     let one_sided = |softness: &f64| SoftPiece::OneSided { softness: *softness };
     match (problem.law, coordinates) {
@@ -175,17 +175,17 @@ fn pieces(solver: &str, problem: &ContactProblem) -> Result<Vec<SoftPiece>> {
             let blocks = diagonal.as_slice().chunks(problem.rows_per_contact).zip(&problem.friction);
             blocks.map(|(softness, &mu)| cone(solver, softness, if problem.law == Law::Associated { mu } else { 0.0 })).collect()
         }
-        (Law::PolyhedralAssociated { .. }, _) => Err(Error::solver(solver, "needs the compliance of each edge; use `clarabel`")),
+        (Law::PolyhedralAssociated { .. }, _) => Err(Error::refused(solver, "needs the compliance of each edge; use `clarabel`")),
         (law, _) => Err(super::super::not_convex(solver, law)),
     }
 }
 
 fn cone(solver: &str, softness: &[f64], mu: f64) -> Result<SoftPiece> {
-    let [normal, tangential @ ..] = softness else { return Err(Error::solver(solver, "needs a normal row")) };
+    let [normal, tangential @ ..] = softness else { return Err(Error::refused(solver, "needs a normal row")) };
     match tangential {
         [first, rest @ ..] if mu > 0.0 => {
             if rest.iter().any(|other| (other - first).abs() > rounding(8, *first)) {
-                return Err(Error::solver(solver, "needs one tangential compliance per contact; use `clarabel`"));
+                return Err(Error::refused(solver, "needs one tangential compliance per contact; use `clarabel`"));
             }
             Ok(SoftPiece::Cone { normal: *normal, tangential: first * mu * mu, friction: vec![mu; tangential.len()] })
         }

@@ -1,6 +1,6 @@
 //! A projected Gauss–Seidel solver with the limit of friction left open.
 
-use moreau_contact::problem::{ContactProblem, Solution};
+use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::ContactSolver;
 use moreau_exact::Result;
 use nalgebra::DVector;
@@ -32,6 +32,10 @@ impl ContactSolver for RowByRow {
     /// The name of the solver it stands in for.
     fn name(&self) -> &'static str {
         "auto"
+    }
+
+    fn takes(&self, _law: Law, _rows: usize, _symmetric: bool) -> bool {
+        true
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {

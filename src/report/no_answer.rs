@@ -1,0 +1,37 @@
+//! What JSON says where a solver gave no answer: the same as the message, in parts.
+
+use crate::Error;
+use serde::Serialize;
+
+/// A solver that ended without an answer.
+#[derive(Debug, PartialEq, Serialize)]
+pub struct NoAnswer<'a> {
+    /// `refused`, `breakdown`, `ray` or `limit`.
+    status: &'static str,
+    solver: &'a str,
+    reason: &'a str,
+}
+
+impl<'a> NoAnswer<'a> {
+    /// The solver's failure in an error, or in the error of a file; `None` for any other error.
+    pub fn of(error: &'a Error) -> Option<Self> {
+        match error {
+            Error::Solver { solver, failure, reason } => Some(NoAnswer { status: failure.name(), solver, reason }),
+            Error::InFile { inner, .. } => NoAnswer::of(inner),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    #[test]
+    fn only_a_solver_s_failure_is_an_answer_that_there_is_none() {
+        let ray = Error::ray("lemke", "ended").in_file(Path::new("p.json"));
+        assert_eq!(NoAnswer::of(&ray), Some(NoAnswer { status: "ray", solver: "lemke", reason: "ended" }));
+        assert_eq!(NoAnswer::of(&Error::invalid("mass", "is negative", "use a positive number")), None);
+    }
+}

@@ -1,0 +1,108 @@
+//! Every solver says beforehand what it is for, and refuses the rest as such.
+
+use moreau::contact::delassus::delassus;
+use moreau::error::Failure;
+use moreau::problem::{Compliance, Coordinates, Dynamics};
+use moreau::solvers::{ALL, ContactSolver};
+use moreau::{ContactProblem, Error, Law};
+use nalgebra::{DMatrix, DVector};
+
+const CONTACTS: usize = 2;
+
+/// Two contacts on six velocities that close at 1 m/s while they slide; hard.
+fn hard(law: Law, rows: usize, symmetric: bool) -> ContactProblem {
+    let jacobian = DMatrix::from_fn(rows * CONTACTS, 6, |i, j| if i == j { 1.0 } else { 0.1 * ((i + 2 * j) % 3) as f64 });
+    let mass = DMatrix::from_diagonal(&DVector::from_fn(6, |k, _| 1.0 + k as f64 / 8.0));
+    let mut w = delassus(&mass, &jacobian).expect("a positive mass");
+    let dynamics = symmetric.then(|| Dynamics { mass, jacobian });
+    if !symmetric {
+        w[(0, rows)] += 1.0 / 8.0;
+        w[(rows, 0)] -= 1.0 / 8.0;
+    }
+    ContactProblem {
+        name: "two".into(),
+        rows_per_contact: rows,
+        law,
+        friction: vec![if law == Law::Frictionless { 0.0 } else { 0.5 }; CONTACTS],
+        free_velocity: DVector::from_fn(rows * CONTACTS, |row, _| if row % rows == 0 { -1.0 } else { 0.5 }),
+        shift: DVector::zeros(rows * CONTACTS),
+        delassus: w,
+        compliance: None,
+        dynamics,
+        bodies: None,
+    }
+}
+
+/// The problem hard, with compliance of its rows and, where its law has edges, with compliance of these.
+fn variants(law: Law, rows: usize, symmetric: bool) -> Vec<ContactProblem> {
+    let soft = |coordinates, entries: usize| ContactProblem {
+        compliance: Some(Compliance { coordinates, diagonal: DVector::from_element(CONTACTS * entries, 0.25) }),
+        ..hard(law, rows, symmetric)
+    };
+    let edges = match law {
+        Law::PolyhedralAssociated { directions } => Some(soft(Coordinates::Edge, directions)),
+        _ => None,
+    };
+    [hard(law, rows, symmetric), soft(Coordinates::Contact, rows)].into_iter().chain(edges).collect()
+}
+
+/// Whether the solver refuses it as a problem that is not for it; it may answer or end in another way.
+fn refuses(solver: &dyn ContactSolver, problem: &ContactProblem) -> bool {
+    matches!(solver.solve(problem, None), Err(Error::Solver { failure: Failure::Refused, .. }))
+}
+
+#[test]
+fn a_solver_refuses_what_it_does_not_take_and_takes_some_problem_of_each_kind_that_it_does() {
+    let (mut taken, mut left) = (0, 0);
+    for name in ALL.names() {
+        let solver = ALL.by_name(name).expect("listed");
+        for rows in [2, 3] {
+            let directions = if rows == 2 { 2 } else { 4 };
+            let polyhedral = [Law::PolyhedralCoulomb { directions }, Law::PolyhedralAssociated { directions }];
+            for law in [Law::Frictionless, Law::Coulomb, Law::Associated].into_iter().chain(polyhedral) {
+                for symmetric in [true, false] {
+                    let refused: Vec<_> = variants(law, rows, symmetric).iter().map(|one| refuses(solver.as_ref(), one)).collect();
+                    let takes = solver.takes(law, rows, symmetric);
+                    let kept = if takes { !refused.iter().all(|no| *no) } else { refused.iter().all(|no| *no) };
+                    assert!(kept, "{name}, {law:?}, {rows} rows, symmetric: {symmetric}: takes {takes}, refuses {refused:?}");
+                    if takes { taken += 1 } else { left += 1 }
+                }
+            }
+        }
+    }
+    assert!(taken > 50 && left > 50, "{taken} kinds taken, {left} left");
+}
+
+#[test]
+fn a_ray_a_breakdown_and_a_refusal_are_told_apart() {
+    let ended = |name: &str, problem: &ContactProblem| match ALL.by_name(name).expect("listed").solve(problem, None) {
+        Err(Error::Solver { failure, solver, .. }) if solver == name => failure,
+        other => panic!("{name}: {other:?}"),
+    };
+    let point = |w: f64| ContactProblem {
+        friction: vec![0.0],
+        free_velocity: DVector::from_element(1, -1.0),
+        shift: DVector::zeros(1),
+        delassus: DMatrix::from_element(1, 1, w),
+        dynamics: None,
+        ..hard(Law::Frictionless, 1, true)
+    };
+    // W = 0 stops nothing; a mass of 1e320 kg needs an impulse beyond the numbers
+    assert_eq!(ended("lemke", &point(0.0)), Failure::Ray);
+    assert_eq!(
+        ended(
+            "clarabel",
+            &ContactProblem {
+                free_velocity: DVector::from_vec(vec![-1.0, -1.0]),
+                shift: DVector::zeros(2),
+                friction: vec![0.0; 2],
+                delassus: DMatrix::from_diagonal(&DVector::from_vec(vec![0.0, 1.0])),
+                ..point(0.0)
+            }
+        ),
+        Failure::Ray
+    );
+    assert_eq!(ended("pgs", &point(1e-320)), Failure::Breakdown);
+    assert_eq!(ended("pgs", &point(0.0)), Failure::Refused);
+    assert_eq!(ended("lemke", &hard(Law::Coulomb, 3, true)), Failure::Refused);
+}
