@@ -3,3 +3,4 @@
 
 pub mod energy_balance;
 pub mod references;
+pub mod systems;
