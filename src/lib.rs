@@ -80,7 +80,7 @@ pub mod gate;
 pub mod report;
 pub mod schemes;
 pub mod solvers;
-pub mod systems;
+pub mod stored;
 pub mod tolerance;
 
 pub use moreau_contact::{ContactProblem, Law, Solution, certificate, cones, contact, conventions, files, memory, problem};
@@ -88,6 +88,7 @@ pub use moreau_dynamics::{elastic_bar, event_driven, impact_laws, integrators, m
 pub use moreau_exact::{Error, Result, elimination, error, number, scalar};
 pub use moreau_forms as closed_forms;
 pub use moreau_gate::{gate_tests, rust_engine};
+pub use moreau_replicas::systems;
 
 /// The README's example, compiled and run as a documentation test.
 #[cfg(doctest)]

@@ -1,19 +1,74 @@
-//! Every system agrees with what it is held against, and the README shows what is measured.
+//! Every system agrees with what it is held against, every agreement catches the mistakes planted in it, and the README shows what is
+//! measured.
 
 use moreau::report::systems::{BEGIN, END, markdown};
 use moreau::schemes::NAMES;
-use moreau::systems::{ALL, Agreement, Cone, ContactLaw, Level, Measured, Report, System, SystemReport};
+use moreau::stored::{Folder, RUNS, StoredRuns};
+use moreau::systems::{ALL, Agreement, Cone, ContactLaw, Level, Measured, Planted, Report, System, SystemReport};
+use rayon::prelude::*;
+use std::borrow::Cow;
 use std::collections::BTreeSet;
+use std::path::Path;
+use std::sync::{LazyLock, Mutex};
+
+/// The embedded runs, and the paths that were asked for.
+#[derive(Default)]
+struct Asked(Mutex<BTreeSet<String>>);
+
+impl StoredRuns for Asked {
+    fn text(&self, path: &str) -> moreau::Result<Cow<'_, str>> {
+        self.0.lock().expect("no panic while it is held").insert(path.into());
+        RUNS.text(path)
+    }
+}
+
+/// Everything measured once, and the stored runs that it took.
+static MEASURED: LazyLock<(Report, BTreeSet<String>)> = LazyLock::new(|| {
+    let asked = Asked::default();
+    let report = Report::measure(&asked, || {}).expect("everything can be measured");
+    (report, asked.0.into_inner().expect("no panic while it is held"))
+});
 
 #[test]
 fn every_agreement_holds_and_the_readme_shows_it() {
-    let report = Report::measure(|| {}).expect("everything can be measured");
+    let (report, _) = &*MEASURED;
     for (system, agreement) in report.systems.iter().flat_map(|system| system.held_against.iter().map(move |one| (system, one))) {
         assert!(agreement.holds, "{}: {agreement:?}", system.name);
     }
     let readme = include_str!("../README.md");
     let section = readme.split_once(BEGIN).and_then(|(_, rest)| rest.split_once(END)).expect("both markers").0;
-    assert_eq!(section.trim(), markdown(&report).trim(), "run `moreau systems --readme README.md`");
+    assert_eq!(section.trim(), markdown(report).trim(), "run `moreau systems --readme README.md`");
+}
+
+#[test]
+fn what_is_embedded_is_what_the_agreements_ask_for_as_it_is_stored() {
+    let (_, asked) = &*MEASURED;
+    let embedded: BTreeSet<_> = RUNS.0.iter().map(|(path, _)| path.to_string()).collect();
+    assert_eq!((&embedded, embedded.len()), (asked, RUNS.0.len()), "src/stored.rs embeds others, or one twice");
+    let folder = Folder(Path::new(env!("CARGO_MANIFEST_DIR")).join("references"));
+    for (path, text) in RUNS.0 {
+        assert_eq!(folder.text(path).expect("stored"), *text, "{path}");
+    }
+}
+
+/// What is wrong with the planted mistakes of a system: agreements that have none, and mistakes that are not caught.
+fn missed(system: &System) -> Vec<String> {
+    let of_agreement = |agreement: &Agreement| {
+        let place = format!("{}, {}", system.name, agreement.quantity);
+        let mut found = if agreement.planted.is_empty() { vec![format!("{place}: nothing is planted")] } else { vec![] };
+        found.extend(agreement.planted.iter().filter_map(|planted| {
+            let measured = (planted.measure)(&RUNS).expect("the mistake changes numbers only");
+            measured.holds().then(|| format!("{place}: {}: {measured:?}", planted.mistake))
+        }));
+        found
+    };
+    system.held_against.par_iter().flat_map(of_agreement).collect()
+}
+
+#[test]
+fn every_mistake_puts_its_agreement_out_of_its_tolerance() {
+    let missed: Vec<_> = ALL.par_iter().flat_map(|system| missed(system)).collect();
+    assert_eq!(missed, Vec::<String>::new());
 }
 
 #[test]
@@ -23,7 +78,7 @@ fn every_system_has_a_scheme_and_an_agreement_and_every_scheme_has_a_system() {
         assert!(!system.schemes.is_empty() && !system.held_against.is_empty(), "{}", system.name);
         named.extend(system.schemes.iter().copied());
     }
-    assert_eq!(named, BTreeSet::from(NAMES), "src/systems/ and the schemes of moreau-replicas name different schemes");
+    assert_eq!(named, BTreeSet::from(NAMES), "the systems and the schemes of moreau-replicas name different schemes");
     let names: BTreeSet<_> = ALL.iter().map(|system| system.name).collect();
     assert_eq!(names.len(), ALL.len(), "one name, one system");
 }
@@ -38,14 +93,38 @@ static WRONG: System = System {
     position_update: "q",
     schemes: &["wrong"],
     held_against: &[
-        Agreement { against: "the truth", quantity: "error", unit: "m", measure: || Ok(Measured { difference: 2.0, tolerance: 1.0 }) },
-        Agreement { against: "the truth", quantity: "lost", unit: "m", measure: || Ok(Measured { difference: f64::NAN, tolerance: 1.0 }) },
+        Agreement {
+            against: "the truth",
+            quantity: "error",
+            unit: "m",
+            measure: |_| Ok(Measured { difference: 2.0, tolerance: 1.0 }),
+            planted: &[],
+        },
+        Agreement {
+            against: "the truth",
+            quantity: "lost",
+            unit: "m",
+            measure: |_| Ok(Measured { difference: f64::NAN, tolerance: 1.0 }),
+            planted: &[
+                Planted { mistake: "large", measure: |_| Ok(Measured { difference: 2.0, tolerance: 1.0 }) },
+                Planted { mistake: "small", measure: |_| Ok(Measured { difference: 0.5, tolerance: 1.0 }) },
+            ],
+        },
     ],
 };
 
 #[test]
+fn an_agreement_without_a_mistake_and_a_mistake_that_is_not_caught_are_told() {
+    let missed = missed(&WRONG);
+    assert!(
+        missed.len() == 2 && missed[0] == "wrong, error: nothing is planted" && missed[1].starts_with("wrong, lost: small"),
+        "{missed:?}"
+    );
+}
+
+#[test]
 fn an_agreement_outside_its_tolerance_or_not_a_number_is_told() {
-    let report = Report { systems: vec![SystemReport::measure(&WRONG, || {}).expect("measurable")] };
+    let report = Report { systems: vec![SystemReport::measure(&WRONG, &RUNS, || {}).expect("measurable")] };
     assert!(!report.holds());
     let table = markdown(&report);
     assert!(

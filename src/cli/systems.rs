@@ -6,6 +6,7 @@ use crate::Result;
 use crate::files::write_together;
 use crate::report::json::pretty;
 use crate::report::systems;
+use crate::stored::RUNS;
 use crate::systems::Report;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::PathBuf;
@@ -43,7 +44,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} agreements  {elapsed}") {
         bar.set_style(style);
     }
-    let report = Report::measure(|| bar.inc(1))?;
+    let report = Report::measure(&RUNS, || bar.inc(1))?;
     bar.finish_and_clear();
     if let Some(file) = &arguments.readme {
         let text = section::replaced(file, MARKERS, &systems::markdown(&report))?;

@@ -2,7 +2,7 @@
 //! runs.
 //!
 //! [`schemes`] lists every scheme by name, those of the literature and the engines'; [`energy_balance`] states what each of them may gain
-//! in a step.
+//! in a step. [`systems`] holds the simulators of the chapter against closed forms, exact rationals and [`stored`] runs of the engines.
 
 pub mod bullet;
 pub mod chrono;
@@ -12,4 +12,6 @@ pub mod mujoco;
 pub mod schemes;
 pub mod siconos;
 pub mod solvers;
+pub mod stored;
+pub mod systems;
 pub mod tolerance;

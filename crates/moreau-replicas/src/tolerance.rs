@@ -4,3 +4,4 @@
 pub mod energy_balance;
 pub mod references;
 pub mod solvers;
+pub mod systems;

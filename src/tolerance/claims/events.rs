@@ -1,10 +1,7 @@
 //! Claims on event-driven methods (§1).
 
 use super::super::event_driven::TOLERANCE;
-pub use moreau_dynamics::tolerance::event_driven::ACCURACY;
-
-/// The same of a motion that sticks and slips: the instant of a switch is the error of s over ṡ, here at least 1/10.
-pub const SWITCHING: f64 = 10.0 * ACCURACY;
+pub use moreau_dynamics::tolerance::event_driven::{ACCURACY, SWITCHING};
 
 const _: () = assert!(100.0 * TOLERANCE <= ACCURACY);
 

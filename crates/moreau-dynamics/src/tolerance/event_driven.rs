@@ -47,3 +47,6 @@ pub fn stalled_events(rows: usize) -> usize {
 /// Error of an event-driven motion of size 1 to 10 over a few seconds: at most 10 steps of error [`TOLERANCE`] (1 + |x|) for each of at
 /// most 10 events, which each hand it on with a factor below 1 + e: 100 · 10⁻¹² = 10⁻¹⁰.
 pub const ACCURACY: f64 = 1e-10;
+
+/// The same of a motion that sticks and slips: the instant of a switch is the error of s over ṡ, here at least 1/10.
+pub const SWITCHING: f64 = 10.0 * ACCURACY;

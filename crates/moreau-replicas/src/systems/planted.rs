@@ -1,9 +1,8 @@
-//! Schemes with a mistake, to show that the agreements can fail.
+//! Schemes with a mistake: what agreements plant, to show that they can fail.
 
-use super::Measured;
-use crate::Result;
-use crate::mechanics::{Mechanism, State};
-use crate::schemes::{Scheme, StepProblem};
+use moreau_dynamics::mechanics::{Mechanism, State};
+use moreau_dynamics::schemes::{Scheme, StepProblem};
+use moreau_exact::Result;
 use nalgebra::DVector;
 
 /// What is wrong.
@@ -18,24 +17,17 @@ pub enum Mistake {
 }
 
 /// A scheme with a mistake.
-pub struct Planted<S> {
+pub struct Mistaken<S> {
     scheme: S,
     mistake: Mistake,
 }
 
 /// The scheme with this mistake.
-pub fn planted<S: Scheme>(scheme: S, mistake: Mistake) -> Planted<S> {
-    Planted { scheme, mistake }
+pub fn planted<S: Scheme>(scheme: S, mistake: Mistake) -> Mistaken<S> {
+    Mistaken { scheme, mistake }
 }
 
-/// Demands that an agreement was measured and does not hold.
-#[track_caller]
-pub fn caught(agreement: Result<Measured>) {
-    let measured = agreement.expect("the mistake changes numbers only");
-    assert!(!measured.holds(), "{measured:?}");
-}
-
-impl<S: Scheme> Scheme for Planted<S> {
+impl<S: Scheme> Scheme for Mistaken<S> {
     fn name(&self) -> String {
         format!("{} with a mistake: {:?}", self.scheme.name(), self.mistake)
     }

@@ -4,15 +4,17 @@
 //!     ẋ = f(x) between events ,   impacts  y = H v⁺ + e min(u_n⁻, 0) n ,   forces  0 ≤ λ ⟂ H v̇ + Ḣ v ≥ 0
 //! ```
 
-use super::{Agreement, Cone, ContactLaw, Level, Measured, System};
-use crate::Result;
-use crate::checks::siconos_events::SiconosEvents;
-use crate::closed_forms::{BeltOscillator, BouncingBall, InclineBlock, StopOscillator};
-use crate::event_driven::EventDriven;
-use crate::event_driven::filippov::{DryFriction, advance};
-use crate::mechanics::{Mechanism, OscillatorWithStop, PointMass, State};
-use crate::solvers::Reference;
-use crate::tolerance::claims::events::{ACCURACY, SWITCHING};
+use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System};
+use crate::siconos::events::SiconosEvents;
+use crate::stored::StoredRuns;
+use moreau_contact::solvers::Reference;
+use moreau_dynamics::event_driven::EventDriven;
+use moreau_dynamics::event_driven::filippov::{DryFriction, advance};
+use moreau_dynamics::event_driven::flight::{Control, Location};
+use moreau_dynamics::mechanics::{Mechanism, OscillatorWithStop, PointMass, State};
+use moreau_dynamics::tolerance::event_driven::{ACCURACY, SWITCHING};
+use moreau_exact::Result;
+use moreau_forms::{BeltOscillator, BouncingBall, InclineBlock, StopOscillator};
 use nalgebra::{DVector, dvector};
 
 pub static SYSTEM: System = System {
@@ -29,31 +31,36 @@ pub static SYSTEM: System = System {
             against: "closed form",
             quantity: "position of a ball through all its impacts to rest",
             unit: "m",
-            measure: || ball(&EventDriven::default()),
+            measure: |_| ball(&EventDriven::default()),
+            planted: &[Planted { mistake: "events noticed at the end of a step of 13 ms", measure: |_| ball(&late()) }],
         },
         Agreement {
             against: "closed form",
             quantity: "position of oscillators with a stop whose impacts end, go on or accumulate",
             unit: "m",
-            measure: || stops(&EventDriven::default()),
+            measure: |_| stops(&EventDriven::default()),
+            planted: &[Planted { mistake: "events noticed at the end of a step of 13 ms", measure: |_| stops(&late()) }],
         },
         Agreement {
             against: "Siconos 4.4.0",
             quantity: "instant of every impact of balls and oscillators with a stop, times the speed",
             unit: "m",
-            measure: || siconos(&EventDriven::default()),
+            measure: |runs| siconos(runs, &EventDriven::default()),
+            planted: &[Planted { mistake: "events noticed at the end of a step of 13 ms", measure: |runs| siconos(runs, &late()) }],
         },
         Agreement {
             against: "closed form",
             quantity: "speed of a block that friction stops on a slope and that slides back or stays",
             unit: "m/s",
-            measure: || block(&EventDriven::default()),
+            measure: |_| block(&EventDriven::default()),
+            planted: &[Planted { mistake: "events noticed at the end of a step of 13 ms", measure: |_| block(&late()) }],
         },
         Agreement {
             against: "closed form",
             quantity: "position of a mass that sticks and slips on a belt, through Filippov's sliding mode",
             unit: "m",
-            measure: || belt(&EventDriven::default()),
+            measure: |_| belt(&EventDriven::default()),
+            planted: &[Planted { mistake: "events noticed at the end of a step of 13 ms", measure: |_| belt(&late()) }],
         },
     ],
 };
@@ -102,19 +109,19 @@ fn stops(method: &EventDriven) -> Result<Measured> {
 }
 
 const SICONOS: &[&str] = &[
-    include_str!("../../references/siconos/ball__event-driven__h0.1.json"),
-    include_str!("../../references/siconos/ball_lively__event-driven__h0.25.json"),
-    include_str!("../../references/siconos/stop_below__event-driven__h0.25.json"),
-    include_str!("../../references/siconos/stop_above__event-driven__h0.25.json"),
+    "siconos/ball__event-driven__h0.1.json",
+    "siconos/ball_lively__event-driven__h0.25.json",
+    "siconos/stop_below__event-driven__h0.25.json",
+    "siconos/stop_above__event-driven__h0.25.json",
 ];
 
 /// |Δt| |v⁻| of every stored impact of Siconos, from its own state after the event before.
-pub(super) fn siconos(method: &EventDriven) -> Result<Measured> {
-    let runs = SICONOS.iter().map(|text| {
-        let run = SiconosEvents::from_json(text)?;
+pub(super) fn siconos(runs: &dyn StoredRuns, method: &EventDriven) -> Result<Measured> {
+    let found = SICONOS.iter().map(|path| {
+        let run = SiconosEvents::from_json(&runs.text(path)?)?;
         Ok(Measured { difference: run.apart(method)?.instant, tolerance: run.tolerance() })
     });
-    runs.collect::<Result<Vec<_>>>().map(worst)
+    found.collect::<Result<Vec<_>>>().map(worst)
 }
 
 fn block(method: &EventDriven) -> Result<Measured> {
@@ -137,19 +144,7 @@ fn belt(method: &EventDriven) -> Result<Measured> {
     Ok(Measured { difference: (end[0] - exact.carried_from_zero(10.0).0).abs(), tolerance: SWITCHING })
 }
 
-#[cfg(test)]
-mod tests {
-    use super::super::planted::caught;
-    use super::*;
-    use crate::event_driven::flight::{Control, Location};
-
-    #[test]
-    fn events_noticed_late_put_every_agreement_out_of_its_tolerance() {
-        let late = EventDriven { control: Control::Fixed(0.013), location: Location::EndOfStep, ..EventDriven::default() };
-        caught(ball(&late));
-        caught(stops(&late));
-        caught(siconos(&late));
-        caught(block(&late));
-        caught(belt(&late));
-    }
+/// Steps of 13 ms, and an event belongs to the end of its step.
+pub(super) fn late() -> EventDriven {
+    EventDriven { control: Control::Fixed(0.013), location: Location::EndOfStep, ..EventDriven::default() }
 }

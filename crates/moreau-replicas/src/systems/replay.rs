@@ -1,12 +1,12 @@
 //! A stored motion of an engine, replayed by a scheme from the scene's first state and compared at every sample.
 
 use super::Measured;
-use crate::mechanics::BodyState;
-use crate::schemes::{self, Scheme};
-use crate::solvers::ProjectedGaussSeidel;
 use crate::tolerance::references as tolerance;
-use crate::trajectory::Trajectory;
-use crate::{Error, Result};
+use moreau_contact::solvers::ProjectedGaussSeidel;
+use moreau_dynamics::mechanics::BodyState;
+use moreau_dynamics::schemes::{self, Scheme};
+use moreau_dynamics::trajectory::Trajectory;
+use moreau_exact::{Error, Result};
 use serde_json::Value;
 
 /// Largest differences from a stored motion, and what they may be.

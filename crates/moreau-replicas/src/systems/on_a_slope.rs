@@ -1,13 +1,13 @@
 //! A block of 1 kg on a slope of 20°, μ = 0.3 or 0.5: it slides with a = g (sin α − μ cos α), or it sticks.
 
 use super::Measured;
-use crate::closed_forms::InclineBlock;
-use crate::mechanics::{PointMass, State};
-use crate::schemes::{Scheme, simulate};
-use crate::solvers::Reference;
-use crate::tolerance::convergence::slide_rounding;
-use crate::trajectory::Recording;
-use crate::{Error, Result};
+use moreau_checks::tolerance::convergence::slide_rounding;
+use moreau_contact::solvers::Reference;
+use moreau_dynamics::mechanics::{PointMass, State};
+use moreau_dynamics::schemes::{Scheme, simulate};
+use moreau_dynamics::trajectory::Recording;
+use moreau_exact::{Error, Result};
+use moreau_forms::InclineBlock;
 use nalgebra::dvector;
 
 const GRAVITY: f64 = 9.81;

@@ -10,7 +10,8 @@
 //! ```
 //! An [`Agreement`] is measured when asked: nothing here quotes a number.
 
-use crate::Result;
+use crate::stored::StoredRuns;
+use moreau_exact::Result;
 use serde::Serialize;
 use std::fmt;
 
@@ -28,6 +29,7 @@ mod on_a_ball;
 mod on_a_slope;
 mod on_a_spring;
 mod pinocchio;
+mod planted;
 mod position_based;
 pub mod replay;
 mod report;
@@ -114,8 +116,22 @@ pub struct Agreement {
     /// Measures it.
     ///
     /// # Errors
-    /// Those of the scheme, and a stored reference that is not what it should be.
-    pub measure: fn() -> Result<Measured>,
+    /// Those of the scheme, and a stored run that is missing or not what it should be.
+    pub measure: fn(&dyn StoredRuns) -> Result<Measured>,
+    /// Mistakes that it catches, at least one.
+    pub planted: &'static [Planted],
+}
+
+/// A mistake in what is compared, which must put the agreement out of its tolerance.
+#[derive(Clone, Copy, Debug)]
+pub struct Planted {
+    /// What is wrong.
+    pub mistake: &'static str,
+    /// Measures the agreement with the mistake.
+    ///
+    /// # Errors
+    /// Those of the agreement: the mistake changes numbers only.
+    pub measure: fn(&dyn StoredRuns) -> Result<Measured>,
 }
 
 /// Every system, in the order of the chapter; a new one is one more line.
@@ -172,6 +188,3 @@ impl fmt::Display for ContactLaw {
         })
     }
 }
-
-#[cfg(test)]
-mod planted;

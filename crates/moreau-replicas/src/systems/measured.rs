@@ -5,7 +5,7 @@
 pub struct Measured {
     /// The difference found.
     pub difference: f64,
-    /// What it may be, from [`crate::tolerance`].
+    /// What it may be, from the `tolerance` of the crate of what it bounds.
     pub tolerance: f64,
 }
 

@@ -1,7 +1,8 @@
 //! The table: every system with what its agreements measure now.
 
 use super::{ALL, Agreement, Cone, ContactLaw, Level, System};
-use crate::{Error, Result};
+use crate::stored::StoredRuns;
+use moreau_exact::{Error, Result};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -57,8 +58,8 @@ impl Report {
     ///
     /// # Errors
     /// The first one of an agreement that cannot be measured, named.
-    pub fn measure(done: impl Fn()) -> Result<Report> {
-        let systems = ALL.iter().map(|system| SystemReport::measure(system, &done)).collect::<Result<_>>()?;
+    pub fn measure(runs: &dyn StoredRuns, done: impl Fn()) -> Result<Report> {
+        let systems = ALL.iter().map(|system| SystemReport::measure(system, runs, &done)).collect::<Result<_>>()?;
         Ok(Report { systems })
     }
 
@@ -78,9 +79,9 @@ impl SystemReport {
     ///
     /// # Errors
     /// The first one of an agreement that cannot be measured, named.
-    pub fn measure(system: &System, done: impl Fn()) -> Result<SystemReport> {
+    pub fn measure(system: &System, runs: &dyn StoredRuns, done: impl Fn()) -> Result<SystemReport> {
         let agreements = system.held_against.iter().map(|agreement| {
-            let measured = AgreementReport::measure(agreement);
+            let measured = AgreementReport::measure(agreement, runs);
             done();
             measured.map_err(|error| Error::Unsupported(format!("{}, {}: {error}", system.name, agreement.quantity)))
         });
@@ -99,8 +100,8 @@ impl SystemReport {
 }
 
 impl AgreementReport {
-    fn measure(agreement: &Agreement) -> Result<AgreementReport> {
-        let measured = (agreement.measure)()?;
+    fn measure(agreement: &Agreement, runs: &dyn StoredRuns) -> Result<AgreementReport> {
+        let measured = (agreement.measure)(runs)?;
         Ok(AgreementReport {
             against: agreement.against.into(),
             quantity: agreement.quantity.into(),

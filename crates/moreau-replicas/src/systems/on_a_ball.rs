@@ -1,16 +1,16 @@
 //! Steps of a ball on a floor: each against the same step in exact rationals, and the whole drop against its closed form.
 
 use super::Measured;
-use crate::checks::convergence::ball_errors;
-use crate::closed_forms::BouncingBall;
-use crate::mechanics::{PointMass, State};
-use crate::scalar::{Rational, exact};
-use crate::schemes::exact_particle::{Ball, Motion};
-use crate::schemes::{MoreauJean, Scheme, step};
-use crate::solvers::Reference;
-use crate::tolerance::convergence::Impacts;
-use crate::tolerance::schemes::{ball_position, ball_velocity};
-use crate::{Error, Result};
+use moreau_checks::convergence::ball_errors;
+use moreau_checks::tolerance::convergence::Impacts;
+use moreau_contact::solvers::Reference;
+use moreau_dynamics::mechanics::{PointMass, State};
+use moreau_dynamics::schemes::exact_particle::{Ball, Motion};
+use moreau_dynamics::schemes::{MoreauJean, Scheme, step};
+use moreau_dynamics::tolerance::schemes::{ball_position, ball_velocity};
+use moreau_exact::scalar::{Rational, exact};
+use moreau_exact::{Error, Result};
+use moreau_forms::BouncingBall;
 use nalgebra::dvector;
 
 /// m \[kg\], g \[m/s²\], e, h \[s\]: fractions that are not binary, so that every operation rounds.

@@ -9,14 +9,14 @@
 //! ```
 
 use super::Measured;
-use crate::integrators::{Method, Phase, SpringDamper};
-use crate::mechanics::{OscillatorWithStop, State};
-use crate::scalar::{Rational, Scalar, exact, ratio};
-use crate::schemes::{Scheme, simulate};
-use crate::solvers::Reference;
 use crate::tolerance::systems::{spring_energy, spring_step};
-use crate::trajectory::Recording;
-use crate::{Error, Result};
+use moreau_contact::solvers::Reference;
+use moreau_dynamics::integrators::{Method, Phase, SpringDamper};
+use moreau_dynamics::mechanics::{OscillatorWithStop, State};
+use moreau_dynamics::schemes::{Scheme, simulate};
+use moreau_dynamics::trajectory::Recording;
+use moreau_exact::scalar::{Rational, Scalar, exact, ratio};
+use moreau_exact::{Error, Result};
 use nalgebra::dvector;
 
 /// s = h ω = h / 1 s.

@@ -1,0 +1,138 @@
+//! Anitescu, the model of Chrono's NSC: the gap at the end of the step, linearised, in the convex cone complementarity problem.
+//!
+//! ```text
+//!     K_μ ∋ r ⟂ u⁺ + (φ/h) n ∈ K_μ*
+//! ```
+
+use super::planted::{Mistake, planted};
+use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System, on_a_ball, on_a_slope};
+use moreau_contact::certificate::{natural_map, residuals};
+use moreau_contact::problem::{ContactProblem, Law, Solution};
+use moreau_contact::solvers::{ClarabelPolished, ContactSolver, Reference, largest_eigenvalue_bound};
+use moreau_contact::tolerance::solvers;
+use moreau_dynamics::scenes::named;
+use moreau_dynamics::schemes::{Anitescu, Scheme, step};
+use moreau_exact::tolerance::rounding;
+use moreau_exact::{Error, Result};
+use nalgebra::DVector;
+
+pub static SYSTEM: System = System {
+    name: "Anitescu",
+    level: Level::Position,
+    cone: Cone::SecondOrder,
+    law: ContactLaw::Associated,
+    algorithm: "block projected Gauss–Seidel, accelerated; projected gradient; interior point",
+    restitution: "none: plastic",
+    position_update: "q + h v⁺",
+    schemes: &["anitescu"],
+    held_against: &[
+        Agreement {
+            against: "closed form",
+            quantity: "gap of a sliding block, μ h v",
+            unit: "m",
+            measure: |_| on_a_slope::sliding_gap(&Anitescu),
+            planted: &[Planted {
+                mistake: "half of every μ",
+                measure: |_| on_a_slope::sliding_gap(&planted(Anitescu, Mistake::HalfFriction)),
+            }],
+        },
+        Agreement {
+            against: "closed form",
+            quantity: "creep of a block that sticks",
+            unit: "m/s",
+            measure: |_| on_a_slope::creep(&Anitescu),
+            planted: &[Planted { mistake: "half of every μ", measure: |_| on_a_slope::creep(&planted(Anitescu, Mistake::HalfFriction)) }],
+        },
+        Agreement {
+            against: "exact rationals",
+            quantity: "velocity after each step of a landing ball",
+            unit: "m/s",
+            measure: |_| on_a_ball::velocities(&Anitescu, |ball, now, h| ball.stewart_trinkle(now, h).motion),
+            planted: &[Planted {
+                mistake: "forces 10 % too strong",
+                measure: |_| on_a_ball::velocities(&planted(Anitescu, Mistake::Heavy), |ball, now, h| ball.stewart_trinkle(now, h).motion),
+            }],
+        },
+        Agreement {
+            against: "Clarabel 0.11, polished",
+            quantity: "contact velocities of each step of a stack of five boxes",
+            unit: "m/s",
+            measure: |_| stack_against_clarabel(&Anitescu, &Reference, 20),
+            planted: &[
+                Planted {
+                    mistake: "the answer to a problem with 10 % more free velocity",
+                    measure: |_| stack_answered_wrongly(&Anitescu, &Reference),
+                },
+                Planted {
+                    mistake: "velocities before the impulses",
+                    measure: |_| stack_against_clarabel(&Anitescu, &Untouched(Box::new(Reference)), 1),
+                },
+            ],
+        },
+    ],
+};
+
+/// The first steps h = 1/100 s of the scene `box-stack`, each problem solved twice.
+///
+/// # Errors
+/// Those of the scheme and the solver.
+pub fn stack_against_clarabel(scheme: &dyn Scheme, solver: &dyn ContactSolver, steps: usize) -> Result<Measured> {
+    let (mechanism, mut state) = named("box-stack")?.mechanism()?;
+    let mut comparisons = Vec::new();
+    for _ in 0..steps {
+        let taken = step(scheme, solver, mechanism.as_ref(), &state, 0.01)?;
+        if let (Some(problem), Some(answer)) = (&taken.assembled.problem, &taken.solution) {
+            comparisons.push(apart(problem, answer, &ClarabelPolished.solve(problem, None)?)?);
+        }
+        state = taken.state;
+    }
+    Measured::worst(comparisons).ok_or_else(|| Error::Unsupported("no contact was active".into()))
+}
+
+/// How far two answers to a convex problem are apart in the contact velocity, and how far they may be by their residuals.
+fn apart(problem: &ContactProblem, one: &Solution, other: &Solution) -> Result<Measured> {
+    let residual = residuals(problem, one)?.natural_map + residuals(problem, other)?.natural_map;
+    let impulses = (&one.impulse - &other.impulse).norm() + residual;
+    let rho = natural_map::scales(problem).into_iter().fold(f64::INFINITY, f64::min);
+    let norm = largest_eigenvalue_bound(&problem.law_delassus());
+    let floor = rounding(problem.rows(), problem.delassus.norm() * one.impulse.norm());
+    Ok(Measured {
+        difference: (&one.velocity - &other.velocity).norm(),
+        tolerance: solvers::agreement(norm, residual, impulses, rho) + floor,
+    })
+}
+
+/// The answer to the first step's problem with 10 % more free velocity, against Clarabel's to the right problem, under the tolerance of the
+/// right answer: by its own residual a wrong one would be excused.
+///
+/// # Errors
+/// Those of the scheme and the solver.
+pub fn stack_answered_wrongly(scheme: &dyn Scheme, solver: &dyn ContactSolver) -> Result<Measured> {
+    let (mechanism, state) = named("box-stack")?.mechanism()?;
+    let assembled = scheme.assemble(mechanism.as_ref(), &state, 0.01)?;
+    let problem = assembled.problem.ok_or_else(|| Error::Unsupported("no contact was active".into()))?;
+    let interior = ClarabelPolished.solve(&problem, None)?;
+    let right = apart(&problem, &solver.solve(&problem, None)?, &interior)?;
+    let mut other = problem.clone();
+    other.free_velocity *= 1.1;
+    let mut answer = solver.solve(&other, None)?;
+    answer.velocity = problem.velocity(&answer.impulse);
+    Ok(Measured { tolerance: right.tolerance, ..apart(&problem, &answer, &interior)? })
+}
+
+/// A mistake: a solver that tells the velocities before its impulses.
+pub struct Untouched(pub Box<dyn ContactSolver>);
+
+impl ContactSolver for Untouched {
+    fn name(&self) -> &'static str {
+        "untouched"
+    }
+
+    fn takes(&self, _law: Law, _rows: usize, _symmetric: bool) -> bool {
+        true
+    }
+
+    fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+        Ok(Solution { velocity: problem.free_velocity.clone(), ..self.0.solve(problem, warm_start)? })
+    }
+}

@@ -1,0 +1,93 @@
+//! Pinocchio 3 and 4, Simple: Coulomb's law, hard or with compliance, by alternating directions; the step is the caller's.
+//!
+//! ```text
+//!     K_μ ∋ r ⟂ y + μ‖y_t‖n ∈ K_μ* ,   y = (W + R) r + q ;     without the correction if `solve_ncp` is false
+//! ```
+//! Its step here is Moreau–Jean's with θ = 1, activation A and e = 0: `--theta 1 --activation A --solver admm`.
+
+use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System};
+use crate::stored::StoredRuns;
+use crate::tolerance::references as tolerance;
+use moreau_contact::problem::{ContactProblem, Law, Solution};
+use moreau_contact::solvers::{AlternatingDirections, ContactSolver};
+use moreau_exact::{Error, Result};
+use nalgebra::DVector;
+use serde_json::Value;
+
+const HARD: [&str; 6] = [
+    "pinocchio/box-stick.json",
+    "pinocchio/box-slide.json",
+    "pinocchio/ball-slide.json",
+    "pinocchio/tower.json",
+    "pinocchio/tower-heavy.json",
+    "pinocchio/scattered.json",
+];
+const SOFT: [&str; 2] = ["pinocchio/box-soft.json", "pinocchio/scattered-soft.json"];
+const RELAXED: [&str; 3] = ["pinocchio/box-slide-associated.json", "pinocchio/box-spin-associated.json", "pinocchio/tower-associated.json"];
+
+const ENGINE: &str = "Pinocchio 4.1.0, ADMM";
+
+pub static SYSTEM: System = System {
+    name: "Pinocchio, Simple",
+    level: Level::Velocity,
+    cone: Cone::SecondOrder,
+    law: ContactLaw::Coulomb,
+    algorithm: "ADMM with a proximal term and automatic ρ (`--solver admm`)",
+    restitution: "the caller's",
+    position_update: "q + h v⁺",
+    schemes: &["moreau-jean"],
+    held_against: &[
+        Agreement {
+            against: ENGINE,
+            quantity: "contact velocities of six hard problems",
+            unit: "m/s",
+            measure: |runs| compare(runs, &HARD, &AlternatingDirections::default()),
+            planted: &[Planted { mistake: "μ a thousandth too large", measure: |runs| compare(runs, &HARD, &Rougher) }],
+        },
+        Agreement {
+            against: ENGINE,
+            quantity: "contact velocities of two compliant problems",
+            unit: "m/s",
+            measure: |runs| compare(runs, &SOFT, &AlternatingDirections::default()),
+            planted: &[Planted { mistake: "μ a thousandth too large", measure: |runs| compare(runs, &SOFT, &Rougher) }],
+        },
+        Agreement {
+            against: "Pinocchio 4.1.0, ADMM with solve_ncp = false",
+            quantity: "contact velocities of three relaxed problems",
+            unit: "m/s",
+            measure: |runs| compare(runs, &RELAXED, &AlternatingDirections::default()),
+            planted: &[Planted { mistake: "μ a thousandth too large", measure: |runs| compare(runs, &RELAXED, &Rougher) }],
+        },
+    ],
+};
+
+/// The largest difference of the contact velocities from the stored ones, over the stored problems \[m/s\].
+fn compare(runs: &dyn StoredRuns, stored: &[&str], solver: &dyn ContactSolver) -> Result<Measured> {
+    let found = stored.iter().map(|path| {
+        let document: Value =
+            serde_json::from_str(&runs.text(path)?).map_err(|error| Error::invalid("reference", error.to_string(), "regenerate it"))?;
+        let problem = ContactProblem::from_json(&document["problem"].to_string())?;
+        let theirs = Solution::from_json(&document["answer"].to_string())?;
+        Ok(Measured { difference: (solver.solve(&problem, None)?.velocity - &theirs.velocity).amax(), tolerance: tolerance::SAME_VELOCITY })
+    });
+    Measured::worst(found.collect::<Result<Vec<_>>>()?).ok_or_else(|| Error::Unsupported("no problem is stored".into()))
+}
+
+/// A mistake: our solver with μ a thousandth too large.
+struct Rougher;
+
+impl ContactSolver for Rougher {
+    fn name(&self) -> &'static str {
+        "rougher"
+    }
+
+    fn takes(&self, _law: Law, _rows: usize, _symmetric: bool) -> bool {
+        true
+    }
+
+    fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+        let mut other = problem.clone();
+        other.friction.iter_mut().for_each(|mu| *mu *= 1.001);
+        AlternatingDirections::default().solve(&other, warm_start)
+    }
+}
