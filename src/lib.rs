@@ -90,7 +90,17 @@ pub use moreau_forms as closed_forms;
 pub use moreau_gate::{gate_tests, rust_engine};
 pub use moreau_replicas::systems;
 
-/// The README's example, compiled and run as a documentation test.
+/// The examples of the README, compiled and run as documentation tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct ReadmeExample;
+
+/// Those of the page on what is inside.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/inside.md")]
+pub struct InsideExample;
+
+/// Those of the gate's manual.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/gate.md")]
+pub struct GateExample;
