@@ -19,9 +19,8 @@
 //! A depth gives back at most v_r r_n, a rebound e |u_n| r_n ([`crate::energy_balance`]).
 
 use moreau_contact::problem::Law;
-use moreau_dynamics::passes_the_waist;
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
-use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist, assembly};
+use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist, assembly, passes_the_waist};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 

@@ -8,11 +8,10 @@ use crate::closed_forms::bouncing_ball::BouncingBall;
 use crate::mechanics::{PointMass, State};
 use crate::problem::{Compliance, Coordinates, Law, Lcp};
 use crate::scalar::{Rational, ratio};
-use crate::schemes::{Anitescu, MoreauJean, Scheme, StepContext, StepProblem, Waist, simulate};
+use crate::schemes::{Anitescu, MoreauJean, Scheme, StepContext, StepProblem, Waist, passes_the_waist, simulate};
 use crate::solvers::lemke::{LemkeOutcome, lemke};
 use crate::solvers::{AcceleratedProjectedGradient, Reference};
 use crate::tolerance;
-use moreau_dynamics::passes_the_waist;
 use nalgebra::{DMatrix, DVector, dvector};
 
 /// Claims on the cumulative project.

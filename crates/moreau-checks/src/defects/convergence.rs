@@ -4,10 +4,9 @@ use super::Defect;
 use crate::convergence::{Horizon, Stop, bouncing_ball, plastic_ball};
 use crate::finding::Finding;
 use moreau_contact::problem::Law;
-use moreau_dynamics::passes_the_waist;
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
 use moreau_dynamics::schemes::{
-    Activation, MoreauJean, RestitutionRule, Scheme, StepContext, StepProblem, StewartTrinkle, Waist, assembly,
+    Activation, MoreauJean, RestitutionRule, Scheme, StepContext, StepProblem, StewartTrinkle, Waist, assembly, passes_the_waist,
 };
 use moreau_exact::Result;
 use nalgebra::DVector;

@@ -5,8 +5,7 @@ use crate::energy::impact;
 use crate::finding::Finding;
 use crate::zeno::DroppedBall;
 use moreau_contact::problem::ContactProblem;
-use moreau_dynamics::passes_the_waist;
-use moreau_dynamics::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepContext, StepProblem, Waist};
+use moreau_dynamics::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_exact::Result;
 use nalgebra::DVector;
 

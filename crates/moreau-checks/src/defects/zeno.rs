@@ -6,9 +6,10 @@ use crate::tolerance::zeno;
 use crate::zeno::{DroppedBall, absorption};
 use moreau_contact::problem::Law;
 use moreau_contact::solvers::ProjectedGaussSeidel;
-use moreau_dynamics::passes_the_waist;
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
-use moreau_dynamics::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepContext, StepProblem, Waist, assembly, simulate};
+use moreau_dynamics::schemes::{
+    Activation, MoreauJean, RestitutionRule, Scheme, StepContext, StepProblem, Waist, assembly, passes_the_waist, simulate,
+};
 use moreau_exact::Result;
 use nalgebra::DVector;
 

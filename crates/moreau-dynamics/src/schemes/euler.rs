@@ -15,8 +15,7 @@
 //! (`moreau::checks::energy_balance`).
 
 use super::assembly::{self, Candidate, Rules, normal_only};
-use super::{Scheme, StepContext, StepProblem, Waist};
-use crate::passes_the_waist;
+use super::{Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_contact::problem::Law;
 use moreau_exact::Result;
 use nalgebra::DVector;

@@ -23,9 +23,8 @@
 //! remembers its accelerations, and a spin of h‖Ω‖ ≈ 1 grows without contact (`moreau::checks::energy_balance`).
 
 use super::assembly::{self, normal_only};
-use super::{Inertia, Scheme, Step, StepContext, StepProblem, Waist};
+use super::{Inertia, Scheme, Step, StepContext, StepProblem, Waist, passes_the_waist};
 use crate::mechanics::{Mechanism, State};
-use crate::passes_the_waist;
 use crate::tolerance::schemes::asymmetry;
 use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::contact::pairs;

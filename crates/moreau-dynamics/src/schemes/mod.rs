@@ -41,7 +41,7 @@ pub use runge_kutta_flip::RungeKuttaFlip;
 pub use schatzman_paoli::SchatzmanPaoli;
 pub use stewart_trinkle::StewartTrinkle;
 pub use variational::Variational;
-pub use waist::{StepProblem, Waist, assembled, carry_over};
+pub use waist::{StepProblem, Waist, assembled, carry_over, passes_the_waist};
 
 /// The impulses of a step's law, and how well the scheme's own stopping rule is met, if it has one.
 #[derive(Clone, Debug)]
@@ -77,7 +77,7 @@ pub trait Scheme: Send + Sync {
     fn is_truncated(&self) -> bool {
         false
     }
-    /// One step; a scheme that passes the [`Waist`] takes this method from [`passes_the_waist!`](crate::passes_the_waist).
+    /// One step; a scheme that passes the [`Waist`] takes this method from [`passes_the_waist!`](passes_the_waist).
     ///
     /// # Errors
     /// If the state, the step or the mechanism is outside the scheme's scope, or a contact problem has no answer.

@@ -29,8 +29,7 @@
 //! take the places of M and h M⁻¹F (`moreau::checks::energy_balance`).
 
 use super::assembly::{self, Candidate, Rules, normal_only};
-use super::{Scheme, StepContext, StepProblem, Waist};
-use crate::passes_the_waist;
+use super::{Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_contact::problem::Law;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;

@@ -17,10 +17,9 @@
 //! The total energy has no theorem: the projection moves bodies along the force or against it (`moreau::checks::energy_balance`).
 
 use super::assembly::{self, normal_only};
-use super::{Certified, Inertia, Scheme, StepContext, StepProblem, Waist};
+use super::{Certified, Inertia, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use crate::least_squares::least_squares;
 use crate::mechanics::Mechanism;
-use crate::passes_the_waist;
 use crate::tolerance::schemes::{DEPENDENT_NORMALS, projected};
 use moreau_contact::certificate::StepResidual;
 use moreau_contact::contact::{Contact, Identity, pairs};

@@ -19,9 +19,8 @@
 //! Chapter §0, why high order is of no use across impacts.
 
 use super::assembly::normal_only;
-use super::{Inertia, Scheme, StepContext, StepProblem, Waist};
+use super::{Inertia, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use crate::mechanics::{Mechanism, State};
-use crate::passes_the_waist;
 use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::contact::pairs;
 use moreau_contact::problem::{ContactProblem, Dynamics, Law};

@@ -84,6 +84,8 @@ macro_rules! passes_the_waist {
     };
 }
 
+pub use passes_the_waist;
+
 /// The parts of a step that poses one problem, whoever answers it.
 pub struct Parts<'a> {
     /// Poses it.

@@ -4,8 +4,7 @@ use crate::Engine;
 use crate::own::{Mechanics, OwnEngine, by_name};
 use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::{ContactSolver, Reference, SolverEntry, Solvers};
-use moreau_dynamics::passes_the_waist;
-use moreau_dynamics::schemes::{MoreauJean, Scheme, StepContext, StepProblem, Waist};
+use moreau_dynamics::schemes::{MoreauJean, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 

@@ -33,9 +33,8 @@ use moreau_contact::contact::{Contact, pairs};
 use moreau_contact::problem::{ContactProblem, Law};
 use moreau_contact::solvers::{ContactSolver, ProjectedGaussSeidel};
 use moreau_dynamics::mechanics::{Mechanism, State};
-use moreau_dynamics::passes_the_waist;
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
-use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist, assembly};
+use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist, assembly, passes_the_waist};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 

@@ -20,9 +20,8 @@
 
 use crate::drake::{Material, SIGMA, response};
 use moreau_contact::problem::{Compliance, Coordinates, Law};
-use moreau_dynamics::passes_the_waist;
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
-use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist, assembly};
+use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist, assembly, passes_the_waist};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;

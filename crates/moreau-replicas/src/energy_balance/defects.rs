@@ -9,8 +9,7 @@ use moreau_contact::problem::ContactProblem;
 use moreau_contact::solvers::Reference;
 use moreau_dynamics::mechanics::spatial::{Shape, SpatialBody};
 use moreau_dynamics::mechanics::{Mechanism, OscillatorWithStop, Plane, PointMass, SpatialBodies, State};
-use moreau_dynamics::passes_the_waist;
-use moreau_dynamics::schemes::{Scheme, Step, StepContext, StepProblem, Waist, step};
+use moreau_dynamics::schemes::{Scheme, Step, StepContext, StepProblem, Waist, passes_the_waist, step};
 use moreau_exact::{Error, Result};
 use nalgebra::{DVector, dvector};
 

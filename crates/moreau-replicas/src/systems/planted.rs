@@ -1,7 +1,6 @@
 //! Schemes with a mistake: what agreements plant, to show that they can fail.
 
-use moreau_dynamics::passes_the_waist;
-use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist};
+use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_exact::Result;
 use nalgebra::DVector;
 

@@ -3,9 +3,8 @@
 use delegate::delegate;
 use moreau_contact::contact::Contact;
 use moreau_dynamics::mechanics::{BodyState, Mechanism, State};
-use moreau_dynamics::passes_the_waist;
 use moreau_dynamics::scenes::Scene;
-use moreau_dynamics::schemes::{MoreauJean, Scheme, StepContext, StepProblem, Waist};
+use moreau_dynamics::schemes::{MoreauJean, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 
