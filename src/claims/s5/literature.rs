@@ -91,7 +91,7 @@ fn users(reading: Reading) -> Result<Vec<Finding>> {
         let block = PointMass::new("block", 1.0, dvector![0.0, 0.0, -9.81], vec![Plane::new(dvector![0.0, 0.0, 1.0], 0.0, 0.5, 0.0)?])?;
         let state = State { time: 0.0, position: dvector![0.0, 0.0, -0.001], velocity: dvector![1.0, 0.0, 0.0] };
         let assembled = by_name(scheme, Parameters::default())?.assemble(&block, &state, 0.01)?;
-        Ok(assembled.problem.map(|problem| problem.law))
+        Ok(assembled.problem.map(|problem| problem.law()))
     };
     let relaxed = Some(Law::Associated);
     let siconos = Facts::stored()?;

@@ -7,9 +7,9 @@
 
 use super::StepProblem;
 use crate::mechanics::{Mechanism, State};
-use moreau_contact::contact::delassus::{MassFactor, delassus};
+use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::contact::{Contact, pairs};
-use moreau_contact::problem::{ContactProblem, Dynamics, Law};
+use moreau_contact::problem::{ContactProblem, Law};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -56,18 +56,16 @@ pub fn assemble(name: &str, rules: &dyn Rules, mechanism: &dyn Mechanism, state:
         None
     } else {
         let shifts: Vec<DVector<f64>> = active.iter().map(|(_, candidate)| rules.shift(candidate, h)).collect();
-        Some(ContactProblem {
-            name: format!("{} {name} t={}", mechanism.name(), state.time),
-            rows_per_contact: rows,
-            law: rules.law(rows),
-            friction: active.iter().map(|(_, candidate)| candidate.contact.friction).collect(),
-            free_velocity: &jacobian * &free_velocity,
-            shift: DVector::from_iterator(rows * active.len(), shifts.iter().flat_map(|shift| shift.iter().copied())),
-            delassus: delassus(&effective_mass, &jacobian)?,
-            compliance: None,
-            dynamics: Some(Dynamics { mass: effective_mass.clone(), jacobian: jacobian.clone() }),
-            bodies: pairs(&places),
-        })
+        Some(
+            ContactProblem::from_dynamics(effective_mass.clone(), jacobian.clone(), &free_velocity)
+                .name(format!("{} {name} t={}", mechanism.name(), state.time))
+                .law(rules.law(rows))
+                .rows_per_contact(rows)
+                .friction(active.iter().map(|(_, candidate)| candidate.contact.friction).collect())
+                .shift(DVector::from_iterator(rows * active.len(), shifts.iter().flat_map(|shift| shift.iter().copied())))
+                .bodies(pairs(&places))
+                .build()?,
+        )
     };
     let active = active.iter().map(|(index, _)| *index).collect();
     Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian, residual: None })
@@ -146,9 +144,9 @@ mod tests {
         let scheme = MoreauJean { theta: 0.5, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
         let step = scheme.assemble(&corner, &state, 0.1).expect("valid");
         let problem = step.problem.expect("one contact");
-        assert_eq!((step.active, problem.friction.clone()), (vec![1], vec![0.7]));
-        assert_eq!(problem.shift, dvector![0.5 * -2.0, 0.0]);
-        assert_eq!(problem.free_velocity, dvector![-3.0, 0.0]);
+        assert_eq!((step.active, problem.friction()), (vec![1], &[0.7][..]));
+        assert_eq!(problem.shift(), &dvector![0.5 * -2.0, 0.0]);
+        assert_eq!(problem.free_velocity(), &dvector![-3.0, 0.0]);
     }
 
     #[test]
@@ -160,6 +158,6 @@ mod tests {
         let step = scheme.assemble(&stop, &state, 0.5).expect("valid");
         let problem = step.problem.expect("the stop is penetrated");
         assert!((step.effective_mass[(0, 0)] - 2.175).abs() <= rounding(4, 2.0));
-        assert!((problem.delassus[(0, 0)] - 1.0 / 2.175).abs() <= rounding(4, 1.0));
+        assert!((problem.entry(0, 0) - 1.0 / 2.175).abs() <= rounding(4, 1.0));
     }
 }

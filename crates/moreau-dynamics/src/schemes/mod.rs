@@ -363,7 +363,7 @@ mod tests {
             let found = residuals(problem, &warm)?;
             assert!(found.is_solution(CERTIFY) && residuals(problem, &cold)?.is_solution(CERTIFY));
             // several impulses carry the stack, but they all give one velocity
-            assert!((&warm.velocity - &cold.velocity).amax() <= CERTIFY * found.velocity_scale, "{}", problem.name);
+            assert!((&warm.velocity - &cold.velocity).amax() <= CERTIFY * found.velocity_scale, "{}", problem.name());
             self.warm.fetch_add(warm.iterations, Relaxed);
             self.cold.fetch_add(cold.iterations, Relaxed);
             Ok(warm)

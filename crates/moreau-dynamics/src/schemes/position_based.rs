@@ -21,9 +21,9 @@ use super::assembly::{self, check_input, normal_only};
 use super::{Scheme, Step, StepProblem};
 use crate::mechanics::{Mechanism, State};
 use crate::tolerance::limits::SWEEPS;
-use moreau_contact::contact::delassus::{MassFactor, delassus};
+use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::contact::{ContactImpulse, pairs};
-use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law};
+use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Law};
 use moreau_contact::solvers::ContactSolver;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -119,18 +119,15 @@ impl Scheme for PositionBased {
         let [scaled, _] = self.weights(h);
         let diagonal = DVector::from_fn(rows * contacts.len(), |row, _| if row % rows == 0 { scaled } else { 0.0 });
         let places: Vec<_> = contacts.iter().map(|contact| contact.place).collect();
-        let problem = ContactProblem {
-            name: format!("{} {} t={}", mechanism.name(), self.name(), state.time),
-            rows_per_contact: rows,
-            law: if rows == 1 { Law::Frictionless } else { Law::Coulomb },
-            friction: contacts.iter().map(|contact| contact.friction).collect(),
-            free_velocity: &jacobian * &free_velocity,
-            shift,
-            delassus: delassus(&effective_mass, &jacobian)?,
-            compliance: (scaled > 0.0).then_some(Compliance { coordinates: Coordinates::Contact, diagonal }),
-            dynamics: Some(Dynamics { mass: effective_mass.clone(), jacobian: jacobian.clone() }),
-            bodies: pairs(&places),
-        };
+        let problem = ContactProblem::from_dynamics(effective_mass.clone(), jacobian.clone(), &free_velocity)
+            .name(format!("{} {} t={}", mechanism.name(), self.name(), state.time))
+            .law(if rows == 1 { Law::Frictionless } else { Law::Coulomb })
+            .rows_per_contact(rows)
+            .friction(contacts.iter().map(|contact| contact.friction).collect())
+            .shift(shift)
+            .compliance((scaled > 0.0).then_some(Compliance { coordinates: Coordinates::Contact, diagonal }))
+            .bodies(pairs(&places))
+            .build()?;
         let problem = (!contacts.is_empty()).then_some(problem);
         Ok(StepProblem { problem, active: (0..contacts.len()).collect(), places, effective_mass, free_velocity, jacobian, residual: None })
     }
@@ -258,8 +255,8 @@ mod tests {
         let taken = step(&scheme, &Reference, &chain, &start, h).expect("valid");
         // positions first: the impulses of the velocity pass are taken out again
         let moved = (&taken.state.position - &start.position) / h;
-        let jacobian = &problem.dynamics.as_ref().expect("given").jacobian;
-        let expected = &problem.free_velocity + &problem.delassus * &solved;
+        let jacobian = &problem.dynamics().expect("given").jacobian;
+        let expected = problem.free_velocity() + problem.dense() * &solved;
         assert!((jacobian * moved - expected).amax() <= 1e-10);
     }
 

@@ -123,11 +123,13 @@ impl Scheme for Baumgarte {
     fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
         let mut step = Baumgarte::scheme()?.assemble(mechanism, state, h)?;
         let contacts = mechanism.contacts(&state.position);
-        if let Some(problem) = &mut step.problem {
+        if let Some(problem) = step.problem.take() {
+            let mut shift = problem.shift().clone();
             for (k, &index) in step.active.iter().enumerate() {
                 let gap = contacts.get(index).map_or(0.0, |contact| contact.gap);
-                problem.shift[problem.rows_per_contact * k] += gap.min(0.0) / h;
+                shift[problem.rows_per_contact() * k] += gap.min(0.0) / h;
             }
+            step.problem = Some(problem.into_builder().shift(shift).build()?);
         }
         Ok(step)
     }
