@@ -63,7 +63,7 @@ fn measured(n: usize) -> (usize, usize, Duration, Duration) {
     let begun = Instant::now();
     for (problem, solution) in &kept {
         let judged = judge.judge(problem, solution).expect("it fits");
-        assert!(judged.relative().is_finite(), "{}", problem.name);
+        assert!(judged.relative().is_finite(), "{}", problem.name());
     }
     (kept.len(), kept.iter().map(|(problem, _)| problem.contacts()).max().unwrap_or(0), all, begun.elapsed())
 }

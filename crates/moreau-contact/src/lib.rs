@@ -14,18 +14,12 @@
 //! use moreau_contact::{ContactProblem, Law};
 //! use nalgebra::{DMatrix, dvector};
 //!
-//! let problem = ContactProblem {
-//!     name: "block".into(),
-//!     rows_per_contact: 2,
-//!     law: Law::Coulomb,
-//!     friction: vec![0.5],
-//!     free_velocity: dvector![-1.0, 2.0],
-//!     shift: dvector![0.0, 0.0],
-//!     delassus: DMatrix::identity(2, 2),
-//!     compliance: None,
-//!     dynamics: None,
-//!     bodies: None,
-//! };
+//! let problem = ContactProblem::new(DMatrix::identity(2, 2), dvector![-1.0, 2.0])
+//!     .name("block")
+//!     .law(Law::Coulomb)
+//!     .rows_per_contact(2)
+//!     .friction(vec![0.5])
+//!     .build()?;
 //! let answer = Reference.solve(&problem, None)?;
 //! assert!(residuals(&problem, &answer)?.is_solution(1e-8)); // r = (1, −½) N·s, u = (0, 3/2) m/s
 //! # Ok::<(), moreau_contact::Error>(())
@@ -43,6 +37,7 @@ pub mod solvers;
 pub mod tolerance;
 
 pub use moreau_exact::{Error, Result, scalar};
+pub use nalgebra;
 pub use problem::{ContactProblem, Law, Solution};
 
 /// The README's example, compiled and run as a documentation test.

@@ -79,10 +79,11 @@ impl Scheme for Regularised {
 impl Waist for Regularised {
     fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
         let mut step = Anitescu.assemble(at)?;
-        if let Some(problem) = &mut step.problem {
-            let rows = problem.rows_per_contact;
+        if let Some(problem) = step.problem.take() {
+            let rows = problem.rows_per_contact();
             let diagonal = DVector::from_fn(problem.rows(), |row, _| if row % rows == 0 { 0.0 } else { 1.0 / 1000.0 });
-            problem.compliance = Some(Compliance { coordinates: Coordinates::Contact, diagonal });
+            let compliance = Compliance { coordinates: Coordinates::Contact, diagonal };
+            step.problem = Some(problem.into_builder().compliance(compliance).build()?);
         }
         Ok(step)
     }

@@ -22,7 +22,7 @@ use super::{Scheme, Start, Step, StepContext, StepProblem};
 use crate::mechanics::State;
 use crate::tolerance::limits::SWEEPS;
 use moreau_contact::contact::{ContactImpulse, pairs};
-use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law};
+use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Law};
 use moreau_contact::solvers::ContactSolver;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -125,18 +125,15 @@ impl PositionBased {
         let [scaled, _] = self.weights(h);
         let diagonal = DVector::from_fn(rows * contacts.len(), |row, _| if row % rows == 0 { scaled } else { 0.0 });
         let places: Vec<_> = contacts.iter().map(|contact| contact.place).collect();
-        let problem = ContactProblem {
-            name: format!("{} {} t={}", mechanism.name(), self.name(), state.time),
-            rows_per_contact: rows,
-            law: if rows == 1 { Law::Frictionless } else { Law::Coulomb },
-            friction: contacts.iter().map(|contact| contact.friction).collect(),
-            free_velocity: &jacobian * &free_velocity,
-            shift,
-            delassus: inertia.delassus(&jacobian)?,
-            compliance: (scaled > 0.0).then_some(Compliance { coordinates: Coordinates::Contact, diagonal }),
-            dynamics: Some(Dynamics { mass: inertia.matrix().clone(), jacobian: jacobian.clone() }),
-            bodies: pairs(&places),
-        };
+        let problem = ContactProblem::from_inertia(&inertia, jacobian.clone(), &free_velocity)
+            .name(format!("{} {} t={}", mechanism.name(), self.name(), state.time))
+            .law(if rows == 1 { Law::Frictionless } else { Law::Coulomb })
+            .rows_per_contact(rows)
+            .friction(contacts.iter().map(|contact| contact.friction).collect())
+            .shift(shift)
+            .compliance((scaled > 0.0).then_some(Compliance { coordinates: Coordinates::Contact, diagonal }))
+            .bodies(pairs(&places))
+            .build()?;
         Ok((!contacts.is_empty()).then_some(problem))
     }
 
@@ -251,8 +248,8 @@ mod tests {
         let taken = step(&scheme, &Reference, &chain, &start, h).expect("valid");
         // positions first: the impulses of the velocity pass are taken out again
         let moved = (&taken.state.position - &start.position) / h;
-        let jacobian = &problem.dynamics.as_ref().expect("given").jacobian;
-        let expected = &problem.free_velocity + &problem.delassus * &solved;
+        let jacobian = &problem.dynamics().expect("given").jacobian;
+        let expected = problem.free_velocity() + problem.dense() * &solved;
         assert!((jacobian * moved - expected).amax() <= 1e-10);
     }
 

@@ -7,12 +7,12 @@
 //! solving, certifying, warm starts and the choice of the candidates nearby are the same for all. Which schemes pass and which do not, and
 //! why, is in `docs/waist.md`.
 
-use super::context::{Inertia, StepContext};
+use super::context::StepContext;
 use super::nearby::Nearby;
 use super::{OwnAnswer, Scheme, Start, Step};
 use crate::mechanics::{Mechanism, State, afford};
 use moreau_contact::certificate::StepResidual;
-use moreau_contact::contact::{ContactImpulse, Place};
+use moreau_contact::contact::{ContactImpulse, Inertia, Place};
 use moreau_contact::problem::{ContactProblem, Solution};
 use moreau_contact::solvers::ContactSolver;
 use moreau_exact::Result;

@@ -72,23 +72,20 @@ fn normals_clipped(problem: &ContactProblem, start: &DVector<f64>) -> Result<Sol
 }
 
 fn shift_ignored(problem: &ContactProblem, start: &DVector<f64>) -> Result<Solution> {
-    let mut plain = problem.clone();
-    plain.shift.fill(0.0);
+    let plain = problem.clone().into_builder().shift(DVector::zeros(problem.rows())).build()?;
     Reference.solve(&plain, Some(start))
 }
 
 fn convex_relaxation(problem: &ContactProblem, start: &DVector<f64>) -> Result<Solution> {
-    let mut convex = problem.clone();
-    if convex.law == Law::Coulomb {
-        convex.law = Law::Associated;
-    }
+    let law = if problem.law() == Law::Coulomb { Law::Associated } else { problem.law() };
+    let convex = problem.clone().into_builder().law(law).build()?;
     Reference.solve(&convex, Some(start))
 }
 
 fn velocity_as_wished(problem: &ContactProblem, start: &DVector<f64>) -> Result<Solution> {
     let mut solution = Reference.solve(problem, Some(start))?;
-    for normal in (0..problem.rows()).step_by(problem.rows_per_contact) {
-        solution.velocity[normal] = solution.velocity[normal].max(-problem.shift[normal]);
+    for normal in (0..problem.rows()).step_by(problem.rows_per_contact()) {
+        solution.velocity[normal] = solution.velocity[normal].max(-problem.shift()[normal]);
     }
     Ok(solution)
 }

@@ -121,6 +121,6 @@ fn two_sweeps(problem: &ContactProblem, _start: &DVector<f64>) -> Result<Solutio
 }
 
 fn stale(problem: &ContactProblem, start: &DVector<f64>) -> Result<Solution> {
-    let known = start.as_slice().chunks(problem.rows_per_contact).all(|impulse| impulse[0] > 0.0);
+    let known = start.as_slice().chunks(problem.rows_per_contact()).all(|impulse| impulse[0] > 0.0);
     if known { Ok(answer(problem, start.clone(), 0)) } else { Reference.solve(problem, Some(start)) }
 }

@@ -95,7 +95,7 @@ fn apart(problem: &ContactProblem, one: &Solution, other: &Solution) -> Result<M
     let impulses = (&one.impulse - &other.impulse).norm() + residual;
     let rho = natural_map::scales(problem).into_iter().fold(f64::INFINITY, f64::min);
     let norm = largest_eigenvalue_bound(&problem.law_delassus());
-    let floor = rounding(problem.rows(), problem.delassus.norm() * one.impulse.norm());
+    let floor = rounding(problem.rows(), problem.dense().norm() * one.impulse.norm());
     Ok(Measured {
         difference: (&one.velocity - &other.velocity).norm(),
         tolerance: solvers::agreement(norm, residual, impulses, rho) + floor,
@@ -113,8 +113,7 @@ pub fn stack_answered_wrongly(scheme: &dyn Waist, solver: &dyn ContactSolver) ->
     let problem = assembled.problem.ok_or_else(|| Error::Unsupported("no contact was active".into()))?;
     let interior = ClarabelPolished.solve(&problem, None)?;
     let right = apart(&problem, &solver.solve(&problem, None)?, &interior)?;
-    let mut other = problem.clone();
-    other.free_velocity *= 1.1;
+    let other = problem.clone().into_builder().free_velocity(problem.free_velocity() * 1.1).build()?;
     let mut answer = solver.solve(&other, None)?;
     answer.velocity = problem.velocity(&answer.impulse);
     Ok(Measured { tolerance: right.tolerance, ..apart(&problem, &answer, &interior)? })
@@ -133,6 +132,6 @@ impl ContactSolver for Untouched {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        Ok(Solution { velocity: problem.free_velocity.clone(), ..self.0.solve(problem, warm_start)? })
+        Ok(Solution { velocity: problem.free_velocity().clone(), ..self.0.solve(problem, warm_start)? })
     }
 }

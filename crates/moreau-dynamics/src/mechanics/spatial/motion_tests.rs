@@ -278,7 +278,7 @@ fn an_answer_without_distant_candidates_is_an_answer_with_them() {
                 let extended = Solution { velocity: problem.velocity(&impulse), impulse, ..solution.clone() };
                 let of = |problem, solution| residuals(problem, solution).expect("valid").natural_map;
                 let (natural_map, own) = (of(problem, &extended), of(few, solution));
-                let size = problem.delassus.amax() * solution.impulse.norm() + problem.free_velocity.amax() + problem.shift.amax();
+                let size = problem.dense().amax() * solution.impulse.norm() + problem.free_velocity().amax() + problem.shift().amax();
                 assert!(natural_map <= own + rounding(problem.rows(), size), "{}: {natural_map:e} with, {own:e} without", scheme.name());
             }
             state = step.state;
