@@ -19,6 +19,7 @@ pub mod euler;
 pub mod events;
 pub mod exact_particle;
 mod finite;
+mod free_motion;
 pub mod generalised_alpha;
 pub mod moreau_jean;
 pub mod moreau_jean_projection;
@@ -170,7 +171,7 @@ fn step_after(
     }
     let mut reach = 2.0 * mechanism.reach(&state.velocity, h);
     if reach.is_finite() {
-        reach = reach.max(2.0 * mechanism.reach(&assembly::forecast(mechanism, state, h)?, h));
+        reach = reach.max(2.0 * mechanism.reach(&free_motion::forecast(mechanism, state, h)?, h));
     }
     loop {
         afford(mechanism, &state.position, reach)?;
