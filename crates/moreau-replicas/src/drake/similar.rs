@@ -19,7 +19,8 @@
 
 use super::primal_newton::Potential;
 use crate::drake::hunt_crossley::{answer, blocks, stacked, touches};
-use crate::drake::{Material, Touch, assemble_touching};
+use crate::drake::touching::assemble_touching;
+use crate::drake::{Material, Touch};
 use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::schemes::{OwnAnswer, Scheme, StepProblem};
 use moreau_exact::Result;

@@ -22,7 +22,8 @@
 //! `TamsiSolver`.
 
 use crate::drake::hunt_crossley::{stacked, touches};
-use crate::drake::{Material, Touch, assemble_touching};
+use crate::drake::touching::{assemble_touching, own_answer};
+use crate::drake::{Material, Touch};
 use crate::tolerance::solvers::{LINE_STEPS, NEAR_MINIMUM};
 use moreau_contact::problem::Solution;
 use moreau_contact::tolerance::solvers::{NEWTON_STEPS, STOP};
@@ -149,7 +150,7 @@ impl Scheme for DrakeTamsi {
         let velocity = &assembled.jacobian * velocity;
         let relative = if terms > 0.0 { size / terms } else { 0.0 };
         let solution = Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations };
-        Ok(Some(crate::drake::own_answer(solution, relative)))
+        Ok(Some(own_answer(solution, relative)))
     }
 
     fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
