@@ -2,7 +2,7 @@
 
 use moreau::checks::Finding;
 use moreau::defects;
-use moreau::gate::{Verdict, check, matrix, planted};
+use moreau::gate::{Verdict, checks, matrix, planted};
 use rayon::prelude::*;
 use std::collections::{BTreeSet, HashMap};
 
@@ -33,7 +33,7 @@ fn every_family_has_at_least_two_defects() {
 /// The checks that a planted engine names, all of which must catch it.
 fn catch(mistake: &planted::Planted) -> &'static [&'static str] {
     assert!(!mistake.caught_by.is_empty(), "{} is caught by nobody: {}", mistake.name, mistake.mistake);
-    let find = |name: &&str| check::find(name).unwrap_or_else(|| panic!("{}: no check `{name}`", mistake.name));
+    let find = |name: &&str| checks::find(name).unwrap_or_else(|| panic!("{}: no check `{name}`", mistake.name));
     let checks: Vec<_> = mistake.caught_by.iter().map(find).collect();
     let report = matrix::judge(mistake, &checks).unwrap_or_else(|error| panic!("{}: {error}", mistake.name));
     for outcome in &report.checks {
@@ -48,6 +48,6 @@ fn every_planted_engine_is_caught_and_every_check_of_the_gate_catches_one() {
     let planted: Vec<&planted::Planted> = planted::all().collect();
     assert!(planted.len() >= 25);
     let catching: BTreeSet<&str> = planted.par_iter().flat_map_iter(|mistake| catch(mistake)).copied().collect();
-    let idle: Vec<&str> = check::all().map(|check| check.name).filter(|name| !catching.contains(name)).collect();
+    let idle: Vec<&str> = checks::all().map(|check| check.name).filter(|name| !catching.contains(name)).collect();
     assert!(idle.is_empty(), "these checks catch no planted mistake: {}", idle.join(", "));
 }

@@ -1,7 +1,7 @@
 //! The stored scoreboard: docs/scoreboard.md shows what it renders, every check that is not passed has a cause, and the highlights are true.
 
 use moreau::gate::scoreboard::{Engines, Standing};
-use moreau::gate::{Report, cause, check};
+use moreau::gate::{Report, cause, checks};
 use moreau::number::significant;
 use moreau::report::gate::scoreboard;
 use std::path::{Path, PathBuf};
@@ -43,7 +43,7 @@ fn the_page_shows_what_is_stored() {
 
 #[test]
 fn every_result_has_every_check_and_no_engine_is_missing() {
-    let names: Vec<&str> = check::all().map(|check| check.name).collect();
+    let names: Vec<&str> = checks::all().map(|check| check.name).collect();
     for standing in standings() {
         let report = standing.report.unwrap_or_else(|| panic!("{} was not run: {:?}", standing.entry.name, standing.not_run));
         let stored: Vec<&str> = report.checks.iter().map(|outcome| outcome.check.as_str()).collect();

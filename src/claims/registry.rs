@@ -1,6 +1,6 @@
 //! All claims in the chapter's order, and how one is judged.
 
-use super::{Claim, Reading};
+use super::{Claim, Reading, group_of};
 use crate::checks::Finding;
 use serde::Serialize;
 use std::time::Instant;
@@ -59,14 +59,6 @@ pub fn all() -> impl Iterator<Item = &'static Claim> {
 /// The claim with this id.
 pub fn find(id: &str) -> Option<&'static Claim> {
     all().find(|claim| claim.id == id)
-}
-
-/// The group of an id: `S4` of `S4.sigma`; an id without a dot is a letter and a number, and `R6` is in `R`.
-pub fn group_of(id: &str) -> &str {
-    match id.split_once('.') {
-        Some((group, _)) => group,
-        None => id.trim_end_matches(|letter: char| letter.is_ascii_digit()),
-    }
 }
 
 /// Whether an id lies in a group given by dot-separated parts: `S4` holds `S4.sigma` but not `S40.x`, and `R` holds `R6`.

@@ -1,7 +1,7 @@
 //! What `simulate` and `compare` do about steps that the certificate rejects.
 
 use super::output::print_aside;
-use super::{Answer, certify};
+use super::{Answer, limits};
 use crate::Result;
 use crate::schemes::Certified;
 use crate::solvers::ContactSolver;
@@ -21,7 +21,7 @@ pub struct CertificateOptions {
 impl CertificateOptions {
     /// The solver with its answers certified.
     pub fn certified<'a>(&self, solver: &'a dyn ContactSolver) -> Result<Certified<'a>> {
-        certify::check_tolerance("--certify-tolerance", self.certify_tolerance)?;
+        limits::check_tolerance("--certify-tolerance", self.certify_tolerance)?;
         Ok(Certified::with_tolerance(solver, self.certify_tolerance))
     }
 

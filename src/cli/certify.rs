@@ -1,14 +1,14 @@
 //! `moreau certify`: judges an answer to a contact problem without knowing where it came from.
 
-use super::limits::MemoryOption;
+use super::limits::{MemoryOption, check_tolerance};
 use super::output::print;
 use super::{Answer, Format};
+use crate::Result;
 use crate::certificate::residuals;
 use crate::problem::{ContactProblem, Solution};
 use crate::report::certificate::Certificate;
 use crate::report::json::pretty;
 use crate::tolerance::cli::CERTIFY;
-use crate::{Error, Result};
 use std::path::PathBuf;
 
 /// Certify an answer to a contact problem: residuals with units, and whether they are small enough.
@@ -40,14 +40,6 @@ Examples:
   moreau certify problem.json solution.json --tolerance 1e-12 --format json
 
 Exit code 0: a solution; 1: not a solution; 2: the files cannot be read or do not fit each other.";
-
-/// Refuses a tolerance that is negative or no number.
-pub fn check_tolerance(option: &str, tolerance: f64) -> Result<()> {
-    if tolerance.is_finite() && tolerance >= 0.0 {
-        return Ok(());
-    }
-    Err(Error::invalid(option, format!("is {tolerance}"), "use a finite number ≥ 0"))
-}
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {

@@ -3,7 +3,7 @@
 use super::output::print;
 use super::{Answer, Format};
 use crate::Result;
-use crate::gate::check;
+use crate::gate::checks;
 use crate::gate::matrix::{Row, matrix, size};
 use crate::report::json::pretty;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -22,7 +22,7 @@ pub struct Arguments {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
-    let checks: Vec<_> = check::all().collect();
+    let checks: Vec<_> = checks::all().collect();
     let bar = ProgressBar::new(size() as u64);
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} planted mistakes  {elapsed}") {
         bar.set_style(style);

@@ -1,6 +1,6 @@
 //! The material of Drake's schemes on the command line.
 
-use super::scheme_options::Owned;
+use super::owned::Owned;
 use crate::schemes::drake::Material;
 
 /// One option per number of [`Material`].

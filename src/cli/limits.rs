@@ -61,6 +61,14 @@ pub fn count(option: &str, value: usize, most: usize) -> Result<usize> {
     }
 }
 
+/// Refuses a tolerance that is negative or no number.
+pub fn check_tolerance(option: &str, tolerance: f64) -> Result<()> {
+    if tolerance.is_finite() && tolerance >= 0.0 {
+        return Ok(());
+    }
+    Err(Error::invalid(option, format!("is {tolerance}"), "use a finite number ≥ 0"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

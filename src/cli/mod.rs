@@ -3,6 +3,7 @@
 //! Exit codes: 0 the answer is yes, 1 the answer is no, 2 the question could not be understood (and nothing was written),
 //! 3 the engine to be judged could not be run.
 
+mod answer;
 mod certificate_options;
 mod certify;
 mod compare;
@@ -15,6 +16,7 @@ mod limits;
 mod mujoco_options;
 mod near;
 mod output;
+mod owned;
 mod protocol_check;
 mod scene;
 mod schema;
@@ -27,7 +29,8 @@ mod systems;
 mod verify;
 
 use crate::{Error, Result};
-use clap::{Parser, Subcommand, ValueEnum};
+use answer::{Answer, Format};
+use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
 /// Proofs-as-tests for contact time-stepping.
@@ -73,33 +76,6 @@ enum Command {
     Schema(schema::Arguments),
     Scoreboard(scoreboard::Arguments),
     Systems(systems::Arguments),
-}
-
-/// How to write the result.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-enum Format {
-    /// For reading.
-    #[default]
-    Text,
-    /// For programs.
-    Json,
-}
-
-/// The answer of a subcommand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Answer {
-    /// Exit code 0.
-    Yes,
-    /// Exit code 1.
-    No,
-    /// Exit code 3: there is nobody to ask.
-    CannotRun,
-}
-
-impl From<bool> for Answer {
-    fn from(yes: bool) -> Self {
-        if yes { Answer::Yes } else { Answer::No }
-    }
 }
 
 /// Runs the command line and returns its exit code.

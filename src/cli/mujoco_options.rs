@@ -1,6 +1,6 @@
 //! Cone, softness, friction against rotation and integrator of mujoco on the command line; the cone is bullet's, too.
 
-use super::scheme_options::{Owned, option};
+use super::owned::{Owned, option};
 use crate::schemes::mujoco::{Cone, Integrator, Rotational, Softness};
 use crate::schemes::{Friction, Mujoco};
 use crate::{Error, Result};

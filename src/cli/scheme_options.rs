@@ -4,6 +4,7 @@ use super::drake_options::DrakeOptions;
 use super::limits::count;
 use super::mujoco_options::MujocoOptions;
 use super::near::suggestion;
+use super::owned::{Owned, option};
 use crate::schemes::{self, Activation, Bullet, Parameters, RestitutionRule, Scheme};
 use crate::tolerance::limits::SWEEPS;
 use crate::{Error, Result};
@@ -46,16 +47,6 @@ pub struct SchemeOptions {
     mujoco: MujocoOptions,
     #[command(flatten)]
     drake: DrakeOptions,
-}
-
-/// An option, whether it was given, and the schemes in which it does something.
-pub struct Owned {
-    /// With its dashes.
-    pub option: &'static str,
-    /// On this command line.
-    pub given: bool,
-    /// Names of schemes.
-    pub owners: &'static [&'static str],
 }
 
 impl SchemeOptions {
@@ -146,16 +137,5 @@ fn activation(name: &str) -> Result<Activation> {
         "D" => Ok(Activation::FreeVelocityForecast),
         "C" => Err(Error::invalid("--activation", "is C, under which a resting body sinks", "use A, B or D")),
         _ => Activation::by_name(name).map_err(option),
-    }
-}
-
-/// The error with the field spelt as the option it came from.
-pub fn option(error: Error) -> Error {
-    match error {
-        Error::Invalid { field, problem, cure } if field == "directions" => {
-            Error::Invalid { field: "--friction-directions".into(), problem, cure }
-        }
-        Error::Invalid { field, problem, cure } => Error::Invalid { field: format!("--{}", field.replace([' ', '_'], "-")), problem, cure },
-        other => other,
     }
 }

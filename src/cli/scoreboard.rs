@@ -4,7 +4,7 @@ use super::output::{print, print_aside};
 use super::{Answer, Format, section};
 use crate::files::write_together;
 use crate::gate::cause::{self, Cause};
-use crate::gate::check;
+use crate::gate::checks;
 use crate::gate::process::end_engines_on_interrupt;
 use crate::gate::runner::{QUICK, SWEEP};
 use crate::gate::scoreboard::{Engines, Standing};
@@ -98,7 +98,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
 }
 
 fn judge(arguments: &Arguments, entry: &crate::gate::scoreboard::Entry) -> Standing {
-    let checks: Vec<_> = check::all().collect();
+    let checks: Vec<_> = checks::all().collect();
     let sweep = if arguments.full { SWEEP.to_vec() } else { QUICK.to_vec() };
     let bar = ProgressBar::new((checks.len() * sweep.len()) as u64).with_message(entry.name.clone());
     if let Ok(style) = ProgressStyle::with_template("{msg:24} {bar:40} {elapsed}") {

@@ -1,7 +1,7 @@
 //! `moreau solve`: solves a contact problem and certifies its own answer.
 
-use super::certify::check_tolerance;
 use super::limits::MemoryOption;
+use super::limits::check_tolerance;
 use super::output::{keep_input, no_answer, print, print_aside};
 use super::{Answer, Format};
 use crate::certificate::residuals;

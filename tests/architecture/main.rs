@@ -1,5 +1,7 @@
 //! The invariants of the architecture, read off manifests and source: who may depend on whom, and where tolerances live.
 
+mod circles;
+mod modules;
 mod source;
 
 use source::{imports, names_after, small_literals, strip, without_tests};

@@ -6,7 +6,7 @@ mod sweep;
 
 use moreau::gate::checks::EXPECTED;
 use moreau::gate::runner::{QUICK, SWEEP, run};
-use moreau::gate::{Check, CheckOutcome, Engine, Options, Plan, Verdict, check, own, planted};
+use moreau::gate::{Check, CheckOutcome, Engine, Options, Plan, Verdict, checks, own, planted};
 
 /// The schemes the expected verdicts speak of.
 const SCHEMES: [&str; 3] = ["moreau-jean", "stewart-trinkle", "anitescu"];
@@ -25,7 +25,7 @@ fn judge(make: &(dyn Fn() -> Box<dyn Engine> + Sync), checks: Vec<&'static Check
 
 /// The checks of a family.
 fn family(name: &str) -> Vec<&'static Check> {
-    let checks: Vec<_> = check::all().filter(|check| check.family() == name).collect();
+    let checks: Vec<_> = checks::all().filter(|check| check.family() == name).collect();
     assert!(!checks.is_empty(), "no family `{name}`");
     checks
 }
@@ -94,7 +94,7 @@ macro_rules! families {
 
         #[test]
         fn no_family_is_forgotten() {
-            let mut families: Vec<&str> = check::all().map(Check::family).collect();
+            let mut families: Vec<&str> = checks::all().map(Check::family).collect();
             families.dedup();
             assert_eq!(families, [$(stringify!($family)),*]);
         }

@@ -2,12 +2,12 @@
 
 use super::{judge, time_steps};
 use moreau::gate::runner::{QUICK, run};
-use moreau::gate::{Options, Plan, Verdict, check, planted};
+use moreau::gate::{Options, Plan, Verdict, checks, planted};
 
 #[test]
 fn restitution_lost_at_large_steps_is_caught_by_the_sweep_and_missed_by_its_smallest_step() {
     let mistake = planted::find("ball/restitution-lost-at-large-steps").expect("planted");
-    let checks = vec![check::find("ball/restitution").expect("registered")];
+    let checks = vec![checks::find("ball/restitution").expect("registered")];
     let large: Vec<f64> = time_steps().into_iter().filter(|h| *h > QUICK[2]).collect();
     assert_eq!(judge(&mistake.engine, checks.clone())[0].fails_at, large);
     let smallest = Plan { checks, sweep: vec![QUICK[2]], options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };

@@ -140,7 +140,7 @@ impl Baseline {
             return Err(Error::invalid("schema", problem, format!("this program reads `{SCHEMA}`")).in_file(file));
         }
         for issue in &baseline.known_issues {
-            if crate::check::find(&issue.check).is_none() {
+            if crate::checks::find(&issue.check).is_none() {
                 let problem = format!("names the check `{}`, which does not exist", issue.check);
                 return Err(Error::invalid("known_issue", problem, "`moreau gate --list` shows every check").in_file(file));
             }

@@ -5,7 +5,7 @@
 //! ```
 //! The files are TOML, one per family of engines, in `references/scoreboard/causes/`; `gate` and the verdicts never look at them.
 
-use crate::check;
+use crate::checks;
 use crate::scoreboard::Standing;
 use moreau_contact::files::read_text;
 use moreau_exact::{Error, Result};
@@ -88,7 +88,7 @@ fn read_file(file: &Path) -> Result<Vec<Cause>> {
     let causes = toml::from_str::<File>(&text)
         .map_err(|error| Error::invalid("the file", error.message().to_string(), "see the other files of the folder").in_file(file))?
         .cause;
-    match causes.iter().flat_map(|cause| &cause.checks).find(|name| check::find(name).is_none()) {
+    match causes.iter().flat_map(|cause| &cause.checks).find(|name| checks::find(name).is_none()) {
         Some(name) => Err(Error::invalid("cause.checks", format!("there is no check `{name}`"), "see `moreau gate --list`").in_file(file)),
         None => Ok(causes),
     }

@@ -1,22 +1,7 @@
 //! A check: one question to an engine, the derivation of what is expected, and the planted mistakes it catches.
 
+pub use crate::description::Level;
 use crate::{Bench, Measurement, Reply};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-/// What a check asks of an engine.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Level {
-    /// The motion of scenes.
-    Simulate,
-    /// Solutions of contact problems.
-    Solve,
-    /// Projections on friction cones.
-    Project,
-    /// The engine's own step problems; the gate does not ask for them.
-    Dump,
-}
 
 /// How a check runs.
 #[derive(Clone, Copy)]
@@ -70,14 +55,4 @@ impl Check {
     pub fn family(&self) -> &'static str {
         self.name.split('/').next().unwrap_or(self.name)
     }
-}
-
-/// Every check, family by family.
-pub fn all() -> impl Iterator<Item = &'static Check> {
-    crate::checks::FAMILIES.iter().copied().flatten()
-}
-
-/// The check with this name.
-pub fn find(name: &str) -> Option<&'static Check> {
-    all().find(|check| check.name == name)
 }

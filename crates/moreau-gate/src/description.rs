@@ -1,9 +1,25 @@
 //! Who an engine is and which contact model it declares: the result of `describe`.
 
-use crate::Options;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+
+/// Overrides of an engine's options and contact parameters, by name.
+pub type Options = serde_json::Map<String, serde_json::Value>;
+
+/// What a check asks of an engine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Level {
+    /// The motion of scenes.
+    Simulate,
+    /// Solutions of contact problems.
+    Solve,
+    /// Projections on friction cones.
+    Project,
+    /// The engine's own step problems; the gate does not ask for them.
+    Dump,
+}
 
 /// What an engine says of itself.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -24,7 +40,7 @@ pub struct Description {
     /// Whether trajectories carry contact impulses.
     pub reports_contacts: bool,
     /// Which kinds of request are answered.
-    pub levels: Vec<crate::Level>,
+    pub levels: Vec<Level>,
     /// At level `solve`: the laws the solver takes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub laws: Vec<String>,

@@ -1,12 +1,10 @@
 //! What the gate may ask of a simulator: the Rust form of the protocol `moreau-engine/1` (see `docs/protocol.md`).
 
 use crate::Description;
+pub use crate::description::Options;
 use moreau_contact::problem::{ContactProblem, Solution};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::trajectory::Trajectory;
-
-/// Overrides of an engine's options and contact parameters, by name.
-pub type Options = serde_json::Map<String, serde_json::Value>;
 
 /// An engine's answer, or why there is none.
 pub type Reply<T> = std::result::Result<T, Refusal>;

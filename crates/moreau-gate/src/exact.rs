@@ -63,7 +63,7 @@ impl<F: Fn(&Scene, usize, f64, f64) -> State> Exact<F> {
 
 /// The measurements of a check on a motion at h, with their verdicts.
 pub(crate) fn judge<F: Fn(&Scene, usize, f64, f64) -> State + Send>(check: &str, h: f64, motion: F) -> Vec<crate::Measurement> {
-    let check = crate::check::find(check).expect("a registered check");
+    let check = crate::checks::find(check).expect("a registered check");
     let mut engine = Exact { motion };
     let options = Options::new();
     let description = engine.describe(&options).expect("an exact engine describes itself");

@@ -30,6 +30,7 @@ pub mod runner;
 pub mod rust_engine;
 pub mod scoreboard;
 pub mod serve;
+mod step_outcome;
 pub mod tolerance;
 pub mod trend;
 pub mod unit;

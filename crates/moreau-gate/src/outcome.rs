@@ -1,6 +1,7 @@
 //! What the gate reports: every check at every time step, with verdicts that can be compared with a baseline.
 
-use crate::{Description, Measurement, Verdict};
+pub use crate::step_outcome::StepOutcome;
+use crate::{Description, Verdict};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -39,42 +40,6 @@ pub struct CheckOutcome {
     pub trends: Vec<crate::trend::Trend>,
     /// Step by step.
     pub steps: Vec<StepOutcome>,
-}
-
-/// A check at one time step.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct StepOutcome {
-    /// h \[s\]; absent if the question has no time step.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub time_step: Option<f64>,
-    /// The worst verdict of its measurements.
-    pub verdict: Verdict,
-    /// The reason of `unsupported` or the cause of `errored`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub reason: Option<String>,
-    /// What was measured.
-    pub measurements: Vec<Measurement>,
-}
-
-impl StepOutcome {
-    /// The outcome of a run of a check.
-    pub fn new(time_step: Option<f64>, answer: crate::Reply<Vec<Measurement>>) -> Self {
-        match answer {
-            Ok(measurements) if measurements.is_empty() => {
-                StepOutcome { time_step, verdict: Verdict::Errored, reason: Some("the check measured nothing".into()), measurements }
-            }
-            Ok(measurements) => {
-                let verdict = measurements.iter().map(Measurement::verdict).max().unwrap_or(Verdict::Errored);
-                StepOutcome { time_step, verdict, reason: None, measurements }
-            }
-            Err(crate::Refusal::Unsupported(reason)) => {
-                StepOutcome { time_step, verdict: Verdict::Unsupported, reason: Some(reason), measurements: Vec::new() }
-            }
-            Err(crate::Refusal::Errored(cause)) => {
-                StepOutcome { time_step, verdict: Verdict::Errored, reason: Some(cause), measurements: Vec::new() }
-            }
-        }
-    }
 }
 
 impl CheckOutcome {

@@ -50,7 +50,7 @@
 
 use crate::report::text;
 use crate::runner::{Plan, QUICK, SWEEP};
-use crate::{Engine, Options, check, runner};
+use crate::{Engine, Options, checks, runner};
 use moreau_checks::text::Style;
 
 /// Runs one check on an engine and panics with the table if it is bad; the quick sweep, or the whole one if `MOREAU_SWEEP=full`.
@@ -58,7 +58,7 @@ use moreau_checks::text::Style;
 /// # Panics
 /// If the verdict is fail or errored, or if there is no such check.
 pub fn assert_check<E: Engine + Default + 'static>(name: &str) {
-    let check = check::find(name).unwrap_or_else(|| panic!("there is no check `{name}`"));
+    let check = checks::find(name).unwrap_or_else(|| panic!("there is no check `{name}`"));
     let full = std::env::var("MOREAU_SWEEP").is_ok_and(|sweep| sweep == "full");
     let sweep = if full { SWEEP.to_vec() } else { QUICK.to_vec() };
     let plan = Plan { checks: vec![check], sweep, options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };
@@ -150,7 +150,7 @@ macro_rules! gate_tests {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Description, Engine, Options, Reply, check, own};
+    use crate::{Description, Engine, Options, Reply, checks, own};
 
     #[derive(Default)]
     struct Projections;
@@ -194,7 +194,7 @@ mod tests {
         let (_, arms) = source.split_once("macro_rules!").expect("the macro");
         let (list, _) = arms.split_once("($engine:ty; ").expect("the second arm of the macro");
         let quoted: Vec<&str> = list.split('"').skip(1).step_by(2).filter(|name| name.contains('/')).collect();
-        let names: Vec<&str> = check::all().map(|check| check.name).collect();
+        let names: Vec<&str> = checks::all().map(|check| check.name).collect();
         assert_eq!(quoted, names);
     }
 }

@@ -4,7 +4,7 @@ use crate::checks::Finding;
 use crate::claims::experiments::drake::{MATERIAL, facts, lift, predicted_lift};
 use crate::claims::experiments::stored::{Faller, update_residuals};
 use crate::claims::{Claim, Evidence, Reading, Verdict};
-use crate::cones::second_order::projection_jacobian;
+use crate::cones::projection_jacobian;
 use crate::mechanics::{PointMass, State};
 use crate::schemes::drake::{Material, Touch, tamsi_law};
 use crate::schemes::{DrakeSap, step};

@@ -1,6 +1,6 @@
 //! §12, the contact step from q = 0.005 m, v = −0.99 m/s.
 
-use super::before_contact;
+use super::motion::before_contact;
 use crate::checks::Finding;
 use crate::checks::energy::{worked_ball, worked_step};
 use crate::claims::{Claim, Evidence, Reading, Verdict};

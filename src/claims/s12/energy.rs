@@ -1,6 +1,6 @@
 //! §12, the energy check and the exercises.
 
-use super::before_contact;
+use super::motion::before_contact;
 use crate::Result;
 use crate::checks::Finding;
 use crate::checks::energy::{ENERGY_OF_BOUNCE, impact, worked_ball, worked_step};

@@ -1,6 +1,6 @@
 //! §12, the setting, the first step with h = 0.1 and h = 0.01, and the state before the contact step.
 
-use super::{before_contact, start};
+use super::motion::{before_contact, start};
 use crate::Result;
 use crate::checks::Finding;
 use crate::checks::energy::worked_ball;

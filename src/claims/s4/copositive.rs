@@ -1,6 +1,6 @@
 //! Copositive, and copositive-plus only without friction.
 
-use super::{chapter_matrix, integers, jamming_matrix};
+use super::matrices::{chapter_matrix, integers, jamming_matrix};
 use crate::Result;
 use crate::certificate::copositivity::{copositive, copositive_plus};
 use crate::certificate::definiteness::quadratic_form;

@@ -1,6 +1,6 @@
 //! §4, the papers it rests on: where they are, and what “the first proof” can mean.
 
-use super::{chapter_matrix, integers};
+use super::matrices::{chapter_matrix, integers};
 use crate::Result;
 use crate::certificate::copositivity::copositive;
 use crate::certificate::definiteness::quadratic_form;

@@ -1,6 +1,6 @@
 //! The Stewart–Trinkle matrix of the chapter and its 4×4 example.
 
-use super::{chapter_matrix, integers};
+use super::matrices::{chapter_matrix, integers};
 use crate::certificate::definiteness::{Definiteness, definiteness, positive_semidefinite, quadratic_form};
 use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{chapter_example, reference};

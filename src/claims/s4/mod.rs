@@ -1,13 +1,10 @@
 //! Claims of §4.
 
 use super::Claim;
-use crate::Result;
-use crate::checks::stewart_trinkle::{chapter_example, reference};
-use crate::scalar::{Rational, ratio};
-use nalgebra::{DMatrix, DVector};
 
 mod copositive;
 pub(in crate::claims) mod literature;
+mod matrices;
 mod matrix;
 pub(in crate::claims) mod painleve;
 pub(in crate::claims) mod polyhedral;
@@ -26,18 +23,3 @@ pub const CLAIMS: &[&[Claim]] = &[
     solutions::CLAIMS,
     literature::CLAIMS,
 ];
-
-/// The chapter's 4×4 matrix: unit point mass, d = ±x, μ = 1/2, unknowns (λ, β₁, β₂, σ).
-fn chapter_matrix() -> Result<DMatrix<Rational>> {
-    Ok(reference(&chapter_example(ratio(0, 1), [ratio(0, 1), ratio(0, 1)]))?.matrix)
-}
-
-fn integers(numbers: &[i64]) -> DVector<Rational> {
-    DVector::from_iterator(numbers.len(), numbers.iter().map(|&x| ratio(x, 1)))
-}
-
-/// The LCP matrix of n = 3/5, d = ±4/5 and μ = 1: one velocity, one contact whose friction can undo its push.
-fn jamming_matrix() -> DMatrix<Rational> {
-    let entries = [9, 12, -12, 0, 12, 16, -16, 25, -12, -16, 16, 25, 25, -25, -25, 0];
-    DMatrix::from_row_slice(4, 4, &entries.map(|x| ratio(x, 25)))
-}

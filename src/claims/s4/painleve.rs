@@ -3,7 +3,7 @@
 //! Rod of mass 1 and half-length 1 (I = 1/3) at the angle with cos = 3/5, sin = 4/5, its lower end on the floor and sliding
 //! with v_t = −1: W_nn = 52/25, W_nt = −36/25, W_tt = 73/25, det W = 4.
 
-use super::integers;
+use super::matrices::integers;
 use crate::Result;
 use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{System, rational_directions, reference};

@@ -1,6 +1,6 @@
 //! The friction cone with d directions: how far it is from the circular one, and what sliding on it looks like.
 
-use super::integers;
+use super::matrices::integers;
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::{Claim, Evidence, Reading, Verdict};

@@ -1,7 +1,7 @@
 //! How many solutions a step has, what σ is, and where solutions have kinks.
 
+use super::matrices::{chapter_matrix, integers};
 use super::painleve::{rod, velocities};
-use super::{chapter_matrix, integers};
 use crate::Result;
 use crate::certificate::p_matrix::p_matrix;
 use crate::checks::Finding;

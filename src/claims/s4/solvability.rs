@@ -1,7 +1,7 @@
 //! Feasible and solvable: when a Stewart–Trinkle step has a solution.
 
 use super::copositive::is_feasible;
-use super::{integers, jamming_matrix};
+use super::matrices::{integers, jamming_matrix};
 use crate::Result;
 use crate::certificate::existence;
 use crate::checks::Finding;

@@ -3,7 +3,7 @@
 use crate::cli::near::suggestion;
 use crate::cli::output::print;
 use crate::cli::{Answer, Format};
-use crate::gate::{Check, Run, check, planted};
+use crate::gate::{Check, Run, checks, planted};
 use crate::report::json::pretty;
 use crate::{Error, Result};
 use serde::Serialize;
@@ -50,8 +50,8 @@ pub fn list(checks: &[&'static Check], format: Format) -> Result<Answer> {
 
 /// One check in full.
 pub fn explain(name: &str, format: Format) -> Result<Answer> {
-    let check = check::find(name).ok_or_else(|| {
-        let cure = suggestion(name, check::all().map(|check| check.name), "`moreau gate --list` shows every check");
+    let check = checks::find(name).ok_or_else(|| {
+        let cure = suggestion(name, checks::all().map(|check| check.name), "`moreau gate --list` shows every check");
         Error::Unsupported(format!("no check `{name}`; {cure}"))
     })?;
     let entry = Entry::from(check);

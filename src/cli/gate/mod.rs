@@ -1,5 +1,6 @@
 //! `moreau gate`: any simulator through one set of checks.
 
+mod arguments;
 mod list;
 mod scenes;
 mod selection;
@@ -14,98 +15,10 @@ use crate::gate::{Refusal, Report};
 use crate::report::gate::{junit, page, text};
 use crate::report::json::pretty;
 use crate::{Error, Result};
+pub use arguments::Arguments;
 use indicatif::{ProgressBar, ProgressStyle};
 use jiff::Zoned;
-use std::path::{Path, PathBuf};
-
-/// Judge a simulator: every check over a sweep of time steps, against its own model and against Coulomb–Signorini.
-///
-/// COMMAND is a program that speaks the protocol moreau-engine/1 (docs/protocol.md): JSON lines on standard input and
-/// output. Each check gets a verdict: pass; difference (documented: as the engine's declared contact law predicts);
-/// fail; unsupported, with the engine's reason; errored, with the cause.
-#[derive(clap::Args)]
-#[command(after_help = EXAMPLES)]
-pub struct Arguments {
-    /// The engine: a command with its arguments.
-    #[arg(last = true, value_name = "COMMAND", required_unless_present_any = ["trajectory", "list", "explain", "write_scenes"])]
-    command: Vec<String>,
-    /// Judge stored trajectories instead of a program.
-    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "command")]
-    trajectory: Vec<PathBuf>,
-    /// The description that goes with --trajectory, a JSON file as `describe` returns it; without it the engine is taken for rigid.
-    #[arg(long, value_name = "FILE", requires = "trajectory")]
-    description: Option<PathBuf>,
-    /// Only the checks of contact solvers.
-    #[arg(long, conflicts_with_all = ["trajectory", "projection"])]
-    solver: bool,
-    /// Only the checks of cone projections.
-    #[arg(long, conflicts_with = "trajectory")]
-    projection: bool,
-    /// The quick sweep for CI: h = 1/60, 1/240 and 0.001 s.
-    #[arg(long, conflicts_with = "steps")]
-    quick: bool,
-    /// The time steps of the sweep [s], such as 0.01,1/240.
-    #[arg(long, value_name = "H,H,…", value_delimiter = ',')]
-    steps: Vec<String>,
-    /// Only checks whose name contains one of these.
-    #[arg(long, value_name = "NAME", value_delimiter = ',')]
-    only: Vec<String>,
-    /// Leave out checks whose name contains one of these.
-    #[arg(long, value_name = "NAME", value_delimiter = ',')]
-    skip: Vec<String>,
-    /// An option for the engine, sent with every request; the value is JSON, or a text.
-    #[arg(long = "option", value_name = "NAME=VALUE")]
-    options: Vec<String>,
-    /// Engines that run at once; the report is the same for every number.
-    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
-    jobs: usize,
-    /// Measure this often, perturbed by 1e-9, for the spread of each value; 3 with --save-baseline, otherwise 1.
-    #[arg(long, value_name = "NUMBER")]
-    repeat: Option<usize>,
-    /// Seconds an engine may take for one request.
-    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, allow_hyphen_values = true)]
-    time_limit: f64,
-    /// Compare with this baseline: exit code 1 only for what is worse.
-    #[arg(long, value_name = "FILE")]
-    baseline: Option<PathBuf>,
-    /// Store this run as a baseline.
-    #[arg(long, value_name = "FILE")]
-    save_baseline: Option<PathBuf>,
-    /// Write the report as JUnit XML.
-    #[arg(long, value_name = "FILE")]
-    junit: Option<PathBuf>,
-    /// Write the report as one self-contained HTML page.
-    #[arg(long, value_name = "FILE")]
-    html: Option<PathBuf>,
-    /// Write the report as JSON.
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
-    /// List the checks.
-    #[arg(long)]
-    list: bool,
-    /// Explain one check: question, derivation, control.
-    #[arg(long, value_name = "CHECK")]
-    explain: Option<String>,
-    /// Write the scenes of the sweep into this folder, for simulators that are run elsewhere and judged with --trajectory.
-    #[arg(long, value_name = "FOLDER")]
-    write_scenes: Option<PathBuf>,
-    /// How to write the report to standard output.
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
-}
-
-const EXAMPLES: &str = "\
-Examples:
-  moreau gate --quick -- python3 my_engine.py
-  moreau gate --html report.html --junit report.xml -- ./my-engine --stdio
-  moreau gate --option cone=elliptic --option impratio=10 -- .venv/mujoco/bin/python scripts/engines/mujoco.py
-  moreau gate --save-baseline engine.toml -- ./my-engine      then, in CI:
-  moreau gate --baseline engine.toml -- ./my-engine
-  moreau gate --quick -- moreau engine --scheme anitescu      our own scheme behind the same door
-  moreau gate --explain ball/energy
-
-Exit codes: 0 nothing is bad (or nothing worse than the baseline); 1 a check fails or errors, or a regression;
-2 usage; 3 the engine could not be run.";
+use std::path::Path;
 
 /// The exit code for an engine that could not be run.
 pub const CANNOT_RUN: u8 = 3;

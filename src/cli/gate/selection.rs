@@ -2,14 +2,14 @@
 
 use super::Arguments;
 use crate::cli::near::suggestion;
-use crate::gate::{Check, Level, Options, check, runner};
+use crate::gate::{Check, Level, Options, checks, runner};
 use crate::{Error, Result};
 
 /// The selected checks, in the order of the registry.
 pub fn checks(arguments: &Arguments) -> Result<Vec<&'static Check>> {
     for name in arguments.only.iter().chain(&arguments.skip) {
-        if !check::all().any(|check| check.name.contains(name.as_str())) {
-            let cure = suggestion(name, check::all().map(|check| check.name), "`moreau gate --list` shows every check");
+        if !checks::all().any(|check| check.name.contains(name.as_str())) {
+            let cure = suggestion(name, checks::all().map(|check| check.name), "`moreau gate --list` shows every check");
             return Err(Error::Unsupported(format!("no check contains `{name}`; {cure}")));
         }
     }
@@ -20,7 +20,7 @@ pub fn checks(arguments: &Arguments) -> Result<Vec<&'static Check>> {
         _ => None,
     };
     let named = |list: &[String], check: &Check| list.iter().any(|name| check.name.contains(name.as_str()));
-    let selected: Vec<_> = check::all()
+    let selected: Vec<_> = checks::all()
         .filter(|check| level.is_none_or(|level| check.level == level))
         .filter(|check| arguments.only.is_empty() || named(&arguments.only, check))
         .filter(|check| !named(&arguments.skip, check))

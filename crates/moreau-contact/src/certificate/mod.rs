@@ -2,6 +2,7 @@
 //!
 //! This module imports no solver and no scheme.
 
+mod at_contact;
 pub mod copositivity;
 mod decision;
 pub mod definiteness;

@@ -14,7 +14,7 @@
 //! directions with Dⱼ·y_t + σ = 0 may carry β, and r_t on the boundary of the polygon has no other decomposition; when σ = 0 and
 //! r_t is inside, y_t = 0 and every decomposition does.
 
-use super::judge::{AtContact, Here};
+use super::at_contact::{AtContact, Here, worst};
 use super::part::{Part, pair};
 use crate::cones::polyhedral::{along_edges, along_neighbours, direction};
 use crate::cones::second_order::length;
@@ -168,11 +168,6 @@ impl Pairs {
 /// z − (z − w)₊ = min(z, w), NaN if one is.
 fn smaller(z: f64, w: f64) -> f64 {
     -worst(-z, -w)
-}
-
-/// The larger of two numbers, NaN if one is.
-pub(super) fn worst(a: f64, b: f64) -> f64 {
-    if a.is_nan() || a > b { a } else { b }
 }
 
 /// ‖r_t − scale Σ Dⱼβⱼ‖.

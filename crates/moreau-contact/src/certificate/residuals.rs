@@ -16,9 +16,10 @@
 //! For comparison with other programs there are two norms over all contacts that decide nothing: ‖r − P_K(r − ρŷ)‖ with ρ = rows/tr(W_kk +
 //! R_kk), and Siconos's number with ρ = 1 kg.
 
-use super::judge::{Here, Judge, Judged, check_sizes};
+use super::at_contact::{Here, worst};
+use super::judge::{Judge, Judged, check_sizes};
 use super::natural_map;
-use super::polyhedral::{Pairs, worst};
+use super::polyhedral::Pairs;
 use crate::problem::{ContactProblem, Law, Solution};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};

@@ -10,3 +10,4 @@ mod projection_jacobian;
 pub mod second_order;
 
 pub use decision::{Case, decide};
+pub use projection_jacobian::projection_jacobian;

@@ -16,8 +16,6 @@
 //! One entry means a contact without friction rows, `K = {z_n ≥ 0}` whatever μ; `μ = 0` is the ray along the normal.
 //! Coefficients μ are finite and non-negative; NaN in the data comes out as NaN or as "not contained", never as a number.
 
-pub use super::projection_jacobian::projection_jacobian;
-
 /// Norm of the tangential part, ‖z_t‖, without overflow or underflow of the squares.
 pub fn tangential_norm(z: &[f64]) -> f64 {
     match z[1..] {

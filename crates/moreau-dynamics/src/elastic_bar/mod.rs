@@ -14,7 +14,20 @@ use nalgebra::{DMatrix, DVector};
 
 mod step;
 
-pub use step::{Method, State};
+pub use step::Method;
+
+/// Displacements \[m\], velocities \[m/s\], accelerations \[m/s²\] and the contact force \[N\].
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// u.
+    pub displacement: DVector<f64>,
+    /// v.
+    pub velocity: DVector<f64>,
+    /// a at the end of the step; of the midpoint rule its mean.
+    pub acceleration: DVector<f64>,
+    /// λ.
+    pub force: f64,
+}
 
 /// A bar of N elements.
 #[derive(Clone, Debug)]

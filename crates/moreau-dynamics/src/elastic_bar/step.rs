@@ -7,7 +7,7 @@
 //! ```
 //! The identities follow from vᵀM and uᵀK times the mean of a step; they hold whatever the mesh.
 
-use super::FiniteElementBar;
+use super::{FiniteElementBar, State};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
@@ -20,19 +20,6 @@ pub enum Method {
     Midpoint,
     /// The midpoint rule with the persistency condition of Laursen and Chawla.
     Persistency,
-}
-
-/// Displacements \[m\], velocities \[m/s\], accelerations \[m/s²\] and the contact force \[N\].
-#[derive(Clone, Debug, PartialEq)]
-pub struct State {
-    /// u.
-    pub displacement: DVector<f64>,
-    /// v.
-    pub velocity: DVector<f64>,
-    /// a at the end of the step; of the midpoint rule its mean.
-    pub acceleration: DVector<f64>,
-    /// λ.
-    pub force: f64,
 }
 
 impl FiniteElementBar {

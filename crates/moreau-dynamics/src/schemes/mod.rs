@@ -1,11 +1,9 @@
 //! Time-stepping schemes, one per file: each makes one step of a state, most of them by one contact problem ([`waist`]).
 
 use crate::mechanics::{Mechanism, State};
-use crate::trajectory::{LocatedImpact, Recording};
-use moreau_contact::certificate::{Judgement, StepResidual};
-use moreau_contact::contact::ContactImpulse;
+use crate::trajectory::Recording;
+use moreau_contact::certificate::StepResidual;
 use moreau_contact::memory;
-use moreau_contact::problem::Solution;
 use moreau_contact::solvers::ContactSolver;
 use moreau_exact::Result;
 
@@ -24,6 +22,7 @@ mod nearby;
 pub mod position_based;
 pub mod runge_kutta_flip;
 pub mod schatzman_paoli;
+mod scheme;
 pub mod stewart_trinkle;
 pub mod variational;
 pub mod waist;
@@ -40,88 +39,10 @@ pub use moreau_jean_projection::MoreauJeanProjection;
 pub use position_based::{PositionBased, Softness};
 pub use runge_kutta_flip::RungeKuttaFlip;
 pub use schatzman_paoli::SchatzmanPaoli;
+pub use scheme::{OwnAnswer, Scheme, Start, Step, StepProblem, Waist};
 pub use stewart_trinkle::StewartTrinkle;
 pub use variational::Variational;
-pub use waist::{StepProblem, Waist, assembled, carry_over, passes_the_waist};
-
-/// The impulses of a step's law, and how well the scheme's own stopping rule is met, if it has one.
-#[derive(Clone, Debug)]
-pub struct OwnAnswer {
-    /// Impulses and velocities.
-    pub solution: Solution,
-    /// The residual of the law; none where the solver certifies its answer.
-    pub residual: Option<StepResidual>,
-}
-
-/// Where a step starts.
-#[derive(Clone, Copy)]
-pub struct Start<'a> {
-    /// What moves.
-    pub mechanism: &'a dyn Mechanism,
-    /// The state before the step.
-    pub state: &'a State,
-    /// The size of the step \[s\].
-    pub h: f64,
-    /// The impulses of the step before, to start from; empty at the first one.
-    pub previous: &'a [ContactImpulse],
-}
-
-/// One time-stepping scheme: one step of a state.
-pub trait Scheme: Send + Sync {
-    /// The name used on the command line and in files.
-    fn name(&self) -> String;
-    /// Whether the scheme uses the mechanism's coefficients of restitution; without, every impact is plastic or as soft as its contact.
-    fn has_restitution(&self) -> bool {
-        true
-    }
-    /// Whether the scheme's algorithm is a declared number of sweeps, so that a step its certificate rejects counts as unconverged.
-    fn is_truncated(&self) -> bool {
-        false
-    }
-    /// One step; a scheme that passes the [`Waist`] takes this method from [`passes_the_waist!`](passes_the_waist).
-    ///
-    /// # Errors
-    /// If the state, the step or the mechanism is outside the scheme's scope, or a contact problem has no answer.
-    fn step(&self, solver: &dyn ContactSolver, start: &Start) -> Result<Step>;
-    /// The scheme itself, if its step is one contact problem.
-    fn waist(&self) -> Option<&dyn Waist> {
-        None
-    }
-    /// The scheme that makes the next step of a motion, if this one remembers more than the state; `None`: the same scheme again.
-    ///
-    /// # Errors
-    /// If what is to be remembered cannot be computed.
-    fn successor(&self, mechanism: &dyn Mechanism, before: &State, step: &Step, h: f64) -> Result<Option<Box<dyn Scheme>>> {
-        let _ = (mechanism, before, step, h);
-        Ok(None)
-    }
-}
-
-/// The outcome of one step.
-#[derive(Clone, Debug)]
-pub struct Step {
-    /// The state after the step.
-    pub state: State,
-    /// Impulses of the active contacts.
-    pub impulses: Vec<ContactImpulse>,
-    /// What was assembled.
-    pub assembled: StepProblem,
-    /// The answer, if any contact was active.
-    pub solution: Option<Solution>,
-    /// The worst residual of everything the step solved; none if it solved nothing.
-    pub residual: Option<StepResidual>,
-    /// The first contact problem whose answer the certificate rejects.
-    pub rejected: Option<Box<Rejected>>,
-    /// The impacts within the step, of a scheme that locates them; `None` of the others.
-    pub impacts: Option<Vec<LocatedImpact>>,
-}
-
-impl Step {
-    /// Whether the step is accepted; `truncated` if its scheme or solver declares a number of sweeps.
-    pub fn judgement(&self, truncated: bool) -> Judgement {
-        Judgement::of(self.residual, truncated)
-    }
-}
+pub use waist::{assembled, carry_over, passes_the_waist};
 
 /// One certified step.
 ///
@@ -239,7 +160,7 @@ mod tests {
     use super::*;
     use crate::scenes::named;
     use moreau_contact::certificate::residuals;
-    use moreau_contact::problem::ContactProblem;
+    use moreau_contact::problem::{ContactProblem, Solution};
     use moreau_contact::solvers::ProjectedGaussSeidel;
     use moreau_contact::tolerance::certificate::CERTIFY;
     use nalgebra::DVector;

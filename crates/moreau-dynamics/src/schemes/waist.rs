@@ -1,4 +1,4 @@
-//! The waist: a step that is one [`ContactProblem`], and the adapter that makes a [`Scheme`] of whoever poses it.
+//! The waist: a step that is one [`ContactProblem`], and the adapter that makes a [`Scheme`](super::Scheme) of whoever poses it.
 //!
 //! ```text
 //!     v⁺ = v_free + M̂⁻¹Hᵀr ,   q⁺ = q ⊕ h v̄(v, v⁺)
@@ -9,54 +9,14 @@
 
 use super::context::StepContext;
 use super::nearby::Nearby;
-use super::{OwnAnswer, Scheme, Start, Step};
+use super::scheme::{OwnAnswer, Start, Step, StepProblem, Waist};
 use crate::mechanics::{Mechanism, State, afford};
 use moreau_contact::certificate::StepResidual;
-use moreau_contact::contact::{ContactImpulse, Inertia, Place};
-use moreau_contact::problem::{ContactProblem, Solution};
+use moreau_contact::contact::{ContactImpulse, Place};
+use moreau_contact::problem::Solution;
 use moreau_contact::solvers::ContactSolver;
 use moreau_exact::Result;
-use nalgebra::{DMatrix, DVector};
-use std::sync::Arc;
-
-/// What a scheme assembled for one step: the problem of the active contacts, and what turns impulses into velocities.
-#[derive(Clone, Debug)]
-pub struct StepProblem {
-    /// The contact problem of the active contacts; `None` if no contact is active, or if the scheme's law is none of
-    /// [`moreau_contact::problem::Law`].
-    pub problem: Option<ContactProblem>,
-    /// Indices of the active contacts into [`Mechanism::contacts`].
-    pub active: Vec<usize>,
-    /// Where the active contacts are, one entry per entry of `active`.
-    pub places: Vec<Option<Place>>,
-    /// M̂, effective mass of the step.
-    pub effective_mass: Arc<Inertia>,
-    /// v_free = v + h M̂⁻¹F, with the linear part of F as in [`super::moreau_jean`].
-    pub free_velocity: DVector<f64>,
-    /// H of the active contacts.
-    pub jacobian: DMatrix<f64>,
-    /// The worst residual of problems that were solved to assemble this one; none for most schemes.
-    pub residual: Option<StepResidual>,
-}
-
-/// A scheme whose step is one contact problem.
-pub trait Waist: Scheme {
-    /// Poses the contact problem of the step.
-    ///
-    /// # Errors
-    /// If the mass matrix is not positive definite or the mechanism is outside the scheme's scope.
-    fn assemble(&self, at: &StepContext) -> Result<StepProblem>;
-    /// The next configuration from the velocities before and after the step.
-    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64>;
-    /// The configuration after [`Waist::advance`], corrected for the contacts that the step held; the same one by default.
-    ///
-    /// # Errors
-    /// If the correction does not come to an end.
-    fn settle(&self, at: &StepContext, assembled: &StepProblem, position: DVector<f64>) -> Result<DVector<f64>> {
-        let _ = (at, assembled);
-        Ok(position)
-    }
-}
+use nalgebra::DVector;
 
 /// What a scheme poses for a step of size h from a state, with every candidate of the mechanism.
 ///
@@ -66,7 +26,7 @@ pub fn assembled(scheme: &dyn Waist, mechanism: &dyn Mechanism, state: &State, h
     scheme.assemble(&StepContext::new(mechanism, state, h)?)
 }
 
-/// The two methods of [`Scheme`] that are the same for every scheme that passes the [`Waist`].
+/// The two methods of [`Scheme`](super::Scheme) that are the same for every scheme that passes the [`Waist`].
 #[macro_export]
 macro_rules! passes_the_waist {
     () => {

@@ -10,8 +10,6 @@
 //! Sample 0 is t = 0. A contact at sample k carries the impulse summed over (t_{k−1}, t_k], with the normal from the
 //! second body to the first and the impulse acting on the first. `steps` holds the worst residual of every step, not of every sample.
 
-use super::{Recorder, Recording};
-use crate::mechanics::Mechanism;
 use crate::scenes::Scene;
 use moreau_contact::files::read_text;
 use moreau_exact::{Error, Result};
@@ -144,21 +142,6 @@ impl Trajectory {
     pub fn to_json(&self) -> Result<String> {
         self.validate()?;
         Ok(serde_json::to_string(self)? + "\n")
-    }
-
-    /// The samples of a recording, body by body through [`Mechanism::bodies`], and the impulses between them.
-    ///
-    /// # Errors
-    /// [`Error::Invalid`] if the recording and the scene do not fit together.
-    pub fn from_recording(recording: &Recording, mechanism: &dyn Mechanism, scene: &Scene, engine: Engine) -> Result<Self> {
-        let mut recorder = Recorder::new(mechanism, scene, engine, recording.time_step, 1, &recording.samples[0]);
-        for (state, impulses) in recording.samples[1..].iter().zip(&recording.impulses) {
-            recorder.push(state, impulses);
-        }
-        for (residual, judgement) in recording.residuals.iter().zip(&recording.judgements) {
-            recorder.push_residual(*residual, *judgement);
-        }
-        recorder.finish()
     }
 
     /// The track of a body, by name.

@@ -1,5 +1,6 @@
 //! From the steps of a simulation to a `trajectory/1`: states at every N-th step, impulses of each pair of bodies summed in between.
 
+use super::Recording;
 use super::file::{BodyTrack, ContactRecord, Engine, SCHEMA, Trajectory};
 use crate::mechanics::{Mechanism, State};
 use crate::scenes::Scene;
@@ -16,6 +17,23 @@ type Pair = (usize, Option<usize>);
 struct Sum {
     impulse: [f64; 3],
     normal: [f64; 3],
+}
+
+impl Trajectory {
+    /// The samples of a recording, body by body through [`Mechanism::bodies`], and the impulses between them.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if the recording and the scene do not fit together.
+    pub fn from_recording(recording: &Recording, mechanism: &dyn Mechanism, scene: &Scene, engine: Engine) -> Result<Self> {
+        let mut recorder = Recorder::new(mechanism, scene, engine, recording.time_step, 1, &recording.samples[0]);
+        for (state, impulses) in recording.samples[1..].iter().zip(&recording.impulses) {
+            recorder.push(state, impulses);
+        }
+        for (residual, judgement) in recording.residuals.iter().zip(&recording.judgements) {
+            recorder.push_residual(*residual, *judgement);
+        }
+        recorder.finish()
+    }
 }
 
 /// Collects a trajectory step by step.

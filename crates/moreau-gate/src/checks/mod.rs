@@ -57,15 +57,25 @@ pub const EXPECTED: &[&[Expected]] = &[
     tumbling::EXPECTED,
 ];
 
+/// Every check, family by family.
+pub fn all() -> impl Iterator<Item = &'static Check> {
+    FAMILIES.iter().copied().flatten()
+}
+
+/// The check with this name.
+pub fn find(name: &str) -> Option<&'static Check> {
+    all().find(|check| check.name == name)
+}
+
 #[cfg(test)]
 mod tests {
-    use crate::check;
+    use super::all;
     use crate::tolerance::SOLVED;
 
     #[test]
     fn derivations_quote_the_part_that_a_solver_may_leave_as_it_is() {
         let part = format!("{SOLVED:.1e}");
-        let quoting: Vec<&str> = check::all().filter(|check| check.derivation.contains("3.5e-4")).map(|check| check.name).collect();
+        let quoting: Vec<&str> = all().filter(|check| check.derivation.contains("3.5e-4")).map(|check| check.name).collect();
         assert!(part == "3.5e-4" && quoting.len() >= 3, "the texts of {quoting:?} should say {part}");
     }
 }

@@ -9,47 +9,16 @@ mod description;
 mod motion;
 mod rotation;
 mod scenes;
+mod seen;
 mod tasks;
 
+pub use seen::{Outcome, Probe};
+
 use crate::process::{Cause, Fault, Limits, ProcessEngine};
-use crate::{Description, Level, Refusal};
+use crate::{Description, Level};
 use schemars::JsonSchema;
+use seen::{Seen, demand, probe, problem, refused, skipped};
 use serde::Serialize;
-
-/// What came out of asking one thing.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct Probe {
-    /// `subject/what`.
-    pub probe: &'static str,
-    /// What the protocol demands.
-    pub demand: &'static str,
-    /// Whether it is met.
-    #[serde(flatten)]
-    pub outcome: Outcome,
-}
-
-/// The outcome of a probe.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-#[serde(tag = "outcome", rename_all = "kebab-case")]
-pub enum Outcome {
-    /// As demanded.
-    Ok,
-    /// Not as demanded.
-    Problem {
-        /// What was seen.
-        why: String,
-        /// What to change.
-        cure: String,
-    },
-    /// Not asked.
-    Skipped {
-        /// Why not.
-        why: String,
-    },
-}
-
-/// What a probe sees: nothing wrong, or another outcome.
-type Seen = Result<(), Outcome>;
 
 /// The outcomes of all probes, with the description if there is a sound one.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -94,30 +63,4 @@ pub fn conformance(command: &[String], limits: Limits) -> Result<Conformance, Fa
     }
     conversation::probe_farewell(&mut talk, &mut probes);
     Ok(Conformance { engine, probes })
-}
-
-fn probe(name: &'static str, demand: &'static str, seen: Seen) -> Probe {
-    let outcome = seen.map_or_else(|outcome| outcome, |()| Outcome::Ok);
-    Probe { probe: name, demand, outcome }
-}
-
-fn problem(why: impl std::fmt::Display, cure: impl Into<String>) -> Outcome {
-    Outcome::Problem { why: why.to_string(), cure: cure.into() }
-}
-
-fn skipped(why: impl Into<String>) -> Outcome {
-    Outcome::Skipped { why: why.into() }
-}
-
-/// Nothing wrong, or a problem.
-fn demand(met: bool, why: impl FnOnce() -> String, cure: &str) -> Seen {
-    if met { Ok(()) } else { Err(problem(why(), cure)) }
-}
-
-/// A refusal of a question that the engine may refuse: an honest `unsupported` is no problem.
-fn refused(refusal: Refusal) -> Outcome {
-    match refusal {
-        Refusal::Unsupported(reason) => skipped(format!("unsupported: {reason}")),
-        Refusal::Errored(cause) => problem(cause, "answer the request with a result, or with `unsupported` and the reason"),
-    }
 }

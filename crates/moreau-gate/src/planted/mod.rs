@@ -5,6 +5,7 @@ mod flight;
 mod friction;
 mod impact;
 mod metamorphic;
+mod mistake;
 mod parts;
 mod projection;
 mod rocking;
@@ -13,21 +14,11 @@ mod stack;
 mod tumbling;
 mod wrapped;
 
-use crate::runner::{self, Plan, QUICK};
-use crate::{Check, Engine, Options, Report};
-use moreau_exact::{Error, Result};
+pub use mistake::Planted;
 
-/// One planted mistake.
-pub struct Planted {
-    /// A short name, `family/mistake`.
-    pub name: &'static str,
-    /// The mistake in one sentence.
-    pub mistake: &'static str,
-    /// The engine with the mistake.
-    pub engine: fn() -> Box<dyn Engine>,
-    /// Checks that must catch it, by name; the full matrix may show more.
-    pub caught_by: &'static [&'static str],
-}
+use crate::runner::{self, Plan, QUICK};
+use crate::{Check, Options, Report};
+use moreau_exact::{Error, Result};
 
 /// Every planted engine.
 pub fn all() -> impl Iterator<Item = &'static Planted> {

@@ -95,7 +95,7 @@ mod tests {
     use super::*;
     use crate::check::Level;
     use crate::planted::judge;
-    use crate::{Verdict, check};
+    use crate::{Verdict, checks};
 
     /// The other side of the boundary: with a tenth of what the planted solver leaves, every question about motion is answered as the ideal
     /// demands.
@@ -104,8 +104,8 @@ mod tests {
         let engine = || with_solver(|| Box::new(Answers(|problem, start| left_over(problem, start, 1e-4))));
         let careful = Planted { name: "a ten-thousandth left", mistake: "", engine, caught_by: UNSOLVED };
         let families = ["rest", "stack", "incline", "contact", "metamorphic", "isotropy", "rolling", "energy"];
-        let asked = |check: &&check::Check| check.level == Level::Simulate && families.contains(&check.family());
-        let checks: Vec<_> = check::all().filter(asked).collect();
+        let asked = |check: &&crate::Check| check.level == Level::Simulate && families.contains(&check.family());
+        let checks: Vec<_> = checks::all().filter(asked).collect();
         let report = judge(&careful, &checks).expect("an engine");
         for outcome in &report.checks {
             assert_eq!(outcome.verdict, Verdict::Pass, "{} {:?}", outcome.check, outcome.reason);

@@ -168,7 +168,7 @@ impl Table<'_> {
 #[cfg(test)]
 mod tests {
     use super::HIGHLIGHTS;
-    use crate::{Bench, Engine, Options, Run, check, own};
+    use crate::{Bench, Engine, Options, Run, checks, own};
 
     #[test]
     fn every_highlight_names_a_check_and_the_words_of_one_of_its_quantities() {
@@ -176,7 +176,7 @@ mod tests {
         let options = Options::new();
         let description = engine.describe(&options).expect("a description");
         for highlight in HIGHLIGHTS {
-            let check = check::find(highlight.check).expect("a check");
+            let check = checks::find(highlight.check).expect("a check");
             let Run::EachStep(run) = check.run else { panic!("{} has no time step", highlight.check) };
             let measured = run(&mut Bench::new(&mut engine, &description, &options), 1.0 / 60.0).expect("measurements");
             assert!(measured.iter().any(|one| one.quantity == highlight.quantity), "{}: {}", highlight.check, highlight.quantity);

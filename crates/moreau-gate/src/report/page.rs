@@ -2,7 +2,7 @@
 
 use crate::baseline::{Change, ChangeKind};
 use crate::report::{decisive, plot, sentence};
-use crate::{CheckOutcome, Measurement, Report, StepOutcome, check};
+use crate::{CheckOutcome, Measurement, Report, StepOutcome, checks};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use moreau_exact::Result;
 use moreau_exact::number::significant;
@@ -75,7 +75,7 @@ fn details(outcome: &CheckOutcome) -> Result<Markup> {
     Ok(html! {
         details id=(outcome.check) open[outcome.verdict.is_bad()] {
             summary { span class={ "verdict " (word) } { (word) } b { (outcome.check) } " " (summary) }
-            @if let Some(check) = check::find(&outcome.check) {
+            @if let Some(check) = checks::find(&outcome.check) {
                 p { (check.question) }
                 p { i { (check.derivation) } " Source: " (check.source) }
             }

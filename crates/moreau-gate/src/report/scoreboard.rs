@@ -3,7 +3,7 @@
 use crate::cause::Cause;
 use crate::report::{decisive, highlights, page, sentence};
 use crate::scoreboard::Standing;
-use crate::{CheckOutcome, Report, Verdict, cause, check};
+use crate::{CheckOutcome, Report, Verdict, cause, checks};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use moreau_exact::Result;
 use moreau_exact::number::significant;
@@ -28,7 +28,7 @@ fn mark(verdict: Verdict) -> &'static str {
 /// The families of the registry, in its order.
 fn families() -> Vec<&'static str> {
     let mut families: Vec<&str> = Vec::new();
-    for family in check::all().map(|check| check.family()) {
+    for family in checks::all().map(|check| check.family()) {
         if !families.contains(&family) {
             families.push(family);
         }
@@ -124,14 +124,14 @@ fn reasons(causes: &[Cause]) -> Markup {
 fn table(standings: &[Standing], causes: &[Cause]) -> Markup {
     html! {
         table {
-            tr { th { "engine" } @for check in check::all() { th.r title=(check.question) { (check.name) } } }
+            tr { th { "engine" } @for check in checks::all() { th.r title=(check.question) { (check.name) } } }
             @for standing in standings {
                 tr {
                     td { (standing.entry.name) @if let Some(report) = &standing.report { br; small { (report.engine.name) " \
                         " (report.engine.version) } } }
                     @match &standing.report {
-                        Some(report) => { @for check in check::all() { (cell(report, check.name, cause::find(causes, &standing.entry.name, check.name))) } },
-                        None => td colspan=(check::all().count()) { "not run: " (standing.not_run.as_deref().unwrap_or("no reason \
+                        Some(report) => { @for check in checks::all() { (cell(report, check.name, cause::find(causes, &standing.entry.name, check.name))) } },
+                        None => td colspan=(checks::all().count()) { "not run: " (standing.not_run.as_deref().unwrap_or("no reason \
                             stored")) },
                     }
                 }

@@ -43,6 +43,7 @@ pub mod steps;
 mod tangents;
 
 pub use sequential_impulses::SequentialImpulses;
+pub use tangents::Bodies;
 
 /// How friction of multibodies is bounded (`enableConeFriction`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -52,16 +53,6 @@ pub enum Friction {
     Cone,
     /// |r_t₁|, |r_t₂| ≤ μ r_n: along the diagonals √2 times as much.
     Pyramid,
-}
-
-/// Which of Bullet's two families of bodies steps.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Bodies {
-    /// `btMultiBodyConstraintSolver`: PyBullet's default.
-    #[default]
-    Multi,
-    /// `btSequentialImpulseConstraintSolver`: PyBullet's `useMaximalCoordinates`, on both sides of a contact.
-    Rigid,
 }
 
 /// Bullet's step with the parameters that PyBullet sets.

@@ -10,12 +10,21 @@
 //!
 //! The box |r·d₁| ≤ μ r_n, |r·d₂| ≤ μ r_n is the square with its corners on t₁ and t₂: the polyhedral law with four directions and √2 μ.
 
-use crate::bullet::Bodies;
 use moreau_contact::problem::{ContactProblemBuilder, Dynamics};
 use moreau_dynamics::schemes::StepProblem;
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
+
+/// Which of Bullet's two families of bodies steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Bodies {
+    /// `btMultiBodyConstraintSolver`: PyBullet's default.
+    #[default]
+    Multi,
+    /// `btSequentialImpulseConstraintSolver`: PyBullet's `useMaximalCoordinates`, on both sides of a contact.
+    Rigid,
+}
 
 /// Turns the tangents of every spatial contact of a step; for a box also by 45°, and μ becomes √2 μ.
 pub(super) fn turn(step: &mut StepProblem, bodies: Bodies, boxed: bool) -> Result<()> {

@@ -7,7 +7,8 @@
 //! δ = −φ > 0 is the depth at the start of the step. n falls with z from its value at z = 0 to zero at min(δ/h, 1/d), and is zero beyond.
 
 use super::primal_newton::{Potential, minimise};
-use crate::drake::{Material, SIGMA, own_answer, response};
+use crate::drake::touching::{own_answer, response};
+use crate::drake::{Material, SIGMA};
 use moreau_contact::contact::Contact;
 use moreau_contact::problem::{Dynamics, Solution};
 use moreau_dynamics::mechanics::State;

@@ -19,7 +19,8 @@
 
 use super::primal_newton::Potential;
 use crate::drake::hunt_crossley::{answer, blocks, stacked, touches};
-use crate::drake::{Material, Touch, step_touching};
+use crate::drake::touching::step_touching;
+use crate::drake::{Material, Touch};
 use moreau_contact::solvers::ContactSolver;
 use moreau_dynamics::schemes::{Scheme, Start, Step};
 use moreau_exact::Result;

@@ -18,7 +18,8 @@
 //! # Source
 //! Castro, Permenter and Han, *An unconstrained convex formulation of compliant contact* (2022), §V.
 
-use crate::drake::{Material, SIGMA, response};
+use crate::drake::touching::response;
+use crate::drake::{Material, SIGMA};
 use moreau_contact::problem::{Compliance, Coordinates, Law};
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
 use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist, assembly, passes_the_waist};

@@ -15,7 +15,7 @@
 //! Castro, Permenter and Han, *An unconstrained convex formulation of compliant contact* (2022), §III and §IV; Drake's `SapSolver`.
 
 use super::primal_newton::{Potential, minimise};
-use moreau_contact::cones::second_order;
+use moreau_contact::cones::{projection_jacobian, second_order};
 use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law, Solution};
 use moreau_contact::solvers::{ContactSolver, SolverEntry, parts};
 use moreau_exact::tolerance::rounding;
@@ -125,7 +125,7 @@ impl Potential for Projection<'_> {
     }
 
     fn curvature(&self, contact: usize, velocity: &[f64]) -> DMatrix<f64> {
-        let jacobian = second_order::projection_jacobian(&self.point(contact, velocity), self.scaled[contact][2]);
+        let jacobian = projection_jacobian(&self.point(contact, velocity), self.scaled[contact][2]);
         DMatrix::from_fn(velocity.len(), velocity.len(), |i, j| jacobian[(i, j)] / (self.root(contact, i) * self.root(contact, j)))
     }
 }

@@ -22,7 +22,8 @@
 //! `TamsiSolver`.
 
 use crate::drake::hunt_crossley::{stacked, touches};
-use crate::drake::{Material, Touch, step_touching};
+use crate::drake::touching::{own_answer, step_touching};
+use crate::drake::{Material, Touch};
 use crate::tolerance::solvers::{LINE_STEPS, NEAR_MINIMUM};
 use moreau_contact::problem::Solution;
 use moreau_contact::solvers::ContactSolver;
@@ -152,7 +153,7 @@ impl DrakeTamsi {
         let velocity = &assembled.jacobian * velocity;
         let relative = if terms > 0.0 { size / terms } else { 0.0 };
         let solution = Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations };
-        Ok(Some(crate::drake::own_answer(solution, relative)))
+        Ok(Some(own_answer(solution, relative)))
     }
 }
 

@@ -9,8 +9,8 @@
 //! **The bound.** ‖Ω × JΩ‖_{J⁻¹} ≤ |Ω| |JΩ| / √J_min with |Ω| ≤ √(2T_rot/J_min) and |JΩ| ≤ √(2T_rot J_max). The midpoint Ω_m of two spins
 //! of one energy has no more of it, and the parts of a step add up.
 
+use crate::energy_balance::constant::Constant;
 use crate::energy_balance::exchange::{kinetic, norm};
-use crate::energy_balance::total::Constant;
 use crate::energy_balance::{GYROSCOPIC, GYROSCOPIC_ENERGY, Taken};
 use crate::tolerance::energy_balance::{energy, midpoint_spin};
 use moreau_checks::Finding;

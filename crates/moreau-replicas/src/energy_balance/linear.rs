@@ -13,7 +13,7 @@
 //! M̂(v_free − v).
 
 use crate::energy_balance::exchange::{kinetic, norm};
-use crate::energy_balance::total::Position;
+use crate::energy_balance::position::Position;
 use crate::energy_balance::waist::{Posed, Waist};
 use crate::energy_balance::{TOTAL, TOTAL_IDENTITY, Taken};
 use crate::tolerance::energy_balance as tolerance;

@@ -3,8 +3,9 @@
 use crate::energy_balance::table::ROWS;
 use crate::energy_balance::*;
 use crate::schemes::by_name;
+use moreau_checks::Finding;
 use moreau_contact::solvers::{LemkePivoting, Reference};
-use moreau_dynamics::mechanics::{OscillatorWithStop, Plane, PointMass};
+use moreau_dynamics::mechanics::{Mechanism, OscillatorWithStop, Plane, PointMass, State};
 use moreau_dynamics::schemes::{Activation, Scheme, step};
 use moreau_exact::tolerance::rounding;
 use nalgebra::dvector;

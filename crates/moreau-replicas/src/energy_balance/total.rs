@@ -19,62 +19,13 @@
 //! With e = 1 nothing is gained; with e = 0 and θ = ½ at most h²FᵀM⁻¹F/8, m g²h²/8 for a ball, when the impulse is half of what rest needs.
 //! Where the positions do not follow the velocities of the step (`Flight`), the free flight keeps E and only the kinetic bound is left.
 
+use crate::energy_balance::constant::Constant;
 use crate::energy_balance::gyroscopic::Turned;
+use crate::energy_balance::position::Position;
 use crate::energy_balance::waist::{Posed, Waist, effort};
 use crate::energy_balance::{TOTAL, TOTAL_IDENTITY, Taken};
 use crate::tolerance::energy_balance as tolerance;
 use moreau_checks::Finding;
-use moreau_contact::contact::delassus::MassFactor;
-use nalgebra::{DMatrix, DVector};
-
-/// How a scheme moves its positions.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Position {
-    /// q⁺ = q + h (θ v⁺ + (1−θ) v).
-    Theta(f64),
-    /// As θ = ½, but only for bodies without a gyroscopic term, whose accelerations the scheme remembers.
-    Remembering,
-    /// A free flight that keeps E under a constant force, whatever the impulses.
-    Flight,
-    /// Corrected by something else than velocities: V changes without a law.
-    Corrected,
-}
-
-impl Position {
-    /// Whether a body moves by at most h times the larger of its speeds before and after.
-    pub fn moves_by_velocities(self) -> bool {
-        self != Position::Corrected
-    }
-}
-
-/// The constant force and mass of a mechanism, as far as one step shows them.
-pub(super) struct Constant {
-    /// F(q, 0).
-    pub force: DVector<f64>,
-    /// M.
-    pub mass: DMatrix<f64>,
-}
-
-impl Constant {
-    /// F and M of the step, if they are the same at both ends; `None` where the bounds do not apply.
-    pub fn of(taken: &Taken, waist: &Waist) -> Option<Self> {
-        let mechanism = taken.mechanism;
-        let (from, to) = (&taken.before.position, &taken.step.state.position);
-        let mass = mechanism.mass_matrix(from);
-        let at_rest = DVector::zeros(taken.before.velocity.len());
-        let force = mechanism.force(from, &at_rest);
-        let same = mechanism.linear_force().is_none() && mechanism.mass_matrix(to) == mass && mechanism.force(to, &at_rest) == force;
-        let spins = || mechanism.gyroscopic_slope(from, &at_rest.map(|_| 1.0)).is_some_and(|slope| slope.amax() > 0.0);
-        let smooth = matches!(waist.position, Position::Theta(_) | Position::Corrected) || !spins();
-        (same && smooth).then_some(Constant { force, mass })
-    }
-
-    /// h²FᵀM⁻¹F \[J\].
-    pub fn fall(&self, h: f64) -> Option<f64> {
-        let factor = MassFactor::new(&self.mass).ok()?;
-        Some(h * h * self.force.dot(&factor.solve(&self.force)))
-    }
-}
 
 /// The findings on the total energy, and by how much Ẽ may rise.
 pub(super) struct Total {

@@ -7,13 +7,11 @@
 //! w is the residual's work ([`law`](super)), zero at a solution. The shift is the scheme's declared one, computed here.
 
 use crate::energy_balance::exchange::Exchange;
-use crate::energy_balance::gyroscopic::Turned;
 use crate::energy_balance::law::Work;
+use crate::energy_balance::position::Position;
 use crate::energy_balance::shift::Shift;
-use crate::energy_balance::total::Position;
-use crate::energy_balance::{IDENTITY, Judged, KINETIC, RESIDUAL, Taken, law, linear, total};
+use crate::energy_balance::{Taken, law};
 use crate::tolerance::energy_balance as tolerance;
-use moreau_checks::Finding;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
@@ -92,35 +90,6 @@ impl Waist {
         let size = exchange.size + work.size + exchange.impulse.abs().dot(&shift.abs());
         let rounding = tolerance::energy(exchange.impulse.len(), taken.before.velocity.len(), size);
         Ok(Posed { given: -exchange.impulse.dot(&shift) - work.softened, restitutions, work, rounding, exchange })
-    }
-
-    /// The findings of one step.
-    pub fn judge(&self, taken: &Taken) -> Result<Judged> {
-        if self.explicit && taken.mechanism.linear_force().is_some() {
-            // MuJoCo damps joints after its contact problem: r answers another velocity than v⁺
-            return Ok(crate::energy_balance::own::nothing());
-        }
-        let posed = self.posed(taken)?;
-        let Posed { exchange, work, rounding, .. } = &posed;
-        let exact = exchange.impulse.dot(&exchange.after) - 0.5 * exchange.square;
-        let allowed = posed.given - 0.5 * exchange.square + work.residual;
-        let mut findings = vec![
-            Finding::equal(IDENTITY, exchange.gained, exact, *rounding, "J"),
-            Finding::at_most_within(RESIDUAL, work.residual, work.limit, *rounding, "J"),
-            Finding::at_most_within(KINETIC, exchange.gained, allowed, *rounding, "J"),
-        ];
-        let (mut gain, mut rise) = (None, None);
-        if let Some(constant) = total::Constant::of(taken, self) {
-            let turned = Turned::of(taken, &constant, self.explicit)?;
-            findings.extend(turned.findings(taken));
-            let judged = total::judge(self, taken, &posed, &constant, &turned);
-            findings.extend(judged.findings);
-            rise = judged.rise;
-            gain = self.position.moves_by_velocities().then(|| allowed.max(0.0) + turned.gain.max(0.0) + rounding);
-        } else {
-            findings.extend(linear::judge(self, taken, &posed));
-        }
-        Ok(Judged { findings, residual: work.residual, gain, rise })
     }
 
     /// Whether the total energy has a bound by the step's data alone, and e: one e for all contacts that push, and friction only with

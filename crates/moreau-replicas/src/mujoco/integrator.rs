@@ -10,7 +10,7 @@
 //! MuJoCo 3.11 not that of the gyroscopic torque of a body that moves freely by itself, of which G consists; a linkage has none. Each stage
 //! of RK4 finds its contacts anew and poses its own problem.
 
-use crate::mujoco::{Mujoco, Rotational};
+use crate::mujoco::{Integrator, Mujoco, Rotational};
 use moreau_contact::certificate::StepResidual;
 use moreau_contact::contact::ContactImpulse;
 use moreau_contact::contact::delassus::MassFactor;
@@ -20,44 +20,6 @@ use moreau_dynamics::schemes::{Inertia, Start, Step, StepContext, StepProblem};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use std::sync::Arc;
-
-/// MuJoCo's integrators that are rebuilt here.
-///
-/// # Source
-/// MuJoCo documentation, *Computation: numerical integration* (3.17), and its change log, 3.11.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Integrator {
-    /// Semi-implicit, damping of joints implicit; MuJoCo's default.
-    #[default]
-    Euler,
-    /// Implicit in damping and in the gyroscopic torques of free bodies.
-    ImplicitFast,
-    /// The classical Runge–Kutta method of order four, contacts in every stage.
-    RungeKutta,
-}
-
-impl Integrator {
-    /// The integrator with MuJoCo's name for it, in small letters.
-    ///
-    /// # Errors
-    /// An unknown name; the message lists the three.
-    pub fn by_name(name: &str) -> Result<Self> {
-        match name {
-            "euler" => Ok(Integrator::Euler),
-            "implicitfast" => Ok(Integrator::ImplicitFast),
-            "rk4" => Ok(Integrator::RungeKutta),
-            _ => Err(Error::invalid("integrator", format!("`{name}` is unknown"), "use euler, implicitfast or rk4")),
-        }
-    }
-
-    pub(super) fn suffix(self) -> &'static str {
-        match self {
-            Integrator::Euler => "",
-            Integrator::ImplicitFast => " implicitfast",
-            Integrator::RungeKutta => " rk4",
-        }
-    }
-}
 
 /// F + Hᵀf at a state with the contacts' h f.
 pub(super) struct Pushed {

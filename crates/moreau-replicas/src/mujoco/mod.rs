@@ -32,14 +32,14 @@ mod conjugate_gradient;
 mod gauss_sweeps;
 mod integrator;
 mod inverse;
+mod parameters;
 mod rows;
 mod softness;
 
 pub use conjugate_gradient::{CONJUGATE_GRADIENT, Direction, GaussConjugateGradient};
 pub use gauss_sweeps::{GAUSS_SWEEPS, GaussSweeps};
-pub use integrator::Integrator;
 pub use inverse::{ContactForce, InverseDynamics};
-pub use rows::Rotational;
+pub use parameters::{Cone, Integrator, Mujoco, Rotational};
 pub use softness::Softness;
 
 use moreau_contact::contact::delassus::MassFactor;
@@ -48,56 +48,10 @@ use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Law};
 use moreau_contact::solvers::ContactSolver;
 use moreau_dynamics::mechanics::Mechanism;
 use moreau_dynamics::schemes::{Inertia, Scheme, Start, Step, StepContext, StepProblem, Waist, waist};
-use moreau_exact::{Error, Result};
+use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
+use parameters::Soft;
 use std::sync::Arc;
-
-/// The shape of the friction cone.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Cone {
-    /// Four edges n ± μ t₁, n ± μ t₂; MuJoCo's default.
-    #[default]
-    Pyramidal,
-    /// ‖r_t‖ ≤ μ r_n.
-    Elliptic,
-}
-
-impl Cone {
-    /// The cone with MuJoCo's name for it.
-    ///
-    /// # Errors
-    /// An unknown name; the message lists the two.
-    pub fn by_name(name: &str) -> Result<Self> {
-        match name {
-            "pyramidal" => Ok(Cone::Pyramidal),
-            "elliptic" => Ok(Cone::Elliptic),
-            _ => Err(Error::invalid("cone", format!("`{name}` is unknown"), "use pyramidal or elliptic")),
-        }
-    }
-}
-
-/// MuJoCo's step.
-///
-/// # Source
-/// Chapter §6; MuJoCo documentation, *Computation* (3.17); Todorov, *Convex and analytically-invertible dynamics with contacts* (2014).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Mujoco {
-    /// The friction cone of contacts in space.
-    pub cone: Cone,
-    /// How soft the contacts are.
-    pub softness: Softness,
-    /// Friction against rotation at contacts in space.
-    pub rotational: Rotational,
-    /// How a step follows from the accelerations.
-    pub integrator: Integrator,
-}
-
-/// One active contact with what MuJoCo knows of it.
-struct Soft {
-    index: usize,
-    contact: Contact,
-    inverse_mass: f64,
-}
 
 impl Mujoco {
     /// MuJoCo's defaults with this cone.

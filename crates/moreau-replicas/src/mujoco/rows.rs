@@ -8,7 +8,8 @@
 //! ω_n, … is the relative angular velocity \[rad/s\], so that its force is a torque \[N·m\] and its coefficient a length \[m\].
 
 use crate::mujoco::integrator::Pushed;
-use crate::mujoco::{Cone, Mujoco, Soft};
+use crate::mujoco::parameters::Soft;
+use crate::mujoco::{Cone, Mujoco, Rotational};
 use moreau_contact::certificate::StepResidual;
 use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::contact::{ContactImpulse, Place};
@@ -18,56 +19,6 @@ use moreau_contact::tolerance::certificate::CERTIFY;
 use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
-
-/// Friction against rotation: `condim` 3, 4 or 6 in MuJoCo's words.
-///
-/// # Source
-/// MuJoCo documentation, *Computation: contact* (3.17).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Rotational {
-    /// Torque about the normal over the normal force \[m\]; 0: none.
-    pub torsional: f64,
-    /// Torque about each tangent over the normal force \[m\]; 0: none.
-    pub rolling: f64,
-}
-
-impl Rotational {
-    /// Sliding friction only.
-    pub const NONE: Rotational = Rotational { torsional: 0.0, rolling: 0.0 };
-
-    /// Checks the lengths.
-    ///
-    /// # Errors
-    /// [`Error::Invalid`] if one is negative or not finite, or if there is rolling friction without torsional.
-    pub fn validate(&self) -> Result<()> {
-        let Rotational { torsional, rolling } = *self;
-        for (field, length) in [("torsional", torsional), ("rolling", rolling)] {
-            if !(length >= 0.0 && length.is_finite()) {
-                return Err(Error::invalid(field, format!("is {length}"), "use a length ≥ 0 m"));
-            }
-        }
-        if rolling > 0.0 && torsional == 0.0 {
-            return Err(Error::invalid("rolling", "comes without torsional friction", "give both lengths"));
-        }
-        Ok(())
-    }
-
-    pub(super) fn suffix(&self) -> &'static str {
-        match self.coefficients().len() {
-            0 => "",
-            1 => " torsional",
-            _ => " rolling",
-        }
-    }
-
-    fn coefficients(&self) -> Vec<f64> {
-        match (self.torsional > 0.0, self.rolling > 0.0) {
-            (_, true) => vec![self.torsional, self.rolling, self.rolling],
-            (true, false) => vec![self.torsional],
-            _ => Vec::new(),
-        }
-    }
-}
 
 /// One active contact with its rows.
 pub(super) struct SoftRows {

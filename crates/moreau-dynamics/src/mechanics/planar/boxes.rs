@@ -11,8 +11,8 @@
 //! locally constant. Parallel faces share one normal, along which both gaps are measured, see `faces`.
 
 use super::faces::Faces;
-use super::features::{Touch, along, direction, dot};
 use super::shape::{Pose, corners};
+use super::touch::{Touch, along, direction, dot};
 
 /// Outward normal and end points of a face, in the world; the tangent runs from `ends[0]` to `ends[1]`.
 struct Face {

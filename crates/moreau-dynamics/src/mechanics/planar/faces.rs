@@ -9,7 +9,7 @@
 //! that, and its rows see both bodies at a point that moves by w from the two that touch to the one halfway. Points halfway lie on one line
 //! normal to n, so their relative velocities have three degrees of freedom, of which two are normal and one is tangential.
 
-use super::features::{Touch, along};
+use super::touch::{Touch, along};
 use crate::tolerance::mechanics::faces_are_parallel;
 
 /// The shared normal of two faces, and how far they are parallel.

@@ -11,15 +11,17 @@ mod boxes;
 mod faces;
 mod features;
 mod shape;
+mod touch;
 
 pub use shape::{PlanarBody, Shape};
 
 use super::{BodyState, Materials, Mechanism, PairMaterial, Plane, State};
-use features::{Touch, ground_touches, pair_touches};
+use features::{ground_touches, pair_touches};
 use moreau_contact::contact::{Contact, Place};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use shape::Pose;
+use touch::Touch;
 
 /// Disks and boxes in the x–z plane under gravity, over an optional ground line; q = (x, z, θ) per body.
 ///

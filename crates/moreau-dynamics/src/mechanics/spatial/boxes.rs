@@ -23,8 +23,8 @@
 //! the tilt of the faces. Such crossings are left out.
 
 use super::faces::Faces;
-use super::features::{Touch, direction};
 use super::shape::Pose;
+use super::touch::{Touch, direction};
 use crate::tolerance::mechanics::{BESIDE, PARALLEL, SAME_POINT};
 use nalgebra::Vector3;
 use parry3d_f64::math::{Pose as ParryPose, Rotation, Vector};

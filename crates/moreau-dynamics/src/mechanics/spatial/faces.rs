@@ -17,7 +17,7 @@
 //! τ the unit tangent towards m: differentiate m·(p − q − φ n) = 0. The rows have the first term, see
 //! [`PARALLEL_FACES`](crate::tolerance::mechanics::PARALLEL_FACES) for the others.
 
-use super::features::Touch;
+use super::touch::Touch;
 use crate::tolerance::mechanics::faces_are_parallel;
 use nalgebra::Vector3;
 

@@ -11,38 +11,9 @@
 use super::boxes::box_box;
 use super::faces::level;
 use super::shape::{Pose, Shape, corners};
+use super::touch::{Touch, direction};
 use crate::mechanics::Plane;
 use nalgebra::Vector3;
-
-/// One contact candidate between a first body and a second one (or the ground).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::mechanics) struct Touch {
-    /// φ \[m\].
-    pub gap: f64,
-    /// Unit normal, pointing to the first body.
-    pub normal: Vector3<f64>,
-    /// The points of the first and of the second body that touch, in the world.
-    pub points: [Vector3<f64>; 2],
-    /// The points of the first and of the second body whose velocities its rows are: `points`, but between parallel faces one point for
-    /// both.
-    pub seen: [Vector3<f64>; 2],
-    /// Numbers of the features of the first and of the second body.
-    pub features: [u32; 2],
-}
-
-impl Touch {
-    /// A candidate whose rows are taken at the points that touch.
-    pub fn new(gap: f64, normal: Vector3<f64>, points: [Vector3<f64>; 2], features: [u32; 2]) -> Self {
-        Touch { gap, normal, points, seen: points, features }
-    }
-
-    /// The same candidate with first and second body exchanged.
-    pub fn swapped(self) -> Self {
-        let exchanged = |[first, second]: [Vector3<f64>; 2]| [second, first];
-        let [own, other] = self.features;
-        Touch { normal: -self.normal, points: exchanged(self.points), seen: exchanged(self.seen), features: [other, own], ..self }
-    }
-}
 
 /// The candidates of a shape with the ground: the deepest point of a sphere, the eight corners of a box.
 pub(super) fn ground_touches(shape: &Shape, pose: &Pose, ground: &Plane) -> Vec<Touch> {
@@ -108,11 +79,4 @@ pub(in crate::mechanics) fn sphere_box(radius: f64, sphere: &Vector3<f64>, half_
         (distance, normal, nearest)
     };
     Touch::new(distance - radius, normal, [sphere - normal * radius, cuboid.world(on_box)], [0, 0])
-}
-
-/// Distance and unit vector from a to b; +z where they coincide and every direction would do.
-pub(super) fn direction(a: Vector3<f64>, b: Vector3<f64>) -> (f64, Vector3<f64>) {
-    let difference = b - a;
-    let distance = difference.norm();
-    if distance > 0.0 { (distance, difference / distance) } else { (0.0, Vector3::z()) }
 }

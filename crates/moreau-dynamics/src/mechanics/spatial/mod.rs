@@ -17,10 +17,12 @@ mod faces;
 mod features;
 mod gyroscopic;
 mod shape;
+mod touch;
 
-pub(in crate::mechanics) use features::{Touch, sphere_box};
+pub(in crate::mechanics) use features::sphere_box;
 pub(in crate::mechanics) use shape::Pose;
 pub use shape::{Shape, SpatialBody};
+pub(in crate::mechanics) use touch::Touch;
 
 use super::{BodyState, Materials, Mechanism, PairMaterial, Plane, State};
 use crate::tolerance::limits::PRECESSION_PARTS;

@@ -1,6 +1,6 @@
 //! Impacts and apexes of a sampled ball.
 
-use crate::checks::ball::{RADIUS, dropped};
+use crate::checks::ball::scene::{RADIUS, dropped};
 use crate::checks::scenery::{GRAVITY, schedule};
 use crate::model::Model;
 use crate::tolerance::ball as tolerance;

@@ -1,7 +1,7 @@
 //! The first impact of a ball without restitution: nothing for a rigid law, a rebound for a compliant one.
 
 use crate::checks::ball::bounce::Samples;
-use crate::checks::ball::{RADIUS, dropped};
+use crate::checks::ball::scene::{RADIUS, dropped};
 use crate::checks::scenery::{GRAVITY, schedule};
 use crate::model::Model;
 use crate::model::normal::Normal;

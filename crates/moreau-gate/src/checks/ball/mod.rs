@@ -6,12 +6,11 @@
 
 mod bounce;
 mod compliant;
+mod scene;
 mod settling;
 
 use crate::check::{Control, Expected, Run};
-use crate::checks::scenery::{over_floor, sphere};
 use crate::{Check, Level, Verdict};
-use moreau_dynamics::scenes::Scene;
 
 /// The checks of the family.
 pub const CHECKS: &[Check] = &[
@@ -86,21 +85,14 @@ const fn unsupported(scheme: &'static str, check: &'static str) -> Expected {
     Expected { scheme, check, verdict: Verdict::Unsupported, why: "the scheme has no coefficient of restitution" }
 }
 
-const RADIUS: f64 = 0.1;
-
-/// A 1 kg ball at rest, `height` \[m\] above the floor.
-fn dropped(height: f64, restitution: f64) -> Scene {
-    let mut scene = over_floor("dropped ball", vec![sphere("ball", 1.0, RADIUS, [0.0, 0.0, RADIUS + height])], 0.0);
-    scene.material.restitution = restitution;
-    scene
-}
-
 #[cfg(test)]
 mod tests {
+    use super::scene::RADIUS;
     use super::*;
     use crate::exact::{State, judge};
     use crate::runner::{QUICK, SWEEP};
     use crate::{Measurement, Verdict};
+    use moreau_dynamics::scenes::Scene;
     use moreau_forms::BouncingBall;
 
     /// The exact ball of the scene, with another restitution.

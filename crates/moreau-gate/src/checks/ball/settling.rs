@@ -1,7 +1,8 @@
 //! When and where the ball comes to rest, and how deep it gets.
 
 use crate::checks::ball::bounce::{HEIGHT, Samples};
-use crate::checks::ball::{compliant, dropped};
+use crate::checks::ball::compliant;
+use crate::checks::ball::scene::dropped;
 use crate::checks::scenery::{GRAVITY, schedule};
 use crate::model::Model;
 use crate::model::compression::LoadedPoint;

@@ -1,5 +1,6 @@
 //! The same motion at h and at h/2.
 
+use crate::checks::metamorphic::allowance::SAMPLES;
 use crate::checks::metamorphic::compare::difference;
 use crate::checks::metamorphic::scenes::{DURATION, FRICTION, SPEED, slide};
 use crate::checks::scenery::{GRAVITY, distance, schedule, worst};
@@ -12,7 +13,7 @@ use moreau_dynamics::trajectory::Trajectory;
 const LANDING: f64 = 0.36;
 
 pub(super) fn run(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
-    let (steps, every) = schedule(DURATION, crate::checks::metamorphic::SAMPLES, h);
+    let (steps, every) = schedule(DURATION, SAMPLES, h);
     let coarse = bench.simulate(&block(), h, steps, every)?;
     let fine = bench.simulate(&block(), 0.5 * h, 2 * steps, 2 * every)?;
     let normal_impulse = LANDING + GRAVITY * DURATION;

@@ -5,6 +5,7 @@
 //! ```
 //! A scheme is covariant when every number it decides by is: no world axis, no absolute threshold, no order of a list.
 
+mod allowance;
 mod compare;
 mod halving;
 mod scenes;
@@ -17,12 +18,11 @@ use crate::description::Friction;
 use crate::model::Model;
 use crate::tolerance::metamorphic as tolerance;
 use crate::{Bench, Check, Expectation, Level, Measurement, Reply, Verdict};
+use allowance::{SAMPLES, allowance};
 use compare::{Differences, difference};
 use moreau_dynamics::scenes::Scene;
 use scenes::{ARM, DURATION, FRICTION, SPEED};
 use transform::Transform;
-
-const SAMPLES: usize = 20;
 
 /// Where the allowances come from, for every check of the family.
 const SOLVED: &str = "The exact motions correspond. A covariant scheme repeats the same arithmetic up to rounding; what its solver leaves \
@@ -135,11 +135,6 @@ fn covariant(bench: &mut Bench, h: f64, transform: Transform) -> Reply<Vec<Measu
     let differences = difference(&original, &transform.undo(&image));
     let friction = anisotropy(bench);
     Ok(differences.measured("", allowance(), friction.map(|velocity| Differences::of_velocity(velocity, DURATION, ARM))))
-}
-
-/// What a covariant engine may leave.
-fn allowance() -> Differences {
-    Differences::of_velocity(tolerance::velocity(SPEED, crate::checks::scenery::GRAVITY, DURATION), DURATION, ARM)
 }
 
 /// The velocity \[m/s\] by which declared friction without symmetry about the normal may tell two directions apart. The normal impulse per

@@ -1,5 +1,6 @@
 //! The same scene in other units of length, mass and time.
 
+use crate::checks::metamorphic::allowance::{SAMPLES, allowance};
 use crate::checks::metamorphic::compare::difference;
 use crate::checks::metamorphic::scenes::{DURATION, slide};
 use crate::checks::scenery::schedule;
@@ -23,13 +24,13 @@ const OTHERS: [(&str, Units); 2] = [
 ];
 
 pub(super) fn run(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
-    let (steps, every) = schedule(DURATION, crate::checks::metamorphic::SAMPLES, h);
+    let (steps, every) = schedule(DURATION, SAMPLES, h);
     let original = bench.simulate(&slide(), h, steps, every)?;
     let mut measurements = Vec::new();
     for (words, units) in OTHERS {
         let options = units.parameters(bench.description()).map_err(Refusal::Errored)?;
         let image = bench.simulate_with(&units.scene(&slide()), h * units.time, steps, every, &options)?;
-        measurements.extend(difference(&original, &units.undo(&image)).measured(words, crate::checks::metamorphic::allowance(), None));
+        measurements.extend(difference(&original, &units.undo(&image)).measured(words, allowance(), None));
     }
     Ok(measurements)
 }

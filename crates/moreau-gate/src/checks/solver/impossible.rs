@@ -1,12 +1,12 @@
 //! Problems without a solution.
 
 use crate::checks::scenery::worst;
+use crate::checks::solver::asked::{discrepancy, laws};
 use crate::checks::solver::problems::point;
-use crate::checks::solver::{Law, discrepancy, laws};
 use crate::tolerance::solver as tolerance;
 use crate::{Bench, Expectation, Measurement, Refusal, Reply};
 use moreau_contact::contact::delassus::delassus;
-use moreau_contact::problem::ContactProblem;
+use moreau_contact::problem::{ContactProblem, Law};
 use nalgebra::DVector;
 
 /// A unit mass between walls with normals ±x that both ask for an approach speed of at most −s: u₁ = v_x, u₂ = −v_x, y = u − s.

@@ -6,6 +6,7 @@
 //! Each residual is relative to the scale of its unit and may be √ε. Every problem is posed under each of the laws `frictionless`,
 //! `coulomb` and `associated` that the engine lists.
 
+mod asked;
 mod impossible;
 mod posed;
 mod problems;
@@ -14,8 +15,9 @@ use crate::check::{Control, Run};
 use crate::checks::scenery::worst;
 use crate::tolerance::solver as tolerance;
 use crate::{Bench, Check, Expectation, Level, Measurement, Refusal, Reply};
+use asked::laws;
 use moreau_contact::certificate::residuals::{Residuals, residuals};
-use moreau_contact::problem::{ContactProblem, Law, Solution};
+use moreau_contact::problem::Law;
 use problems::Solved;
 
 const MANUFACTURED: &str = "The velocities after the step and the impulses are chosen, then the velocity without impulses: a solution \
@@ -91,16 +93,6 @@ type Posed = fn(Law) -> moreau_exact::Result<Vec<Solved>>;
 fn every_problem() -> Vec<Solved> {
     let all: [Posed; 5] = [posed::small, posed::redundant, posed::jamming, posed::friction_range, posed::ill_conditioned];
     all.iter().flat_map(|posed| problems::LAWS.map(|law| posed(law).expect("valid problems"))).flatten().collect()
-}
-
-/// The laws among [`problems::LAWS`] that the engine lists.
-fn laws(bench: &Bench) -> Reply<Vec<Law>> {
-    let listed: Vec<Law> =
-        problems::LAWS.into_iter().filter(|law| bench.description().laws.iter().any(|name| name == law.name())).collect();
-    if listed.is_empty() {
-        return Err(Refusal::unsupported("the engine lists none of the laws frictionless, coulomb and associated"));
-    }
-    Ok(listed)
 }
 
 fn certified(bench: &mut Bench, posed: Posed, unique: bool) -> Reply<Vec<Measurement>> {
@@ -185,15 +177,11 @@ fn relative_to(value: f64, scale: f64) -> f64 {
     }
 }
 
-/// max |u − (W r + u_free)| \[m/s\] of an answer.
-fn discrepancy(problem: &ContactProblem, solution: &Solution) -> f64 {
-    (problem.velocity(&solution.impulse) - &solution.velocity).iter().fold(0.0, |largest, x| worst(largest, x.abs()))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::{Description, Engine, Options, Verdict, own};
+    use moreau_contact::problem::{ContactProblem, Solution};
 
     /// Our solver, which gives up on some problems: by an error, or by going away.
     struct GivesUp {

@@ -1,0 +1,39 @@
+//! One contact at an answer, and its residuals.
+
+use super::part::Part;
+
+/// The residuals of one contact, in the order of [`Judged::entries`] without the velocity.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct AtContact {
+    pub primal: Part,
+    pub dual: Part,
+    pub complementarity: Part,
+    pub normal: Part,
+    pub tangential: Part,
+}
+
+/// One contact at an answer: its numbers, weights and scales.
+pub(super) struct Here<'a> {
+    pub contact: usize,
+    pub friction: f64,
+    pub r: &'a [f64],
+    pub y: &'a [f64],
+    /// ρ_n, ρ_t \[kg\].
+    pub weights: [f64; 2],
+    /// s_n, s_r, s_t \[N·s\].
+    pub sizes: [f64; 3],
+    /// Rounding of y_n and of y_t \[m/s\].
+    pub floors: [f64; 2],
+}
+
+impl Here<'_> {
+    /// What an impulse of friction is held against where the contact slides: μ s_r, or s_r where no friction is allowed at all.
+    pub fn friction_scale(&self, mu: f64) -> f64 {
+        if mu > 0.0 { mu * self.sizes[1] } else { self.sizes[1] }
+    }
+}
+
+/// The larger of two numbers, NaN if one is.
+pub(super) fn worst(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
+}

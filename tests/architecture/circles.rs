@@ -1,0 +1,81 @@
+//! No two files of a crate import each other, directly or through others.
+
+use super::modules::{Modules, Source};
+use super::{File, library};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+/// The module a file is, from the root of its crate.
+fn module(path: &Path) -> Vec<String> {
+    let mut parts: Vec<String> = path.with_extension("").iter().map(|part| part.to_string_lossy().into_owned()).collect();
+    if parts.last().is_some_and(|last| last == "mod" || (parts.len() == 1 && last == "lib")) {
+        parts.pop();
+    }
+    parts
+}
+
+/// Every circle of a crate's files, each as the lines of its imports, `a.rs -> b.rs: names`.
+fn circles(files: &[&File]) -> Vec<Vec<String>> {
+    let sources: Vec<_> = files.iter().map(|file| Source { module: module(&file.path), code: file.code.clone() }).collect();
+    let edges = Modules::new(&sources).edges();
+    let next = |file: usize| edges.range((file, 0)..(file + 1, 0)).map(|((_, to), _)| *to);
+    let reach: Vec<BTreeSet<usize>> = (0..files.len()).map(|file| reached(file, next)).collect();
+    let mut groups: BTreeMap<Vec<usize>, Vec<String>> = BTreeMap::new();
+    for ((from, to), names) in edges.iter().filter(|((from, to), _)| reach[*to].contains(from)) {
+        let group = reach[*from].iter().copied().filter(|file| reach[*file].contains(from)).collect();
+        let line = format!("{} -> {}: {}", files[*from].place(), files[*to].place(), names.iter().cloned().collect::<Vec<_>>().join(", "));
+        groups.entry(group).or_default().push(line);
+    }
+    groups.into_values().collect()
+}
+
+/// The files that are reached from one in a step or more.
+fn reached<I: Iterator<Item = usize>>(start: usize, next: impl Fn(usize) -> I) -> BTreeSet<usize> {
+    let mut found = BTreeSet::new();
+    let mut open: Vec<usize> = next(start).collect();
+    while let Some(file) = open.pop() {
+        if found.insert(file) {
+            open.extend(next(file));
+        }
+    }
+    found
+}
+
+#[test]
+fn no_files_import_each_other_in_a_circle() {
+    let files = library();
+    let rooms: BTreeSet<_> = files.iter().map(|file| &file.room).collect();
+    // the program is a crate of its own
+    let of_room = |room: &String| files.iter().filter(|file| file.room == *room && !file.path.ends_with("main.rs")).collect::<Vec<_>>();
+    let found: Vec<_> = rooms.into_iter().flat_map(|room| circles(&of_room(room))).collect();
+    let listed: Vec<_> = found.iter().map(|lines| format!("{}\n", lines.join("\n"))).collect();
+    assert!(found.is_empty(), "{} circles; move what is shared to where both may take it from:\n\n{}", found.len(), listed.join("\n"));
+}
+
+/// The circles among planted files, each as its number of imports.
+fn planted(files: &[(&str, &str)]) -> Vec<usize> {
+    let files: Vec<_> = files.iter().map(|(path, code)| File { room: "planted".into(), path: path.into(), code: (*code).into() }).collect();
+    circles(&files.iter().collect::<Vec<_>>()).iter().map(Vec::len).collect()
+}
+
+#[test]
+fn planted_circles_of_two_and_three_files_are_found() {
+    let root = ("lib.rs", "mod a; mod b; mod c;");
+    let (a, b) = (("a.rs", "use crate::b::B; pub struct A;"), ("b.rs", "use super::a::A; pub struct B;"));
+    assert_eq!(planted(&[root, a, b]), [2]);
+    let b = ("b/mod.rs", "pub struct B(super::c::C);");
+    let c = ("c.rs", "use crate::a; pub struct C; fn f() { a::A }");
+    assert_eq!(planted(&[root, a, b, c]), [3]);
+    assert_eq!(planted(&[root, a, b, ("c.rs", "pub struct C;")]), Vec::<usize>::new());
+}
+
+#[test]
+fn a_planted_circle_is_found_through_re_exports_and_between_parent_and_child() {
+    let root = ("lib.rs", "mod a; mod b; pub use a::A; pub use b::B;");
+    assert_eq!(planted(&[root, ("a.rs", "use crate::B; pub struct A;"), ("b.rs", "use crate::A; pub struct B;")]), [2]);
+    let child = ("a/child.rs", "use super::A; pub struct Child;");
+    assert_eq!(planted(&[("a/mod.rs", "mod child; use child::Child; pub struct A;"), child]), [2]);
+    assert_eq!(planted(&[("a/mod.rs", "mod child; pub use child::Child; pub struct A(Child);"), child]), [2]);
+    // handed on only
+    assert_eq!(planted(&[("a/mod.rs", "mod child; pub use child::Child; pub struct A;"), child]), Vec::<usize>::new());
+}
