@@ -84,13 +84,25 @@ pub mod stored;
 pub mod tolerance;
 
 pub use moreau_contact::{ContactProblem, Law, Solution, certificate, cones, contact, conventions, files, memory, problem};
-pub use moreau_dynamics::{elastic_bar, event_driven, impact_laws, integrators, mechanics, scenes, stabilisation, trajectory};
+pub use moreau_dynamics::{
+    elastic_bar, event_driven, exact_particle, impact_laws, integrators, mechanics, scenes, stabilisation, trajectory,
+};
 pub use moreau_exact::{Error, Result, elimination, error, number, scalar};
 pub use moreau_forms as closed_forms;
 pub use moreau_gate::{gate_tests, rust_engine};
 pub use moreau_replicas::systems;
 
-/// The README's example, compiled and run as a documentation test.
+/// The examples of the README, compiled and run as documentation tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct ReadmeExample;
+
+/// Those of the page on what is inside.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/inside.md")]
+pub struct InsideExample;
+
+/// Those of the gate's manual.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/gate.md")]
+pub struct GateExample;

@@ -54,3 +54,15 @@ fn linkages_hit_their_obstacles_and_stay_outside() {
         }
     }
 }
+
+#[test]
+fn the_page_on_the_waist_says_which_schemes_pass() {
+    let page = include_str!("../docs/waist.md");
+    let rows = page.lines().filter_map(|line| line.strip_prefix("| `")?.split_once("` | "));
+    let told: Vec<(&str, &str)> = rows.map(|(name, rest)| (name, rest.split(' ').next().unwrap_or(""))).collect();
+    let measured = schemes::NAMES.map(|name| {
+        let scheme = schemes::by_name(name, Parameters::default()).expect("listed");
+        (name, if scheme.waist().is_some() { "yes" } else { "no" })
+    });
+    assert_eq!(told, measured);
+}

@@ -1,7 +1,8 @@
-//! The stored scoreboard: the README shows what it renders, every check that is not passed has a cause, and the highlights are true.
+//! The stored scoreboard: docs/scoreboard.md shows what it renders, every check that is not passed has a cause, and the highlights are true.
 
 use moreau::gate::scoreboard::{Engines, Standing};
 use moreau::gate::{Report, cause, checks};
+use moreau::number::significant;
 use moreau::report::gate::scoreboard;
 use std::path::{Path, PathBuf};
 
@@ -33,11 +34,11 @@ fn values(standings: &[Standing], engine: &str, check: &str, quantity: &str) -> 
 }
 
 #[test]
-fn the_readme_shows_what_is_stored() {
-    let readme = std::fs::read_to_string(here("README.md")).expect("README.md");
-    let section = readme.split_once(scoreboard::BEGIN).and_then(|(_, rest)| rest.split_once(scoreboard::END)).expect("both markers").0;
+fn the_page_shows_what_is_stored() {
+    let page = std::fs::read_to_string(here("docs/scoreboard.md")).expect("docs/scoreboard.md");
+    let section = page.split_once(scoreboard::BEGIN).and_then(|(_, rest)| rest.split_once(scoreboard::END)).expect("both markers").0;
     let made = scoreboard::section(&standings(), &causes());
-    assert_eq!(section.trim(), made.trim(), "run `moreau scoreboard --stored --readme README.md`");
+    assert_eq!(section.trim(), made.trim(), "run `moreau scoreboard --stored --readme docs/scoreboard.md`");
 }
 
 #[test]
@@ -120,5 +121,16 @@ fn the_lost_restitution_of_rapier_0_35_beta_is_seen_by_the_sweep_and_missed_by_i
     assert_eq!(kept("rapier-0.35-beta", 5), [true, false, false]);
     for engine in ["rapier-0.34", "rapier-0.36"] {
         assert!(kept(engine, 2).into_iter().chain(kept(engine, 5)).all(|kept| kept), "{engine}");
+    }
+}
+
+#[test]
+fn the_numbers_that_the_readme_tells_of_engines_are_the_stored_ones() {
+    let (standings, readme) = (standings(), std::fs::read_to_string(here("README.md")).expect("README.md"));
+    let creep = values(&standings, "mujoco-elliptic", "incline/stick", "creep speed");
+    let slide = |engine: &str| values(&standings, engine, "incline/slide", SLIDE).into_iter().map(|a| format!("{a:.3} m/s²"));
+    let told = creep[1..].iter().map(|speed| format!("{} m/s", significant(format!("{speed:.4e}").parse().expect("a number"))));
+    for number in told.chain(slide("rapier-0.34-coulomb")).chain(slide("rapier-0.36-coulomb")) {
+        assert!(readme.contains(&number), "README.md should say: {number}");
     }
 }

@@ -1,4 +1,4 @@
-//! Every system agrees with what it is held against, every agreement catches the mistakes planted in it, and the README shows what is
+//! Every system agrees with what it is held against, every agreement catches the mistakes planted in it, and docs/systems.md shows what is
 //! measured.
 
 use moreau::report::systems::{BEGIN, END, markdown};
@@ -30,14 +30,14 @@ static MEASURED: LazyLock<(Report, BTreeSet<String>)> = LazyLock::new(|| {
 });
 
 #[test]
-fn every_agreement_holds_and_the_readme_shows_it() {
+fn every_agreement_holds_and_the_page_shows_it() {
     let (report, _) = &*MEASURED;
     for (system, agreement) in report.systems.iter().flat_map(|system| system.held_against.iter().map(move |one| (system, one))) {
         assert!(agreement.holds, "{}: {agreement:?}", system.name);
     }
-    let readme = include_str!("../README.md");
-    let section = readme.split_once(BEGIN).and_then(|(_, rest)| rest.split_once(END)).expect("both markers").0;
-    assert_eq!(section.trim(), markdown(report).trim(), "run `moreau systems --readme README.md`");
+    let page = include_str!("../docs/systems.md");
+    let section = page.split_once(BEGIN).and_then(|(_, rest)| rest.split_once(END)).expect("both markers").0;
+    assert_eq!(section.trim(), markdown(report).trim(), "run `moreau systems --readme docs/systems.md`");
 }
 
 #[test]

@@ -14,7 +14,7 @@ use crate::{Error, Result};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 
-/// The section of a README that is replaced.
+/// The section of a Markdown file that is replaced.
 const MARKERS: [&str; 2] = [scoreboard::BEGIN, scoreboard::END];
 
 /// Run every engine that is installed here through the checks, and render the table engine × check.
@@ -46,7 +46,8 @@ pub struct Arguments {
     /// Write the table with every number as one self-contained HTML page.
     #[arg(long, value_name = "FILE")]
     html: Option<PathBuf>,
-    /// Replace the section between `<!-- scoreboard -->` and `<!-- /scoreboard -->` of this file.
+    /// Replace the section between `<!-- scoreboard -->` and `<!-- /scoreboard -->` of this file; docs/scoreboard.md is where the table
+    /// stands.
     #[arg(long, value_name = "FILE")]
     readme: Option<PathBuf>,
     /// How to write the table to standard output.

@@ -19,7 +19,7 @@ use std::path::PathBuf;
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// Replace the section between `<!-- systems -->` and `<!-- /systems -->` of this file.
+    /// Replace the section between `<!-- systems -->` and `<!-- /systems -->` of this file; docs/systems.md is where the table stands.
     #[arg(long, value_name = "FILE")]
     readme: Option<PathBuf>,
     /// How to write the table to standard output.
@@ -31,7 +31,7 @@ const EXAMPLES: &str = "\
 Examples:
   moreau systems
   moreau systems --format json
-  moreau systems --readme README.md";
+  moreau systems --readme docs/systems.md";
 
 const MARKERS: [&str; 2] = [systems::BEGIN, systems::END];
 

@@ -1,4 +1,4 @@
-//! The systems on their four axes: text for the terminal, a table for the README.
+//! The systems on their four axes: text for the terminal, a table for docs/systems.md.
 
 use crate::number::{significant, with_unit};
 use crate::systems::{AgreementReport, Report, SystemReport};

@@ -19,9 +19,8 @@
 //! A depth gives back at most v_r r_n, a rebound e |u_n| r_n ([`crate::energy_balance`]).
 
 use moreau_contact::problem::Law;
-use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
-use moreau_dynamics::schemes::{Scheme, StepProblem, assembly};
+use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist, assembly, passes_the_waist};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
@@ -85,13 +84,17 @@ impl Scheme for Chrono {
         format!("chrono recovery={} bounce={}", self.recovery_speed, self.bounce_speed)
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
+    passes_the_waist!();
+}
+
+impl Waist for Chrono {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
         self.validate()?;
-        assembly::assemble("chrono", self, mechanism, state, h)
+        assembly::assemble("chrono", self, at)
     }
 
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        mechanism.integrate(&state.position, velocity_post, h)
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        at.mechanism.integrate(&at.state.position, velocity_post, at.h)
     }
 }
 
@@ -101,7 +104,7 @@ mod tests {
     use moreau_contact::solvers;
     use moreau_contact::solvers::{ContactSolver, ProjectedGaussSeidel};
     use moreau_contact::tolerance::solvers as tolerance;
-    use moreau_dynamics::mechanics::PointMass;
+    use moreau_dynamics::mechanics::{Mechanism, PointMass, State};
     use moreau_dynamics::schemes::{Anitescu, step};
     use moreau_exact::tolerance::rounding;
     use nalgebra::dvector;

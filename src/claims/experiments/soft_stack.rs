@@ -5,7 +5,7 @@ use crate::mechanics::spatial::{Shape, SpatialBody};
 use crate::mechanics::{Plane, SpatialBodies, State};
 use crate::problem::ContactProblem;
 use crate::schemes::mujoco::{Cone, Mujoco};
-use crate::schemes::{Scheme, StepProblem};
+use crate::schemes::{StepProblem, assembled};
 use crate::{Error, Result};
 use nalgebra::{DVector, dvector};
 
@@ -56,6 +56,6 @@ pub fn ball(cone: Cone) -> Result<ContactProblem> {
 }
 
 fn assemble(mechanism: &SpatialBodies, state: &State, cone: Cone) -> Result<ContactProblem> {
-    let StepProblem { problem, .. } = Mujoco::standard(cone).assemble(mechanism, state, STEP)?;
+    let StepProblem { problem, .. } = assembled(&Mujoco::standard(cone), mechanism, state, STEP)?;
     problem.ok_or_else(|| Error::Unsupported("the boxes overlap and touch".into()))
 }

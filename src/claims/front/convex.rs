@@ -5,10 +5,10 @@ use crate::checks::Finding;
 use crate::claims::s5::planar_step::Block;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
 use crate::closed_forms::bouncing_ball::BouncingBall;
-use crate::mechanics::{Mechanism, PointMass, State};
+use crate::mechanics::{PointMass, State};
 use crate::problem::{Compliance, Coordinates, Law, Lcp};
 use crate::scalar::{Rational, ratio};
-use crate::schemes::{Anitescu, MoreauJean, Scheme, StepProblem, simulate};
+use crate::schemes::{Anitescu, MoreauJean, Scheme, StepContext, StepProblem, Waist, passes_the_waist, simulate};
 use crate::solvers::lemke::{LemkeOutcome, lemke};
 use crate::solvers::{AcceleratedProjectedGradient, Reference};
 use crate::tolerance;
@@ -72,8 +72,13 @@ impl Scheme for Regularised {
     fn name(&self) -> String {
         "anitescu with tangential softness".into()
     }
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        let mut step = Anitescu.assemble(mechanism, state, h)?;
+
+    passes_the_waist!();
+}
+
+impl Waist for Regularised {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
+        let mut step = Anitescu.assemble(at)?;
         if let Some(problem) = &mut step.problem {
             let rows = problem.rows_per_contact;
             let diagonal = DVector::from_fn(problem.rows(), |row, _| if row % rows == 0 { 0.0 } else { 1.0 / 1000.0 });
@@ -81,8 +86,9 @@ impl Scheme for Regularised {
         }
         Ok(step)
     }
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        Anitescu.advance(mechanism, state, velocity_post, h)
+
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        Anitescu.advance(at, velocity_post)
     }
 }
 

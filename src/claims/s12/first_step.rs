@@ -6,10 +6,10 @@ use crate::checks::Finding;
 use crate::checks::energy::worked_ball;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
 use crate::contact::delassus::delassus;
+use crate::exact_particle::{Motion, Outcome};
 use crate::mechanics::{PointMass, State};
 use crate::scalar::{Rational, ratio};
-use crate::schemes::exact_particle::{Motion, Outcome};
-use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme};
+use crate::schemes::{Activation, MoreauJean, RestitutionRule, assembled};
 use nalgebra::{DMatrix, dvector};
 
 /// The claims of this file.
@@ -92,12 +92,12 @@ fn setup(reading: Reading) -> Result<Vec<Finding>> {
     let ball = PointMass::ball_on_floor(mass as f64, 10.0, 0.5);
     let scheme = MoreauJean { theta: 1.0, activation: Activation::FreeVelocityForecast, restitution: RestitutionRule::NormalOnly };
     let at_floor = State { time: 0.0, position: dvector![0.0], velocity: dvector![-1.0] };
-    let assembled = scheme.assemble(&ball, &at_floor, 0.1)?;
-    let of_scheme = assembled.problem.map_or(f64::NAN, |problem| problem.delassus[(0, 0)]);
+    let posed = assembled(&scheme, &ball, &at_floor, 0.1)?;
+    let of_scheme = posed.problem.map_or(f64::NAN, |problem| problem.delassus[(0, 0)]);
     Ok(vec![
         Finding::exact("W", &exact[(0, 0)], &ratio(1, 1), "1/kg"),
         Finding::equal("W assembled by the scheme", of_scheme, 1.0, 0.0, "1/kg"),
-        Finding::equal("H", assembled.jacobian[(0, 0)], 1.0, 0.0, "1"),
+        Finding::equal("H", posed.jacobian[(0, 0)], 1.0, 0.0, "1"),
     ])
 }
 

@@ -3,11 +3,11 @@
 use crate::checks::Finding;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
 use crate::contact::delassus::{MassFactor, delassus};
+use crate::exact_particle::{Ball, Motion};
 use crate::mechanics::{Mechanism, OscillatorWithStop, PointMass, State};
 use crate::problem::Lcp;
 use crate::scalar::{Rational, Scalar, ratio};
-use crate::schemes::exact_particle::{Ball, Motion};
-use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, step};
+use crate::schemes::{Activation, MoreauJean, RestitutionRule, assembled, step};
 use crate::solvers::LemkePivoting;
 use crate::solvers::lemke::{LemkeOutcome, lemke};
 use crate::tolerance::rounding;
@@ -150,10 +150,10 @@ fn free_velocity(reading: Reading) -> Result<Vec<Finding>> {
     // m (v⁺ − v) = −h k (q + hθ(θ v⁺ + (1−θ) v)) + P is linear in v⁺ with slope 1/(m + h²θ²k) in P
     let response = mass.clone() / (mass.clone() + &h * &h * &theta * &theta * &stiffness);
     let oscillator = OscillatorWithStop::new(1.0, 100.0, 0.0, 0.0, 0.5)?;
-    let implicit = assembled(&oscillator, 0.5, dvector![0.0], dvector![-1.0])?;
-    let explicit = assembled(&oscillator, 0.0, dvector![0.0], dvector![-1.0])?;
+    let implicit = posed(&oscillator, 0.5, dvector![0.0], dvector![-1.0])?;
+    let explicit = posed(&oscillator, 0.0, dvector![0.0], dvector![-1.0])?;
     let operator = reading.pick(implicit.0, explicit.0);
-    let (falling_operator, law_velocity) = assembled(&PointMass::ball_on_floor(2.0, 9.81, 0.5), 0.5, dvector![0.0], dvector![-1.0])?;
+    let (falling_operator, law_velocity) = posed(&PointMass::ball_on_floor(2.0, 9.81, 0.5), 0.5, dvector![0.0], dvector![-1.0])?;
     let bound = |size: f64| rounding(8, size);
     Ok(vec![
         Finding::equal("velocity change of a unit impulse, implicit spring", operator, Scalar::to_f64(&response), bound(1.0), "1/kg"),
@@ -163,9 +163,9 @@ fn free_velocity(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 /// W and U_free = u_free + shift of the only contact, at h = 1/10 s.
-fn assembled(mechanism: &dyn Mechanism, theta: f64, position: DVector<f64>, velocity: DVector<f64>) -> Result<(f64, f64)> {
+fn posed(mechanism: &dyn Mechanism, theta: f64, position: DVector<f64>, velocity: DVector<f64>) -> Result<(f64, f64)> {
     let scheme = MoreauJean { theta, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
-    let problem = scheme.assemble(mechanism, &State { time: 0.0, position, velocity }, 0.1)?.problem;
+    let problem = assembled(&scheme, mechanism, &State { time: 0.0, position, velocity }, 0.1)?.problem;
     let problem = problem.ok_or_else(|| Error::Unsupported("the contact is closed, so the step has a problem".into()))?;
     Ok((problem.delassus[(0, 0)], problem.free_velocity[0] + problem.shift[0]))
 }

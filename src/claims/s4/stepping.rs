@@ -3,10 +3,10 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::exact_particle::{Ball, Motion, Outcome};
 use crate::mechanics::{BeadInCircle, Mechanism, PointMass, State};
 use crate::scalar::{Rational, ratio};
-use crate::schemes::exact_particle::{Ball, Motion, Outcome};
-use crate::schemes::{self, Activation, MoreauJean, RestitutionRule, Scheme, StewartTrinkle};
+use crate::schemes::{self, Activation, MoreauJean, RestitutionRule, StewartTrinkle, Waist};
 use crate::solvers::LemkePivoting;
 use crate::tolerance::claims::lcp as tolerance;
 use nalgebra::dvector;
@@ -106,15 +106,15 @@ fn moreau_jean() -> MoreauJean {
     MoreauJean { theta: 1.0, activation: Activation::FreeVelocityForecast, restitution: RestitutionRule::NormalOnly }
 }
 
-fn scheme(reading: Reading) -> Box<dyn Scheme> {
-    reading.pick(Box::new(StewartTrinkle::default()) as Box<dyn Scheme>, Box::new(moreau_jean()))
+fn scheme(reading: Reading) -> Box<dyn Waist> {
+    reading.pick(Box::new(StewartTrinkle::default()) as Box<dyn Waist>, Box::new(moreau_jean()))
 }
 
 fn linearised(reading: Reading) -> Result<Vec<Finding>> {
     let (bead, start) = bead()?;
     let mut findings = Vec::new();
     let approaching = State { time: 0.0, position: dvector![0.75, 0.0], velocity: dvector![64.0, 0.0] };
-    let assembled = scheme(reading).assemble(&bead, &approaching, 1.0 / 64.0)?;
+    let assembled = schemes::assembled(scheme(reading).as_ref(), &bead, &approaching, 1.0 / 64.0)?;
     let shift = assembled.problem.map_or(0.0, |problem| problem.shift[0]);
     findings.push(Finding::equal("shift of a contact at φ = 1/4, h = 1/64", shift, 16.0, 0.0, "m/s"));
     for h in [1.0 / 16.0, 1.0 / 64.0, 1.0 / 256.0] {
@@ -126,7 +126,7 @@ fn linearised(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 /// Least gap over 200 steps of 1/100 along the circle.
-fn circle_track(scheme: &dyn Scheme) -> Result<(f64, f64)> {
+fn circle_track(scheme: &dyn Waist) -> Result<(f64, f64)> {
     let (bead, start) = bead()?;
     let recording = schemes::simulate(scheme, &LemkePivoting, &bead, start, CIRCLE_STEP, CIRCLE_STEPS)?;
     let gaps = recording.samples.iter().map(|state| bead.contacts(&state.position)[0].gap);
@@ -208,7 +208,7 @@ fn persistent_contact(reading: Reading) -> Result<Vec<Finding>> {
         let at_rest = State { time: 0.0, position: dvector![0.0, 0.0], velocity: dvector![0.0, 0.0] };
         let (bead, on_circle) = bead()?;
         let (mechanism, start): (&dyn Mechanism, State) = reading.pick((&block, at_rest), (&bead, on_circle));
-        let run = |scheme: &dyn Scheme| schemes::simulate(scheme, &LemkePivoting, mechanism, start.clone(), CIRCLE_STEP, steps);
+        let run = |scheme: &dyn Waist| schemes::simulate(scheme, &LemkePivoting, mechanism, start.clone(), CIRCLE_STEP, steps);
         let (ours, theirs) = (run(&StewartTrinkle::default())?, run(&moreau_jean())?);
         let pairs = ours.samples.iter().zip(&theirs.samples);
         let largest = |difference: fn(&State, &State) -> f64| pairs.clone().map(|(a, b)| difference(a, b)).fold(0.0, f64::max);

@@ -1,15 +1,15 @@
 //! §5, who wrote and who uses what: papers, simulators, and what scales.
 
 use super::gradient::{grown, pressed_row};
-use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::identifiers::issn_agrees;
 use crate::claims::experiments::siconos::Facts;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
 use crate::mechanics::{Plane, PointMass, State};
 use crate::problem::Law;
-use crate::schemes::{Parameters, by_name};
+use crate::schemes::{Parameters, assembled, by_name};
 use crate::solvers::Momentum;
+use crate::{Error, Result};
 use nalgebra::dvector;
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -90,8 +90,9 @@ fn users(reading: Reading) -> Result<Vec<Finding>> {
     let law = |scheme: &str| -> Result<Option<Law>> {
         let block = PointMass::new("block", 1.0, dvector![0.0, 0.0, -9.81], vec![Plane::new(dvector![0.0, 0.0, 1.0], 0.0, 0.5, 0.0)?])?;
         let state = State { time: 0.0, position: dvector![0.0, 0.0, -0.001], velocity: dvector![1.0, 0.0, 0.0] };
-        let assembled = by_name(scheme, Parameters::default())?.assemble(&block, &state, 0.01)?;
-        Ok(assembled.problem.map(|problem| problem.law))
+        let scheme = by_name(scheme, Parameters::default())?;
+        let waist = scheme.waist().ok_or_else(|| Error::Unsupported("the scheme does not pass the waist".into()))?;
+        Ok(assembled(waist, &block, &state, 0.01)?.problem.map(|problem| problem.law))
     };
     let relaxed = Some(Law::Associated);
     let siconos = Facts::stored()?;

@@ -10,7 +10,7 @@ use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::mechanics::{PointMass, State};
 use crate::problem::{Compliance, ContactProblem, Law};
 use crate::schemes::mujoco::{Cone, Mujoco};
-use crate::schemes::{Anitescu, Scheme, run, step};
+use crate::schemes::{Anitescu, assembled, run, step};
 use crate::solvers::gauss::GaussProgram;
 use crate::solvers::{AcceleratedProjectedGradient, ContactSolver, GaussNewton};
 use crate::tolerance::claims::soft::{AT_TOUCH, SOLVED, TOUCH};
@@ -154,7 +154,7 @@ fn reversal(reading: Reading) -> Result<Vec<Finding>> {
 
 fn hard_and_convex(reading: Reading) -> Result<Vec<Finding>> {
     let (mechanism, state) = soft_stack::stack(3, 1.0)?;
-    let hard = Anitescu.assemble(&mechanism, &state, STEP)?.problem;
+    let hard = assembled(&Anitescu, &mechanism, &state, STEP)?.problem;
     let mut findings = Vec::new();
     for (name, problem) in [("hard", hard), ("soft", Some(soft_stack::problem(3, 1.0, Cone::Elliptic)?))] {
         let mut problem = problem.ok_or_else(|| crate::Error::Unsupported("the boxes overlap and touch".into()))?;

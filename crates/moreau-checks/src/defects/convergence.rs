@@ -4,9 +4,10 @@ use super::Defect;
 use crate::convergence::{Horizon, Stop, bouncing_ball, plastic_ball};
 use crate::finding::Finding;
 use moreau_contact::problem::Law;
-use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
-use moreau_dynamics::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepProblem, StewartTrinkle, assembly};
+use moreau_dynamics::schemes::{
+    Activation, MoreauJean, RestitutionRule, Scheme, StepContext, StepProblem, StewartTrinkle, Waist, assembly, passes_the_waist,
+};
 use moreau_exact::Result;
 use nalgebra::DVector;
 
@@ -81,16 +82,21 @@ impl Scheme for Altered {
         format!("{:?}", self.0)
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        assembly::assemble("altered", self, mechanism, state, h)
+    passes_the_waist!();
+}
+
+impl Waist for Altered {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
+        assembly::assemble("altered", self, at)
     }
 
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        let StepContext { state, h, .. } = *at;
         let used = match self.0 {
             Mistake::GapTimesStep => velocity_post.clone(),
             Mistake::TrapezoidalPosition | Mistake::FixedMargin => (velocity_post + &state.velocity) * 0.5,
         };
-        mechanism.integrate(&state.position, &used, h)
+        at.mechanism.integrate(&at.state.position, &used, h)
     }
 }
 
@@ -98,7 +104,7 @@ impl Scheme for Altered {
 mod tests {
     use super::*;
     use moreau_contact::solvers::Reference;
-    use moreau_dynamics::mechanics::PointMass;
+    use moreau_dynamics::mechanics::{PointMass, State};
     use moreau_dynamics::schemes::simulate;
     use nalgebra::dvector;
 

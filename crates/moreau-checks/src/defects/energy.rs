@@ -5,8 +5,7 @@ use crate::energy::impact;
 use crate::finding::Finding;
 use crate::zeno::DroppedBall;
 use moreau_contact::problem::ContactProblem;
-use moreau_dynamics::mechanics::{Mechanism, State};
-use moreau_dynamics::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepProblem};
+use moreau_dynamics::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_exact::Result;
 use nalgebra::DVector;
 
@@ -79,15 +78,19 @@ impl Scheme for Misassembled {
         format!("{}, altered", self.base.name())
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        let mut assembled = self.base.assemble(mechanism, state, h)?;
+    passes_the_waist!();
+}
+
+impl Waist for Misassembled {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
+        let mut assembled = self.base.assemble(at)?;
         if let Some(problem) = &mut assembled.problem {
             (self.alter)(problem);
         }
         Ok(assembled)
     }
 
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        self.base.advance(mechanism, state, velocity_post, h)
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        self.base.advance(at, velocity_post)
     }
 }

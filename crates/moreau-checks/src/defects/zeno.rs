@@ -6,9 +6,10 @@ use crate::tolerance::zeno;
 use crate::zeno::{DroppedBall, absorption};
 use moreau_contact::problem::Law;
 use moreau_contact::solvers::ProjectedGaussSeidel;
-use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
-use moreau_dynamics::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StepProblem, assembly, simulate};
+use moreau_dynamics::schemes::{
+    Activation, MoreauJean, RestitutionRule, Scheme, StepContext, StepProblem, Waist, assembly, passes_the_waist, simulate,
+};
 use moreau_exact::Result;
 use nalgebra::DVector;
 
@@ -104,11 +105,15 @@ impl Scheme for Altered {
         format!("{} with {:?}", self.base.name(), self.mistake)
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        assembly::assemble("altered moreau-jean", self, mechanism, state, h)
+    passes_the_waist!();
+}
+
+impl Waist for Altered {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
+        assembly::assemble("altered moreau-jean", self, at)
     }
 
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        self.base.advance(mechanism, state, velocity_post, h)
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        self.base.advance(at, velocity_post)
     }
 }

@@ -18,10 +18,17 @@ use nalgebra::{DMatrix, DVector};
 /// # Source
 /// Chapter §3 (the Delassus operator); Golub and Van Loan, *Matrix Computations*, §4.1 (LDLᵀ).
 pub fn delassus<T: Scalar>(mass: &DMatrix<T>, jacobian: &DMatrix<T>) -> Result<DMatrix<T>> {
-    let factor = MassFactor::new(mass)?;
-    if jacobian.ncols() != mass.ncols() {
+    delassus_factored(&MassFactor::new(mass)?, jacobian)
+}
+
+/// W = H M⁻¹ Hᵀ \[1/kg\] of a mass matrix that is factored already.
+///
+/// # Errors
+/// [`Error::Invalid`] if H has another number of columns than M, or a number that is not finite.
+pub fn delassus_factored<T: Scalar>(factor: &MassFactor<T>, jacobian: &DMatrix<T>) -> Result<DMatrix<T>> {
+    if jacobian.ncols() != factor.pivots.len() {
         let problem = format!("has {} columns", jacobian.ncols());
-        return Err(Error::invalid("jacobian", problem, format!("this mass matrix needs {}", mass.ncols())));
+        return Err(Error::invalid("jacobian", problem, format!("this mass matrix needs {}", factor.pivots.len())));
     }
     finite("jacobian", jacobian)?;
     let mut half = jacobian.transpose();

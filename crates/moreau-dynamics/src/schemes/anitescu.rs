@@ -14,8 +14,7 @@
 //! A depth is paid back as speed: −r_n φ/h > 0 where φ < 0; an open contact that acts takes energy (`moreau::checks::energy_balance`).
 
 use super::assembly::{self, Candidate, Rules, normal_only};
-use super::{Scheme, StepProblem};
-use crate::mechanics::{Mechanism, State};
+use super::{Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_contact::problem::Law;
 use moreau_exact::Result;
 use nalgebra::DVector;
@@ -54,19 +53,23 @@ impl Scheme for Anitescu {
         false
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        assembly::assemble("anitescu", self, mechanism, state, h)
+    passes_the_waist!();
+}
+
+impl Waist for Anitescu {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
+        assembly::assemble("anitescu", self, at)
     }
 
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        mechanism.integrate(&state.position, velocity_post, h)
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        at.mechanism.integrate(&at.state.position, velocity_post, at.h)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mechanics::PointMass;
+    use crate::mechanics::{PointMass, State};
     use crate::schemes::{StewartTrinkle, step};
     use moreau_contact::solvers::{ContactSolver, LemkePivoting, ProjectedGaussSeidel};
     use moreau_contact::tolerance::solvers;

@@ -5,11 +5,7 @@
 //! ```
 //! Why F is explicit and its linear part is not: [`super::moreau_jean`].
 
-use super::StepProblem;
-pub(super) use super::free_motion::free_motion;
-pub use super::free_motion::{check_input, forecast};
-use crate::mechanics::{Mechanism, State};
-use moreau_contact::contact::delassus::delassus;
+use super::{StepContext, StepProblem};
 use moreau_contact::contact::{Contact, pairs};
 use moreau_contact::problem::{ContactProblem, Dynamics, Law};
 use moreau_exact::Result;
@@ -37,42 +33,51 @@ pub trait Rules {
     fn law(&self, rows_per_contact: usize) -> Law;
 }
 
-/// Assembles the step of size h from a state by the rules of a scheme.
+/// Assembles a step by the rules of a scheme.
 ///
 /// # Errors
-/// If h is not positive, the state does not fit the mechanism or M̂ is not positive definite.
-pub fn assemble(name: &str, rules: &dyn Rules, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-    check_input(mechanism, state, h)?;
-    let (effective_mass, free_velocity) = free_motion(rules.theta(), mechanism, state, h)?;
-    let contacts = mechanism.contacts(&state.position);
-    let candidates = contacts.iter().map(|contact| Candidate {
+/// If M̂ is not positive definite.
+pub fn assemble(name: &str, rules: &dyn Rules, at: &StepContext) -> Result<StepProblem> {
+    let (held, candidates) = held(at, rules.theta(), |candidate| rules.is_active(candidate, at.h))?;
+    if candidates.is_empty() {
+        return Ok(held);
+    }
+    let rows = at.mechanism.rows_per_contact();
+    let shifts: Vec<DVector<f64>> = candidates.iter().map(|candidate| rules.shift(candidate, at.h)).collect();
+    let problem = ContactProblem {
+        name: format!("{} {name} t={}", at.mechanism.name(), at.state.time),
+        rows_per_contact: rows,
+        law: rules.law(rows),
+        friction: candidates.iter().map(|candidate| candidate.contact.friction).collect(),
+        free_velocity: &held.jacobian * &held.free_velocity,
+        shift: DVector::from_iterator(rows * candidates.len(), shifts.iter().flat_map(|shift| shift.iter().copied())),
+        delassus: held.effective_mass.delassus(&held.jacobian)?,
+        compliance: None,
+        dynamics: Some(Dynamics { mass: held.effective_mass.matrix().clone(), jacobian: held.jacobian.clone() }),
+        bodies: pairs(&held.places),
+    };
+    Ok(StepProblem { problem: Some(problem), ..held })
+}
+
+/// M̂, v_free and H of the contacts that a step holds, without a problem; and these contacts.
+///
+/// # Errors
+/// If M̂ is not positive definite.
+pub fn held<'a>(at: &'a StepContext, theta: f64, is_active: impl Fn(&Candidate) -> bool) -> Result<(StepProblem, Vec<Candidate<'a>>)> {
+    let (effective_mass, free_velocity) = at.free_motion(theta)?;
+    let candidates = at.contacts().iter().map(|contact| Candidate {
         contact,
-        velocity: &contact.jacobian * &state.velocity,
+        velocity: &contact.jacobian * &at.state.velocity,
         free_velocity: &contact.jacobian * &free_velocity,
     });
-    let active: Vec<(usize, Candidate)> = candidates.enumerate().filter(|(_, candidate)| rules.is_active(candidate, h)).collect();
-    let rows = mechanism.rows_per_contact();
-    let jacobian = stack(active.iter().map(|(_, candidate)| &candidate.contact.jacobian), rows, mechanism.degrees_of_freedom());
-    let places: Vec<_> = active.iter().map(|(_, candidate)| candidate.contact.place).collect();
-    let problem = if active.is_empty() {
-        None
-    } else {
-        let shifts: Vec<DVector<f64>> = active.iter().map(|(_, candidate)| rules.shift(candidate, h)).collect();
-        Some(ContactProblem {
-            name: format!("{} {name} t={}", mechanism.name(), state.time),
-            rows_per_contact: rows,
-            law: rules.law(rows),
-            friction: active.iter().map(|(_, candidate)| candidate.contact.friction).collect(),
-            free_velocity: &jacobian * &free_velocity,
-            shift: DVector::from_iterator(rows * active.len(), shifts.iter().flat_map(|shift| shift.iter().copied())),
-            delassus: delassus(&effective_mass, &jacobian)?,
-            compliance: None,
-            dynamics: Some(Dynamics { mass: effective_mass.clone(), jacobian: jacobian.clone() }),
-            bodies: pairs(&places),
-        })
-    };
-    let active = active.iter().map(|(index, _)| *index).collect();
-    Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian, residual: None })
+    let (active, candidates): (Vec<usize>, Vec<Candidate>) = candidates.enumerate().filter(|(_, candidate)| is_active(candidate)).unzip();
+    let jacobian = stack(
+        candidates.iter().map(|candidate| &candidate.contact.jacobian),
+        at.mechanism.rows_per_contact(),
+        at.mechanism.degrees_of_freedom(),
+    );
+    let places = candidates.iter().map(|candidate| candidate.contact.place).collect();
+    Ok((StepProblem { problem: None, active, places, effective_mass, free_velocity, jacobian, residual: None }, candidates))
 }
 
 /// The rows of all contacts, one contact below the other.
@@ -94,8 +99,8 @@ pub fn normal_only(normal: f64, rows: usize) -> DVector<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mechanics::{OscillatorWithStop, Plane, PointMass};
-    use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme};
+    use crate::mechanics::{OscillatorWithStop, Plane, PointMass, State};
+    use crate::schemes::{Activation, MoreauJean, RestitutionRule, Waist};
     use moreau_exact::tolerance::rounding;
     use nalgebra::dvector;
 
@@ -107,7 +112,7 @@ mod tests {
         // At (1, 0) the point touches the second plane only.
         let state = State { time: 0.0, position: dvector![1.0, 0.0], velocity: dvector![0.0, -2.0] };
         let scheme = MoreauJean { theta: 0.5, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
-        let step = scheme.assemble(&corner, &state, 0.1).expect("valid");
+        let step = scheme.assemble(&StepContext::new(&corner, &state, 0.1).expect("valid")).expect("valid");
         let problem = step.problem.expect("one contact");
         assert_eq!((step.active, problem.friction.clone()), (vec![1], vec![0.7]));
         assert_eq!(problem.shift, dvector![0.5 * -2.0, 0.0]);
@@ -120,9 +125,9 @@ mod tests {
         let stop = OscillatorWithStop::new(2.0, 2.0, 0.2, 0.0, 0.0).expect("valid");
         let state = State { time: 0.0, position: dvector![-0.1], velocity: dvector![-1.0] };
         let scheme = MoreauJean { theta: 0.5, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
-        let step = scheme.assemble(&stop, &state, 0.5).expect("valid");
+        let step = scheme.assemble(&StepContext::new(&stop, &state, 0.5).expect("valid")).expect("valid");
         let problem = step.problem.expect("the stop is penetrated");
-        assert!((step.effective_mass[(0, 0)] - 2.175).abs() <= rounding(4, 2.0));
+        assert!((step.effective_mass.matrix()[(0, 0)] - 2.175).abs() <= rounding(4, 2.0));
         assert!((problem.delassus[(0, 0)] - 1.0 / 2.175).abs() <= rounding(4, 1.0));
     }
 }

@@ -15,8 +15,7 @@
 //! (`moreau::checks::energy_balance`).
 
 use super::assembly::{self, Candidate, Rules, normal_only};
-use super::{Scheme, StepProblem};
-use crate::mechanics::{Mechanism, State};
+use super::{Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_contact::problem::Law;
 use moreau_exact::Result;
 use nalgebra::DVector;
@@ -63,16 +62,21 @@ impl Scheme for Euler {
         self.label().into()
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        assembly::assemble(self.label(), self, mechanism, state, h)
+    passes_the_waist!();
+}
+
+impl Waist for Euler {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
+        assembly::assemble(self.label(), self, at)
     }
 
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        let StepContext { state, h, .. } = *at;
         let velocity = match self {
             Euler::Explicit => &state.velocity,
             Euler::SemiImplicit => velocity_post,
         };
-        mechanism.integrate(&state.position, velocity, h)
+        at.mechanism.integrate(&at.state.position, velocity, h)
     }
 }
 
@@ -80,7 +84,7 @@ impl Scheme for Euler {
 mod tests {
     use super::*;
     use crate::integrators::{Damping, ExplicitEuler, Method, Phase, SemiImplicitEuler, SpringDamper};
-    use crate::mechanics::{OscillatorWithStop, PointMass};
+    use crate::mechanics::{Mechanism, OscillatorWithStop, PointMass, State};
     use crate::schemes::step;
     use moreau_contact::solvers::ProjectedGaussSeidel;
     use moreau_exact::scalar::exact;

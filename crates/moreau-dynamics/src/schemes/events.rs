@@ -8,13 +8,13 @@
 //! ```
 //! Several contacts hit at once with e > 0, and friction beside e > 0, have no theorem (`moreau::checks::energy_balance`).
 
-use super::{Scheme, Step, StepProblem};
+use super::{Inertia, Scheme, Start, Step, StepProblem};
 use crate::event_driven::{Collision, EventDriven};
-use crate::mechanics::{Mechanism, State};
 use crate::trajectory::LocatedImpact;
 use moreau_contact::solvers::ContactSolver;
-use moreau_exact::{Error, Result};
-use nalgebra::{DMatrix, DVector};
+use moreau_exact::Result;
+use nalgebra::DMatrix;
+use std::sync::Arc;
 
 /// Event-driven motion, sampled every h.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -28,31 +28,20 @@ impl Scheme for Events {
         "event-driven".into()
     }
 
-    /// Always an error: there is no single problem of a step.
-    fn assemble(&self, mechanism: &dyn Mechanism, _state: &State, _h: f64) -> Result<StepProblem> {
-        let reason = "event-driven poses a problem at each event, not one for a step";
-        Err(Error::Unsupported(format!("{}: {reason}", mechanism.name())))
-    }
-
-    fn own_step(&self, solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, h: f64) -> Option<Result<Step>> {
-        Some(self.method.advance(solver, mechanism, state, h).map(|motion| {
-            let mass = mechanism.mass_matrix(&motion.state.position);
-            let assembled = StepProblem {
-                problem: None,
-                residual: None,
-                active: motion.impulses.iter().map(|one| one.contact).collect(),
-                places: motion.impulses.iter().map(|one| one.place).collect(),
-                jacobian: DMatrix::zeros(0, motion.state.velocity.len()),
-                free_velocity: motion.state.velocity.clone(),
-                effective_mass: mass,
-            };
-            let located = |one: Collision| LocatedImpact { time: state.time + one.elapsed, normal_velocities: one.normal_velocities };
-            let impacts = Some(motion.impacts.into_iter().map(located).collect());
-            Step { state: motion.state, impulses: motion.impulses, assembled, solution: None, residual: None, rejected: None, impacts }
-        }))
-    }
-
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        mechanism.integrate(&state.position, velocity_post, h)
+    fn step(&self, solver: &dyn ContactSolver, start: &Start) -> Result<Step> {
+        let Start { mechanism, state, h, .. } = *start;
+        let motion = self.method.advance(solver, mechanism, state, h)?;
+        let assembled = StepProblem {
+            problem: None,
+            residual: None,
+            active: motion.impulses.iter().map(|one| one.contact).collect(),
+            places: motion.impulses.iter().map(|one| one.place).collect(),
+            jacobian: DMatrix::zeros(0, motion.state.velocity.len()),
+            free_velocity: motion.state.velocity.clone(),
+            effective_mass: Arc::new(Inertia::new(mechanism.mass_matrix(&motion.state.position))?),
+        };
+        let located = |one: Collision| LocatedImpact { time: state.time + one.elapsed, normal_velocities: one.normal_velocities };
+        let impacts = Some(motion.impacts.into_iter().map(located).collect());
+        Ok(Step { state: motion.state, impulses: motion.impulses, assembled, solution: None, residual: None, rejected: None, impacts })
     }
 }

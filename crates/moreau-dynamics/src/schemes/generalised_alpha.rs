@@ -23,14 +23,15 @@
 //! remembers its accelerations, and a spin of h‖Ω‖ ≈ 1 grows without contact (`moreau::checks::energy_balance`).
 
 use super::assembly::{self, normal_only};
-use super::{Scheme, Step, StepProblem};
+use super::{Inertia, Scheme, Step, StepContext, StepProblem, Waist, passes_the_waist};
 use crate::mechanics::{Mechanism, State};
 use crate::tolerance::schemes::asymmetry;
-use moreau_contact::contact::delassus::{MassFactor, delassus};
+use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::contact::pairs;
 use moreau_contact::problem::{ContactProblem, Dynamics, Law};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
+use std::sync::Arc;
 
 /// The nonsmooth generalised-α scheme.
 ///
@@ -73,9 +74,9 @@ struct Smooth {
     /// ½ h K + C: a⁺ falls by S⁻¹ of it times w.
     reaction: DMatrix<f64>,
     /// M̂.
-    effective_mass: DMatrix<f64>,
+    effective_mass: Arc<Inertia>,
     /// M.
-    mass: MassFactor<f64>,
+    mass: Arc<Inertia>,
     /// a⁺ with w = 0.
     acceleration: DVector<f64>,
     /// v⁺ with w = 0.
@@ -105,27 +106,27 @@ impl GeneralisedAlpha {
         Weights { mass, force, gamma: 0.5 + force - mass, beta: 0.25 * (1.0 + force - mass).powi(2) }
     }
 
-    fn smooth(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Smooth> {
-        assembly::check_input(mechanism, state, h)?;
+    fn smooth(&self, at: &StepContext) -> Result<Smooth> {
+        let StepContext { mechanism, state, h, .. } = *at;
         let (weights, State { position, velocity, .. }) = (self.weights(), state);
-        let (inertia, force) = (mechanism.mass_matrix(position), mechanism.mean_force(position, velocity, h));
-        let mass = MassFactor::new(&inertia)?;
+        let (mass, force) = (at.inertia()?, mechanism.mean_force(position, velocity, h));
+        let inertia = mass.matrix();
         let start = || Memory { acceleration: mass.solve(&force), rate: mass.solve(&force) };
         let memory = self.memory.clone().unwrap_or_else(start);
         let zero = || DMatrix::zeros(velocity.len(), velocity.len());
         let (stiffness, damping) = mechanism.linear_force().map_or_else(|| (zero(), zero()), |linear| (linear.stiffness, linear.damping));
         let share = (1.0 - weights.mass) / (1.0 - weights.force);
-        let stiff = &inertia * share + &stiffness * (h * h * weights.beta) + &damping * (h * weights.gamma);
-        let inner = &inertia * share + &stiffness * (h * h * (weights.beta - 0.5 * weights.gamma));
+        let stiff = inertia * share + &stiffness * (h * h * weights.beta) + &damping * (h * weights.gamma);
+        let inner = inertia * share + &stiffness * (h * h * (weights.beta - 0.5 * weights.gamma));
         let inner = MassFactor::new(&inner)?;
         let columns: Vec<DVector<f64>> = stiff.column_iter().map(|column| inner.solve(&column.into_owned())).collect();
-        let effective_mass = &inertia * DMatrix::from_columns(&columns);
+        let effective_mass = inertia * DMatrix::from_columns(&columns);
         if (&effective_mass - effective_mass.transpose()).amax() > asymmetry(effective_mass.amax(), velocity.len()) {
             return Err(Error::Unsupported("generalised-alpha needs damping that is proportional to mass or stiffness".into()));
         }
-        let effective_mass = (&effective_mass + effective_mass.transpose()) * 0.5;
+        let effective_mass = Arc::new(Inertia::new((&effective_mass + effective_mass.transpose()) * 0.5)?);
         let drift = velocity * h + &memory.acceleration * (h * h * (0.5 - weights.beta));
-        let kept = &inertia * (&memory.acceleration * weights.mass - &memory.rate * weights.force) / (1.0 - weights.force);
+        let kept = inertia * (&memory.acceleration * weights.mass - &memory.rate * weights.force) / (1.0 - weights.force);
         let load = force - &stiffness * &drift - &damping * &memory.acceleration * (h * (1.0 - weights.gamma)) - kept;
         let stiff_mass = MassFactor::new(&stiff)?;
         let acceleration = stiff_mass.solve(&load);
@@ -142,7 +143,7 @@ impl Smooth {
 
     /// w from v⁺: M w = Hᵀr = M̂ (v⁺ − v_free).
     fn jump(&self, velocity_post: &DVector<f64>) -> DVector<f64> {
-        self.mass.solve(&(&self.effective_mass * (velocity_post - &self.velocity)))
+        self.mass.solve(&(self.effective_mass.matrix() * (velocity_post - &self.velocity)))
     }
 
     /// (q⁺ − q)/h.
@@ -157,10 +158,23 @@ impl Scheme for GeneralisedAlpha {
         format!("generalised-alpha spectral-radius={}", self.spectral_radius)
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        let smooth = self.smooth(mechanism, state, h)?;
+    fn successor(&self, mechanism: &dyn Mechanism, before: &State, step: &Step, h: f64) -> Result<Option<Box<dyn Scheme>>> {
+        let smooth = self.smooth(&StepContext::new(mechanism, before, h)?)?;
+        let acceleration = smooth.acceleration_after(&smooth.jump(&step.state.velocity));
+        let State { position, velocity, .. } = &step.state;
+        let rate = MassFactor::new(&mechanism.mass_matrix(position))?.solve(&mechanism.force(position, velocity));
+        Ok(Some(Box::new(GeneralisedAlpha { memory: Some(Memory { acceleration, rate }), ..*self })))
+    }
+
+    passes_the_waist!();
+}
+
+impl Waist for GeneralisedAlpha {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
+        let StepContext { mechanism, state, h, .. } = *at;
+        let smooth = self.smooth(at)?;
         let none = DVector::zeros(state.velocity.len());
-        let reached = mechanism.integrate(&state.position, &smooth.mean_velocity(state, &none, h), h);
+        let reached = at.mechanism.integrate(&at.state.position, &smooth.mean_velocity(state, &none, h), h);
         let contacts = mechanism.contacts(&reached);
         let active: Vec<usize> = (0..contacts.len()).filter(|&k| contacts[k].gap <= 0.0).collect();
         let rows = mechanism.rows_per_contact();
@@ -177,9 +191,9 @@ impl Scheme for GeneralisedAlpha {
             friction: own().map(|contact| contact.friction).collect(),
             free_velocity: &jacobian * &smooth.velocity,
             shift: DVector::from_iterator(rows * active.len(), shifts.iter().flat_map(|shift| shift.iter().copied())),
-            delassus: delassus(&smooth.effective_mass, &jacobian)?,
+            delassus: smooth.effective_mass.delassus(&jacobian)?,
             compliance: None,
-            dynamics: Some(Dynamics { mass: smooth.effective_mass.clone(), jacobian: jacobian.clone() }),
+            dynamics: Some(Dynamics { mass: smooth.effective_mass.matrix().clone(), jacobian: jacobian.clone() }),
             bodies: pairs(&places),
         };
         let problem = (!active.is_empty()).then_some(problem);
@@ -194,18 +208,11 @@ impl Scheme for GeneralisedAlpha {
         })
     }
 
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        let smooth = self.smooth(mechanism, state, h).expect("assemble has made the same matrices of the same state");
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        let StepContext { state, h, .. } = *at;
+        let smooth = self.smooth(at).expect("assemble has made the same matrices of the same state");
         let mean = smooth.mean_velocity(state, &smooth.jump(velocity_post), h);
-        mechanism.integrate(&state.position, &mean, h)
-    }
-
-    fn successor(&self, mechanism: &dyn Mechanism, before: &State, step: &Step, h: f64) -> Result<Option<Box<dyn Scheme>>> {
-        let smooth = self.smooth(mechanism, before, h)?;
-        let acceleration = smooth.acceleration_after(&smooth.jump(&step.state.velocity));
-        let State { position, velocity, .. } = &step.state;
-        let rate = MassFactor::new(&mechanism.mass_matrix(position))?.solve(&mechanism.force(position, velocity));
-        Ok(Some(Box::new(GeneralisedAlpha { memory: Some(Memory { acceleration, rate }), ..*self })))
+        at.mechanism.integrate(&at.state.position, &mean, h)
     }
 }
 

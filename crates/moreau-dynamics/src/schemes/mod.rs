@@ -1,25 +1,19 @@
-//! Time-stepping schemes, one per file: each turns one step into a [`ContactProblem`] and its answer into a state.
+//! Time-stepping schemes, one per file: each makes one step of a state, most of them by one contact problem ([`waist`]).
 
-use crate::mechanics::{Mechanism, State, afford};
-use crate::trajectory::{LocatedImpact, Recording};
-use moreau_contact::certificate::{Judgement, StepResidual};
-use moreau_contact::contact::delassus::MassFactor;
-use moreau_contact::contact::{ContactImpulse, Place};
+use crate::mechanics::{Mechanism, State};
+use crate::trajectory::Recording;
+use moreau_contact::certificate::StepResidual;
 use moreau_contact::memory;
-use moreau_contact::problem::{ContactProblem, Solution};
 use moreau_contact::solvers::ContactSolver;
 use moreau_exact::Result;
-use nalgebra::{DMatrix, DVector};
-use nearby::Nearby;
 
 pub mod anitescu;
 pub mod assembly;
 mod certified;
+mod context;
 pub mod euler;
 pub mod events;
-pub mod exact_particle;
 mod finite;
-mod free_motion;
 pub mod generalised_alpha;
 pub mod moreau_jean;
 pub mod moreau_jean_projection;
@@ -27,11 +21,14 @@ mod nearby;
 pub mod position_based;
 pub mod runge_kutta_flip;
 pub mod schatzman_paoli;
+mod scheme;
 pub mod stewart_trinkle;
 pub mod variational;
+pub mod waist;
 
 pub use anitescu::Anitescu;
 pub use certified::{Certified, Rejected};
+pub use context::{Inertia, StepContext};
 pub use euler::Euler;
 pub use events::Events;
 pub use generalised_alpha::GeneralisedAlpha;
@@ -40,157 +37,22 @@ pub use moreau_jean_projection::MoreauJeanProjection;
 pub use position_based::{PositionBased, Softness};
 pub use runge_kutta_flip::RungeKuttaFlip;
 pub use schatzman_paoli::SchatzmanPaoli;
+pub use scheme::{OwnAnswer, Scheme, Start, Step, StepProblem, Waist};
 pub use stewart_trinkle::StewartTrinkle;
 pub use variational::Variational;
+pub use waist::{assembled, carry_over, passes_the_waist};
 
-/// What a scheme assembled for one step: the problem of the active contacts, and what turns impulses into velocities.
-#[derive(Clone, Debug)]
-pub struct StepProblem {
-    /// The contact problem of the active contacts; `None` if no contact is active, or if the scheme's law is none of
-    /// [`moreau_contact::problem::Law`].
-    pub problem: Option<ContactProblem>,
-    /// Indices of the active contacts into [`Mechanism::contacts`].
-    pub active: Vec<usize>,
-    /// Where the active contacts are, one entry per entry of `active`.
-    pub places: Vec<Option<Place>>,
-    /// M̂, effective mass of the step.
-    pub effective_mass: DMatrix<f64>,
-    /// v_free = v + h M̂⁻¹F, with the linear part of F as in [`moreau_jean`].
-    pub free_velocity: DVector<f64>,
-    /// H of the active contacts.
-    pub jacobian: DMatrix<f64>,
-    /// The worst residual of problems that were solved to assemble this one; none for most schemes.
-    pub residual: Option<StepResidual>,
-}
-
-/// The impulses of a scheme's own law, and how well its own stopping rule is met.
-#[derive(Clone, Debug)]
-pub struct OwnAnswer {
-    /// Impulses and velocities.
-    pub solution: Solution,
-    /// The residual of the law.
-    pub residual: StepResidual,
-}
-
-/// One time-stepping scheme.
-pub trait Scheme: Send + Sync {
-    /// The name used on the command line and in files.
-    fn name(&self) -> String;
-    /// Whether the scheme uses the mechanism's coefficients of restitution; without, every impact is plastic or as soft as its contact.
-    fn has_restitution(&self) -> bool {
-        true
-    }
-    /// Whether the scheme's algorithm is a declared number of sweeps, so that a step its certificate rejects counts as unconverged.
-    fn is_truncated(&self) -> bool {
-        false
-    }
-    /// Assembles the step of size h from a state.
-    ///
-    /// # Errors
-    /// If the mass matrix is not positive definite or the mechanism is outside the scheme's scope.
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem>;
-    /// The step of a scheme that poses several contact problems in it, or none, and therefore takes it by itself; `None` for the others.
-    fn own_step(&self, solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, h: f64) -> Option<Result<Step>> {
-        let _ = (solver, mechanism, state, h);
-        None
-    }
-    /// The impulses of a scheme whose law is no relation between r and y and that therefore assembles no [`ContactProblem`]; none for the
-    /// others, whose problem goes to a solver.
-    ///
-    /// # Errors
-    /// [`moreau_exact::Error::Solver`] if the scheme's own iteration breaks down.
-    fn own_answer(&self, mechanism: &dyn Mechanism, state: &State, assembled: &StepProblem, h: f64) -> Result<Option<OwnAnswer>> {
-        let _ = (mechanism, state, assembled, h);
-        Ok(None)
-    }
-    /// The next configuration from the velocities before and after the step.
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64>;
-    /// The configuration after [`Scheme::advance`], corrected for the contacts that the step held; the same one by default.
-    ///
-    /// # Errors
-    /// If the correction does not come to an end.
-    fn settle(&self, mechanism: &dyn Mechanism, assembled: &StepProblem, position: DVector<f64>) -> Result<DVector<f64>> {
-        let _ = (mechanism, assembled);
-        Ok(position)
-    }
-    /// The scheme that makes the next step of a motion, if this one remembers more than the state; `None`: the same scheme again.
-    ///
-    /// # Errors
-    /// If what is to be remembered cannot be computed.
-    fn successor(&self, mechanism: &dyn Mechanism, before: &State, step: &Step, h: f64) -> Result<Option<Box<dyn Scheme>>> {
-        let _ = (mechanism, before, step, h);
-        Ok(None)
-    }
-}
-
-/// The outcome of one step.
-#[derive(Clone, Debug)]
-pub struct Step {
-    /// The state after the step.
-    pub state: State,
-    /// Impulses of the active contacts.
-    pub impulses: Vec<ContactImpulse>,
-    /// What was assembled.
-    pub assembled: StepProblem,
-    /// The answer, if any contact was active.
-    pub solution: Option<Solution>,
-    /// The worst residual of everything the step solved; none if it solved nothing.
-    pub residual: Option<StepResidual>,
-    /// The first contact problem whose answer the certificate rejects.
-    pub rejected: Option<Box<Rejected>>,
-    /// The impacts within the step, of a scheme that locates them; `None` of the others.
-    pub impacts: Option<Vec<LocatedImpact>>,
-}
-
-impl Step {
-    /// Whether the step is accepted; `truncated` if its scheme or solver declares a number of sweeps.
-    pub fn judgement(&self, truncated: bool) -> Judgement {
-        Judgement::of(self.residual, truncated)
-    }
-}
-
-/// One step: v⁺ = v_free + M̂⁻¹Hᵀr, then the scheme's position update.
+/// One certified step.
 ///
 /// # Errors
-/// Those of [`Scheme::assemble`] and [`ContactSolver::solve`].
+/// Those of [`Scheme::step`].
 pub fn step(scheme: &dyn Scheme, solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Step> {
-    step_after(scheme, &Certified::new(solver), mechanism, state, h, &[])
+    certified_step(scheme, &Certified::new(solver), &Start { mechanism, state, h, previous: &[] })
 }
 
-/// A step whose solver starts from the impulses of the step before.
-fn step_after(
-    scheme: &dyn Scheme,
-    solver: &Certified,
-    mechanism: &dyn Mechanism,
-    state: &State,
-    h: f64,
-    previous: &[ContactImpulse],
-) -> Result<Step> {
-    if let Some(step) = scheme.own_step(solver, mechanism, state, h) {
-        return Ok(judged(step?, solver));
-    }
-    let mut reach = 2.0 * mechanism.reach(&state.velocity, h);
-    if reach.is_finite() {
-        reach = reach.max(2.0 * mechanism.reach(&free_motion::forecast(mechanism, state, h)?, h));
-    }
-    loop {
-        afford(mechanism, &state.position, reach)?;
-        let near = Nearby { mechanism, reach };
-        let assembled = scheme.assemble(&near, state, h)?;
-        let needed = mechanism.reach(&state.velocity, h).max(mechanism.reach(&assembled.free_velocity, h));
-        if needed > reach {
-            reach = 2.0 * needed;
-            continue;
-        }
-        let step = judged(finish(scheme, solver, &near, state, h, previous, assembled)?, solver);
-        let needed = mechanism.reach(&step.state.velocity, h);
-        // A bound that is not a number bounds nothing; what it comes from is refused by the next step.
-        if needed > reach {
-            reach = 2.0 * needed;
-        } else {
-            return Ok(step);
-        }
-    }
+/// A step with the residuals of all its contact problems.
+fn certified_step(scheme: &dyn Scheme, solver: &Certified, start: &Start) -> Result<Step> {
+    Ok(judged(scheme.step(solver, start)?, solver))
 }
 
 /// The step with what was found about its contact problems.
@@ -198,48 +60,6 @@ fn judged(step: Step, solver: &Certified) -> Step {
     let (residual, rejected) = solver.take();
     let own = step.residual.map(|own| StepResidual { limit: solver.tolerance(), ..own });
     Step { residual: StepResidual::worse_of(own, residual), rejected: rejected.map(Box::new), ..step }
-}
-
-/// Solves what was assembled and moves on.
-fn finish(
-    scheme: &dyn Scheme,
-    solver: &dyn ContactSolver,
-    mechanism: &dyn Mechanism,
-    state: &State,
-    h: f64,
-    previous: &[ContactImpulse],
-    assembled: StepProblem,
-) -> Result<Step> {
-    let rows = mechanism.rows_per_contact();
-    let start = carry_over(previous, &assembled.active, &assembled.places, rows);
-    let (solution, own) = match &assembled.problem {
-        Some(problem) => (Some(solver.solve(problem, Some(&start))?), None),
-        None => scheme.own_answer(mechanism, state, &assembled, h)?.map(|answer| (answer.solution, answer.residual)).unzip(),
-    };
-    let mut velocity = assembled.free_velocity.clone();
-    let mut impulses = Vec::new();
-    if let Some(solution) = &solution {
-        velocity += MassFactor::new(&assembled.effective_mass)?.solve(&assembled.jacobian.tr_mul(&solution.impulse));
-        let places = assembled.active.iter().zip(&assembled.places);
-        let one =
-            |((&contact, &place), part): ((&usize, &Option<Place>), &[f64])| ContactImpulse { contact, impulse: part.to_vec(), place };
-        impulses = places.zip(solution.impulse.as_slice().chunks(rows)).map(one).collect();
-    }
-    let position = scheme.settle(mechanism, &assembled, scheme.advance(mechanism, state, &velocity, h))?;
-    let state = State { time: state.time + h, position, velocity };
-    let residual = StepResidual::worse_of(own, assembled.residual);
-    Ok(Step { state, impulses, assembled, solution, residual, rejected: None, impacts: None })
-}
-
-/// The previous impulses of the contacts that are active now, zero for the others \[N·s\].
-pub fn carry_over(previous: &[ContactImpulse], active: &[usize], places: &[Option<Place>], rows: usize) -> DVector<f64> {
-    let mut start = DVector::zeros(rows * active.len());
-    for (k, (contact, place)) in active.iter().zip(places).enumerate() {
-        if let Some(known) = previous.iter().find(|known| known.acts_at(*contact, place.as_ref())) {
-            start.rows_mut(k * rows, rows).copy_from_slice(&known.impulse);
-        }
-    }
-    start
 }
 
 /// `steps` steps of size h from `initial`, every sample recorded with the residual of its step; sample k lies at time initial.time + k h.
@@ -322,7 +142,7 @@ pub fn run_certified(
     let mut remembering: Option<Box<dyn Scheme>> = None;
     for k in 1..=steps {
         let current = remembering.as_deref().unwrap_or(scheme);
-        let mut made = step_after(current, solver, mechanism, &state, h, &previous)?;
+        let mut made = certified_step(current, solver, &Start { mechanism, state: &state, h, previous: &previous })?;
         let successor = current.successor(mechanism, &state, &made, h)?;
         remembering = successor.or(remembering);
         made.state.time = start + k as f64 * h;
@@ -338,8 +158,10 @@ mod tests {
     use super::*;
     use crate::scenes::named;
     use moreau_contact::certificate::residuals;
+    use moreau_contact::problem::{ContactProblem, Solution};
     use moreau_contact::solvers::ProjectedGaussSeidel;
     use moreau_contact::tolerance::certificate::CERTIFY;
+    use nalgebra::DVector;
     use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
     /// Solves every problem twice, from the given impulses and from zero, and counts the sweeps.
@@ -378,13 +200,5 @@ mod tests {
         simulate(&MoreauJean::default(), &solver, mechanism.as_ref(), start, 0.01, 50).unwrap();
         let (warm, cold) = (solver.warm.into_inner(), solver.cold.into_inner());
         assert!(0 < cold && 2 * warm <= cold, "{warm} sweeps against {cold}");
-    }
-
-    #[test]
-    fn impulses_follow_their_contact_and_new_contacts_start_from_zero() {
-        let previous =
-            [(4, [1.0, 2.0]), (7, [3.0, 4.0])].map(|(contact, impulse)| ContactImpulse { contact, impulse: impulse.into(), place: None });
-        assert_eq!(carry_over(&previous, &[3, 7], &[None; 2], 2).as_slice(), [0.0, 0.0, 3.0, 4.0]);
-        assert_eq!(carry_over(&[], &[0], &[None], 1).as_slice(), [0.0]);
     }
 }

@@ -29,8 +29,7 @@
 //! take the places of M and h M⁻¹F (`moreau::checks::energy_balance`).
 
 use super::assembly::{self, Candidate, Rules, normal_only};
-use super::{Scheme, StepProblem};
-use crate::mechanics::{Mechanism, State};
+use super::{Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_contact::problem::Law;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -159,14 +158,19 @@ impl Scheme for MoreauJean {
         format!("moreau-jean theta={} activation={} restitution={}", self.theta, self.activation.name(), self.restitution.name())
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
+    passes_the_waist!();
+}
+
+impl Waist for MoreauJean {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
         self.validate()?;
-        assembly::assemble("moreau-jean", self, mechanism, state, h)
+        assembly::assemble("moreau-jean", self, at)
     }
 
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        let StepContext { state, h, .. } = *at;
         let mean = velocity_post * self.theta + &state.velocity * (1.0 - self.theta);
-        mechanism.integrate(&state.position, &mean, h)
+        at.mechanism.integrate(&at.state.position, &mean, h)
     }
 }
 
@@ -199,7 +203,7 @@ fn unknown(field: &str, name: &str, known: &[&str]) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mechanics::{OscillatorWithStop, PointMass};
+    use crate::mechanics::{Mechanism, OscillatorWithStop, PointMass, State};
     use crate::schemes::step;
     use moreau_contact::solvers::ProjectedGaussSeidel;
     use moreau_exact::tolerance::rounding;
@@ -268,7 +272,8 @@ mod tests {
     fn a_theta_outside_the_unit_interval_is_refused() {
         let ball = PointMass::ball_on_floor(1.0, 9.81, 0.5);
         for theta in [-0.1, 1.1, f64::NAN] {
-            let refused = scheme(theta, RestitutionRule::NormalOnly).assemble(&ball, &at(dvector![1.0], dvector![0.0]), 0.1);
+            let state = at(dvector![1.0], dvector![0.0]);
+            let refused = scheme(theta, RestitutionRule::NormalOnly).assemble(&StepContext::new(&ball, &state, 0.1).expect("valid"));
             assert!(refused.expect_err("refused").to_string().contains("theta"));
         }
     }

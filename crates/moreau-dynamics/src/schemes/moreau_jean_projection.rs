@@ -17,12 +17,11 @@
 //! The total energy has no theorem: the projection moves bodies along the force or against it (`moreau::checks::energy_balance`).
 
 use super::assembly::{self, normal_only};
-use super::{Certified, Scheme, StepProblem};
+use super::{Certified, Inertia, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use crate::least_squares::least_squares;
-use crate::mechanics::{Mechanism, State};
+use crate::mechanics::Mechanism;
 use crate::tolerance::schemes::{DEPENDENT_NORMALS, projected};
 use moreau_contact::certificate::StepResidual;
-use moreau_contact::contact::delassus::{MassFactor, delassus};
 use moreau_contact::contact::{Contact, Identity, pairs};
 use moreau_contact::problem::{ContactProblem, Dynamics, Law};
 use moreau_contact::solvers::{ContactSolver, LemkePivoting, Reference};
@@ -88,15 +87,9 @@ impl MoreauJeanProjection {
         super::MoreauJean { theta: self.theta, ..Default::default() }.validate()
     }
 
-    fn problem(
-        &self,
-        mechanism: &dyn Mechanism,
-        state: &State,
-        held: &[(Identity, Contact)],
-        mass: &DMatrix<f64>,
-        free: &DVector<f64>,
-    ) -> Result<ContactProblem> {
-        let (rows, before) = (mechanism.rows_per_contact(), mechanism.contacts(&state.position));
+    fn problem(&self, at: &StepContext, held: &[(Identity, Contact)], mass: &Inertia, free: &DVector<f64>) -> Result<ContactProblem> {
+        let StepContext { mechanism, state, .. } = *at;
+        let (rows, before) = (mechanism.rows_per_contact(), at.contacts());
         let jacobian = assembly::stack(held.iter().map(|(_, contact)| &contact.jacobian), rows, mechanism.degrees_of_freedom());
         let shifts = held.iter().map(|(key, contact)| {
             let earlier = before.iter().enumerate().find(|(k, one)| is_held(*k, one, std::slice::from_ref(key)));
@@ -111,9 +104,9 @@ impl MoreauJeanProjection {
             friction: held.iter().map(|(_, contact)| contact.friction).collect(),
             free_velocity: &jacobian * free,
             shift: DVector::from_iterator(rows * held.len(), shifts.iter().flat_map(|shift| shift.iter().copied())),
-            delassus: delassus(mass, &jacobian)?,
+            delassus: mass.delassus(&jacobian)?,
             compliance: None,
-            dynamics: Some(Dynamics { mass: mass.clone(), jacobian }),
+            dynamics: Some(Dynamics { mass: mass.matrix().clone(), jacobian }),
             bodies: pairs(&held.iter().map(|(identity, _)| identity.place).collect::<Vec<_>>()),
         })
     }
@@ -124,11 +117,15 @@ impl Scheme for MoreauJeanProjection {
         format!("moreau-jean-projection theta={}", self.theta)
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
+    passes_the_waist!();
+}
+
+impl Waist for MoreauJeanProjection {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
+        let StepContext { mechanism, .. } = *at;
         self.validate()?;
-        assembly::check_input(mechanism, state, h)?;
-        let (effective_mass, free_velocity) = assembly::free_motion(self.theta, mechanism, state, h)?;
-        let mut reached = self.advance(mechanism, state, &free_velocity, h);
+        let (effective_mass, free_velocity) = at.free_motion(self.theta)?;
+        let mut reached = self.advance(at, &free_velocity);
         let (mut held, mut problem): (Vec<(Identity, Contact)>, Option<ContactProblem>) = (Vec::new(), None);
         let mut residual = None;
         loop {
@@ -138,15 +135,15 @@ impl Scheme for MoreauJeanProjection {
                 break;
             }
             held = next;
-            let posed = self.problem(mechanism, state, &held, &effective_mass, &free_velocity)?;
+            let posed = self.problem(at, &held, &effective_mass, &free_velocity)?;
             let solver: &dyn ContactSolver = if posed.rows_per_contact <= 2 { &LemkePivoting } else { &Reference };
             let certified = Certified::new(solver);
             let solution = certified.solve(&posed, None)?;
             residual = StepResidual::worse_of(residual, certified.take().0);
             let jacobian = &posed.dynamics.as_ref().ok_or_else(|| Error::Unsupported("a step has dynamics".into()))?.jacobian;
-            let velocity = &free_velocity + MassFactor::new(&effective_mass)?.solve(&jacobian.tr_mul(&solution.impulse));
+            let velocity = &free_velocity + effective_mass.solve(&jacobian.tr_mul(&solution.impulse));
             let keys: Vec<Identity> = held.iter().map(|(key, _)| *key).collect();
-            reached = project(mechanism, self.advance(mechanism, state, &velocity, h), &keys)?;
+            reached = project(mechanism, self.advance(at, &velocity), &keys)?;
             problem = Some(posed);
         }
         let rows = DMatrix::zeros(0, mechanism.degrees_of_freedom());
@@ -155,12 +152,14 @@ impl Scheme for MoreauJeanProjection {
         Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian, residual })
     }
 
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        let StepContext { state, h, .. } = *at;
         let mean = velocity_post * self.theta + &state.velocity * (1.0 - self.theta);
-        mechanism.integrate(&state.position, &mean, h)
+        at.mechanism.integrate(&at.state.position, &mean, h)
     }
 
-    fn settle(&self, mechanism: &dyn Mechanism, assembled: &StepProblem, position: DVector<f64>) -> Result<DVector<f64>> {
+    fn settle(&self, at: &StepContext, assembled: &StepProblem, position: DVector<f64>) -> Result<DVector<f64>> {
+        let StepContext { mechanism, .. } = *at;
         let held = assembled.active.iter().zip(&assembled.places).map(|(&index, &place)| Identity { index, place });
         let held: Vec<Identity> = held.collect();
         if held.is_empty() { Ok(position) } else { project(mechanism, position, &held) }
@@ -170,7 +169,7 @@ impl Scheme for MoreauJeanProjection {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mechanics::{BallChain, BeadInCircle, PointMass};
+    use crate::mechanics::{BallChain, BeadInCircle, PointMass, State};
     use crate::scenes::Scene;
     use crate::schemes::{simulate, step};
     use moreau_contact::contact::Place;

@@ -19,13 +19,14 @@
 //! Chapter §0, why high order is of no use across impacts.
 
 use super::assembly::normal_only;
-use super::{Scheme, StepProblem};
+use super::{Inertia, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use crate::mechanics::{Mechanism, State};
-use moreau_contact::contact::delassus::{MassFactor, delassus};
+use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::contact::pairs;
 use moreau_contact::problem::{ContactProblem, Dynamics, Law};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
+use std::sync::Arc;
 
 /// Runge–Kutta with a flip at the end of the step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,11 +58,15 @@ impl Scheme for RungeKuttaFlip {
         "runge-kutta-flip".into()
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        super::assembly::check_input(mechanism, state, h)?;
+    passes_the_waist!();
+}
+
+impl Waist for RungeKuttaFlip {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
+        let StepContext { mechanism, state, h, .. } = *at;
         let [mean, free_velocity] = free_step(mechanism, state, h)?;
-        let reached = mechanism.integrate(&state.position, &mean, h);
-        let effective_mass = mechanism.mass_matrix(&reached);
+        let reached = at.mechanism.integrate(&at.state.position, &mean, h);
+        let effective_mass = Arc::new(Inertia::new(mechanism.mass_matrix(&reached))?);
         let contacts = mechanism.contacts(&reached);
         let active: Vec<usize> = (0..contacts.len()).filter(|&k| contacts[k].gap <= 0.0).collect();
         let (rows, columns) = (mechanism.rows_per_contact(), mechanism.degrees_of_freedom());
@@ -81,18 +86,19 @@ impl Scheme for RungeKuttaFlip {
             friction: active.iter().map(|&k| contacts[k].friction).collect(),
             free_velocity: &jacobian * &free_velocity,
             shift,
-            delassus: delassus(&effective_mass, &jacobian)?,
+            delassus: effective_mass.delassus(&jacobian)?,
             compliance: None,
-            dynamics: Some(Dynamics { mass: effective_mass.clone(), jacobian: jacobian.clone() }),
+            dynamics: Some(Dynamics { mass: effective_mass.matrix().clone(), jacobian: jacobian.clone() }),
             bodies: pairs(&places),
         };
         let problem = (!active.is_empty()).then_some(problem);
         Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian, residual: None })
     }
 
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, _velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
+    fn advance(&self, at: &StepContext, _velocity_post: &DVector<f64>) -> DVector<f64> {
+        let StepContext { mechanism, state, h, .. } = *at;
         let [mean, _] = free_step(mechanism, state, h).expect("the step was assembled from the same state");
-        mechanism.integrate(&state.position, &mean, h)
+        at.mechanism.integrate(&at.state.position, &mean, h)
     }
 }
 

@@ -20,8 +20,7 @@
 //! A depth is paid back as speed: −r_n φ/h > 0 where φ < 0 (`moreau::checks::energy_balance`).
 
 use super::assembly::{self, Candidate, Rules, normal_only};
-use super::{Scheme, StepProblem};
-use crate::mechanics::{Mechanism, State};
+use super::{Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_contact::problem::Law;
 use moreau_exact::Result;
 use nalgebra::DVector;
@@ -57,20 +56,24 @@ impl Scheme for SchatzmanPaoli {
         "schatzman-paoli".into()
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        assembly::assemble("schatzman-paoli", self, mechanism, state, h)
+    passes_the_waist!();
+}
+
+impl Waist for SchatzmanPaoli {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
+        assembly::assemble("schatzman-paoli", self, at)
     }
 
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        mechanism.integrate(&state.position, velocity_post, h)
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        at.mechanism.integrate(&at.state.position, velocity_post, at.h)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mechanics::PointMass;
-    use crate::schemes::exact_particle::{Ball, Motion};
+    use crate::exact_particle::{Ball, Motion};
+    use crate::mechanics::{PointMass, State};
     use crate::schemes::{StewartTrinkle, simulate, step};
     use moreau_contact::solvers::LemkePivoting;
     use moreau_exact::scalar::ratio;

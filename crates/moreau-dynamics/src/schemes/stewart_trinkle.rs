@@ -16,8 +16,7 @@
 //! A depth is paid back as speed: −r_n φ/h > 0 where φ < 0; an open contact that acts takes energy (`moreau::checks::energy_balance`).
 
 use super::assembly::{self, Candidate, Rules, normal_only};
-use super::{Scheme, StepProblem};
-use crate::mechanics::{Mechanism, State};
+use super::{Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use crate::tolerance::limits::DIRECTIONS;
 use moreau_contact::problem::Law;
 use moreau_exact::{Error, Result};
@@ -85,12 +84,16 @@ impl Scheme for StewartTrinkle {
         false
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
+    passes_the_waist!();
+}
+
+impl Waist for StewartTrinkle {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
         self.validate()?;
-        assembly::assemble("stewart-trinkle", self, mechanism, state, h)
+        assembly::assemble("stewart-trinkle", self, at)
     }
 
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        mechanism.integrate(&state.position, velocity_post, h)
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        at.mechanism.integrate(&at.state.position, velocity_post, at.h)
     }
 }

@@ -19,7 +19,7 @@
 //! # Source
 //! Chapter §8; Fetecau, Marsden, Ortiz and West, *Nonsmooth Lagrangian mechanics and variational collision integrators* (2003).
 
-use super::{Scheme, Step, StepProblem, assembly};
+use super::{Inertia, Scheme, Start, Step, StepContext, StepProblem};
 use crate::event_driven::root::falling_root;
 use crate::mechanics::{Mechanism, State, afford};
 use moreau_contact::certificate::StepResidual;
@@ -30,6 +30,7 @@ use moreau_contact::tolerance::certificate::CERTIFY;
 use moreau_exact::tolerance::rounding;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
+use std::sync::Arc;
 
 /// Discrete Euler–Lagrange equations with elastic impacts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -192,23 +193,14 @@ impl Scheme for Variational {
         "variational".into()
     }
 
-    /// Always an error: the impulse is a root of the energy, not the answer of a contact problem.
-    fn assemble(&self, mechanism: &dyn Mechanism, _state: &State, _h: f64) -> Result<StepProblem> {
-        let reason = "variational poses no contact problem: the impulse of its impact keeps the discrete energy";
-        Err(Error::Unsupported(format!("{}: {reason}", mechanism.name())))
-    }
-
-    fn own_step(&self, _solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, h: f64) -> Option<Result<Step>> {
-        Some(step(mechanism, state, h))
-    }
-
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        mechanism.integrate(&state.position, velocity_post, h)
+    fn step(&self, _solver: &dyn ContactSolver, start: &Start) -> Result<Step> {
+        let Start { mechanism, state, h, .. } = *start;
+        StepContext::new(mechanism, state, h)?;
+        step(mechanism, state, h)
     }
 }
 
 fn step(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Step> {
-    assembly::check_input(mechanism, state, h)?;
     afford(mechanism, &state.position, f64::INFINITY)?;
     let conservative = Conservative::new(mechanism, state, h)?;
     let (Part { position, velocity, .. }, hit) = conservative.step(state, h)?;
@@ -232,7 +224,7 @@ fn step(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Step> {
         places: impulses.iter().map(|one| one.place).collect(),
         jacobian: DMatrix::zeros(0, velocity.len()),
         free_velocity: velocity.clone(),
-        effective_mass: conservative.mass,
+        effective_mass: Arc::new(Inertia::new(conservative.mass)?),
     };
     let state = State { time: state.time + h, position, velocity };
     Ok(Step { state, impulses, assembled, solution: None, residual, rejected: None, impacts: None })

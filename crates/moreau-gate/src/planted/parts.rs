@@ -1,11 +1,10 @@
 //! What planted engines are made of: Moreau–Jean with one part exchanged, solvers that are functions, schemes with one line changed.
 
 use crate::Engine;
-use crate::own::{self, Mechanics, OwnEngine, by_name};
+use crate::own::{Mechanics, OwnEngine, by_name};
 use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::{ContactSolver, Reference, SolverEntry, Solvers};
-use moreau_dynamics::mechanics::{Mechanism, State};
-use moreau_dynamics::schemes::{Scheme, StepProblem};
+use moreau_dynamics::schemes::{MoreauJean, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
@@ -90,8 +89,8 @@ impl Altered {
     /// Nothing changed.
     pub(super) const NOTHING: Altered = Altered { free_velocity: |_, _| {}, moving_velocity: |_| {}, position: |_| {} };
 
-    fn scheme() -> Result<Box<dyn Scheme>> {
-        own::moreau_jean(&own::Parameters::default())
+    fn scheme() -> MoreauJean {
+        MoreauJean::default()
     }
 }
 
@@ -100,8 +99,13 @@ impl Scheme for Altered {
         "moreau-jean".into()
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        let mut step = Altered::scheme()?.assemble(mechanism, state, h)?;
+    passes_the_waist!();
+}
+
+impl Waist for Altered {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
+        let StepContext { h, .. } = *at;
+        let mut step = Altered::scheme().assemble(at)?;
         (self.free_velocity)(&mut step.free_velocity, h);
         if let Some(problem) = &mut step.problem {
             problem.free_velocity = &step.jacobian * &step.free_velocity;
@@ -109,11 +113,11 @@ impl Scheme for Altered {
         Ok(step)
     }
 
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        let scheme = Altered::scheme().expect("a listed name with its own parameters");
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        let scheme = Altered::scheme();
         let mut velocity = velocity_post.clone();
         (self.moving_velocity)(&mut velocity);
-        let mut position = scheme.advance(mechanism, state, &velocity, h);
+        let mut position = scheme.advance(at, &velocity);
         (self.position)(&mut position);
         position
     }

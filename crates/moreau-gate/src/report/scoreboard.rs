@@ -1,4 +1,4 @@
-//! The scoreboard as a table, engine × check: Markdown for the README, HTML with every value.
+//! The scoreboard as a table, engine × check: Markdown for docs/scoreboard.md, HTML with every value.
 
 use crate::cause::Cause;
 use crate::report::{decisive, highlights, page, sentence};
@@ -41,7 +41,7 @@ pub fn section(standings: &[Standing], causes: &[Cause]) -> String {
     format!("{}\n{}", markdown(standings, causes), highlights::markdown(standings))
 }
 
-/// The README's table: one row per engine, one column per family, in each cell the marks of its checks in the registry's order; at last
+/// The table of docs/scoreboard.md: one row per engine, one column per family, in each cell the marks of its checks in the registry's order; at last
 /// how many of them do not pass for which cause.
 fn markdown(standings: &[Standing], causes: &[Cause]) -> String {
     let families = families();

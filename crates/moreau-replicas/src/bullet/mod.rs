@@ -34,7 +34,7 @@ use moreau_contact::problem::{ContactProblem, Law};
 use moreau_contact::solvers::{ContactSolver, ProjectedGaussSeidel};
 use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
-use moreau_dynamics::schemes::{Scheme, StepProblem, assembly};
+use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist, assembly, passes_the_waist};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -201,21 +201,27 @@ impl Scheme for Bullet {
         true
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
+    passes_the_waist!();
+}
+
+impl Waist for Bullet {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
+        let StepContext { mechanism, state, h, .. } = *at;
         self.validate()?;
-        let mut assembled = assembly::assemble("bullet", self, mechanism, state, h)?;
+        let mut assembled = assembly::assemble("bullet", self, at)?;
         tangents::turn(&mut assembled, self.bodies, self.is_boxed());
         // here an error can be told, in `advance` it cannot
         self.push(mechanism, state, h)?;
         Ok(assembled)
     }
 
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        let StepContext { mechanism, state, h, .. } = *at;
         let moved = match self.push(mechanism, state, h) {
             Ok(push) => velocity_post + push,
             Err(_) => velocity_post.clone(), // `assemble` has refused the step
         };
-        mechanism.integrate(&state.position, &moved, h)
+        at.mechanism.integrate(&at.state.position, &moved, h)
     }
 }
 

@@ -98,13 +98,13 @@ mod tests {
     use crate::bullet::{Bullet, Friction};
     use moreau_contact::contact::delassus::delassus;
     use moreau_dynamics::scenes::named;
-    use moreau_dynamics::schemes::Scheme;
+    use moreau_dynamics::schemes::{StepContext, Waist};
     use moreau_exact::tolerance::rounding;
 
     fn assembled(scheme: &Bullet, slip: [f64; 3]) -> StepProblem {
         let (mechanism, mut state) = named("incline-slide").and_then(|scene| scene.spatial_mechanism()).expect("built in");
         state.velocity.rows_mut(0, 3).copy_from_slice(&slip);
-        scheme.assemble(mechanism.as_ref(), &state, 0.01).expect("a block on a slope")
+        scheme.assemble(&StepContext::new(mechanism.as_ref(), &state, 0.01).expect("valid")).expect("a block on a slope")
     }
 
     fn dot(one: [f64; 3], other: [f64; 3]) -> f64 {
@@ -118,7 +118,7 @@ mod tests {
                 let scheme = Bullet { bodies, friction, margin: 0.1, ..Bullet::default() };
                 let step = assembled(&scheme, [0.3, 0.4, 0.0]);
                 let problem = step.problem.expect("contacts");
-                let again = delassus(&step.effective_mass, &step.jacobian).expect("definite");
+                let again = delassus(step.effective_mass.matrix(), &step.jacobian).expect("definite");
                 assert!((&problem.delassus - again).amax() <= rounding(64, problem.delassus.amax()), "{bodies:?}");
                 assert!((&problem.free_velocity - &step.jacobian * &step.free_velocity).amax() <= rounding(64, 1.0));
                 assert_eq!(problem.dynamics.expect("given").jacobian, step.jacobian);

@@ -12,7 +12,7 @@ use crate::drake::{Material, SIGMA};
 use moreau_contact::contact::Contact;
 use moreau_contact::problem::{Dynamics, Solution};
 use moreau_dynamics::mechanics::State;
-use moreau_dynamics::schemes::{OwnAnswer, StepProblem};
+use moreau_dynamics::schemes::{OwnAnswer, StepContext, StepProblem};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 
@@ -64,8 +64,9 @@ impl Touch {
 }
 
 /// The touching contacts of an assembled step.
-pub(super) fn touches(material: Material, contacts: &[Contact], assembled: &StepProblem, state: &State, h: f64) -> Vec<Touch> {
-    assembled.active.iter().map(|&k| Touch::new(material, &contacts[k], &assembled.effective_mass, state, h)).collect()
+pub(super) fn touches(material: Material, at: &StepContext, assembled: &StepProblem) -> Vec<Touch> {
+    let mass = assembled.effective_mass.matrix();
+    assembled.active.iter().map(|&k| Touch::new(material, &at.contacts()[k], mass, at.state, at.h)).collect()
 }
 
 /// The minimum of a convex law's step; none without contact.
@@ -73,7 +74,7 @@ pub(super) fn answer(name: &str, assembled: &StepProblem, potential: &dyn Potent
     if assembled.active.is_empty() {
         return Ok(None);
     }
-    let dynamics = Dynamics { mass: assembled.effective_mass.clone(), jacobian: assembled.jacobian.clone() };
+    let dynamics = Dynamics { mass: assembled.effective_mass.matrix().clone(), jacobian: assembled.jacobian.clone() };
     let free_velocity = &dynamics.jacobian * &assembled.free_velocity;
     let start = DVector::zeros(dynamics.mass.nrows());
     let minimum = minimise(name, &dynamics, &free_velocity, rows, potential, start)?;

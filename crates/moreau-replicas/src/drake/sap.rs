@@ -21,9 +21,8 @@
 use crate::drake::touching::response;
 use crate::drake::{Material, SIGMA};
 use moreau_contact::problem::{Compliance, Coordinates, Law};
-use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
-use moreau_dynamics::schemes::{Scheme, StepProblem, assembly};
+use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist, assembly, passes_the_waist};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
@@ -73,20 +72,24 @@ impl Scheme for DrakeSap {
         false
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        let mut step = assembly::assemble("drake-sap", self, mechanism, state, h)?;
+    passes_the_waist!();
+}
+
+impl Waist for DrakeSap {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
+        let mut step = assembly::assemble("drake-sap", self, at)?;
         if let Some(problem) = &mut step.problem {
             let rows = problem.rows_per_contact;
             let contact = |k: usize| step.jacobian.rows(k * rows, rows).into_owned();
-            let parts = (0..problem.contacts()).flat_map(|k| self.regularisation(&step.effective_mass, &contact(k), h));
+            let parts = (0..problem.contacts()).flat_map(|k| self.regularisation(step.effective_mass.matrix(), &contact(k), at.h));
             let diagonal = DVector::from_iterator(problem.rows(), parts);
             problem.compliance = Some(Compliance { coordinates: Coordinates::Contact, diagonal });
         }
         Ok(step)
     }
 
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        mechanism.integrate(&state.position, velocity_post, h)
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        at.mechanism.integrate(&at.state.position, velocity_post, at.h)
     }
 }
 
@@ -96,7 +99,7 @@ mod tests {
     use crate::drake::SemiAnalyticPrimal;
     use moreau_contact::solvers::{ContactSolver, ProjectedGaussSeidel};
     use moreau_contact::tolerance::solvers;
-    use moreau_dynamics::mechanics::PointMass;
+    use moreau_dynamics::mechanics::{PointMass, State};
     use moreau_dynamics::schemes::simulate;
     use moreau_dynamics::trajectory::Recording;
     use moreau_exact::tolerance::rounding;

@@ -19,10 +19,10 @@
 
 use super::primal_newton::Potential;
 use crate::drake::hunt_crossley::{answer, blocks, stacked, touches};
-use crate::drake::touching::assemble_touching;
+use crate::drake::touching::step_touching;
 use crate::drake::{Material, Touch};
-use moreau_dynamics::mechanics::{Mechanism, State};
-use moreau_dynamics::schemes::{OwnAnswer, Scheme, StepProblem};
+use moreau_contact::solvers::ContactSolver;
+use moreau_dynamics::schemes::{Scheme, Start, Step};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 
@@ -69,18 +69,11 @@ impl Scheme for DrakeSimilar {
         false
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        assemble_touching("drake-similar", mechanism, state, h)
-    }
-
-    fn own_answer(&self, mechanism: &dyn Mechanism, state: &State, assembled: &StepProblem, h: f64) -> Result<Option<OwnAnswer>> {
-        let contacts = mechanism.contacts(&state.position);
-        let law = Similar(touches(self.material, &contacts, assembled, state, h));
-        answer("drake-similar", assembled, &law, mechanism.rows_per_contact())
-    }
-
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        mechanism.integrate(&state.position, velocity_post, h)
+    fn step(&self, _solver: &dyn ContactSolver, start: &Start) -> Result<Step> {
+        step_touching(start, &|at, assembled| {
+            let law = Similar(touches(self.material, at, assembled));
+            answer("drake-similar", assembled, &law, at.mechanism.rows_per_contact())
+        })
     }
 }
 

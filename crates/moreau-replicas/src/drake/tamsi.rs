@@ -22,13 +22,13 @@
 //! `TamsiSolver`.
 
 use crate::drake::hunt_crossley::{stacked, touches};
-use crate::drake::touching::{assemble_touching, own_answer};
+use crate::drake::touching::{own_answer, step_touching};
 use crate::drake::{Material, Touch};
 use crate::tolerance::solvers::{LINE_STEPS, NEAR_MINIMUM};
 use moreau_contact::problem::Solution;
+use moreau_contact::solvers::ContactSolver;
 use moreau_contact::tolerance::solvers::{NEWTON_STEPS, STOP};
-use moreau_dynamics::mechanics::{Mechanism, State};
-use moreau_dynamics::schemes::{OwnAnswer, Scheme, StepProblem};
+use moreau_dynamics::schemes::{OwnAnswer, Scheme, Start, Step, StepContext, StepProblem};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -87,6 +87,7 @@ struct Residual {
 impl Equation<'_> {
     fn at(&self, velocity: &DVector<f64>) -> Residual {
         let StepProblem { effective_mass, free_velocity, jacobian: rows_of_contacts, .. } = self.assembled;
+        let effective_mass = effective_mass.matrix();
         let contact_velocity = rows_of_contacts * velocity;
         let mut impulse = DVector::zeros(contact_velocity.len());
         let mut jacobian = effective_mass.clone();
@@ -135,26 +136,24 @@ impl Scheme for DrakeTamsi {
         false
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        assemble_touching(NAME, mechanism, state, h)
+    fn step(&self, _solver: &dyn ContactSolver, start: &Start) -> Result<Step> {
+        step_touching(start, &|at, assembled| self.answer(at, assembled))
     }
+}
 
-    fn own_answer(&self, mechanism: &dyn Mechanism, state: &State, assembled: &StepProblem, h: f64) -> Result<Option<OwnAnswer>> {
+impl DrakeTamsi {
+    fn answer(&self, at: &StepContext, assembled: &StepProblem) -> Result<Option<OwnAnswer>> {
         if assembled.active.is_empty() {
             return Ok(None);
         }
-        let touches = touches(self.material, &mechanism.contacts(&state.position), assembled, state, h);
-        let scale = assembled.effective_mass.diagonal().map(|m| 1.0 / m.sqrt());
-        let equation = Equation { assembled, touches: &touches, rows: mechanism.rows_per_contact(), scale };
-        let (velocity, Residual { impulse, size, terms, .. }, iterations) = equation.solve(&state.velocity)?;
+        let touches = touches(self.material, at, assembled);
+        let scale = assembled.effective_mass.matrix().diagonal().map(|m| 1.0 / m.sqrt());
+        let equation = Equation { assembled, touches: &touches, rows: at.mechanism.rows_per_contact(), scale };
+        let (velocity, Residual { impulse, size, terms, .. }, iterations) = equation.solve(&at.state.velocity)?;
         let velocity = &assembled.jacobian * velocity;
         let relative = if terms > 0.0 { size / terms } else { 0.0 };
         let solution = Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations };
         Ok(Some(own_answer(solution, relative)))
-    }
-
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        mechanism.integrate(&state.position, velocity_post, h)
     }
 }
 

@@ -1,11 +1,10 @@
 //! What Drake's laws share in a step: the contacts that touch, w, and an answer with its measure.
 
 use moreau_contact::certificate::StepResidual;
-use moreau_contact::problem::{Law, Solution};
+use moreau_contact::problem::Solution;
 use moreau_contact::tolerance::certificate::CERTIFY;
-use moreau_dynamics::mechanics::{Mechanism, State};
-use moreau_dynamics::schemes::assembly::{Candidate, Rules};
-use moreau_dynamics::schemes::{OwnAnswer, StepProblem, assembly};
+use moreau_dynamics::schemes::waist::{Parts, step_in_parts};
+use moreau_dynamics::schemes::{OwnAnswer, Start, Step, StepContext, StepProblem, assembly};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 
@@ -19,31 +18,13 @@ pub(super) fn response(mass: &DMatrix<f64>, rows: &DMatrix<f64>) -> f64 {
 pub(super) fn own_answer(solution: Solution, relative: f64) -> OwnAnswer {
     let residual =
         StepResidual { rule: "step of the regularised law", residual: "momentum", relative, limit: CERTIFY, contact: None, pair: None };
-    OwnAnswer { solution, residual }
+    OwnAnswer { solution, residual: Some(residual) }
 }
 
-/// What the laws outside the waist share: contacts with φ < 0, explicit forces, and no contact problem.
-struct Touching;
-
-impl Rules for Touching {
-    fn theta(&self) -> f64 {
-        0.0
-    }
-
-    fn is_active(&self, candidate: &Candidate, _h: f64) -> bool {
-        candidate.contact.gap < 0.0
-    }
-
-    fn shift(&self, candidate: &Candidate, _h: f64) -> DVector<f64> {
-        DVector::zeros(candidate.velocity.len())
-    }
-
-    fn law(&self, rows_per_contact: usize) -> Law {
-        if rows_per_contact == 1 { Law::Frictionless } else { Law::Coulomb }
-    }
-}
-
-/// The step of a law that is no relation K ∋ r ⟂ y ∈ K*: contacts, M, v_free and H without a problem for a solver.
-pub(super) fn assemble_touching(name: &str, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-    Ok(StepProblem { problem: None, ..assembly::assemble(name, &Touching, mechanism, state, h)? })
+/// The step of a law that is no relation K ∋ r ⟂ y ∈ K*: explicit forces, the contacts with φ < 0, and the law's own `answer`.
+pub(super) fn step_touching(start: &Start, answer: &dyn Fn(&StepContext, &StepProblem) -> Result<Option<OwnAnswer>>) -> Result<Step> {
+    let assemble = |at: &StepContext| Ok(assembly::held(at, 0.0, |candidate| candidate.contact.gap < 0.0)?.0);
+    let advance =
+        |at: &StepContext, _: &StepProblem, velocity: &DVector<f64>| Ok(at.mechanism.integrate(&at.state.position, velocity, at.h));
+    step_in_parts(start, &Parts { assemble: &assemble, answer, advance: &advance })
 }

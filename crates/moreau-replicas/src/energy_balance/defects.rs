@@ -9,8 +9,8 @@ use moreau_contact::problem::ContactProblem;
 use moreau_contact::solvers::Reference;
 use moreau_dynamics::mechanics::spatial::{Shape, SpatialBody};
 use moreau_dynamics::mechanics::{Mechanism, OscillatorWithStop, Plane, PointMass, SpatialBodies, State};
-use moreau_dynamics::schemes::{Scheme, Step, StepProblem, step};
-use moreau_exact::Result;
+use moreau_dynamics::schemes::{Scheme, Step, StepContext, StepProblem, Waist, passes_the_waist, step};
+use moreau_exact::{Error, Result};
 use nalgebra::{DVector, dvector};
 
 /// The defects of this family.
@@ -172,7 +172,9 @@ fn made(name: &str, case: fn() -> Result<Case>, alter: fn(&State, &mut Step, f64
 /// The balance of a step whose problem was altered before it was solved.
 fn posed(name: &str, case: fn() -> Result<Case>, alter: fn(&mut ContactProblem)) -> Result<Vec<Finding>> {
     let (mechanism, before, mass) = case()?;
-    let altered = Altered { scheme: by_name(name, Parameters::default())?, alter };
+    let scheme = by_name(name, Parameters::default())?;
+    let around = || Error::Unsupported(format!("`{name}` does not pass the waist"));
+    let altered = Altered { scheme: scheme.waist().ok_or_else(around)?, alter };
     let step = step(&altered, &Reference, mechanism.as_ref(), &before, H)?;
     let taken = Taken { mechanism: mechanism.as_ref(), before: &before, step: &step, h: H };
     findings(&Balance::of(name, &Parameters::default())?, &taken, mass)
@@ -201,7 +203,7 @@ fn shift_velocity(step: &mut Step, by: &DVector<f64>) {
 
 /// Ω + h J⁻¹(−Ω × JΩ) in place of the midpoint rule's.
 fn explicit_torque(before: &State, step: &mut Step, h: f64) {
-    let mass = &step.assembled.effective_mass;
+    let mass = step.assembled.effective_mass.matrix();
     let [j1, j2, j3] = [3, 4, 5].map(|i| mass[(i, i)]);
     let [a, b, c] = [3, 4, 5].map(|i| before.velocity[i]);
     let torque = [(j2 - j3) * b * c / j1, (j3 - j1) * c * a / j2, (j1 - j2) * a * b / j3];
@@ -224,24 +226,28 @@ fn scaled(step: &mut Step, factor: f64) {
 }
 
 /// A scheme whose contact problem is altered before it is solved.
-struct Altered {
-    scheme: Box<dyn Scheme>,
+struct Altered<'a> {
+    scheme: &'a dyn Waist,
     alter: fn(&mut ContactProblem),
 }
 
-impl Scheme for Altered {
+impl Scheme for Altered<'_> {
     fn name(&self) -> String {
         format!("{}, altered", self.scheme.name())
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        let mut assembled = self.scheme.assemble(mechanism, state, h)?;
+    passes_the_waist!();
+}
+
+impl Waist for Altered<'_> {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
+        let mut assembled = self.scheme.assemble(at)?;
         assembled.problem.iter_mut().for_each(self.alter);
         Ok(assembled)
     }
 
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        self.scheme.advance(mechanism, state, velocity_post, h)
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        self.scheme.advance(at, velocity_post)
     }
 }
 

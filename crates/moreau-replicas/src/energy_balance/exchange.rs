@@ -36,7 +36,7 @@ impl Exchange {
     /// Reads a step that assembled its M̂ and H.
     pub fn new(taken: &Taken) -> Result<Self> {
         let assembled = &taken.step.assembled;
-        let (mass, jacobian, free_velocity) = (&assembled.effective_mass, &assembled.jacobian, &assembled.free_velocity);
+        let (mass, jacobian, free_velocity) = (assembled.effective_mass.matrix(), &assembled.jacobian, &assembled.free_velocity);
         let impulse = DVector::from_iterator(
             taken.step.impulses.iter().map(|one| one.impulse.len()).sum(),
             taken.step.impulses.iter().flat_map(|one| one.impulse.iter().copied()),

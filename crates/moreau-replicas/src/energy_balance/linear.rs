@@ -33,7 +33,7 @@ pub(super) fn judge(waist: &Waist, taken: &Taken, posed: &Posed) -> Vec<Finding>
         (2.0 * theta - 1.0) * (kinetic(&mass, &jump) + kinetic(&linear.stiffness, &moved)) + 2.0 * h * kinetic(&linear.damping, &mean);
     let (exchange, residual) = (&posed.exchange, posed.work.residual);
     let work = exchange.impulse.dot(&(&exchange.after * theta + &exchange.before * (1.0 - theta)));
-    let free = 0.5 * kinetic(&assembled.effective_mass, &(&assembled.free_velocity - &before.velocity));
+    let free = 0.5 * kinetic(assembled.effective_mass.matrix(), &(&assembled.free_velocity - &before.velocity));
     let e = waist.one_restitution(posed).filter(|e| 1.0 / (1.0 + e) >= theta);
     let bound = match e {
         Some(e) => (1.0 / (1.0 + e) - theta) * free + residual / (1.0 + e),
@@ -41,7 +41,7 @@ pub(super) fn judge(waist: &Waist, taken: &Taken, posed: &Posed) -> Vec<Finding>
     };
     let changed = mechanism.energy(after) - mechanism.energy(before);
     let stretched = norm(&linear.stiffness, &before.position) + norm(&linear.stiffness, &after.position);
-    let size = exchange.size + stretched * stretched + norm(&assembled.effective_mass, &mean).powi(2);
+    let size = exchange.size + stretched * stretched + norm(assembled.effective_mass.matrix(), &mean).powi(2);
     let tolerance = posed.rounding + tolerance::energy(exchange.impulse.len(), before.velocity.len(), size);
     vec![
         Finding::equal(TOTAL_IDENTITY, changed, work - taken_away, tolerance, "J"),

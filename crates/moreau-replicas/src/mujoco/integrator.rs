@@ -16,10 +16,10 @@ use moreau_contact::contact::ContactImpulse;
 use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::solvers::ContactSolver;
 use moreau_dynamics::mechanics::{Mechanism, State};
-use moreau_dynamics::schemes::assembly::check_input;
-use moreau_dynamics::schemes::{Step, StepProblem};
+use moreau_dynamics::schemes::{Inertia, Start, Step, StepContext, StepProblem};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
+use std::sync::Arc;
 
 /// F + Hᵀf at a state with the contacts' h f.
 pub(super) struct Pushed {
@@ -31,8 +31,9 @@ pub(super) struct Pushed {
 
 impl Mujoco {
     /// One step of any integrator, with or without friction against rotation.
-    pub(super) fn integrate(&self, solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Step> {
-        check_input(mechanism, state, h)?;
+    pub(super) fn integrate(&self, solver: &dyn ContactSolver, start: &Start) -> Result<Step> {
+        let Start { mechanism, state, h, .. } = *start;
+        StepContext::new(mechanism, state, h)?;
         if self.integrator == Integrator::RungeKutta {
             return self.runge_kutta(solver, mechanism, state, h);
         }
@@ -41,7 +42,7 @@ impl Mujoco {
         let acceleration = self.effective_mass(mechanism, state, h).lu().solve(&pushed.force).ok_or_else(singular)?;
         let velocity = &state.velocity + acceleration * h;
         let position = mechanism.integrate(&state.position, &velocity, h);
-        Ok(made(mechanism, State { time: state.time + h, position, velocity }, pushed.impulses, pushed.residual))
+        made(mechanism, State { time: state.time + h, position, velocity }, pushed.impulses, pushed.residual)
     }
 
     /// M + hC, with implicitfast M + hC − hG.
@@ -63,7 +64,7 @@ impl Mujoco {
         if self.rotational != Rotational::NONE {
             return self.pushed_with_rotation(mechanism, state, &force, h);
         }
-        let StepProblem { problem, active, places, jacobian, .. } = self.waist(mechanism, state, h)?;
+        let StepProblem { problem, active, places, jacobian, .. } = self.posed(&StepContext::new(mechanism, state, h)?)?;
         let Some(problem) = problem else { return Ok(Pushed { force, impulses: Vec::new(), residual: None }) };
         let impulse = solver.solve(&problem, None)?.impulse;
         let parts = impulse.as_slice().chunks(problem.rows_per_contact);
@@ -88,7 +89,7 @@ impl Mujoco {
         }
         let velocity = &state.velocity + mean_acceleration * h;
         let position = mechanism.integrate(&state.position, &mean_velocity, h);
-        Ok(made(mechanism, State { time: state.time + h, position, velocity }, impulses, residual))
+        made(mechanism, State { time: state.time + h, position, velocity }, impulses, residual)
     }
 }
 
@@ -101,7 +102,7 @@ fn add(impulses: &mut Vec<ContactImpulse>, stage: ContactImpulse, share: f64) {
     }
 }
 
-fn made(mechanism: &dyn Mechanism, state: State, impulses: Vec<ContactImpulse>, residual: Option<StepResidual>) -> Step {
+fn made(mechanism: &dyn Mechanism, state: State, impulses: Vec<ContactImpulse>, residual: Option<StepResidual>) -> Result<Step> {
     let assembled = StepProblem {
         problem: None,
         residual: None,
@@ -109,9 +110,9 @@ fn made(mechanism: &dyn Mechanism, state: State, impulses: Vec<ContactImpulse>, 
         places: impulses.iter().map(|one| one.place).collect(),
         jacobian: DMatrix::zeros(0, state.velocity.len()),
         free_velocity: state.velocity.clone(),
-        effective_mass: mechanism.mass_matrix(&state.position),
+        effective_mass: Arc::new(Inertia::new(mechanism.mass_matrix(&state.position))?),
     };
-    Step { state, impulses, assembled, solution: None, residual, rejected: None, impacts: None }
+    Ok(Step { state, impulses, assembled, solution: None, residual, rejected: None, impacts: None })
 }
 
 #[cfg(test)]
@@ -169,7 +170,7 @@ mod tests {
         let state = State { time: 0.0, position: dvector![1.0], velocity: dvector![0.0] };
         let scheme = with(Integrator::ImplicitFast);
         assert_eq!(scheme.name(), "mujoco implicitfast");
-        assert!(scheme.assemble(&ball, &state, 0.01).is_err() && with(Integrator::Euler).assemble(&ball, &state, 0.01).is_ok());
+        assert!(scheme.waist().is_none() && with(Integrator::Euler).waist().is_some());
         assert!(step(&scheme, &GaussNewton::default(), &ball, &state, -0.01).is_err());
     }
 }

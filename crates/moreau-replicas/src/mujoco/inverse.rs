@@ -15,7 +15,7 @@ use crate::mujoco::{Integrator, Mujoco};
 use moreau_contact::contact::Place;
 use moreau_contact::contact::delassus::MassFactor;
 use moreau_dynamics::mechanics::{Mechanism, State};
-use moreau_dynamics::schemes::assembly::check_input;
+use moreau_dynamics::schemes::StepContext;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
@@ -48,7 +48,7 @@ impl Mujoco {
     /// # Source
     /// MuJoCo documentation, *Computation: inverse dynamics* (3.17); Todorov (2014).
     pub fn inverse(&self, mechanism: &dyn Mechanism, state: &State, acceleration: &DVector<f64>, h: f64) -> Result<InverseDynamics> {
-        check_input(mechanism, state, h)?;
+        StepContext::new(mechanism, state, h)?;
         if acceleration.len() != state.velocity.len() {
             let problem = format!("has {} entries", acceleration.len());
             return Err(Error::invalid("acceleration", problem, format!("{} has {}", mechanism.name(), state.velocity.len())));
@@ -82,7 +82,7 @@ impl Mujoco {
         velocity_post: &DVector<f64>,
         h: f64,
     ) -> Result<DVector<f64>> {
-        check_input(mechanism, state, h)?;
+        StepContext::new(mechanism, state, h)?;
         if self.integrator == Integrator::RungeKutta {
             return Err(Error::Unsupported("a step of RK4 has four accelerations, one in each stage".into()));
         }

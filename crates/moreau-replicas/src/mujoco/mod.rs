@@ -42,16 +42,16 @@ pub use inverse::{ContactForce, InverseDynamics};
 pub use parameters::{Cone, Integrator, Mujoco, Rotational};
 pub use softness::Softness;
 
-use moreau_contact::contact::delassus::{MassFactor, delassus};
+use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::contact::{Contact, pairs};
 use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law};
 use moreau_contact::solvers::ContactSolver;
-use moreau_dynamics::mechanics::{Mechanism, State};
-use moreau_dynamics::schemes::assembly::check_input;
-use moreau_dynamics::schemes::{Scheme, Step, StepProblem};
-use moreau_exact::{Error, Result};
+use moreau_dynamics::mechanics::Mechanism;
+use moreau_dynamics::schemes::{Inertia, Scheme, Start, Step, StepContext, StepProblem, Waist, waist};
+use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 use parameters::Soft;
+use std::sync::Arc;
 
 impl Mujoco {
     /// MuJoCo's defaults with this cone.
@@ -121,15 +121,17 @@ impl Mujoco {
     }
 
     /// The contact problem of a state in three rows a contact, and Euler's update.
-    fn waist(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        check_input(mechanism, state, h)?;
-        let mass = mechanism.mass_matrix(&state.position);
+    fn posed(&self, at: &StepContext) -> Result<StepProblem> {
+        let StepContext { mechanism, state, h, .. } = *at;
+        let inertia = at.inertia()?;
         let force = mechanism.force(&state.position, &state.velocity);
-        let factor = MassFactor::new(&mass)?;
-        let unconstrained = &state.velocity + factor.solve(&force) * h;
-        let damped = mechanism.linear_force().map_or_else(|| mass.clone(), |linear| &mass + linear.damping * h);
-        let free_velocity = &state.velocity + MassFactor::new(&damped)?.solve(&force) * h;
-        let contacts = self.active(mechanism, &state.position, &factor);
+        let unconstrained = &state.velocity + inertia.solve(&force) * h;
+        let damped = match mechanism.linear_force() {
+            Some(linear) => Arc::new(Inertia::new(inertia.matrix() + linear.damping * h)?),
+            None => inertia.clone(),
+        };
+        let free_velocity = &state.velocity + damped.solve(&force) * h;
+        let contacts = self.active(mechanism, &state.position, inertia.factor());
         let rows = mechanism.rows_per_contact();
         let places: Vec<_> = contacts.iter().map(|soft| soft.contact.place).collect();
         let mut jacobian = DMatrix::zeros(rows * contacts.len(), mechanism.degrees_of_freedom());
@@ -145,9 +147,9 @@ impl Mujoco {
                 friction: contacts.iter().map(|soft| soft.contact.friction).collect(),
                 free_velocity: &jacobian * unconstrained,
                 shift: self.shift(&contacts, &state.velocity, h),
-                delassus: delassus(&mass, &jacobian)?,
+                delassus: inertia.delassus(&jacobian)?,
                 compliance: Some(compliance),
-                dynamics: Some(Dynamics { mass, jacobian: jacobian.clone() }),
+                dynamics: Some(Dynamics { mass: inertia.matrix().clone(), jacobian: jacobian.clone() }),
                 bodies: pairs(&places),
             })
         };
@@ -166,24 +168,26 @@ impl Scheme for Mujoco {
         false
     }
 
-    /// Only with Euler and without friction against rotation: the other steps are not one problem of the waist.
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        if self.is_plain() {
-            return self.waist(mechanism, state, h);
+    /// Euler's step without friction against rotation passes the waist; the others are not one problem of three rows a contact.
+    fn step(&self, solver: &dyn ContactSolver, start: &Start) -> Result<Step> {
+        match self.waist() {
+            Some(waist) => waist::step(waist, solver, start),
+            None => self.integrate(solver, start),
         }
-        Err(Error::Unsupported(format!(
-            "{}: a step of {} is not one contact problem of three rows a contact",
-            mechanism.name(),
-            self.name()
-        )))
     }
 
-    fn own_step(&self, solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, h: f64) -> Option<Result<Step>> {
-        (!self.is_plain()).then(|| self.integrate(solver, mechanism, state, h))
+    fn waist(&self) -> Option<&dyn Waist> {
+        self.is_plain().then_some(self as &dyn Waist)
+    }
+}
+
+impl Waist for Mujoco {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
+        self.posed(at)
     }
 
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        mechanism.integrate(&state.position, velocity_post, h)
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        at.mechanism.integrate(&at.state.position, velocity_post, at.h)
     }
 }
 
@@ -194,7 +198,7 @@ mod tests {
     use moreau_contact::problem::Solution;
     use moreau_contact::solvers::{ContactSolver, GaussNewton};
     use moreau_contact::tolerance::certificate::CERTIFY;
-    use moreau_dynamics::mechanics::{OscillatorWithStop, PointMass};
+    use moreau_dynamics::mechanics::{OscillatorWithStop, PointMass, State};
     use moreau_dynamics::scenes::named;
     use moreau_dynamics::schemes::{run, step};
     use moreau_exact::tolerance::rounding;

@@ -11,7 +11,7 @@ use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::{ClarabelPolished, ContactSolver, Reference, largest_eigenvalue_bound};
 use moreau_contact::tolerance::solvers;
 use moreau_dynamics::scenes::named;
-use moreau_dynamics::schemes::{Anitescu, Scheme, step};
+use moreau_dynamics::schemes::{Anitescu, Scheme, StepContext, Waist, step};
 use moreau_exact::tolerance::rounding;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -107,9 +107,9 @@ fn apart(problem: &ContactProblem, one: &Solution, other: &Solution) -> Result<M
 ///
 /// # Errors
 /// Those of the scheme and the solver.
-pub fn stack_answered_wrongly(scheme: &dyn Scheme, solver: &dyn ContactSolver) -> Result<Measured> {
+pub fn stack_answered_wrongly(scheme: &dyn Waist, solver: &dyn ContactSolver) -> Result<Measured> {
     let (mechanism, state) = named("box-stack")?.mechanism()?;
-    let assembled = scheme.assemble(mechanism.as_ref(), &state, 0.01)?;
+    let assembled = scheme.assemble(&StepContext::new(mechanism.as_ref(), &state, 0.01)?)?;
     let problem = assembled.problem.ok_or_else(|| Error::Unsupported("no contact was active".into()))?;
     let interior = ClarabelPolished.solve(&problem, None)?;
     let right = apart(&problem, &solver.solve(&problem, None)?, &interior)?;

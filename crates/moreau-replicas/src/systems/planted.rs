@@ -1,7 +1,6 @@
 //! Schemes with a mistake: what agreements plant, to show that they can fail.
 
-use moreau_dynamics::mechanics::{Mechanism, State};
-use moreau_dynamics::schemes::{Scheme, StepProblem};
+use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_exact::Result;
 use nalgebra::DVector;
 
@@ -23,17 +22,22 @@ pub struct Mistaken<S> {
 }
 
 /// The scheme with this mistake.
-pub fn planted<S: Scheme>(scheme: S, mistake: Mistake) -> Mistaken<S> {
+pub fn planted<S: Waist>(scheme: S, mistake: Mistake) -> Mistaken<S> {
     Mistaken { scheme, mistake }
 }
 
-impl<S: Scheme> Scheme for Mistaken<S> {
+impl<S: Waist> Scheme for Mistaken<S> {
     fn name(&self) -> String {
         format!("{} with a mistake: {:?}", self.scheme.name(), self.mistake)
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        let mut step = self.scheme.assemble(mechanism, state, h)?;
+    passes_the_waist!();
+}
+
+impl<S: Waist> Waist for Mistaken<S> {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
+        let state = at.state;
+        let mut step = self.scheme.assemble(at)?;
         let more = (&step.free_velocity - &state.velocity) * if self.mistake == Mistake::Heavy { 0.1 } else { 0.0 };
         step.free_velocity += &more;
         if let Some(problem) = &mut step.problem {
@@ -43,14 +47,15 @@ impl<S: Scheme> Scheme for Mistaken<S> {
         Ok(step)
     }
 
-    fn settle(&self, mechanism: &dyn Mechanism, assembled: &StepProblem, position: DVector<f64>) -> Result<DVector<f64>> {
-        let ahead = if self.mistake == Mistake::Ahead { f64::EPSILON.sqrt() } else { 0.0 };
-        Ok(self.scheme.settle(mechanism, assembled, position)?.add_scalar(ahead))
-    }
-
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        let reached = self.scheme.advance(mechanism, state, velocity_post, h);
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        let StepContext { state, h, .. } = *at;
+        let reached = self.scheme.advance(at, velocity_post);
         // only where positions have as many entries as velocities: not with quaternions
         if self.mistake == Mistake::Ahead { reached + (velocity_post - &state.velocity) * (0.5 * h) } else { reached }
+    }
+
+    fn settle(&self, at: &StepContext, assembled: &StepProblem, position: DVector<f64>) -> Result<DVector<f64>> {
+        let ahead = if self.mistake == Mistake::Ahead { f64::EPSILON.sqrt() } else { 0.0 };
+        Ok(self.scheme.settle(at, assembled, position)?.add_scalar(ahead))
     }
 }

@@ -25,7 +25,7 @@ pub const REPLAYED_STEP: f64 = 1.5e-8;
 /// where forces are 10 N, measured over all of them.
 pub const CONVERGED_MUJOCO: f64 = 1e-20;
 
-/// What issue and README promise of a step of MuJoCo's Newton run to the end, relative to accelerations and forces. Its steps end in a
+/// What docs/results.md promises of a step of MuJoCo's Newton run to the end, relative to accelerations and forces. Its steps end in a
 /// quadratic zone or close to it, where the last one leaves less than the 1e-10 of the line above.
 pub const CONVERGED_STEP: f64 = 1e-9;
 
@@ -85,7 +85,7 @@ pub fn sap_sliding_gap() -> f64 {
 /// through the rotational part of w and on depths through d.
 pub const CREEP_GEOMETRY: f64 = 1e-4;
 
-/// What issue and README promise of a step against Siconos's, in m, m/s and N·s: larger than rounding allows, [`siconos_step`].
+/// What docs/results.md promises of a step against Siconos's, in m, m/s and N·s: larger than rounding allows, [`siconos_step`].
 pub const SICONOS_PER_STEP: f64 = 1e-12;
 
 /// Distance of one step from Siconos's with direct solvers on both sides, for numbers of the given size: 64 operations, and the 1e-14 m at

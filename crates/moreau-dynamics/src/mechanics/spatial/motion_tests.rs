@@ -3,7 +3,7 @@
 use super::*;
 use crate::mechanics::State;
 use crate::scenes::{Scene, named};
-use crate::schemes::{Anitescu, MoreauJean, Scheme, StewartTrinkle, carry_over, run, simulate};
+use crate::schemes::{Anitescu, MoreauJean, Scheme, StepContext, StewartTrinkle, carry_over, run, simulate};
 use moreau_contact::certificate::residuals;
 use moreau_contact::contact::ContactImpulse;
 use moreau_contact::problem::Solution;
@@ -269,7 +269,8 @@ fn an_answer_without_distant_candidates_is_an_answer_with_them() {
         let (mut state, mut fewer) = (start, 0);
         for _ in 0..24 {
             let step = crate::schemes::step(scheme, &Reference, near.as_ref(), &state, h).expect("solved");
-            let complete = scheme.assemble(&all, &state, h).expect("valid");
+            let complete =
+                scheme.waist().expect("one problem").assemble(&StepContext::new(&all, &state, h).expect("valid")).expect("valid");
             fewer += usize::from(step.assembled.active.len() < complete.active.len());
             if let (Some(problem), Some(few)) = (&complete.problem, &step.assembled.problem) {
                 let solution = step.solution.as_ref().expect("there is a problem");

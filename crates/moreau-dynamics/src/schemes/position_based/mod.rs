@@ -6,7 +6,7 @@
 //!     α̃ = α/h² (XPBD);   PBD: α = 0 and the share s of ΔΛ
 //!     v = (q⁺ − q)/h ,   then at contacts with Λ_n > 0:   u_n ← max(−e ũ_n, 0) ,  ũ = H v_free ,  e = 0 below |ũ_n| = 2h|H M⁻¹F|_n
 //! ```
-//! In impulses r = Λ/h the position problem is the one of [`Scheme::assemble`]: u = W r + u_free, y = u + φ/h + R r with R = α/h² on
+//! In impulses r = Λ/h the position problem is the one of [`PositionBased::position_problem`]: u = W r + u_free, y = u + φ/h + R r with R = α/h² on
 //! normals and a friction cone in tangential displacement. A sweep of XPBD is a sweep of Gauss–Seidel on it, with gaps taken anew at each
 //! contact. Which candidates there are may change while the bodies are pushed: see `position_based/sweeps.rs`.
 //!
@@ -17,11 +17,10 @@
 //! Sweeps project onto gaps that are taken anew, one contact at a time, and end after a declared number: neither T(v⁺) nor E has a bound
 //! (`moreau::checks::energy_balance`).
 
-use super::assembly::{self, check_input, normal_only};
-use super::{Scheme, Step, StepProblem};
-use crate::mechanics::{Mechanism, State};
+use super::assembly::normal_only;
+use super::{Scheme, Start, Step, StepContext, StepProblem};
+use crate::mechanics::State;
 use crate::tolerance::limits::SWEEPS;
-use moreau_contact::contact::delassus::{MassFactor, delassus};
 use moreau_contact::contact::{ContactImpulse, pairs};
 use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law};
 use moreau_contact::solvers::ContactSolver;
@@ -103,12 +102,19 @@ impl Scheme for PositionBased {
         true
     }
 
+    fn step(&self, _solver: &dyn ContactSolver, start: &Start) -> Result<Step> {
+        self.swept(&StepContext::new(start.mechanism, start.state, start.h)?)
+    }
+}
+
+impl PositionBased {
     /// The position problem with the gaps linearised at q, as impulses: what the sweeps of XPBD tend to.
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        check_input(mechanism, state, h)?;
-        let free_velocity = assembly::forecast(mechanism, state, h)?;
-        let effective_mass = mechanism.mass_matrix(&state.position);
-        let contacts = mechanism.contacts(&state.position);
+    ///
+    /// # Errors
+    /// If M is not positive definite.
+    pub fn position_problem(&self, at: &StepContext) -> Result<Option<ContactProblem>> {
+        let StepContext { mechanism, state, h, .. } = *at;
+        let (free_velocity, inertia, contacts) = (at.forecast()?, at.inertia()?, at.contacts());
         let rows = mechanism.rows_per_contact();
         let mut jacobian = DMatrix::zeros(rows * contacts.len(), state.velocity.len());
         let mut shift = DVector::zeros(rows * contacts.len());
@@ -126,33 +132,20 @@ impl Scheme for PositionBased {
             friction: contacts.iter().map(|contact| contact.friction).collect(),
             free_velocity: &jacobian * &free_velocity,
             shift,
-            delassus: delassus(&effective_mass, &jacobian)?,
+            delassus: inertia.delassus(&jacobian)?,
             compliance: (scaled > 0.0).then_some(Compliance { coordinates: Coordinates::Contact, diagonal }),
-            dynamics: Some(Dynamics { mass: effective_mass.clone(), jacobian: jacobian.clone() }),
+            dynamics: Some(Dynamics { mass: inertia.matrix().clone(), jacobian: jacobian.clone() }),
             bodies: pairs(&places),
         };
-        let problem = (!contacts.is_empty()).then_some(problem);
-        Ok(StepProblem { problem, active: (0..contacts.len()).collect(), places, effective_mass, free_velocity, jacobian, residual: None })
+        Ok((!contacts.is_empty()).then_some(problem))
     }
 
-    fn own_step(&self, _solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, h: f64) -> Option<Result<Step>> {
-        Some(self.step(mechanism, state, h))
-    }
-
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        mechanism.integrate(&state.position, velocity_post, h)
-    }
-}
-
-impl PositionBased {
-    fn step(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Step> {
-        check_input(mechanism, state, h)?;
-        let free = assembly::forecast(mechanism, state, h)?;
-        let mass = mechanism.mass_matrix(&state.position);
-        let factor = MassFactor::new(&mass)?;
-        let pull = factor.solve(&mechanism.force(&state.position, &state.velocity));
+    fn swept(&self, at: &StepContext) -> Result<Step> {
+        let StepContext { mechanism, state, h, .. } = *at;
+        let (free, inertia) = (at.forecast()?, at.inertia()?);
+        let pull = inertia.solve(&mechanism.force(&state.position, &state.velocity));
         let predicted = mechanism.integrate(&state.position, &free, h);
-        let start = Positions::new(mechanism, &factor, predicted, &free * h);
+        let start = Positions::new(mechanism, inertia.factor(), predicted, &free * h);
         let done = start.swept(self.sweeps, self.weights(h), SPARE * mechanism.reach(&free, h))?;
         let residual = done.residual(self.weights(h)[0], SPARE * mechanism.reach(&free, h));
         let mut velocity = &done.motion / h;
@@ -162,7 +155,7 @@ impl PositionBased {
             residual: None,
             active: impulses.iter().map(|one| one.contact).collect(),
             places: impulses.iter().map(|one| one.place).collect(),
-            effective_mass: mass,
+            effective_mass: inertia.clone(),
             free_velocity: free,
             jacobian: DMatrix::zeros(0, velocity.len()),
         };
@@ -253,7 +246,7 @@ mod tests {
         let chain = BallChain::new(vec![1.0, 2.0, 0.5], vec![0.1; 3], 0.0).expect("valid");
         let start = State { time: 0.0, position: dvector![0.0, 0.21, 0.42], velocity: dvector![3.0, 0.0, -1.0] };
         let (scheme, h) = (PositionBased { sweeps: 400, ..xpbd(1e-4) }, 0.0625);
-        let problem = scheme.assemble(&chain, &start, h).expect("valid").problem.expect("contacts");
+        let problem = scheme.position_problem(&StepContext::new(&chain, &start, h).expect("valid")).expect("valid").expect("contacts");
         let solved = ProjectedGaussSeidel::default().solve(&problem, None).expect("solvable").impulse;
         let taken = step(&scheme, &Reference, &chain, &start, h).expect("valid");
         // positions first: the impulses of the velocity pass are taken out again

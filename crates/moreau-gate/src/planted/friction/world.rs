@@ -1,11 +1,10 @@
 //! Bodies and contacts that are not those of the scene.
 
-use crate::own::{Parameters, moreau_jean};
 use delegate::delegate;
 use moreau_contact::contact::Contact;
 use moreau_dynamics::mechanics::{BodyState, Mechanism, State};
 use moreau_dynamics::scenes::Scene;
-use moreau_dynamics::schemes::{Scheme, StepProblem};
+use moreau_dynamics::schemes::{MoreauJean, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 
@@ -110,8 +109,8 @@ pub(super) fn thick_floor(scene: &Scene) -> Result<Start> {
 pub(super) struct Baumgarte;
 
 impl Baumgarte {
-    fn scheme() -> Result<Box<dyn Scheme>> {
-        moreau_jean(&Parameters::default())
+    fn scheme() -> MoreauJean {
+        MoreauJean::default()
     }
 }
 
@@ -120,8 +119,13 @@ impl Scheme for Baumgarte {
         "moreau-jean".into()
     }
 
-    fn assemble(&self, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
-        let mut step = Baumgarte::scheme()?.assemble(mechanism, state, h)?;
+    passes_the_waist!();
+}
+
+impl Waist for Baumgarte {
+    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
+        let StepContext { mechanism, state, h, .. } = *at;
+        let mut step = Baumgarte::scheme().assemble(at)?;
         let contacts = mechanism.contacts(&state.position);
         if let Some(problem) = &mut step.problem {
             for (k, &index) in step.active.iter().enumerate() {
@@ -132,8 +136,8 @@ impl Scheme for Baumgarte {
         Ok(step)
     }
 
-    fn advance(&self, mechanism: &dyn Mechanism, state: &State, velocity_post: &DVector<f64>, h: f64) -> DVector<f64> {
-        let scheme = Baumgarte::scheme().expect("a listed name with its own parameters");
-        scheme.advance(mechanism, state, velocity_post, h)
+    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
+        let scheme = Baumgarte::scheme();
+        scheme.advance(at, velocity_post)
     }
 }

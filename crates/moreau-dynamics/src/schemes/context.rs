@@ -1,0 +1,160 @@
+//! Where a step starts, and what is computed once for it: M(q) with its factor, and the contact candidates at q.
+
+use crate::mechanics::{Mechanism, State};
+use moreau_contact::contact::Contact;
+use moreau_contact::contact::delassus::{MassFactor, delassus_factored};
+use moreau_exact::{Error, Result};
+use nalgebra::{DMatrix, DVector};
+use std::cell::OnceCell;
+use std::sync::Arc;
+
+/// A mass matrix with its factor: whoever solves with M̂ again finds it factored.
+#[derive(Clone, Debug)]
+pub struct Inertia {
+    matrix: DMatrix<f64>,
+    factor: MassFactor<f64>,
+}
+
+impl Inertia {
+    /// Factors M̂.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if it is not symmetric positive definite.
+    pub fn new(matrix: DMatrix<f64>) -> Result<Self> {
+        let factor = MassFactor::new(&matrix)?;
+        Ok(Inertia { matrix, factor })
+    }
+
+    /// M̂ itself.
+    pub fn matrix(&self) -> &DMatrix<f64> {
+        &self.matrix
+    }
+
+    /// Its factor.
+    pub fn factor(&self) -> &MassFactor<f64> {
+        &self.factor
+    }
+
+    /// M̂⁻¹ p.
+    pub fn solve(&self, impulse: &DVector<f64>) -> DVector<f64> {
+        self.factor.solve(impulse)
+    }
+
+    /// W = H M̂⁻¹ Hᵀ \[1/kg\].
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if H does not fit or is not finite.
+    pub fn delassus(&self, jacobian: &DMatrix<f64>) -> Result<DMatrix<f64>> {
+        delassus_factored(&self.factor, jacobian)
+    }
+}
+
+/// A state, the step to take from it, and what several parts of the step ask of it.
+pub struct StepContext<'a> {
+    /// What moves.
+    pub mechanism: &'a dyn Mechanism,
+    /// The state before the step.
+    pub state: &'a State,
+    /// The size of the step \[s\].
+    pub h: f64,
+    inertia: OnceCell<Arc<Inertia>>,
+    contacts: OnceCell<Vec<Contact>>,
+}
+
+impl<'a> StepContext<'a> {
+    /// A step of size h from a state.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if h is not positive, or the state does not fit the mechanism.
+    pub fn new(mechanism: &'a dyn Mechanism, state: &'a State, h: f64) -> Result<Self> {
+        check_input(mechanism, state, h)?;
+        Ok(StepContext { mechanism, state, h, inertia: OnceCell::new(), contacts: OnceCell::new() })
+    }
+
+    /// The same step of the same mechanism seen in another way, as with fewer candidates; M(q) stays.
+    pub(super) fn of<'b>(&self, mechanism: &'b dyn Mechanism) -> StepContext<'b>
+    where
+        'a: 'b,
+    {
+        StepContext { mechanism, state: self.state, h: self.h, inertia: self.inertia.clone(), contacts: OnceCell::new() }
+    }
+
+    /// M(q), factored.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if it is not positive definite.
+    pub fn inertia(&self) -> Result<Arc<Inertia>> {
+        if let Some(known) = self.inertia.get() {
+            return Ok(known.clone());
+        }
+        let factored = Arc::new(Inertia::new(self.mechanism.mass_matrix(&self.state.position))?);
+        Ok(self.inertia.get_or_init(|| factored).clone())
+    }
+
+    /// The contact candidates at q.
+    pub fn contacts(&self) -> &[Contact] {
+        self.contacts.get_or_init(|| self.mechanism.contacts(&self.state.position))
+    }
+
+    /// M̂ = M(q) + h θ C + h² θ² K, factored, and v_free = v + h M̂⁻¹ (F(q, v) − h θ K v).
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if M̂ is not positive definite or v_free is not finite.
+    pub fn free_motion(&self, theta: f64) -> Result<(Arc<Inertia>, DVector<f64>)> {
+        let StepContext { mechanism, state, h, .. } = *self;
+        let mut force = mechanism.mean_force(&state.position, &state.velocity, h);
+        let inertia = match mechanism.linear_force().filter(|_| theta != 0.0) {
+            None => self.inertia()?,
+            Some(linear) => {
+                let mut mass = mechanism.mass_matrix(&state.position);
+                mass += &linear.damping * (h * theta) + &linear.stiffness * (h * h * theta * theta);
+                force -= &linear.stiffness * &state.velocity * (h * theta);
+                Arc::new(Inertia::new(mass)?)
+            }
+        };
+        let velocity = &state.velocity + inertia.solve(&force) * h;
+        if velocity.iter().any(|x| !x.is_finite()) {
+            return Err(Error::invalid("force", "is not finite", "every force and velocity must be a finite number"));
+        }
+        Ok((inertia, velocity))
+    }
+
+    /// v + h M⁻¹F, the velocity without contact and with all forces explicit \[m/s\].
+    ///
+    /// # Errors
+    /// Those of [`StepContext::free_motion`].
+    pub fn forecast(&self) -> Result<DVector<f64>> {
+        Ok(self.free_motion(0.0)?.1)
+    }
+}
+
+/// Refuses a step, masses or a state that cannot be meant.
+fn check_input(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<()> {
+    if !(h.is_finite() && h > 0.0) {
+        return Err(Error::invalid("time_step", format!("is {h}"), "use a positive number of seconds"));
+    }
+    if state.velocity.len() != mechanism.degrees_of_freedom() {
+        let problem = format!("has {} entries", state.velocity.len());
+        return Err(Error::invalid("velocity", problem, format!("{} has {}", mechanism.name(), mechanism.degrees_of_freedom())));
+    }
+    mechanism.check_speed(&state.velocity, h)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanics::PointMass;
+    use nalgebra::dvector;
+
+    #[test]
+    fn the_mass_is_factored_once_and_the_candidates_are_looked_for_once() {
+        let ball = PointMass::ball_on_floor(2.0, 10.0, 0.5);
+        let state = State { time: 0.0, position: dvector![1.0], velocity: dvector![0.0] };
+        let at = StepContext::new(&ball, &state, 0.5).expect("valid");
+        assert!(Arc::ptr_eq(&at.inertia().expect("positive"), &at.free_motion(1.0).expect("finite").0), "no linear force, one M");
+        assert!(Arc::ptr_eq(&at.inertia().expect("positive"), &at.of(&ball).inertia().expect("positive")));
+        assert!(std::ptr::eq(at.contacts(), at.contacts()));
+        assert_eq!(at.forecast().expect("finite"), dvector![-5.0]);
+        assert!(StepContext::new(&ball, &state, 0.0).is_err());
+    }
+}

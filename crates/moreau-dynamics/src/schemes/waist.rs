@@ -1,0 +1,150 @@
+//! The waist: a step that is one [`ContactProblem`], and the adapter that makes a [`Scheme`] of whoever poses it.
+//!
+//! ```text
+//!     v⁺ = v_free + M̂⁻¹Hᵀr ,   q⁺ = q ⊕ h v̄(v, v⁺)
+//! ```
+//! A scheme that passes the waist says how the problem is posed ([`Waist::assemble`]) and how the positions follow ([`Waist::advance`]);
+//! solving, certifying, warm starts and the choice of the candidates nearby are the same for all. Which schemes pass and which do not, and
+//! why, is in `docs/waist.md`.
+
+use super::context::StepContext;
+use super::nearby::Nearby;
+use super::scheme::{OwnAnswer, Start, Step};
+pub use super::scheme::{StepProblem, Waist};
+use crate::mechanics::{Mechanism, State, afford};
+use moreau_contact::certificate::StepResidual;
+use moreau_contact::contact::{ContactImpulse, Place};
+use moreau_contact::problem::Solution;
+use moreau_contact::solvers::ContactSolver;
+use moreau_exact::Result;
+use nalgebra::DVector;
+
+/// What a scheme poses for a step of size h from a state, with every candidate of the mechanism.
+///
+/// # Errors
+/// Those of [`StepContext::new`] and [`Waist::assemble`].
+pub fn assembled(scheme: &dyn Waist, mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<StepProblem> {
+    scheme.assemble(&StepContext::new(mechanism, state, h)?)
+}
+
+/// The two methods of [`Scheme`] that are the same for every scheme that passes the [`Waist`].
+#[macro_export]
+macro_rules! passes_the_waist {
+    () => {
+        fn step(
+            &self,
+            solver: &dyn ::moreau_contact::solvers::ContactSolver,
+            start: &$crate::schemes::Start,
+        ) -> ::moreau_exact::Result<$crate::schemes::Step> {
+            $crate::schemes::waist::step(self, solver, start)
+        }
+
+        fn waist(&self) -> Option<&dyn $crate::schemes::Waist> {
+            Some(self)
+        }
+    };
+}
+
+pub use passes_the_waist;
+
+/// The parts of a step that poses one problem, whoever answers it.
+pub struct Parts<'a> {
+    /// Poses it.
+    pub assemble: &'a dyn Fn(&StepContext) -> Result<StepProblem>,
+    /// Answers it; none without a contact.
+    pub answer: &'a dyn Fn(&StepContext, &StepProblem) -> Result<Option<OwnAnswer>>,
+    /// The next configuration.
+    pub advance: &'a dyn Fn(&StepContext, &StepProblem, &DVector<f64>) -> Result<DVector<f64>>,
+}
+
+/// A step through the waist: a solver answers what the scheme poses, starting from the impulses of the step before.
+///
+/// # Errors
+/// Those of [`Waist::assemble`], [`Waist::settle`] and the solver.
+pub fn step(scheme: &dyn Waist, solver: &dyn ContactSolver, start: &Start) -> Result<Step> {
+    let answer = |at: &StepContext, assembled: &StepProblem| {
+        let Some(problem) = &assembled.problem else { return Ok(None) };
+        let warm = carry_over(start.previous, &assembled.active, &assembled.places, at.mechanism.rows_per_contact());
+        Ok(Some(OwnAnswer { solution: solver.solve(problem, Some(&warm))?, residual: None }))
+    };
+    let advance =
+        |at: &StepContext, assembled: &StepProblem, velocity: &DVector<f64>| scheme.settle(at, assembled, scheme.advance(at, velocity));
+    step_in_parts(start, &Parts { assemble: &|at| scheme.assemble(at), answer: &answer, advance: &advance })
+}
+
+/// A step in its parts, with the contact candidates nearby: as many as the velocities before, without contact and after it can reach.
+///
+/// # Errors
+/// Those of the parts; if the candidates need more memory than the limit.
+pub fn step_in_parts(start: &Start, parts: &Parts) -> Result<Step> {
+    let Start { mechanism, state, h, .. } = *start;
+    let whole = StepContext::new(mechanism, state, h)?;
+    let mut reach = 2.0 * mechanism.reach(&state.velocity, h);
+    if reach.is_finite() {
+        reach = reach.max(2.0 * mechanism.reach(&whole.forecast()?, h));
+    }
+    loop {
+        afford(mechanism, &state.position, reach)?;
+        let near = Nearby { mechanism, reach };
+        let at = whole.of(&near);
+        let assembled = (parts.assemble)(&at)?;
+        let needed = mechanism.reach(&state.velocity, h).max(mechanism.reach(&assembled.free_velocity, h));
+        if needed > reach {
+            reach = 2.0 * needed;
+            continue;
+        }
+        let step = finish(parts, &at, assembled)?;
+        let needed = mechanism.reach(&step.state.velocity, h);
+        // A bound that is not a number bounds nothing; what it comes from is refused by the next step.
+        if needed > reach {
+            reach = 2.0 * needed;
+        } else {
+            return Ok(step);
+        }
+    }
+}
+
+/// Answers what was assembled and moves on.
+fn finish(parts: &Parts, at: &StepContext, assembled: StepProblem) -> Result<Step> {
+    let (solution, own): (Option<Solution>, _) = match (parts.answer)(at, &assembled)? {
+        Some(OwnAnswer { solution, residual }) => (Some(solution), residual),
+        None => (None, None),
+    };
+    let mut velocity = assembled.free_velocity.clone();
+    let mut impulses = Vec::new();
+    if let Some(solution) = &solution {
+        velocity += assembled.effective_mass.solve(&assembled.jacobian.tr_mul(&solution.impulse));
+        let places = assembled.active.iter().zip(&assembled.places);
+        let one =
+            |((&contact, &place), part): ((&usize, &Option<Place>), &[f64])| ContactImpulse { contact, impulse: part.to_vec(), place };
+        impulses = places.zip(solution.impulse.as_slice().chunks(at.mechanism.rows_per_contact())).map(one).collect();
+    }
+    let position = (parts.advance)(at, &assembled, &velocity)?;
+    let state = State { time: at.state.time + at.h, position, velocity };
+    let residual = StepResidual::worse_of(own, assembled.residual);
+    Ok(Step { state, impulses, assembled, solution, residual, rejected: None, impacts: None })
+}
+
+/// The previous impulses of the contacts that are active now, zero for the others \[N·s\].
+pub fn carry_over(previous: &[ContactImpulse], active: &[usize], places: &[Option<Place>], rows: usize) -> DVector<f64> {
+    let mut start = DVector::zeros(rows * active.len());
+    for (k, (contact, place)) in active.iter().zip(places).enumerate() {
+        if let Some(known) = previous.iter().find(|known| known.acts_at(*contact, place.as_ref())) {
+            start.rows_mut(k * rows, rows).copy_from_slice(&known.impulse);
+        }
+    }
+    start
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn impulses_follow_their_contact_and_new_contacts_start_from_zero() {
+        let previous =
+            [(4, [1.0, 2.0]), (7, [3.0, 4.0])].map(|(contact, impulse)| ContactImpulse { contact, impulse: impulse.into(), place: None });
+        assert_eq!(carry_over(&previous, &[3, 7], &[None; 2], 2).as_slice(), [0.0, 0.0, 3.0, 4.0]);
+        assert_eq!(carry_over(&[], &[0], &[None], 1).as_slice(), [0.0]);
+    }
+}
