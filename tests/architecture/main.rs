@@ -8,6 +8,7 @@ use source::{imports, names_after, small_literals, strip, without_tests};
 use std::path::{Path, PathBuf};
 
 /// A file of a crate without comments, texts and test code.
+#[derive(Clone)]
 struct File {
     /// The crate's name.
     room: String,
