@@ -78,7 +78,9 @@ pub mod stored;
 pub mod tolerance;
 
 pub use moreau_contact::{ContactProblem, Law, Solution, certificate, cones, contact, conventions, files, memory, problem};
-pub use moreau_dynamics::{elastic_bar, event_driven, impact_laws, integrators, mechanics, scenes, stabilisation, trajectory};
+pub use moreau_dynamics::{
+    elastic_bar, event_driven, exact_particle, impact_laws, integrators, mechanics, scenes, stabilisation, trajectory,
+};
 pub use moreau_exact::{Error, Result, elimination, error, number, scalar};
 pub use moreau_forms as closed_forms;
 pub use moreau_gate::{gate_tests, rust_engine};

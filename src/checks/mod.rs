@@ -4,6 +4,6 @@
 
 pub use moreau_checks::{Finding, Relation, cone_projection, convergence, delassus, energy, stewart_trinkle, text, zeno};
 pub use moreau_replicas::bullet::steps as bullet_steps;
-pub use moreau_replicas::drake::replay;
+pub use moreau_replicas::drake::replay as drake_replay;
 pub use moreau_replicas::energy_balance;
 pub use moreau_replicas::siconos::{alpha as siconos_alpha, events as siconos_events, steps as siconos_steps};

@@ -8,6 +8,7 @@ use source::{imports, names_after, small_literals, strip, without_tests};
 use std::path::{Path, PathBuf};
 
 /// A file of a crate without comments, texts and test code.
+#[derive(Clone)]
 struct File {
     /// The crate's name.
     room: String,
@@ -102,8 +103,8 @@ fn ground(room: &str) -> Vec<String> {
     let mut names: Vec<String> = ["tolerance", "memory"].map(String::from).into();
     if room == "moreau" {
         let text = strip(&std::fs::read_to_string(folder(room).join("src/lib.rs")).expect("the top crate"));
-        let lines = text.lines().filter(|line| line.starts_with("pub use moreau_"));
-        names.extend(lines.flat_map(|line| line.split(|letter: char| !letter.is_alphanumeric() && letter != '_')).map(String::from));
+        let handed_on = text.split(';').filter(|item| item.trim_start().starts_with("pub use moreau_"));
+        names.extend(handed_on.flat_map(|item| item.split(|letter: char| !letter.is_alphanumeric() && letter != '_')).map(String::from));
     }
     names.into_iter().map(|name| format!("{room}/{name}")).collect()
 }

@@ -3,8 +3,8 @@
 use crate::cases;
 use moreau::checks::energy::{elastic_invariant, impact, worked_ball, worked_example};
 use moreau::checks::zeno::DroppedBall;
+use moreau::exact_particle::{Ball, Motion};
 use moreau::scalar::{Rational, ratio};
-use moreau::schemes::exact_particle::{Ball, Motion};
 use moreau::schemes::{Activation, MoreauJean, RestitutionRule, Scheme};
 use proptest::prelude::*;
 

@@ -13,8 +13,8 @@
 //! dropped.
 
 use crate::motion::Outcome;
+use crate::motion::runs;
 use crate::report::Report;
-use crate::runs;
 use crate::scenario::{Length, Scenario};
 use moreau::schemes::NAMES;
 use rayon::prelude::*;

@@ -10,8 +10,7 @@ mod report;
 mod scenario;
 
 use campaign::Shard;
-use moreau::schemes;
-use motion::{CAUGHT, Outcome};
+use motion::{CAUGHT, runs};
 use rayon::prelude::*;
 use report::Report;
 use scenario::{Length, Scenario};
@@ -27,11 +26,6 @@ fn quiet() {
             loud(info);
         }
     }));
-}
-
-/// Every scheme on one scene.
-fn runs(scenario: &Scenario) -> Vec<(&'static str, Outcome)> {
-    schemes::NAMES.iter().map(|name| (*name, motion::run(name, scenario))).collect()
 }
 
 fn assert_nothing_failed(report: &Report) {

@@ -125,3 +125,8 @@ fn keep(outcome: &mut Outcome, finding: &moreau::checks::Finding) {
         outcome.failure = Some(format!("step {}: {finding}, tolerance {:e}", outcome.steps, finding.tolerance));
     }
 }
+
+/// Every scheme on one scene.
+pub fn runs(scenario: &Scenario) -> Vec<(&'static str, Outcome)> {
+    schemes::NAMES.iter().map(|name| (*name, run(name, scenario))).collect()
+}

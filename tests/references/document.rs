@@ -5,7 +5,7 @@ use moreau::checks::Finding;
 use moreau::tolerance::references as tolerance;
 use nalgebra::DVector;
 use serde_json::Value;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The engine versions the repository pins.
 pub const VERSIONS: [(&str, &str); 6] =
@@ -92,4 +92,12 @@ fn number(value: &Value) -> Option<f64> {
 fn vector(value: &Value) -> Option<DVector<f64>> {
     let numbers: Option<Vec<f64>> = value.as_array()?.iter().map(Value::as_f64).collect();
     numbers.map(DVector::from_vec)
+}
+
+/// The stored files of one engine, in alphabetical order.
+pub fn stored(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let mut files: Vec<PathBuf> = entries.map(|entry| entry.expect("a readable folder").path()).collect();
+    files.sort();
+    files
 }

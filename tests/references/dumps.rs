@@ -7,8 +7,8 @@
 //! A dual solver (PGS) has no gradient; it is held against the same threshold.
 
 use crate::convexity::Generators;
-use crate::document::Document;
-use crate::{dumps_native, soft_step, stored};
+use crate::document::{Document, stored};
+use crate::{dumps_native, soft_step};
 use libtest_mimic::Failed;
 use moreau::certificate::{Residuals, residuals};
 use moreau::checks::Finding;

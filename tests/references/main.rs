@@ -29,10 +29,10 @@ mod top;
 mod trajectories;
 mod turning;
 
-use document::Document;
+use document::{Document, stored};
 use libtest_mimic::{Arguments, Failed, Trial};
 use moreau::checks::Finding;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 fn main() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("references");
@@ -70,14 +70,6 @@ fn main() {
         trials.push(Trial::test(trial, move || conclude(top::check(&root, name)?)));
     }
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
-}
-
-/// The stored files of one engine, in alphabetical order.
-fn stored(folder: &Path) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
-    let mut files: Vec<PathBuf> = entries.map(|entry| entry.expect("a readable folder").path()).collect();
-    files.sort();
-    files
 }
 
 fn judge(file: &Path) -> Result<(), Failed> {

@@ -8,7 +8,7 @@
 use crate::document::Document;
 use libtest_mimic::Failed;
 use moreau::checks::Finding;
-use moreau::checks::replay::Replay;
+use moreau::checks::drake_replay::Replay;
 use moreau::trajectory::Trajectory;
 
 /// Every interval between samples, and the whole motion where nothing falls.

@@ -5,14 +5,14 @@
 //! the engine does not determine itself (rounding amplified by the motion, its stopping rule) is measured and stored with each file.
 
 use crate::document::Document;
-use crate::soft_step::softness;
+use crate::soft_step::{is_converged, softness};
 use libtest_mimic::Failed;
 use moreau::checks::Finding;
 use moreau::scenes::{Body, Cuboid};
 use moreau::schemes::mujoco::{Cone, Integrator, Mujoco, Rotational};
 use moreau::schemes::run;
 use moreau::solvers::GaussNewton;
-use moreau::tolerance::references::{CONVERGED_MUJOCO, REPLAYED_MOTION, replayed_step};
+use moreau::tolerance::references::{REPLAYED_MOTION, replayed_step};
 use moreau::tolerance::rounding;
 use moreau::trajectory::Trajectory;
 use nalgebra::Vector3;
@@ -88,11 +88,6 @@ fn smallest_gyration(body: &Body) -> f64 {
         _ => 0.0,
     };
     square.sqrt()
-}
-
-/// Whether the engine went on until rounding was all that is left.
-pub fn is_converged(document: &Document) -> bool {
-    document.value["provenance"]["options"]["tolerance"].as_f64() == Some(CONVERGED_MUJOCO)
 }
 
 /// Our scheme with everything a run was given.

@@ -9,7 +9,6 @@
 
 use crate::document::Document;
 use crate::dumps_native::parameters;
-use crate::soft_motion::is_converged;
 use libtest_mimic::Failed;
 use moreau::checks::Finding;
 use moreau::problem::ContactProblem;
@@ -26,6 +25,11 @@ pub fn check(document: &Document, problem: &ContactProblem) -> Result<Vec<Findin
     let mut findings = rows(document)?;
     findings.extend(step(document, problem)?);
     Ok(findings)
+}
+
+/// Whether the engine went on until rounding was all that is left.
+pub fn is_converged(document: &Document) -> bool {
+    document.value["provenance"]["options"]["tolerance"].as_f64() == Some(tolerance::CONVERGED_MUJOCO)
 }
 
 /// The parameters of a run as the scheme takes them.

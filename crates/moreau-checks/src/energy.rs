@@ -11,8 +11,8 @@
 use super::zeno::DroppedBall;
 use crate::finding::Finding;
 use moreau_contact::solvers::ProjectedGaussSeidel;
+use moreau_dynamics::exact_particle::{Ball, Motion, Outcome};
 use moreau_dynamics::mechanics::State;
-use moreau_dynamics::schemes::exact_particle::{Ball, Motion, Outcome};
 use moreau_dynamics::schemes::{Activation, MoreauJean, Scheme, step};
 use moreau_dynamics::tolerance::schemes;
 use moreau_exact::scalar::{Rational, ratio};

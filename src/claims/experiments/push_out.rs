@@ -5,9 +5,9 @@
 //!     velocity bias, ERP   v⁺ ≥ −ERP φ/h while φ < 0:             ΔT = ½ m (ERP δ/h)² from rest, and the lift on top
 //! ```
 
+use crate::exact_particle::{Ball, Motion};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
-use crate::schemes::exact_particle::{Ball, Motion};
 
 /// A ball of 1 kg, g = 10 m/s².
 pub fn ball<T: Scalar>(restitution: T) -> Ball<T> {

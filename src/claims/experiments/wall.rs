@@ -6,9 +6,9 @@
 //! ```
 //! ⅓ = (n + c) h with c = ⅓ for even k and ⅔ for odd k: no step of a power of two ends at the impact.
 
+use crate::exact_particle::{Ball, Motion, Outcome};
 use crate::scalar::{Rational, ratio};
 use crate::schemes::Activation;
-use crate::schemes::exact_particle::{Ball, Motion, Outcome};
 
 /// How the steps are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

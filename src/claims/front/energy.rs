@@ -7,9 +7,9 @@ use crate::claims::s3::smooth_energy::{linear_energy_change, pendulum_energy_cha
 use crate::claims::s3::theta_step::{LinearSystem, phase};
 use crate::claims::{Claim, Evidence, Reading, Verdict};
 use crate::closed_forms::ElasticBall;
+use crate::exact_particle::{Ball, Motion};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
-use crate::schemes::exact_particle::{Ball, Motion};
 use num_traits::Zero;
 
 pub const PREFACE: &[Claim] = &[Claim {

@@ -10,8 +10,8 @@ use crate::claims::experiments::tower::{Sweeps, Tower, energy_of_stale_impulses}
 use crate::claims::s9::energy::{elastic_invariant, first_impact};
 use crate::claims::{Claim, Evidence, Reading, Verdict};
 use crate::closed_forms::mujoco_normal::spring_damper_restitution;
+use crate::exact_particle::{Ball, Motion};
 use crate::scalar::{Rational, ratio};
-use crate::schemes::exact_particle::{Ball, Motion};
 use crate::schemes::{Activation, RestitutionRule};
 use crate::solvers::ContactSolver;
 use crate::tolerance::gate::ball::{OSCILLATOR_PARTS, oscillator_rebound};

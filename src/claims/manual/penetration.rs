@@ -7,8 +7,8 @@ use crate::claims::experiments::curve::{Side, drift, slide};
 use crate::claims::experiments::soft::{default_contact, land};
 use crate::claims::{Claim, Evidence, Reading, Verdict};
 use crate::closed_forms::bouncing_ball::impact_time_ratio;
+use crate::exact_particle::{Ball, Motion};
 use crate::scalar::{Rational, ratio};
-use crate::schemes::exact_particle::{Ball, Motion};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StewartTrinkle};
 use crate::tolerance::claims::{lcp::circle_residual, pathology as tolerance};
 

@@ -3,8 +3,8 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::exact_particle::{Ball, Motion};
 use crate::scalar::{Rational, ratio};
-use crate::schemes::exact_particle::{Ball, Motion};
 
 /// The claims of this file.
 pub const CLAIMS: &[Claim] = &[

@@ -6,10 +6,10 @@ use crate::checks::Finding;
 use crate::claims::experiments::wall::{Approach, Stepping, approach};
 use crate::claims::s4::stepping::trapezoidal_rebound;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::exact_particle::{Ball, Motion};
 use crate::problem::Lcp;
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
-use crate::schemes::exact_particle::{Ball, Motion};
 use crate::tolerance::claims::lcp::repeated_steps;
 use nalgebra::{DMatrix, DVector};
 

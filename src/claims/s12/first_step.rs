@@ -6,9 +6,9 @@ use crate::checks::Finding;
 use crate::checks::energy::worked_ball;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
 use crate::contact::delassus::delassus;
+use crate::exact_particle::{Motion, Outcome};
 use crate::mechanics::{PointMass, State};
 use crate::scalar::{Rational, ratio};
-use crate::schemes::exact_particle::{Motion, Outcome};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, assembled};
 use nalgebra::{DMatrix, dvector};
 

@@ -1,7 +1,7 @@
 //! The states of the worked example.
 
+use crate::exact_particle::Motion;
 use crate::scalar::{Rational, ratio};
-use crate::schemes::exact_particle::Motion;
 
 /// q₀ = 0.05 m, v₀ = 0.
 pub(super) fn start() -> Motion<Rational> {

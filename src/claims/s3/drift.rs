@@ -3,9 +3,9 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::exact_particle::{Ball, Motion};
 use crate::mechanics::{BeadInCircle, Mechanism, State};
 use crate::scalar::{Rational, Scalar, ratio};
-use crate::schemes::exact_particle::{Ball, Motion};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, simulate};
 use crate::solvers::LemkePivoting;
 use crate::tolerance::claims::theta_scheme::bead_sagitta;

@@ -3,9 +3,9 @@
 use super::theta_step::{LinearSystem, phase};
 use crate::checks::Finding;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::exact_particle::{Ball, Motion};
 use crate::mechanics::{BallChain, Mechanism, State};
 use crate::scalar::{Rational, Scalar, ratio};
-use crate::schemes::exact_particle::{Ball, Motion};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, simulate};
 use crate::solvers::LemkePivoting;
 use crate::{Result, tolerance::rounding};

@@ -3,10 +3,10 @@
 use crate::checks::Finding;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
 use crate::contact::delassus::{MassFactor, delassus};
+use crate::exact_particle::{Ball, Motion};
 use crate::mechanics::{Mechanism, OscillatorWithStop, PointMass, State};
 use crate::problem::Lcp;
 use crate::scalar::{Rational, Scalar, ratio};
-use crate::schemes::exact_particle::{Ball, Motion};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, assembled, step};
 use crate::solvers::LemkePivoting;
 use crate::solvers::lemke::{LemkeOutcome, lemke};

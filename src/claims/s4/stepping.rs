@@ -3,9 +3,9 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::exact_particle::{Ball, Motion, Outcome};
 use crate::mechanics::{BeadInCircle, Mechanism, PointMass, State};
 use crate::scalar::{Rational, ratio};
-use crate::schemes::exact_particle::{Ball, Motion, Outcome};
 use crate::schemes::{self, Activation, MoreauJean, RestitutionRule, StewartTrinkle, Waist};
 use crate::solvers::LemkePivoting;
 use crate::tolerance::claims::lcp as tolerance;

@@ -4,10 +4,10 @@ use super::impacts::{ends, middle, pushed_rod, rod, rough_grid};
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::exact_particle::{Ball, Motion, Outcome as Step};
 use crate::impact_laws::{Outcome, moreau, newton};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
-use crate::schemes::exact_particle::{Ball, Motion, Outcome as Step};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {

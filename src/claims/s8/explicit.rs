@@ -5,11 +5,11 @@ use crate::Result;
 use crate::checks::Finding;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
 use crate::closed_forms::spring_damper::theta as bound;
+use crate::exact_particle::{Ball, Motion};
 use crate::integrators::stability::{invariants, spectral_radius};
 use crate::integrators::{ExplicitEuler, Method, Phase, SpringDamper};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
-use crate::schemes::exact_particle::{Ball, Motion};
 use crate::tolerance::rounding;
 use nalgebra::DMatrix;
 

@@ -7,13 +7,13 @@ use crate::Result;
 use crate::checks::Finding;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
 use crate::elimination::rank;
+use crate::exact_particle::{Ball, Motion};
 use crate::integrators::impact_flow::{ImpactFlow, Tangent};
 use crate::integrators::jacobian::jacobian;
 use crate::integrators::symplectic::{defect, form, volume};
 use crate::integrators::{Method, Phase};
 use crate::scalar::{Dual, Rational, ratio};
 use crate::schemes::Activation;
-use crate::schemes::exact_particle::{Ball, Motion};
 use nalgebra::{DMatrix, DVector};
 
 pub const CLAIMS: &[Claim] = &[

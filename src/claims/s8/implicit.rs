@@ -7,11 +7,11 @@ use crate::claims::s3::theta_step::{LinearSystem, phase};
 use crate::claims::s9::energy::elastic_invariant;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
 use crate::closed_forms::spring_damper::theta_energy_ratio;
+use crate::exact_particle::{Ball, Motion};
 use crate::integrators::stability::{Powers, invariants, spectral_radius};
 use crate::integrators::{Method, Phase, SpringDamper};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
-use crate::schemes::exact_particle::{Ball, Motion};
 use crate::tolerance::claims::integrators::HALVED;
 use crate::tolerance::rounding;
 

@@ -7,8 +7,8 @@ use crate::claims::experiments::rod::energy_gained;
 use crate::claims::experiments::spring::energy_ratio;
 use crate::claims::experiments::tower::energy_of_stale_impulses;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::exact_particle::Motion;
 use crate::scalar::{Rational, ratio};
-use crate::schemes::exact_particle::Motion;
 use crate::schemes::{Activation, RestitutionRule};
 use crate::tolerance;
 

@@ -4,9 +4,9 @@ use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::push_out::{ball, biased_gain, biased_step, elastic_drop, elastic_throw, projected_gain, sunk};
 use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::exact_particle::{Ball, Motion};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
-use crate::schemes::exact_particle::{Ball, Motion};
 use crate::tolerance::claims::pathology as tolerance;
 
 pub const CLAIMS: &[Claim] = &[

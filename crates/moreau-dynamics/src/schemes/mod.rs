@@ -13,7 +13,6 @@ mod certified;
 mod context;
 pub mod euler;
 pub mod events;
-pub mod exact_particle;
 mod finite;
 pub mod generalised_alpha;
 pub mod moreau_jean;

@@ -72,8 +72,8 @@ impl Waist for SchatzmanPaoli {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact_particle::{Ball, Motion};
     use crate::mechanics::{PointMass, State};
-    use crate::schemes::exact_particle::{Ball, Motion};
     use crate::schemes::{StewartTrinkle, simulate, step};
     use moreau_contact::solvers::LemkePivoting;
     use moreau_exact::scalar::ratio;

@@ -6,9 +6,9 @@
 
 use super::planted::{Mistake, planted};
 use super::{Agreement, Cone, ContactLaw, Level, Planted, System, on_a_ball, on_a_spring};
+use moreau_dynamics::exact_particle::{Ball, Motion};
 use moreau_dynamics::integrators::RungeKutta;
 use moreau_dynamics::schemes::RungeKuttaFlip;
-use moreau_dynamics::schemes::exact_particle::{Ball, Motion};
 use moreau_exact::scalar::{Rational, ratio};
 
 pub static SYSTEM: System = System {

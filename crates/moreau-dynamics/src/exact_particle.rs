@@ -7,7 +7,7 @@
 //! velocity, so its solution is written down here instead of being asked of a solver: these steps share no code with
 //! the schemes they are the reference of.
 
-use super::Activation;
+use crate::schemes::Activation;
 use moreau_exact::scalar::Scalar;
 
 /// A ball of mass m under gravity g above the floor q ≥ 0.
