@@ -25,6 +25,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// The residuals of a proposed solution, and the scales they are held against.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Residuals {
     /// Each residual at the contact where it is worst, with what it is held against.
     pub judged: Judged,

@@ -148,7 +148,7 @@ impl Scheme for DrakeTamsi {
         let (velocity, Residual { impulse, size, terms, .. }, iterations) = equation.solve(&state.velocity)?;
         let velocity = &assembled.jacobian * velocity;
         let relative = if terms > 0.0 { size / terms } else { 0.0 };
-        let solution = Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations };
+        let solution = Solution::new(NAME, impulse, velocity, iterations);
         Ok(Some(crate::drake::own_answer(solution, relative)))
     }
 
