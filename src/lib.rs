@@ -31,10 +31,8 @@
 //! # Three ways in
 //! Solve a contact problem and certify the answer: a block of 1 kg arrives at 1 m/s, slides at 2 m/s, μ = ½.
 //! ```
-//! use moreau::certificate::residuals;
-//! use moreau::solvers::{ContactSolver, Reference};
-//! use moreau::{ContactProblem, Law};
-//! use nalgebra::{DMatrix, dvector};
+//! use moreau::nalgebra::{DMatrix, dvector};
+//! use moreau::prelude::*;
 //!
 //! let problem = ContactProblem::new(DMatrix::identity(2, 2), dvector![-1.0, 2.0])
 //!     .name("block")
@@ -71,6 +69,7 @@ pub mod claims;
 pub mod cli;
 pub mod defects;
 pub mod gate;
+pub mod prelude;
 pub mod report;
 pub mod schemes;
 pub mod solvers;
@@ -85,6 +84,8 @@ pub use moreau_exact::{Error, Result, elimination, error, number, scalar};
 pub use moreau_forms as closed_forms;
 pub use moreau_gate::{gate_tests, rust_engine};
 pub use moreau_replicas::systems;
+/// The linear algebra of all crates, in the version they are written with.
+pub use nalgebra;
 
 /// The examples of the README, compiled and run as documentation tests.
 #[cfg(doctest)]

@@ -77,7 +77,7 @@ mod tests {
             ContactProblem::new(dmatrix![1.0], dvector![-1.0]).name("stop").law(Law::Frictionless).rows_per_contact(1).build().unwrap();
         let impulse = dvector![impulse];
         let velocity = problem.velocity(&impulse);
-        let solution = Solution { impulse, velocity, beta: None, sigma: None, solver: String::new(), iterations: 0 };
+        let solution = Solution::new("", impulse, velocity, 0);
         let residuals = residuals(&problem, &solution).expect("sizes fit");
         let certificate = Certificate::new(&problem, &solution, &residuals, 0.25);
         (certificate.text(), certificate.accepts())

@@ -9,10 +9,8 @@
 //!
 //! A block of 1 kg arrives at 1 m/s, slides at 2 m/s, μ = ½:
 //! ```
-//! use moreau_contact::certificate::residuals;
-//! use moreau_contact::solvers::{ContactSolver, Reference};
-//! use moreau_contact::{ContactProblem, Law};
-//! use nalgebra::{DMatrix, dvector};
+//! use moreau_contact::nalgebra::{DMatrix, dvector};
+//! use moreau_contact::prelude::*;
 //!
 //! let problem = ContactProblem::new(DMatrix::identity(2, 2), dvector![-1.0, 2.0])
 //!     .name("block")
@@ -32,11 +30,13 @@ pub mod conventions;
 #[cfg(feature = "files")]
 pub mod files;
 pub mod memory;
+pub mod prelude;
 pub mod problem;
 pub mod solvers;
 pub mod tolerance;
 
 pub use moreau_exact::{Error, Result, scalar};
+/// The linear algebra of the problems, in the version they are written with.
 pub use nalgebra;
 pub use problem::{ContactProblem, Law, Solution};
 

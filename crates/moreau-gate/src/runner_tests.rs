@@ -32,7 +32,7 @@ impl Engine for Toy {
     fn solve(&mut self, problem: &ContactProblem, _options: &Options) -> Reply<Solution> {
         assert_ne!(problem.name(), "panic", "on purpose");
         let zero = DVector::zeros(problem.rows());
-        Ok(Solution { impulse: zero.clone(), velocity: zero, beta: None, sigma: None, solver: "toy".into(), iterations: 0 })
+        Ok(Solution::new("toy", zero.clone(), zero, 0))
     }
 }
 

@@ -115,6 +115,18 @@ impl Judge {
     ///
     /// # Errors
     /// [`Error::Invalid`] if an edge compliance makes the answer depend on edge impulses that it does not give.
+    /// ```
+    /// use moreau_contact::certificate::Judge;
+    /// use moreau_contact::nalgebra::{DMatrix, dvector};
+    /// use moreau_contact::prelude::*;
+    ///
+    /// let ball = ContactProblem::new(DMatrix::identity(1, 1), dvector![-1.0]).rows_per_contact(1).build()?;
+    /// let judged = Judge::default().judge(&ball, &Solution::new("too little", dvector![0.5], dvector![-0.5], 0))?;
+    /// assert!(!judged.accepts(1e-8));
+    /// let (name, worst) = judged.worst();
+    /// assert_eq!((name, worst.contact), ("dual", 0)); // it goes on at 0.5 m/s into the floor
+    /// # Ok::<(), moreau_contact::Error>(())
+    /// ```
     pub fn judge(&mut self, problem: &ContactProblem, solution: &Solution) -> Result<Judged> {
         let impulse = solution.impulse.as_slice();
         self.scales.prepare(problem);

@@ -26,6 +26,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// The residuals of a proposed solution, and the scales they are held against.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Residuals {
     /// Each residual at the contact where it is worst, with what it is held against.
     pub judged: Judged,
@@ -55,6 +56,21 @@ pub struct Residuals {
 /// # Errors
 /// [`Error::Invalid`](moreau_exact::Error::Invalid) if the solution has another size than the problem, or if an edge compliance makes the
 /// answer depend on edge impulses that it does not give.
+/// A block of 1 kg slides at 2 m/s and arrives at 1 m/s, μ = ½; friction that is a tenth too strong is no solution:
+/// ```
+/// use moreau_contact::nalgebra::{DMatrix, dvector};
+/// use moreau_contact::prelude::*;
+///
+/// let block = ContactProblem::new(DMatrix::identity(2, 2), dvector![-1.0, 2.0]).rows_per_contact(2).friction(vec![0.5]).build()?;
+/// let answer = |r_t: f64| {
+///     let impulse = dvector![1.0, r_t];
+///     Solution::new("by hand", impulse.clone(), block.velocity(&impulse), 0)
+/// };
+/// assert!(residuals(&block, &answer(-0.5))?.is_solution(1e-8));
+/// let wrong = residuals(&block, &answer(-0.6))?;
+/// assert!(!wrong.is_solution(1e-8) && (wrong.judged.tangential.largest - 0.1).abs() < 1e-15); // [N·s]
+/// # Ok::<(), moreau_contact::Error>(())
+/// ```
 pub fn residuals(problem: &ContactProblem, solution: &Solution) -> Result<Residuals> {
     check_sizes(problem, solution)?;
     let judged = Judge::default().judge(problem, solution)?;

@@ -20,7 +20,7 @@ fn planar(law: Law, free_velocity: &[f64]) -> ContactProblem {
 fn answer(problem: &ContactProblem, impulse: &[f64]) -> Solution {
     let impulse = DVector::from_row_slice(impulse);
     let velocity = problem.velocity(&impulse);
-    Solution { impulse, velocity, beta: None, sigma: None, solver: "hand".into(), iterations: 0 }
+    Solution::new("hand", impulse, velocity, 0)
 }
 
 fn judged(problem: &ContactProblem, impulse: &[f64]) -> Residuals {

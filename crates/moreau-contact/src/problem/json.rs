@@ -151,6 +151,17 @@ impl ContactProblem {
     ///
     /// # Errors
     /// [`Error::Read`], or [`Error::InFile`] around what [`ContactProblem::from_json`] says.
+    /// ```
+    /// use moreau_contact::ContactProblem;
+    /// use moreau_contact::nalgebra::{dmatrix, dvector};
+    ///
+    /// let block = ContactProblem::new(dmatrix![1.0], dvector![-1.0]).name("block").rows_per_contact(1).build()?;
+    /// let file = std::env::temp_dir().join(format!("moreau-block-{}.json", std::process::id()));
+    /// block.write(&file)?;
+    /// assert_eq!(ContactProblem::read(&file)?, block);
+    /// # std::fs::remove_file(&file).expect("it was written");
+    /// # Ok::<(), moreau_contact::Error>(())
+    /// ```
     pub fn read(file: &Path) -> Result<Self> {
         let text = read_json_within(file, memory::limit() / TEXT_SHARE, "or allow more with --max-memory")?;
         Self::from_json(&text).map_err(|error| error.in_file(file))

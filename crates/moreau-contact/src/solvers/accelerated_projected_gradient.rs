@@ -118,7 +118,7 @@ impl AcceleratedProjectedGradient {
             observe(done, &impulse);
         }
         let velocity = problem.velocity(&impulse);
-        super::finite(Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations: done })
+        super::finite(Solution::new(NAME, impulse, velocity, done))
     }
 }
 

@@ -86,7 +86,7 @@ impl ContactSolver for AlternatingDirections {
                 let impulse = &cone * unit;
                 if done == self.iterations || stopping.holds(&impulse, &problem.law_velocity(&impulse)) {
                     let velocity = problem.velocity(&impulse);
-                    return super::finite(Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations: done });
+                    return super::finite(Solution::new(NAME, impulse, velocity, done));
                 }
             }
             let before = x.clone();

@@ -83,7 +83,7 @@ impl ContactSolver for BarzilaiBorwein {
             done += 1;
         }
         let velocity = problem.velocity(&now.impulse);
-        super::finite(Solution { impulse: now.impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations: done })
+        super::finite(Solution::new(NAME, now.impulse, velocity, done))
     }
 }
 

@@ -74,7 +74,7 @@ impl ClarabelPolished {
         let (impulse, iterations) = interior_point(problem)?;
         let answer = |impulse: DVector<f64>, solver: &str, iterations| {
             let velocity = problem.velocity(&impulse);
-            Solution { impulse, velocity, beta: None, sigma: None, solver: solver.into(), iterations }
+            Solution::new(solver, impulse, velocity, iterations)
         };
         let raw = answer(impulse, "clarabel, where polishing did not help", iterations);
         let before = residuals(problem, &raw)?;

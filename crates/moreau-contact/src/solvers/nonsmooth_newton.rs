@@ -93,7 +93,7 @@ impl ContactSolver for NonsmoothNewton {
         }
         let impulse = best.1;
         let velocity = problem.velocity(&impulse);
-        super::finite(Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations: steps })
+        super::finite(Solution::new(NAME, impulse, velocity, steps))
     }
 }
 

@@ -94,7 +94,7 @@ impl ContactSolver for ProjectedGaussSeidel {
         let keeps_best = self.memory > 0 || sweeps < self.sweeps;
         let impulse = if keeps_best && sweeper.is_finite() { sweeper.best.impulse } else { sweeper.impulse };
         let velocity = problem.velocity(&impulse);
-        super::finite(Solution { impulse, velocity, beta: None, sigma: None, solver: self.name().into(), iterations: sweeps })
+        super::finite(Solution::new(self.name(), impulse, velocity, sweeps))
     }
 }
 

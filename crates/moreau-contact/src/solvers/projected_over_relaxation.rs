@@ -81,7 +81,7 @@ impl ContactSolver for ProjectedOverRelaxation {
             done += 1;
         }
         let velocity = problem.velocity(&impulse);
-        super::finite(Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations: done })
+        super::finite(Solution::new(NAME, impulse, velocity, done))
     }
 }
 

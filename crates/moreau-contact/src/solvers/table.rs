@@ -99,6 +99,14 @@ impl Solvers {
     ///
     /// # Errors
     /// [`Error::Unsupported`] lists the names there are.
+    /// ```
+    /// use moreau_contact::solvers::Solvers;
+    ///
+    /// let solvers = Solvers::own();
+    /// assert_eq!(solvers.by_name("lemke")?.name(), "lemke");
+    /// assert!(solvers.by_name("lemk").err().expect("misspelt").to_string().contains("lemke"));
+    /// # Ok::<(), moreau_contact::Error>(())
+    /// ```
     pub fn by_name(&self, name: &str) -> Result<Box<dyn ContactSolver>> {
         self.entry(name).map(|entry| (entry.default)())
     }

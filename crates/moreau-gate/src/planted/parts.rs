@@ -53,7 +53,7 @@ impl ContactSolver for Answers {
 /// These impulses with the velocity that belongs to them.
 pub(super) fn answer(problem: &ContactProblem, impulse: DVector<f64>, iterations: usize) -> Solution {
     let velocity = problem.velocity(&impulse);
-    Solution { impulse, velocity, beta: None, sigma: None, solver: "auto".into(), iterations }
+    Solution::new("auto", impulse, velocity, iterations)
 }
 
 /// Gauss–Seidel row by row: r_i ← r_i − y_i/W_ii, then the contact's impulse is limited.

@@ -91,7 +91,7 @@ impl ContactSolver for SequentialImpulses {
             }
         }
         let velocity = problem.velocity(&sweep.impulse);
-        parts::finite(Solution { impulse: sweep.impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations })
+        parts::finite(Solution::new(NAME, sweep.impulse, velocity, iterations))
     }
 }
 

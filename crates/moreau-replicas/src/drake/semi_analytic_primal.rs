@@ -52,14 +52,7 @@ impl ContactSolver for SemiAnalyticPrimal {
         let start = mass.solve(&dynamics.jacobian.tr_mul(&start));
         let minimum = minimise(NAME, &dynamics, problem.free_velocity(), problem.rows_per_contact(), &potential, start)?;
         let velocity = problem.velocity(&minimum.impulse);
-        parts::finite(Solution {
-            impulse: minimum.impulse,
-            velocity,
-            beta: None,
-            sigma: None,
-            solver: NAME.into(),
-            iterations: minimum.iterations,
-        })
+        parts::finite(Solution::new(NAME, minimum.impulse, velocity, minimum.iterations))
     }
 }
 

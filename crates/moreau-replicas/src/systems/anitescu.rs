@@ -132,6 +132,8 @@ impl ContactSolver for Untouched {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        Ok(Solution { velocity: problem.free_velocity().clone(), ..self.0.solve(problem, warm_start)? })
+        let mut solution = self.0.solve(problem, warm_start)?;
+        solution.velocity.clone_from(problem.free_velocity());
+        Ok(solution)
     }
 }

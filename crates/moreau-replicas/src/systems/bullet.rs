@@ -214,6 +214,6 @@ impl ContactSolver for FrictionFirst {
             let wanted = impulse[k] - (velocity[k] + problem.shift()[k]) / problem.entry(k, k);
             impulse[k] = wanted.max(0.0);
         }
-        Ok(Solution { impulse, velocity, ..solution })
+        Ok(Solution::new(solution.solver, impulse, velocity, solution.iterations))
     }
 }

@@ -6,7 +6,6 @@ use crate::scenes::{Scene, named};
 use crate::schemes::{Anitescu, MoreauJean, Scheme, StepContext, StewartTrinkle, carry_over, run, simulate};
 use moreau_contact::certificate::residuals;
 use moreau_contact::contact::ContactImpulse;
-use moreau_contact::problem::Solution;
 use moreau_contact::solvers::{ContactSolver, Reference};
 use moreau_contact::tolerance::solvers::STOP;
 use moreau_exact::tolerance::rounding;
@@ -275,7 +274,8 @@ fn an_answer_without_distant_candidates_is_an_answer_with_them() {
             if let (Some(problem), Some(few)) = (&complete.problem, &step.assembled.problem) {
                 let solution = step.solution.as_ref().expect("there is a problem");
                 let impulse = carry_over(&step.impulses, &complete.active, &complete.places, 3);
-                let extended = Solution { velocity: problem.velocity(&impulse), impulse, ..solution.clone() };
+                let mut extended = solution.clone();
+                (extended.velocity, extended.impulse) = (problem.velocity(&impulse), impulse);
                 let of = |problem, solution| residuals(problem, solution).expect("valid").natural_map;
                 let (natural_map, own) = (of(problem, &extended), of(few, solution));
                 let size = problem.dense().amax() * solution.impulse.norm() + problem.free_velocity().amax() + problem.shift().amax();

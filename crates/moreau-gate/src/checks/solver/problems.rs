@@ -173,8 +173,7 @@ mod tests {
     fn every_problem_of_the_checks_is_solved_by_its_witness() {
         for posed in crate::checks::solver::every_problem() {
             let velocity = posed.problem.velocity(&posed.witness);
-            let solution =
-                Solution { impulse: posed.witness.clone(), velocity, beta: None, sigma: None, solver: "witness".into(), iterations: 0 };
+            let solution = Solution::new("witness", posed.witness.clone(), velocity, 0);
             let found = residuals(&posed.problem, &solution).expect("sizes fit");
             assert!(found.is_solution(tolerance::residual(f64::EPSILON)), "{}: {found:?}", posed.problem.name());
         }

@@ -47,7 +47,7 @@ impl ContactSolver for RowByRow {
             }
         }
         let velocity = problem.velocity(&impulse);
-        Ok(Solution { impulse, velocity, beta: None, sigma: None, solver: "auto".into(), iterations: SWEEPS })
+        Ok(Solution::new("auto", impulse, velocity, SWEEPS))
     }
 }
 
