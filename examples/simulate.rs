@@ -14,7 +14,7 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (mechanism, start) = scene.mechanism()?;
     let exact = scene.exact_motion(&start);
     let steps = (scene.duration / 1e-3).round() as usize;
-    let recording = simulate(&MoreauJean::default(), &Reference, mechanism.as_ref(), start, 1e-3, steps)?;
+    let recording = simulate(&MoreauJean::default(), &Auto, mechanism.as_ref(), start, 1e-3, steps)?;
 
     let gravity = -scene.gravity[2];
     let motion = Motion { mechanism: mechanism.as_ref(), recording: &recording, exact: exact.as_ref(), gravity };

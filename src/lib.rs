@@ -40,7 +40,7 @@
 //!     .rows_per_contact(2)
 //!     .friction(vec![0.5])
 //!     .build()?;
-//! let answer = Reference.solve(&problem, None)?;
+//! let answer = Auto.solve(&problem, None)?;
 //! assert!(residuals(&problem, &answer)?.is_solution(1e-8)); // r = (1, −½) N·s, u = (0, 3/2) m/s
 //! # Ok::<(), moreau::Error>(())
 //! ```
@@ -50,7 +50,7 @@
 //!
 //! let (mechanism, start) = scenes::named("bouncing-ball")?.mechanism()?;
 //! let scheme = schemes::MoreauJean::default();
-//! let run = schemes::simulate(&scheme, &solvers::Reference, mechanism.as_ref(), start, 1e-3, 2000)?;
+//! let run = schemes::simulate(&scheme, &solvers::Auto, mechanism.as_ref(), start, 1e-3, 2000)?;
 //! assert!(run.last().velocity.amax() < 1e-9);
 //! # Ok::<(), moreau::Error>(())
 //! ```

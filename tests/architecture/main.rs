@@ -260,7 +260,7 @@ fn no_library_below_the_top_one_embeds_a_stored_run() {
 fn the_rules_can_fail() {
     let planted = |path: &str, code: &str| File { room: "moreau-contact".into(), path: path.into(), code: strip(code) };
     let files = [
-        planted("problem/law.rs", "use crate::solvers::Reference;"),
+        planted("problem/law.rs", "use crate::solvers::Auto;"),
         planted("problem/mod.rs", "use super::certificate::Judge; use crate::problem::x;"),
         planted("cones/orthant.rs", "use crate::problem::Law; use crate::ContactProblem;"),
     ];

@@ -18,7 +18,7 @@
 //!     .rows_per_contact(2)
 //!     .friction(vec![0.5])
 //!     .build()?;
-//! let answer = Reference.solve(&problem, None)?;
+//! let answer = Auto.solve(&problem, None)?;
 //! assert!(residuals(&problem, &answer)?.is_solution(1e-8)); // r = (1, −½) N·s, u = (0, 3/2) m/s
 //! # Ok::<(), moreau_contact::Error>(())
 //! ```

@@ -2,4 +2,4 @@
 
 pub use crate::certificate::{Residuals, residuals};
 pub use crate::problem::{ContactProblem, Law, Solution};
-pub use crate::solvers::{ContactSolver, Reference, Solvers};
+pub use crate::solvers::{Auto, ContactSolver, Solvers};

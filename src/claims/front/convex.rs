@@ -10,7 +10,7 @@ use crate::problem::{Compliance, Coordinates, Law, Lcp};
 use crate::scalar::{Rational, ratio};
 use crate::schemes::{Anitescu, MoreauJean, Scheme, StepContext, StepProblem, Waist, passes_the_waist, simulate};
 use crate::solvers::lemke::{LemkeOutcome, lemke};
-use crate::solvers::{AcceleratedProjectedGradient, Reference};
+use crate::solvers::{AcceleratedProjectedGradient, Auto};
 use crate::tolerance;
 use nalgebra::{DMatrix, DVector, dvector};
 
@@ -116,7 +116,7 @@ fn scenes(reading: Reading) -> Result<Vec<Finding>> {
     let steps = ((form.accumulation_time() + 0.25) / h).ceil() as usize;
     let ball = PointMass::ball_on_floor(1.0, gravity, 0.5);
     let start = State { time: 0.0, position: dvector![1.0], velocity: dvector![0.0] };
-    let speed = simulate(&MoreauJean::default(), &Reference, &ball, start, h, steps)?.last().velocity[0].abs();
+    let speed = simulate(&MoreauJean::default(), &Auto, &ball, start, h, steps)?.last().velocity[0].abs();
     let (velocities, ground) = stack(&ratio(1, 100))?;
     let h = ratio(1, 100);
     let mut block = Block::at_rest(reading.pick(ratio(1, 2), ratio(1, 1)));

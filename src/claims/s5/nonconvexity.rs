@@ -9,7 +9,7 @@ use crate::problem::{ContactProblem, Law, Lcp};
 use crate::scalar::{Rational, exact, ratio};
 use crate::solvers::enumeration::all_solutions;
 use crate::solvers::lemke::{LemkeOutcome, lemke};
-use crate::solvers::{ContactSolver, Reference};
+use crate::solvers::{Auto, ContactSolver};
 use crate::tolerance;
 use nalgebra::{DMatrix, DVector};
 
@@ -178,7 +178,7 @@ fn four_combinations(reading: Reading) -> Result<Vec<Finding>> {
                     .law(law)
                     .friction(vec![0.5])
                     .build()?;
-            let solution = Reference.solve(&problem, None)?;
+            let solution = Auto.solve(&problem, None)?;
             let bound = tolerance::solvers::STOP;
             let residual = residuals(&problem, &solution)?.natural_map;
             // a relaxed contact lifts off by at least μ u_t cos(π/4) with u_t ≥ 2 − μ r_n, r_n ≤ 2

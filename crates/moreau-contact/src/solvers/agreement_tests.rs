@@ -261,8 +261,8 @@ fn laws_outside_the_scope_are_refused_by_name() {
     {
         assert!(solver.solve(&polyhedral, None).unwrap_err().to_string().contains("lemke"));
     }
-    certified(&polyhedral, &Reference);
-    certified(&coulomb, &Reference);
+    certified(&polyhedral, &Auto);
+    certified(&coulomb, &Auto);
 }
 
 #[test]

@@ -8,7 +8,7 @@
 //! use moreau_contact::solvers::*;
 //!
 //! let solvers: [(&dyn ContactSolver, Law); 9] = [
-//!     (&Reference, Law::Coulomb),
+//!     (&Auto, Law::Coulomb),
 //!     (&ProjectedGaussSeidel::accelerated(), Law::Coulomb),
 //!     (&ProjectedOverRelaxation::default(), Law::Coulomb),
 //!     (&NonsmoothNewton::default(), Law::PolyhedralCoulomb { directions: 8 }),
@@ -39,6 +39,7 @@ use nalgebra::DVector;
 mod accelerated_projected_gradient;
 mod alternating_directions;
 mod anderson;
+mod auto;
 mod barzilai_borwein;
 #[cfg(feature = "clarabel")]
 mod clarabel;
@@ -53,12 +54,12 @@ pub mod parts;
 mod polyhedral_contact;
 mod projected_gauss_seidel;
 mod projected_over_relaxation;
-mod reference;
 mod stopping;
 mod table;
 
 pub use accelerated_projected_gradient::{AcceleratedProjectedGradient, Momentum, largest_eigenvalue_bound, objective};
 pub use alternating_directions::AlternatingDirections;
+pub use auto::Auto;
 pub use barzilai_borwein::BarzilaiBorwein;
 #[cfg(feature = "clarabel")]
 pub use clarabel::{ClarabelPolished, Polished};
@@ -67,7 +68,6 @@ pub use lemke_pivoting::LemkePivoting;
 pub use nonsmooth_newton::NonsmoothNewton;
 pub use projected_gauss_seidel::ProjectedGaussSeidel;
 pub use projected_over_relaxation::ProjectedOverRelaxation;
-pub use reference::Reference;
 pub use table::{SolverEntry, Solvers};
 
 use parts::{compliance, cone_friction, finite, not_convex, project, require_symmetry, start};

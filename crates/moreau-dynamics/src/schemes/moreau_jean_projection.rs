@@ -24,7 +24,7 @@ use crate::tolerance::schemes::{DEPENDENT_NORMALS, projected};
 use moreau_contact::certificate::StepResidual;
 use moreau_contact::contact::{Contact, Identity, pairs};
 use moreau_contact::problem::{ContactProblem, Law};
-use moreau_contact::solvers::{ContactSolver, LemkePivoting, Reference};
+use moreau_contact::solvers::{Auto, ContactSolver, LemkePivoting};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -132,7 +132,7 @@ impl Waist for MoreauJeanProjection {
             }
             held = next;
             let posed = self.problem(at, &held, &effective_mass, &free_velocity)?;
-            let solver: &dyn ContactSolver = if posed.rows_per_contact() <= 2 { &LemkePivoting } else { &Reference };
+            let solver: &dyn ContactSolver = if posed.rows_per_contact() <= 2 { &LemkePivoting } else { &Auto };
             let certified = Certified::new(solver);
             let solution = certified.solve(&posed, None)?;
             residual = StepResidual::worse_of(residual, certified.take().0);
@@ -268,7 +268,7 @@ mod tests {
         let mut last = start.clone();
         for h in [0.01, 0.005] {
             let steps = (0.5 / h) as usize;
-            last = simulate(&scheme, &Reference, mechanism.as_ref(), start.clone(), h, steps).expect("no panic").last().clone();
+            last = simulate(&scheme, &Auto, mechanism.as_ref(), start.clone(), h, steps).expect("no panic").last().clone();
         }
         assert!(
             mechanism.contacts(&last.position).iter().all(|contact| contact.gap > -1e-2),

@@ -3,7 +3,7 @@
 use crate::planted::Planted;
 use crate::planted::parts::{Altered, Answers, answer, moreau_jean, row_by_row, with_solver};
 use moreau_contact::problem::{ContactProblem, Law, Solution};
-use moreau_contact::solvers::{ContactSolver, Reference};
+use moreau_contact::solvers::{Auto, ContactSolver};
 use moreau_exact::Result;
 use nalgebra::DVector;
 use std::f64::consts::PI;
@@ -59,7 +59,7 @@ const DAMPED_PER_STEP: Altered = Altered { free_velocity: |velocity, _| *velocit
 
 fn friction_along_axes(problem: &ContactProblem, start: &DVector<f64>) -> Result<Solution> {
     if problem.law() != Law::Coulomb {
-        return Reference.solve(problem, Some(start));
+        return Auto.solve(problem, Some(start));
     }
     let sweeps = 100;
     let limit = |impulse: &mut [f64], mu: f64| {
@@ -71,7 +71,7 @@ fn friction_along_axes(problem: &ContactProblem, start: &DVector<f64>) -> Result
 }
 
 fn direction_rounded_down(problem: &ContactProblem, start: &DVector<f64>) -> Result<Solution> {
-    let mut solution = Reference.solve(problem, Some(start))?;
+    let mut solution = Auto.solve(problem, Some(start))?;
     if problem.rows_per_contact() != 3 {
         return Ok(solution);
     }

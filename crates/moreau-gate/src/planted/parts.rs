@@ -3,7 +3,7 @@
 use crate::Engine;
 use crate::own::{Mechanics, OwnEngine, by_name};
 use moreau_contact::problem::{ContactProblem, Law, Solution};
-use moreau_contact::solvers::{ContactSolver, Reference, SolverEntry, Solvers};
+use moreau_contact::solvers::{Auto, ContactSolver, SolverEntry, Solvers};
 use moreau_dynamics::schemes::{MoreauJean, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -41,7 +41,7 @@ impl ContactSolver for Answers {
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         if problem.law().directions().is_some() {
-            return Reference.solve(problem, warm_start);
+            return Auto.solve(problem, warm_start);
         }
         let start = warm_start.cloned().unwrap_or_else(|| DVector::zeros(problem.rows()));
         let solution = (self.0)(problem, &start)?;

@@ -6,7 +6,7 @@ use crate::schemes::{Parameters, by_name};
 use moreau_checks::Finding;
 use moreau_checks::defects::Defect;
 use moreau_contact::problem::ContactProblem;
-use moreau_contact::solvers::Reference;
+use moreau_contact::solvers::Auto;
 use moreau_dynamics::mechanics::spatial::{Shape, SpatialBody};
 use moreau_dynamics::mechanics::{Mechanism, OscillatorWithStop, Plane, PointMass, SpatialBodies, State};
 use moreau_dynamics::schemes::{Scheme, Step, StepContext, StepProblem, Waist, passes_the_waist, step};
@@ -163,7 +163,7 @@ fn findings(balance: &Balance, taken: &Taken, mass: f64) -> Result<Vec<Finding>>
 fn made(name: &str, case: fn() -> Result<Case>, alter: fn(&State, &mut Step, f64)) -> Result<Vec<Finding>> {
     let (mechanism, before, mass) = case()?;
     let scheme = by_name(name, Parameters::default())?;
-    let mut step = step(scheme.as_ref(), &Reference, mechanism.as_ref(), &before, H)?;
+    let mut step = step(scheme.as_ref(), &Auto, mechanism.as_ref(), &before, H)?;
     alter(&before, &mut step, H);
     let taken = Taken { mechanism: mechanism.as_ref(), before: &before, step: &step, h: H };
     findings(&Balance::of(name, &Parameters::default())?, &taken, mass)
@@ -175,7 +175,7 @@ fn posed(name: &str, case: fn() -> Result<Case>, alter: fn(ContactProblem) -> Re
     let scheme = by_name(name, Parameters::default())?;
     let around = || Error::Unsupported(format!("`{name}` does not pass the waist"));
     let altered = Altered { scheme: scheme.waist().ok_or_else(around)?, alter };
-    let step = step(&altered, &Reference, mechanism.as_ref(), &before, H)?;
+    let step = step(&altered, &Auto, mechanism.as_ref(), &before, H)?;
     let taken = Taken { mechanism: mechanism.as_ref(), before: &before, step: &step, h: H };
     findings(&Balance::of(name, &Parameters::default())?, &taken, mass)
 }

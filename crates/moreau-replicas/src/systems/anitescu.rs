@@ -8,7 +8,7 @@ use super::planted::{Mistake, planted};
 use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System, on_a_ball, on_a_slope};
 use moreau_contact::certificate::{natural_map, residuals};
 use moreau_contact::problem::{ContactProblem, Law, Solution};
-use moreau_contact::solvers::{ClarabelPolished, ContactSolver, Reference, largest_eigenvalue_bound};
+use moreau_contact::solvers::{Auto, ClarabelPolished, ContactSolver, largest_eigenvalue_bound};
 use moreau_contact::tolerance::solvers;
 use moreau_dynamics::scenes::named;
 use moreau_dynamics::schemes::{Anitescu, Scheme, StepContext, Waist, step};
@@ -57,15 +57,15 @@ pub static SYSTEM: System = System {
             against: "Clarabel 0.11, polished",
             quantity: "contact velocities of each step of a stack of five boxes",
             unit: "m/s",
-            measure: |_| stack_against_clarabel(&Anitescu, &Reference, 20),
+            measure: |_| stack_against_clarabel(&Anitescu, &Auto, 20),
             planted: &[
                 Planted {
                     mistake: "the answer to a problem with 10 % more free velocity",
-                    measure: |_| stack_answered_wrongly(&Anitescu, &Reference),
+                    measure: |_| stack_answered_wrongly(&Anitescu, &Auto),
                 },
                 Planted {
                     mistake: "velocities before the impulses",
-                    measure: |_| stack_against_clarabel(&Anitescu, &Untouched(Box::new(Reference)), 1),
+                    measure: |_| stack_against_clarabel(&Anitescu, &Untouched(Box::new(Auto)), 1),
                 },
             ],
         },

@@ -192,7 +192,7 @@ mod tests {
     use crate::mechanics::{BallChain, PointMass};
     use crate::scenes::Scene;
     use crate::schemes::{simulate, step};
-    use moreau_contact::solvers::{ProjectedGaussSeidel, Reference};
+    use moreau_contact::solvers::{Auto, ProjectedGaussSeidel};
     use moreau_exact::tolerance::rounding;
     use moreau_forms::PositionBasedContact;
     use nalgebra::dvector;
@@ -207,7 +207,7 @@ mod tests {
 
     fn settle(scheme: PositionBased, h: f64) -> f64 {
         let ball = PointMass::ball_on_floor(2.0, 9.81, 0.0);
-        simulate(&scheme, &Reference, &ball, at(0.0, 0.0), h, 4000).expect("valid").last().position[0]
+        simulate(&scheme, &Auto, &ball, at(0.0, 0.0), h, 4000).expect("valid").last().position[0]
     }
 
     #[test]
@@ -231,7 +231,7 @@ mod tests {
         let ball = PointMass::ball_on_floor(2.0, 10.0, e);
         for (gap, speed) in [(0.05, -2.0), (0.02, -0.5), (-0.01, -1.0)] {
             for compliance in [0.0, 1e-3] {
-                let after = step(&xpbd(compliance), &Reference, &ball, &at(gap, speed), h).expect("valid").state;
+                let after = step(&xpbd(compliance), &Auto, &ball, &at(gap, speed), h).expect("valid").state;
                 assert!((after.position[0] - exact.landing(compliance, gap, speed).0).abs() <= rounding(64, 1.0));
                 assert!((after.velocity[0] - exact.rebound(e, speed)).abs() <= rounding(64, 4.0), "{gap} {speed}: {after:?}");
             }
@@ -245,7 +245,7 @@ mod tests {
         let (scheme, h) = (PositionBased { sweeps: 400, ..xpbd(1e-4) }, 0.0625);
         let problem = scheme.position_problem(&StepContext::new(&chain, &start, h).expect("valid")).expect("valid").expect("contacts");
         let solved = ProjectedGaussSeidel::default().solve(&problem, None).expect("solvable").impulse;
-        let taken = step(&scheme, &Reference, &chain, &start, h).expect("valid");
+        let taken = step(&scheme, &Auto, &chain, &start, h).expect("valid");
         // positions first: the impulses of the velocity pass are taken out again
         let moved = (&taken.state.position - &start.position) / h;
         let jacobian = &problem.dynamics().expect("given").jacobian;
@@ -259,7 +259,7 @@ mod tests {
         for (friction, expected) in [(0.5, 0.0), (0.3, 9.81 * (angle.sin() - 0.3 * angle.cos()))] {
             let block = PointMass::block_on_incline(2.0, 9.81, angle, friction, 0.0);
             let start = State { time: 0.0, position: dvector![0.0, 0.0], velocity: dvector![0.0, 0.0] };
-            let end = simulate(&PositionBased::XPBD, &Reference, &block, start, 0.01, 100).expect("valid");
+            let end = simulate(&PositionBased::XPBD, &Auto, &block, start, 0.01, 100).expect("valid");
             assert!((end.last().velocity[0] - expected).abs() <= rounding(100 * 64, 10.0), "μ = {friction}: {}", end.last().velocity[0]);
         }
     }
@@ -277,7 +277,7 @@ mod tests {
     fn the_candidates_of_a_box_that_lands_on_an_edge_change_within_a_sweep() {
         let (mechanism, start) = Scene::from_json(LANDING_ON_AN_EDGE).and_then(|scene| scene.spatial_mechanism()).expect("two boxes");
         for scheme in [PositionBased::XPBD, PositionBased::PBD] {
-            let end = simulate(&scheme, &Reference, mechanism.as_ref(), start.clone(), 0.005, 50).expect("no panic").last().clone();
+            let end = simulate(&scheme, &Auto, mechanism.as_ref(), start.clone(), 0.005, 50).expect("no panic").last().clone();
             assert!(mechanism.energy(&end) <= mechanism.energy(&start), "{}: {end:?}", scheme.name());
             // neither box has fallen through the other or through the floor, up to what a step of 5 ms penetrates
             assert!(end.position[2] > 0.09 && end.position[9] > 0.28, "{}: {end:?}", scheme.name());

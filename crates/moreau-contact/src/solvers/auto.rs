@@ -33,12 +33,12 @@ use nalgebra::DVector;
 /// Each starts from the best answer of those before. The order and the numbers of iterations are fixed, so that the same problem has the
 /// same answer on every machine; no clock is asked. The answer names the algorithm it came from, with the iterations of all.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Reference;
+pub struct Auto;
 
 /// Whether an algorithm is for a problem.
 type Takes = fn(&ContactProblem) -> bool;
 
-/// One algorithm of [`Reference`], from the impulses to start from.
+/// One algorithm of [`Auto`], from the impulses to start from.
 type Stage = fn(&ContactProblem, Option<&DVector<f64>>) -> Result<Solution>;
 
 /// The algorithms with the problems they are for, in order, that cost little: they go on until [`ENOUGH`].
@@ -172,7 +172,7 @@ fn swept(problem: &ContactProblem, start: Option<&DVector<f64>>, sweeps: usize) 
     solver.solve(&problem.clone().into_builder().law(round).build()?, start)
 }
 
-impl ContactSolver for Reference {
+impl ContactSolver for Auto {
     fn name(&self) -> &'static str {
         "auto"
     }
