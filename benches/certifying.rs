@@ -6,7 +6,7 @@ use moreau::certificate::Judge;
 use moreau::problem::{ContactProblem, Solution};
 use moreau::scenes::Scene;
 use moreau::schemes::{MoreauJean, simulate};
-use moreau::solvers::{ContactSolver, Reference};
+use moreau::solvers::{Auto, ContactSolver};
 use nalgebra::DVector;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -25,7 +25,7 @@ impl ContactSolver for Kept {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> moreau::Result<Solution> {
-        let solution = Reference.solve(problem, warm_start)?;
+        let solution = Auto.solve(problem, warm_start)?;
         self.0.lock().expect("no other thread panics").push((problem.clone(), solution.clone()));
         Ok(solution)
     }
@@ -55,7 +55,7 @@ fn measured(n: usize) -> (usize, usize, Duration, Duration) {
     let (h, steps) = (0.005, 500);
     let (mechanism, initial) = cubes(n).spatial_mechanism().expect("cubes are bodies in space");
     let begun = Instant::now();
-    simulate(&MoreauJean::default(), &Reference, &*mechanism, initial.clone(), h, steps).expect("it runs");
+    simulate(&MoreauJean::default(), &Auto, &*mechanism, initial.clone(), h, steps).expect("it runs");
     let all = begun.elapsed();
     let kept = Kept::default();
     simulate(&MoreauJean::default(), &kept, &*mechanism, initial, h, steps).expect("it runs");
@@ -64,7 +64,7 @@ fn measured(n: usize) -> (usize, usize, Duration, Duration) {
     let begun = Instant::now();
     for (problem, solution) in &kept {
         let judged = judge.judge(problem, solution).expect("it fits");
-        assert!(judged.relative().is_finite(), "{}", problem.name);
+        assert!(judged.relative().is_finite(), "{}", problem.name());
     }
     (kept.len(), kept.iter().map(|(problem, _)| problem.contacts()).max().unwrap_or(0), all, begun.elapsed())
 }

@@ -31,24 +31,16 @@
 //! # Three ways in
 //! Solve a contact problem and certify the answer: a block of 1 kg arrives at 1 m/s, slides at 2 m/s, μ = ½.
 //! ```
-//! use moreau::certificate::residuals;
-//! use moreau::solvers::{ContactSolver, Reference};
-//! use moreau::{ContactProblem, Law};
-//! use nalgebra::{DMatrix, dvector};
+//! use moreau::nalgebra::{DMatrix, dvector};
+//! use moreau::prelude::*;
 //!
-//! let problem = ContactProblem {
-//!     name: "block".into(),
-//!     rows_per_contact: 2,
-//!     law: Law::Coulomb,
-//!     friction: vec![0.5],
-//!     free_velocity: dvector![-1.0, 2.0],
-//!     shift: dvector![0.0, 0.0],
-//!     delassus: DMatrix::identity(2, 2),
-//!     compliance: None,
-//!     dynamics: None,
-//!     bodies: None,
-//! };
-//! let answer = Reference.solve(&problem, None)?;
+//! let problem = ContactProblem::new(DMatrix::identity(2, 2), dvector![-1.0, 2.0])
+//!     .name("block")
+//!     .law(Law::Coulomb)
+//!     .rows_per_contact(2)
+//!     .friction(vec![0.5])
+//!     .build()?;
+//! let answer = Auto.solve(&problem, None)?;
 //! assert!(residuals(&problem, &answer)?.is_solution(1e-8)); // r = (1, −½) N·s, u = (0, 3/2) m/s
 //! # Ok::<(), moreau::Error>(())
 //! ```
@@ -58,7 +50,7 @@
 //!
 //! let (mechanism, start) = scenes::named("bouncing-ball")?.mechanism()?;
 //! let scheme = schemes::MoreauJean::default();
-//! let run = schemes::simulate(&scheme, &solvers::Reference, mechanism.as_ref(), start, 1e-3, 2000)?;
+//! let run = schemes::simulate(&scheme, &solvers::Auto, mechanism.as_ref(), start, 1e-3, 2000)?;
 //! assert!(run.last().velocity.amax() < 1e-9);
 //! # Ok::<(), moreau::Error>(())
 //! ```
@@ -77,6 +69,7 @@ pub mod claims;
 pub mod cli;
 pub mod defects;
 pub mod gate;
+pub mod prelude;
 pub mod report;
 pub mod schemes;
 pub mod solvers;
@@ -91,6 +84,8 @@ pub use moreau_exact::{Error, Result, elimination, error, number, scalar};
 pub use moreau_forms as closed_forms;
 pub use moreau_gate::{gate_tests, rust_engine};
 pub use moreau_replicas::systems;
+/// The linear algebra of all crates, in the version they are written with.
+pub use nalgebra;
 
 /// The examples of the README, compiled and run as documentation tests.
 #[cfg(doctest)]

@@ -2,7 +2,7 @@
 
 use moreau::scenes::{LINKAGES, NAMES, Staged, named};
 use moreau::schemes::{self, Parameters, simulate};
-use moreau::solvers::Reference;
+use moreau::solvers::Auto;
 
 /// h \[s\] small enough for the crank, which turns by 0.075 rad in it.
 const TIME_STEP: f64 = 0.0005;
@@ -18,7 +18,7 @@ fn every_scheme_runs_every_scene_or_says_why_not() {
     for scene in scenes() {
         for name in schemes::NAMES {
             let scheme = schemes::by_name(name, Parameters::default()).expect("listed");
-            match simulate(scheme.as_ref(), &Reference, scene.mechanism.as_ref(), scene.start.clone(), TIME_STEP, STEPS) {
+            match simulate(scheme.as_ref(), &Auto, scene.mechanism.as_ref(), scene.start.clone(), TIME_STEP, STEPS) {
                 Err(reason) => assert!(reason.to_string().len() > 20, "{name} refuses {} without a reason: {reason}", scene.name),
                 Ok(run) => {
                     let numbers = run.samples.iter().flat_map(|state| state.position.iter().chain(&state.velocity));
@@ -38,7 +38,7 @@ fn linkages_hit_their_obstacles_and_stay_outside() {
         let (h, steps) = if scene.name == "slider-crank" { (0.0001, 200) } else { (0.004, (scene.duration / 0.004) as usize) };
         for name in ["moreau-jean", "stewart-trinkle", "anitescu"] {
             let scheme = schemes::by_name(name, Parameters::default()).expect("listed");
-            let run = simulate(scheme.as_ref(), &Reference, scene.mechanism.as_ref(), scene.start.clone(), h, steps).expect("solvable");
+            let run = simulate(scheme.as_ref(), &Auto, scene.mechanism.as_ref(), scene.start.clone(), h, steps).expect("solvable");
             assert!(run.impulses.iter().any(|impulses| impulses.iter().any(|one| one.impulse[0] > 0.0)), "{name}: {} touches", scene.name);
             let (mut deepest, mut fastest) = (0.0f64, 0.0f64);
             for state in &run.samples {

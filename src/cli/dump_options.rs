@@ -86,6 +86,6 @@ fn write(problem: &ContactProblem, solution: &Solution, file: &Path) -> Result<(
     let ending = file.extension().map(|ending| format!(".{}", ending.to_string_lossy())).unwrap_or_default();
     let beside = file.with_file_name(format!("{stem}-solution{ending}"));
     let found = serde_json::to_value(residuals(problem, solution)?)?;
-    let (problem, solution) = (problem.to_json(), solution.to_json(Some(&problem.name), Some(found)));
+    let (problem, solution) = (problem.to_json(), solution.to_json(Some(problem.name()), Some(found)));
     write_together(&[(file, problem.as_bytes()), (&beside, solution.as_bytes())])
 }

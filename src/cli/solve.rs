@@ -83,7 +83,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         Format::Text => certificate.text(),
         Format::Json => pretty(&certificate)?,
     };
-    let answer = solution.to_json(Some(&problem.name), Some(serde_json::to_value(residuals)?));
+    let answer = solution.to_json(Some(problem.name()), Some(serde_json::to_value(residuals)?));
     match &arguments.out {
         Some(file) => {
             write_atomically(file, answer.as_bytes())?;

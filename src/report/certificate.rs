@@ -27,8 +27,8 @@ impl<'a> Certificate<'a> {
         let solution_found = residuals.is_solution(tolerance);
         Certificate {
             status: if solution_found { "solved" } else { "rejected" },
-            problem: &problem.name,
-            law: problem.law.name(),
+            problem: problem.name(),
+            law: problem.law().name(),
             contacts: problem.contacts(),
             solver: &solution.solver,
             iterations: solution.iterations,
@@ -73,21 +73,11 @@ mod tests {
 
     /// A mass of 1 kg that arrives at 1 m/s; the impulse 1 N·s stops it.
     fn certificate(impulse: f64) -> (String, bool) {
-        let problem = ContactProblem {
-            name: "stop".into(),
-            rows_per_contact: 1,
-            law: Law::Frictionless,
-            friction: vec![0.0],
-            free_velocity: dvector![-1.0],
-            shift: dvector![0.0],
-            delassus: dmatrix![1.0],
-            compliance: None,
-            dynamics: None,
-            bodies: None,
-        };
+        let problem =
+            ContactProblem::new(dmatrix![1.0], dvector![-1.0]).name("stop").law(Law::Frictionless).rows_per_contact(1).build().unwrap();
         let impulse = dvector![impulse];
         let velocity = problem.velocity(&impulse);
-        let solution = Solution { impulse, velocity, beta: None, sigma: None, solver: String::new(), iterations: 0 };
+        let solution = Solution::new("", impulse, velocity, 0);
         let residuals = residuals(&problem, &solution).expect("sizes fit");
         let certificate = Certificate::new(&problem, &solution, &residuals, 0.25);
         (certificate.text(), certificate.accepts())

@@ -156,7 +156,7 @@ mod tests {
     use super::*;
     use crate::scenes::named;
     use crate::schemes::{Anitescu, MoreauJean, Scheme, simulate};
-    use crate::solvers::Reference;
+    use crate::solvers::Auto;
 
     #[test]
     fn curves_of_all_schemes_share_their_panels_and_the_closed_form_is_drawn_once() {
@@ -164,7 +164,7 @@ mod tests {
         let (mechanism, start) = scene.mechanism().expect("planar");
         let exact = scene.exact_motion(&start);
         let schemes: [&dyn Scheme; 2] = [&MoreauJean::default(), &Anitescu];
-        let runs = schemes.map(|scheme| simulate(scheme, &Reference, mechanism.as_ref(), start.clone(), 0.01, 100).expect("a ball"));
+        let runs = schemes.map(|scheme| simulate(scheme, &Auto, mechanism.as_ref(), start.clone(), 0.01, 100).expect("a ball"));
         let motion = |k: usize| Motion { mechanism: mechanism.as_ref(), recording: &runs[k], exact: exact.as_ref(), gravity: 9.81 };
         let panels = overlaid(&[("moreau-jean", motion(0)), ("anitescu", motion(1))]);
         let labels = |panel: &Panel| panel.curves.iter().map(|curve| curve.label.clone()).collect::<Vec<_>>();

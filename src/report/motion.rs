@@ -229,14 +229,14 @@ mod tests {
     use super::*;
     use crate::scenes::named;
     use crate::schemes::{Anitescu, Events, MoreauJean, Scheme, simulate};
-    use crate::solvers::Reference;
+    use crate::solvers::Auto;
     use crate::tolerance::rounding;
 
     fn with_motion(scene: &str, scheme: &dyn Scheme, check: impl Fn(&Motion, &dyn Fn(&str) -> Option<f64>)) {
         let scene = named(scene).expect("a built-in scene");
         let (mechanism, start) = scene.mechanism().expect("planar");
         let exact = scene.exact_motion(&start);
-        let recording = simulate(scheme, &Reference, mechanism.as_ref(), start, 0.01, 200).expect("a solvable scene");
+        let recording = simulate(scheme, &Auto, mechanism.as_ref(), start, 0.01, 200).expect("a solvable scene");
         let motion = Motion { mechanism: mechanism.as_ref(), recording: &recording, exact: exact.as_ref(), gravity: 9.81 };
         let summary = motion.summary();
         check(&motion, &|name| summary.iter().find(|quantity| quantity.name == name).expect("a known name").value);
@@ -272,7 +272,7 @@ mod tests {
         let exact = scene.exact_motion(&start);
         let (spatial, turned) = scene.spatial_mechanism().expect("in space too");
         let summaries = [(planar, start), (spatial, turned)].map(|(mechanism, start)| {
-            let recording = simulate(&MoreauJean::default(), &Reference, mechanism.as_ref(), start, 0.01, 100).expect("a solvable scene");
+            let recording = simulate(&MoreauJean::default(), &Auto, mechanism.as_ref(), start, 0.01, 100).expect("a solvable scene");
             let motion = Motion { mechanism: mechanism.as_ref(), recording: &recording, exact: exact.as_ref(), gravity: 9.81 };
             let closed =
                 motion.panels().iter().map(|panel| panel.curves.iter().filter(|curve| curve.role == Role::ClosedForm).count()).collect();

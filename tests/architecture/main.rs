@@ -282,7 +282,7 @@ fn no_line_outside_the_claims_is_longer_than_the_others() {
 fn the_rules_can_fail() {
     let planted = |path: &str, code: &str| File { room: "moreau-contact".into(), path: path.into(), code: strip(code) };
     let files = [
-        planted("problem/law.rs", "use crate::solvers::Reference;"),
+        planted("problem/law.rs", "use crate::solvers::Auto;"),
         planted("problem/mod.rs", "use super::certificate::Judge; use crate::problem::x;"),
         planted("cones/orthant.rs", "use crate::problem::Law; use crate::ContactProblem;"),
     ];

@@ -73,14 +73,14 @@ impl Exact {
     /// The problem that the f64 data are, digit for digit.
     pub fn of(problem: &ContactProblem) -> Self {
         let list = |x: &DVector<f64>| x.iter().map(|&x| exact(x)).collect::<Vec<_>>();
-        let soft = |coordinates| problem.compliance.as_ref().filter(|r| r.coordinates == coordinates).map(|r| list(&r.diagonal));
+        let soft = |coordinates| problem.compliance().filter(|r| r.coordinates == coordinates).map(|r| list(&r.diagonal));
         Exact {
-            rows: problem.rows_per_contact,
-            law: problem.law,
-            friction: problem.friction.iter().map(|&mu| exact(mu)).collect(),
-            delassus: problem.delassus.map(exact),
-            free: list(&problem.free_velocity),
-            shift: list(&problem.shift),
+            rows: problem.rows_per_contact(),
+            law: problem.law(),
+            friction: problem.friction().iter().map(|&mu| exact(mu)).collect(),
+            delassus: problem.dense().map(exact),
+            free: list(problem.free_velocity()),
+            shift: list(problem.shift()),
             soft: soft(Coordinates::Contact).unwrap_or_else(|| vec![zero(); problem.rows()]),
             edge_soft: soft(Coordinates::Edge),
         }
@@ -95,18 +95,17 @@ impl Exact {
             Known::Jacobian(dynamics) => (Some(dynamics.clone()), None),
             Known::Bodies(bodies) => (None, Some(bodies.clone())),
         };
-        ContactProblem {
-            name: name.into(),
-            rows_per_contact: self.rows,
-            law: self.law,
-            friction: self.friction.iter().map(nearest).collect(),
-            free_velocity: rounded(&self.free),
-            shift: rounded(&self.shift),
-            delassus: self.delassus.map(|w| nearest(&w)),
-            compliance: self.edge_soft.as_ref().map(|soft| diagonal(soft, Coordinates::Edge)).or(soft),
-            dynamics,
-            bodies,
-        }
+        ContactProblem::new(self.delassus.map(|w| nearest(&w)), rounded(&self.free))
+            .name(name)
+            .law(self.law)
+            .rows_per_contact(self.rows)
+            .friction(self.friction.iter().map(nearest).collect())
+            .shift(rounded(&self.shift))
+            .compliance(self.edge_soft.as_ref().map(|soft| diagonal(soft, Coordinates::Edge)).or(soft))
+            .dynamics(dynamics)
+            .bodies(bodies)
+            .build()
+            .unwrap()
     }
 
     /// W r.

@@ -315,12 +315,14 @@ impl Member {
     /// The answer r, rounded.
     pub fn solution(&self) -> Solution {
         let list = |x: &Option<Vec<Rational>>| x.as_deref().map(rounded);
-        Solution { beta: list(&self.parts), sigma: list(&self.sigma), ..answer(&self.problem, rounded(&self.impulse)) }
+        let mut solution = answer(&self.problem, rounded(&self.impulse));
+        (solution.beta, solution.sigma) = (list(&self.parts), list(&self.sigma));
+        solution
     }
 }
 
 /// An answer with the velocity that belongs to its impulse.
 pub fn answer(problem: &ContactProblem, impulse: DVector<f64>) -> Solution {
     let velocity = problem.velocity(&impulse);
-    Solution { impulse, velocity, beta: None, sigma: None, solver: "exact".into(), iterations: 0 }
+    Solution::new("exact", impulse, velocity, 0)
 }

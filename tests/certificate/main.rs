@@ -99,7 +99,7 @@ fn the_family_covers_what_it_is_meant_to() {
         ("W has full rank", share(&|m| !m.deficient), 0.25),
         ("no datum rounds", share(&|m| m.spec.dyadic), 0.25),
         ("a contact of its own scale", share(&|m| m.spec.scaling.is_of_one_contact()), 0.25),
-        ("R is not 0", share(&|m| m.problem.compliance.is_some()), 0.15),
+        ("R is not 0", share(&|m| m.problem.compliance().is_some()), 0.15),
         ("bodies are known", share(&|m| m.spec.index % 3 > 0), 0.5),
         ("contacts share their bodies", share(&|m| m.groups[0].len() > 1), 0.25),
     ];

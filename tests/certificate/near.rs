@@ -119,7 +119,7 @@ impl<'a> Seen<'a> {
     /// What would stop the contact's free velocity [N·s].
     fn push_scale(&self, k: usize) -> f64 {
         let (n, problem) = (k * self.exact.rows, &self.member.problem);
-        (problem.free_velocity[n] + problem.shift[n]).abs() / problem.delassus[(n, n)]
+        (problem.free_velocity()[n] + problem.shift()[n]).abs() / problem.entry(n, n)
     }
 
     fn applies(&self, kind: Kind, k: usize) -> bool {
@@ -137,7 +137,7 @@ impl<'a> Seen<'a> {
 
     /// Of the contacts with friction the one that gives way most.
     fn lightest(&self) -> usize {
-        let (rows, w) = (self.exact.rows, &self.member.problem.delassus);
+        let (rows, w) = (self.exact.rows, self.member.problem.dense());
         let rubbing = (0..self.exact.contacts()).filter(|k| (1..rows).any(|i| self.impulse[k * rows + i] != 0.0));
         rubbing.max_by(|a, b| w[(a * rows, a * rows)].total_cmp(&w[(b * rows, b * rows)])).unwrap_or(0)
     }

@@ -118,6 +118,7 @@ pub fn judge(problem: &Exact, groups: &[Vec<usize>], answer: &Answer, limits: Li
                 let soft = problem.edge_soft.as_ref().map(|soft| &soft[k * directions..(k + 1) * directions]);
                 sure(at.edges(directions, soft))
             }
+            law => panic!("no rule is derived here for {law:?}"),
         })
         .collect()
 }

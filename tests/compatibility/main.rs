@@ -16,7 +16,7 @@ fn file(name: &str) -> PathBuf {
 #[test]
 fn problems_and_solutions_of_0_1_are_read() {
     let problem = ContactProblem::read(&file("problem.json")).expect("contact-problem/1");
-    assert_eq!((problem.law, problem.contacts(), problem.friction[0]), (Law::Coulomb, 1, 0.5));
+    assert_eq!((problem.law(), problem.contacts(), problem.friction()[0]), (Law::Coulomb, 1, 0.5));
     let solution = Solution::read(&file("solution.json"), &problem).expect("solution/1");
     assert_eq!(solution.impulse.as_slice(), [1.0, -0.5]);
     let residuals = moreau::certificate::residuals(&problem, &solution).expect("finite");

@@ -167,18 +167,13 @@ fn rounded_step() -> impl Strategy<Value = ContactProblem> {
             .prop_map(move |(entries, relations, masses, friction, gaps, free)| {
                 let jacobian = related(3, velocities, &entries, &relations);
                 let mass = DMatrix::from_diagonal(&DVector::from_vec(masses).map(|exponent: f64| 10f64.powf(exponent)));
-                ContactProblem {
-                    name: "random step".into(),
-                    rows_per_contact: 3,
-                    law: Law::PolyhedralCoulomb { directions },
-                    friction,
-                    free_velocity: &jacobian * DVector::from_vec(free),
-                    shift: DVector::from_fn(3 * contacts, |i, _| if i % 3 == 0 { gaps[i / 3] } else { 0.0 }),
-                    delassus: delassus(&mass, &jacobian).unwrap(),
-                    compliance: None,
-                    dynamics: None,
-                    bodies: None,
-                }
+                ContactProblem::new(delassus(&mass, &jacobian).unwrap(), &jacobian * DVector::from_vec(free))
+                    .name("random step")
+                    .law(Law::PolyhedralCoulomb { directions })
+                    .friction(friction)
+                    .shift(DVector::from_fn(3 * contacts, |i, _| if i % 3 == 0 { gaps[i / 3] } else { 0.0 }))
+                    .build()
+                    .unwrap()
             })
     })
 }

@@ -5,7 +5,7 @@ use moreau::Error;
 use moreau::checks::energy_balance::reach::Reach;
 use moreau::checks::energy_balance::{Balance, Judged, RESIDUAL, Taken};
 use moreau::schemes::{self, Scheme, Step};
-use moreau::solvers::Reference;
+use moreau::solvers::Auto;
 use serde::{Deserialize, Serialize};
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -60,7 +60,7 @@ fn attempt(name: &str, scenario: &Scenario, outcome: &mut Outcome) -> moreau::Re
     let mut remembering: Option<Box<dyn Scheme>> = None;
     for _ in 0..scenario.steps {
         let current = remembering.as_deref().unwrap_or(scheme.as_ref());
-        let step = schemes::step(current, &Reference, mechanism.as_ref(), &state, scenario.h)?;
+        let step = schemes::step(current, &Auto, mechanism.as_ref(), &state, scenario.h)?;
         outcome.steps += 1;
         if step.state.position.iter().chain(&step.state.velocity).any(|x| !x.is_finite()) {
             outcome.failure = Some(format!("step {}: not finite", outcome.steps));

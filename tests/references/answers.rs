@@ -17,7 +17,7 @@ pub fn check(document: &Document) -> Result<Vec<Finding>, Failed> {
     let mut findings = provenance(document, &problem);
     let accepted = residuals(&problem, &answer)?.is_solution(CERTIFY);
     findings.push(Finding::decision("the certificate accepts the engine's answer", accepted, true));
-    for solver in solvers(problem.law) {
+    for solver in solvers(problem.law()) {
         let ours = solver.solve(&problem, None)?;
         let relative = residuals(&problem, &ours)?;
         findings.push(Finding::at_most(
@@ -57,7 +57,7 @@ fn provenance(document: &Document, problem: &ContactProblem) -> Vec<Finding> {
     let pinned = VERSIONS.contains(&(document.engine(), stored("version")));
     vec![
         Finding::decision("the engine's version is the pinned one", pinned, true),
-        Finding::decision("the file is named after its problem", document.name == format!("{}.json", problem.name), true),
+        Finding::decision("the file is named after its problem", document.name == format!("{}.json", problem.name()), true),
     ]
 }
 
@@ -73,7 +73,7 @@ pub fn package(document: &Document) -> Result<Vec<Finding>, Failed> {
 
 /// The engine's answer with a tenth more normal impulse at its first loaded contact is none.
 fn control(problem: &ContactProblem, answer: &Solution) -> Result<Finding, Failed> {
-    let rows = problem.rows_per_contact;
+    let rows = problem.rows_per_contact();
     let loaded = (0..problem.contacts()).find(|k| answer.impulse[rows * k] > 0.0).ok_or("a stored answer has a loaded contact")?;
     let mut wrong = answer.clone();
     wrong.impulse[rows * loaded] *= 1.1;

@@ -27,15 +27,15 @@ pub struct Generators {
 impl Generators {
     /// The generators of a problem with compliance; `None` for a hard problem, whose solution need not be unique.
     pub fn of(problem: &ContactProblem) -> Option<Self> {
-        let compliance = problem.compliance.as_ref()?.diagonal.clone();
-        let generators = match problem.law {
+        let compliance = problem.compliance()?.diagonal.clone();
+        let generators = match problem.law() {
             Law::PolyhedralAssociated { directions } => edges(problem, directions),
             _ => DMatrix::identity(problem.rows(), problem.rows()),
         };
         let per_contact = generators.ncols() / problem.contacts();
         let scales = natural_map::scales(problem);
         let rho = DVector::from_fn(generators.ncols(), |j, _| scales[j / per_contact]);
-        let operator = generators.tr_mul(&problem.delassus) * &generators + DMatrix::from_diagonal(&compliance);
+        let operator = generators.tr_mul(problem.dense()) * &generators + DMatrix::from_diagonal(&compliance);
         let root = DMatrix::from_diagonal(&rho.map(f64::sqrt));
         let scaled = &root * operator * &root;
         let eigenvalues = ((&scaled + scaled.transpose()) * 0.5).symmetric_eigenvalues();
@@ -69,9 +69,9 @@ fn edges(problem: &ContactProblem, directions: usize) -> DMatrix<f64> {
     let mut generators = DMatrix::zeros(problem.rows(), directions * problem.contacts());
     for contact in 0..problem.contacts() {
         for j in 0..directions {
-            let column = edge(j, directions, problem.friction[contact]);
-            (0..problem.rows_per_contact)
-                .for_each(|row| generators[(problem.rows_per_contact * contact + row, directions * contact + j)] = column[row]);
+            let column = edge(j, directions, problem.friction()[contact]);
+            (0..problem.rows_per_contact())
+                .for_each(|row| generators[(problem.rows_per_contact() * contact + row, directions * contact + j)] = column[row]);
         }
     }
     generators

@@ -84,7 +84,7 @@ fn judge(document: &Document) -> Result<Judgement, Failed> {
 
 /// Solves by every algorithm for the law; each answer is certified and all agree. Returns the first with its own error bound.
 fn solve_again(problem: &ContactProblem, generators: &Generators, findings: &mut Vec<Finding>) -> Result<(Solution, f64), Failed> {
-    let mut solvers: Vec<Box<dyn ContactSolver>> = match problem.law {
+    let mut solvers: Vec<Box<dyn ContactSolver>> = match problem.law() {
         Law::PolyhedralAssociated { .. } => vec![Box::new(LemkePivoting), Box::new(ClarabelPolished)],
         _ => vec![
             Box::new(ProjectedGaussSeidel::default()),
@@ -119,7 +119,7 @@ fn solve_again(problem: &ContactProblem, generators: &Generators, findings: &mut
 
 /// The natural map of an answer whose gradient is just at the engine's limit \[N·s\].
 fn threshold(document: &Document, problem: &ContactProblem, answer: &Solution, generators: &Generators) -> Result<f64, Failed> {
-    let dynamics = problem.dynamics.as_ref().ok_or("a stored step gives mass and Jacobian")?;
+    let dynamics = problem.dynamics().ok_or("a stored step gives mass and Jacobian")?;
     let cholesky = dynamics.mass.clone().cholesky().ok_or("the mass is positive definite")?;
     let response = generators.generators.tr_mul(&dynamics.jacobian) * cholesky.inverse();
     let gradient = match document.engine() {
@@ -142,11 +142,11 @@ fn threshold(document: &Document, problem: &ContactProblem, answer: &Solution, g
 
 /// The engine's answer with a tenth more normal impulse at its first loaded contact must not pass.
 fn control(problem: &ContactProblem, answer: &Solution, threshold: f64) -> Result<Finding, Failed> {
-    let rows = problem.rows_per_contact;
+    let rows = problem.rows_per_contact();
     let loaded = (0..problem.contacts()).find(|k| answer.impulse[rows * k] > 0.0).ok_or("a stored step has a loaded contact")?;
     let mut wrong = answer.clone();
     wrong.impulse[rows * loaded] *= 1.1;
-    if let (Some(beta), Some(directions)) = (&mut wrong.beta, problem.law.directions()) {
+    if let (Some(beta), Some(directions)) = (&mut wrong.beta, problem.law().directions()) {
         (0..directions).for_each(|j| beta[directions * loaded + j] *= 1.1);
     }
     let passes = residuals(problem, &wrong)?.natural_map <= threshold;

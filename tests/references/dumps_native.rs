@@ -50,8 +50,8 @@ fn mujoco(document: &Document, problem: &ContactProblem) -> Result<Vec<Finding>,
         worst[1] = worst[1].max((reference[row] - acceleration).abs() / (spring + damping * velocity[row].abs() + 1.0));
     }
     if elliptic {
-        let offset = document.vector(&["native", "efc_b"])? * h - &problem.free_velocity - &problem.shift;
-        worst[2] = offset.amax() / (&problem.free_velocity + &problem.shift).amax();
+        let offset = document.vector(&["native", "efc_b"])? * h - problem.free_velocity() - problem.shift();
+        worst[2] = offset.amax() / (problem.free_velocity() + problem.shift()).amax();
     }
     let names = ["R against (1 − d)/d·Â", "a_ref against −b u + k d δ", "h·b against u_free + shift"];
     Ok(names.iter().zip(worst).map(|(name, difference)| Finding::at_most(*name, difference, tolerance::ENGINE_ROUNDING, "1")).collect())
@@ -64,18 +64,18 @@ fn drake(document: &Document, problem: &ContactProblem) -> Result<Vec<Finding>, 
     let (h, stiffness, relaxation_time) = (h?, stiffness?, relaxation_time?);
     let gap = document.vector(&["native", "phi"])?;
     let answer = Solution::from_json(&document.value["answer"].to_string())?;
-    let dynamics = problem.dynamics.as_ref().ok_or("a stored step gives mass and Jacobian")?;
+    let dynamics = problem.dynamics().ok_or("a stored step gives mass and Jacobian")?;
     let inverse_diagonal = DMatrix::from_diagonal(&dynamics.mass.diagonal().map(|m| 1.0 / m));
-    let diagonal = &problem.compliance.as_ref().ok_or("a SAP step is compliant")?.diagonal;
+    let diagonal = &problem.compliance().ok_or("a SAP step is compliant")?.diagonal;
     let mut worst = [0.0f64; 3];
     for contact in 0..problem.contacts() {
         let rows = dynamics.jacobian.rows(3 * contact, 3);
-        let friction = problem.friction[contact];
+        let friction = problem.friction()[contact];
         let diagonal_mean = (rows * &inverse_diagonal * rows.transpose()).norm() / 3.0;
         let sap = SapContact { time_step: h, stiffness, relaxation_time, diagonal_mean, tangential_ratio: TANGENTIAL_RATIO, friction };
         let [normal, tangential] = [sap.normal_regularisation(), sap.tangential_regularisation()];
         worst[0] = worst[0].max((diagonal[3 * contact] / normal - 1.0).abs()).max((diagonal[3 * contact + 1] / tangential - 1.0).abs());
-        worst[1] = worst[1].max((problem.shift[3 * contact] * (h + relaxation_time) / gap[contact] - 1.0).abs());
+        worst[1] = worst[1].max((problem.shift()[3 * contact] * (h + relaxation_time) / gap[contact] - 1.0).abs());
         let (r, u) = (answer.impulse.rows(3 * contact, 3), answer.velocity.rows(3 * contact, 3));
         if document.name.starts_with("block_slide") {
             let predicted = sap.sliding_gap(u[1].hypot(u[2]), r[0] / h) - (h + relaxation_time) * u[0];
@@ -94,7 +94,7 @@ fn drake(document: &Document, problem: &ContactProblem) -> Result<Vec<Finding>, 
 
 /// ‖v_next − v_free − M⁻¹Hᵀr‖_M with r from our own SAP, and how far the engine's stopping rule allows it to be.
 fn next_velocities(document: &Document, problem: &ContactProblem) -> Result<(f64, f64), Failed> {
-    let dynamics = problem.dynamics.as_ref().ok_or("a stored step gives mass and Jacobian")?;
+    let dynamics = problem.dynamics().ok_or("a stored step gives mass and Jacobian")?;
     let inverse = dynamics.mass.clone().cholesky().ok_or("the mass is positive definite")?;
     let received = dynamics.jacobian.tr_mul(&SemiAnalyticPrimal.solve(problem, None)?.impulse);
     let [free, next] = ["v_free", "v_next"].map(|key| document.vector(&["native", key]));

@@ -9,24 +9,16 @@
 //!
 //! A block of 1 kg arrives at 1 m/s, slides at 2 m/s, μ = ½:
 //! ```
-//! use moreau_contact::certificate::residuals;
-//! use moreau_contact::solvers::{ContactSolver, Reference};
-//! use moreau_contact::{ContactProblem, Law};
-//! use nalgebra::{DMatrix, dvector};
+//! use moreau_contact::nalgebra::{DMatrix, dvector};
+//! use moreau_contact::prelude::*;
 //!
-//! let problem = ContactProblem {
-//!     name: "block".into(),
-//!     rows_per_contact: 2,
-//!     law: Law::Coulomb,
-//!     friction: vec![0.5],
-//!     free_velocity: dvector![-1.0, 2.0],
-//!     shift: dvector![0.0, 0.0],
-//!     delassus: DMatrix::identity(2, 2),
-//!     compliance: None,
-//!     dynamics: None,
-//!     bodies: None,
-//! };
-//! let answer = Reference.solve(&problem, None)?;
+//! let problem = ContactProblem::new(DMatrix::identity(2, 2), dvector![-1.0, 2.0])
+//!     .name("block")
+//!     .law(Law::Coulomb)
+//!     .rows_per_contact(2)
+//!     .friction(vec![0.5])
+//!     .build()?;
+//! let answer = Auto.solve(&problem, None)?;
 //! assert!(residuals(&problem, &answer)?.is_solution(1e-8)); // r = (1, −½) N·s, u = (0, 3/2) m/s
 //! # Ok::<(), moreau_contact::Error>(())
 //! ```
@@ -38,11 +30,14 @@ pub mod conventions;
 #[cfg(feature = "files")]
 pub mod files;
 pub mod memory;
+pub mod prelude;
 pub mod problem;
 pub mod solvers;
 pub mod tolerance;
 
 pub use moreau_exact::{Error, Result, scalar};
+/// The linear algebra of the problems, in the version they are written with.
+pub use nalgebra;
 pub use problem::{ContactProblem, Law, Solution};
 
 /// The README's example, compiled and run as a documentation test.

@@ -234,8 +234,8 @@ impl Engine for OwnEngine {
 
     fn solve(&mut self, problem: &ContactProblem, options: &Options) -> Reply<Solution> {
         let (_, solver) = self.with(options)?.parts()?;
-        if !solver.takes(problem.law, problem.rows_per_contact, true) {
-            return Err(Refusal::unsupported(format!("solver `{}` does not take the law `{}`", solver.name(), problem.law.name())));
+        if !solver.takes(problem.law(), problem.rows_per_contact(), true) {
+            return Err(Refusal::unsupported(format!("solver `{}` does not take the law `{}`", solver.name(), problem.law().name())));
         }
         solver.solve(problem, None).map_err(refusal)
     }

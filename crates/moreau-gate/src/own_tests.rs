@@ -109,17 +109,8 @@ fn the_same_question_gets_the_same_answer_bit_for_bit() {
 #[test]
 fn problems_are_solved_for_the_laws_that_are_declared() {
     let mut engine = by_name("moreau-jean").expect("listed");
-    let problem = |law| ContactProblem {
-        name: "block".into(),
-        rows_per_contact: 3,
-        law,
-        friction: vec![0.5],
-        free_velocity: dvector![-1.0, 2.0, 0.0],
-        shift: dvector![0.0, 0.0, 0.0],
-        delassus: DMatrix::identity(3, 3),
-        compliance: None,
-        dynamics: None,
-        bodies: None,
+    let problem = |law| {
+        ContactProblem::new(DMatrix::identity(3, 3), dvector![-1.0, 2.0, 0.0]).name("block").law(law).friction(vec![0.5]).build().unwrap()
     };
     let solution = engine.solve(&problem(ContactLaw::Coulomb), &Options::new()).expect("declared");
     assert!((solution.impulse - dvector![1.0, -0.5, 0.0]).amax() <= rounding(16, 1.0));

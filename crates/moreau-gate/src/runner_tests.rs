@@ -30,9 +30,9 @@ impl Engine for Toy {
     }
 
     fn solve(&mut self, problem: &ContactProblem, _options: &Options) -> Reply<Solution> {
-        assert_ne!(problem.name, "panic", "on purpose");
+        assert_ne!(problem.name(), "panic", "on purpose");
         let zero = DVector::zeros(problem.rows());
-        Ok(Solution { impulse: zero.clone(), velocity: zero, beta: None, sigma: None, solver: "toy".into(), iterations: 0 })
+        Ok(Solution::new("toy", zero.clone(), zero, 0))
     }
 }
 
@@ -45,7 +45,7 @@ fn value(x: f64) -> Vec<Measurement> {
 }
 
 fn ask(bench: &mut Bench, name: &str) -> Reply<Solution> {
-    bench.solve(&ContactProblem { name: name.into(), ..one_contact() })
+    bench.solve(&one_contact().into_builder().name(name).build().unwrap())
 }
 
 static STEP: Check = check("toy/step", Level::Solve, Run::EachStep(|_, h| Ok(value(h))));
@@ -100,16 +100,9 @@ fn repeats_give_the_spread() {
 }
 
 fn one_contact() -> ContactProblem {
-    ContactProblem {
-        name: String::new(),
-        rows_per_contact: 1,
-        law: moreau_contact::Law::Frictionless,
-        friction: vec![0.0],
-        free_velocity: DVector::zeros(1),
-        shift: DVector::zeros(1),
-        delassus: nalgebra::DMatrix::identity(1, 1),
-        compliance: None,
-        dynamics: None,
-        bodies: None,
-    }
+    ContactProblem::new(nalgebra::DMatrix::identity(1, 1), DVector::zeros(1))
+        .law(moreau_contact::Law::Frictionless)
+        .rows_per_contact(1)
+        .build()
+        .unwrap()
 }

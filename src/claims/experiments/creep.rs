@@ -11,7 +11,7 @@ use crate::closed_forms::drake_sap::{SapContact, TANGENTIAL_RATIO};
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::mechanics::{PointMass, State};
 use crate::schemes::{Anitescu, simulate};
-use crate::solvers::Reference;
+use crate::solvers::Auto;
 use crate::{Error, Result};
 use nalgebra::dvector;
 
@@ -96,7 +96,7 @@ impl Creeping {
 fn hard(h: f64, steps: usize) -> Result<f64> {
     let block = PointMass::block_on_incline(1.0, GRAVITY, slope().atan(), FRICTION, 0.0);
     let start = State { time: 0.0, position: dvector![0.0, 0.0], velocity: dvector![0.0, 0.0] };
-    Ok(simulate(&Anitescu, &Reference, &block, start, h, steps.min(100))?.last().velocity[0])
+    Ok(simulate(&Anitescu, &Auto, &block, start, h, steps.min(100))?.last().velocity[0])
 }
 
 fn sap(h: f64) -> SapContact {

@@ -43,18 +43,12 @@ impl Tower {
     /// The first step of size h from rest: what is left to solve is u_free = −g h at the floor.
     pub fn first_step(&self, h: f64) -> ContactProblem {
         let jacobian = self.jacobian();
-        ContactProblem {
-            name: "tower".into(),
-            rows_per_contact: 1,
-            law: Law::Frictionless,
-            friction: vec![0.0; self.bodies],
-            free_velocity: &jacobian * DVector::from_element(self.bodies, -self.gravity * h),
-            shift: DVector::zeros(self.bodies),
-            delassus: &jacobian * jacobian.transpose(),
-            compliance: None,
-            dynamics: None,
-            bodies: None,
-        }
+        ContactProblem::new(&jacobian * jacobian.transpose(), &jacobian * DVector::from_element(self.bodies, -self.gravity * h))
+            .name("tower")
+            .law(Law::Frictionless)
+            .rows_per_contact(1)
+            .build()
+            .expect("numbers of a tower are finite")
     }
 
     /// cos²((2j−1)π/(2n)), the j-th largest factor of a sweep, j = 1 … n.
@@ -81,17 +75,18 @@ impl Tower {
 
     /// Gᵏ for k sweeps.
     fn sweeps(&self, count: usize) -> DMatrix<f64> {
-        let delassus = self.first_step(1.0).delassus;
+        let first = self.first_step(1.0);
+        let delassus = first.dense();
         let lower = delassus.lower_triangle().try_inverse().expect("a lower triangle with a positive diagonal");
         let identity = DMatrix::identity(self.bodies, self.bodies);
-        let sweep = &identity - &delassus * lower;
+        let sweep = &identity - delassus * lower;
         (0..count).fold(identity, |power, _| &sweep * power)
     }
 
     /// How far the top sinks \[m\], and its speed in the end \[m/s\], if every step does k linear sweeps from zero impulses,
     /// u⁺ = Gᵏ(u + u_g), by matrix powers.
     pub fn predicted_sinking(&self, count: usize, theta: f64, h: f64, steps: usize) -> [f64; 2] {
-        let (sweeps, fall) = (self.sweeps(count), self.first_step(h).free_velocity);
+        let (sweeps, fall) = (self.sweeps(count), self.first_step(h).free_velocity().clone());
         let mut velocity = DVector::zeros(self.bodies);
         let mut sunk = 0.0;
         for _ in 0..steps {
@@ -105,7 +100,7 @@ impl Tower {
 
     /// The constant sinking speed u = Gᵏ(u + u_g) of the top \[m/s\].
     pub fn sinking_speed(&self, count: usize, h: f64) -> f64 {
-        let (sweeps, fall) = (self.sweeps(count), self.first_step(h).free_velocity);
+        let (sweeps, fall) = (self.sweeps(count), self.first_step(h).free_velocity().clone());
         let left = DMatrix::identity(self.bodies, self.bodies) - &sweeps;
         -left.lu().solve(&(sweeps * fall)).expect("the factors of a sweep are below 1").sum()
     }

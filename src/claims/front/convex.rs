@@ -10,7 +10,7 @@ use crate::problem::{Compliance, Coordinates, Law, Lcp};
 use crate::scalar::{Rational, ratio};
 use crate::schemes::{Anitescu, MoreauJean, Scheme, StepContext, StepProblem, Waist, passes_the_waist, simulate};
 use crate::solvers::lemke::{LemkeOutcome, lemke};
-use crate::solvers::{AcceleratedProjectedGradient, Reference};
+use crate::solvers::{AcceleratedProjectedGradient, Auto};
 use crate::tolerance;
 use nalgebra::{DMatrix, DVector, dvector};
 
@@ -79,10 +79,11 @@ impl Scheme for Regularised {
 impl Waist for Regularised {
     fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
         let mut step = Anitescu.assemble(at)?;
-        if let Some(problem) = &mut step.problem {
-            let rows = problem.rows_per_contact;
+        if let Some(problem) = step.problem.take() {
+            let rows = problem.rows_per_contact();
             let diagonal = DVector::from_fn(problem.rows(), |row, _| if row % rows == 0 { 0.0 } else { 1.0 / 1000.0 });
-            problem.compliance = Some(Compliance { coordinates: Coordinates::Contact, diagonal });
+            let compliance = Compliance { coordinates: Coordinates::Contact, diagonal };
+            step.problem = Some(problem.into_builder().compliance(compliance).build()?);
         }
         Ok(step)
     }
@@ -115,7 +116,7 @@ fn scenes(reading: Reading) -> Result<Vec<Finding>> {
     let steps = ((form.accumulation_time() + 0.25) / h).ceil() as usize;
     let ball = PointMass::ball_on_floor(1.0, gravity, 0.5);
     let start = State { time: 0.0, position: dvector![1.0], velocity: dvector![0.0] };
-    let speed = simulate(&MoreauJean::default(), &Reference, &ball, start, h, steps)?.last().velocity[0].abs();
+    let speed = simulate(&MoreauJean::default(), &Auto, &ball, start, h, steps)?.last().velocity[0].abs();
     let (velocities, ground) = stack(&ratio(1, 100))?;
     let h = ratio(1, 100);
     let mut block = Block::at_rest(reading.pick(ratio(1, 2), ratio(1, 1)));

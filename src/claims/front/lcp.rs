@@ -105,18 +105,11 @@ fn normal_lcp(reading: Reading) -> Result<Vec<Finding>> {
 
 fn gauss_seidel(reading: Reading) -> Result<Vec<Finding>> {
     let jacobian = DMatrix::from_row_slice(4, 3, &[1.0, 1.0, 1.0, 1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 1.0, -1.0, -1.0]);
-    let problem = ContactProblem {
-        name: "block on four corners".into(),
-        rows_per_contact: 1,
-        law: Law::Frictionless,
-        friction: vec![0.0; 4],
-        free_velocity: DVector::from_element(4, -1.0),
-        shift: DVector::zeros(4),
-        delassus: delassus(&DMatrix::identity(3, 3), &jacobian)?,
-        compliance: None,
-        dynamics: None,
-        bodies: None,
-    };
+    let problem = ContactProblem::new(delassus(&DMatrix::identity(3, 3), &jacobian)?, DVector::from_element(4, -1.0))
+        .name("block on four corners")
+        .law(Law::Frictionless)
+        .rows_per_contact(1)
+        .build()?;
     let solve = |start: DVector<f64>| ProjectedGaussSeidel::default().solve(&problem, Some(&start));
     let (zero, diagonal) = (solve(DVector::zeros(4))?, solve(dvector![1.0, 0.0, 0.0, 1.0])?);
     let velocities = (&zero.velocity - &diagonal.velocity).amax();

@@ -52,23 +52,18 @@ fn cone(law: Law, mu: f64) -> ContactProblem {
 }
 
 fn problem(law: Law, rows: usize, delassus: DMatrix<f64>, free: Vec<f64>, friction: Vec<f64>) -> ContactProblem {
-    ContactProblem {
-        name: "conditioning".into(),
-        rows_per_contact: rows,
-        law,
-        friction,
-        shift: DVector::zeros(free.len()),
-        free_velocity: DVector::from_vec(free),
-        delassus,
-        compliance: None,
-        dynamics: None,
-        bodies: None,
-    }
+    ContactProblem::new(delassus, DVector::from_vec(free))
+        .name("conditioning")
+        .law(law)
+        .rows_per_contact(rows)
+        .friction(friction)
+        .build()
+        .expect("a small problem of finite numbers")
 }
 
 /// λ_max/λ_min of W.
 fn condition_number(problem: &ContactProblem) -> f64 {
-    let eigenvalues = problem.delassus.symmetric_eigenvalues();
+    let eigenvalues = problem.dense().symmetric_eigenvalues();
     eigenvalues.max() / eigenvalues.min()
 }
 

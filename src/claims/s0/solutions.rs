@@ -9,7 +9,7 @@ use crate::defects::zeno::{Altered, Mistake};
 use crate::mechanics::{PointMass, State};
 use crate::scalar::{Rational, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, simulate};
-use crate::solvers::Reference;
+use crate::solvers::Auto;
 use crate::tolerance::claims::{PRINTED_TIME, position_slope, variation};
 use crate::trajectory::metrics::total_variation;
 use nalgebra::dvector;
@@ -126,7 +126,7 @@ fn bounded_variation(reading: Reading) -> Result<Vec<Finding>> {
         let h = fall / (intervals as f64 + 0.5);
         let initial = State { time: 0.0, position: dvector![height], velocity: dvector![0.0] };
         let steps = (1.5 * ball.accumulation_time() / h) as usize;
-        let recording = simulate(subject, &Reference, &PointMass::ball_on_floor(1.0, gravity, e), initial, h, steps)?;
+        let recording = simulate(subject, &Auto, &PointMass::ball_on_floor(1.0, gravity, e), initial, h, steps)?;
         let velocities: Vec<f64> = recording.samples.iter().map(|sample| sample.velocity[0]).collect();
         let slopes = recording.samples.windows(2).map(|pair| (pair[1].position[0] - pair[0].position[0]).abs() / h);
         let title = format!("total variation of v_h at h = {h:.2e}");

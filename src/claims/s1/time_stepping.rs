@@ -12,7 +12,7 @@ use crate::exact_particle::{Ball, Motion};
 use crate::mechanics::{OscillatorWithStop, State};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, RungeKuttaFlip, Scheme, StewartTrinkle, simulate};
-use crate::solvers::Reference;
+use crate::solvers::Auto;
 use crate::tolerance::claims::ORDER_GAP;
 use crate::trajectory::{Level, fit_order};
 use nalgebra::dvector;
@@ -166,7 +166,7 @@ fn smooth_order(scheme: &dyn Scheme) -> Result<f64> {
         let steps = 1usize << (exponent + 1);
         let time_step = 2.0 / steps as f64;
         let start = State { time: 0.0, position: dvector![1.0], velocity: dvector![0.0] };
-        let end = simulate(scheme, &Reference, &spring, start, time_step, steps)?.last().position[0];
+        let end = simulate(scheme, &Auto, &spring, start, time_step, steps)?.last().position[0];
         Ok(Level { time_step, error: (end - 4f64.cos()).abs() })
     };
     Ok(fit_order((6..=9).map(level).collect::<Result<_>>()?)?.slope)

@@ -10,7 +10,7 @@ use crate::mechanics::planar::{PlanarBody, Shape};
 use crate::mechanics::{Mechanism, PainleveRod, PlanarBodies, Plane, PointMass, State};
 use crate::problem::Lcp;
 use crate::scalar::{Rational, ratio};
-use crate::solvers::Reference;
+use crate::solvers::Auto;
 use crate::solvers::enumeration::all_solutions;
 use crate::tolerance::claims::events::ACCURACY;
 use nalgebra::{DMatrix, DVector, dvector};
@@ -75,7 +75,7 @@ fn undefined(reading: Reading) -> Result<Vec<Finding>> {
     ];
     let body = PainleveRod::new(1.0, 1.0, 9.81, friction as f64, 0.0)?;
     let start = State { time: 0.0, position: dvector![0.0, 0.8, 0.8f64.atan2(0.6)], velocity: dvector![-1.0, 0.0, 0.0] };
-    let refused = EventDriven::default().advance(&Reference, &body, &start, 1.0 / 64.0).is_err();
+    let refused = EventDriven::default().advance(&Auto, &body, &start, 1.0 / 64.0).is_err();
     findings.push(Finding::decision("the event-driven method stops at the rod", refused, true));
     findings.push(Finding::count("impacts until 9/10 of T∞", impacts_until(&ratio(9, 10)), 10));
     findings.push(Finding::count("impacts until 99/100 of T∞", impacts_until(&ratio(99, 100)), 21));
@@ -90,7 +90,7 @@ fn through_the_accumulation() -> Result<Vec<Finding>> {
     let start = State { time: 0.0, position: dvector![1.0], velocity: dvector![0.0] };
     let compare = |share: f64| -> Result<Finding> {
         let time = share * exact.accumulation_time();
-        let end = EventDriven::default().advance(&Reference, &ball, &start, time)?.state;
+        let end = EventDriven::default().advance(&Auto, &ball, &start, time)?.state;
         let (q, v) = exact.state(time);
         let error = (end.position[0] - q).abs().max((end.velocity[0] - v).abs());
         Ok(Finding::at_most(format!("error of q [m] and v [m/s] at {share} T∞"), error, ACCURACY, "1"))
@@ -119,7 +119,7 @@ fn many_contacts(reading: Reading) -> Result<Vec<Finding>> {
     let mut findings = Vec::new();
     for count in [12usize, 1] {
         let (mechanism, start) = rain(count)?;
-        let motion = EventDriven::default().advance(&Reference, &mechanism, &start, TIME)?;
+        let motion = EventDriven::default().advance(&Auto, &mechanism, &start, TIME)?;
         let balls = (0..count).map(|k| BouncingBall::new(9.81, height(k), 0.8)).collect::<Result<Vec<_>>>()?;
         let impacts: Vec<usize> = balls.iter().map(|ball| ball.impacts_until(TIME).unwrap_or(0)).collect();
         let expected = reading.pick(impacts.iter().sum(), impacts[0]);

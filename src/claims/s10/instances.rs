@@ -5,7 +5,7 @@ use crate::checks::Finding;
 use crate::claims::{Claim, Evidence, Reading, Verdict};
 use crate::scenes::named;
 use crate::schemes::{Anitescu, Scheme, StewartTrinkle, simulate};
-use crate::solvers::Reference;
+use crate::solvers::Auto;
 use crate::tolerance::claims::rolling_hop;
 use crate::tolerance::convergence::slide_rounding;
 use crate::trajectory::metrics::largest_gap;
@@ -32,7 +32,7 @@ fn rolling(reading: Reading) -> Result<Vec<Finding>> {
     let staged = named("rolling-sphere")?.staged()?;
     let stewart_trinkle = StewartTrinkle::default();
     let scheme: &dyn Scheme = reading.pick(&Anitescu, &stewart_trinkle);
-    let run = simulate(scheme, &Reference, staged.mechanism.as_ref(), staged.start, h, steps)?;
+    let run = simulate(scheme, &Auto, staged.mechanism.as_ref(), staged.start, h, steps)?;
     let gaps: Vec<f64> = run.samples.iter().map(|state| staged.mechanism.contacts(&state.position)[0].gap).collect();
     let launch = friction / (1.0 + 3.5 * friction * friction);
     let hop = launch * launch / (2.0 * gravity);

@@ -49,7 +49,7 @@ fn row(reading: Reading) -> Result<Vec<Finding>> {
     let facts = facts()?;
     let all = |path: &str, names: &[&str]| names.iter().all(|name| facts.has(&["stated", path], name));
     let h = facts.number(&["stated", "defaults", "timestep"])?;
-    let law = |cone: Cone| soft_stack::ball(cone).map(|problem| problem.law);
+    let law = |cone: Cone| soft_stack::ball(cone).map(|problem| problem.law());
     Ok(vec![
         Finding::decision(
             "a quadratic program with pyramids",

@@ -169,9 +169,9 @@ fn chrono_row(reading: Reading) -> Result<Vec<Finding>> {
     for h in [0.02, 0.005] {
         let start = State { time: 0.0, position: dvector![0.0, 0.0], velocity: dvector![1.0, 0.0] };
         let assembled = step(&Chrono::default(), &ClarabelPolished, &slope, &start, h)?.assembled;
-        let mut problem = assembled.problem.ok_or_else(|| Error::Unsupported("the block touches".into()))?;
+        let problem = assembled.problem.ok_or_else(|| Error::Unsupported("the block touches".into()))?;
         let expected = ClarabelPolished.solve(&problem, None)?.velocity;
-        problem.law = reading.pick(Law::Associated, Law::Coulomb);
+        let problem = problem.into_builder().law(reading.pick(Law::Associated, Law::Coulomb)).build()?;
         let names: &[&str] = reading.pick(&["psor", "bb", "apgd", "admm"], &["psor", "admm"]);
         for name in names {
             let found = solvers::ALL.by_name(name)?.solve(&problem, None)?.velocity;
@@ -251,7 +251,7 @@ fn route(reading: Reading) -> Result<Vec<Finding>> {
         loaded
             .map(|k| {
                 let slip = answer.velocity[3 * k + 1].hypot(answer.velocity[3 * k + 2]);
-                (answer.velocity[3 * k] - share * problem.friction[k] * slip).abs()
+                (answer.velocity[3 * k] - share * problem.friction()[k] * slip).abs()
             })
             .fold(0.0, f64::max)
     };

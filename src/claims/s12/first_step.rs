@@ -93,7 +93,7 @@ fn setup(reading: Reading) -> Result<Vec<Finding>> {
     let scheme = MoreauJean { theta: 1.0, activation: Activation::FreeVelocityForecast, restitution: RestitutionRule::NormalOnly };
     let at_floor = State { time: 0.0, position: dvector![0.0], velocity: dvector![-1.0] };
     let posed = assembled(&scheme, &ball, &at_floor, 0.1)?;
-    let of_scheme = posed.problem.map_or(f64::NAN, |problem| problem.delassus[(0, 0)]);
+    let of_scheme = posed.problem.map_or(f64::NAN, |problem| problem.entry(0, 0));
     Ok(vec![
         Finding::exact("W", &exact[(0, 0)], &ratio(1, 1), "1/kg"),
         Finding::equal("W assembled by the scheme", of_scheme, 1.0, 0.0, "1/kg"),

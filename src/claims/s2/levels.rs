@@ -9,7 +9,7 @@ use crate::exact_particle::{Ball, Motion};
 use crate::mechanics::{BeadInCircle, Mechanism, PointMass, State};
 use crate::scalar::{Rational, ratio};
 use crate::schemes::{Activation, MoreauJean, Scheme, StewartTrinkle, simulate};
-use crate::solvers::Reference;
+use crate::solvers::Auto;
 use crate::tolerance::rounding;
 use nalgebra::{DVector, dvector};
 
@@ -129,7 +129,7 @@ fn equivalence(reading: Reading) -> Result<Vec<Finding>> {
             position: dvector![0.0, reading.pick(0.0, 1.0 / 64.0)],
             velocity: dvector![reading.pick(1.0, 1.0), reading.pick(0.0, -1.0)],
         };
-        let run = |scheme: &dyn Scheme| simulate(scheme, &Reference, &block, initial.clone(), 1.0 / 32.0, STEPS);
+        let run = |scheme: &dyn Scheme| simulate(scheme, &Auto, &block, initial.clone(), 1.0 / 32.0, STEPS);
         let (position_level, velocity_level) = (run(&POSITION_LEVEL)?, run(&VELOCITY_LEVEL)?);
         let pairs = || position_level.samples.iter().zip(&velocity_level.samples);
         let size = pairs().map(|(state, _)| state.position.amax() + state.velocity.amax()).fold(1.0, f64::max);
@@ -149,7 +149,7 @@ const DURATION: f64 = 2.0;
 fn depths(scheme: &dyn Scheme, h: f64) -> Result<Vec<f64>> {
     let bead = BeadInCircle::new(1.0, 1.0, 0.0, 0.0, 0.0)?;
     let initial = State { time: 0.0, position: dvector![0.0, -1.0], velocity: dvector![1.0, 0.0] };
-    let recording = simulate(scheme, &Reference, &bead, initial, h, (DURATION / h).round() as usize)?;
+    let recording = simulate(scheme, &Auto, &bead, initial, h, (DURATION / h).round() as usize)?;
     Ok(recording.samples.iter().skip(1).map(|state| -bead.contacts(&state.position)[0].gap).collect())
 }
 
@@ -157,7 +157,7 @@ fn depths(scheme: &dyn Scheme, h: f64) -> Result<Vec<f64>> {
 fn depth_on_a_plane(scheme: &dyn Scheme) -> Result<f64> {
     let block = PointMass::block_on_incline(1.0, 10.0, 0.5, 0.3, 0.0);
     let initial = State { time: 0.0, position: dvector![0.0, 0.0], velocity: dvector![1.0, 0.0] };
-    let recording = simulate(scheme, &Reference, &block, initial, 1.0 / 32.0, 32)?;
+    let recording = simulate(scheme, &Auto, &block, initial, 1.0 / 32.0, 32)?;
     let gap = |position: &DVector<f64>| block.contacts(position)[0].gap.abs();
     Ok(recording.samples.iter().map(|state| gap(&state.position)).fold(0.0, f64::max))
 }

@@ -167,7 +167,7 @@ fn posed(mechanism: &dyn Mechanism, theta: f64, position: DVector<f64>, velocity
     let scheme = MoreauJean { theta, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
     let problem = assembled(&scheme, mechanism, &State { time: 0.0, position, velocity }, 0.1)?.problem;
     let problem = problem.ok_or_else(|| Error::Unsupported("the contact is closed, so the step has a problem".into()))?;
-    Ok((problem.delassus[(0, 0)], problem.free_velocity[0] + problem.shift[0]))
+    Ok((problem.entry(0, 0), problem.free_velocity()[0] + problem.shift()[0]))
 }
 
 fn impulse_scales_with_the_step(reading: Reading) -> Result<Vec<Finding>> {

@@ -9,7 +9,7 @@ use crate::mechanics::{Mechanism, Plane, PointMass, State};
 use crate::problem::stewart_trinkle;
 use crate::scalar::{Rational, ratio};
 use crate::schemes::{MoreauJean, Scheme, StewartTrinkle, step};
-use crate::solvers::Reference;
+use crate::solvers::Auto;
 use crate::solvers::lemke::{LemkeOutcome, lemke};
 use crate::tolerance::claims::{SLIDE_STEP, slide_drift};
 use crate::tolerance::rounding;
@@ -147,7 +147,7 @@ impl Slide {
     }
 
     fn advance(&mut self, h: f64) -> Result<()> {
-        self.state = step(self.scheme.as_ref(), &Reference, &self.mechanism, &self.state, h)?.state;
+        self.state = step(self.scheme.as_ref(), &Auto, &self.mechanism, &self.state, h)?.state;
         Ok(())
     }
 

@@ -115,7 +115,7 @@ fn linearised(reading: Reading) -> Result<Vec<Finding>> {
     let mut findings = Vec::new();
     let approaching = State { time: 0.0, position: dvector![0.75, 0.0], velocity: dvector![64.0, 0.0] };
     let assembled = schemes::assembled(scheme(reading).as_ref(), &bead, &approaching, 1.0 / 64.0)?;
-    let shift = assembled.problem.map_or(0.0, |problem| problem.shift[0]);
+    let shift = assembled.problem.map_or(0.0, |problem| problem.shift()[0]);
     findings.push(Finding::equal("shift of a contact at φ = 1/4, h = 1/64", shift, 16.0, 0.0, "m/s"));
     for h in [1.0 / 16.0, 1.0 / 64.0, 1.0 / 256.0] {
         let end = schemes::step(&*scheme(reading), &LemkePivoting, &bead, &start, h)?.state;

@@ -90,29 +90,26 @@ fn error_after_ten_steps(eta: &Rational) -> Rational {
 
 /// Masses in a row, the first pressed against the others: N tridiagonal with 2 and −1.
 pub(super) fn pressed_row(contacts: usize) -> ContactProblem {
-    ContactProblem {
-        name: "pressed row".into(),
-        rows_per_contact: 1,
-        law: Law::Frictionless,
-        friction: vec![0.0; contacts],
-        free_velocity: DVector::from_fn(contacts, |k, _| if k == 0 { -1.0 } else { 0.0 }),
-        shift: DVector::zeros(contacts),
-        delassus: DMatrix::from_fn(contacts, contacts, |i, j| match i.abs_diff(j) {
+    ContactProblem::new(
+        DMatrix::from_fn(contacts, contacts, |i, j| match i.abs_diff(j) {
             0 => 2.0,
             1 => -1.0,
             _ => 0.0,
         }),
-        compliance: None,
-        dynamics: None,
-        bodies: None,
-    }
+        DVector::from_fn(contacts, |k, _| if k == 0 { -1.0 } else { 0.0 }),
+    )
+    .name("pressed row")
+    .law(Law::Frictionless)
+    .rows_per_contact(1)
+    .build()
+    .expect("a row of finite numbers")
 }
 
 /// max over k ≤ 300 of (f(r_k) − f*)/bound(L, R, k).
 fn largest_ratio(momentum: Momentum, bound: fn(f64, f64, f64) -> f64) -> Result<f64> {
     let problem = pressed_row(40);
     let exact = LemkePivoting.solve(&problem, None)?.impulse;
-    let (best, radius, size) = (objective(&problem, &exact), exact.norm(), largest_eigenvalue_bound(&problem.delassus));
+    let (best, radius, size) = (objective(&problem, &exact), exact.norm(), largest_eigenvalue_bound(problem.dense()));
     // rounding of two objectives of size ‖N‖‖r‖²
     let rounding = tolerance::rounding(problem.rows(), size * radius * radius);
     let mut largest: f64 = 0.0;
@@ -139,8 +136,7 @@ fn rates(reading: Reading) -> Result<Vec<Finding>> {
     let plain_bound: fn(f64, f64, f64) -> f64 = |l, r, k| l * r * r / (2.0 * k);
     let fast_bound: fn(f64, f64, f64) -> f64 = |l, r, k| 2.0 * l * r * r / (k + 1.0).powi(2);
     let fast = largest_ratio(reading.pick(Momentum::Nesterov, Momentum::Plain), fast_bound)?;
-    let mut easy = pressed_row(40);
-    easy.delassus.fill_with_identity();
+    let easy = pressed_row(40).into_builder().delassus(DMatrix::identity(40, 40)).build()?;
     let at_once = AcceleratedProjectedGradient::default().solve(&easy, None)?.iterations;
     Ok(vec![
         Finding::at_most("largest (f − f*)/(2LR²/(k+1)²), accelerated", fast, 1.0, "1"),
@@ -154,14 +150,14 @@ fn counted(problem: &ContactProblem, iterations: usize, backtracking: bool) -> (
     let mut products = 0;
     let mut apply = |vector: &DVector<f64>| {
         products += 1;
-        &problem.delassus * vector
+        problem.dense() * vector
     };
-    let step = 1.0 / largest_eigenvalue_bound(&problem.delassus);
+    let step = 1.0 / largest_eigenvalue_bound(problem.dense());
     let mut gamma = DVector::zeros(problem.rows());
     let mut point = gamma.clone();
     let mut t: f64 = 1.0;
     for _ in 0..iterations {
-        let mut next = &point - (apply(&point) + &problem.free_velocity) * step;
+        let mut next = &point - (apply(&point) + problem.free_velocity()) * step;
         next.as_mut_slice().iter_mut().for_each(|entry| second_order::project(std::slice::from_mut(entry), 0.0));
         if backtracking {
             apply(&next);

@@ -92,7 +92,7 @@ fn users(reading: Reading) -> Result<Vec<Finding>> {
         let state = State { time: 0.0, position: dvector![0.0, 0.0, -0.001], velocity: dvector![1.0, 0.0, 0.0] };
         let scheme = by_name(scheme, Parameters::default())?;
         let waist = scheme.waist().ok_or_else(|| Error::Unsupported("the scheme does not pass the waist".into()))?;
-        Ok(assembled(waist, &block, &state, 0.01)?.problem.map(|problem| problem.law))
+        Ok(assembled(waist, &block, &state, 0.01)?.problem.map(|problem| problem.law()))
     };
     let relaxed = Some(Law::Associated);
     let siconos = Facts::stored()?;

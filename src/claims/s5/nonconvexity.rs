@@ -9,7 +9,7 @@ use crate::problem::{ContactProblem, Law, Lcp};
 use crate::scalar::{Rational, exact, ratio};
 use crate::solvers::enumeration::all_solutions;
 use crate::solvers::lemke::{LemkeOutcome, lemke};
-use crate::solvers::{ContactSolver, Reference};
+use crate::solvers::{Auto, ContactSolver};
 use crate::tolerance;
 use nalgebra::{DMatrix, DVector};
 
@@ -172,19 +172,13 @@ fn four_combinations(reading: Reading) -> Result<Vec<Finding>> {
     let mut findings = Vec::new();
     for (laws, lifts) in [(relaxed, true), (exact_laws, false)] {
         for law in laws {
-            let problem = ContactProblem {
-                name: law.name().into(),
-                rows_per_contact: 3,
-                law,
-                friction: vec![0.5],
-                free_velocity: DVector::from_vec(vec![-1.0, 2.0 * direction.cos(), 2.0 * direction.sin()]),
-                shift: DVector::zeros(3),
-                delassus: DMatrix::identity(3, 3),
-                compliance: None,
-                dynamics: None,
-                bodies: None,
-            };
-            let solution = Reference.solve(&problem, None)?;
+            let problem =
+                ContactProblem::new(DMatrix::identity(3, 3), DVector::from_vec(vec![-1.0, 2.0 * direction.cos(), 2.0 * direction.sin()]))
+                    .name(law.name())
+                    .law(law)
+                    .friction(vec![0.5])
+                    .build()?;
+            let solution = Auto.solve(&problem, None)?;
             let bound = tolerance::solvers::STOP;
             let residual = residuals(&problem, &solution)?.natural_map;
             // a relaxed contact lifts off by at least μ u_t cos(π/4) with u_t ≥ 2 − μ r_n, r_n ≤ 2

@@ -183,18 +183,14 @@ pub fn contacts_alone() -> (Program, ContactProblem) {
         ..mixed
     };
     let rounded = |x: DVector<Rational>| x.map(|entry| Scalar::to_f64(&entry));
-    let problem = ContactProblem {
-        name: "two soft contacts".into(),
-        rows_per_contact: 1,
-        law: Law::Frictionless,
-        friction: vec![0.0; 2],
-        free_velocity: rounded(&pair.jacobian * &pair.free),
-        shift: rounded(-pair.reference.clone()),
-        delassus: pair.delassus().map(|entry| Scalar::to_f64(&entry)),
-        compliance: Some(Compliance { coordinates: Coordinates::Contact, diagonal: rounded(pair.regularisation.clone()) }),
-        dynamics: None,
-        bodies: None,
-    };
+    let problem = ContactProblem::new(pair.delassus().map(|entry| Scalar::to_f64(&entry)), rounded(&pair.jacobian * &pair.free))
+        .name("two soft contacts")
+        .law(Law::Frictionless)
+        .rows_per_contact(1)
+        .shift(rounded(-pair.reference.clone()))
+        .compliance(Compliance { coordinates: Coordinates::Contact, diagonal: rounded(pair.regularisation.clone()) })
+        .build()
+        .expect("two soft contacts of finite numbers");
     (pair, problem)
 }
 
@@ -216,7 +212,7 @@ fn dual(reading: Reading) -> Result<Vec<Finding>> {
         Finding::decision("P + D > 0 at other admissible forces", worse, true),
     ];
     for (measured, exact) in interior.impulse.iter().zip(exact.iter()) {
-        let bound = two_contacts(size, problem.free_velocity.amax() + problem.shift.amax());
+        let bound = two_contacts(size, problem.free_velocity().amax() + problem.shift().amax());
         findings.push(Finding::equal("force of a contact by Clarabel", *measured, Scalar::to_f64(exact), bound, "N"));
     }
     Ok(findings)

@@ -157,8 +157,9 @@ fn hard_and_convex(reading: Reading) -> Result<Vec<Finding>> {
     let hard = assembled(&Anitescu, &mechanism, &state, STEP)?.problem;
     let mut findings = Vec::new();
     for (name, problem) in [("hard", hard), ("soft", Some(soft_stack::problem(3, 1.0, Cone::Elliptic)?))] {
-        let mut problem = problem.ok_or_else(|| crate::Error::Unsupported("the boxes overlap and touch".into()))?;
-        problem.law = reading.pick(problem.law, Law::Coulomb);
+        let problem = problem.ok_or_else(|| crate::Error::Unsupported("the boxes overlap and touch".into()))?;
+        let law = reading.pick(problem.law(), Law::Coulomb);
+        let problem = problem.into_builder().law(law).build()?;
         let answer = AcceleratedProjectedGradient::default().solve(&problem, None);
         let solved = answer.is_ok_and(|answer| residuals(&problem, &answer).is_ok_and(|judged| judged.is_solution(CERTIFY)));
         findings.push(Finding::decision(format!("the {name} step is solved by projected gradients"), solved, true));
@@ -210,8 +211,8 @@ fn independent_worlds(reading: Reading) -> Result<Vec<Finding>> {
 /// Two copies of a problem in one, their masses coupled by this part of the mass.
 fn side_by_side(problem: &ContactProblem, coupling: f64) -> Result<ContactProblem> {
     let missing = || crate::Error::Unsupported("a soft step has mass, Jacobian and compliance".into());
-    let dynamics = problem.dynamics.as_ref().ok_or_else(missing)?;
-    let compliance = problem.compliance.as_ref().ok_or_else(missing)?;
+    let dynamics = problem.dynamics().ok_or_else(missing)?;
+    let compliance = problem.compliance().ok_or_else(missing)?;
     let double = |x: &DVector<f64>| DVector::from_iterator(2 * x.len(), x.iter().chain(x.iter()).copied());
     let blocks = |matrix: &nalgebra::DMatrix<f64>, beside: f64| {
         let (n, m) = matrix.shape();
@@ -222,15 +223,16 @@ fn side_by_side(problem: &ContactProblem, coupling: f64) -> Result<ContactProble
         both
     };
     let (mass, jacobian) = (blocks(&dynamics.mass, coupling), blocks(&dynamics.jacobian, 0.0));
-    Ok(ContactProblem {
-        name: "two worlds".into(),
-        friction: problem.friction.iter().chain(&problem.friction).copied().collect(),
-        free_velocity: double(&problem.free_velocity),
-        shift: double(&problem.shift),
-        delassus: crate::contact::delassus::delassus(&mass, &jacobian)?,
-        compliance: Some(Compliance { coordinates: compliance.coordinates, diagonal: double(&compliance.diagonal) }),
-        dynamics: Some(crate::problem::Dynamics { mass, jacobian }),
-        bodies: None,
-        ..problem.clone()
-    })
+    problem
+        .clone()
+        .into_builder()
+        .name("two worlds")
+        .friction(problem.friction().iter().chain(problem.friction()).copied().collect())
+        .free_velocity(double(problem.free_velocity()))
+        .shift(double(problem.shift()))
+        .delassus(crate::contact::delassus::delassus(&mass, &jacobian)?)
+        .compliance(Compliance { coordinates: compliance.coordinates, diagonal: double(&compliance.diagonal) })
+        .dynamics(crate::problem::Dynamics { mass, jacobian })
+        .bodies(None)
+        .build()
 }

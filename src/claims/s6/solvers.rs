@@ -92,7 +92,7 @@ fn same_optimum(reading: Reading) -> Result<Vec<Finding>> {
     let sweeps = reading.pick(ProjectedGaussSeidel::default().sweeps, 1);
     let solvers: [&dyn ContactSolver; 3] =
         [&ProjectedGaussSeidel { sweeps, ..ProjectedGaussSeidel::default() }, &AcceleratedProjectedGradient::default(), &ClarabelPolished];
-    let bound = two_contacts(exact.norm(), problem.free_velocity.amax() + problem.shift.amax());
+    let bound = two_contacts(exact.norm(), problem.free_velocity().amax() + problem.shift().amax());
     let mut findings = Vec::new();
     for solver in solvers {
         let force = solver.solve(&problem, None)?.impulse;

@@ -1,6 +1,6 @@
 //! The four errors of one run against the closed form of the bouncing ball.
 
-use moreau_contact::solvers::Reference;
+use moreau_contact::solvers::Auto;
 use moreau_dynamics::mechanics::{PointMass, State};
 use moreau_dynamics::schemes::{Scheme, simulate};
 use moreau_dynamics::trajectory::metrics::{Normalisation, graph_distance, position_sup, velocity_l1, velocity_sup};
@@ -36,7 +36,7 @@ pub fn ball_errors(scheme: &dyn Scheme, restitution: f64, horizon: f64, h: f64) 
     let mechanism = PointMass::ball_on_floor(1.0, GRAVITY, restitution);
     let initial = State { time: 0.0, position: dvector![HEIGHT], velocity: dvector![0.0] };
     let steps = (horizon * ball.first_impact_time() / h) as usize;
-    let recording = simulate(scheme, &Reference, &mechanism, initial, h, steps)?;
+    let recording = simulate(scheme, &Auto, &mechanism, initial, h, steps)?;
     let times: Vec<f64> = recording.samples.iter().map(|sample| sample.time).collect();
     let positions: Vec<f64> = recording.samples.iter().map(|sample| sample.position[0]).collect();
     let velocities: Vec<f64> = recording.samples.iter().map(|sample| sample.velocity[0]).collect();

@@ -8,7 +8,7 @@
 
 use crate::finding::Finding;
 use crate::tolerance::convergence::{slide_rounding, slide_second_order};
-use moreau_contact::solvers::Reference;
+use moreau_contact::solvers::Auto;
 use moreau_dynamics::mechanics::{PointMass, State};
 use moreau_dynamics::schemes::{Scheme, simulate};
 use moreau_dynamics::trajectory::metrics::{creep_speed, largest_gap, position_sup, velocity_l1, velocity_sup};
@@ -40,7 +40,7 @@ impl Incline {
         let h = self.duration / steps as f64;
         let block = PointMass::block_on_incline(1.0, self.gravity, self.angle, self.friction, 0.0);
         let initial = State { time: 0.0, position: dvector![0.0, gap], velocity: dvector![self.velocity, 0.0] };
-        Ok((simulate(scheme, &Reference, &block, initial, h, steps)?, h))
+        Ok((simulate(scheme, &Auto, &block, initial, h, steps)?, h))
     }
 
     fn exact(&self) -> Result<InclineBlock> {

@@ -46,23 +46,26 @@ fn family(subject: &dyn Scheme) -> Result<Vec<Finding>> {
 }
 
 /// y = e u⁺ + u⁻ has the zeros of y = u⁺ + u⁻/e, and u⁻ = shift/e; for e = ½.
-pub fn restitution_on_the_wrong_side(problem: &mut ContactProblem) {
-    problem.shift /= RESTITUTION * RESTITUTION;
+pub fn restitution_on_the_wrong_side(problem: ContactProblem) -> Result<ContactProblem> {
+    let shift = problem.shift() / (RESTITUTION * RESTITUTION);
+    problem.into_builder().shift(shift).build()
 }
 
-fn delassus_with_mass(problem: &mut ContactProblem) {
-    if let Some(dynamics) = &problem.dynamics {
-        problem.delassus = &dynamics.jacobian * &dynamics.mass * dynamics.jacobian.transpose();
-    }
+fn delassus_with_mass(problem: ContactProblem) -> Result<ContactProblem> {
+    let Some(dynamics) = problem.dynamics() else { return Ok(problem) };
+    let delassus = &dynamics.jacobian * &dynamics.mass * dynamics.jacobian.transpose();
+    problem.into_builder().delassus(delassus).build()
 }
 
-fn restitution_of_the_free_velocity(problem: &mut ContactProblem) {
-    problem.shift = &problem.free_velocity * RESTITUTION;
+fn restitution_of_the_free_velocity(problem: ContactProblem) -> Result<ContactProblem> {
+    let shift = problem.free_velocity() * RESTITUTION;
+    problem.into_builder().shift(shift).build()
 }
 
 /// A mistake: the shift e u⁻ is left out.
-pub fn restitution_forgotten(problem: &mut ContactProblem) {
-    problem.shift.fill(0.0);
+pub fn restitution_forgotten(problem: ContactProblem) -> Result<ContactProblem> {
+    let shift = DVector::zeros(problem.rows());
+    problem.into_builder().shift(shift).build()
 }
 
 /// Moreau–Jean whose contact problem is altered before it is solved.
@@ -70,7 +73,7 @@ pub struct Misassembled {
     /// The scheme that assembles it correctly.
     pub base: MoreauJean,
     /// What is done to the problem.
-    pub alter: fn(&mut ContactProblem),
+    pub alter: fn(ContactProblem) -> Result<ContactProblem>,
 }
 
 impl Scheme for Misassembled {
@@ -84,9 +87,7 @@ impl Scheme for Misassembled {
 impl Waist for Misassembled {
     fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
         let mut assembled = self.base.assemble(at)?;
-        if let Some(problem) = &mut assembled.problem {
-            (self.alter)(problem);
-        }
+        assembled.problem = assembled.problem.map(self.alter).transpose()?;
         Ok(assembled)
     }
 

@@ -34,6 +34,17 @@ pub enum NotPlus {
 ///
 /// # Errors
 /// [`Error::Unsupported`] for more than [`LARGEST`] rows.
+/// ```
+/// use moreau_contact::certificate::{Decision, copositivity::copositive};
+/// use moreau_contact::nalgebra::dmatrix;
+/// use moreau_contact::scalar::ratio;
+///
+/// let matrix = |beside: i64| dmatrix![ratio(1, 1), ratio(beside, 1); ratio(beside, 1), ratio(1, 1)];
+/// assert!(copositive(&matrix(5))?.holds()); // indefinite, but not on x ≥ 0
+/// let Decision::Fails(x) = copositive(&matrix(-2))? else { panic!("(1, 1) has xᵀM x = −2") };
+/// assert!(x.iter().all(|entry| *entry > ratio(0, 1)));
+/// # Ok::<(), moreau_contact::Error>(())
+/// ```
 pub fn copositive(matrix: &DMatrix<Rational>) -> Result<Decision<DVector<Rational>>> {
     let symmetric = checked_symmetric_part(matrix)?;
     let relevant = without_nonnegative_rows(&symmetric);
@@ -49,6 +60,16 @@ pub fn copositive(matrix: &DMatrix<Rational>) -> Result<Decision<DVector<Rationa
 ///
 /// # Errors
 /// [`Error::Unsupported`] for more than [`LARGEST`] rows.
+/// ```
+/// use moreau_contact::certificate::copositivity::{NotPlus, copositive_plus};
+/// use moreau_contact::nalgebra::dmatrix;
+/// use moreau_contact::scalar::ratio;
+///
+/// // xᵀM x = 2 x₁x₂ vanishes at (1, 0), where (M + Mᵀ) x does not
+/// let matrix = dmatrix![ratio(0, 1), ratio(1, 1); ratio(1, 1), ratio(0, 1)];
+/// assert!(matches!(copositive_plus(&matrix)?.witness(), Some(NotPlus::Zero(_))));
+/// # Ok::<(), moreau_contact::Error>(())
+/// ```
 pub fn copositive_plus(matrix: &DMatrix<Rational>) -> Result<Decision<NotPlus>> {
     let symmetric = checked_symmetric_part(matrix)?;
     // xᵀS x = ‖S^½ x‖², so a semidefinite form vanishes only where S x does.

@@ -50,6 +50,16 @@ pub fn definiteness(matrix: &DMatrix<Rational>) -> Definiteness {
 }
 
 /// Whether xᵀA x ≥ 0 for all x; the witness x has xᵀA x < 0.
+/// ```
+/// use moreau_contact::certificate::definiteness::{positive_semidefinite, quadratic_form};
+/// use moreau_contact::nalgebra::dmatrix;
+/// use moreau_contact::scalar::ratio;
+///
+/// let matrix = |beside: i64| dmatrix![ratio(1, 1), ratio(beside, 1); ratio(beside, 1), ratio(1, 1)];
+/// assert!(positive_semidefinite(&matrix(1)).holds());
+/// let x = positive_semidefinite(&matrix(2)).witness().expect("indefinite");
+/// assert!(quadratic_form(&matrix(2), &x) < ratio(0, 1));
+/// ```
 pub fn positive_semidefinite(matrix: &DMatrix<Rational>) -> Decision<DVector<Rational>> {
     match definiteness(matrix) {
         Definiteness::Indefinite { witness } => Decision::Fails(witness),

@@ -32,6 +32,15 @@ impl Feasibility {
 ///
 /// # Panics
 /// If b has not one entry per row of A.
+/// ```
+/// use moreau_contact::certificate::feasibility::{Feasibility, nonnegative_solution};
+/// use moreau_contact::nalgebra::{dmatrix, dvector};
+/// use moreau_contact::scalar::ratio;
+///
+/// let row = dmatrix![ratio(2, 1), ratio(3, 1)]; // 2 x₁ + 3 x₂ = b
+/// assert!(nonnegative_solution(&row, &dvector![ratio(6, 1)]).point().is_some());
+/// assert!(matches!(nonnegative_solution(&row, &dvector![ratio(-1, 1)]), Feasibility::Farkas(_)));
+/// ```
 pub fn nonnegative_solution(matrix: &DMatrix<Rational>, right_side: &DVector<Rational>) -> Feasibility {
     assert_eq!(matrix.nrows(), right_side.len(), "A x = b needs one entry of b per row");
     let mut phase = PhaseOne::new(matrix, right_side);

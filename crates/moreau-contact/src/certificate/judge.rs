@@ -115,6 +115,18 @@ impl Judge {
     ///
     /// # Errors
     /// [`Error::Invalid`] if an edge compliance makes the answer depend on edge impulses that it does not give.
+    /// ```
+    /// use moreau_contact::certificate::Judge;
+    /// use moreau_contact::nalgebra::{DMatrix, dvector};
+    /// use moreau_contact::prelude::*;
+    ///
+    /// let ball = ContactProblem::new(DMatrix::identity(1, 1), dvector![-1.0]).rows_per_contact(1).build()?;
+    /// let judged = Judge::default().judge(&ball, &Solution::new("too little", dvector![0.5], dvector![-0.5], 0))?;
+    /// assert!(!judged.accepts(1e-8));
+    /// let (name, worst) = judged.worst();
+    /// assert_eq!((name, worst.contact), ("dual", 0)); // it goes on at 0.5 m/s into the floor
+    /// # Ok::<(), moreau_contact::Error>(())
+    /// ```
     pub fn judge(&mut self, problem: &ContactProblem, solution: &Solution) -> Result<Judged> {
         let impulse = solution.impulse.as_slice();
         self.scales.prepare(problem);
@@ -153,28 +165,28 @@ impl Judge {
     fn set_law_velocity(&mut self, problem: &ContactProblem, impulse: &[f64]) {
         let y = &mut self.law_velocity;
         y.clear();
-        y.extend(problem.free_velocity.iter().zip(&problem.shift).map(|(free, shift)| free + shift));
+        y.extend(problem.free_velocity().iter().zip(problem.shift()).map(|(free, shift)| free + shift));
         for (column, r) in impulse.iter().enumerate().filter(|(_, r)| **r != 0.0) {
-            y.iter_mut().zip(problem.delassus.column(column).iter()).for_each(|(y, w)| *y += w * r);
+            problem.add_column(column, *r, y);
         }
         y.iter_mut().enumerate().for_each(|(row, y)| *y += compliance(problem, row) * impulse[row]);
     }
 
     fn contacts(&mut self, problem: &ContactProblem, solution: &Solution, impulse: &[f64], law_velocity: &[f64]) -> Result<Judged> {
         self.scales.set_sizes(problem, impulse, law_velocity);
-        let rows = problem.rows_per_contact;
+        let rows = problem.rows_per_contact();
         let mut judged = Judged::default();
         for (k, (r, y)) in impulse.chunks_exact(rows).zip(law_velocity.chunks_exact(rows)).enumerate() {
             let here = Here {
                 contact: k,
-                friction: problem.friction[k],
+                friction: problem.friction()[k],
                 r,
                 y,
                 weights: self.scales.weights[k],
                 sizes: self.scales.at(k),
                 floors: self.scales.floors_at(k * rows..(k + 1) * rows),
             };
-            let at = match problem.law {
+            let at = match problem.law() {
                 Law::PolyhedralCoulomb { directions } => polyhedral::stewart_trinkle(&mut self.pairs, solution, directions, &here),
                 Law::PolyhedralAssociated { directions } => polyhedral::edges(&mut self.pairs, problem, solution, directions, &here)?,
                 law => second_order(law, &here),
@@ -186,10 +198,10 @@ impl Judge {
 
     /// The stored u against the impulses.
     fn stored_velocity(&self, problem: &ContactProblem, solution: &Solution, judged: &mut Judged) {
-        let rows = problem.rows_per_contact;
+        let rows = problem.rows_per_contact();
         for (row, stored) in solution.velocity.iter().enumerate() {
             let (contact, normal) = (row / rows, row % rows == 0);
-            let found = self.law_velocity[row] - problem.shift[row] - compliance(problem, row) * solution.impulse[row];
+            let found = self.law_velocity[row] - problem.shift()[row] - compliance(problem, row) * solution.impulse[row];
             let ([s_n, _, s_t], [rho_n, rho_t]) = (self.scales.at(contact), self.scales.weights[contact]);
             let scale = if normal { s_n / rho_n } else { s_t / rho_t };
             judged.velocity.take(contact, Part { value: (stored - found).abs(), scale, floor: self.scales.floors[row] });
@@ -250,7 +262,7 @@ fn friction(mu: f64, s_r: f64, here: &Here) -> Part {
 /// [`Error::Invalid`] names the field that does not fit.
 pub(super) fn check_sizes(problem: &ContactProblem, solution: &Solution) -> Result<()> {
     // in the plane every cone is polyhedral, with the two senses of tangent₁ as directions
-    let d = problem.law.directions().unwrap_or(if problem.rows_per_contact == 2 { 2 } else { 0 });
+    let d = problem.law().directions().unwrap_or(if problem.rows_per_contact() == 2 { 2 } else { 0 });
     let given = [
         ("impulse", Some(solution.impulse.len()), problem.rows()),
         ("velocity", Some(solution.velocity.len()), problem.rows()),
@@ -259,8 +271,10 @@ pub(super) fn check_sizes(problem: &ContactProblem, solution: &Solution) -> Resu
     ];
     match given.into_iter().find(|(_, size, needed)| size.is_some_and(|size| size != *needed)) {
         None => Ok(()),
-        Some((field, size, needed)) => {
-            Err(Error::invalid(field, format!("has size {}", size.unwrap_or(0)), format!("the problem `{}` needs {needed}", problem.name)))
-        }
+        Some((field, size, needed)) => Err(Error::invalid(
+            field,
+            format!("has size {}", size.unwrap_or(0)),
+            format!("the problem `{}` needs {needed}", problem.name()),
+        )),
     }
 }

@@ -37,9 +37,9 @@ pub fn natural_map(law: Law, friction: f64, impulse: &[f64], law_velocity: &[f64
 /// ρ \[kg\] of every contact: rows/tr(W_kk + R_kk). A contact whose block has no positive trace takes the mean of the others, and 1 kg
 /// if there is none: the zeros of the natural map do not depend on it.
 pub fn scales(problem: &ContactProblem) -> Vec<f64> {
-    let rows = problem.rows_per_contact;
+    let rows = problem.rows_per_contact();
     let trace =
-        |contact: usize| -> f64 { (contact * rows..(contact + 1) * rows).map(|k| problem.delassus[(k, k)] + compliance(problem, k)).sum() };
+        |contact: usize| -> f64 { (contact * rows..(contact + 1) * rows).map(|k| problem.entry(k, k) + compliance(problem, k)).sum() };
     let traces: Vec<f64> = (0..problem.contacts()).map(trace).collect();
     let positive: Vec<f64> = traces.iter().copied().filter(|&t| t > 0.0).collect();
     let fallback = if positive.is_empty() { rows as f64 } else { positive.iter().sum::<f64>() / positive.len() as f64 };

@@ -23,6 +23,16 @@ pub struct Minor {
 ///
 /// # Errors
 /// [`Error::Unsupported`] for more than [`LARGEST`] rows.
+/// ```
+/// use moreau_contact::certificate::p_matrix::p_matrix;
+/// use moreau_contact::nalgebra::dmatrix;
+/// use moreau_contact::scalar::ratio;
+///
+/// let matrix = |beside: i64| dmatrix![ratio(1, 1), ratio(beside, 1); ratio(1, 1), ratio(1, 1)];
+/// assert!(p_matrix(&matrix(0))?.holds());
+/// assert_eq!(p_matrix(&matrix(1))?.witness().expect("a minor").indices, [0, 1]); // 1 − 1 = 0
+/// # Ok::<(), moreau_contact::Error>(())
+/// ```
 pub fn p_matrix(matrix: &DMatrix<Rational>) -> Result<Decision<Minor>> {
     if matrix.nrows() > LARGEST {
         let message = format!("principal minors are decided up to size {LARGEST}, this matrix has {} rows", matrix.nrows());

@@ -138,7 +138,7 @@ impl Pairs {
     /// [`Error::Invalid`] if an edge compliance judges edge impulses that the solution does not give.
     pub(super) fn fill_edges(&mut self, problem: &ContactProblem, solution: &Solution, d: usize, here: &Here) -> Result<()> {
         let Here { contact, friction: mu, r, y, .. } = *here;
-        let softness = match &problem.compliance {
+        let softness = match problem.compliance() {
             Some(Compliance { coordinates: Coordinates::Edge, diagonal }) => Some(&diagonal.as_slice()[contact * d..(contact + 1) * d]),
             _ => None,
         };

@@ -26,6 +26,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// The residuals of a proposed solution, and the scales they are held against.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Residuals {
     /// Each residual at the contact where it is worst, with what it is held against.
     pub judged: Judged,
@@ -55,12 +56,26 @@ pub struct Residuals {
 /// # Errors
 /// [`Error::Invalid`](moreau_exact::Error::Invalid) if the solution has another size than the problem, or if an edge compliance makes the
 /// answer depend on edge impulses that it does not give.
+/// A block of 1 kg slides at 2 m/s and arrives at 1 m/s, μ = ½; friction that is a tenth too strong is no solution:
+/// ```
+/// use moreau_contact::nalgebra::{DMatrix, dvector};
+/// use moreau_contact::prelude::*;
+///
+/// let block = ContactProblem::new(DMatrix::identity(2, 2), dvector![-1.0, 2.0]).rows_per_contact(2).friction(vec![0.5]).build()?;
+/// let answer = |r_t: f64| {
+///     let impulse = dvector![1.0, r_t];
+///     Solution::new("by hand", impulse.clone(), block.velocity(&impulse), 0)
+/// };
+/// assert!(residuals(&block, &answer(-0.5))?.is_solution(1e-8));
+/// let wrong = residuals(&block, &answer(-0.6))?;
+/// assert!(!wrong.is_solution(1e-8) && (wrong.judged.tangential.largest - 0.1).abs() < 1e-15); // [N·s]
+/// # Ok::<(), moreau_contact::Error>(())
+/// ```
 pub fn residuals(problem: &ContactProblem, solution: &Solution) -> Result<Residuals> {
-    problem.validate()?;
     check_sizes(problem, solution)?;
     let judged = Judge::default().judge(problem, solution)?;
     let impulse = &solution.impulse;
-    let data = &problem.free_velocity + &problem.shift;
+    let data = problem.free_velocity() + problem.shift();
     let map = NaturalMap::new(problem, solution)?;
     let velocity = problem.velocity(impulse);
     let unit_scale = worst(data.norm(), worst(impulse.norm(), velocity.norm()));
@@ -90,28 +105,28 @@ struct NaturalMap {
 
 impl NaturalMap {
     fn new(problem: &ContactProblem, solution: &Solution) -> Result<Self> {
-        let rows = problem.rows_per_contact;
+        let rows = problem.rows_per_contact();
         let law_velocity = problem.law_velocity(&solution.impulse);
         let (mut pairs, mut squares) = (Pairs::default(), [0.0; 3]);
         for (contact, &rho) in natural_map::scales(problem).iter().enumerate() {
             let range = contact * rows..(contact + 1) * rows;
             let (r, y) = (&solution.impulse.as_slice()[range.clone()], &law_velocity.as_slice()[range.clone()]);
-            let friction = problem.friction[contact];
+            let friction = problem.friction()[contact];
             let here = Here { contact, friction, r, y, weights: [rho; 2], sizes: [0.0; 3], floors: [0.0; 2] };
-            match problem.law {
+            match problem.law() {
                 Law::PolyhedralCoulomb { directions } => pairs.fill_stewart_trinkle(solution, directions, &here),
                 Law::PolyhedralAssociated { directions } => pairs.fill_edges(problem, solution, directions, &here)?,
                 _ => {}
             }
-            let map = |rho: f64| match problem.law.directions() {
+            let map = |rho: f64| match problem.law().directions() {
                 Some(_) => pairs.natural_map(rho),
-                None => natural_map::natural_map(problem.law, friction, r, y, rho),
+                None => natural_map::natural_map(problem.law(), friction, r, y, rho),
             };
             let own = map(rho);
             squares[0] += own * own;
             squares[1] += map(1.0).powi(2);
             if own != 0.0 || r.iter().any(|&r| r != 0.0) {
-                squares[2] += range.map(|row| (rho * (problem.free_velocity[row] + problem.shift[row])).powi(2)).sum::<f64>();
+                squares[2] += range.map(|row| (rho * (problem.free_velocity()[row] + problem.shift()[row])).powi(2)).sum::<f64>();
             }
         }
         let [own_mass, one_kilogram, data] = squares.map(f64::sqrt);

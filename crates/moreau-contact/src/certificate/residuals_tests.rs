@@ -8,24 +8,19 @@ use crate::problem::{Compliance, Coordinates, Dynamics};
 /// Decoupled planar contacts of unit mass with μ = ½.
 fn planar(law: Law, free_velocity: &[f64]) -> ContactProblem {
     let rows = free_velocity.len();
-    ContactProblem {
-        name: "planar".into(),
-        rows_per_contact: 2,
-        law,
-        friction: vec![0.5; rows / 2],
-        free_velocity: DVector::from_row_slice(free_velocity),
-        shift: DVector::zeros(rows),
-        delassus: DMatrix::identity(rows, rows),
-        compliance: None,
-        dynamics: None,
-        bodies: None,
-    }
+    ContactProblem::new(DMatrix::identity(rows, rows), DVector::from_row_slice(free_velocity))
+        .name("planar")
+        .law(law)
+        .rows_per_contact(2)
+        .friction(vec![0.5; rows / 2])
+        .build()
+        .unwrap()
 }
 
 fn answer(problem: &ContactProblem, impulse: &[f64]) -> Solution {
     let impulse = DVector::from_row_slice(impulse);
     let velocity = problem.velocity(&impulse);
-    Solution { impulse, velocity, beta: None, sigma: None, solver: "hand".into(), iterations: 0 }
+    Solution::new("hand", impulse, velocity, 0)
 }
 
 fn judged(problem: &ContactProblem, impulse: &[f64]) -> Residuals {
@@ -84,9 +79,7 @@ fn one_relative_number_hides_an_error_that_the_components_show() {
 fn the_natural_map_does_not_depend_on_the_units() {
     // m → mm and kg → g: velocities ×10³, W ×10⁻³, impulses ×10⁶
     let si = planar(Law::Coulomb, &SLIDING);
-    let mut small = si.clone();
-    small.free_velocity *= 1e3;
-    small.delassus *= 1e-3;
+    let small = si.clone().into_builder().free_velocity(si.free_velocity() * 1e3).delassus(si.dense() * 1e-3).build().unwrap();
     let (a, b) = (judged(&si, &[1.0, -0.4]), judged(&small, &[1e6, -0.4e6]));
     let relative = |r: &Residuals| r.natural_map / r.natural_map_scale;
     assert!((relative(&a) - relative(&b)).abs() <= 16.0 * f64::EPSILON * relative(&a));
@@ -111,22 +104,21 @@ fn stewart_trinkle_is_judged_through_its_pairs_given_or_recovered() {
 
 #[test]
 fn edge_impulses_follow_from_the_impulse_unless_their_compliance_is_asked_for() {
-    let mut problem = planar(Law::PolyhedralAssociated { directions: 2 }, &SLIDING);
-    assert!(judged(&problem, &[1.6, -0.8]).is_solution(4.0 * f64::EPSILON));
-    assert!(!judged(&problem, &[1.0, -0.5]).is_solution(1e-2));
+    let softened = |problem: ContactProblem| {
+        let edges = problem.law().directions().unwrap();
+        let compliance = Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(edges, 0.35) };
+        problem.into_builder().compliance(compliance).build().unwrap()
+    };
+    let hard = planar(Law::PolyhedralAssociated { directions: 2 }, &SLIDING);
+    assert!(judged(&hard, &[1.6, -0.8]).is_solution(4.0 * f64::EPSILON));
+    assert!(!judged(&hard, &[1.0, -0.5]).is_solution(1e-2));
     // edge 1 alone carries: f(1.25 + R) = 2 with R = 0.35
-    problem.compliance = Some(Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(2, 0.35) });
-    assert!(judged(&problem, &[1.25, -0.625]).is_solution(4.0 * f64::EPSILON));
-    let mut spatial = problem.clone();
-    spatial.rows_per_contact = 3;
-    spatial.law = Law::PolyhedralAssociated { directions: 4 };
-    spatial.free_velocity = DVector::from_vec(vec![-1.0, 2.0, 0.0]);
-    spatial.shift = DVector::zeros(3);
-    spatial.delassus = DMatrix::identity(3, 3);
-    spatial.compliance = Some(Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(4, 0.35) });
-    let message = residuals(&spatial, &answer(&spatial, &[1.25, -0.625, 0.0])).unwrap_err().to_string();
+    assert!(judged(&softened(hard), &[1.25, -0.625]).is_solution(4.0 * f64::EPSILON));
+    let spatial = ContactProblem::new(DMatrix::identity(3, 3), DVector::from_vec(vec![-1.0, 2.0, 0.0]));
+    let spatial = spatial.law(Law::PolyhedralAssociated { directions: 4 }).friction(vec![0.5]).build().unwrap();
+    let soft = softened(spatial.clone());
+    let message = residuals(&soft, &answer(&soft, &[1.25, -0.625, 0.0])).unwrap_err().to_string();
     assert!(message.contains("beta"), "{message}");
-    spatial.compliance = None;
     assert!(judged(&spatial, &[1.6, -0.8, 0.0]).is_solution(8.0 * f64::EPSILON));
 }
 
@@ -222,12 +214,10 @@ fn an_answer_whose_residuals_overflow_is_no_solution() {
 
 /// Contacts of 10⁸ kg and 1 kg that meet nothing in common close at 1 m/s, frictionless; the light one gets 0.01 N·s too little.
 fn light_beside_heavy(name_one_pair: bool, coupling: f64, dynamics: Option<Dynamics>) -> bool {
-    let mut problem = planar(Law::Frictionless, &[-1.0, 0.0, -1.0, 0.0]);
-    problem.delassus = DMatrix::from_diagonal(&DVector::from_row_slice(&[1e-8, 1e-8, 1.0, 1.0]));
-    (problem.delassus[(0, 2)], problem.delassus[(2, 0)]) = (coupling, coupling);
-    (problem.dynamics, problem.bodies) = (dynamics, name_one_pair.then(|| vec![[Some(0), None]; 2]));
-    problem.free_velocity[0] -= coupling * 0.99;
-    problem.free_velocity[2] -= coupling * 1e8;
+    let mut delassus = DMatrix::from_diagonal(&DVector::from_row_slice(&[1e-8, 1e-8, 1.0, 1.0]));
+    (delassus[(0, 2)], delassus[(2, 0)]) = (coupling, coupling);
+    let problem = planar(Law::Frictionless, &[-1.0 - coupling * 0.99, 0.0, -1.0 - coupling * 1e8, 0.0]).into_builder();
+    let problem = problem.delassus(delassus).dynamics(dynamics).bodies(name_one_pair.then(|| vec![[Some(0), None]; 2])).build().unwrap();
     judged(&problem, &[1e8, 0.0, 0.99, 0.0]).is_solution(1e-8)
 }
 
@@ -246,12 +236,11 @@ fn a_name_joins_no_contacts_that_nothing_couples() {
 #[test]
 fn a_name_joins_a_contact_only_to_those_that_it_moves_itself() {
     // W couples the first with the second, the second with the third, and not the first with the third
-    let mut problem = planar(Law::Frictionless, &[-1.0, 0.0, -1.0, 0.0, -1.0, 0.0]);
-    (problem.delassus[(0, 2)], problem.delassus[(2, 0)]) = (0.5, 0.5);
-    (problem.delassus[(2, 4)], problem.delassus[(4, 2)]) = (0.5, 0.5);
-    problem.free_velocity[0] = -1e6;
-    problem.free_velocity[2] = -5e5;
-    problem.bodies = Some(vec![[Some(0), None]; 3]);
+    let problem = planar(Law::Frictionless, &[-1e6, 0.0, -5e5, 0.0, -1.0, 0.0]);
+    let mut delassus = problem.dense().clone();
+    (delassus[(0, 2)], delassus[(2, 0)]) = (0.5, 0.5);
+    (delassus[(2, 4)], delassus[(4, 2)]) = (0.5, 0.5);
+    let problem = problem.into_builder().delassus(delassus).bodies(vec![[Some(0), None]; 3]).build().unwrap();
     assert!(judged(&problem, &[1e6, 0.0, 0.0, 0.0, 1.0, 0.0]).is_solution(1e-8));
     assert!(!judged(&problem, &[1e6, 0.0, 0.0, 0.0, 1.001, 0.0]).is_solution(1e-8), "the third is not held against the first");
 }
@@ -259,15 +248,15 @@ fn a_name_joins_a_contact_only_to_those_that_it_moves_itself() {
 #[test]
 fn a_jaw_that_closes_has_no_solution_however_hard_it_is_pressed() {
     // one mass of 1 kg between two walls that both come nearer by 1 m/s: W = (1, −1; −1, 1)
-    let mut problem = planar(Law::Frictionless, &[-1.0, 0.0, -1.0, 0.0]);
-    problem.delassus = DMatrix::zeros(4, 4);
+    let mut delassus = DMatrix::zeros(4, 4);
     for (row, column, sign) in [(0, 0, 1.0), (0, 2, -1.0), (2, 0, -1.0), (2, 2, 1.0)] {
-        problem.delassus[(row, column)] = sign;
+        delassus[(row, column)] = sign;
     }
+    let problem = planar(Law::Frictionless, &[-1.0, 0.0, -1.0, 0.0]).into_builder().delassus(delassus).build().unwrap();
     for pressed in [1.0, 1e8, 1e12, 1e15] {
         assert!(!judged(&problem, &[pressed, 0.0, pressed, 0.0]).is_solution(1e-8), "{pressed} N·s");
     }
     // walls that stand hold it with any pressure
-    problem.free_velocity.fill(0.0);
+    let problem = problem.into_builder().free_velocity(DVector::zeros(4)).build().unwrap();
     assert!([0.0, 1.0, 1e12].iter().all(|&pressed| judged(&problem, &[pressed, 0.0, pressed, 0.0]).is_solution(1e-8)));
 }

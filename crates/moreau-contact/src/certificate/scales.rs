@@ -45,12 +45,12 @@ pub(super) struct Scales {
 impl Scales {
     /// Weights and groups of a problem; the floors are 0 until they are asked for.
     pub fn prepare(&mut self, problem: &ContactProblem) {
-        let (rows, contacts) = (problem.rows_per_contact, problem.contacts());
+        let (rows, contacts) = (problem.rows_per_contact(), problem.contacts());
         self.floors.clear();
         self.floors.resize(problem.rows(), 0.0);
         self.weights.clear();
         self.weights.extend((0..contacts).map(|k| {
-            let diagonal = |row: usize| problem.delassus[(row, row)] + compliance(problem, row);
+            let diagonal = |row: usize| problem.entry(row, row) + compliance(problem, row);
             let tangential: f64 = (k * rows + 1..(k + 1) * rows).map(diagonal).sum();
             [inverse(1.0, diagonal(k * rows)), inverse((rows - 1) as f64, tangential)]
         }));
@@ -73,13 +73,12 @@ impl Scales {
 
     /// The floors at the impulses r; one pass over |W|.
     pub fn set_floors(&mut self, problem: &ContactProblem, impulse: &[f64]) {
-        let data = problem.free_velocity.iter().zip(&problem.shift);
+        let data = problem.free_velocity().iter().zip(problem.shift());
         let own = |(row, (free, shift)): (usize, (&f64, &f64))| free.abs() + shift.abs() + compliance(problem, row) * impulse[row].abs();
         self.floors.clear();
         self.floors.extend(data.enumerate().map(own));
         for (column, r) in impulse.iter().enumerate().filter(|(_, r)| **r != 0.0) {
-            let entries = problem.delassus.column(column);
-            self.floors.iter_mut().zip(entries.iter()).for_each(|(floor, w)| *floor += w.abs() * r.abs());
+            problem.add_magnitudes(column, r.abs(), &mut self.floors);
         }
         let gamma = gamma(2 * problem.rows() + 8);
         self.floors.iter_mut().for_each(|floor| *floor *= gamma);
@@ -87,15 +86,15 @@ impl Scales {
 
     /// The sizes at r and y = q + (W + R) r.
     pub fn set_sizes(&mut self, problem: &ContactProblem, impulse: &[f64], law_velocity: &[f64]) {
-        let rows = problem.rows_per_contact;
+        let rows = problem.rows_per_contact();
         self.shared.clear();
         self.shared.resize(problem.contacts(), [0.0; 3]);
         self.own.clear();
         self.fastest = [0.0; 2];
         for (k, (r, y)) in impulse.chunks_exact(rows).zip(law_velocity.chunks_exact(rows)).enumerate() {
             let mut q = [0.0; 3];
-            (0..rows).for_each(|row| q[row] = problem.free_velocity[k * rows + row] + problem.shift[k * rows + row]);
-            let ([normal, tangential], mu) = (self.weights[k], problem.friction[k]);
+            (0..rows).for_each(|row| q[row] = problem.free_velocity()[k * rows + row] + problem.shift()[k * rows + row]);
+            let ([normal, tangential], mu) = (self.weights[k], problem.friction()[k]);
             let moved = |row: usize| if row < rows { y[row] - q[row] } else { 0.0 };
             let net = length(moved(1), moved(2));
             let pushed = [r[0].abs().max(normal * moved(0).abs()), r[0].abs(), length(tangential_norm(r), r[0]).max(tangential * net)];
@@ -105,7 +104,7 @@ impl Scales {
             }
             let sizes = &mut self.shared[self.group[k]];
             sizes.iter_mut().zip(pushed).for_each(|(size, pushed)| *size = size.max(pushed));
-            let data = closing(problem.law, mu, &q[..rows]).abs() + PROJECTED * (q[0].abs() + mu * tangential_norm(&q[..rows]));
+            let data = closing(problem.law(), mu, &q[..rows]).abs() + PROJECTED * (q[0].abs() + mu * tangential_norm(&q[..rows]));
             self.own.push([normal * data, tangential * tangential_norm(&q[..rows])]);
         }
     }
@@ -143,9 +142,9 @@ fn closing(law: Law, mu: f64, q: &[f64]) -> f64 {
 /// Whether two contacts lie between the same two bodies: the columns of H decide, where there are any, and pairs named in the file count
 /// only where nothing else contradicts them.
 fn same_bodies(problem: &ContactProblem, [j, k]: [usize; 2]) -> bool {
-    let same_pair = |bodies: &Vec<[Option<usize>; 2]>| bodies[j] == bodies[k] || bodies[j] == [bodies[k][1], bodies[k][0]];
-    let (rows, named) = (problem.rows_per_contact, problem.bodies.as_ref().map(same_pair));
-    match (named, &problem.dynamics) {
+    let same_pair = |bodies: &[[Option<usize>; 2]]| bodies[j] == bodies[k] || bodies[j] == [bodies[k][1], bodies[k][0]];
+    let (rows, named) = (problem.rows_per_contact(), problem.bodies().map(same_pair));
+    match (named, problem.dynamics()) {
         (Some(false), _) | (None, None) => false,
         (_, Some(dynamics)) => same_support(dynamics, rows, [j, k]),
         (Some(true), None) => couples(problem, [j, k]),
@@ -154,10 +153,10 @@ fn same_bodies(problem: &ContactProblem, [j, k]: [usize; 2]) -> bool {
 
 /// Whether an impulse at one contact moves the other: an entry of W beside those on the diagonal that is more than rounding could be.
 fn couples(problem: &ContactProblem, [j, k]: [usize; 2]) -> bool {
-    let rows = problem.rows_per_contact;
-    let largest = |k: usize| (k * rows..(k + 1) * rows).map(|row| problem.delassus[(row, row)]).fold(0.0, f64::max);
+    let rows = problem.rows_per_contact();
+    let largest = |k: usize| (k * rows..(k + 1) * rows).map(|row| problem.entry(row, row)).fold(0.0, f64::max);
     let seen = COUPLED * largest(j).sqrt() * largest(k).sqrt();
-    problem.delassus.view((j * rows, k * rows), (rows, rows)).iter().any(|w| w.abs() > seen)
+    (0..rows * rows).any(|place| problem.entry(j * rows + place / rows, k * rows + place % rows).abs() > seen)
 }
 
 /// Whether two contacts act on the same velocities.
@@ -170,7 +169,7 @@ fn same_support(dynamics: &Dynamics, rows: usize, contacts: [usize; 2]) -> bool 
 
 /// R of one contact row \[1/kg\], zero if the compliance acts on edges.
 pub(super) fn compliance(problem: &ContactProblem, row: usize) -> f64 {
-    match &problem.compliance {
+    match problem.compliance() {
         Some(Compliance { coordinates: Coordinates::Contact, diagonal }) => diagonal[row],
         _ => 0.0,
     }

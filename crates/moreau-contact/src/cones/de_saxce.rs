@@ -15,6 +15,14 @@ use super::second_order::tangential_norm;
 ///
 /// # Source
 /// De Saxcé and Feng (1998), the bipotential of contact with friction; chapter §5.
+/// ```
+/// use moreau_contact::cones::de_saxce::{bipotential_residual, correct};
+///
+/// let (impulse, mut velocity) = ([1.0, -0.5], [0.0, 1.5]); // sliding with μ = ½
+/// assert_eq!(bipotential_residual(&impulse, &velocity, 0.5), 0.0);
+/// correct(&mut velocity, 0.5);
+/// assert_eq!(velocity, [0.75, 1.5]);
+/// ```
 pub fn correct(y: &mut [f64], mu: f64) {
     y[0] += mu * tangential_norm(y);
 }

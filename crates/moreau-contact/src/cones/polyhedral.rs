@@ -108,6 +108,13 @@ pub fn force_error(d: usize) -> f64 {
 ///
 /// Two entries are a two-dimensional contact with ±tangent₁. In three dimensions d = 2 is the segment along tangent₁, and
 /// for d ≥ 3 the sides of the polygon are tested: `z_t·m ≤ μ z_n cos(π/d)` for the side normals m at the odd multiples of π/d.
+/// ```
+/// use moreau_contact::cones::polyhedral::{contains, strength_error};
+///
+/// let diagonal = [1.0, 0.4, 0.4]; // ‖r_t‖ = 0.57 r_n, between two of four directions
+/// assert!(!contains(&diagonal, 0.6, 4) && contains(&diagonal, 0.6, 16));
+/// assert!((strength_error(4) - (1.0 - 0.5f64.sqrt())).abs() < 1e-15);
+/// ```
 pub fn contains(z: &[f64], mu: f64, d: usize) -> bool {
     let bound = mu * z[0];
     if z[0].is_nan() || z[0] < 0.0 {

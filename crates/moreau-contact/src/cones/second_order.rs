@@ -59,6 +59,14 @@ pub fn polar_contains(z: &[f64], mu: f64) -> bool {
 ///
 /// # Source
 /// Chapter §5, projection on the Coulomb cone, with the polar condition corrected as in the header.
+/// ```
+/// use moreau_contact::cones::second_order::{contains, project};
+///
+/// let mut impulse = [1.0, 3.0, 0.0]; // r_n, r_t [N·s]; sliding friction may be 1
+/// project(&mut impulse, 1.0);
+/// assert!((impulse[0] - 2.0).abs() < 1e-15 && (impulse[1] - 2.0).abs() < 1e-15);
+/// assert!(contains(&impulse, 1.0));
+/// ```
 pub fn project(z: &mut [f64], mu: f64) {
     if contains(z, mu) {
         return;

@@ -17,6 +17,15 @@ use nalgebra::{DMatrix, DVector};
 ///
 /// # Source
 /// Chapter §3 (the Delassus operator); Golub and Van Loan, *Matrix Computations*, §4.1 (LDLᵀ).
+/// ```
+/// use moreau_contact::contact::delassus::delassus;
+/// use moreau_contact::nalgebra::dmatrix;
+///
+/// // a mass of 2 kg on the floor and one of 4 kg on top of it
+/// let w = delassus(&dmatrix![2.0, 0.0; 0.0, 4.0], &dmatrix![1.0, 0.0; -1.0, 1.0])?;
+/// assert_eq!(w, dmatrix![0.5, -0.5; -0.5, 0.75]);
+/// # Ok::<(), moreau_contact::Error>(())
+/// ```
 pub fn delassus<T: Scalar>(mass: &DMatrix<T>, jacobian: &DMatrix<T>) -> Result<DMatrix<T>> {
     delassus_factored(&MassFactor::new(mass)?, jacobian)
 }
@@ -95,6 +104,14 @@ impl<T: Scalar> MassFactor<T> {
     ///
     /// # Panics
     /// If p has another size than M.
+    /// ```
+    /// use moreau_contact::contact::delassus::MassFactor;
+    /// use moreau_contact::nalgebra::{dmatrix, dvector};
+    ///
+    /// let factor = MassFactor::new(&dmatrix![2.0, 0.0; 0.0, 4.0])?;
+    /// assert_eq!(factor.solve(&dvector![1.0, 1.0]), dvector![0.5, 0.25]);
+    /// # Ok::<(), moreau_contact::Error>(())
+    /// ```
     pub fn solve(&self, impulse: &DVector<T>) -> DVector<T> {
         let n = self.pivots.len();
         assert_eq!(impulse.len(), n, "a generalised impulse has one entry per velocity");

@@ -4,6 +4,9 @@ use nalgebra::DMatrix;
 
 pub mod delassus;
 pub mod frame;
+mod inertia;
+
+pub use inertia::Inertia;
 
 /// One contact candidate of a mechanism at a configuration q.
 #[derive(Clone, Debug, PartialEq)]

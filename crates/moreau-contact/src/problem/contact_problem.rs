@@ -1,10 +1,14 @@
 //! The one-step contact problem: u = W r + u_free, y = u + shift + R r, (r, y) in the law.
 
 use super::Law;
-use crate::memory;
-use crate::tolerance::problem::POLYHEDRAL_UNKNOWNS;
-use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
+
+mod builder;
+#[cfg(test)]
+mod tests;
+mod validation;
+
+pub use builder::ContactProblemBuilder;
 
 /// In which coordinates a diagonal compliance R acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,34 +37,43 @@ pub struct Dynamics {
     pub jacobian: DMatrix<f64>,
 }
 
-/// One step's contact problem.
+/// One step's contact problem, valid since it was built.
 ///
-/// Find r with u = W r + u_free, y = u + shift + R r and (r, y) in the law, contact by contact.
+/// Find r with u = W r + u_free, y = u + shift + R r and (r, y) in the law, contact by contact. How W is stored is nobody's business but
+/// this module's: it is asked for its effect ([`apply`](Self::apply), [`add_column`](Self::add_column)), an [`entry`](Self::entry) or a
+/// [`diagonal_block`](Self::diagonal_block), and only by algorithms that need all of it as a [`dense`](Self::dense) matrix.
+///
+/// [`ContactProblem::new`] or [`ContactProblem::from_dynamics`] begins one; [`ContactProblem::into_builder`] changes one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactProblem {
-    /// A name for messages.
-    pub name: String,
-    /// Rows per contact: 1 (normal only), 2 (planar) or 3.
-    pub rows_per_contact: usize,
-    /// The contact law.
-    pub law: Law,
-    /// Friction coefficient μ ≥ 0 per contact.
-    pub friction: Vec<f64>,
-    /// u_free = H v_free \[m/s\].
-    pub free_velocity: DVector<f64>,
-    /// What the scheme adds for the law: restitution, φ/h, reference acceleration \[m/s\].
-    pub shift: DVector<f64>,
-    /// W = H M̂⁻¹ Hᵀ \[1/kg\], square; files may hold an asymmetric one.
-    pub delassus: DMatrix<f64>,
-    /// R, if the contact is soft.
-    pub compliance: Option<Compliance>,
-    /// M̂ and H, where known.
-    pub dynamics: Option<Dynamics>,
-    /// The two bodies of each contact by number, the ground as `None`, where known: contacts of one pair are judged by one size.
-    pub bodies: Option<Vec<[Option<usize>; 2]>>,
+    name: String,
+    rows_per_contact: usize,
+    law: Law,
+    friction: Vec<f64>,
+    free_velocity: DVector<f64>,
+    shift: DVector<f64>,
+    delassus: DMatrix<f64>,
+    compliance: Option<Compliance>,
+    dynamics: Option<Dynamics>,
+    bodies: Option<Vec<[Option<usize>; 2]>>,
 }
 
 impl ContactProblem {
+    /// A name for messages.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The contact law.
+    pub fn law(&self) -> Law {
+        self.law
+    }
+
+    /// Rows per contact: 1 (normal only), 2 (planar) or 3.
+    pub fn rows_per_contact(&self) -> usize {
+        self.rows_per_contact
+    }
+
     /// Number of contacts.
     pub fn contacts(&self) -> usize {
         self.friction.len()
@@ -71,9 +84,83 @@ impl ContactProblem {
         self.rows_per_contact * self.contacts()
     }
 
+    /// Friction coefficient μ ≥ 0 per contact.
+    pub fn friction(&self) -> &[f64] {
+        &self.friction
+    }
+
+    /// u_free = H v_free \[m/s\].
+    pub fn free_velocity(&self) -> &DVector<f64> {
+        &self.free_velocity
+    }
+
+    /// What the scheme adds for the law: restitution, φ/h, reference acceleration \[m/s\].
+    pub fn shift(&self) -> &DVector<f64> {
+        &self.shift
+    }
+
+    /// R, if the contact is soft.
+    pub fn compliance(&self) -> Option<&Compliance> {
+        self.compliance.as_ref()
+    }
+
+    /// M̂ and H, where known.
+    pub fn dynamics(&self) -> Option<&Dynamics> {
+        self.dynamics.as_ref()
+    }
+
+    /// The two bodies of each contact by number, the ground as `None`, where known: contacts of one pair are judged by one size.
+    pub fn bodies(&self) -> Option<&[[Option<usize>; 2]]> {
+        self.bodies.as_deref()
+    }
+
+    /// W_ij \[1/kg\].
+    ///
+    /// # Panics
+    /// If the problem has no such row or column.
+    pub fn entry(&self, row: usize, column: usize) -> f64 {
+        self.delassus[(row, column)]
+    }
+
+    /// W_kk, the block of contact k \[1/kg\], as large as the contact has rows.
+    ///
+    /// # Panics
+    /// If the problem has no such contact.
+    pub fn diagonal_block(&self, contact: usize) -> DMatrix<f64> {
+        let (first, rows) = (contact * self.rows_per_contact, self.rows_per_contact);
+        self.delassus.view((first, first), (rows, rows)).into_owned()
+    }
+
+    /// W r \[m/s\] for impulses r \[N·s\].
+    ///
+    /// # Panics
+    /// If there are not as many impulses as rows.
+    pub fn apply(&self, impulse: &DVector<f64>) -> DVector<f64> {
+        &self.delassus * impulse
+    }
+
+    /// Adds W e_j r to `velocity` \[m/s\]: what the impulse r \[N·s\] at row j alone changes. A sweep lives on it.
+    ///
+    /// # Panics
+    /// If the problem has no row j.
+    pub fn add_column(&self, j: usize, impulse: f64, velocity: &mut [f64]) {
+        velocity.iter_mut().zip(self.delassus.column(j).iter()).for_each(|(u, w)| *u += impulse * w);
+    }
+
+    /// Adds |W_ij| r to every entry i, for bounds of rounding.
+    pub(crate) fn add_magnitudes(&self, j: usize, impulse: f64, sums: &mut [f64]) {
+        sums.iter_mut().zip(self.delassus.column(j).iter()).for_each(|(sum, w)| *sum += w.abs() * impulse);
+    }
+
+    /// W = H M̂⁻¹ Hᵀ \[1/kg\] as a square matrix, for algorithms that factor it. Files may hold an asymmetric one. Where W is not stored
+    /// dense this forms it, with a square of memory: ask for less where less is enough.
+    pub fn dense(&self) -> &DMatrix<f64> {
+        &self.delassus
+    }
+
     /// u = W r + u_free \[m/s\] for impulses r \[N·s\].
     pub fn velocity(&self, impulse: &DVector<f64>) -> DVector<f64> {
-        &self.delassus * impulse + &self.free_velocity
+        self.apply(impulse) + &self.free_velocity
     }
 
     /// y = u + shift + R r \[m/s\]; an edge compliance is not part of it, because it acts on edge impulses.
@@ -89,127 +176,5 @@ impl ContactProblem {
     pub fn asymmetry(&self) -> f64 {
         let scale = self.delassus.amax();
         if scale == 0.0 { 0.0 } else { (&self.delassus - self.delassus.transpose()).amax() / scale }
-    }
-
-    /// Checks sizes, finiteness and signs.
-    ///
-    /// # Errors
-    /// [`Error::Invalid`] names the first field that cannot be meant.
-    pub fn validate(&self) -> Result<()> {
-        if !(1..=3).contains(&self.rows_per_contact) {
-            return Err(Error::invalid("dimension", format!("is {}", self.rows_per_contact), "use 1 (normal rows only), 2 or 3"));
-        }
-        let rows = self.rows();
-        let sizes = [
-            ("free_velocity", self.free_velocity.len()),
-            ("shift", self.shift.len()),
-            ("delassus", self.delassus.nrows()),
-            ("delassus", self.delassus.ncols()),
-        ];
-        for (field, size) in sizes {
-            if size != rows {
-                let cure = format!("{} contacts with {} rows each need {rows}", self.contacts(), self.rows_per_contact);
-                return Err(Error::invalid(field, format!("has size {size}"), cure));
-            }
-        }
-        let numbers: [(&str, &[f64]); 3] =
-            [("free_velocity", self.free_velocity.as_slice()), ("shift", self.shift.as_slice()), ("delassus", self.delassus.as_slice())];
-        for (field, values) in numbers {
-            finite(field, values)?;
-        }
-        not_negative("friction", &self.friction)?;
-        self.validate_law()?;
-        self.validate_compliance()?;
-        self.validate_bodies()?;
-        self.validate_dynamics()
-    }
-
-    fn validate_law(&self) -> Result<()> {
-        if self.rows_per_contact == 1 && self.friction.iter().any(|&mu| mu > 0.0) {
-            return Err(Error::invalid(
-                "friction",
-                "is positive although the contacts have no tangential row",
-                "use 0, or dimension 2 or 3",
-            ));
-        }
-        let unknowns = self.law.directions().map_or(0, |d| d.saturating_add(2).saturating_mul(self.contacts()));
-        // matrix, scaled matrix, and a tableau twice as wide with its copy
-        memory::require(&format!("a polyhedral problem of {unknowns} unknowns"), memory::matrix(unknowns, unknowns).saturating_mul(6))?;
-        match (self.law.directions(), self.rows_per_contact) {
-            (Some(d), 3) if unknowns > POLYHEDRAL_UNKNOWNS => {
-                let problem = format!("is {d}, which makes {unknowns} unknowns with {} contacts", self.contacts());
-                Err(Error::invalid("directions", problem, format!("at most {POLYHEDRAL_UNKNOWNS} unknowns (2 + d) n are solved")))
-            }
-            (Some(2), 2) | (None, _) => Ok(()),
-            (Some(_), 2) => Err(Error::invalid("directions", "is not 2 in a planar problem", "use 2 (both senses of tangent 1)")),
-            (Some(d), 3) if d >= 3 => Ok(()),
-            (Some(d), rows) => Err(Error::invalid(
-                "directions",
-                format!("is {d} with dimension {rows}"),
-                "use at least 3 directions in dimension 3, or 2 in dimension 2",
-            )),
-        }
-    }
-
-    fn validate_compliance(&self) -> Result<()> {
-        let Some(compliance) = &self.compliance else { return Ok(()) };
-        let needed = match (compliance.coordinates, self.law) {
-            (Coordinates::Contact, _) => self.rows(),
-            (Coordinates::Edge, Law::PolyhedralAssociated { directions }) => directions * self.contacts(),
-            (Coordinates::Edge, law) => {
-                let problem = format!("uses edge coordinates with the law `{}`", law.name());
-                return Err(Error::invalid("compliance.coordinates", problem, "use `contact`, or the law `polyhedral-associated`"));
-            }
-        };
-        if compliance.diagonal.len() != needed {
-            return Err(Error::invalid(
-                "compliance.diagonal",
-                format!("has size {}", compliance.diagonal.len()),
-                format!("this problem needs {needed}"),
-            ));
-        }
-        not_negative("compliance.diagonal", compliance.diagonal.as_slice())
-    }
-
-    fn validate_bodies(&self) -> Result<()> {
-        let Some(bodies) = &self.bodies else { return Ok(()) };
-        if bodies.len() != self.contacts() {
-            let cure = format!("give one pair for each of the {} contacts", self.contacts());
-            return Err(Error::invalid("bodies", format!("has size {}", bodies.len()), cure));
-        }
-        match bodies.iter().position(|[first, second]| first == second) {
-            None => Ok(()),
-            Some(k) => {
-                Err(Error::invalid(format!("bodies[{k}]"), "names the same body twice", "name two bodies, or one and null for the ground"))
-            }
-        }
-    }
-
-    fn validate_dynamics(&self) -> Result<()> {
-        let Some(Dynamics { mass, jacobian }) = &self.dynamics else { return Ok(()) };
-        if !mass.is_square() {
-            return Err(Error::invalid("mass", format!("has shape {}×{}", mass.nrows(), mass.ncols()), "the mass matrix is square"));
-        }
-        if jacobian.nrows() != self.rows() || jacobian.ncols() != mass.nrows() {
-            let cure = format!("{}×{} fits these contacts and this mass", self.rows(), mass.nrows());
-            return Err(Error::invalid("jacobian", format!("has shape {}×{}", jacobian.nrows(), jacobian.ncols()), cure));
-        }
-        finite("mass", mass.as_slice())?;
-        finite("jacobian", jacobian.as_slice())
-    }
-}
-
-fn finite(field: &str, values: &[f64]) -> Result<()> {
-    match values.iter().position(|x| !x.is_finite()) {
-        None => Ok(()),
-        Some(k) => Err(Error::invalid(format!("{field}[{k}]"), format!("is {}", values[k]), "use a finite number")),
-    }
-}
-
-fn not_negative(field: &str, values: &[f64]) -> Result<()> {
-    finite(field, values)?;
-    match values.iter().position(|x| *x < 0.0) {
-        None => Ok(()),
-        Some(k) => Err(Error::invalid(format!("{field}[{k}]"), format!("is {}, negative", values[k]), "use a number ≥ 0")),
     }
 }

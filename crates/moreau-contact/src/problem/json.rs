@@ -151,6 +151,17 @@ impl ContactProblem {
     ///
     /// # Errors
     /// [`Error::Read`], or [`Error::InFile`] around what [`ContactProblem::from_json`] says.
+    /// ```
+    /// use moreau_contact::ContactProblem;
+    /// use moreau_contact::nalgebra::{dmatrix, dvector};
+    ///
+    /// let block = ContactProblem::new(dmatrix![1.0], dvector![-1.0]).name("block").rows_per_contact(1).build()?;
+    /// let file = std::env::temp_dir().join(format!("moreau-block-{}.json", std::process::id()));
+    /// block.write(&file)?;
+    /// assert_eq!(ContactProblem::read(&file)?, block);
+    /// # std::fs::remove_file(&file).expect("it was written");
+    /// # Ok::<(), moreau_contact::Error>(())
+    /// ```
     pub fn read(file: &Path) -> Result<Self> {
         let text = read_json_within(file, memory::limit() / TEXT_SHARE, "or allow more with --max-memory")?;
         Self::from_json(&text).map_err(|error| error.in_file(file))
@@ -169,43 +180,38 @@ impl ContactProblem {
         let rows = file.dimension * file.friction.len();
         let law = read_law(&file.law, file.directions)?;
         let (delassus, dynamics) = read_operator(file.delassus, file.mass, file.jacobian, rows)?;
-        let problem = ContactProblem {
-            name: file.name,
-            rows_per_contact: file.dimension,
-            law,
-            friction: file.friction,
-            free_velocity: DVector::from_vec(file.free_velocity),
-            shift: file.shift.map_or_else(|| DVector::zeros(rows), DVector::from_vec),
-            delassus,
-            compliance: file.compliance.map(read_compliance).transpose()?,
-            dynamics,
-            bodies: file.bodies,
-        };
-        problem.validate()?;
-        Ok(problem)
+        ContactProblem::new(delassus, DVector::from_vec(file.free_velocity))
+            .name(file.name)
+            .law(law)
+            .rows_per_contact(file.dimension)
+            .friction(file.friction)
+            .shift(file.shift.map_or_else(|| DVector::zeros(rows), DVector::from_vec))
+            .compliance(file.compliance.map(read_compliance).transpose()?)
+            .dynamics(dynamics)
+            .bodies(file.bodies)
+            .build()
     }
 
     /// The problem as text `contact-problem/1`. Mass and Jacobian are written in place of W if W follows from them bit for bit.
     pub fn to_json(&self) -> String {
-        let dynamics =
-            self.dynamics.as_ref().filter(|Dynamics { mass, jacobian }| delassus(mass, jacobian).is_ok_and(|w| w == self.delassus));
+        let dynamics = self.dynamics().filter(|Dynamics { mass, jacobian }| delassus(mass, jacobian).is_ok_and(|w| w == *self.dense()));
         let file = ProblemFile {
             schema: PROBLEM_SCHEMA.into(),
-            name: self.name.clone(),
-            dimension: self.rows_per_contact,
-            law: self.law.name().into(),
-            directions: self.law.directions(),
-            friction: self.friction.clone(),
-            free_velocity: self.free_velocity.as_slice().to_vec(),
-            shift: Some(self.shift.as_slice().to_vec()),
-            delassus: dynamics.is_none().then(|| MatrixFile::dense(&self.delassus)),
+            name: self.name().into(),
+            dimension: self.rows_per_contact(),
+            law: self.law().name().into(),
+            directions: self.law().directions(),
+            friction: self.friction().to_vec(),
+            free_velocity: self.free_velocity().as_slice().to_vec(),
+            shift: Some(self.shift().as_slice().to_vec()),
+            delassus: dynamics.is_none().then(|| MatrixFile::dense(self.dense())),
             mass: dynamics.map(|dynamics| MatrixFile::dense(&dynamics.mass)),
             jacobian: dynamics.map(|dynamics| MatrixFile::dense(&dynamics.jacobian)),
-            compliance: self.compliance.as_ref().map(|compliance| ComplianceFile {
+            compliance: self.compliance().map(|compliance| ComplianceFile {
                 coordinates: if compliance.coordinates == Coordinates::Edge { "edge" } else { "contact" }.into(),
                 diagonal: compliance.diagonal.as_slice().to_vec(),
             }),
-            bodies: self.bodies.clone(),
+            bodies: self.bodies().map(<[_]>::to_vec),
             provenance: None,
         };
         text(&file)
@@ -260,8 +266,8 @@ impl SolutionFile {
     /// Refuses an answer to a problem of another name; either may be without one.
     fn answers(&self, problem: &ContactProblem) -> Result<()> {
         match self.problem.as_deref() {
-            Some(other) if !other.is_empty() && !problem.name.is_empty() && other != problem.name => {
-                let cure = format!("the problem read is “{}”: give the files that belong together, or leave the name out", problem.name);
+            Some(other) if !other.is_empty() && !problem.name().is_empty() && other != problem.name() => {
+                let cure = format!("the problem read is “{}”: give the files that belong together, or leave the name out", problem.name());
                 Err(Error::invalid("problem", format!("is “{other}”"), cure))
             }
             _ => Ok(()),

@@ -3,6 +3,7 @@
 /// Relation between the impulse r and the law's velocity y = u + shift + R r, per contact, with
 /// K_μ = {‖r_t‖ ≤ μ r_n} and its dual K_μ* = {y_n ≥ μ‖y_t‖}.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Law {
     /// 0 ≤ y_n ⟂ r_n ≥ 0, r_t = 0.
     Frictionless,

@@ -10,7 +10,7 @@ mod lcp;
 mod solution;
 pub mod stewart_trinkle;
 
-pub use contact_problem::{Compliance, ContactProblem, Coordinates, Dynamics};
+pub use contact_problem::{Compliance, ContactProblem, ContactProblemBuilder, Coordinates, Dynamics};
 #[cfg(feature = "files")]
 pub use json::{ProblemFile, SolutionFile};
 pub use law::Law;

@@ -4,6 +4,7 @@ use nalgebra::DVector;
 
 /// Impulses and velocities proposed by a solver.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Solution {
     /// r \[N·s\], ordered (n, t₁, t₂) per contact.
     pub impulse: DVector<f64>,
@@ -17,4 +18,19 @@ pub struct Solution {
     pub solver: String,
     /// Iterations or pivots used.
     pub iterations: usize,
+}
+
+impl Solution {
+    /// What a solver proposes: r \[N·s\], u = W r + u_free \[m/s\], and the iterations it took; β and σ are not given.
+    /// ```
+    /// use moreau_contact::Solution;
+    /// use moreau_contact::nalgebra::dvector;
+    ///
+    /// let mut answer = Solution::new("by hand", dvector![1.0, -0.5], dvector![0.0, 1.5], 0);
+    /// answer.sigma = Some(dvector![1.5]);
+    /// assert!(answer.beta.is_none());
+    /// ```
+    pub fn new(solver: impl Into<String>, impulse: DVector<f64>, velocity: DVector<f64>, iterations: usize) -> Self {
+        Solution { impulse, velocity, beta: None, sigma: None, solver: solver.into(), iterations }
+    }
 }

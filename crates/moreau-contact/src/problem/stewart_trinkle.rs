@@ -71,9 +71,9 @@ impl ContactProblem {
     /// The number of directions with which this problem is a Stewart–Trinkle LCP exactly: its own for the polyhedral
     /// law, 2 for Coulomb's law in the plane, where ±tangent₁ spans the whole cone.
     pub fn stewart_trinkle_directions(&self) -> Option<usize> {
-        match self.law {
+        match self.law() {
             Law::PolyhedralCoulomb { directions } => Some(directions),
-            Law::Coulomb if self.rows_per_contact == 2 => Some(2),
+            Law::Coulomb if self.rows_per_contact() == 2 => Some(2),
             _ => None,
         }
     }
@@ -81,32 +81,31 @@ impl ContactProblem {
     /// G of this problem for d directions at angles 2πj/d.
     pub fn stewart_trinkle_generators(&self, directions: usize) -> DMatrix<f64> {
         let list: Vec<_> = (0..directions).map(|j| polyhedral::direction(j, directions)).collect();
-        generators(self.contacts(), self.rows_per_contact, &list)
+        generators(self.contacts(), self.rows_per_contact(), &list)
     }
 
     /// The LCP in (λ, β, σ), compliance in contact coordinates included in W̃.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] if the law is not a Stewart–Trinkle LCP; [`Error::Invalid`] if the problem is not valid.
+    /// [`Error::Unsupported`] if the law is not a Stewart–Trinkle LCP.
     pub fn stewart_trinkle_lcp(&self) -> Result<Lcp<f64>> {
-        self.validate()?;
         let Some(directions) = self.stewart_trinkle_directions() else {
-            return Err(Error::Unsupported(format!("the law `{}` is not a Stewart–Trinkle LCP", self.law.name())));
+            return Err(Error::Unsupported(format!("the law `{}` is not a Stewart–Trinkle LCP", self.law().name())));
         };
         if self.contacts() == 0 {
             return Ok(Lcp::new(DMatrix::zeros(0, 0), DVector::zeros(0)));
         }
         let generators = self.stewart_trinkle_generators(directions);
         let reduced = generators.tr_mul(&(self.law_delassus() * &generators));
-        let velocity = generators.tr_mul(&(&self.free_velocity + &self.shift));
-        Ok(lcp(&reduced, &self.friction, &velocity))
+        let velocity = generators.tr_mul(&(self.free_velocity() + self.shift()));
+        Ok(lcp(&reduced, self.friction(), &velocity))
     }
 
     /// W + R, with which y = (W + R) r + u_free + shift; R only where it acts on contact components.
     pub fn law_delassus(&self) -> DMatrix<f64> {
-        match &self.compliance {
-            Some(Compliance { coordinates: Coordinates::Contact, diagonal }) => &self.delassus + DMatrix::from_diagonal(diagonal),
-            _ => self.delassus.clone(),
+        match self.compliance() {
+            Some(Compliance { coordinates: Coordinates::Contact, diagonal }) => self.dense() + DMatrix::from_diagonal(diagonal),
+            _ => self.dense().clone(),
         }
     }
 }
@@ -139,18 +138,15 @@ mod tests {
 
     #[test]
     fn compliance_is_added_to_w_and_the_shift_to_the_free_velocity() {
-        let problem = ContactProblem {
-            name: "soft".into(),
-            rows_per_contact: 2,
-            law: Law::Coulomb,
-            friction: vec![0.5],
-            free_velocity: DVector::from_vec(vec![-1.0, 2.0]),
-            shift: DVector::from_vec(vec![0.25, -0.5]),
-            delassus: DMatrix::from_row_slice(2, 2, &[1.0, 0.5, 0.5, 2.0]),
-            compliance: Some(Compliance { coordinates: Coordinates::Contact, diagonal: DVector::from_vec(vec![0.125, 4.0]) }),
-            dynamics: None,
-            bodies: None,
-        };
+        let problem = ContactProblem::new(DMatrix::from_row_slice(2, 2, &[1.0, 0.5, 0.5, 2.0]), DVector::from_vec(vec![-1.0, 2.0]))
+            .name("soft")
+            .law(Law::Coulomb)
+            .rows_per_contact(2)
+            .friction(vec![0.5])
+            .shift(DVector::from_vec(vec![0.25, -0.5]))
+            .compliance(Compliance { coordinates: Coordinates::Contact, diagonal: DVector::from_vec(vec![0.125, 4.0]) })
+            .build()
+            .unwrap();
         let lcp = problem.stewart_trinkle_lcp().expect("planar Coulomb");
         let expected = [1.125, 0.5, -0.5, 0.0, 0.5, 6.0, -6.0, 1.0, -0.5, -6.0, 6.0, 1.0, 0.5, -1.0, -1.0, 0.0];
         assert_eq!(lcp.matrix, DMatrix::from_row_slice(4, 4, &expected));

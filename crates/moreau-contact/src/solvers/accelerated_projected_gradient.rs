@@ -74,13 +74,12 @@ impl AcceleratedProjectedGradient {
         warm_start: Option<&DVector<f64>>,
         mut observe: impl FnMut(usize, &DVector<f64>),
     ) -> Result<Solution> {
-        problem.validate()?;
-        if !matches!(problem.law, Law::Frictionless | Law::Associated) {
-            return Err(super::not_convex(NAME, problem.law));
+        if !matches!(problem.law(), Law::Frictionless | Law::Associated) {
+            return Err(super::not_convex(NAME, problem.law()));
         }
         super::require_symmetry(NAME, problem)?;
         let operator = problem.law_delassus();
-        let q = &problem.free_velocity + &problem.shift;
+        let q = problem.free_velocity() + problem.shift();
         let step = step_length(&operator);
         let mut stopping = Stopping::new(problem, self.tolerance);
 
@@ -119,13 +118,13 @@ impl AcceleratedProjectedGradient {
             observe(done, &impulse);
         }
         let velocity = problem.velocity(&impulse);
-        super::finite(Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations: done })
+        super::finite(Solution::new(NAME, impulse, velocity, done))
     }
 }
 
 /// f(r) = ½ rᵀ(W + R)r + (u_free + shift)ᵀr \[J\], what the frictionless and associated laws minimise over K.
 pub fn objective(problem: &ContactProblem, impulse: &DVector<f64>) -> f64 {
-    let data = &problem.free_velocity + &problem.shift;
+    let data = problem.free_velocity() + problem.shift();
     0.5 * impulse.dot(&(problem.law_velocity(impulse) + data))
 }
 

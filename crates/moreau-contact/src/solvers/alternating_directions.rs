@@ -64,9 +64,8 @@ impl ContactSolver for AlternatingDirections {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        problem.validate()?;
-        if problem.law.directions().is_some() {
-            return Err(Error::refused(NAME, format!("does not solve the law `{}`; use `lemke`", problem.law.name())));
+        if problem.law().directions().is_some() {
+            return Err(Error::refused(NAME, format!("does not solve the law `{}`; use `lemke`", problem.law().name())));
         }
         super::require_symmetry(NAME, problem)?;
         let start = super::start(problem, warm_start)?;
@@ -87,7 +86,7 @@ impl ContactSolver for AlternatingDirections {
                 let impulse = &cone * unit;
                 if done == self.iterations || stopping.holds(&impulse, &problem.law_velocity(&impulse)) {
                     let velocity = problem.velocity(&impulse);
-                    return super::finite(Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations: done });
+                    return super::finite(Solution::new(NAME, impulse, velocity, done));
                 }
             }
             let before = x.clone();
@@ -121,8 +120,8 @@ impl<'a> Scaled<'a> {
     /// z + μ‖z_t‖n for Coulomb's law, z otherwise.
     fn corrected(&self, z: &DVector<f64>) -> DVector<f64> {
         let mut corrected = z.clone();
-        for (k, part) in corrected.as_mut_slice().chunks_exact_mut(self.problem.rows_per_contact).enumerate() {
-            natural_map::correct(self.problem.law, self.problem.friction[k], part);
+        for (k, part) in corrected.as_mut_slice().chunks_exact_mut(self.problem.rows_per_contact()).enumerate() {
+            natural_map::correct(self.problem.law(), self.problem.friction()[k], part);
         }
         corrected
     }
@@ -154,18 +153,13 @@ mod tests {
     use crate::problem::Law;
 
     fn block(law: Law) -> ContactProblem {
-        ContactProblem {
-            name: "block".into(),
-            rows_per_contact: 2,
-            law,
-            friction: vec![0.5],
-            free_velocity: DVector::from_vec(vec![-0.8, 0.6]),
-            shift: DVector::zeros(2),
-            delassus: DMatrix::identity(2, 2),
-            compliance: None,
-            dynamics: None,
-            bodies: None,
-        }
+        ContactProblem::new(DMatrix::identity(2, 2), DVector::from_vec(vec![-0.8, 0.6]))
+            .name("block")
+            .law(law)
+            .rows_per_contact(2)
+            .friction(vec![0.5])
+            .build()
+            .unwrap()
     }
 
     #[test]
@@ -180,9 +174,8 @@ mod tests {
     #[test]
     fn units_of_mass_and_time_change_nothing() {
         let problem = block(Law::Coulomb);
-        let mut other = problem.clone();
-        other.delassus *= 2f64.powi(60);
-        other.free_velocity *= 2f64.powi(-40);
+        let (delassus, free_velocity) = (problem.dense() * 2f64.powi(60), problem.free_velocity() * 2f64.powi(-40));
+        let other = problem.clone().into_builder().delassus(delassus).free_velocity(free_velocity).build().unwrap();
         let [one, two] = [&problem, &other].map(|problem| AlternatingDirections::default().solve(problem, None).unwrap());
         // powers of two: the same numbers, bit for bit
         assert_eq!(one.iterations, two.iterations);
@@ -191,8 +184,8 @@ mod tests {
 
     #[test]
     fn an_indefinite_operator_is_refused_by_name() {
-        let mut problem = block(Law::Associated);
-        problem.delassus = DMatrix::from_row_slice(2, 2, &[1.0, 100.0, 100.0, 1.0]);
+        let indefinite = DMatrix::from_row_slice(2, 2, &[1.0, 100.0, 100.0, 1.0]);
+        let problem = block(Law::Associated).into_builder().delassus(indefinite).build().unwrap();
         let message = AlternatingDirections::default().solve(&problem, None).unwrap_err().to_string();
         assert!(message.contains("`admm`") && message.contains("semidefinite"), "{message}");
     }

@@ -55,9 +55,8 @@ impl ContactSolver for BarzilaiBorwein {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        problem.validate()?;
-        if !matches!(problem.law, Law::Frictionless | Law::Associated) {
-            return Err(super::not_convex(NAME, problem.law));
+        if !matches!(problem.law(), Law::Frictionless | Law::Associated) {
+            return Err(super::not_convex(NAME, problem.law()));
         }
         super::require_symmetry(NAME, problem)?;
         let operator = problem.law_delassus();
@@ -84,7 +83,7 @@ impl ContactSolver for BarzilaiBorwein {
             done += 1;
         }
         let velocity = problem.velocity(&now.impulse);
-        super::finite(Solution { impulse: now.impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations: done })
+        super::finite(Solution::new(NAME, now.impulse, velocity, done))
     }
 }
 
@@ -110,7 +109,7 @@ fn at(problem: &ContactProblem, impulse: DVector<f64>) -> Iterate {
 
 /// f(r) = ½ r·(g + q) \[J\].
 fn value(problem: &ContactProblem, iterate: &Iterate) -> f64 {
-    0.5 * iterate.impulse.dot(&(&iterate.gradient + &problem.free_velocity + &problem.shift))
+    0.5 * iterate.impulse.dot(&(&iterate.gradient + problem.free_velocity() + problem.shift()))
 }
 
 #[cfg(test)]
@@ -120,18 +119,12 @@ mod tests {
 
     /// Two unit masses that arrive at 1 m/s, W = diag(1, 1/κ).
     fn two_masses(kappa: f64) -> ContactProblem {
-        ContactProblem {
-            name: "two masses".into(),
-            rows_per_contact: 1,
-            law: Law::Frictionless,
-            friction: vec![0.0; 2],
-            free_velocity: DVector::from_element(2, -1.0),
-            shift: DVector::zeros(2),
-            delassus: DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 1.0 / kappa])),
-            compliance: None,
-            dynamics: None,
-            bodies: None,
-        }
+        ContactProblem::new(DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 1.0 / kappa])), DVector::from_element(2, -1.0))
+            .name("two masses")
+            .law(Law::Frictionless)
+            .rows_per_contact(1)
+            .build()
+            .unwrap()
     }
 
     #[test]

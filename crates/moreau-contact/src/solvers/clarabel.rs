@@ -65,9 +65,8 @@ impl ClarabelPolished {
     /// # Errors
     /// [`Error::Solver`] for another law, an asymmetric W, or if Clarabel ends without numbers (an unbounded problem has no solution).
     pub fn solve_judged(&self, problem: &ContactProblem) -> Result<Polished> {
-        problem.validate()?;
         super::require_symmetry(NAME, problem)?;
-        match problem.law {
+        match problem.law() {
             Law::Frictionless | Law::Associated => {}
             Law::PolyhedralAssociated { directions } => return through_edges(problem, directions),
             law => return Err(super::not_convex(NAME, law)),
@@ -75,7 +74,7 @@ impl ClarabelPolished {
         let (impulse, iterations) = interior_point(problem)?;
         let answer = |impulse: DVector<f64>, solver: &str, iterations| {
             let velocity = problem.velocity(&impulse);
-            Solution { impulse, velocity, beta: None, sigma: None, solver: solver.into(), iterations }
+            Solution::new(solver, impulse, velocity, iterations)
         };
         let raw = answer(impulse, "clarabel, where polishing did not help", iterations);
         let before = residuals(problem, &raw)?;
@@ -93,7 +92,7 @@ impl ClarabelPolished {
 /// Clarabel's r and its iterations, on data scaled to size one.
 fn interior_point(problem: &ContactProblem) -> Result<(DVector<f64>, usize)> {
     let operator = problem.law_delassus();
-    let data = &problem.free_velocity + &problem.shift;
+    let data = problem.free_velocity() + problem.shift();
     let (stiffness, speed) = (operator.amax(), data.amax());
     if speed == 0.0 {
         return Ok((DVector::zeros(problem.rows()), 0));
@@ -128,11 +127,11 @@ fn interior_point(problem: &ContactProblem) -> Result<(DVector<f64>, usize)> {
 
 /// s = −constraint · r in the product of `cones`: (μ r_n, r_t) second order, or r_n ≥ 0 and r_t = 0 without friction.
 fn cones(problem: &ContactProblem) -> (CscMatrix<f64>, Vec<SupportedConeT<f64>>) {
-    let (n, rows) = (problem.rows(), problem.rows_per_contact);
+    let (n, rows) = (problem.rows(), problem.rows_per_contact());
     let mut diagonal = vec![-1.0; n];
     let mut cones = Vec::new();
-    for (k, &mu) in problem.friction.iter().enumerate() {
-        if problem.law == Law::Frictionless || mu == 0.0 {
+    for (k, &mu) in problem.friction().iter().enumerate() {
+        if problem.law() == Law::Frictionless || mu == 0.0 {
             cones.push(NonnegativeConeT(1));
             if rows > 1 {
                 cones.push(ZeroConeT(rows - 1));
@@ -164,7 +163,7 @@ fn upper_triangle(matrix: &DMatrix<f64>) -> CscMatrix<f64> {
 
 /// The polyhedral associated law is frictionless contact along the edges: f ≥ 0, r = G f, W_edge = GᵀWG.
 fn through_edges(problem: &ContactProblem, directions: usize) -> Result<Polished> {
-    let edges = edge_problem(problem, directions);
+    let edges = edge_problem(problem, directions)?;
     let generators = edge_generators(problem, directions);
     let mut polished = ClarabelPolished.solve_judged(&edges)?;
     let impulse = &generators * &polished.solution.impulse;
@@ -176,30 +175,26 @@ fn through_edges(problem: &ContactProblem, directions: usize) -> Result<Polished
 
 /// G, whose columns are the edges n + μDⱼ of every contact.
 fn edge_generators(problem: &ContactProblem, directions: usize) -> DMatrix<f64> {
-    let rows = problem.rows_per_contact;
+    let rows = problem.rows_per_contact();
     DMatrix::from_fn(problem.rows(), directions * problem.contacts(), |row, column| {
         let (contact, j) = (column / directions, column % directions);
-        if row / rows == contact { edge(j, directions, problem.friction[contact])[row % rows] } else { 0.0 }
+        if row / rows == contact { edge(j, directions, problem.friction()[contact])[row % rows] } else { 0.0 }
     })
 }
 
-fn edge_problem(problem: &ContactProblem, directions: usize) -> ContactProblem {
+fn edge_problem(problem: &ContactProblem, directions: usize) -> Result<ContactProblem> {
     let generators = edge_generators(problem, directions);
-    let edges = generators.ncols();
-    let compliance = problem.compliance.clone().filter(|compliance| compliance.coordinates == Coordinates::Edge);
+    let compliance = problem.compliance().filter(|compliance| compliance.coordinates == Coordinates::Edge);
     // a contact compliance is part of the edge operator, so that the edge problem itself is hard
-    let operator = if compliance.is_some() { problem.delassus.clone() } else { problem.law_delassus() };
+    let operator = if compliance.is_some() { problem.dense().clone() } else { problem.law_delassus() };
     let delassus = generators.tr_mul(&(operator * &generators));
-    ContactProblem {
-        name: format!("{}, along its edges", problem.name),
-        rows_per_contact: 1,
-        law: Law::Frictionless,
-        friction: vec![0.0; edges],
-        free_velocity: generators.tr_mul(&problem.free_velocity),
-        shift: generators.tr_mul(&problem.shift),
-        delassus: (&delassus + delassus.transpose()) * 0.5,
-        compliance: compliance.map(|Compliance { diagonal, .. }| Compliance { coordinates: Coordinates::Contact, diagonal }),
-        dynamics: None,
-        bodies: None,
-    }
+    ContactProblem::new((&delassus + delassus.transpose()) * 0.5, generators.tr_mul(problem.free_velocity()))
+        .name(format!("{}, along its edges", problem.name()))
+        .law(Law::Frictionless)
+        .rows_per_contact(1)
+        .shift(generators.tr_mul(problem.shift()))
+        .compliance(
+            compliance.map(|Compliance { diagonal, .. }| Compliance { coordinates: Coordinates::Contact, diagonal: diagonal.clone() }),
+        )
+        .build()
 }

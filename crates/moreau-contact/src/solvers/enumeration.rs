@@ -53,6 +53,17 @@ impl SolutionSet {
 ///
 /// # Errors
 /// [`Error::Unsupported`] for a larger problem.
+/// ```
+/// use moreau_contact::nalgebra::{dmatrix, dvector};
+/// use moreau_contact::problem::Lcp;
+/// use moreau_contact::scalar::ratio;
+/// use moreau_contact::solvers::enumeration::all_solutions;
+///
+/// // −z + 1 ≥ 0 ⟂ z ≥ 0: z = 0 and z = 1, as when friction may jam
+/// let two = all_solutions(&Lcp::new(dmatrix![ratio(-1, 1)], dvector![ratio(1, 1)]))?;
+/// assert_eq!(two.points.len(), 2);
+/// # Ok::<(), moreau_contact::Error>(())
+/// ```
 pub fn all_solutions(lcp: &Lcp<Rational>) -> Result<SolutionSet> {
     let size = lcp.size();
     if size > LARGEST {

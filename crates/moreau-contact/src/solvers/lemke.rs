@@ -48,6 +48,17 @@ pub enum LemkeOutcome<T: Scalar> {
 ///
 /// # Source
 /// Cottle, Pang, Stone, *The Linear Complementarity Problem*, chapter 4 (Lemke's method, lexicographic degeneracy resolution).
+/// ```
+/// use moreau_contact::nalgebra::{dmatrix, dvector};
+/// use moreau_contact::problem::Lcp;
+/// use moreau_contact::scalar::ratio;
+/// use moreau_contact::solvers::lemke::{LemkeOutcome, lemke};
+///
+/// let lcp = Lcp::new(dmatrix![ratio(2, 1)], dvector![ratio(-1, 1)]);
+/// let LemkeOutcome::Solution { z, .. } = lemke(&lcp, &dvector![ratio(1, 1)])? else { panic!("2 z = 1") };
+/// assert_eq!(z, dvector![ratio(1, 2)]); // exact
+/// # Ok::<(), moreau_contact::Error>(())
+/// ```
 pub fn lemke<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>) -> Result<LemkeOutcome<T>> {
     check(lcp, covering)?;
     let size = lcp.size();

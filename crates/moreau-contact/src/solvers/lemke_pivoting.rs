@@ -35,7 +35,6 @@ impl ContactSolver for LemkePivoting {
     }
 
     fn solve(&self, problem: &ContactProblem, _warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        problem.validate()?;
         let form = Form::of(problem)?;
         let lcp = Scaled::new(&form.lcp(problem)?, form.scale(problem));
         let (mut judge, mut best, mut failure) = (Judge::default(), None::<(f64, Solution)>, None);
@@ -85,8 +84,8 @@ enum Form {
 
 impl Form {
     fn of(problem: &ContactProblem) -> Result<Form> {
-        let without_friction = problem.friction.iter().all(|mu| *mu == 0.0);
-        match (problem.law, problem.rows_per_contact) {
+        let without_friction = problem.friction().iter().all(|mu| *mu == 0.0);
+        match (problem.law(), problem.rows_per_contact()) {
             (Law::Frictionless, _) => Ok(Form::Normals),
             (Law::Coulomb | Law::Associated, _) if without_friction => Ok(Form::Normals),
             (Law::PolyhedralCoulomb { directions }, _) => Ok(Form::StewartTrinkle { directions }),
@@ -105,13 +104,13 @@ impl Form {
 
     /// G: unknown impulses ↦ r.
     fn generators(self, problem: &ContactProblem) -> DMatrix<f64> {
-        let (contacts, rows) = (problem.contacts(), problem.rows_per_contact);
+        let (contacts, rows) = (problem.contacts(), problem.rows_per_contact());
         match self {
             Form::Normals => DMatrix::from_fn(contacts * rows, contacts, |i, j| if i == rows * j { 1.0 } else { 0.0 }),
             Form::StewartTrinkle { directions } => problem.stewart_trinkle_generators(directions),
             Form::Edges { directions } => DMatrix::from_fn(contacts * rows, contacts * directions, |i, j| {
                 let contact = j / directions;
-                let edge = polyhedral::edge(j % directions, directions, problem.friction[contact]);
+                let edge = polyhedral::edge(j % directions, directions, problem.friction()[contact]);
                 if i / rows == contact { edge[i % rows] } else { 0.0 }
             }),
         }
@@ -123,18 +122,18 @@ impl Form {
         }
         let generators = self.generators(problem);
         let mut matrix = generators.tr_mul(&(problem.law_delassus() * &generators));
-        if let Some(Compliance { coordinates: Coordinates::Edge, diagonal }) = &problem.compliance {
+        if let Some(Compliance { coordinates: Coordinates::Edge, diagonal }) = problem.compliance() {
             matrix += DMatrix::from_diagonal(diagonal);
         }
-        Ok(Lcp::new(matrix, generators.tr_mul(&(&problem.free_velocity + &problem.shift))))
+        Ok(Lcp::new(matrix, generators.tr_mul(&(problem.free_velocity() + problem.shift()))))
     }
 
     /// S with z = S z′: per contact s = (mean diagonal of W)^(−½) for impulses and 1/s for slip speeds, which makes
     /// S M S dimensionless with entries of order one and leaves the blocks E and −Eᵀ alone.
     fn scale(self, problem: &ContactProblem) -> DVector<f64> {
-        let rows = problem.rows_per_contact;
+        let rows = problem.rows_per_contact();
         let contact_scale = |contact: usize| {
-            let mean = (rows * contact..rows * (contact + 1)).map(|i| problem.delassus[(i, i)]).sum::<f64>() / rows as f64;
+            let mean = (rows * contact..rows * (contact + 1)).map(|i| problem.entry(i, i)).sum::<f64>() / rows as f64;
             if mean > 0.0 { 1.0 / mean.sqrt() } else { 1.0 }
         };
         let scales: Vec<f64> = (0..problem.contacts()).map(contact_scale).collect();
@@ -151,7 +150,7 @@ impl Form {
 
     /// Nonsmooth Newton from the answer: pivoting leaves errors of the size of the whole problem at contacts that carry little.
     fn finished(self, problem: &ContactProblem, answer: &Solution) -> Result<Solution> {
-        if problem.compliance.as_ref().is_some_and(|compliance| compliance.coordinates == Coordinates::Edge) {
+        if problem.compliance().is_some_and(|compliance| compliance.coordinates == Coordinates::Edge) {
             return Ok(answer.clone());
         }
         let finished = NonsmoothNewton::default().solve(problem, Some(&answer.impulse))?;
@@ -161,8 +160,8 @@ impl Form {
 
     /// β or f, and σ, of an answer's impulses: the parts with the smallest sum and the least σ ≥ 0 with Dⱼ·y_t + σ ≥ 0.
     fn parts(self, problem: &ContactProblem, answer: &Solution) -> (Option<DVector<f64>>, Option<DVector<f64>>) {
-        let rows = problem.rows_per_contact;
-        let contacts = answer.impulse.as_slice().chunks_exact(rows).zip(&problem.friction);
+        let rows = problem.rows_per_contact();
+        let contacts = answer.impulse.as_slice().chunks_exact(rows).zip(problem.friction());
         let tangent = |z: &[f64]| [z[1], z.get(2).copied().unwrap_or(0.0)];
         match self {
             Form::Normals => (None, None),
@@ -253,18 +252,13 @@ mod tests {
     /// A unit point mass with one contact, free velocity (normal, tangents).
     fn point(law: Law, friction: f64, free_velocity: &[f64]) -> ContactProblem {
         let rows = free_velocity.len();
-        ContactProblem {
-            name: "point".into(),
-            rows_per_contact: rows,
-            law,
-            friction: vec![friction],
-            free_velocity: DVector::from_row_slice(free_velocity),
-            shift: DVector::zeros(rows),
-            delassus: DMatrix::identity(rows, rows),
-            compliance: None,
-            dynamics: None,
-            bodies: None,
-        }
+        ContactProblem::new(DMatrix::identity(rows, rows), DVector::from_row_slice(free_velocity))
+            .name("point")
+            .law(law)
+            .rows_per_contact(rows)
+            .friction(vec![friction])
+            .build()
+            .unwrap()
     }
 
     fn assert_close(actual: &DVector<f64>, expected: &[f64]) {
@@ -300,8 +294,9 @@ mod tests {
 
     #[test]
     fn edge_compliance_softens_every_edge() {
-        let mut problem = point(Law::PolyhedralAssociated { directions: 2 }, 0.5, &[-1.0, 0.0]);
-        problem.compliance = Some(Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(2, 1.0) });
+        let compliance = Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(2, 1.0) };
+        let hard = point(Law::PolyhedralAssociated { directions: 2 }, 0.5, &[-1.0, 0.0]);
+        let problem = hard.into_builder().compliance(compliance).build().unwrap();
         // By symmetry f₁ = f₂ = f with (1 + 1/4) f + (1 − 1/4) f + f = 1.
         let solution = LemkePivoting.solve(&problem, None).unwrap();
         assert_close(&solution.beta.unwrap(), &[1.0 / 3.0, 1.0 / 3.0]);
@@ -310,17 +305,15 @@ mod tests {
 
     #[test]
     fn contact_compliance_softens_the_normal() {
-        let mut problem = point(Law::Frictionless, 0.0, &[-1.0]);
-        problem.compliance = Some(Compliance { coordinates: Coordinates::Contact, diagonal: DVector::from_element(1, 1.0) });
+        let compliance = Compliance { coordinates: Coordinates::Contact, diagonal: DVector::from_element(1, 1.0) };
+        let problem = point(Law::Frictionless, 0.0, &[-1.0]).into_builder().compliance(compliance).build().unwrap();
         assert_close(&LemkePivoting.solve(&problem, None).unwrap().impulse, &[0.5]);
     }
 
     #[test]
     fn an_asymmetric_delassus_operator_is_solved_as_given() {
-        let mut problem = point(Law::Frictionless, 0.0, &[-1.0, 0.0]);
-        problem.rows_per_contact = 1;
-        problem.friction = vec![0.0, 0.0];
-        problem.delassus = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, -1.0, 1.0]);
+        let problem = ContactProblem::new(DMatrix::from_row_slice(2, 2, &[2.0, 1.0, -1.0, 1.0]), DVector::from_row_slice(&[-1.0, 0.0]));
+        let problem = problem.law(Law::Frictionless).rows_per_contact(1).build().unwrap();
         assert_close(&LemkePivoting.solve(&problem, None).unwrap().impulse, &[1.0 / 3.0, 1.0 / 3.0]);
     }
 
@@ -328,26 +321,19 @@ mod tests {
     fn curved_cones_are_refused_by_name_and_a_ray_is_an_error() {
         let refused = LemkePivoting.solve(&point(Law::Coulomb, 0.5, &[-1.0, 1.0, 0.0]), None).unwrap_err().to_string();
         assert!(refused.contains("`lemke`") && refused.contains("`coulomb`"), "{refused}");
-        let mut impossible = point(Law::Frictionless, 0.0, &[-1.0]);
-        impossible.delassus[(0, 0)] = 0.0;
+        let impossible = point(Law::Frictionless, 0.0, &[-1.0]).into_builder().delassus(DMatrix::zeros(1, 1)).build().unwrap();
         let ray = LemkePivoting.solve(&impossible, None).unwrap_err().to_string();
         assert!(ray.contains("secondary ray"), "{ray}");
     }
 
     #[test]
     fn a_problem_without_contacts_has_the_empty_solution() {
-        let empty = ContactProblem {
-            name: "empty".into(),
-            rows_per_contact: 3,
-            law: Law::PolyhedralCoulomb { directions: 4 },
-            friction: Vec::new(),
-            free_velocity: DVector::zeros(0),
-            shift: DVector::zeros(0),
-            delassus: DMatrix::zeros(0, 0),
-            compliance: None,
-            dynamics: None,
-            bodies: None,
-        };
+        let empty = ContactProblem::new(DMatrix::zeros(0, 0), DVector::zeros(0))
+            .name("empty")
+            .law(Law::PolyhedralCoulomb { directions: 4 })
+            .friction(Vec::new())
+            .build()
+            .unwrap();
         assert_eq!(LemkePivoting.solve(&empty, None).unwrap().impulse.len(), 0);
     }
 }

@@ -1,4 +1,36 @@
 //! Contact solvers, one per file. None of them judges itself: [`crate::certificate`] does.
+//!
+//! Each by its type, on a block of 1 kg that arrives at 1 m/s and slides at 2 m/s under a law it takes, μ = ½ where there is friction:
+//! ```
+//! use moreau_contact::nalgebra::{DMatrix, DVector, dvector};
+//! use moreau_contact::prelude::*;
+//! use moreau_contact::problem::{Compliance, Coordinates};
+//! use moreau_contact::solvers::*;
+//!
+//! let solvers: [(&dyn ContactSolver, Law); 9] = [
+//!     (&Auto, Law::Coulomb),
+//!     (&ProjectedGaussSeidel::accelerated(), Law::Coulomb),
+//!     (&ProjectedOverRelaxation::default(), Law::Coulomb),
+//!     (&NonsmoothNewton::default(), Law::PolyhedralCoulomb { directions: 8 }),
+//!     (&AlternatingDirections::default(), Law::Coulomb),
+//!     (&LemkePivoting, Law::PolyhedralCoulomb { directions: 8 }),
+//!     (&AcceleratedProjectedGradient::default(), Law::Associated),
+//!     (&BarzilaiBorwein::default(), Law::Associated),
+//!     (&GaussNewton::default(), Law::Associated),
+//! ];
+//! for (solver, law) in solvers {
+//!     // Newton on Gauss's principle is for soft contacts and needs the mass
+//!     let soft = Compliance { coordinates: Coordinates::Contact, diagonal: DVector::from_element(3, 0.25) };
+//!     let problem = ContactProblem::from_dynamics(DMatrix::identity(3, 3), DMatrix::identity(3, 3), &dvector![-1.0, 2.0, 0.0])
+//!         .law(law)
+//!         .friction(vec![0.5])
+//!         .compliance((solver.name() == "newton").then_some(soft))
+//!         .build()?;
+//!     let answer = solver.solve(&problem, None)?;
+//!     assert!(residuals(&problem, &answer)?.is_solution(1e-8), "{}", solver.name());
+//! }
+//! # Ok::<(), moreau_contact::Error>(())
+//! ```
 
 use crate::problem::{ContactProblem, Law, Solution};
 use moreau_exact::Result;
@@ -7,6 +39,7 @@ use nalgebra::DVector;
 mod accelerated_projected_gradient;
 mod alternating_directions;
 mod anderson;
+mod auto;
 mod barzilai_borwein;
 #[cfg(feature = "clarabel")]
 mod clarabel;
@@ -21,12 +54,12 @@ pub mod parts;
 mod polyhedral_contact;
 mod projected_gauss_seidel;
 mod projected_over_relaxation;
-mod reference;
 mod stopping;
 mod table;
 
 pub use accelerated_projected_gradient::{AcceleratedProjectedGradient, Momentum, largest_eigenvalue_bound, objective};
 pub use alternating_directions::AlternatingDirections;
+pub use auto::Auto;
 pub use barzilai_borwein::BarzilaiBorwein;
 #[cfg(feature = "clarabel")]
 pub use clarabel::{ClarabelPolished, Polished};
@@ -35,7 +68,6 @@ pub use lemke_pivoting::LemkePivoting;
 pub use nonsmooth_newton::NonsmoothNewton;
 pub use projected_gauss_seidel::ProjectedGaussSeidel;
 pub use projected_over_relaxation::ProjectedOverRelaxation;
-pub use reference::Reference;
 pub use table::{SolverEntry, Solvers};
 
 use parts::{compliance, cone_friction, finite, not_convex, project, require_symmetry, start};
@@ -57,6 +89,18 @@ pub trait ContactSolver: Send + Sync {
     /// [`moreau_exact::Error::Solver`] if the law, the size or an asymmetric W is outside the algorithm's scope, or if it
     /// ends without an answer (a ray, a breakdown). An answer that is merely not converged is returned and left to
     /// the certificate.
+    /// ```
+    /// use moreau_contact::nalgebra::{DMatrix, dvector};
+    /// use moreau_contact::prelude::*;
+    /// use moreau_contact::solvers::ProjectedGaussSeidel;
+    ///
+    /// let block = ContactProblem::new(DMatrix::identity(2, 2), dvector![-1.0, 2.0]).rows_per_contact(2).friction(vec![0.5]).build()?;
+    /// let answer = ProjectedGaussSeidel::default().solve(&block, None)?;
+    /// assert_eq!(answer.impulse, dvector![1.0, -0.5]);
+    /// let again = ProjectedGaussSeidel::default().solve(&block, Some(&answer.impulse))?;
+    /// assert_eq!(again.iterations, 0);
+    /// # Ok::<(), moreau_contact::Error>(())
+    /// ```
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution>;
 }
 

@@ -58,7 +58,6 @@ impl ContactSolver for NonsmoothNewton {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        problem.validate()?;
         if !NonsmoothNewton::fits(problem) {
             return Err(Error::refused(NAME, "does not solve a compliance on edges, of which the impulse is not a function; use `lemke`"));
         }
@@ -94,14 +93,14 @@ impl ContactSolver for NonsmoothNewton {
         }
         let impulse = best.1;
         let velocity = problem.velocity(&impulse);
-        super::finite(Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations: steps })
+        super::finite(Solution::new(NAME, impulse, velocity, steps))
     }
 }
 
 impl NonsmoothNewton {
     /// Whether the law of this problem is a function of impulse and velocity.
     pub fn fits(problem: &ContactProblem) -> bool {
-        problem.compliance.as_ref().is_none_or(|compliance| compliance.coordinates == Coordinates::Contact)
+        problem.compliance().is_none_or(|compliance| compliance.coordinates == Coordinates::Contact)
     }
 }
 
@@ -117,8 +116,8 @@ struct Equations<'a> {
 
 impl<'a> Equations<'a> {
     fn new(problem: &'a ContactProblem) -> Self {
-        let set = match problem.law.directions() {
-            Some(directions) if problem.rows_per_contact == 3 => FrictionSet::Polygon { directions },
+        let set = match problem.law().directions() {
+            Some(directions) if problem.rows_per_contact() == 3 => FrictionSet::Polygon { directions },
             _ => FrictionSet::Disk,
         };
         Equations { problem, set, operator: problem.law_delassus(), weights: Judge::weights(problem) }
@@ -170,11 +169,11 @@ impl<'a> Equations<'a> {
         residual: &mut DVector<f64>,
         jacobian: Option<(&mut DMatrix<f64>, f64)>,
     ) {
-        let (rows, [rho_n, rho_t]) = (self.problem.rows_per_contact, self.weights[k]);
+        let (rows, [rho_n, rho_t]) = (self.problem.rows_per_contact(), self.weights[k]);
         let (normal, mu) = (k * rows, super::cone_friction(self.problem, k));
         let tangent = |vector: &DVector<f64>, i: usize| if i + 1 < rows { vector[normal + 1 + i] } else { 0.0 };
         let [r_t, y_t] = [impulse, law_velocity].map(|vector| [tangent(vector, 0), tangent(vector, 1)]);
-        let associated = matches!(self.problem.law, Law::Associated | Law::PolyhedralAssociated { .. });
+        let associated = matches!(self.problem.law(), Law::Associated | Law::PolyhedralAssociated { .. });
         let lifted = if associated { self.set.against(y_t).map(|share| mu * share) } else { [0.0; 2] };
         let w = law_velocity[normal] + lifted[0] * y_t[0] + lifted[1] * y_t[1];
         let a = impulse[normal] - rho_n * w;
@@ -194,7 +193,7 @@ impl<'a> Equations<'a> {
 
     /// The rows of contact k of J.
     fn slopes(&self, k: usize, presses: bool, lifted: [f64; 2], piece: &Piece, jacobian: &mut DMatrix<f64>, proximal: f64) {
-        let (rows, [rho_n, rho_t]) = (self.problem.rows_per_contact, self.weights[k]);
+        let (rows, [rho_n, rho_t]) = (self.problem.rows_per_contact(), self.weights[k]);
         let (normal, mu) = (k * rows, super::cone_friction(self.problem, k));
         // ∂w/∂r
         let mut slope = self.operator.row(normal).into_owned();
@@ -225,8 +224,7 @@ impl<'a> Equations<'a> {
 mod tests {
     use super::*;
     use crate::certificate::residuals;
-    use crate::contact::delassus::delassus;
-    use crate::problem::{Compliance, Dynamics};
+    use crate::problem::Compliance;
     use crate::solvers::{AlternatingDirections, LemkePivoting, ProjectedGaussSeidel};
     use crate::tolerance::certificate::CERTIFY;
     use nalgebra::dmatrix;
@@ -244,18 +242,13 @@ mod tests {
         }
         let mass = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 1.0, 1.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0]));
         let free = DVector::from_vec(vec![sideways, 0.0, -1.0, 0.0, 0.0, turning]);
-        ContactProblem {
-            name: "four corners".into(),
-            rows_per_contact: 3,
-            law,
-            friction: vec![0.5; 4],
-            free_velocity: &jacobian * free,
-            shift: DVector::zeros(12),
-            delassus: delassus(&mass, &jacobian).unwrap(),
-            compliance: None,
-            dynamics: Some(Dynamics { mass, jacobian }),
-            bodies: Some(vec![[Some(0), None]; 4]),
-        }
+        ContactProblem::from_dynamics(mass, jacobian, &free)
+            .name("four corners")
+            .law(law)
+            .friction(vec![0.5; 4])
+            .bodies(vec![[Some(0), None]; 4])
+            .build()
+            .unwrap()
     }
 
     #[test]
@@ -307,7 +300,7 @@ mod tests {
                 let problem = four_corners(law, sideways, turning);
                 let round = if matches!(law, Law::PolyhedralCoulomb { .. }) { Law::Coulomb } else { Law::Associated };
                 let begun = ProjectedGaussSeidel { sweeps: 20, ..Default::default() };
-                let begun = begun.solve(&ContactProblem { law: round, ..problem.clone() }, None).unwrap();
+                let begun = begun.solve(&problem.clone().into_builder().law(round).build().unwrap(), None).unwrap();
                 let solution = NonsmoothNewton::default().solve(&problem, Some(&begun.impulse)).unwrap();
                 assert!(residuals(&problem, &solution).unwrap().is_solution(tolerance::ENOUGH), "{law:?} {sideways} {turning}");
                 let lemke = LemkePivoting.solve(&problem, None).unwrap();
@@ -320,8 +313,9 @@ mod tests {
 
     #[test]
     fn compliance_on_edges_is_refused_by_name() {
-        let mut problem = four_corners(Law::PolyhedralAssociated { directions: 4 }, 0.1, 0.0);
-        problem.compliance = Some(Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(16, 1.0) });
+        let compliance = Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(16, 1.0) };
+        let hard = four_corners(Law::PolyhedralAssociated { directions: 4 }, 0.1, 0.0);
+        let problem = hard.into_builder().compliance(compliance).build().unwrap();
         assert!(NonsmoothNewton::default().solve(&problem, None).unwrap_err().to_string().contains("lemke"));
     }
 }

@@ -33,7 +33,7 @@ pub fn finite(solution: Solution) -> Result<Solution> {
 
 /// R of one contact row \[1/kg\], zero if the problem is hard or its compliance acts on edges.
 pub fn compliance(problem: &ContactProblem, row: usize) -> f64 {
-    match &problem.compliance {
+    match problem.compliance() {
         Some(Compliance { coordinates: Coordinates::Contact, diagonal }) => diagonal[row],
         _ => 0.0,
     }
@@ -41,12 +41,12 @@ pub fn compliance(problem: &ContactProblem, row: usize) -> f64 {
 
 /// μ of the cone that the law uses at contact k: 0 without friction.
 pub fn cone_friction(problem: &ContactProblem, k: usize) -> f64 {
-    if problem.law == Law::Frictionless { 0.0 } else { problem.friction[k] }
+    if problem.law() == Law::Frictionless { 0.0 } else { problem.friction()[k] }
 }
 
 /// Replaces every contact's impulse by its projection on the second-order cone.
 pub fn project(problem: &ContactProblem, impulse: &mut DVector<f64>) {
-    for (k, contact) in impulse.as_mut_slice().chunks_exact_mut(problem.rows_per_contact).enumerate() {
+    for (k, contact) in impulse.as_mut_slice().chunks_exact_mut(problem.rows_per_contact()).enumerate() {
         second_order::project(contact, cone_friction(problem, k));
     }
 }

@@ -74,9 +74,8 @@ impl ContactSolver for ProjectedGaussSeidel {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        problem.validate()?;
-        if !is_swept(problem.law, problem.rows_per_contact) {
-            let reason = format!("does not solve the law `{}`; use `lemke` or `clarabel`", problem.law.name());
+        if !is_swept(problem.law(), problem.rows_per_contact()) {
+            let reason = format!("does not solve the law `{}`; use `lemke` or `clarabel`", problem.law().name());
             return Err(Error::refused(self.name(), reason));
         }
         let impulse = super::start(problem, warm_start)?;
@@ -95,7 +94,7 @@ impl ContactSolver for ProjectedGaussSeidel {
         let keeps_best = self.memory > 0 || sweeps < self.sweeps;
         let impulse = if keeps_best && sweeper.is_finite() { sweeper.best.impulse } else { sweeper.impulse };
         let velocity = problem.velocity(&impulse);
-        super::finite(Solution { impulse, velocity, beta: None, sigma: None, solver: self.name().into(), iterations: sweeps })
+        super::finite(Solution::new(self.name(), impulse, velocity, sweeps))
     }
 }
 
@@ -175,7 +174,7 @@ impl Sweeper<'_> {
 
     /// Solves every contact once; returns whether any impulse changed.
     fn sweep(&mut self) -> bool {
-        let rows = self.problem.rows_per_contact;
+        let rows = self.problem.rows_per_contact();
         let mut moved = false;
         self.sweeps += 1;
         for (k, contact) in self.contacts.iter().enumerate() {
@@ -187,8 +186,7 @@ impl Sweeper<'_> {
                 let change = new[row] - old[row];
                 if change != 0.0 {
                     moved = true;
-                    let column = self.problem.delassus.column(first + row);
-                    self.law_velocity.axpy(change, &column, 1.0);
+                    self.problem.add_column(first + row, change, self.law_velocity.as_mut_slice());
                     self.law_velocity[first + row] += super::compliance(self.problem, first + row) * change;
                     self.impulse[first + row] = new[row];
                 }
@@ -219,10 +217,10 @@ impl Sweeper<'_> {
 /// The padded block of contact k, made definite and symmetric where its law needs it. Its difference from W_kk + R_kk
 /// multiplies the previous impulse (a proximal step), so the fixed points stay those of the given problem.
 fn prepare(problem: &ContactProblem, k: usize) -> Result<OneContact> {
-    let rows = problem.rows_per_contact;
+    let rows = problem.rows_per_contact();
     let mut block = Matrix3::identity();
     for (i, j) in (0..rows).flat_map(|i| (0..rows).map(move |j| (i, j))) {
-        block[(i, j)] = problem.delassus[(k * rows + i, k * rows + j)];
+        block[(i, j)] = problem.entry(k * rows + i, k * rows + j);
     }
     for i in 0..rows {
         block[(i, i)] += super::compliance(problem, k * rows + i);
@@ -231,7 +229,7 @@ fn prepare(problem: &ContactProblem, k: usize) -> Result<OneContact> {
     for i in rows..3 {
         block[(i, i)] = trace / rows as f64;
     }
-    if !matches!(problem.law, Law::Coulomb | Law::PolyhedralCoulomb { .. }) {
+    if !matches!(problem.law(), Law::Coulomb | Law::PolyhedralCoulomb { .. }) {
         block = (block + block.transpose()) * 0.5;
     }
     let symmetric = (block + block.transpose()) * 0.5;
@@ -239,8 +237,8 @@ fn prepare(problem: &ContactProblem, k: usize) -> Result<OneContact> {
     if smallest < tolerance::PROXIMAL * trace {
         block += Matrix3::identity() * (tolerance::PROXIMAL * trace);
     }
-    let friction = problem.friction[k];
-    let contact = match problem.law {
+    let friction = problem.friction()[k];
+    let contact = match problem.law() {
         Law::Coulomb if friction > 0.0 => OneContact::coulomb(block, friction),
         Law::PolyhedralCoulomb { directions } if friction > 0.0 => OneContact::polyhedral(block, friction, directions),
         Law::Associated if friction > 0.0 => OneContact::associated(block, friction),
@@ -266,18 +264,13 @@ mod tests {
     /// One contact of a unit mass on an incline of slope tan α at rest, step h: u_free = h g (−cos α, sin α).
     fn block(law: Law, friction: f64, slope: f64) -> ContactProblem {
         let (cos, sin) = (1.0 / slope.hypot(1.0), slope / slope.hypot(1.0));
-        ContactProblem {
-            name: "block".into(),
-            rows_per_contact: 2,
-            law,
-            friction: vec![friction],
-            free_velocity: DVector::from_vec(vec![-cos, sin]),
-            shift: DVector::zeros(2),
-            delassus: DMatrix::identity(2, 2),
-            compliance: None,
-            dynamics: None,
-            bodies: None,
-        }
+        ContactProblem::new(DMatrix::identity(2, 2), DVector::from_vec(vec![-cos, sin]))
+            .name("block")
+            .law(law)
+            .rows_per_contact(2)
+            .friction(vec![friction])
+            .build()
+            .unwrap()
     }
 
     #[test]
@@ -302,8 +295,7 @@ mod tests {
 
     #[test]
     fn a_contact_that_touches_nothing_is_refused_by_name() {
-        let mut problem = block(Law::Coulomb, 0.5, 0.75);
-        problem.delassus.fill(0.0);
+        let problem = block(Law::Coulomb, 0.5, 0.75).into_builder().delassus(DMatrix::zeros(2, 2)).build().unwrap();
         let message = ProjectedGaussSeidel::default().solve(&problem, None).unwrap_err().to_string();
         assert!(message.contains("`pgs`") && message.contains("contact 0"), "{message}");
     }

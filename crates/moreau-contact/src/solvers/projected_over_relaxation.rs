@@ -51,11 +51,10 @@ impl ContactSolver for ProjectedOverRelaxation {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        problem.validate()?;
-        if problem.law.directions().is_some() {
-            return Err(Error::refused(NAME, format!("does not solve the law `{}`; use `lemke`", problem.law.name())));
+        if problem.law().directions().is_some() {
+            return Err(Error::refused(NAME, format!("does not solve the law `{}`; use `lemke`", problem.law().name())));
         }
-        let rows = problem.rows_per_contact;
+        let rows = problem.rows_per_contact();
         let steps = step_lengths(problem, self.relaxation)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
         let mut impulse = super::start(problem, warm_start)?;
@@ -69,12 +68,12 @@ impl ContactSolver for ProjectedOverRelaxation {
             for (k, &step) in steps.iter().enumerate() {
                 let range = k * rows..(k + 1) * rows;
                 let mut corrected = law_velocity.as_slice()[range.clone()].to_vec();
-                natural_map::correct(problem.law, problem.friction[k], &mut corrected);
+                natural_map::correct(problem.law(), problem.friction()[k], &mut corrected);
                 let mut new: Vec<f64> = range.clone().zip(&corrected).map(|(row, y)| impulse[row] - step * y).collect();
                 second_order::project(&mut new, super::cone_friction(problem, k));
                 for (row, value) in range.zip(new) {
                     let change = value - impulse[row];
-                    law_velocity.axpy(change, &problem.delassus.column(row), 1.0);
+                    problem.add_column(row, change, law_velocity.as_mut_slice());
                     law_velocity[row] += super::compliance(problem, row) * change;
                     impulse[row] = value;
                 }
@@ -82,17 +81,17 @@ impl ContactSolver for ProjectedOverRelaxation {
             done += 1;
         }
         let velocity = problem.velocity(&impulse);
-        super::finite(Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations: done })
+        super::finite(Solution::new(NAME, impulse, velocity, done))
     }
 }
 
 /// ω/λ_max(A_kk) of every contact \[kg\]; without friction only the normal row counts.
 fn step_lengths(problem: &ContactProblem, relaxation: f64) -> Result<Vec<f64>> {
-    let rows = problem.rows_per_contact;
-    let size = if problem.law == Law::Frictionless { 1 } else { rows };
-    let operator = problem.law_delassus();
+    let rows = problem.rows_per_contact();
+    let size = if problem.law() == Law::Frictionless { 1 } else { rows };
     let step = |k: usize| {
-        let block = operator.view((k * rows, k * rows), (size, size)).into_owned();
+        let mut block = problem.diagonal_block(k).resize(size, size, 0.0);
+        (0..size).for_each(|row| block[(row, row)] += super::compliance(problem, k * rows + row));
         let largest = ((&block + block.transpose()) * 0.5).symmetric_eigenvalues().max();
         let reason =
             || format!("contact {k} moves nothing: its block W_kk + R_kk has no positive eigenvalue; remove it or give it compliance");
@@ -109,18 +108,12 @@ mod tests {
 
     /// One contact that arrives at 1 m/s with W = diag(1, 1/10, 1/10).
     fn slender() -> ContactProblem {
-        ContactProblem {
-            name: "slender".into(),
-            rows_per_contact: 3,
-            law: Law::Associated,
-            friction: vec![0.5],
-            free_velocity: DVector::from_vec(vec![-1.0, 0.0, 0.0]),
-            shift: DVector::zeros(3),
-            delassus: DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 0.1, 0.1])),
-            compliance: None,
-            dynamics: None,
-            bodies: None,
-        }
+        ContactProblem::new(DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 0.1, 0.1])), DVector::from_vec(vec![-1.0, 0.0, 0.0]))
+            .name("slender")
+            .law(Law::Associated)
+            .friction(vec![0.5])
+            .build()
+            .unwrap()
     }
 
     #[test]

@@ -21,8 +21,7 @@ impl<'a> Stopping<'a> {
         let mut judge = Judge::default();
         judge.prepare(problem);
         let nothing = DVector::zeros(0);
-        let answer =
-            Solution { impulse: nothing.clone(), velocity: nothing, beta: None, sigma: None, solver: String::new(), iterations: 0 };
+        let answer = Solution::new("", nothing.clone(), nothing, 0);
         Stopping { problem, judge, relative, answer, calls: 0, sized: 0.0 }
     }
 

@@ -3,8 +3,8 @@
 #[cfg(feature = "clarabel")]
 use super::ClarabelPolished;
 use super::{
-    AcceleratedProjectedGradient, AlternatingDirections, BarzilaiBorwein, ContactSolver, GaussNewton, LemkePivoting, NonsmoothNewton,
-    ProjectedGaussSeidel, ProjectedOverRelaxation, Reference,
+    AcceleratedProjectedGradient, AlternatingDirections, Auto, BarzilaiBorwein, ContactSolver, GaussNewton, LemkePivoting, NonsmoothNewton,
+    ProjectedGaussSeidel, ProjectedOverRelaxation,
 };
 use crate::tolerance::solvers::MOST_ITERATIONS;
 use moreau_exact::{Error, Result};
@@ -26,7 +26,7 @@ pub struct Solvers(Vec<SolverEntry>);
 
 /// The algorithms of this crate; a new one is one more line.
 const OWN: &[SolverEntry] = &[
-    SolverEntry { name: "auto", default: || Box::new(Reference), limited: None },
+    SolverEntry { name: "auto", default: || Box::new(Auto), limited: None },
     SolverEntry { name: "lemke", default: || Box::new(LemkePivoting), limited: None },
     SolverEntry {
         name: "pgs",
@@ -99,6 +99,14 @@ impl Solvers {
     ///
     /// # Errors
     /// [`Error::Unsupported`] lists the names there are.
+    /// ```
+    /// use moreau_contact::solvers::Solvers;
+    ///
+    /// let solvers = Solvers::own();
+    /// assert_eq!(solvers.by_name("lemke")?.name(), "lemke");
+    /// assert!(solvers.by_name("lemk").err().expect("misspelt").to_string().contains("lemke"));
+    /// # Ok::<(), moreau_contact::Error>(())
+    /// ```
     pub fn by_name(&self, name: &str) -> Result<Box<dyn ContactSolver>> {
         self.entry(name).map(|entry| (entry.default)())
     }
@@ -150,7 +158,7 @@ mod tests {
 
     #[test]
     fn an_added_solver_is_found_and_two_of_one_name_are_refused() {
-        let mine = SolverEntry { name: "mine", default: || Box::new(Reference), limited: None };
+        let mine = SolverEntry { name: "mine", default: || Box::new(Auto), limited: None };
         assert!(Solvers::own().by_name("mine").is_err());
         assert!(Solvers::own().with(&[mine]).by_name("mine").is_ok());
         assert_eq!(Solvers::of(&[mine]).names().collect::<Vec<_>>(), ["mine"]);

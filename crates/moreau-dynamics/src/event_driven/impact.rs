@@ -58,18 +58,15 @@ impl Impact<'_> {
             let normal = place * rows;
             shift[normal] = self.restitution(&self.contacts[k], arriving[normal], free[normal]) * arriving[normal].min(0.0);
         }
-        let problem = ContactProblem {
-            name: format!("{} impact", self.mechanism.name()),
-            rows_per_contact: rows,
-            law: if rows == 1 { Law::Frictionless } else { Law::Coulomb },
-            friction: self.touching.iter().map(|&k| self.contacts[k].friction).collect(),
-            free_velocity: arriving,
-            shift,
-            delassus: delassus(&mass, &jacobian)?,
-            compliance: None,
-            dynamics: Some(Dynamics { mass, jacobian: jacobian.clone() }),
-            bodies: pairs(&self.touching.iter().map(|&k| self.contacts[k].place).collect::<Vec<_>>()),
-        };
+        let problem = ContactProblem::new(delassus(&mass, &jacobian)?, arriving)
+            .name(format!("{} impact", self.mechanism.name()))
+            .law(if rows == 1 { Law::Frictionless } else { Law::Coulomb })
+            .rows_per_contact(rows)
+            .friction(self.touching.iter().map(|&k| self.contacts[k].friction).collect())
+            .shift(shift)
+            .dynamics(Dynamics { mass, jacobian: jacobian.clone() })
+            .bodies(pairs(&self.touching.iter().map(|&k| self.contacts[k].place).collect::<Vec<_>>()))
+            .build()?;
         let impulse = self.solver.solve(&problem, None)?.impulse;
         Ok(Some((velocity + factor.solve(&jacobian.tr_mul(&impulse)), impulse)))
     }

@@ -5,7 +5,7 @@ use super::*;
 use crate::mechanics::{BallChain, OscillatorWithStop, PainleveRod, PointMass};
 use crate::scenes::named;
 use crate::tolerance::event_driven::ACCURACY;
-use moreau_contact::solvers::Reference;
+use moreau_contact::solvers::Auto;
 use moreau_forms::{BeltOscillator, BouncingBall, DryFrictionOscillator, StopOscillator};
 use nalgebra::dvector;
 
@@ -14,7 +14,7 @@ fn at(position: f64, velocity: f64) -> State {
 }
 
 fn go(mechanism: &dyn Mechanism, start: &State, duration: f64) -> Motion {
-    EventDriven::default().advance(&Reference, mechanism, start, duration).expect("in scope")
+    EventDriven::default().advance(&Auto, mechanism, start, duration).expect("in scope")
 }
 
 #[test]
@@ -59,7 +59,7 @@ fn order_five_survives_located_impacts_and_nothing_survives_late_ones() {
     let body = OscillatorWithStop::new(1.5, 6.0, 0.0, -0.5, 0.6).expect("valid");
     let error = |h: f64, location: Location| {
         let method = EventDriven { control: Control::Fixed(h), location, shortest_flight: FLIGHT };
-        let end = method.advance(&Reference, &body, &at(1.0, 0.0), 2.0).expect("in scope").state;
+        let end = method.advance(&Auto, &body, &at(1.0, 0.0), 2.0).expect("in scope").state;
         (end.position[0] - exact.state(2.0).0).abs()
     };
     let located = (error(0.1, Location::Root) / error(0.0125, Location::Root)).log2() / 3.0;
@@ -120,7 +120,7 @@ fn a_chain_of_balls_passes_a_simultaneous_impact_on_as_the_contact_problem_says(
 fn painleves_rod_stops_the_method_with_the_reason() {
     let rod = PainleveRod::new(1.0, 1.0, 9.81, 2.0, 0.0).expect("valid");
     let start = State { time: 0.0, position: dvector![0.0, 0.8, 0.8f64.atan2(0.6)], velocity: dvector![-1.0, 0.0, 0.0] };
-    let message = EventDriven::default().advance(&Reference, &rod, &start, 0.1).expect_err("no force").to_string();
+    let message = EventDriven::default().advance(&Auto, &rod, &start, 0.1).expect_err("no force").to_string();
     assert!(message.contains("Painlevé"), "{message}");
 }
 
@@ -162,7 +162,7 @@ fn where_both_sides_push_away_the_motion_is_refused() {
 fn sampled(scene: &str, h: f64, samples: usize) -> Result<State> {
     let (mechanism, mut state) = crate::scenes::Scene::from_json(scene).and_then(|scene| scene.mechanism()).expect("a planar scene");
     for _ in 0..samples {
-        state = EventDriven::default().advance(&moreau_contact::solvers::Reference, mechanism.as_ref(), &state, h)?.state;
+        state = EventDriven::default().advance(&moreau_contact::solvers::Auto, mechanism.as_ref(), &state, h)?.state;
     }
     Ok(state)
 }

@@ -92,7 +92,7 @@ mod tests {
     use crate::schemes::{RungeKuttaFlip, simulate};
     use crate::tolerance::mechanics::runge_kutta_energy;
     use moreau_contact::contact::delassus::delassus;
-    use moreau_contact::solvers::Reference;
+    use moreau_contact::solvers::Auto;
     use moreau_exact::tolerance::rounding;
     use moreau_forms::double_pendulum_impact::DoublePendulum;
     use nalgebra::dvector;
@@ -131,7 +131,7 @@ mod tests {
         let chain = RodChain::new("chain", &[(1.0, 0.5); 5], 9.81, floor(-10.0)).expect("valid");
         let start = State { time: 0.0, position: DVector::from_element(5, -0.5), velocity: DVector::zeros(5) };
         let drift = |h: f64| {
-            let run = simulate(&RungeKuttaFlip, &Reference, &chain, start.clone(), h, (0.5 / h) as usize).expect("free");
+            let run = simulate(&RungeKuttaFlip, &Auto, &chain, start.clone(), h, (0.5 / h) as usize).expect("free");
             (chain.energy(run.last()) - chain.energy(&start)).abs()
         };
         let (coarse, fine) = (drift(1.0 / 256.0), drift(1.0 / 512.0));

@@ -7,7 +7,7 @@
 
 use super::{StepContext, StepProblem};
 use moreau_contact::contact::{Contact, pairs};
-use moreau_contact::problem::{ContactProblem, Dynamics, Law};
+use moreau_contact::problem::{ContactProblem, Law};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 
@@ -44,18 +44,14 @@ pub fn assemble(name: &str, rules: &dyn Rules, at: &StepContext) -> Result<StepP
     }
     let rows = at.mechanism.rows_per_contact();
     let shifts: Vec<DVector<f64>> = candidates.iter().map(|candidate| rules.shift(candidate, at.h)).collect();
-    let problem = ContactProblem {
-        name: format!("{} {name} t={}", at.mechanism.name(), at.state.time),
-        rows_per_contact: rows,
-        law: rules.law(rows),
-        friction: candidates.iter().map(|candidate| candidate.contact.friction).collect(),
-        free_velocity: &held.jacobian * &held.free_velocity,
-        shift: DVector::from_iterator(rows * candidates.len(), shifts.iter().flat_map(|shift| shift.iter().copied())),
-        delassus: held.effective_mass.delassus(&held.jacobian)?,
-        compliance: None,
-        dynamics: Some(Dynamics { mass: held.effective_mass.matrix().clone(), jacobian: held.jacobian.clone() }),
-        bodies: pairs(&held.places),
-    };
+    let problem = ContactProblem::from_inertia(&held.effective_mass, held.jacobian.clone(), &held.free_velocity)
+        .name(format!("{} {name} t={}", at.mechanism.name(), at.state.time))
+        .law(rules.law(rows))
+        .rows_per_contact(rows)
+        .friction(candidates.iter().map(|candidate| candidate.contact.friction).collect())
+        .shift(DVector::from_iterator(rows * candidates.len(), shifts.iter().flat_map(|shift| shift.iter().copied())))
+        .bodies(pairs(&held.places))
+        .build()?;
     Ok(StepProblem { problem: Some(problem), ..held })
 }
 
@@ -114,9 +110,9 @@ mod tests {
         let scheme = MoreauJean { theta: 0.5, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
         let step = scheme.assemble(&StepContext::new(&corner, &state, 0.1).expect("valid")).expect("valid");
         let problem = step.problem.expect("one contact");
-        assert_eq!((step.active, problem.friction.clone()), (vec![1], vec![0.7]));
-        assert_eq!(problem.shift, dvector![0.5 * -2.0, 0.0]);
-        assert_eq!(problem.free_velocity, dvector![-3.0, 0.0]);
+        assert_eq!((step.active, problem.friction()), (vec![1], &[0.7][..]));
+        assert_eq!(problem.shift(), &dvector![0.5 * -2.0, 0.0]);
+        assert_eq!(problem.free_velocity(), &dvector![-3.0, 0.0]);
     }
 
     #[test]
@@ -128,6 +124,6 @@ mod tests {
         let step = scheme.assemble(&StepContext::new(&stop, &state, 0.5).expect("valid")).expect("valid");
         let problem = step.problem.expect("the stop is penetrated");
         assert!((step.effective_mass.matrix()[(0, 0)] - 2.175).abs() <= rounding(4, 2.0));
-        assert!((problem.delassus[(0, 0)] - 1.0 / 2.175).abs() <= rounding(4, 1.0));
+        assert!((problem.entry(0, 0) - 1.0 / 2.175).abs() <= rounding(4, 1.0));
     }
 }

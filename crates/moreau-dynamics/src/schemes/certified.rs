@@ -81,7 +81,7 @@ impl ContactSolver for Certified<'_> {
         let (residual, worst) =
             found.judge.judge(problem, &solution).map_err(|error| Error::breakdown(self.name(), error.to_string()))?.worst();
         let relative = worst.part.relative();
-        let pair = problem.bodies.as_ref().and_then(|bodies| bodies.get(worst.contact).copied());
+        let pair = problem.bodies().and_then(|bodies| bodies.get(worst.contact).copied());
         let own = StepResidual { rule: "certificate", residual, relative, limit: self.tolerance, contact: Some(worst.contact), pair };
         if !own.is_accepted() && found.rejected.is_none() {
             found.rejected = Some(Rejected { problem: problem.clone(), solution: solution.clone() });

@@ -1,53 +1,11 @@
 //! Where a step starts, and what is computed once for it: M(q) with its factor, and the contact candidates at q.
 
 use crate::mechanics::{Mechanism, State};
-use moreau_contact::contact::Contact;
-use moreau_contact::contact::delassus::{MassFactor, delassus_factored};
+use moreau_contact::contact::{Contact, Inertia};
 use moreau_exact::{Error, Result};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use std::cell::OnceCell;
 use std::sync::Arc;
-
-/// A mass matrix with its factor: whoever solves with M̂ again finds it factored.
-#[derive(Clone, Debug)]
-pub struct Inertia {
-    matrix: DMatrix<f64>,
-    factor: MassFactor<f64>,
-}
-
-impl Inertia {
-    /// Factors M̂.
-    ///
-    /// # Errors
-    /// [`Error::Invalid`] if it is not symmetric positive definite.
-    pub fn new(matrix: DMatrix<f64>) -> Result<Self> {
-        let factor = MassFactor::new(&matrix)?;
-        Ok(Inertia { matrix, factor })
-    }
-
-    /// M̂ itself.
-    pub fn matrix(&self) -> &DMatrix<f64> {
-        &self.matrix
-    }
-
-    /// Its factor.
-    pub fn factor(&self) -> &MassFactor<f64> {
-        &self.factor
-    }
-
-    /// M̂⁻¹ p.
-    pub fn solve(&self, impulse: &DVector<f64>) -> DVector<f64> {
-        self.factor.solve(impulse)
-    }
-
-    /// W = H M̂⁻¹ Hᵀ \[1/kg\].
-    ///
-    /// # Errors
-    /// [`Error::Invalid`] if H does not fit or is not finite.
-    pub fn delassus(&self, jacobian: &DMatrix<f64>) -> Result<DMatrix<f64>> {
-        delassus_factored(&self.factor, jacobian)
-    }
-}
 
 /// A state, the step to take from it, and what several parts of the step ask of it.
 pub struct StepContext<'a> {

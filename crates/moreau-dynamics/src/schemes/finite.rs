@@ -29,13 +29,13 @@ pub(super) fn finite(scheme: &str, mechanism: &dyn Mechanism, step: usize, state
 mod tests {
     use crate::mechanics::{PointMass, State};
     use crate::schemes::{MoreauJean, simulate};
-    use moreau_contact::solvers::Reference;
+    use moreau_contact::solvers::Auto;
     use nalgebra::dvector;
 
     fn message(velocity: f64, gravity: f64, steps: usize) -> String {
         let ball = PointMass::ball_on_floor(2.0, gravity, 0.5);
         let start = State { time: 0.0, position: dvector![1.0], velocity: dvector![velocity] };
-        simulate(&MoreauJean::default(), &Reference, &ball, start, 0.5, steps)
+        simulate(&MoreauJean::default(), &Auto, &ball, start, 0.5, steps)
             .map(|_| ())
             .map_err(|error| error.to_string())
             .err()

@@ -28,7 +28,7 @@ use crate::mechanics::{Mechanism, State};
 use crate::tolerance::schemes::asymmetry;
 use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::contact::pairs;
-use moreau_contact::problem::{ContactProblem, Dynamics, Law};
+use moreau_contact::problem::{ContactProblem, Law};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use std::sync::Arc;
@@ -184,18 +184,14 @@ impl Waist for GeneralisedAlpha {
         let shifts: Vec<DVector<f64>> =
             own().map(|contact| normal_only(contact.restitution * (&contact.jacobian * &state.velocity)[0], rows)).collect();
         let places: Vec<_> = own().map(|contact| contact.place).collect();
-        let problem = ContactProblem {
-            name: format!("{} generalised-alpha t={}", mechanism.name(), state.time),
-            rows_per_contact: rows,
-            law: if rows == 1 { Law::Frictionless } else { Law::Coulomb },
-            friction: own().map(|contact| contact.friction).collect(),
-            free_velocity: &jacobian * &smooth.velocity,
-            shift: DVector::from_iterator(rows * active.len(), shifts.iter().flat_map(|shift| shift.iter().copied())),
-            delassus: smooth.effective_mass.delassus(&jacobian)?,
-            compliance: None,
-            dynamics: Some(Dynamics { mass: smooth.effective_mass.matrix().clone(), jacobian: jacobian.clone() }),
-            bodies: pairs(&places),
-        };
+        let problem = ContactProblem::from_inertia(&smooth.effective_mass, jacobian.clone(), &smooth.velocity)
+            .name(format!("{} generalised-alpha t={}", mechanism.name(), state.time))
+            .law(if rows == 1 { Law::Frictionless } else { Law::Coulomb })
+            .rows_per_contact(rows)
+            .friction(own().map(|contact| contact.friction).collect())
+            .shift(DVector::from_iterator(rows * active.len(), shifts.iter().flat_map(|shift| shift.iter().copied())))
+            .bodies(pairs(&places))
+            .build()?;
         let problem = (!active.is_empty()).then_some(problem);
         Ok(StepProblem {
             problem,

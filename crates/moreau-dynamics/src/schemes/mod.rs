@@ -28,10 +28,11 @@ pub mod waist;
 
 pub use anitescu::Anitescu;
 pub use certified::{Certified, Rejected};
-pub use context::{Inertia, StepContext};
+pub use context::StepContext;
 pub use euler::Euler;
 pub use events::Events;
 pub use generalised_alpha::GeneralisedAlpha;
+pub use moreau_contact::contact::Inertia;
 pub use moreau_jean::{Activation, MoreauJean, RestitutionRule};
 pub use moreau_jean_projection::MoreauJeanProjection;
 pub use position_based::{PositionBased, Softness};
@@ -186,7 +187,7 @@ mod tests {
             let found = residuals(problem, &warm)?;
             assert!(found.is_solution(CERTIFY) && residuals(problem, &cold)?.is_solution(CERTIFY));
             // several impulses carry the stack, but they all give one velocity
-            assert!((&warm.velocity - &cold.velocity).amax() <= CERTIFY * found.velocity_scale, "{}", problem.name);
+            assert!((&warm.velocity - &cold.velocity).amax() <= CERTIFY * found.velocity_scale, "{}", problem.name());
             self.warm.fetch_add(warm.iterations, Relaxed);
             self.cold.fetch_add(cold.iterations, Relaxed);
             Ok(warm)

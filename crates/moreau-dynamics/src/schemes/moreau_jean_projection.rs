@@ -23,8 +23,8 @@ use crate::mechanics::Mechanism;
 use crate::tolerance::schemes::{DEPENDENT_NORMALS, projected};
 use moreau_contact::certificate::StepResidual;
 use moreau_contact::contact::{Contact, Identity, pairs};
-use moreau_contact::problem::{ContactProblem, Dynamics, Law};
-use moreau_contact::solvers::{ContactSolver, LemkePivoting, Reference};
+use moreau_contact::problem::{ContactProblem, Law};
+use moreau_contact::solvers::{Auto, ContactSolver, LemkePivoting};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -97,18 +97,14 @@ impl MoreauJeanProjection {
             normal_only(contact.restitution * arriving[0], rows)
         });
         let shifts: Vec<DVector<f64>> = shifts.collect();
-        Ok(ContactProblem {
-            name: format!("{} moreau-jean-projection t={}", mechanism.name(), state.time),
-            rows_per_contact: rows,
-            law: if rows == 1 { Law::Frictionless } else { Law::Coulomb },
-            friction: held.iter().map(|(_, contact)| contact.friction).collect(),
-            free_velocity: &jacobian * free,
-            shift: DVector::from_iterator(rows * held.len(), shifts.iter().flat_map(|shift| shift.iter().copied())),
-            delassus: mass.delassus(&jacobian)?,
-            compliance: None,
-            dynamics: Some(Dynamics { mass: mass.matrix().clone(), jacobian }),
-            bodies: pairs(&held.iter().map(|(identity, _)| identity.place).collect::<Vec<_>>()),
-        })
+        ContactProblem::from_inertia(mass, jacobian, free)
+            .name(format!("{} moreau-jean-projection t={}", mechanism.name(), state.time))
+            .law(if rows == 1 { Law::Frictionless } else { Law::Coulomb })
+            .rows_per_contact(rows)
+            .friction(held.iter().map(|(_, contact)| contact.friction).collect())
+            .shift(DVector::from_iterator(rows * held.len(), shifts.iter().flat_map(|shift| shift.iter().copied())))
+            .bodies(pairs(&held.iter().map(|(identity, _)| identity.place).collect::<Vec<_>>()))
+            .build()
     }
 }
 
@@ -136,18 +132,18 @@ impl Waist for MoreauJeanProjection {
             }
             held = next;
             let posed = self.problem(at, &held, &effective_mass, &free_velocity)?;
-            let solver: &dyn ContactSolver = if posed.rows_per_contact <= 2 { &LemkePivoting } else { &Reference };
+            let solver: &dyn ContactSolver = if posed.rows_per_contact() <= 2 { &LemkePivoting } else { &Auto };
             let certified = Certified::new(solver);
             let solution = certified.solve(&posed, None)?;
             residual = StepResidual::worse_of(residual, certified.take().0);
-            let jacobian = &posed.dynamics.as_ref().ok_or_else(|| Error::Unsupported("a step has dynamics".into()))?.jacobian;
+            let jacobian = &posed.dynamics().ok_or_else(|| Error::Unsupported("a step has dynamics".into()))?.jacobian;
             let velocity = &free_velocity + effective_mass.solve(&jacobian.tr_mul(&solution.impulse));
             let keys: Vec<Identity> = held.iter().map(|(key, _)| *key).collect();
             reached = project(mechanism, self.advance(at, &velocity), &keys)?;
             problem = Some(posed);
         }
         let rows = DMatrix::zeros(0, mechanism.degrees_of_freedom());
-        let jacobian = problem.as_ref().and_then(|posed| posed.dynamics.as_ref()).map_or(rows, |dynamics| dynamics.jacobian.clone());
+        let jacobian = problem.as_ref().and_then(|posed| posed.dynamics()).map_or(rows, |dynamics| dynamics.jacobian.clone());
         let (active, places) = held.into_iter().map(|(key, _)| (key.index, key.place)).unzip();
         Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian, residual })
     }
@@ -272,7 +268,7 @@ mod tests {
         let mut last = start.clone();
         for h in [0.01, 0.005] {
             let steps = (0.5 / h) as usize;
-            last = simulate(&scheme, &Reference, mechanism.as_ref(), start.clone(), h, steps).expect("no panic").last().clone();
+            last = simulate(&scheme, &Auto, mechanism.as_ref(), start.clone(), h, steps).expect("no panic").last().clone();
         }
         assert!(
             mechanism.contacts(&last.position).iter().all(|contact| contact.gap > -1e-2),

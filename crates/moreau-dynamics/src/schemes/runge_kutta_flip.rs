@@ -23,7 +23,7 @@ use super::{Inertia, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use crate::mechanics::{Mechanism, State};
 use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::contact::pairs;
-use moreau_contact::problem::{ContactProblem, Dynamics, Law};
+use moreau_contact::problem::{ContactProblem, Law};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use std::sync::Arc;
@@ -79,18 +79,14 @@ impl Waist for RungeKuttaFlip {
             shift.rows_mut(place * rows, rows).copy_from(&normal_only(contact.restitution * arriving.min(0.0), rows));
         }
         let places: Vec<_> = active.iter().map(|&k| contacts[k].place).collect();
-        let problem = ContactProblem {
-            name: format!("{} runge-kutta-flip t={}", mechanism.name(), state.time),
-            rows_per_contact: rows,
-            law: if rows == 1 { Law::Frictionless } else { Law::Coulomb },
-            friction: active.iter().map(|&k| contacts[k].friction).collect(),
-            free_velocity: &jacobian * &free_velocity,
-            shift,
-            delassus: effective_mass.delassus(&jacobian)?,
-            compliance: None,
-            dynamics: Some(Dynamics { mass: effective_mass.matrix().clone(), jacobian: jacobian.clone() }),
-            bodies: pairs(&places),
-        };
+        let problem = ContactProblem::from_inertia(&effective_mass, jacobian.clone(), &free_velocity)
+            .name(format!("{} runge-kutta-flip t={}", mechanism.name(), state.time))
+            .law(if rows == 1 { Law::Frictionless } else { Law::Coulomb })
+            .rows_per_contact(rows)
+            .friction(active.iter().map(|&k| contacts[k].friction).collect())
+            .shift(shift)
+            .bodies(pairs(&places))
+            .build()?;
         let problem = (!active.is_empty()).then_some(problem);
         Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian, residual: None })
     }

@@ -1,11 +1,11 @@
-//! What a scheme is: one step of a state, and whether it passes the [`waist`](super::waist).
+//! What a scheme is: one step of a state; and what a scheme is whose step is one contact problem.
 
 use super::certified::Rejected;
-use super::context::{Inertia, StepContext};
+use super::context::StepContext;
 use crate::mechanics::{Mechanism, State};
 use crate::trajectory::LocatedImpact;
 use moreau_contact::certificate::{Judgement, StepResidual};
-use moreau_contact::contact::{ContactImpulse, Place};
+use moreau_contact::contact::{ContactImpulse, Inertia, Place};
 use moreau_contact::problem::{ContactProblem, Solution};
 use moreau_contact::solvers::ContactSolver;
 use moreau_exact::Result;
@@ -46,7 +46,7 @@ pub trait Scheme: Send + Sync {
     fn is_truncated(&self) -> bool {
         false
     }
-    /// One step; a scheme that passes the [`Waist`] takes this method from [`passes_the_waist!`](passes_the_waist).
+    /// One step; a scheme that passes the [`Waist`] takes this method from [`passes_the_waist!`](super::passes_the_waist).
     ///
     /// # Errors
     /// If the state, the step or the mechanism is outside the scheme's scope, or a contact problem has no answer.

@@ -235,7 +235,7 @@ mod tests {
     use super::*;
     use crate::mechanics::{OscillatorWithStop, Plane, PointMass};
     use crate::schemes::{simulate, step};
-    use moreau_contact::solvers::Reference;
+    use moreau_contact::solvers::Auto;
     use nalgebra::dvector;
 
     fn at(position: f64, velocity: f64) -> State {
@@ -243,7 +243,7 @@ mod tests {
     }
 
     fn take(mechanism: &dyn Mechanism, from: State, h: f64) -> Result<Step> {
-        step(&Variational, &Reference, mechanism, &from, h)
+        step(&Variational, &Auto, mechanism, &from, h)
     }
 
     #[test]
@@ -251,7 +251,7 @@ mod tests {
         // E_d of a parabola of length τ is E − m g²τ²/8
         let (gravity, h) = (10.0, 0.0625);
         let ball = PointMass::ball_on_floor(2.0, gravity, 1.0);
-        let run = simulate(&Variational, &Reference, &ball, at(1.0, 0.0), h, 4000).expect("elastic");
+        let run = simulate(&Variational, &Auto, &ball, at(1.0, 0.0), h, 4000).expect("elastic");
         let mut signs = [0, 0];
         for (pair, impulses) in run.samples.windows(2).zip(&run.impulses) {
             let [height, speed] = [pair[0].position[0], pair[0].velocity[0]];

@@ -1,4 +1,4 @@
-//! The waist: a step that is one [`ContactProblem`], and the adapter that makes a [`Scheme`] of whoever poses it.
+//! The waist: a step that is one [`ContactProblem`], and the adapter that makes a [`Scheme`](super::Scheme) of whoever poses it.
 //!
 //! ```text
 //!     v⁺ = v_free + M̂⁻¹Hᵀr ,   q⁺ = q ⊕ h v̄(v, v⁺)
@@ -9,8 +9,7 @@
 
 use super::context::StepContext;
 use super::nearby::Nearby;
-use super::scheme::{OwnAnswer, Start, Step};
-pub use super::scheme::{StepProblem, Waist};
+use super::scheme::{OwnAnswer, Start, Step, StepProblem, Waist};
 use crate::mechanics::{Mechanism, State, afford};
 use moreau_contact::certificate::StepResidual;
 use moreau_contact::contact::{ContactImpulse, Place};
@@ -27,7 +26,7 @@ pub fn assembled(scheme: &dyn Waist, mechanism: &dyn Mechanism, state: &State, h
     scheme.assemble(&StepContext::new(mechanism, state, h)?)
 }
 
-/// The two methods of [`Scheme`] that are the same for every scheme that passes the [`Waist`].
+/// The two methods of [`Scheme`](super::Scheme) that are the same for every scheme that passes the [`Waist`].
 #[macro_export]
 macro_rules! passes_the_waist {
     () => {

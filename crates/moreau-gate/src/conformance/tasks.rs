@@ -22,18 +22,16 @@ pub(super) fn probe_all(engine: &mut dyn Engine, description: &Description, prob
 /// Two bodies of 1 kg and 2 kg that meet the ground, one after the other, with a shift as restitution gives it.
 fn problem_with(law: Law) -> ContactProblem {
     let friction = if law == Law::Frictionless { 0.0 } else { FRICTION };
-    ContactProblem {
-        name: "two balls".into(),
-        rows_per_contact: 3,
-        law,
-        friction: vec![friction; 2],
-        free_velocity: DVector::from_vec(vec![-2.0, 0.25, 0.0, -1.0, 0.0, -0.125]),
-        shift: DVector::from_vec(vec![-1.0, 0.0, 0.0, 0.0, 0.0, 0.0]),
-        delassus: DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 1.0, 1.0, 0.5, 0.5, 0.5])),
-        compliance: None,
-        dynamics: None,
-        bodies: None,
-    }
+    ContactProblem::new(
+        DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 1.0, 1.0, 0.5, 0.5, 0.5])),
+        DVector::from_vec(vec![-2.0, 0.25, 0.0, -1.0, 0.0, -0.125]),
+    )
+    .name("two balls")
+    .law(law)
+    .friction(vec![friction; 2])
+    .shift(DVector::from_vec(vec![-1.0, 0.0, 0.0, 0.0, 0.0, 0.0]))
+    .build()
+    .expect("two balls are a contact problem")
 }
 
 fn law(description: &Description) -> Option<Law> {

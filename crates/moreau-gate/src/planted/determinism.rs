@@ -41,16 +41,14 @@ const EARLY: ProjectedGaussSeidel = ProjectedGaussSeidel { sweeps: 4, tolerance:
 
 /// Contact k of the swept problem is contact (k + turn) mod n of the given one.
 fn random_order(problem: &ContactProblem, start: &DVector<f64>) -> Result<Solution> {
-    let (rows, contacts) = (problem.rows_per_contact, problem.contacts());
+    let (rows, contacts) = (problem.rows_per_contact(), problem.contacts());
     let turn = CALLS.fetch_add(1, Ordering::Relaxed) % contacts;
     let from = |i: usize| (i / rows + turn) % contacts * rows + i % rows;
     let permuted = |vector: &DVector<f64>| DVector::from_fn(vector.len(), |i, _| vector[from(i)]);
-    let mut turned = problem.clone();
-    turned.friction = (0..contacts).map(|k| problem.friction[(k + turn) % contacts]).collect();
-    turned.free_velocity = permuted(&problem.free_velocity);
-    turned.shift = permuted(&problem.shift);
-    turned.delassus = DMatrix::from_fn(problem.rows(), problem.rows(), |i, j| problem.delassus[(from(i), from(j))]);
-    turned.dynamics = None;
+    let turned = problem.clone().into_builder().friction((0..contacts).map(|k| problem.friction()[(k + turn) % contacts]).collect());
+    let turned = turned.free_velocity(permuted(problem.free_velocity())).shift(permuted(problem.shift())).dynamics(None);
+    let delassus = DMatrix::from_fn(problem.rows(), problem.rows(), |i, j| problem.entry(from(i), from(j)));
+    let turned = turned.delassus(delassus).build()?;
     let solution = EARLY.solve(&turned, Some(&permuted(start)))?;
     let mut impulse = DVector::zeros(problem.rows());
     (0..problem.rows()).for_each(|i| impulse[from(i)] = solution.impulse[i]);

@@ -3,7 +3,7 @@
 use crate::planted::Planted;
 use crate::planted::parts::{Altered, Answers, answer, moreau_jean, row_by_row, with_solver};
 use moreau_contact::problem::{ContactProblem, Law, Solution};
-use moreau_contact::solvers::{ContactSolver, Reference};
+use moreau_contact::solvers::{Auto, ContactSolver};
 use moreau_exact::Result;
 use nalgebra::DVector;
 use std::f64::consts::PI;
@@ -58,8 +58,8 @@ const DAMPED: Altered = Altered { free_velocity: |velocity, h| *velocity *= 1.0 
 const DAMPED_PER_STEP: Altered = Altered { free_velocity: |velocity, _| *velocity *= 0.99, ..Altered::NOTHING };
 
 fn friction_along_axes(problem: &ContactProblem, start: &DVector<f64>) -> Result<Solution> {
-    if problem.law != Law::Coulomb {
-        return Reference.solve(problem, Some(start));
+    if problem.law() != Law::Coulomb {
+        return Auto.solve(problem, Some(start));
     }
     let sweeps = 100;
     let limit = |impulse: &mut [f64], mu: f64| {
@@ -71,13 +71,13 @@ fn friction_along_axes(problem: &ContactProblem, start: &DVector<f64>) -> Result
 }
 
 fn direction_rounded_down(problem: &ContactProblem, start: &DVector<f64>) -> Result<Solution> {
-    let mut solution = Reference.solve(problem, Some(start))?;
-    if problem.rows_per_contact != 3 {
+    let mut solution = Auto.solve(problem, Some(start))?;
+    if problem.rows_per_contact() != 3 {
         return Ok(solution);
     }
     for (contact, r) in solution.impulse.as_mut_slice().chunks_mut(3).enumerate() {
         let friction = r[1].hypot(r[2]);
-        let sliding = 0.999 * problem.friction[contact] * r[0];
+        let sliding = 0.999 * problem.friction()[contact] * r[0];
         if friction > 0.0 && friction >= sliding {
             let facet = PI / 8.0;
             let (sine, cosine) = ((r[2].atan2(r[1]) / facet).floor() * facet).sin_cos();

@@ -3,7 +3,7 @@
 use crate::Engine;
 use crate::own::{Mechanics, OwnEngine, by_name};
 use moreau_contact::problem::{ContactProblem, Law, Solution};
-use moreau_contact::solvers::{ContactSolver, Reference, SolverEntry, Solvers};
+use moreau_contact::solvers::{Auto, ContactSolver, SolverEntry, Solvers};
 use moreau_dynamics::schemes::{MoreauJean, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -40,9 +40,8 @@ impl ContactSolver for Answers {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        problem.validate()?;
-        if problem.law.directions().is_some() {
-            return Reference.solve(problem, warm_start);
+        if problem.law().directions().is_some() {
+            return Auto.solve(problem, warm_start);
         }
         let start = warm_start.cloned().unwrap_or_else(|| DVector::zeros(problem.rows()));
         let solution = (self.0)(problem, &start)?;
@@ -54,21 +53,21 @@ impl ContactSolver for Answers {
 /// These impulses with the velocity that belongs to them.
 pub(super) fn answer(problem: &ContactProblem, impulse: DVector<f64>, iterations: usize) -> Solution {
     let velocity = problem.velocity(&impulse);
-    Solution { impulse, velocity, beta: None, sigma: None, solver: "auto".into(), iterations }
+    Solution::new("auto", impulse, velocity, iterations)
 }
 
 /// Gauss–Seidel row by row: r_i ← r_i − y_i/W_ii, then the contact's impulse is limited.
 pub(super) fn row_by_row(problem: &ContactProblem, start: &DVector<f64>, sweeps: usize, limit: fn(&mut [f64], f64)) -> DVector<f64> {
-    let rows = problem.rows_per_contact;
+    let rows = problem.rows_per_contact();
     let mut impulse = start.clone();
     for _ in 0..sweeps {
         for i in 0..problem.rows() {
-            let y = problem.delassus.row(i).tr_dot(&impulse) + problem.free_velocity[i] + problem.shift[i];
-            if problem.delassus[(i, i)] > 0.0 {
-                impulse[i] -= y / problem.delassus[(i, i)];
+            let y = problem.dense().row(i).tr_dot(&impulse) + problem.free_velocity()[i] + problem.shift()[i];
+            if problem.entry(i, i) > 0.0 {
+                impulse[i] -= y / problem.entry(i, i);
             }
             let contact = i / rows;
-            let mu = if problem.law == moreau_contact::problem::Law::Frictionless { 0.0 } else { problem.friction[contact] };
+            let mu = if problem.law() == moreau_contact::problem::Law::Frictionless { 0.0 } else { problem.friction()[contact] };
             limit(&mut impulse.as_mut_slice()[contact * rows..(contact + 1) * rows], mu);
         }
     }
@@ -107,8 +106,8 @@ impl Waist for Altered {
         let StepContext { h, .. } = *at;
         let mut step = Altered::scheme().assemble(at)?;
         (self.free_velocity)(&mut step.free_velocity, h);
-        if let Some(problem) = &mut step.problem {
-            problem.free_velocity = &step.jacobian * &step.free_velocity;
+        if let Some(problem) = step.problem.take() {
+            step.problem = Some(problem.into_builder().free_velocity(&step.jacobian * &step.free_velocity).build()?);
         }
         Ok(step)
     }

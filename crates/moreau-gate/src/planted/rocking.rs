@@ -49,20 +49,20 @@ fn full_edges(scene: &Scene) -> Result<(Box<dyn Mechanism>, State)> {
 /// Gauss–Seidel over the contacts with one unknown each, r = r_n (1, −μ t), t the direction of the slip without impulses: where
 /// W_nn + μ W_nt < 0 every sweep adds to the impulse.
 fn slip_fixed_in_advance(problem: &ContactProblem, start: &DVector<f64>) -> Result<Solution> {
-    let (rows, sweeps) = (problem.rows_per_contact, 8);
+    let (rows, sweeps) = (problem.rows_per_contact(), 8);
     let mut impulse = DVector::zeros(start.len());
     for _ in 0..sweeps {
         for contact in 0..problem.contacts() {
             let first = contact * rows;
-            let slip = problem.free_velocity.rows(first + 1, rows - 1);
+            let slip = problem.free_velocity().rows(first + 1, rows - 1);
             let norm = slip.norm();
             let direction = DVector::from_fn(rows, |k, _| match k {
                 0 => 1.0,
-                _ if norm > 0.0 => -problem.friction[contact] * slip[k - 1] / norm,
+                _ if norm > 0.0 => -problem.friction()[contact] * slip[k - 1] / norm,
                 _ => 0.0,
             });
-            let row = problem.delassus.row(first);
-            let y = row.tr_dot(&impulse) + problem.free_velocity[first] + problem.shift[first];
+            let row = problem.dense().row(first);
+            let y = row.tr_dot(&impulse) + problem.free_velocity()[first] + problem.shift()[first];
             let known = impulse[first];
             let normal = (known - y / row[first]).max(0.0);
             impulse.rows_mut(first, rows).copy_from(&(direction * normal));

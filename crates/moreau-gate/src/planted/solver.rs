@@ -3,7 +3,7 @@
 use crate::planted::Planted;
 use crate::planted::parts::{Answers, answer, row_by_row, with_solver};
 use moreau_contact::problem::{ContactProblem, Law, Solution};
-use moreau_contact::solvers::{ContactSolver, ProjectedGaussSeidel, Reference};
+use moreau_contact::solvers::{Auto, ContactSolver, ProjectedGaussSeidel};
 use moreau_exact::Result;
 use nalgebra::DVector;
 
@@ -58,7 +58,7 @@ const UNSOLVED: &[&str] = &["rest/jitter", "incline/stick", "incline/stick-thres
 
 /// The solution, but for a part of every impulse.
 fn left_over(problem: &ContactProblem, start: &DVector<f64>, part: f64) -> Result<Solution> {
-    let solution = Reference.solve(problem, Some(start))?;
+    let solution = Auto.solve(problem, Some(start))?;
     Ok(answer(problem, solution.impulse * (1.0 - part), solution.iterations))
 }
 
@@ -72,23 +72,20 @@ fn normals_clipped(problem: &ContactProblem, start: &DVector<f64>) -> Result<Sol
 }
 
 fn shift_ignored(problem: &ContactProblem, start: &DVector<f64>) -> Result<Solution> {
-    let mut plain = problem.clone();
-    plain.shift.fill(0.0);
-    Reference.solve(&plain, Some(start))
+    let plain = problem.clone().into_builder().shift(DVector::zeros(problem.rows())).build()?;
+    Auto.solve(&plain, Some(start))
 }
 
 fn convex_relaxation(problem: &ContactProblem, start: &DVector<f64>) -> Result<Solution> {
-    let mut convex = problem.clone();
-    if convex.law == Law::Coulomb {
-        convex.law = Law::Associated;
-    }
-    Reference.solve(&convex, Some(start))
+    let law = if problem.law() == Law::Coulomb { Law::Associated } else { problem.law() };
+    let convex = problem.clone().into_builder().law(law).build()?;
+    Auto.solve(&convex, Some(start))
 }
 
 fn velocity_as_wished(problem: &ContactProblem, start: &DVector<f64>) -> Result<Solution> {
-    let mut solution = Reference.solve(problem, Some(start))?;
-    for normal in (0..problem.rows()).step_by(problem.rows_per_contact) {
-        solution.velocity[normal] = solution.velocity[normal].max(-problem.shift[normal]);
+    let mut solution = Auto.solve(problem, Some(start))?;
+    for normal in (0..problem.rows()).step_by(problem.rows_per_contact()) {
+        solution.velocity[normal] = solution.velocity[normal].max(-problem.shift()[normal]);
     }
     Ok(solution)
 }

@@ -5,7 +5,7 @@ use crate::planted::Planted;
 use crate::planted::parts::{Answers, answer, with_mechanism, with_solver};
 use crate::planted::wrapped::{Misdeclare, declare_springs};
 use moreau_contact::problem::{ContactProblem, Solution};
-use moreau_contact::solvers::{ContactSolver, ProjectedGaussSeidel, Reference};
+use moreau_contact::solvers::{Auto, ContactSolver, ProjectedGaussSeidel};
 use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::scenes::Scene;
 use moreau_exact::Result;
@@ -121,6 +121,6 @@ fn two_sweeps(problem: &ContactProblem, _start: &DVector<f64>) -> Result<Solutio
 }
 
 fn stale(problem: &ContactProblem, start: &DVector<f64>) -> Result<Solution> {
-    let known = start.as_slice().chunks(problem.rows_per_contact).all(|impulse| impulse[0] > 0.0);
-    if known { Ok(answer(problem, start.clone(), 0)) } else { Reference.solve(problem, Some(start)) }
+    let known = start.as_slice().chunks(problem.rows_per_contact()).all(|impulse| impulse[0] > 0.0);
+    if known { Ok(answer(problem, start.clone(), 0)) } else { Auto.solve(problem, Some(start)) }
 }

@@ -76,7 +76,6 @@ impl Engine for ProcessEngine {
     }
 
     fn solve(&mut self, problem: &ContactProblem, options: &Options) -> Reply<Solution> {
-        problem.validate().map_err(Refusal::errored)?;
         self.ask(Question::solve(problem, options), |text| messages::solution(text, problem.rows()))
     }
 

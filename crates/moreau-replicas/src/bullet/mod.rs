@@ -140,18 +140,13 @@ impl Bullet {
         }
         let normals = DMatrix::from_fn(deep.len(), freedoms, |k, i| deep[k].jacobian[(0, i)]);
         let mass = mechanism.mass_matrix(&state.position);
-        let problem = ContactProblem {
-            name: format!("{} split impulse t={}", mechanism.name(), state.time),
-            rows_per_contact: 1,
-            law: Law::Frictionless,
-            friction: vec![0.0; deep.len()],
-            free_velocity: DVector::zeros(deep.len()),
-            shift: DVector::from_iterator(deep.len(), deep.iter().map(|contact| self.error_reduction * (contact.gap + self.slop) / h)),
-            delassus: delassus(&mass, &normals)?,
-            compliance: None,
-            dynamics: None,
-            bodies: pairs(&deep.iter().map(|contact| contact.place).collect::<Vec<_>>()),
-        };
+        let problem = ContactProblem::new(delassus(&mass, &normals)?, DVector::zeros(deep.len()))
+            .name(format!("{} split impulse t={}", mechanism.name(), state.time))
+            .law(Law::Frictionless)
+            .rows_per_contact(1)
+            .shift(DVector::from_iterator(deep.len(), deep.iter().map(|contact| self.error_reduction * (contact.gap + self.slop) / h)))
+            .bodies(pairs(&deep.iter().map(|contact| contact.place).collect::<Vec<_>>()))
+            .build()?;
         let impulse = ProjectedGaussSeidel::accelerated().solve(&problem, None)?.impulse;
         Ok(MassFactor::new(&mass)?.solve(&normals.tr_mul(&impulse)))
     }
@@ -209,7 +204,7 @@ impl Waist for Bullet {
         let StepContext { mechanism, state, h, .. } = *at;
         self.validate()?;
         let mut assembled = assembly::assemble("bullet", self, at)?;
-        tangents::turn(&mut assembled, self.bodies, self.is_boxed());
+        tangents::turn(&mut assembled, self.bodies, self.is_boxed())?;
         // here an error can be told, in `advance` it cannot
         self.push(mechanism, state, h)?;
         Ok(assembled)

@@ -75,11 +75,10 @@ impl ContactSolver for SequentialImpulses {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        problem.validate()?;
-        let boxed = is_boxed(problem.law, problem.rows_per_contact)?;
+        let boxed = is_boxed(problem.law(), problem.rows_per_contact())?;
         let mut impulse = parts::start(problem, warm_start)?;
         for (row, r) in impulse.iter_mut().enumerate() {
-            *r *= if row % problem.rows_per_contact == 0 { self.warm_start } else { 0.0 };
+            *r *= if row % problem.rows_per_contact() == 0 { self.warm_start } else { 0.0 };
         }
         let law_velocity = problem.law_velocity(&impulse);
         let mut sweep = Sweep { problem, boxed, impulse, law_velocity };
@@ -92,7 +91,7 @@ impl ContactSolver for SequentialImpulses {
             }
         }
         let velocity = problem.velocity(&sweep.impulse);
-        parts::finite(Solution { impulse: sweep.impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations })
+        parts::finite(Solution::new(NAME, sweep.impulse, velocity, iterations))
     }
 }
 
@@ -122,7 +121,7 @@ struct Sweep<'a> {
 impl Sweep<'_> {
     /// One sweep; the largest change of a row's velocity \[m/s\].
     fn run(&mut self) -> f64 {
-        let rows = self.problem.rows_per_contact;
+        let rows = self.problem.rows_per_contact();
         let mut largest = 0.0f64;
         for row in (0..self.impulse.len()).step_by(rows) {
             let (wanted, diagonal) = self.alone(row, &[1.0]);
@@ -149,7 +148,7 @@ impl Sweep<'_> {
         for (i, a) in axis.iter().enumerate() {
             velocity += a * self.law_velocity[first + i];
             diagonal += a * a * parts::compliance(self.problem, first + i);
-            diagonal += axis.iter().enumerate().map(|(j, b)| a * b * self.problem.delassus[(first + i, first + j)]).sum::<f64>();
+            diagonal += axis.iter().enumerate().map(|(j, b)| a * b * self.problem.entry(first + i, first + j)).sum::<f64>();
         }
         if diagonal > f64::EPSILON { (-velocity / diagonal, diagonal) } else { (0.0, 0.0) }
     }
@@ -157,7 +156,7 @@ impl Sweep<'_> {
     /// Adds to the impulse of a row and carries y along; returns what was added.
     fn add(&mut self, row: usize, change: f64) -> f64 {
         if change != 0.0 {
-            self.law_velocity.axpy(change, &self.problem.delassus.column(row), 1.0);
+            self.problem.add_column(row, change, self.law_velocity.as_mut_slice());
             self.law_velocity[row] += parts::compliance(self.problem, row) * change;
             self.impulse[row] += change;
         }

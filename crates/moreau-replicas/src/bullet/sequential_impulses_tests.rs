@@ -10,18 +10,14 @@ use moreau_exact::tolerance::rounding;
 use nalgebra::{DMatrix, dvector};
 
 fn problem(law: Law, rows: usize, friction: f64, delassus: DMatrix<f64>, free: DVector<f64>) -> ContactProblem {
-    ContactProblem {
-        name: "sweeps".into(),
-        rows_per_contact: rows,
-        law,
-        friction: vec![if law == Law::Frictionless { 0.0 } else { friction }; free.len() / rows],
-        shift: DVector::zeros(free.len()),
-        free_velocity: free,
-        delassus,
-        compliance: None,
-        dynamics: None,
-        bodies: None,
-    }
+    let contacts = free.len() / rows;
+    ContactProblem::new(delassus, free)
+        .name("sweeps")
+        .law(law)
+        .rows_per_contact(rows)
+        .friction(vec![if law == Law::Frictionless { 0.0 } else { friction }; contacts])
+        .build()
+        .unwrap()
 }
 
 /// So many sweeps from zero, whatever the residual.
@@ -187,7 +183,7 @@ fn they_answer_the_square_as_lemke_does_unless_a_contact_keeps_friction_without_
         let residual = found.natural_map + residuals(&problem, &other).expect("finite").natural_map;
         let impulses = (&solution.impulse - &other.impulse).norm() + residual;
         let rho = natural_map::scales(&problem).into_iter().fold(f64::INFINITY, f64::min);
-        let noise = rounding(problem.rows(), problem.delassus.norm() * solution.impulse.norm());
+        let noise = rounding(problem.rows(), problem.dense().norm() * solution.impulse.norm());
         let bound = tolerance::agreement(largest_eigenvalue_bound(&problem.law_delassus()), residual, impulses, rho) + noise;
         let difference = (&solution.velocity - &other.velocity).norm();
         assert!(difference <= bound, "seed {seed}: {difference:e} > {bound:e}");

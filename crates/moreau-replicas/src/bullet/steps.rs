@@ -312,13 +312,14 @@ impl ContactSolver for Started<'_> {
     }
 
     fn solve(&self, problem: &ContactProblem, _warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        let mut seen = problem.clone();
-        if let Some(dynamics) = &problem.dynamics {
+        let mut shift = problem.shift().clone();
+        if let Some(dynamics) = problem.dynamics() {
             let hidden = &dynamics.jacobian * &self.hidden;
-            for row in (0..seen.shift.len()).filter(|row| row % 3 != 0) {
-                seen.shift[row] -= hidden[row];
+            for row in (0..shift.len()).filter(|row| row % 3 != 0) {
+                shift[row] -= hidden[row];
             }
         }
+        let seen = problem.clone().into_builder().shift(shift).build()?;
         self.solver.solve(&seen, Some(&self.start))
     }
 }

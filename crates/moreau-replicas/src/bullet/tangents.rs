@@ -10,8 +10,9 @@
 //!
 //! The box |r·d₁| ≤ μ r_n, |r·d₂| ≤ μ r_n is the square with its corners on t₁ and t₂: the polyhedral law with four directions and √2 μ.
 
-use moreau_contact::problem::ContactProblem;
+use moreau_contact::problem::{ContactProblemBuilder, Dynamics};
 use moreau_dynamics::schemes::StepProblem;
+use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 
@@ -26,26 +27,32 @@ pub enum Bodies {
 }
 
 /// Turns the tangents of every spatial contact of a step; for a box also by 45°, and μ becomes √2 μ.
-pub(super) fn turn(step: &mut StepProblem, bodies: Bodies, boxed: bool) {
-    let Some(problem) = step.problem.as_mut().filter(|problem| problem.rows_per_contact == 3) else { return };
+pub(super) fn turn(step: &mut StepProblem, bodies: Bodies, boxed: bool) -> Result<()> {
+    let Some(problem) = step.problem.take_if(|problem| problem.rows_per_contact() == 3) else { return Ok(()) };
+    let mut turned = Turned {
+        delassus: problem.dense().clone(),
+        free_velocity: DMatrix::from_column_slice(problem.rows(), 1, problem.free_velocity().as_slice()),
+        dynamics: problem.dynamics().cloned(),
+    };
     for (k, place) in step.places.iter_mut().enumerate() {
-        let slip = [problem.free_velocity[3 * k + 1], problem.free_velocity[3 * k + 2]];
+        let slip = [1, 2].map(|row| turned.free_velocity[(3 * k + row, 0)]);
         let frame = place.as_ref().map(|place| &place.frame);
         let own = if bodies == Bodies::Rigid { along(slip) } else { None };
         let [x, y] = own.or_else(|| frame.map(fixed)).unwrap_or([1.0, 0.0]);
         let grounded = place.as_ref().is_some_and(|place| place.bodies.1.is_none());
         let across = if grounded { [y, -x] } else { [-y, x] };
         let rows = if boxed { [combined([x, y], across, 1.0), combined(across, [x, y], -1.0)] } else { [[x, y], across] };
-        turn_contact(problem, k, rows);
+        turned.turn(k, rows);
         if let Some(place) = place {
             let [t1, t2] = [place.frame[1], place.frame[2]];
             [place.frame[1], place.frame[2]] = rows.map(|[a, b]| [0, 1, 2].map(|i| a * t1[i] + b * t2[i]));
         }
         turn_rows(&mut step.jacobian, 3 * k + 1, rows);
     }
-    if boxed {
-        problem.friction.iter_mut().for_each(|friction| *friction *= SQRT_2);
-    }
+    let factor = if boxed { SQRT_2 } else { 1.0 };
+    let friction = problem.friction().iter().map(|friction| friction * factor).collect();
+    step.problem = Some(turned.of(problem.into_builder().friction(friction)).build()?);
+    Ok(())
 }
 
 /// (a + sign b)/√2.
@@ -77,18 +84,31 @@ fn turn_rows(matrix: &mut DMatrix<f64>, k: usize, rows: [[f64; 2]; 2]) {
     }
 }
 
-/// The same for everything a problem says of its contact k; the shift acts on normals only.
-fn turn_contact(problem: &mut ContactProblem, k: usize, rows: [[f64; 2]; 2]) {
-    let row = 3 * k + 1;
-    turn_rows(&mut problem.delassus, row, rows);
-    let mut transposed = problem.delassus.transpose();
-    turn_rows(&mut transposed, row, rows);
-    problem.delassus = transposed.transpose();
-    let mut free = DMatrix::from_column_slice(problem.rows(), 1, problem.free_velocity.as_slice());
-    turn_rows(&mut free, row, rows);
-    problem.free_velocity = DVector::from_column_slice(free.as_slice());
-    if let Some(dynamics) = &mut problem.dynamics {
-        turn_rows(&mut dynamics.jacobian, row, rows);
+/// What a problem says of its tangents; the shift acts on normals only.
+struct Turned {
+    delassus: DMatrix<f64>,
+    /// One column.
+    free_velocity: DMatrix<f64>,
+    dynamics: Option<Dynamics>,
+}
+
+impl Turned {
+    /// Turns everything of contact k.
+    fn turn(&mut self, k: usize, rows: [[f64; 2]; 2]) {
+        let row = 3 * k + 1;
+        turn_rows(&mut self.delassus, row, rows);
+        let mut transposed = self.delassus.transpose();
+        turn_rows(&mut transposed, row, rows);
+        self.delassus = transposed.transpose();
+        turn_rows(&mut self.free_velocity, row, rows);
+        if let Some(dynamics) = &mut self.dynamics {
+            turn_rows(&mut dynamics.jacobian, row, rows);
+        }
+    }
+
+    fn of(self, problem: ContactProblemBuilder) -> ContactProblemBuilder {
+        let free_velocity = DVector::from_column_slice(self.free_velocity.as_slice());
+        problem.delassus(self.delassus).free_velocity(free_velocity).dynamics(self.dynamics)
     }
 }
 
@@ -119,9 +139,9 @@ mod tests {
                 let step = assembled(&scheme, [0.3, 0.4, 0.0]);
                 let problem = step.problem.expect("contacts");
                 let again = delassus(step.effective_mass.matrix(), &step.jacobian).expect("definite");
-                assert!((&problem.delassus - again).amax() <= rounding(64, problem.delassus.amax()), "{bodies:?}");
-                assert!((&problem.free_velocity - &step.jacobian * &step.free_velocity).amax() <= rounding(64, 1.0));
-                assert_eq!(problem.dynamics.expect("given").jacobian, step.jacobian);
+                assert!((problem.dense() - again).amax() <= rounding(64, problem.dense().amax()), "{bodies:?}");
+                assert!((problem.free_velocity() - &step.jacobian * &step.free_velocity).amax() <= rounding(64, 1.0));
+                assert_eq!(problem.dynamics().expect("given").jacobian, step.jacobian);
                 for place in step.places {
                     let [n, t1, t2] = place.expect("bodies").frame;
                     let products = [dot(n, t1), dot(n, t2), dot(t1, t2), dot(t1, t1) - 1.0, dot(t2, t2) - 1.0];
@@ -136,7 +156,7 @@ mod tests {
         let first = |bodies, slip| {
             let step = assembled(&Bullet { bodies, margin: 0.1, ..Bullet::default() }, slip);
             let frame = step.places[0].expect("a body").frame;
-            (frame, step.problem.expect("contacts").free_velocity)
+            (frame, step.problem.expect("contacts").free_velocity().clone())
         };
         let ([_, t1, _], _) = first(Bodies::Multi, [0.3, 0.4, 0.0]);
         assert!(dot(t1, [0.0, 1.0, 0.0]).abs() >= 1.0 - rounding(16, 1.0), "{t1:?}");

@@ -79,8 +79,7 @@ pub(super) fn answer(name: &str, assembled: &StepProblem, potential: &dyn Potent
     let start = DVector::zeros(dynamics.mass.nrows());
     let minimum = minimise(name, &dynamics, &free_velocity, rows, potential, start)?;
     let velocity = free_velocity + &dynamics.jacobian * minimum.change;
-    let solution =
-        Solution { impulse: minimum.impulse, velocity, beta: None, sigma: None, solver: name.into(), iterations: minimum.iterations };
+    let solution = Solution::new(name, minimum.impulse, velocity, minimum.iterations);
     Ok(Some(own_answer(solution, minimum.relative)))
 }
 

@@ -78,12 +78,13 @@ impl Scheme for DrakeSap {
 impl Waist for DrakeSap {
     fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
         let mut step = assembly::assemble("drake-sap", self, at)?;
-        if let Some(problem) = &mut step.problem {
-            let rows = problem.rows_per_contact;
+        if let Some(problem) = step.problem.take() {
+            let rows = problem.rows_per_contact();
             let contact = |k: usize| step.jacobian.rows(k * rows, rows).into_owned();
             let parts = (0..problem.contacts()).flat_map(|k| self.regularisation(step.effective_mass.matrix(), &contact(k), at.h));
             let diagonal = DVector::from_iterator(problem.rows(), parts);
-            problem.compliance = Some(Compliance { coordinates: Coordinates::Contact, diagonal });
+            let compliance = Compliance { coordinates: Coordinates::Contact, diagonal };
+            step.problem = Some(problem.into_builder().compliance(compliance).build()?);
         }
         Ok(step)
     }

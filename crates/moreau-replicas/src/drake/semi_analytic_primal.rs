@@ -41,9 +41,8 @@ impl ContactSolver for SemiAnalyticPrimal {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        problem.validate()?;
-        if !matches!(problem.law, Law::Frictionless | Law::Associated) {
-            return Err(parts::not_convex(NAME, problem.law));
+        if !matches!(problem.law(), Law::Frictionless | Law::Associated) {
+            return Err(parts::not_convex(NAME, problem.law()));
         }
         parts::require_symmetry(NAME, problem)?;
         let potential = Projection::of(problem)?;
@@ -51,25 +50,18 @@ impl ContactSolver for SemiAnalyticPrimal {
         let start = parts::start(problem, warm_start)?;
         let mass = dynamics.mass.clone().cholesky().ok_or_else(|| Error::refused(NAME, "needs a positive definite mass matrix"))?;
         let start = mass.solve(&dynamics.jacobian.tr_mul(&start));
-        let minimum = minimise(NAME, &dynamics, &problem.free_velocity, problem.rows_per_contact, &potential, start)?;
+        let minimum = minimise(NAME, &dynamics, problem.free_velocity(), problem.rows_per_contact(), &potential, start)?;
         let velocity = problem.velocity(&minimum.impulse);
-        parts::finite(Solution {
-            impulse: minimum.impulse,
-            velocity,
-            beta: None,
-            sigma: None,
-            solver: NAME.into(),
-            iterations: minimum.iterations,
-        })
+        parts::finite(Solution::new(NAME, minimum.impulse, velocity, minimum.iterations))
     }
 }
 
 /// M and H of the problem; without them 1 and W^½, which give the same W.
 fn dynamics(problem: &ContactProblem) -> Dynamics {
-    if let Some(known) = &problem.dynamics {
+    if let Some(known) = problem.dynamics() {
         return known.clone();
     }
-    let eigen = ((&problem.delassus + problem.delassus.transpose()) * 0.5).symmetric_eigen();
+    let eigen = ((problem.dense() + problem.dense().transpose()) * 0.5).symmetric_eigen();
     let root = DMatrix::from_diagonal(&eigen.eigenvalues.map(|value| value.max(0.0).sqrt()));
     Dynamics { mass: DMatrix::identity(problem.rows(), problem.rows()), jacobian: eigen.eigenvectors * root }
 }
@@ -83,14 +75,14 @@ struct Projection<'a> {
 
 impl<'a> Projection<'a> {
     fn of(problem: &'a ContactProblem) -> Result<Self> {
-        let Some(Compliance { coordinates: Coordinates::Contact, diagonal }) = &problem.compliance else {
+        let Some(Compliance { coordinates: Coordinates::Contact, diagonal }) = problem.compliance() else {
             return Err(Error::refused(
                 NAME,
                 "needs a compliance R > 0 in contact coordinates; use `pgs` or `clarabel` for a hard contact",
             ));
         };
         let scaled = |(contact, part): (usize, &[f64])| {
-            let friction = if problem.law == Law::Frictionless { 0.0 } else { problem.friction[contact] };
+            let friction = if problem.law() == Law::Frictionless { 0.0 } else { problem.friction()[contact] };
             // without friction no tangential row carries an impulse
             let tangential = if friction > 0.0 { part[1] } else { part[0] };
             if part[0] <= 0.0 || tangential <= 0.0 {
@@ -101,7 +93,7 @@ impl<'a> Projection<'a> {
             }
             Ok([part[0].sqrt(), tangential.sqrt(), friction * (tangential / part[0]).sqrt()])
         };
-        let scaled = diagonal.as_slice().chunks(problem.rows_per_contact).enumerate().map(scaled).collect::<Result<Vec<_>>>()?;
+        let scaled = diagonal.as_slice().chunks(problem.rows_per_contact()).enumerate().map(scaled).collect::<Result<Vec<_>>>()?;
         Ok(Projection { problem, scaled })
     }
 
@@ -112,8 +104,8 @@ impl<'a> Projection<'a> {
 
     /// z = −R^{−½} (u + shift).
     fn point(&self, contact: usize, velocity: &[f64]) -> Vec<f64> {
-        let first = contact * self.problem.rows_per_contact;
-        let entry = |(row, u): (usize, &f64)| -(u + self.problem.shift[first + row]) / self.root(contact, row);
+        let first = contact * self.problem.rows_per_contact();
+        let entry = |(row, u): (usize, &f64)| -(u + self.problem.shift()[first + row]) / self.root(contact, row);
         velocity.iter().enumerate().map(entry).collect()
     }
 }

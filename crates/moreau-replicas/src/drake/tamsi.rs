@@ -152,7 +152,7 @@ impl DrakeTamsi {
         let (velocity, Residual { impulse, size, terms, .. }, iterations) = equation.solve(&at.state.velocity)?;
         let velocity = &assembled.jacobian * velocity;
         let relative = if terms > 0.0 { size / terms } else { 0.0 };
-        let solution = Solution { impulse, velocity, beta: None, sigma: None, solver: NAME.into(), iterations };
+        let solution = Solution::new(NAME, impulse, velocity, iterations);
         Ok(Some(own_answer(solution, relative)))
     }
 }

@@ -29,7 +29,7 @@ pub(super) struct Work {
 fn softness(problem: &ContactProblem, solution: &Solution, impulse: &DVector<f64>) -> (DVector<f64>, Vec<f64>) {
     let mut rows = DVector::zeros(problem.rows());
     let mut edges = vec![0.0; problem.contacts()];
-    match (&problem.compliance, &solution.beta) {
+    match (problem.compliance(), &solution.beta) {
         (Some(Compliance { coordinates: Coordinates::Contact, diagonal }), _) => rows = diagonal.component_mul(impulse),
         (Some(Compliance { coordinates: Coordinates::Edge, diagonal }), Some(beta)) => {
             let directions = beta.len() / problem.contacts();
@@ -44,18 +44,18 @@ fn softness(problem: &ContactProblem, solution: &Solution, impulse: &DVector<f64
 /// The work of a solution's residual; y from the problem's own W, u_free and shift.
 pub(super) fn work(problem: &ContactProblem, solution: &Solution, impulse: &DVector<f64>) -> Work {
     let (soft, edges) = softness(problem, solution, impulse);
-    let pushed = &problem.delassus * impulse;
-    let data = &problem.free_velocity + &problem.shift;
+    let pushed = problem.dense() * impulse;
+    let data = problem.free_velocity() + problem.shift();
     let law_velocity = &pushed + &data + &soft;
-    let reach = |row: usize| problem.delassus[(row, row)].max(0.0).sqrt();
+    let reach = |row: usize| problem.entry(row, row).max(0.0).sqrt();
     let spread: f64 = impulse.iter().enumerate().map(|(row, r)| r.abs() * reach(row)).sum();
     let mut total = Work { residual: 0.0, limit: 0.0, softened: impulse.dot(&soft) + edges.iter().sum::<f64>(), size: spread * spread };
-    let rows = problem.rows_per_contact;
+    let rows = problem.rows_per_contact();
     // a polyhedral law is d + 2 complementary pairs a contact, each with the tolerance of its own
-    let pairs = problem.law.directions().map_or(1.0, |d| (d + 2) as f64);
+    let pairs = problem.law().directions().map_or(1.0, |d| (d + 2) as f64);
     // the certificate's own scale: the largest impulse, or what the data of a contact alone ask of it
     let size = |(k, r): (usize, &[f64])| {
-        let own = problem.delassus[(k * rows, k * rows)];
+        let own = problem.entry(k * rows, k * rows);
         let asked = if own > 0.0 { data[k * rows].abs() / own } else { 0.0 };
         r.iter().fold(asked, |norm: f64, r| norm.hypot(*r))
     };
@@ -64,10 +64,10 @@ pub(super) fn work(problem: &ContactProblem, solution: &Solution, impulse: &DVec
         let part = |vector: &DVector<f64>| vector.rows(k * rows, rows).into_owned();
         let r = part(impulse);
         total.residual += (r.dot(&part(&law_velocity)) + edge).max(0.0);
-        let own = (k * rows..(k + 1) * rows).map(|row| largest * problem.delassus[(row, row)].max(0.0)).fold(0.0, f64::max);
+        let own = (k * rows..(k + 1) * rows).map(|row| largest * problem.entry(row, row).max(0.0)).fold(0.0, f64::max);
         let velocity = own + part(&data).norm() + part(&pushed).norm() + part(&soft).norm();
         total.limit += RESIDUAL_WORK * (pairs * largest * velocity + edge);
-        let terms = part(&problem.free_velocity).abs() + part(&problem.shift).abs() + part(&soft).abs();
+        let terms = part(problem.free_velocity()).abs() + part(problem.shift()).abs() + part(&soft).abs();
         total.size += r.abs().dot(&terms) + edge;
     }
     total

@@ -4,7 +4,7 @@ use crate::energy_balance::table::ROWS;
 use crate::energy_balance::*;
 use crate::schemes::by_name;
 use moreau_checks::Finding;
-use moreau_contact::solvers::{LemkePivoting, Reference};
+use moreau_contact::solvers::{Auto, LemkePivoting};
 use moreau_dynamics::mechanics::{Mechanism, OscillatorWithStop, Plane, PointMass, State};
 use moreau_dynamics::schemes::{Activation, Scheme, step};
 use moreau_exact::tolerance::rounding;
@@ -74,8 +74,8 @@ fn cornered(restitutions: [f64; 2]) -> f64 {
     let point = PointMass::new("cornered", 1.0, dvector![0.0, 0.0], walls).expect("valid");
     let before = State { time: 0.0, position: dvector![0.0, 0.0], velocity: dvector![-1.0, -0.1] };
     let parameters = Parameters { activation: Activation::Gap, ..Parameters::default() };
-    let made = step(&MoreauJean { activation: Activation::Gap, ..MoreauJean::default() }, &Reference, &point, &before, 0.01)
-        .expect("two contacts");
+    let made =
+        step(&MoreauJean { activation: Activation::Gap, ..MoreauJean::default() }, &Auto, &point, &before, 0.01).expect("two contacts");
     let taken = Taken { mechanism: &point, before: &before, step: &made, h: 0.01 };
     let judged = Balance::of("moreau-jean", &parameters).expect("listed").judge(&taken).expect("judged");
     assert!(judged.findings.iter().all(Finding::holds), "{:?}", judged.findings);
@@ -102,7 +102,7 @@ fn schemes_of_every_row_hold_their_row_on_an_impact_and_on_a_depth() {
             let scheme: Box<dyn Scheme> = by_name(row.scheme, parameters).expect("listed");
             // event-driven motion starts outside the floor: what starts inside is put onto it, against gravity
             let outside = at[0] >= 0.0 || row.scheme != "event-driven";
-            let Some(made) = step(scheme.as_ref(), &Reference, &ball, &before, 0.01).ok().filter(|_| outside) else { continue };
+            let Some(made) = step(scheme.as_ref(), &Auto, &ball, &before, 0.01).ok().filter(|_| outside) else { continue };
             let judged = balance.judge(&Taken { mechanism: &ball, before: &before, step: &made, h: 0.01 }).expect("judged");
             assert_eq!(judged.findings.is_empty(), !balance.is_theorem(), "{}", row.scheme);
             assert!(judged.findings.iter().all(Finding::holds), "{} at {at:?}: {:?}", row.scheme, judged.findings);

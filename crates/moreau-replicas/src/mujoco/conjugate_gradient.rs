@@ -125,7 +125,7 @@ impl ContactSolver for GaussConjugateGradient {
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         let start = parts::start(problem, warm_start)?;
         through_program(self.name(), problem, |program| {
-            let pushed = problem.dynamics.as_ref().map(|dynamics| dynamics.jacobian.tr_mul(&start));
+            let pushed = problem.dynamics().map(|dynamics| dynamics.jacobian.tr_mul(&start));
             let change = pushed.map_or_else(|| DVector::zeros(program.velocities()), |push| program.accelerate(&push));
             Ok(self.minimise(program, change))
         })

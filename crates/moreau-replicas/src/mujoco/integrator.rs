@@ -67,7 +67,7 @@ impl Mujoco {
         let StepProblem { problem, active, places, jacobian, .. } = self.posed(&StepContext::new(mechanism, state, h)?)?;
         let Some(problem) = problem else { return Ok(Pushed { force, impulses: Vec::new(), residual: None }) };
         let impulse = solver.solve(&problem, None)?.impulse;
-        let parts = impulse.as_slice().chunks(problem.rows_per_contact);
+        let parts = impulse.as_slice().chunks(problem.rows_per_contact());
         let impulses = active.iter().zip(places).zip(parts);
         let impulses = impulses.map(|((&contact, place), part)| ContactImpulse { contact, impulse: part.to_vec(), place }).collect();
         Ok(Pushed { force: force + jacobian.tr_mul(&impulse) / h, impulses, residual: None })

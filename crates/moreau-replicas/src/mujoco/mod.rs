@@ -45,7 +45,7 @@ pub use softness::Softness;
 
 use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::contact::{Contact, pairs};
-use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law};
+use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Law};
 use moreau_contact::solvers::ContactSolver;
 use moreau_dynamics::mechanics::Mechanism;
 use moreau_dynamics::schemes::{Inertia, Scheme, Start, Step, StepContext, StepProblem, Waist, waist};
@@ -141,18 +141,17 @@ impl Mujoco {
             None
         } else {
             let (law, compliance) = self.law(rows, &contacts);
-            Some(ContactProblem {
-                name: format!("{} {} t={}", mechanism.name(), self.name(), state.time),
-                rows_per_contact: rows,
-                law,
-                friction: contacts.iter().map(|soft| soft.contact.friction).collect(),
-                free_velocity: &jacobian * unconstrained,
-                shift: self.shift(&contacts, &state.velocity, h),
-                delassus: inertia.delassus(&jacobian)?,
-                compliance: Some(compliance),
-                dynamics: Some(Dynamics { mass: inertia.matrix().clone(), jacobian: jacobian.clone() }),
-                bodies: pairs(&places),
-            })
+            Some(
+                ContactProblem::from_inertia(&inertia, jacobian.clone(), &unconstrained)
+                    .name(format!("{} {} t={}", mechanism.name(), self.name(), state.time))
+                    .law(law)
+                    .rows_per_contact(rows)
+                    .friction(contacts.iter().map(|soft| soft.contact.friction).collect())
+                    .shift(self.shift(&contacts, &state.velocity, h))
+                    .compliance(compliance)
+                    .bodies(pairs(&places))
+                    .build()?,
+            )
         };
         let active = contacts.iter().map(|soft| soft.index).collect();
         Ok(StepProblem { problem, active, places, effective_mass: damped, free_velocity, jacobian, residual: None })
@@ -221,7 +220,7 @@ mod tests {
 
         fn solve(&self, problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solution> {
             let solution = GaussNewton::default().solve(problem, start)?;
-            assert!(residuals(problem, &solution)?.is_solution(CERTIFY), "{}", problem.name);
+            assert!(residuals(problem, &solution)?.is_solution(CERTIFY), "{}", problem.name());
             Ok(solution)
         }
     }

@@ -14,7 +14,7 @@
 use crate::tolerance::references::{siconos_double_sum, siconos_run, siconos_step};
 use delegate::delegate;
 use moreau_contact::contact::Contact;
-use moreau_contact::solvers::{ContactSolver, LemkePivoting, Reference};
+use moreau_contact::solvers::{Auto, ContactSolver, LemkePivoting};
 use moreau_dynamics::mechanics::{BallChain, BeadInCircle, BodyState, LinearForce, Mechanism, OscillatorWithStop, Plane, PointMass, State};
 use moreau_dynamics::schemes::{MoreauJean, MoreauJeanProjection, SchatzmanPaoli, Scheme, step};
 use moreau_exact::{Error, Result};
@@ -165,7 +165,7 @@ impl SiconosSteps {
 
     /// Lemke's method, which knows no spatial friction, and one contact to rounding where there is some.
     fn solver(&self) -> Box<dyn ContactSolver> {
-        if matches!(self.system, Stored::Puck { .. }) { Box::new(Reference) } else { Box::new(LemkePivoting) }
+        if matches!(self.system, Stored::Puck { .. }) { Box::new(Auto) } else { Box::new(LemkePivoting) }
     }
 
     /// The largest |v_k − (q_k − q_{k−2})/(2h)| \[m/s\], v_k being the velocities shown.

@@ -208,12 +208,12 @@ impl ContactSolver for FrictionFirst {
         let shorter = SequentialImpulses { sweeps: self.0.sweeps - 1, ..self.0 };
         let solution = shorter.solve(problem, warm_start)?;
         let velocity = problem.velocity(&solution.impulse);
-        let rows = problem.rows_per_contact;
+        let rows = problem.rows_per_contact();
         let mut impulse = solution.impulse.clone();
         for k in (0..impulse.len()).step_by(rows) {
-            let wanted = impulse[k] - (velocity[k] + problem.shift[k]) / problem.delassus[(k, k)];
+            let wanted = impulse[k] - (velocity[k] + problem.shift()[k]) / problem.entry(k, k);
             impulse[k] = wanted.max(0.0);
         }
-        Ok(Solution { impulse, velocity, ..solution })
+        Ok(Solution::new(solution.solver, impulse, velocity, solution.iterations))
     }
 }

@@ -7,7 +7,7 @@
 use super::planted::{Mistake, planted};
 use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System, anitescu, on_a_slope};
 use crate::chrono::Chrono;
-use moreau_contact::solvers::{Reference, Solvers};
+use moreau_contact::solvers::{Auto, Solvers};
 use moreau_dynamics::mechanics::{PointMass, State};
 use moreau_dynamics::schemes::{Anitescu, Scheme, simulate};
 use moreau_exact::tolerance::rounding;
@@ -76,7 +76,7 @@ pub static SYSTEM: System = System {
 fn recovery(scheme: &dyn Scheme) -> Result<Measured> {
     let (depth, h, steps) = (0.1, 1.0 / 64.0, 10);
     let start = State { time: 0.0, position: dvector![-depth], velocity: dvector![0.0] };
-    let run = simulate(scheme, &Reference, &PointMass::ball_on_floor(1.0, 9.81, 0.0), start, h, steps)?;
+    let run = simulate(scheme, &Auto, &PointMass::ball_on_floor(1.0, 9.81, 0.0), start, h, steps)?;
     let compare = |(k, state): (usize, &State)| {
         let difference = (state.position[0] + depth - 0.6 * h * k as f64).abs();
         Measured { difference, tolerance: rounding(16 * (k + 1), depth) }

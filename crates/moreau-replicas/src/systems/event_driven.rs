@@ -7,7 +7,7 @@
 use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System};
 use crate::siconos::events::SiconosEvents;
 use crate::stored::StoredRuns;
-use moreau_contact::solvers::Reference;
+use moreau_contact::solvers::Auto;
 use moreau_dynamics::event_driven::EventDriven;
 use moreau_dynamics::event_driven::filippov::{DryFriction, advance};
 use moreau_dynamics::event_driven::flight::{Control, Location};
@@ -76,7 +76,7 @@ fn follow(
     let mut state = start;
     let mut found = Vec::new();
     for _ in 0..8 {
-        state = method.advance(&Reference, mechanism, &state, duration / 8.0)?.state;
+        state = method.advance(&Auto, mechanism, &state, duration / 8.0)?.state;
         found.push(Measured { difference: error(&state), tolerance: ACCURACY });
     }
     Ok(found)

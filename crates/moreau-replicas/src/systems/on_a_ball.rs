@@ -3,7 +3,7 @@
 use super::Measured;
 use moreau_checks::convergence::ball_errors;
 use moreau_checks::tolerance::convergence::Impacts;
-use moreau_contact::solvers::Reference;
+use moreau_contact::solvers::Auto;
 use moreau_dynamics::exact_particle::{Ball, Motion};
 use moreau_dynamics::mechanics::{PointMass, State};
 use moreau_dynamics::schemes::{MoreauJean, Scheme, step};
@@ -62,7 +62,7 @@ fn compare(
     let mut comparisons = Vec::with_capacity(STEPS);
     for _ in 0..STEPS {
         let (q, v) = (state.position[0], state.velocity[0]);
-        let reached = step(scheme, &Reference, &mechanism, &state, TIME_STEP)?.state;
+        let reached = step(scheme, &Auto, &mechanism, &state, TIME_STEP)?.state;
         let wanted = next(&ball, &Motion { position: exact(q), velocity: exact(v) }, &exact(TIME_STEP));
         // a law on the gap forms φ/h, which is the size of a speed where it acts
         let speed = v.abs() + (q.abs() / TIME_STEP).min(2.0 * v.abs() + GRAVITY * TIME_STEP);

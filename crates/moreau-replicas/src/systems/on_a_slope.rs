@@ -2,7 +2,7 @@
 
 use super::Measured;
 use moreau_checks::tolerance::convergence::slide_rounding;
-use moreau_contact::solvers::Reference;
+use moreau_contact::solvers::Auto;
 use moreau_dynamics::mechanics::{PointMass, State};
 use moreau_dynamics::schemes::{Scheme, simulate};
 use moreau_dynamics::trajectory::Recording;
@@ -20,7 +20,7 @@ const TIME_STEP: f64 = 1.0 / 256.0;
 fn run(scheme: &dyn Scheme, friction: f64, gap: f64, speed: f64) -> Result<Recording> {
     let block = PointMass::block_on_incline(1.0, GRAVITY, ANGLE, friction, 0.0);
     let start = State { time: 0.0, position: dvector![0.0, gap], velocity: dvector![speed, 0.0] };
-    simulate(scheme, &Reference, &block, start, TIME_STEP, STEPS)
+    simulate(scheme, &Auto, &block, start, TIME_STEP, STEPS)
 }
 
 fn worst(recording: &Recording, difference: impl Fn(&State) -> f64) -> Result<Measured> {

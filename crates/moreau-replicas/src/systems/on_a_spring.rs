@@ -10,7 +10,7 @@
 
 use super::Measured;
 use crate::tolerance::systems::{spring_energy, spring_step};
-use moreau_contact::solvers::Reference;
+use moreau_contact::solvers::Auto;
 use moreau_dynamics::integrators::{Method, Phase, SpringDamper};
 use moreau_dynamics::mechanics::{OscillatorWithStop, State};
 use moreau_dynamics::schemes::{Scheme, simulate};
@@ -26,7 +26,7 @@ const STEPS: usize = 128;
 fn run(scheme: &dyn Scheme) -> Result<Recording> {
     let spring = OscillatorWithStop::new(1.0, 1.0, 0.0, -100.0, 0.0)?;
     let start = State { time: 0.0, position: dvector![1.0], velocity: dvector![0.3] };
-    simulate(scheme, &Reference, &spring, start, STEP, STEPS)
+    simulate(scheme, &Auto, &spring, start, STEP, STEPS)
 }
 
 /// The largest difference of a coordinate or velocity after each step from the same step in rationals, relative to the size of the state.

@@ -86,8 +86,8 @@ impl ContactSolver for Rougher {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        let mut other = problem.clone();
-        other.friction.iter_mut().for_each(|mu| *mu *= 1.001);
+        let friction = problem.friction().iter().map(|mu| mu * 1.001).collect();
+        let other = problem.clone().into_builder().friction(friction).build()?;
         AlternatingDirections::default().solve(&other, warm_start)
     }
 }

@@ -40,9 +40,11 @@ impl<S: Waist> Waist for Mistaken<S> {
         let mut step = self.scheme.assemble(at)?;
         let more = (&step.free_velocity - &state.velocity) * if self.mistake == Mistake::Heavy { 0.1 } else { 0.0 };
         step.free_velocity += &more;
-        if let Some(problem) = &mut step.problem {
-            problem.free_velocity += &step.jacobian * more;
-            problem.friction.iter_mut().for_each(|mu| *mu *= if self.mistake == Mistake::HalfFriction { 0.5 } else { 1.0 });
+        if let Some(problem) = step.problem.take() {
+            let free_velocity = problem.free_velocity() + &step.jacobian * more;
+            let factor = if self.mistake == Mistake::HalfFriction { 0.5 } else { 1.0 };
+            let friction = problem.friction().iter().map(|mu| mu * factor).collect();
+            step.problem = Some(problem.into_builder().free_velocity(free_velocity).friction(friction).build()?);
         }
         Ok(step)
     }

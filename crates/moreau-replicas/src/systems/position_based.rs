@@ -5,7 +5,7 @@
 //! ```
 
 use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System};
-use moreau_contact::solvers::Reference;
+use moreau_contact::solvers::Auto;
 use moreau_dynamics::mechanics::{PointMass, State};
 use moreau_dynamics::schemes::{PositionBased, Softness, simulate, step};
 use moreau_exact::Result;
@@ -71,7 +71,7 @@ fn depth(scheme: PositionBased, expected: impl Fn(&PositionBasedContact) -> f64)
     for h in [0.01, 0.0025] {
         let ball = PointMass::ball_on_floor(2.0, GRAVITY, 0.0);
         let start = State { time: 0.0, position: dvector![0.0], velocity: dvector![0.0] };
-        let end = simulate(&scheme, &Reference, &ball, start, h, 4000)?.last().position[0];
+        let end = simulate(&scheme, &Auto, &ball, start, h, 4000)?.last().position[0];
         let expected = expected(&PositionBasedContact { mass: 2.0, gravity: GRAVITY, time_step: h });
         found.push(Measured { difference: (end + expected).abs(), tolerance: rounding(512, expected) });
     }
@@ -84,7 +84,7 @@ fn rebound(scheme: PositionBased, restitution: f64) -> Result<Measured> {
     for (gap, speed, h) in [(0.05, -2.0, 0.0625), (0.001, -0.3, 0.01), (0.0, -0.1, 0.0625)] {
         let ball = PointMass::ball_on_floor(2.0, GRAVITY, 0.5);
         let start = State { time: 0.0, position: dvector![gap], velocity: dvector![speed] };
-        let after = step(&scheme, &Reference, &ball, &start, h)?.state.velocity[0];
+        let after = step(&scheme, &Auto, &ball, &start, h)?.state.velocity[0];
         let exact = PositionBasedContact { mass: 2.0, gravity: GRAVITY, time_step: h }.rebound(restitution, speed);
         found.push(Measured { difference: (after - exact).abs(), tolerance: rounding(64, 4.0) });
     }

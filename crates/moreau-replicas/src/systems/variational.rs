@@ -7,7 +7,7 @@
 
 use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System, on_a_spring};
 use crate::tolerance::systems::{variational_speed, variational_state};
-use moreau_contact::solvers::Reference;
+use moreau_contact::solvers::Auto;
 use moreau_dynamics::integrators::Method;
 use moreau_dynamics::integrators::Phase;
 use moreau_dynamics::integrators::jacobian::jacobian;
@@ -83,7 +83,7 @@ const TIME_STEP: f64 = 0.02;
 fn speeds_of_a_ball(scheme: &dyn Scheme) -> Result<Measured> {
     let ball = PointMass::ball_on_floor(0.7, GRAVITY, 1.0);
     let start = State { time: 0.0, position: dvector![0.8], velocity: dvector![0.1] };
-    let run = simulate(scheme, &Reference, &ball, start, TIME_STEP, 2000)?;
+    let run = simulate(scheme, &Auto, &ball, start, TIME_STEP, 2000)?;
     let at_the_floor = |state: &State| (state.velocity[0].powi(2) + 2.0 * GRAVITY * state.position[0]).sqrt();
     let comparisons = run.samples.windows(2).zip(&run.impulses).filter(|(_, impulses)| !impulses.is_empty()).map(|(pair, _)| {
         let speed = at_the_floor(&pair[0]);
@@ -125,7 +125,7 @@ fn spring_at_its_stop(scheme: &dyn Scheme) -> Result<Measured> {
     let spring = OscillatorWithStop::new(1.0, 12.0, 0.0, -0.125, 1.0)?;
     let (position, velocity, h) = (0.07, -1.3, 0.25);
     let state = State { time: 0.0, position: dvector![position], velocity: dvector![velocity] };
-    let found = step(scheme, &Reference, &spring, &state, h)?.state;
+    let found = step(scheme, &Auto, &spring, &state, h)?.state;
     let guess = Guess { time: 0.15, jump: 2.0 * 1.3, newton_steps: 8 };
     let wanted = EQUATIONS.step_with_impact(&Phase::of_one(position, velocity), &h, &guess);
     let difference = (found.position[0] - wanted.position[0]).abs().max((found.velocity[0] - wanted.velocity[0]).abs());

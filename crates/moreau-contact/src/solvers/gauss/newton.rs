@@ -75,7 +75,7 @@ impl ContactSolver for GaussNewton {
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         let start = super::super::start(problem, warm_start)?;
         through_program(self.name(), problem, |program| {
-            let pushed = problem.dynamics.as_ref().map(|dynamics| dynamics.jacobian.tr_mul(&start));
+            let pushed = problem.dynamics().map(|dynamics| dynamics.jacobian.tr_mul(&start));
             self.minimise(program, pushed.map_or_else(|| DVector::zeros(program.velocities()), |push| program.accelerate(&push)))
         })
     }

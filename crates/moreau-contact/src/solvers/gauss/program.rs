@@ -49,13 +49,11 @@ impl GaussProgram {
     /// # Errors
     /// [`Error::Solver`] in the name of `solver` if the law is not convex, a row is hard or mass and Jacobian are not known.
     pub fn of_problem(solver: &str, problem: &ContactProblem) -> Result<Self> {
-        problem.validate()?;
         super::super::require_symmetry(solver, problem)?;
-        let dynamics =
-            problem.dynamics.as_ref().ok_or_else(|| Error::refused(solver, "needs mass and jacobian, not only W; use `clarabel`"))?;
+        let dynamics = problem.dynamics().ok_or_else(|| Error::refused(solver, "needs mass and jacobian, not only W; use `clarabel`"))?;
         let map = rows_of(problem);
         let pieces = pieces(solver, problem)?;
-        let offset = &map * (&problem.free_velocity + &problem.shift);
+        let offset = &map * (problem.free_velocity() + problem.shift());
         GaussProgram::new(dynamics.mass.clone(), map * &dynamics.jacobian, offset, pieces)
             .map_err(|error| Error::breakdown(solver, error.to_string()))
     }
@@ -146,11 +144,11 @@ impl GaussProgram {
 
 /// The matrix from the problem's rows to the program's.
 fn rows_of(problem: &ContactProblem) -> DMatrix<f64> {
-    let n = problem.rows_per_contact;
+    let n = problem.rows_per_contact();
     let mut rows: Vec<(usize, Vec<f64>)> = Vec::new();
-    for (contact, &mu) in problem.friction.iter().enumerate() {
+    for (contact, &mu) in problem.friction().iter().enumerate() {
         let unit = |k: usize| (0..n).map(|j| if j == k { 1.0 } else { 0.0 }).collect();
-        match problem.law {
+        match problem.law() {
             Law::PolyhedralAssociated { directions } => {
                 rows.extend((0..directions).map(|j| (contact, edge(j, directions, mu)[..n].to_vec())));
             }
@@ -167,13 +165,13 @@ fn rows_of(problem: &ContactProblem) -> DMatrix<f64> {
 
 fn pieces(solver: &str, problem: &ContactProblem) -> Result<Vec<SoftPiece>> {
     let hard = || Error::refused(solver, "needs a compliance R > 0 in every row; use `clarabel` for a hard contact");
-    let Compliance { coordinates, diagonal } = problem.compliance.as_ref().ok_or_else(hard)?;
+    let Compliance { coordinates, diagonal } = problem.compliance().ok_or_else(hard)?;
     let one_sided = |softness: &f64| SoftPiece::OneSided { softness: *softness };
-    match (problem.law, coordinates) {
+    match (problem.law(), coordinates) {
         (Law::PolyhedralAssociated { .. }, Coordinates::Edge) => Ok(diagonal.iter().map(one_sided).collect()),
         (Law::Associated | Law::Frictionless, Coordinates::Contact) => {
-            let blocks = diagonal.as_slice().chunks(problem.rows_per_contact).zip(&problem.friction);
-            blocks.map(|(softness, &mu)| cone(solver, softness, if problem.law == Law::Associated { mu } else { 0.0 })).collect()
+            let blocks = diagonal.as_slice().chunks(problem.rows_per_contact()).zip(problem.friction());
+            blocks.map(|(softness, &mu)| cone(solver, softness, if problem.law() == Law::Associated { mu } else { 0.0 })).collect()
         }
         (Law::PolyhedralAssociated { .. }, _) => Err(Error::refused(solver, "needs the compliance of each edge; use `clarabel`")),
         (law, _) => Err(super::super::not_convex(solver, law)),
@@ -195,6 +193,6 @@ fn cone(solver: &str, softness: &[f64], mu: f64) -> Result<SoftPiece> {
 
 /// The program's impulses as impulses (n, t₁, t₂), and the edge impulses of a polyhedral law.
 pub(super) fn in_contacts(problem: &ContactProblem, impulse: &DVector<f64>) -> (DVector<f64>, Option<DVector<f64>>) {
-    let edges = problem.law.directions().map(|_| impulse.clone());
+    let edges = problem.law().directions().map(|_| impulse.clone());
     (rows_of(problem).tr_mul(impulse), edges)
 }

@@ -6,8 +6,7 @@ use crate::scenes::{Scene, named};
 use crate::schemes::{Anitescu, MoreauJean, Scheme, StepContext, StewartTrinkle, carry_over, run, simulate};
 use moreau_contact::certificate::residuals;
 use moreau_contact::contact::ContactImpulse;
-use moreau_contact::problem::Solution;
-use moreau_contact::solvers::{ContactSolver, Reference};
+use moreau_contact::solvers::{Auto, ContactSolver};
 use moreau_contact::tolerance::solvers::STOP;
 use moreau_exact::tolerance::rounding;
 use nalgebra::{Rotation3, dvector};
@@ -27,7 +26,7 @@ fn theta(theta: f64) -> MoreauJean {
 
 fn turned(moments: Vector3<f64>, spin: Vector3<f64>, scheme: &dyn Scheme, h: f64, steps: usize) -> (State, Vector3<f64>, f64) {
     let (body, start) = spinning(moments, spin);
-    let state = run(scheme, &Reference, &body, start, h, steps, |_| ()).expect("free flight");
+    let state = run(scheme, &Auto, &body, start, h, steps, |_| ()).expect("free flight");
     let pose = Pose::of(0, &state.position);
     let momentum = pose.rotation * moments.component_mul(&super::spin(0, &state.velocity));
     let energy = body.kinetic_energy(&state);
@@ -104,7 +103,7 @@ fn a_ball_rolls_down_with_five_sevenths_of_the_pull_and_slides_beyond_the_fricti
     for (friction, rolls) in [(1.01 * limit, true), (0.99 * limit, false)] {
         let pull = 9.81 * if rolls { 5.0 / 7.0 * angle.sin() } else { angle.sin() - friction * angle.cos() };
         let turn = if rolls { pull / 0.125 } else { 2.5 * friction * 9.81 * angle.cos() / 0.125 };
-        let state = rolling(friction, angle, &MoreauJean::default(), &Reference, h, steps);
+        let state = rolling(friction, angle, &MoreauJean::default(), &Auto, h, steps);
         let time = h * steps as f64;
         let world = Pose::of(0, &state.position).rotation * super::spin(0, &state.velocity);
         // Each step is solved to STOP; impulses add up.
@@ -118,7 +117,7 @@ fn a_ball_rolls_down_with_five_sevenths_of_the_pull_and_slides_beyond_the_fricti
 /// The places (x, z) and velocities of the bodies after each of `steps` steps.
 fn track(mechanism: &dyn Mechanism, start: State, scheme: &dyn Scheme, h: f64, steps: usize) -> Vec<Vec<BodyState>> {
     let mut track = Vec::new();
-    run(scheme, &Reference, mechanism, start, h, steps, |step| track.push(mechanism.bodies(&step.state.position, &step.state.velocity)))
+    run(scheme, &Auto, mechanism, start, h, steps, |step| track.push(mechanism.bodies(&step.state.position, &step.state.velocity)))
         .expect("solved");
     track
 }
@@ -208,7 +207,7 @@ fn momentum_changes_by_weight_and_contact_impulses_alone_and_a_lost_impulse_show
     for scheme in [&MoreauJean::default() as &dyn Scheme, &StewartTrinkle::default(), &Anitescu] {
         let (mechanism, start) = scene.spatial_mechanism().expect("valid");
         let h = 1.0 / 128.0;
-        let recording = simulate(scheme, &Reference, mechanism.as_ref(), start, h, 64).expect("solved");
+        let recording = simulate(scheme, &Auto, mechanism.as_ref(), start, h, 64).expect("solved");
         let contacts: usize = recording.impulses.iter().map(Vec::len).sum();
         assert!(contacts > 100, "{}: only {contacts} contacts", scheme.name());
         let defect =
@@ -268,17 +267,18 @@ fn an_answer_without_distant_candidates_is_an_answer_with_them() {
         let h = 1.0 / 64.0;
         let (mut state, mut fewer) = (start, 0);
         for _ in 0..24 {
-            let step = crate::schemes::step(scheme, &Reference, near.as_ref(), &state, h).expect("solved");
+            let step = crate::schemes::step(scheme, &Auto, near.as_ref(), &state, h).expect("solved");
             let complete =
                 scheme.waist().expect("one problem").assemble(&StepContext::new(&all, &state, h).expect("valid")).expect("valid");
             fewer += usize::from(step.assembled.active.len() < complete.active.len());
             if let (Some(problem), Some(few)) = (&complete.problem, &step.assembled.problem) {
                 let solution = step.solution.as_ref().expect("there is a problem");
                 let impulse = carry_over(&step.impulses, &complete.active, &complete.places, 3);
-                let extended = Solution { velocity: problem.velocity(&impulse), impulse, ..solution.clone() };
+                let mut extended = solution.clone();
+                (extended.velocity, extended.impulse) = (problem.velocity(&impulse), impulse);
                 let of = |problem, solution| residuals(problem, solution).expect("valid").natural_map;
                 let (natural_map, own) = (of(problem, &extended), of(few, solution));
-                let size = problem.delassus.amax() * solution.impulse.norm() + problem.free_velocity.amax() + problem.shift.amax();
+                let size = problem.dense().amax() * solution.impulse.norm() + problem.free_velocity().amax() + problem.shift().amax();
                 assert!(natural_map <= own + rounding(problem.rows(), size), "{}: {natural_map:e} with, {own:e} without", scheme.name());
             }
             state = step.state;
@@ -302,7 +302,7 @@ fn a_turned_world_moves_as_the_world_does() {
         let quaternion = UnitQuaternion::from_rotation_matrix(turn);
         let position = dvector![place[0], place[1], place[2], quaternion.w, quaternion.i, quaternion.j, quaternion.k];
         let start = State { time: 0.0, position, velocity: dvector![speed[0], speed[1], speed[2], 5.0, -20.0, 10.0] };
-        let last = run(&MoreauJean::default(), &Reference, &body, start, 1.0 / 256.0, 400, |_| ()).expect("one contact");
+        let last = run(&MoreauJean::default(), &Auto, &body, start, 1.0 / 256.0, 400, |_| ()).expect("one contact");
         body.bodies(&last.position, &last.velocity).remove(0)
     };
     let (plain, turned) = (motion(&Rotation3::identity()), motion(&turn));

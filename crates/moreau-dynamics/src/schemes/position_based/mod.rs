@@ -22,7 +22,7 @@ use super::{Scheme, Start, Step, StepContext, StepProblem};
 use crate::mechanics::State;
 use crate::tolerance::limits::SWEEPS;
 use moreau_contact::contact::{ContactImpulse, pairs};
-use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law};
+use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Law};
 use moreau_contact::solvers::ContactSolver;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -125,18 +125,15 @@ impl PositionBased {
         let [scaled, _] = self.weights(h);
         let diagonal = DVector::from_fn(rows * contacts.len(), |row, _| if row % rows == 0 { scaled } else { 0.0 });
         let places: Vec<_> = contacts.iter().map(|contact| contact.place).collect();
-        let problem = ContactProblem {
-            name: format!("{} {} t={}", mechanism.name(), self.name(), state.time),
-            rows_per_contact: rows,
-            law: if rows == 1 { Law::Frictionless } else { Law::Coulomb },
-            friction: contacts.iter().map(|contact| contact.friction).collect(),
-            free_velocity: &jacobian * &free_velocity,
-            shift,
-            delassus: inertia.delassus(&jacobian)?,
-            compliance: (scaled > 0.0).then_some(Compliance { coordinates: Coordinates::Contact, diagonal }),
-            dynamics: Some(Dynamics { mass: inertia.matrix().clone(), jacobian: jacobian.clone() }),
-            bodies: pairs(&places),
-        };
+        let problem = ContactProblem::from_inertia(&inertia, jacobian.clone(), &free_velocity)
+            .name(format!("{} {} t={}", mechanism.name(), self.name(), state.time))
+            .law(if rows == 1 { Law::Frictionless } else { Law::Coulomb })
+            .rows_per_contact(rows)
+            .friction(contacts.iter().map(|contact| contact.friction).collect())
+            .shift(shift)
+            .compliance((scaled > 0.0).then_some(Compliance { coordinates: Coordinates::Contact, diagonal }))
+            .bodies(pairs(&places))
+            .build()?;
         Ok((!contacts.is_empty()).then_some(problem))
     }
 
@@ -195,7 +192,7 @@ mod tests {
     use crate::mechanics::{BallChain, PointMass};
     use crate::scenes::Scene;
     use crate::schemes::{simulate, step};
-    use moreau_contact::solvers::{ProjectedGaussSeidel, Reference};
+    use moreau_contact::solvers::{Auto, ProjectedGaussSeidel};
     use moreau_exact::tolerance::rounding;
     use moreau_forms::PositionBasedContact;
     use nalgebra::dvector;
@@ -210,7 +207,7 @@ mod tests {
 
     fn settle(scheme: PositionBased, h: f64) -> f64 {
         let ball = PointMass::ball_on_floor(2.0, 9.81, 0.0);
-        simulate(&scheme, &Reference, &ball, at(0.0, 0.0), h, 4000).expect("valid").last().position[0]
+        simulate(&scheme, &Auto, &ball, at(0.0, 0.0), h, 4000).expect("valid").last().position[0]
     }
 
     #[test]
@@ -234,7 +231,7 @@ mod tests {
         let ball = PointMass::ball_on_floor(2.0, 10.0, e);
         for (gap, speed) in [(0.05, -2.0), (0.02, -0.5), (-0.01, -1.0)] {
             for compliance in [0.0, 1e-3] {
-                let after = step(&xpbd(compliance), &Reference, &ball, &at(gap, speed), h).expect("valid").state;
+                let after = step(&xpbd(compliance), &Auto, &ball, &at(gap, speed), h).expect("valid").state;
                 assert!((after.position[0] - exact.landing(compliance, gap, speed).0).abs() <= rounding(64, 1.0));
                 assert!((after.velocity[0] - exact.rebound(e, speed)).abs() <= rounding(64, 4.0), "{gap} {speed}: {after:?}");
             }
@@ -248,11 +245,11 @@ mod tests {
         let (scheme, h) = (PositionBased { sweeps: 400, ..xpbd(1e-4) }, 0.0625);
         let problem = scheme.position_problem(&StepContext::new(&chain, &start, h).expect("valid")).expect("valid").expect("contacts");
         let solved = ProjectedGaussSeidel::default().solve(&problem, None).expect("solvable").impulse;
-        let taken = step(&scheme, &Reference, &chain, &start, h).expect("valid");
+        let taken = step(&scheme, &Auto, &chain, &start, h).expect("valid");
         // positions first: the impulses of the velocity pass are taken out again
         let moved = (&taken.state.position - &start.position) / h;
-        let jacobian = &problem.dynamics.as_ref().expect("given").jacobian;
-        let expected = &problem.free_velocity + &problem.delassus * &solved;
+        let jacobian = &problem.dynamics().expect("given").jacobian;
+        let expected = problem.free_velocity() + problem.dense() * &solved;
         assert!((jacobian * moved - expected).amax() <= 1e-10);
     }
 
@@ -262,7 +259,7 @@ mod tests {
         for (friction, expected) in [(0.5, 0.0), (0.3, 9.81 * (angle.sin() - 0.3 * angle.cos()))] {
             let block = PointMass::block_on_incline(2.0, 9.81, angle, friction, 0.0);
             let start = State { time: 0.0, position: dvector![0.0, 0.0], velocity: dvector![0.0, 0.0] };
-            let end = simulate(&PositionBased::XPBD, &Reference, &block, start, 0.01, 100).expect("valid");
+            let end = simulate(&PositionBased::XPBD, &Auto, &block, start, 0.01, 100).expect("valid");
             assert!((end.last().velocity[0] - expected).abs() <= rounding(100 * 64, 10.0), "μ = {friction}: {}", end.last().velocity[0]);
         }
     }
@@ -280,7 +277,7 @@ mod tests {
     fn the_candidates_of_a_box_that_lands_on_an_edge_change_within_a_sweep() {
         let (mechanism, start) = Scene::from_json(LANDING_ON_AN_EDGE).and_then(|scene| scene.spatial_mechanism()).expect("two boxes");
         for scheme in [PositionBased::XPBD, PositionBased::PBD] {
-            let end = simulate(&scheme, &Reference, mechanism.as_ref(), start.clone(), 0.005, 50).expect("no panic").last().clone();
+            let end = simulate(&scheme, &Auto, mechanism.as_ref(), start.clone(), 0.005, 50).expect("no panic").last().clone();
             assert!(mechanism.energy(&end) <= mechanism.energy(&start), "{}: {end:?}", scheme.name());
             // neither box has fallen through the other or through the floor, up to what a step of 5 ms penetrates
             assert!(end.position[2] > 0.09 && end.position[9] > 0.28, "{}: {end:?}", scheme.name());

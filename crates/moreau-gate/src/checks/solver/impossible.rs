@@ -16,18 +16,13 @@ fn squeezed(law: Law, spatial: bool, squeeze: f64) -> moreau_exact::Result<Conta
     let mut shift = DVector::zeros(2 * rows);
     (0..2).for_each(|wall| shift[wall * rows] = -squeeze);
     let velocity = DVector::from_fn(mass.nrows(), |k, _| if k + 1 == mass.nrows() { -0.5 } else { 0.0 });
-    Ok(ContactProblem {
-        name: format!("squeezed between walls, {}", law.name()),
-        rows_per_contact: rows,
-        law,
-        friction: vec![0.5; 2],
-        free_velocity: &jacobian * velocity,
-        shift,
-        delassus: delassus(&mass, &jacobian)?,
-        compliance: None,
-        dynamics: None,
-        bodies: None,
-    })
+    ContactProblem::new(delassus(&mass, &jacobian)?, &jacobian * velocity)
+        .name(format!("squeezed between walls, {}", law.name()))
+        .law(law)
+        .rows_per_contact(rows)
+        .friction(vec![0.5; 2])
+        .shift(shift)
+        .build()
 }
 
 pub(super) fn run(bench: &mut Bench) -> Reply<Vec<Measurement>> {
@@ -37,9 +32,9 @@ pub(super) fn run(bench: &mut Bench) -> Reply<Vec<Measurement>> {
         let problem = squeezed(law, spatial, 0.5).map_err(Refusal::errored)?;
         match bench.solve(&problem) {
             Ok(solution) => {
-                let row = problem.delassus.row_iter().map(|row| row.lp_norm(1)).fold(0.0, worst);
+                let row = problem.dense().row_iter().map(|row| row.lp_norm(1)).fold(0.0, worst);
                 let rounding = tolerance::product(bench.epsilon(), problem.rows(), row, solution.impulse.amax());
-                let scale = (&problem.free_velocity + &problem.shift).norm();
+                let scale = (problem.free_velocity() + problem.shift()).norm();
                 largest = worst(largest, (discrepancy(&problem, &solution) - rounding).max(0.0) / scale);
             }
             Err(Refusal::Errored(_) | Refusal::Unsupported(_)) => {}
@@ -69,7 +64,7 @@ mod tests {
         let right_side = dvector![ratio(1, 2), ratio(1, 2)];
         assert!(matches!(nonnegative_solution(&matrix, &right_side), Feasibility::Farkas(_)));
         let problem = squeezed(Law::Coulomb, false, 0.5).expect("definite");
-        assert_eq!([problem.delassus[(0, 0)], problem.delassus[(0, 2)], problem.shift[0] + problem.free_velocity[0]], [1.0, -1.0, -0.5]);
+        assert_eq!([problem.entry(0, 0), problem.entry(0, 2), problem.shift()[0] + problem.free_velocity()[0]], [1.0, -1.0, -0.5]);
     }
 
     #[test]
@@ -79,10 +74,10 @@ mod tests {
         let columns = [(0, 1), (2, 1), (1, 1), (1, -1), (3, 1), (3, -1)];
         let reduced = DMatrix::from_fn(6, 6, |i, j| {
             let ((a, s), (b, t)) = (columns[i], columns[j]);
-            ratio((problem.delassus[(a, b)] as i64) * s * t, 1)
+            ratio((problem.entry(a, b) as i64) * s * t, 1)
         });
         let friction = [ratio(1, 2), ratio(1, 2)];
-        let added = [problem.shift[0], problem.shift[2]].map(|s| ratio((2.0 * s) as i64, 2));
+        let added = [problem.shift()[0], problem.shift()[2]].map(|s| ratio((2.0 * s) as i64, 2));
         assert!(added.iter().all(|b| Scalar::to_f64(b) == -0.5));
         assert!(!hypothesis(&reduced, &friction, &added).holds());
         assert!(hypothesis(&reduced, &friction, &[ratio(0, 1), ratio(0, 1)]).holds());

@@ -102,7 +102,7 @@ fn certified(bench: &mut Bench, posed: Posed, unique: bool) -> Reply<Vec<Measure
         for Solved { problem, witness } in posed(law).map_err(Refusal::errored)? {
             let solution = match bench.solve(&problem) {
                 Err(Refusal::Errored(cause)) if bench.in_conversation() => {
-                    refused.push((problem.name, cause));
+                    refused.push((problem.name().to_string(), cause));
                     continue;
                 }
                 answer => answer?,
@@ -195,7 +195,7 @@ mod tests {
         }
 
         fn solve(&mut self, problem: &ContactProblem, options: &Options) -> Reply<Solution> {
-            if (self.on)(&problem.name) {
+            if (self.on)(problem.name()) {
                 return Err(Refusal::errored("no convergence"));
             }
             own::by_name("moreau-jean").expect("our scheme").solve(problem, options)

@@ -91,19 +91,15 @@ pub fn solved(
     let mut added = DVector::zeros(jacobian.nrows());
     (0..contacts.len()).for_each(|k| added[k * rows] = shift);
     let delassus = delassus(mass, jacobian)?;
-    let problem = ContactProblem {
-        name: format!("{name}, {}", law.name()),
-        rows_per_contact: rows,
-        law,
-        friction: vec![friction; contacts.len()],
-        free_velocity: &law_velocity - &added - &delassus * &witness,
-        shift: added,
-        delassus,
-        compliance: None,
-        dynamics: None,
-        bodies: None,
-    };
-    problem.validate().map_err(|error| Error::invalid("problem", error.to_string(), "a manufactured problem is valid"))?;
+    let free_velocity = &law_velocity - &added - &delassus * &witness;
+    let problem = ContactProblem::new(delassus, free_velocity)
+        .name(format!("{name}, {}", law.name()))
+        .law(law)
+        .rows_per_contact(rows)
+        .friction(vec![friction; contacts.len()])
+        .shift(added)
+        .build()
+        .map_err(|error| Error::invalid("problem", error.to_string(), "a manufactured problem is valid"))?;
     Ok(Solved { problem, witness })
 }
 
@@ -177,10 +173,9 @@ mod tests {
     fn every_problem_of_the_checks_is_solved_by_its_witness() {
         for posed in crate::checks::solver::every_problem() {
             let velocity = posed.problem.velocity(&posed.witness);
-            let solution =
-                Solution { impulse: posed.witness.clone(), velocity, beta: None, sigma: None, solver: "witness".into(), iterations: 0 };
+            let solution = Solution::new("witness", posed.witness.clone(), velocity, 0);
             let found = residuals(&posed.problem, &solution).expect("sizes fit");
-            assert!(found.is_solution(tolerance::residual(f64::EPSILON)), "{}: {found:?}", posed.problem.name);
+            assert!(found.is_solution(tolerance::residual(f64::EPSILON)), "{}: {found:?}", posed.problem.name());
         }
     }
 

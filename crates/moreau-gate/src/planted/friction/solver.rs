@@ -39,7 +39,6 @@ impl ContactSolver for RowByRow {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        problem.validate()?;
         let before = warm_start.cloned().unwrap_or_else(|| DVector::zeros(problem.rows()));
         let mut impulse = before.clone();
         for _ in 0..SWEEPS {
@@ -48,22 +47,22 @@ impl ContactSolver for RowByRow {
             }
         }
         let velocity = problem.velocity(&impulse);
-        Ok(Solution { impulse, velocity, beta: None, sigma: None, solver: "auto".into(), iterations: SWEEPS })
+        Ok(Solution::new("auto", impulse, velocity, SWEEPS))
     }
 }
 
 impl RowByRow {
     fn relax(&self, problem: &ContactProblem, before: &DVector<f64>, impulse: &mut DVector<f64>, contact: usize) {
-        let (rows, matrix) = (problem.rows_per_contact, &problem.delassus);
-        let velocity = |row: usize, impulse: &DVector<f64>| matrix.row(row).tr_dot(impulse) + problem.free_velocity[row];
+        let (rows, matrix) = (problem.rows_per_contact(), problem.dense());
+        let velocity = |row: usize, impulse: &DVector<f64>| matrix.row(row).tr_dot(impulse) + problem.free_velocity()[row];
         let n = rows * contact;
-        impulse[n] = (impulse[n] - (velocity(n, impulse) + problem.shift[n]) / matrix[(n, n)]).max(0.0);
+        impulse[n] = (impulse[n] - (velocity(n, impulse) + problem.shift()[n]) / matrix[(n, n)]).max(0.0);
         if rows != 3 {
             return;
         }
         let slip = [n + 1, n + 2].map(|row| velocity(row, impulse));
         let response = 0.5 * (matrix[(n + 1, n + 1)] + matrix[(n + 2, n + 2)]);
-        let row = Row { friction: problem.friction[contact], normal: impulse[n], previous: before[n], slip, response };
+        let row = Row { friction: problem.friction()[contact], normal: impulse[n], previous: before[n], slip, response };
         let wanted = [0, 1].map(|k| impulse[n + 1 + k] - slip[k] / response);
         let limited = (self.0)(&row, wanted);
         impulse[n + 1] = limited[0];

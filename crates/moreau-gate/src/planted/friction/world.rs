@@ -127,11 +127,13 @@ impl Waist for Baumgarte {
         let StepContext { mechanism, state, h, .. } = *at;
         let mut step = Baumgarte::scheme().assemble(at)?;
         let contacts = mechanism.contacts(&state.position);
-        if let Some(problem) = &mut step.problem {
+        if let Some(problem) = step.problem.take() {
+            let mut shift = problem.shift().clone();
             for (k, &index) in step.active.iter().enumerate() {
                 let gap = contacts.get(index).map_or(0.0, |contact| contact.gap);
-                problem.shift[problem.rows_per_contact * k] += gap.min(0.0) / h;
+                shift[problem.rows_per_contact() * k] += gap.min(0.0) / h;
             }
+            step.problem = Some(problem.into_builder().shift(shift).build()?);
         }
         Ok(step)
     }

@@ -33,17 +33,17 @@ use nalgebra::DVector;
 /// Each starts from the best answer of those before. The order and the numbers of iterations are fixed, so that the same problem has the
 /// same answer on every machine; no clock is asked. The answer names the algorithm it came from, with the iterations of all.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Reference;
+pub struct Auto;
 
 /// Whether an algorithm is for a problem.
 type Takes = fn(&ContactProblem) -> bool;
 
-/// One algorithm of [`Reference`], from the impulses to start from.
+/// One algorithm of [`Auto`], from the impulses to start from.
 type Stage = fn(&ContactProblem, Option<&DVector<f64>>) -> Result<Solution>;
 
 /// The algorithms with the problems they are for, in order, that cost little: they go on until [`ENOUGH`].
 const QUICK: &[(Takes, Stage)] = &[
-    (|problem| problem.compliance.is_some(), |problem, start| GaussNewton::default().solve(problem, start)),
+    (|problem| problem.compliance().is_some(), |problem, start| GaussNewton::default().solve(problem, start)),
     (is_iterated, few_sweeps),
     (is_iterated, newton),
 ];
@@ -71,17 +71,17 @@ const THOROUGH: &[(Takes, Stage)] = &[
         ProjectedOverRelaxation { sweeps: tolerance::AUTO_SWEEPS, ..Default::default() }.solve(problem, start)
     }),
     (
-        |problem| problem.rows_per_contact == 3 && matches!(problem.law, Law::PolyhedralCoulomb { .. }),
+        |problem| problem.rows_per_contact() == 3 && matches!(problem.law(), Law::PolyhedralCoulomb { .. }),
         |problem, start| ProjectedGaussSeidel { sweeps: tolerance::AUTO_SWEEPS, ..Default::default() }.solve(problem, start),
     ),
-    (|problem| problem.law == Law::Associated, |problem, start| AcceleratedProjectedGradient::default().solve(problem, start)),
+    (|problem| problem.law() == Law::Associated, |problem, start| AcceleratedProjectedGradient::default().solve(problem, start)),
     #[cfg(feature = "clarabel")]
     (is_convex, |problem, _| ClarabelPolished.solve(problem, None)),
 ];
 
 /// Laws of a convex program, the interior point's.
 fn is_convex(problem: &ContactProblem) -> bool {
-    matches!(problem.law, Law::Associated | Law::PolyhedralAssociated { .. })
+    matches!(problem.law(), Law::Associated | Law::PolyhedralAssociated { .. })
 }
 
 /// The algorithms for this problem that the features of this build left out, in words for the answer's solver; empty if none.
@@ -96,11 +96,11 @@ fn is_iterated(problem: &ContactProblem) -> bool {
 
 /// What sweeps solve of it: in the plane the polyhedral laws with two directions are those of the round cones.
 fn is_swept(problem: &ContactProblem) -> bool {
-    is_iterated(problem) && (problem.rows_per_contact == 2 || !matches!(problem.law, Law::PolyhedralAssociated { .. }))
+    is_iterated(problem) && (problem.rows_per_contact() == 2 || !matches!(problem.law(), Law::PolyhedralAssociated { .. }))
 }
 
 fn has_second_order_cone(problem: &ContactProblem) -> bool {
-    problem.law.directions().is_none()
+    problem.law().directions().is_none()
 }
 
 fn newton(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solution> {
@@ -110,7 +110,7 @@ fn newton(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solu
 /// Whether Lemke's pivots are not too many here, or nothing else is for the problem.
 fn is_pivoted(problem: &ContactProblem) -> bool {
     LemkePivoting::fits(problem)
-        && (!is_iterated(problem) || unknowns(problem, problem.law.directions().unwrap_or(2)) <= tolerance::LEMKE_UNKNOWNS)
+        && (!is_iterated(problem) || unknowns(problem, problem.law().directions().unwrap_or(2)) <= tolerance::LEMKE_UNKNOWNS)
 }
 
 /// Whether no linear complementarity problem is equivalent, and that of a polygon is not too large.
@@ -128,11 +128,11 @@ fn unknowns(problem: &ContactProblem, directions: usize) -> usize {
 /// is the last one is.
 fn through_softness(problem: &ContactProblem, _: Option<&DVector<f64>>) -> Result<Solution> {
     let (weights, mut softer) = (Judge::weights(problem), problem.clone());
-    let (rows, mut impulse, mut iterations) = (problem.rows_per_contact, None, 0);
+    let (rows, mut impulse, mut iterations) = (problem.rows_per_contact(), None, 0);
     for alpha in tolerance::softnesses() {
         let added = |row: usize| alpha / weights[row / rows][usize::from(!row.is_multiple_of(rows))];
         let diagonal = DVector::from_fn(problem.rows(), |row, _| super::compliance(problem, row) + added(row));
-        softer.compliance = Some(Compliance { coordinates: Coordinates::Contact, diagonal });
+        softer = softer.into_builder().compliance(Compliance { coordinates: Coordinates::Contact, diagonal }).build()?;
         let solver = NonsmoothNewton { steps: tolerance::SOFT_STEPS, tolerance: ENOUGH };
         let solution = solver.solve(&softer, impulse.as_ref())?;
         iterations += solution.iterations;
@@ -144,8 +144,9 @@ fn through_softness(problem: &ContactProblem, _: Option<&DVector<f64>>) -> Resul
 
 /// Lemke on a polygon in place of the disk, which tells which contacts press, stick and slide, and Newton from there.
 fn through_polygon(problem: &ContactProblem, directions: usize) -> Result<Solution> {
-    let law = if problem.law == Law::Associated { Law::PolyhedralAssociated { directions } } else { Law::PolyhedralCoulomb { directions } };
-    let begun = LemkePivoting.solve(&ContactProblem { law, ..problem.clone() }, None)?;
+    let law =
+        if problem.law() == Law::Associated { Law::PolyhedralAssociated { directions } } else { Law::PolyhedralCoulomb { directions } };
+    let begun = LemkePivoting.solve(&problem.clone().into_builder().law(law).build()?, None)?;
     let ended = newton(problem, Some(&begun.impulse))?;
     Ok(Solution { iterations: begun.iterations + ended.iterations, ..ended })
 }
@@ -163,15 +164,15 @@ fn more_sweeps(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result
 /// contacts press.
 fn swept(problem: &ContactProblem, start: Option<&DVector<f64>>, sweeps: usize) -> Result<Solution> {
     let solver = ProjectedGaussSeidel { sweeps, ..ProjectedGaussSeidel::accelerated() };
-    let round = match problem.law {
-        Law::PolyhedralCoulomb { .. } if problem.rows_per_contact == 2 => Law::Coulomb,
+    let round = match problem.law() {
+        Law::PolyhedralCoulomb { .. } if problem.rows_per_contact() == 2 => Law::Coulomb,
         Law::PolyhedralAssociated { .. } => Law::Associated,
         _ => return solver.solve(problem, start),
     };
-    solver.solve(&ContactProblem { law: round, ..problem.clone() }, start)
+    solver.solve(&problem.clone().into_builder().law(round).build()?, start)
 }
 
-impl ContactSolver for Reference {
+impl ContactSolver for Auto {
     fn name(&self) -> &'static str {
         "auto"
     }
@@ -181,7 +182,6 @@ impl ContactSolver for Reference {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        problem.validate()?;
         let (mut judge, mut iterations) = (Judge::default(), 0);
         let mut best: Option<(f64, Solution)> = None;
         let mut failure = None;
@@ -239,18 +239,14 @@ mod tests {
             jacobian.row_mut(2 * k + 1).copy_from_slice(&[1.0, 0.0, 1.0]);
         }
         let mass = DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 1.0, 0.5]));
-        ContactProblem {
-            name: "points".into(),
-            rows_per_contact: 2,
-            law,
-            friction: vec![0.3; n],
-            free_velocity: &jacobian * DVector::from_row_slice(&[0.7, -1.0, 0.4]),
-            shift: DVector::zeros(2 * n),
-            delassus: delassus(&mass, &jacobian).unwrap(),
-            compliance: None,
-            dynamics: None,
-            bodies: Some(vec![[Some(0), None]; n]),
-        }
+        ContactProblem::new(delassus(&mass, &jacobian).unwrap(), &jacobian * DVector::from_row_slice(&[0.7, -1.0, 0.4]))
+            .name("points")
+            .law(law)
+            .rows_per_contact(2)
+            .friction(vec![0.3; n])
+            .bodies(vec![[Some(0), None]; n])
+            .build()
+            .unwrap()
     }
 
     #[test]
@@ -269,8 +265,8 @@ mod tests {
         let fits = tolerance::LEMKE_UNKNOWNS / 4;
         let polyhedral = |n: usize| points(n, Law::PolyhedralCoulomb { directions: 2 });
         assert!(is_pivoted(&polyhedral(fits)) && !is_pivoted(&polyhedral(fits + 1)));
-        let mut soft = points(fits + 1, Law::PolyhedralAssociated { directions: 2 });
-        soft.compliance = Some(Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(2 * (fits + 1), 1.0) });
+        let edges = Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(2 * (fits + 1), 1.0) };
+        let soft = points(fits + 1, Law::PolyhedralAssociated { directions: 2 }).into_builder().compliance(edges).build().unwrap();
         assert!(is_pivoted(&soft), "edges that give way are a linear complementarity problem and nothing else");
     }
 

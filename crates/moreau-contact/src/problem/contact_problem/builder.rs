@@ -1,0 +1,213 @@
+//! How a contact problem is made: piece by piece, and looked at as a whole before anyone sees it.
+
+use super::{Compliance, ContactProblem, Dynamics, Law};
+use crate::contact::Inertia;
+use crate::contact::delassus::delassus;
+use moreau_exact::{Error, Result};
+use nalgebra::{DMatrix, DVector};
+
+/// The pieces of a [`ContactProblem`]. What is not said is: no name, Coulomb's law, three rows per contact, no friction, no shift, hard
+/// contacts, unknown mass, unknown bodies.
+#[derive(Debug)]
+#[must_use = "a problem is made by `build`"]
+pub struct ContactProblemBuilder {
+    name: String,
+    rows_per_contact: usize,
+    law: Law,
+    friction: Option<Vec<f64>>,
+    free_velocity: Result<DVector<f64>>,
+    shift: Option<DVector<f64>>,
+    delassus: Result<DMatrix<f64>>,
+    compliance: Option<Compliance>,
+    dynamics: Option<Dynamics>,
+    bodies: Option<Vec<[Option<usize>; 2]>>,
+}
+
+impl ContactProblem {
+    /// Begins a problem from W \[1/kg\] and u_free \[m/s\].
+    ///
+    /// A block of 1 kg arrives at 1 m/s and slides at 2 m/s, μ = ½:
+    /// ```
+    /// use moreau_contact::nalgebra::{DMatrix, dvector};
+    /// use moreau_contact::{ContactProblem, Law};
+    ///
+    /// let block = ContactProblem::new(DMatrix::identity(2, 2), dvector![-1.0, 2.0])
+    ///     .name("block")
+    ///     .law(Law::Coulomb)
+    ///     .rows_per_contact(2)
+    ///     .friction(vec![0.5])
+    ///     .build()?;
+    /// assert_eq!(block.velocity(&dvector![1.0, -0.5]), dvector![0.0, 1.5]);
+    ///
+    /// let infinite = ContactProblem::new(DMatrix::identity(1, 1), dvector![f64::INFINITY]).rows_per_contact(1).build();
+    /// assert!(infinite.unwrap_err().to_string().contains("free_velocity[0]"));
+    /// # Ok::<(), moreau_contact::Error>(())
+    /// ```
+    #[expect(clippy::new_ret_no_self, reason = "what begins a problem is called `new`, and a problem is whole only when it is built")]
+    pub fn new(delassus: DMatrix<f64>, free_velocity: DVector<f64>) -> ContactProblemBuilder {
+        ContactProblemBuilder::of(Ok(delassus), Ok(free_velocity), None)
+    }
+
+    /// Begins a problem from the mechanism: the (effective) mass M̂, the contact Jacobian H and v_free, the velocity that the mechanism
+    /// would have without contact. W = H M̂⁻¹ Hᵀ and u_free = H v_free are formed here, and M̂ and H are kept with the problem.
+    ///
+    /// A ball of 2 kg on a line falls at 3 m/s:
+    /// ```
+    /// use moreau_contact::nalgebra::{dmatrix, dvector};
+    /// use moreau_contact::ContactProblem;
+    ///
+    /// let ball = ContactProblem::from_dynamics(dmatrix![2.0], dmatrix![1.0], &dvector![-3.0]).rows_per_contact(1).build()?;
+    /// assert_eq!((ball.entry(0, 0), ball.free_velocity()[0]), (0.5, -3.0));
+    ///
+    /// let weightless = ContactProblem::from_dynamics(dmatrix![0.0], dmatrix![1.0], &dvector![-3.0]).rows_per_contact(1).build();
+    /// assert!(weightless.unwrap_err().to_string().contains("mass"));
+    /// # Ok::<(), moreau_contact::Error>(())
+    /// ```
+    pub fn from_dynamics(mass: DMatrix<f64>, jacobian: DMatrix<f64>, free_motion: &DVector<f64>) -> ContactProblemBuilder {
+        let free_velocity = contact_velocity(&jacobian, free_motion);
+        ContactProblemBuilder::of(delassus(&mass, &jacobian), free_velocity, Some(Dynamics { mass, jacobian }))
+    }
+
+    /// The same from a mass that is factored already.
+    pub fn from_inertia(inertia: &Inertia, jacobian: DMatrix<f64>, free_motion: &DVector<f64>) -> ContactProblemBuilder {
+        let free_velocity = contact_velocity(&jacobian, free_motion);
+        let mass = inertia.matrix().clone();
+        ContactProblemBuilder::of(inertia.delassus(&jacobian), free_velocity, Some(Dynamics { mass, jacobian }))
+    }
+
+    /// The pieces of this problem, to make another one that differs in some.
+    /// ```
+    /// use moreau_contact::nalgebra::{DMatrix, dvector};
+    /// use moreau_contact::{ContactProblem, Law};
+    ///
+    /// let round = ContactProblem::new(DMatrix::identity(3, 3), dvector![-1.0, 2.0, 0.0]).friction(vec![0.5]).build()?;
+    /// let octagon = round.clone().into_builder().law(Law::PolyhedralCoulomb { directions: 8 }).build()?;
+    /// assert_eq!(octagon.free_velocity(), round.free_velocity());
+    /// # Ok::<(), moreau_contact::Error>(())
+    /// ```
+    pub fn into_builder(self) -> ContactProblemBuilder {
+        ContactProblemBuilder {
+            name: self.name,
+            rows_per_contact: self.rows_per_contact,
+            law: self.law,
+            friction: Some(self.friction),
+            free_velocity: Ok(self.free_velocity),
+            shift: Some(self.shift),
+            delassus: Ok(self.delassus),
+            compliance: self.compliance,
+            dynamics: self.dynamics,
+            bodies: self.bodies,
+        }
+    }
+}
+
+/// H v_free.
+fn contact_velocity(jacobian: &DMatrix<f64>, free_motion: &DVector<f64>) -> Result<DVector<f64>> {
+    if free_motion.len() == jacobian.ncols() {
+        return Ok(jacobian * free_motion);
+    }
+    let cure = format!("this Jacobian needs {}", jacobian.ncols());
+    Err(Error::invalid("free_motion", format!("has size {}", free_motion.len()), cure))
+}
+
+impl ContactProblemBuilder {
+    fn of(delassus: Result<DMatrix<f64>>, free_velocity: Result<DVector<f64>>, dynamics: Option<Dynamics>) -> Self {
+        ContactProblemBuilder {
+            name: String::new(),
+            rows_per_contact: 3,
+            law: Law::Coulomb,
+            friction: None,
+            free_velocity,
+            shift: None,
+            delassus,
+            compliance: None,
+            dynamics,
+            bodies: None,
+        }
+    }
+
+    /// A name for messages.
+    pub fn name(mut self, name: impl Into<String>) -> Self {
+        self.name = name.into();
+        self
+    }
+
+    /// The contact law.
+    pub fn law(mut self, law: Law) -> Self {
+        self.law = law;
+        self
+    }
+
+    /// Rows per contact: 1 (normal only), 2 (planar) or 3.
+    pub fn rows_per_contact(mut self, rows: usize) -> Self {
+        self.rows_per_contact = rows;
+        self
+    }
+
+    /// Friction coefficient μ ≥ 0 of each contact.
+    pub fn friction(mut self, friction: Vec<f64>) -> Self {
+        self.friction = Some(friction);
+        self
+    }
+
+    /// u_free \[m/s\], in place of the one before.
+    pub fn free_velocity(mut self, free_velocity: DVector<f64>) -> Self {
+        self.free_velocity = Ok(free_velocity);
+        self
+    }
+
+    /// What the scheme adds for the law: restitution, φ/h, reference acceleration \[m/s\].
+    pub fn shift(mut self, shift: DVector<f64>) -> Self {
+        self.shift = Some(shift);
+        self
+    }
+
+    /// W \[1/kg\], in place of the one before; mass and Jacobian stay what they are.
+    pub fn delassus(mut self, delassus: DMatrix<f64>) -> Self {
+        self.delassus = Ok(delassus);
+        self
+    }
+
+    /// R of soft contacts, or `None`.
+    pub fn compliance(mut self, compliance: impl Into<Option<Compliance>>) -> Self {
+        self.compliance = compliance.into();
+        self
+    }
+
+    /// The mass and Jacobian that W came from, or `None`.
+    pub fn dynamics(mut self, dynamics: impl Into<Option<Dynamics>>) -> Self {
+        self.dynamics = dynamics.into();
+        self
+    }
+
+    /// The two bodies of each contact by number, the ground as `None`; or `None` for all of them.
+    pub fn bodies(mut self, bodies: impl Into<Option<Vec<[Option<usize>; 2]>>>) -> Self {
+        self.bodies = bodies.into();
+        self
+    }
+
+    /// The problem, if it can be meant.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] names the first field whose size, number or sign does not fit, with the cure.
+    pub fn build(self) -> Result<ContactProblem> {
+        let (delassus, free_velocity) = (self.delassus?, self.free_velocity?);
+        let contacts = || free_velocity.len().checked_div(self.rows_per_contact).unwrap_or(0);
+        let friction = self.friction.unwrap_or_else(|| vec![0.0; contacts()]);
+        let shift = self.shift.unwrap_or_else(|| DVector::zeros(free_velocity.len()));
+        let problem = ContactProblem {
+            name: self.name,
+            rows_per_contact: self.rows_per_contact,
+            law: self.law,
+            friction,
+            free_velocity,
+            shift,
+            delassus,
+            compliance: self.compliance,
+            dynamics: self.dynamics,
+            bodies: self.bodies,
+        };
+        problem.validate()?;
+        Ok(problem)
+    }
+}

@@ -1,0 +1,130 @@
+//! What a contact problem must be: the sizes fit, the numbers are finite, signs and law are meant.
+
+use super::{ContactProblem, Coordinates, Dynamics, Law};
+use crate::memory;
+use crate::tolerance::problem::POLYHEDRAL_UNKNOWNS;
+use moreau_exact::{Error, Result};
+
+impl ContactProblem {
+    /// Checks sizes, finiteness and signs.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] names the first field that cannot be meant.
+    pub(super) fn validate(&self) -> Result<()> {
+        if !(1..=3).contains(&self.rows_per_contact) {
+            return Err(Error::invalid("dimension", format!("is {}", self.rows_per_contact), "use 1 (normal rows only), 2 or 3"));
+        }
+        let rows = self.rows();
+        let sizes = [
+            ("free_velocity", self.free_velocity.len()),
+            ("shift", self.shift.len()),
+            ("delassus", self.delassus.nrows()),
+            ("delassus", self.delassus.ncols()),
+        ];
+        for (field, size) in sizes {
+            if size != rows {
+                let cure = format!("{} contacts with {} rows each need {rows}", self.contacts(), self.rows_per_contact);
+                return Err(Error::invalid(field, format!("has size {size}"), cure));
+            }
+        }
+        let numbers: [(&str, &[f64]); 3] =
+            [("free_velocity", self.free_velocity.as_slice()), ("shift", self.shift.as_slice()), ("delassus", self.delassus.as_slice())];
+        for (field, values) in numbers {
+            finite(field, values)?;
+        }
+        not_negative("friction", &self.friction)?;
+        self.validate_law()?;
+        self.validate_compliance()?;
+        self.validate_bodies()?;
+        self.validate_dynamics()
+    }
+
+    fn validate_law(&self) -> Result<()> {
+        if self.rows_per_contact == 1 && self.friction.iter().any(|&mu| mu > 0.0) {
+            return Err(Error::invalid(
+                "friction",
+                "is positive although the contacts have no tangential row",
+                "use 0, or dimension 2 or 3",
+            ));
+        }
+        let unknowns = self.law.directions().map_or(0, |d| d.saturating_add(2).saturating_mul(self.contacts()));
+        // matrix, scaled matrix, and a tableau twice as wide with its copy
+        memory::require(&format!("a polyhedral problem of {unknowns} unknowns"), memory::matrix(unknowns, unknowns).saturating_mul(6))?;
+        match (self.law.directions(), self.rows_per_contact) {
+            (Some(d), 3) if unknowns > POLYHEDRAL_UNKNOWNS => {
+                let problem = format!("is {d}, which makes {unknowns} unknowns with {} contacts", self.contacts());
+                Err(Error::invalid("directions", problem, format!("at most {POLYHEDRAL_UNKNOWNS} unknowns (2 + d) n are solved")))
+            }
+            (Some(2), 2) | (None, _) => Ok(()),
+            (Some(_), 2) => Err(Error::invalid("directions", "is not 2 in a planar problem", "use 2 (both senses of tangent 1)")),
+            (Some(d), 3) if d >= 3 => Ok(()),
+            (Some(d), rows) => Err(Error::invalid(
+                "directions",
+                format!("is {d} with dimension {rows}"),
+                "use at least 3 directions in dimension 3, or 2 in dimension 2",
+            )),
+        }
+    }
+
+    fn validate_compliance(&self) -> Result<()> {
+        let Some(compliance) = &self.compliance else { return Ok(()) };
+        let needed = match (compliance.coordinates, self.law) {
+            (Coordinates::Contact, _) => self.rows(),
+            (Coordinates::Edge, Law::PolyhedralAssociated { directions }) => directions * self.contacts(),
+            (Coordinates::Edge, law) => {
+                let problem = format!("uses edge coordinates with the law `{}`", law.name());
+                return Err(Error::invalid("compliance.coordinates", problem, "use `contact`, or the law `polyhedral-associated`"));
+            }
+        };
+        if compliance.diagonal.len() != needed {
+            return Err(Error::invalid(
+                "compliance.diagonal",
+                format!("has size {}", compliance.diagonal.len()),
+                format!("this problem needs {needed}"),
+            ));
+        }
+        not_negative("compliance.diagonal", compliance.diagonal.as_slice())
+    }
+
+    fn validate_bodies(&self) -> Result<()> {
+        let Some(bodies) = &self.bodies else { return Ok(()) };
+        if bodies.len() != self.contacts() {
+            let cure = format!("give one pair for each of the {} contacts", self.contacts());
+            return Err(Error::invalid("bodies", format!("has size {}", bodies.len()), cure));
+        }
+        match bodies.iter().position(|[first, second]| first == second) {
+            None => Ok(()),
+            Some(k) => {
+                Err(Error::invalid(format!("bodies[{k}]"), "names the same body twice", "name two bodies, or one and null for the ground"))
+            }
+        }
+    }
+
+    fn validate_dynamics(&self) -> Result<()> {
+        let Some(Dynamics { mass, jacobian }) = &self.dynamics else { return Ok(()) };
+        if !mass.is_square() {
+            return Err(Error::invalid("mass", format!("has shape {}×{}", mass.nrows(), mass.ncols()), "the mass matrix is square"));
+        }
+        if jacobian.nrows() != self.rows() || jacobian.ncols() != mass.nrows() {
+            let cure = format!("{}×{} fits these contacts and this mass", self.rows(), mass.nrows());
+            return Err(Error::invalid("jacobian", format!("has shape {}×{}", jacobian.nrows(), jacobian.ncols()), cure));
+        }
+        finite("mass", mass.as_slice())?;
+        finite("jacobian", jacobian.as_slice())
+    }
+}
+
+fn finite(field: &str, values: &[f64]) -> Result<()> {
+    match values.iter().position(|x| !x.is_finite()) {
+        None => Ok(()),
+        Some(k) => Err(Error::invalid(format!("{field}[{k}]"), format!("is {}", values[k]), "use a finite number")),
+    }
+}
+
+fn not_negative(field: &str, values: &[f64]) -> Result<()> {
+    finite(field, values)?;
+    match values.iter().position(|x| *x < 0.0) {
+        None => Ok(()),
+        Some(k) => Err(Error::invalid(format!("{field}[{k}]"), format!("is {}, negative", values[k]), "use a number ≥ 0")),
+    }
+}
