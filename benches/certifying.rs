@@ -37,7 +37,8 @@ fn cubes(n: usize) -> Scene {
         .map(|k| {
             let (x, z) = (0.02 * k as f64, 0.3 + 0.3 * k as f64);
             format!(
-                r#"{{"name": "c{k}", "box": {{"half_extents": [0.1, 0.1, 0.1]}}, "mass": 1, "position": [{x}, 0, {z}], "angular_velocity": [3, 2, 1]}}"#
+                r#"{{"name": "c{k}", "box": {{"half_extents": [0.1, 0.1, 0.1]}}, "mass": 1,
+                    "position": [{x}, 0, {z}], "angular_velocity": [3, 2, 1]}}"#
             )
         })
         .collect();

@@ -1,4 +1,5 @@
-//! The README and the pages of `docs/`: their numbers are those of the registry and of the stored files, their commands work as they stand, their links lead somewhere.
+//! The README and the pages of `docs/`: their numbers are those of the registry and of the stored files, their commands work as they stand,
+//! their links lead somewhere.
 
 use moreau::claims::{self, Verdict};
 use std::path::{Path, PathBuf};
@@ -193,7 +194,8 @@ fn every_link_leads_to_a_file_and_a_heading() {
     let of_crates = here("crates/moreau-contact/README.md");
     let found: Vec<_> = pages().iter().chain([&of_crates]).flat_map(|page| broken(page, &read(page))).collect();
     assert_eq!(found, Vec::<String>::new(), "broken links");
-    let planted = "[a](docs/gate.md#verdicts) [b](docs/gate.md#nowhere) [c](nowhere.md)\n```text\n[d](code.md)\n```\n[e](#two-commands) [f](#f) [g](https://g)";
+    let planted = "[a](docs/gate.md#verdicts) [b](docs/gate.md#nowhere) [c](nowhere.md)\n```text\n[d](code.md)\n```\n\
+        [e](#two-commands) [f](#f) [g](https://g)";
     assert_eq!(broken(Path::new("README.md"), planted), ["README.md: docs/gate.md#nowhere", "README.md: nowhere.md", "README.md: #f"]);
 }
 

@@ -1,4 +1,5 @@
-//! The stored scoreboard: docs/scoreboard.md shows what it renders, every check that is not passed has a cause, and the highlights are true.
+//! The stored scoreboard: docs/scoreboard.md shows what it renders, every check that is not passed has a cause, and the highlights
+//! are true.
 
 use moreau::gate::scoreboard::{Engines, Standing};
 use moreau::gate::{Report, cause, checks};

@@ -256,6 +256,28 @@ fn no_library_below_the_top_one_embeds_a_stored_run() {
     assert!(!takes_a_stored_run("/// references/ holds them\nconst RUN: &str = include_str!(\"a.json\");"));
 }
 
+/// The lines of a source file that are longer than rustfmt's, which leaves comments and texts as they are, by number.
+fn long_lines(text: &str) -> Vec<usize> {
+    text.lines().enumerate().filter(|(_, line)| line.chars().count() > LINE).map(|(index, _)| index + 1).collect()
+}
+
+/// `max_width` of rustfmt.toml \[characters\].
+const LINE: usize = 140;
+
+#[test]
+fn no_line_outside_the_claims_is_longer_than_the_others() {
+    let top = folder("moreau");
+    let folders = ROOMS.iter().map(|room| folder(room)).chain(["src", "tests", "benches", "examples"].map(|name| top.join(name)));
+    let files: Vec<_> = folders.filter(|folder| folder.exists()).flat_map(|folder| rust_files(&folder)).collect();
+    let claims = top.join("src").join("claims");
+    let found = files.iter().filter(|path| !path.starts_with(&claims)).flat_map(|path| {
+        let text = std::fs::read_to_string(path).expect("a source file");
+        long_lines(&text).into_iter().map(move |line| format!("{}:{line}", path.display()))
+    });
+    assert_eq!(found.collect::<Vec<_>>(), Vec::<String>::new(), "break the line");
+    assert_eq!(long_lines(&format!("{}\n{}", "½".repeat(LINE), "½".repeat(LINE + 1))), [2]);
+}
+
 #[test]
 fn the_rules_can_fail() {
     let planted = |path: &str, code: &str| File { room: "moreau-contact".into(), path: path.into(), code: strip(code) };

@@ -11,7 +11,8 @@ fn spheres(count: usize) -> String {
     for k in 0..count {
         let [x, y, z] = [k % 10, k / 10 % 10, k / 100].map(|place| place as f64 * 0.21 + 0.1);
         let comma = if k == 0 { "" } else { "," };
-        write!(bodies, r#"{comma}{{"name":"s{k}","mass":1,"position":[{x},{y},{z}],"sphere":{{"radius":0.1}},"linear_velocity":[0,0,0],"angular_velocity":[0,0,0]}}"#)
+        let still = r#""linear_velocity":[0,0,0],"angular_velocity":[0,0,0]"#;
+        write!(bodies, r#"{comma}{{"name":"s{k}","mass":1,"position":[{x},{y},{z}],"sphere":{{"radius":0.1}},{still}}}"#)
             .expect("a String takes everything");
     }
     format!(

@@ -102,5 +102,6 @@ macro_rules! families {
 }
 
 families! {
-    flight ball impact rest stack determinism metamorphic solver projection incline rolling isotropy contact energy rocking painleve tumbling
+    flight ball impact rest stack determinism metamorphic solver projection incline rolling isotropy contact energy rocking painleve
+    tumbling
 }

@@ -1,7 +1,8 @@
 //! A ball on the ground in Rapier's substeps, dt = h/N, and what its springs say of a body at rest and of a sliding one.
 //!
 //! ```text
-//!     N times:   v ← v − g dt + p/m ;      with the push-out   p ← s (p − m(v + b))₊ ,    b = φ/dt and s = 1 if φ > 0, else b = max(ε φ, −v_max)
+//!     N times:   v ← v − g dt + p/m ;      with the push-out   p ← s (p − m(v + b))₊ ,
+//!                                                             b = φ/dt and s = 1 if φ > 0, else b = max(ε φ, −v_max)
 //!                φ ← φ + dt v ;            and without it      p ← (p − m(v + (φ)₊/dt))₊
 //!     once:      p ← (p − m(v + e v₀))₊ ,  v₀ the velocity before the step, where an impulse acted and none did in the step before
 //!     ε = ω/(dt ω + 2ζ) ,    1/s = 1 + k²/(4ζ²(1 + k)) ,    k = 1/(ε dt) − 1 ,    ω = 2π f

@@ -2,7 +2,8 @@
 //! \[m/s²\].
 //!
 //! ```text
-//!     a = a_u + A f ,    a_ref − a = R f    ⇒    f = (a_ref − a_u)/(A + R) ,    a = (A a_ref + R a_u)/(A + R) ;     one-sided: f ← max(0, f)
+//!     a = a_u + A f ,    a_ref − a = R f    ⇒    f = (a_ref − a_u)/(A + R) ,    a = (A a_ref + R a_u)/(A + R) ;
+//!                                             one-sided: f ← max(0, f)
 //!     R = (1−d)/d·A      ⇒    a = d a_ref + (1−d) a_u
 //! ```
 //! f is the minimiser of ½(A+R)f² + (a_u − a_ref)f, over f ≥ 0 if the row is one-sided.

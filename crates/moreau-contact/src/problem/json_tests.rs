@@ -23,8 +23,9 @@ fn a_problem_comes_back_bit_for_bit() {
 
 #[test]
 fn mass_and_jacobian_make_the_delassus_operator_and_are_kept() {
-    let text = r#"{"schema":"contact-problem/1","name":"two balls","dimension":1,"law":"frictionless","friction":[0,0],"free_velocity":[-1,0],
-        "mass":{"shape":[2,2],"triplets":{"row":[0,1],"column":[0,1],"value":[2,4]}},"jacobian":{"shape":[2,2],"rows":[[1,0],[-1,1]]}}"#;
+    let text = r#"{"schema":"contact-problem/1","name":"two balls","dimension":1,"law":"frictionless","friction":[0,0],
+        "free_velocity":[-1,0],"mass":{"shape":[2,2],"triplets":{"row":[0,1],"column":[0,1],"value":[2,4]}},
+        "jacobian":{"shape":[2,2],"rows":[[1,0],[-1,1]]}}"#;
     let problem = ContactProblem::from_json(text).unwrap();
     assert_eq!(problem.dense(), &DMatrix::from_row_slice(2, 2, &[0.5, -0.5, -0.5, 0.75]));
     assert_eq!(ContactProblem::from_json(&problem.to_json()).unwrap(), problem);

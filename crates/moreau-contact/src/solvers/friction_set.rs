@@ -148,7 +148,8 @@ mod tests {
             for set in SETS {
                 let piece = set.piece(radius, [x, y]);
                 let neighbours = [[x + step, y], [x - step, y], [x, y + step], [x, y - step]];
-                let pieces = neighbours.map(|z| set.piece(radius, z)).into_iter().chain([-step, step].map(|by| set.piece(radius + by, [x, y])));
+                let radii = [radius - step, radius + step].map(|radius| set.piece(radius, [x, y]));
+                let pieces = neighbours.map(|z| set.piece(radius, z)).into_iter().chain(radii);
                 let same = |other: Piece| if set == FrictionSet::Disk { (other == INSIDE) == (piece == INSIDE) } else { other == piece };
                 if !pieces.into_iter().all(same) {
                     continue; // a kink lies between

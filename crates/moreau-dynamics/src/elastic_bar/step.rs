@@ -1,9 +1,12 @@
 //! One step of the bar, with A = M + ¼h²K and the contact's scalar complementarity.
 //!
 //! ```text
-//!     average acceleration (Newmark β = ¼, γ = ½)      M a⁺ + K u⁺ = λ⁺e ,   0 ≤ λ⁺ ⟂ u_c⁺ + λ⁺/k ≥ 0          ΔE = ½(λ + λ⁺)(u_c⁺ − u_c), λ/k = 0
-//!     midpoint                                          M ā + K ū = λ e ,     0 ≤ λ ⟂ u_c⁺ ≥ 0                    ΔE = λ (u_c⁺ − u_c) ≤ 0 from u_c ≥ 0
-//!     midpoint with persistency                         the same, but 0 ≤ λ ⟂ u_c⁺ − u_c ≥ 0 once u_c ≤ 0        ΔE = 0
+//!     average acceleration (Newmark β = ¼, γ = ½)      M a⁺ + K u⁺ = λ⁺e ,   0 ≤ λ⁺ ⟂ u_c⁺ + λ⁺/k ≥ 0
+//!                                                       ΔE = ½(λ + λ⁺)(u_c⁺ − u_c), λ/k = 0
+//!     midpoint                                          M ā + K ū = λ e ,     0 ≤ λ ⟂ u_c⁺ ≥ 0
+//!                                                       ΔE = λ (u_c⁺ − u_c) ≤ 0 from u_c ≥ 0
+//!     midpoint with persistency                         the same, but 0 ≤ λ ⟂ u_c⁺ − u_c ≥ 0 once u_c ≤ 0
+//!                                                       ΔE = 0
 //! ```
 //! The identities follow from vᵀM and uᵀK times the mean of a step; they hold whatever the mesh.
 

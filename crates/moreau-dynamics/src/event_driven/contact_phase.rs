@@ -2,7 +2,8 @@
 //!
 //! ```text
 //!     x = (q, v, p) ,   q̇ = v ,   v̇ and ṗ = G z from   N_BB z_B = −b_B ,  z elsewhere 0
-//!     ends when    z_i < 0 in the basis B, or (Nz + b)_i < 0 outside;   a slipping contact stops, s u_t < 0;   an open contact closes, φ < 0
+//!     ends when    z_i < 0 in the basis B, or (Nz + b)_i < 0 outside;
+//!                  a slipping contact stops, s u_t < 0;   an open contact closes, φ < 0
 //! ```
 //! p collects the impulses of the contact forces. With B fixed the motion is as smooth as the mechanism, so that a step keeps its order.
 

@@ -1,7 +1,8 @@
 //! Depth at rest of a rigid contact that its engine documents as soft: penetration allowance and spring.
 //!
 //! ```text
-//!     depth = penetration_allowance + N/(m_p (2πf)²) ,     f = ground_contact_frequency against the ground, contact_frequency between bodies .
+//!     depth = penetration_allowance + N/(m_p (2πf)²) ,
+//!     f = ground_contact_frequency against the ground, contact_frequency between bodies .
 //! ```
 
 use crate::model::{Model, RigidLimits};

@@ -2,7 +2,8 @@
 //!
 //! ```text
 //!     rest depth δ(f)  of one contact that carries f        MuJoCo: k d² δ = (1 − d) Â f,  SAP: δ = (h + τ) R_n h f,  spring: δ = f/k,
-//!                                                            rigid: allowance or margin; on springs of a frequency allowance + f/(m (2πf)²)
+//!                                                            rigid: allowance or margin;
+//!                                                            on springs of a frequency allowance + f/(m (2πf)²)
 //!     set down at the surface: at most 2 δ                  an undamped spring swings to twice its rest depth
 //! ```
 //! Several contacts share the load and sink less, so one that carries all of it is a bound.

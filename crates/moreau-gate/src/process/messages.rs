@@ -111,7 +111,8 @@ pub enum Answer<'a> {
 
 /// One line from an engine: the number of its request, and exactly one of `result`, `unsupported` and `error`.
 #[derive(JsonSchema)]
-#[schemars(rename = "Reply", deny_unknown_fields, extend("required" = ["id"], "oneOf" = [{"required": ["result"]}, {"required": ["unsupported"]}, {"required": ["error"]}]))]
+#[schemars(rename = "Reply", deny_unknown_fields, extend("required" = ["id"]))]
+#[schemars(extend("oneOf" = [{"required": ["result"]}, {"required": ["unsupported"]}, {"required": ["error"]}]))]
 #[allow(dead_code)]
 pub struct ReplyForm {
     /// The number of the request; null only if it could not be read.

@@ -41,8 +41,8 @@ pub fn section(standings: &[Standing], causes: &[Cause]) -> String {
     format!("{}\n{}", markdown(standings, causes), highlights::markdown(standings))
 }
 
-/// The table of docs/scoreboard.md: one row per engine, one column per family, in each cell the marks of its checks in the registry's order; at last
-/// how many of them do not pass for which cause.
+/// The table of docs/scoreboard.md: one row per engine, one column per family, in each cell the marks of its checks in the registry's
+/// order; at last how many of them do not pass for which cause.
 fn markdown(standings: &[Standing], causes: &[Cause]) -> String {
     let families = families();
     let row = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
@@ -87,7 +87,8 @@ pub fn html(standings: &[Standing], causes: &[Cause]) -> Result<String> {
     let style = format!(
         "{}{}",
         page::STYLE,
-        "body{max-width:none}th.r{writing-mode:vertical-rl;transform:rotate(180deg);font-weight:normal}td.c{text-align:center}td:first-child{white-space:nowrap}"
+        "body{max-width:none}th.r{writing-mode:vertical-rl;transform:rotate(180deg);font-weight:normal}\
+            td.c{text-align:center}td:first-child{white-space:nowrap}"
     );
     let page = html! {
         (DOCTYPE)
@@ -130,7 +131,11 @@ fn table(standings: &[Standing], causes: &[Cause]) -> Markup {
                     td { (standing.entry.name) @if let Some(report) = &standing.report { br; small { (report.engine.name) " \
                         " (report.engine.version) } } }
                     @match &standing.report {
-                        Some(report) => { @for check in checks::all() { (cell(report, check.name, cause::find(causes, &standing.entry.name, check.name))) } },
+                        Some(report) => {
+                            @for check in checks::all() {
+                                (cell(report, check.name, cause::find(causes, &standing.entry.name, check.name)))
+                            }
+                        },
                         None => td colspan=(checks::all().count()) { "not run: " (standing.not_run.as_deref().unwrap_or("no reason \
                             stored")) },
                     }

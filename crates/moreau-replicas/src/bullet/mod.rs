@@ -18,8 +18,8 @@
 //! the body moves without being given a velocity. Either way the depth shrinks by the factor 1 − ERP in every step.
 //!
 //! **Friction** ([`Friction`]) of multibodies is the round cone unless told otherwise, of rigid bodies always boxed: |r_t₁| ≤ μ r_n and
-//! |r_t₂| ≤ μ r_n, each against its own slip. A box is the polyhedral law with four directions in tangents turned by 45° and with √2 μ; which tangents, says `tangents.rs`.
-//! In the plane box and cone are one.
+//! |r_t₂| ≤ μ r_n, each against its own slip. A box is the polyhedral law with four directions in tangents turned by 45° and with
+//! √2 μ; which tangents, says `tangents.rs`. In the plane box and cone are one.
 //!
 //! # Energy
 //! ```text

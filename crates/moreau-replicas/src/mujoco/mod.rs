@@ -23,7 +23,8 @@
 //!
 //! # Energy
 //! ```text
-//!     T(v⁺) ≤ T(v_free) + r·(u⁻ + h a_ref) − fᵀR f − ½ rᵀW r ,      ΔẼ ≤ ½‖v_g − v‖²_M + r·(u⁻ + h a_ref) − fᵀR f + h²FᵀM⁻¹F/8 ,   Ẽ = E + ½ h F·v
+//!     T(v⁺) ≤ T(v_free) + r·(u⁻ + h a_ref) − fᵀR f − ½ rᵀW r ,
+//!     ΔẼ ≤ ½‖v_g − v‖²_M + r·(u⁻ + h a_ref) − fᵀR f + h²FᵀM⁻¹F/8 ,   Ẽ = E + ½ h F·v
 //! ```
 //! f are the impulses that R acts on, edges or rows; v_g − v = h M⁻¹F_g is the explicit gyroscopic torque, whose gain grows without bound
 //! in free flight at h‖Ω‖ ≈ 1. implicitfast, RK4 and friction against rotation have no theorem ([`crate::energy_balance`]).

@@ -6,9 +6,9 @@
 //!     α̃ = α/h² (XPBD);   PBD: α = 0 and the share s of ΔΛ
 //!     v = (q⁺ − q)/h ,   then at contacts with Λ_n > 0:   u_n ← max(−e ũ_n, 0) ,  ũ = H v_free ,  e = 0 below |ũ_n| = 2h|H M⁻¹F|_n
 //! ```
-//! In impulses r = Λ/h the position problem is the one of [`PositionBased::position_problem`]: u = W r + u_free, y = u + φ/h + R r with R = α/h² on
-//! normals and a friction cone in tangential displacement. A sweep of XPBD is a sweep of Gauss–Seidel on it, with gaps taken anew at each
-//! contact. Which candidates there are may change while the bodies are pushed: see `position_based/sweeps.rs`.
+//! In impulses r = Λ/h the position problem is the one of [`PositionBased::position_problem`]: u = W r + u_free, y = u + φ/h + R r with
+//! R = α/h² on normals and a friction cone in tangential displacement. A sweep of XPBD is a sweep of Gauss–Seidel on it, with gaps taken
+//! anew at each contact. Which candidates there are may change while the bodies are pushed: see `position_based/sweeps.rs`.
 //!
 //! # Energy
 //! ```text

@@ -1,7 +1,8 @@
 //! The positions of one step, pushed out contact by contact.
 //!
 //! ```text
-//!     one sweep:   for each candidate of the list at its start:   ΔΛ_n = max(−Λ_n, −(φ + α̃ Λ_n)/(w_n + α̃)) ,   q ← q + M⁻¹Hᵀ ΔΛ ,   φ and H at q as it is
+//!     one sweep:   for each candidate of the list at its start:
+//!                  ΔΛ_n = max(−Λ_n, −(φ + α̃ Λ_n)/(w_n + α̃)) ,   q ← q + M⁻¹Hᵀ ΔΛ ,   φ and H at q as it is
 //! ```
 //! The pushes move the bodies, and with them the list: a corner leaves a face, another one comes over it. So a candidate is known by its
 //! bodies and features, and its Λ stays with it.

@@ -5,7 +5,7 @@
 //! ```text
 //!     T(v⁺) − T(v_free) = r·u⁺ − ½ rᵀW r                                                       every scheme with one contact law per step
 //!     ΔE_σ = r·u⁺ − Σ_b (½ ‖p_b‖²/m_b − ½ h g p_b,z) − ½ Σ_b ‖J_b^{-½} ℓ_b‖²                    ℓ_b the angular impulse
-//!     r·u⁺ ≤ Σ_k r_k w_k                                                                       w_k the speed that contact k asks for: 0 if e = 0
+//!     r·u⁺ ≤ Σ_k r_k w_k                                                    w_k the speed that contact k asks for: 0 if e = 0
 //!     y = u⁺ + e u⁻ ,  r·y ≤ 0 ,  μ = 0 :   the same bound times (1 − e)/(1 + e)
 //! ```
 //! So a step gains at most c Σ_b max(0, ½ h g p_b,z − ½ p_b,z²/m_b) ≤ c Σ m g² h²/8, c = (1 − e)/(1 + e), and w R with R = Σ r_n. What
