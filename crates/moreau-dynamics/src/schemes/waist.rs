@@ -1,4 +1,5 @@
-//! The waist: a step that is one [`ContactProblem`](moreau_contact::ContactProblem), and the adapter that makes a [`Scheme`](super::Scheme) of whoever poses it.
+//! The waist: a step that is one [`ContactProblem`](moreau_contact::ContactProblem), and the adapter that makes a
+//! [`Scheme`](super::Scheme) of whoever poses it.
 //!
 //! ```text
 //!     v⁺ = v_free + M̂⁻¹Hᵀr ,   q⁺ = q ⊕ h v̄(v, v⁺)
