@@ -1,6 +1,6 @@
 //! `moreau certify`: judges an answer to a contact problem without knowing where it came from.
 
-use super::limits::{MemoryOption, check_tolerance};
+use super::limits::{CommonOptions, check_tolerance};
 use super::output::print;
 use super::{Answer, Format};
 use crate::Result;
@@ -28,10 +28,7 @@ pub struct Arguments {
     #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: f64,
     #[command(flatten)]
-    memory: MemoryOption,
-    /// How to write the certificate.
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    common: CommonOptions,
 }
 
 const EXAMPLES: &str = "\
@@ -43,14 +40,14 @@ Exit code 0: a solution; 1: not a solution; 2: the files cannot be read or do no
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
-    arguments.memory.apply()?;
+    arguments.common.memory.apply()?;
     let tolerance = arguments.tolerance;
     check_tolerance("--tolerance", tolerance)?;
     let problem = ContactProblem::read(&arguments.problem)?;
     let solution = Solution::read(&arguments.solution, &problem)?;
     let residuals = residuals(&problem, &solution).map_err(|error| error.in_file(&arguments.solution))?;
     let certificate = Certificate::new(&problem, &solution, &residuals, tolerance);
-    print(&match arguments.format {
+    print(&match arguments.common.format {
         Format::Text => certificate.text(),
         Format::Json => pretty(&certificate)?,
     })?;

@@ -1,7 +1,7 @@
 //! `moreau compare`: one scene through several schemes, beside each other.
 
 use super::certificate_options::CertificateOptions;
-use super::limits::MemoryOption;
+use super::limits::CommonOptions;
 use super::near::suggestion;
 use super::output::{keep_input, print};
 use super::scene::{count_steps, positive, stage};
@@ -51,10 +51,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
     #[command(flatten)]
-    memory: MemoryOption,
-    /// How to write the table.
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    common: CommonOptions,
 }
 
 const EXAMPLES: &str = "\
@@ -65,7 +62,7 @@ Examples:
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
-    arguments.memory.apply()?;
+    arguments.common.memory.apply()?;
     let names = arguments.names()?;
     keep_input(Path::new(&arguments.scene), "--plot", arguments.plot.as_deref())?;
     let solver = solvers::ALL.by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
@@ -93,7 +90,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         let title = format!("{}, h = {} s", staged.name, significant(arguments.step));
         write_together(&[(file, plot::svg(&title, &overlaid(&motions))?.as_bytes())])?;
     }
-    print(&match arguments.format {
+    print(&match arguments.common.format {
         Format::Text => comparison.text(),
         Format::Json => pretty(&comparison)?,
     })?;

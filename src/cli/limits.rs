@@ -1,5 +1,6 @@
 //! Limits on the command line: memory, and counts that have a largest value.
 
+use super::Format;
 use crate::memory::{self, size};
 use crate::tolerance::limits::MEMORY_BYTES;
 use crate::{Error, Result};
@@ -22,6 +23,16 @@ impl MemoryOption {
         memory::set_limit(self.max_memory.as_deref().map_or(Ok(MEMORY_BYTES), bytes)?);
         Ok(())
     }
+}
+
+/// What every subcommand takes that solves contact problems.
+#[derive(clap::Args)]
+pub struct CommonOptions {
+    #[command(flatten)]
+    pub memory: MemoryOption,
+    /// How to write the result.
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
 }
 
 /// A number of bytes.

@@ -2,7 +2,7 @@
 
 use super::certificate_options::CertificateOptions;
 use super::dump_options::DumpOptions;
-use super::limits::MemoryOption;
+use super::limits::CommonOptions;
 use super::output::{keep_input, no_answer, print};
 use super::scene::{count_steps, find, for_scheme, positive};
 use super::scheme_options::SchemeOptions;
@@ -63,10 +63,7 @@ pub struct Arguments {
     #[arg(long)]
     list: bool,
     #[command(flatten)]
-    memory: MemoryOption,
-    /// How to write the summary.
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    common: CommonOptions,
 }
 
 const EXAMPLES: &str = "\
@@ -100,15 +97,15 @@ struct Summary<'a> {
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     match &arguments.scene {
         Some(scene) if !arguments.list => match simulate(arguments, scene) {
-            Err(error) if arguments.format == Format::Json => no_answer(error, false),
+            Err(error) if arguments.common.format == Format::Json => no_answer(error, false),
             answer => answer,
         },
-        _ => list(arguments.format).map(|()| Answer::Yes),
+        _ => list(arguments.common.format).map(|()| Answer::Yes),
     }
 }
 
 fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
-    arguments.memory.apply()?;
+    arguments.common.memory.apply()?;
     let scheme = arguments.options.build(&arguments.scheme)?;
     arguments.keep_files(scene)?;
     let solver = solvers::ALL.by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
@@ -137,7 +134,7 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
         quantities: motion.summary(),
         steps: StepSummary::of(&recording, mechanism),
     };
-    print(&match arguments.format {
+    print(&match arguments.common.format {
         Format::Text => summary.text(),
         Format::Json => pretty(&summary)?,
     })?;

@@ -1,6 +1,6 @@
 //! `moreau solve`: solves a contact problem and certifies its own answer.
 
-use super::limits::MemoryOption;
+use super::limits::CommonOptions;
 use super::limits::check_tolerance;
 use super::output::{keep_input, no_answer, print, print_aside};
 use super::{Answer, Format};
@@ -37,10 +37,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     #[command(flatten)]
-    memory: MemoryOption,
-    /// How to write the certificate.
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    common: CommonOptions,
 }
 
 const EXAMPLES: &str = "\
@@ -65,7 +62,7 @@ pub fn solver_help() -> String {
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     check_tolerance("--tolerance", arguments.tolerance)?;
-    arguments.memory.apply()?;
+    arguments.common.memory.apply()?;
     let solver = solvers::ALL
         .with_iterations(&arguments.solver, arguments.iterations)
         .map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
@@ -74,12 +71,12 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     memory::require(&format!("solving {} rows", problem.rows()), 8 * memory::matrix(problem.rows(), problem.rows()))?;
     let solution = match solver.solve(&problem, None).map_err(|error| error.in_file(&arguments.problem)) {
         Ok(solution) => solution,
-        Err(error) if arguments.format == Format::Json => return no_answer(error, arguments.out.is_none()),
+        Err(error) if arguments.common.format == Format::Json => return no_answer(error, arguments.out.is_none()),
         Err(error) => return Err(error),
     };
     let residuals = residuals(&problem, &solution)?;
     let certificate = Certificate::new(&problem, &solution, &residuals, arguments.tolerance);
-    let report = match arguments.format {
+    let report = match arguments.common.format {
         Format::Text => certificate.text(),
         Format::Json => pretty(&certificate)?,
     };

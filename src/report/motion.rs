@@ -2,7 +2,7 @@
 
 use super::plot::{Curve, Panel, Role};
 use crate::mechanics::{BodyState, Mechanism, State};
-use crate::number::{significant, with_unit};
+use crate::number::{larger, significant, with_unit};
 use crate::scenes::ExactMotion;
 use crate::trajectory::Recording;
 use crate::trajectory::metrics::{creep_speed, effective_restitutions, energy_balance, penetration, settling_time};
@@ -139,7 +139,7 @@ impl Motion<'_> {
     fn speeds(&self) -> Vec<f64> {
         let fastest = |state: &State| {
             let speeds = self.bodies(state).into_iter().map(|body| length(body.linear_velocity));
-            speeds.fold(0.0, |worst: f64, speed| if speed.is_nan() || speed > worst { speed } else { worst })
+            speeds.fold(0.0, |worst, speed| larger(speed, worst))
         };
         self.recording.samples.iter().map(fastest).collect()
     }

@@ -257,6 +257,15 @@ fn no_library_below_the_top_one_embeds_a_stored_run() {
     assert!(!takes_a_stored_run("/// references/ holds them\nconst RUN: &str = include_str!(\"a.json\");"));
 }
 
+#[test]
+fn a_module_with_children_is_the_folders_mod_rs() {
+    let top = folder("moreau");
+    let folders = ROOMS.iter().map(|room| folder(room).join("src")).chain(["src", "tests"].map(|name| top.join(name)));
+    let files: Vec<_> = folders.flat_map(|folder| rust_files(&folder)).collect();
+    let beside: Vec<_> = files.iter().filter(|path| path.with_extension("").is_dir()).collect();
+    assert_eq!(beside, Vec::<&PathBuf>::new(), "a file beside the folder of its name; the others are mod.rs in it");
+}
+
 /// The lines of a source file that are longer than rustfmt's, which leaves comments and texts as they are, by number.
 fn long_lines(text: &str) -> Vec<usize> {
     text.lines().enumerate().filter(|(_, line)| line.chars().count() > LINE).map(|(index, _)| index + 1).collect()

@@ -1,4 +1,9 @@
-//! Numbers for readers: six significant digits, plain where that is short, scientific otherwise.
+//! Numbers for readers: six significant digits, plain where that is short, scientific otherwise; and the larger of two.
+
+/// The larger of two numbers, NaN if one is.
+pub fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
+}
 
 /// A number with at most six significant digits and no trailing zeros.
 pub fn significant(value: f64) -> String {

@@ -50,6 +50,13 @@ pub struct Expected {
     pub why: &'static str,
 }
 
+impl Expected {
+    /// A scheme that has no coefficient of restitution does not answer this check.
+    pub const fn without_restitution(scheme: &'static str, check: &'static str) -> Self {
+        Expected { scheme, check, verdict: crate::Verdict::Unsupported, why: "the scheme has no coefficient of restitution" }
+    }
+}
+
 impl Check {
     /// The part of the name before the slash.
     pub fn family(&self) -> &'static str {

@@ -83,7 +83,8 @@ fn dual_cone(z: &mut [f64], mu: f64) {
     moreau_contact::cones::second_order::project_dual(z, mu);
 }
 
-fn clamp_the_tangent(z: &mut [f64], mu: f64) {
+/// The tangent clamped to μ times the normal part, instead of the nearest point.
+pub fn clamp_the_tangent(z: &mut [f64], mu: f64) {
     z[0] = z[0].max(0.0);
     let norm = tangential_norm(z);
     if norm > mu * z[0] {

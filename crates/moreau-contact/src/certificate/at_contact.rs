@@ -1,6 +1,7 @@
 //! One contact at an answer, and its residuals.
 
 use super::part::Part;
+pub(super) use moreau_exact::number::larger as worst;
 
 /// The residuals of one contact, in the order of [`Judged::entries`] without the velocity.
 #[derive(Clone, Copy, Debug, Default)]
@@ -31,9 +32,4 @@ impl Here<'_> {
     pub fn friction_scale(&self, mu: f64) -> f64 {
         if mu > 0.0 { mu * self.sizes[1] } else { self.sizes[1] }
     }
-}
-
-/// The larger of two numbers, NaN if one is.
-pub(super) fn worst(a: f64, b: f64) -> f64 {
-    if a.is_nan() || a > b { a } else { b }
 }

@@ -15,7 +15,7 @@
 use super::at_contact::{AtContact, Here, worst};
 use super::part::{Part, pair};
 use super::polyhedral::{self, Pairs};
-use super::scales::{Scales, compliance};
+use super::scales::Scales;
 use crate::cones::second_order::{distance, length, tangential_norm};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::certificate::PROJECTED;
@@ -169,7 +169,7 @@ impl Judge {
         for (column, r) in impulse.iter().enumerate().filter(|(_, r)| **r != 0.0) {
             problem.add_column(column, *r, y);
         }
-        y.iter_mut().enumerate().for_each(|(row, y)| *y += compliance(problem, row) * impulse[row]);
+        y.iter_mut().enumerate().for_each(|(row, y)| *y += problem.row_compliance(row) * impulse[row]);
     }
 
     fn contacts(&mut self, problem: &ContactProblem, solution: &Solution, impulse: &[f64], law_velocity: &[f64]) -> Result<Judged> {
@@ -201,7 +201,7 @@ impl Judge {
         let rows = problem.rows_per_contact();
         for (row, stored) in solution.velocity.iter().enumerate() {
             let (contact, normal) = (row / rows, row % rows == 0);
-            let found = self.law_velocity[row] - problem.shift()[row] - compliance(problem, row) * solution.impulse[row];
+            let found = self.law_velocity[row] - problem.shift()[row] - problem.row_compliance(row) * solution.impulse[row];
             let ([s_n, _, s_t], [rho_n, rho_t]) = (self.scales.at(contact), self.scales.weights[contact]);
             let scale = if normal { s_n / rho_n } else { s_t / rho_t };
             judged.velocity.take(contact, Part { value: (stored - found).abs(), scale, floor: self.scales.floors[row] });

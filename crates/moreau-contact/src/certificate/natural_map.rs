@@ -3,14 +3,8 @@
 //! It vanishes exactly at solutions, for every ρ > 0 \[kg\]. With ρ = 3/tr(W_kk + R_kk), or the number of rows instead of 3,
 //! it is an impulse: a change of units scales it as it scales r, and a rotation of the tangents leaves its norm alone.
 
-use super::scales::compliance;
 use crate::cones::{de_saxce, second_order};
 use crate::problem::{ContactProblem, Law};
-
-/// The friction coefficient of the cone K_μ the law uses: 0 without friction.
-pub(super) fn cone_friction(law: Law, friction: f64) -> f64 {
-    if law == Law::Frictionless { 0.0 } else { friction }
-}
 
 /// Replaces y by ŷ: y + μ‖y_t‖n for Coulomb's law, y for the others.
 pub fn correct(law: Law, friction: f64, y: &mut [f64]) {
@@ -30,7 +24,7 @@ pub fn natural_map(law: Law, friction: f64, impulse: &[f64], law_velocity: &[f64
     for k in 0..rows {
         projected[k] = impulse[k] - rho * corrected[k];
     }
-    second_order::project(&mut projected[..rows], cone_friction(law, friction));
+    second_order::project(&mut projected[..rows], law.cone_friction(friction));
     (0..rows).map(|k| (impulse[k] - projected[k]).powi(2)).sum::<f64>().sqrt()
 }
 
@@ -39,7 +33,7 @@ pub fn natural_map(law: Law, friction: f64, impulse: &[f64], law_velocity: &[f64
 pub fn scales(problem: &ContactProblem) -> Vec<f64> {
     let rows = problem.rows_per_contact();
     let trace =
-        |contact: usize| -> f64 { (contact * rows..(contact + 1) * rows).map(|k| problem.entry(k, k) + compliance(problem, k)).sum() };
+        |contact: usize| -> f64 { (contact * rows..(contact + 1) * rows).map(|k| problem.entry(k, k) + problem.row_compliance(k)).sum() };
     let traces: Vec<f64> = (0..problem.contacts()).map(trace).collect();
     let positive: Vec<f64> = traces.iter().copied().filter(|&t| t > 0.0).collect();
     let fallback = if positive.is_empty() { rows as f64 } else { positive.iter().sum::<f64>() / positive.len() as f64 };

@@ -22,7 +22,7 @@
 
 use crate::cones::polyhedral::direction;
 use crate::cones::second_order::{length, tangential_norm};
-use crate::problem::{Compliance, ContactProblem, Coordinates, Dynamics, Law};
+use crate::problem::{ContactProblem, Dynamics, Law};
 use crate::tolerance::certificate::{COUPLED, HIDDEN, JAMMED, PROJECTED, gamma};
 
 /// The weights and scales of a problem's contacts at an answer; its memory is used again for the next problem.
@@ -50,7 +50,7 @@ impl Scales {
         self.floors.resize(problem.rows(), 0.0);
         self.weights.clear();
         self.weights.extend((0..contacts).map(|k| {
-            let diagonal = |row: usize| problem.entry(row, row) + compliance(problem, row);
+            let diagonal = |row: usize| problem.entry(row, row) + problem.row_compliance(row);
             let tangential: f64 = (k * rows + 1..(k + 1) * rows).map(diagonal).sum();
             [inverse(1.0, diagonal(k * rows)), inverse((rows - 1) as f64, tangential)]
         }));
@@ -74,7 +74,7 @@ impl Scales {
     /// The floors at the impulses r; one pass over |W|.
     pub fn set_floors(&mut self, problem: &ContactProblem, impulse: &[f64]) {
         let data = problem.free_velocity().iter().zip(problem.shift());
-        let own = |(row, (free, shift)): (usize, (&f64, &f64))| free.abs() + shift.abs() + compliance(problem, row) * impulse[row].abs();
+        let own = |(row, (free, shift)): (usize, (&f64, &f64))| free.abs() + shift.abs() + problem.row_compliance(row) * impulse[row].abs();
         self.floors.clear();
         self.floors.extend(data.enumerate().map(own));
         for (column, r) in impulse.iter().enumerate().filter(|(_, r)| **r != 0.0) {
@@ -165,14 +165,6 @@ fn same_support(dynamics: &Dynamics, rows: usize, contacts: [usize; 2]) -> bool 
         let [one, other] = contacts.map(|k| column.rows(k * rows, rows).iter().any(|entry| *entry != 0.0));
         one == other
     })
-}
-
-/// R of one contact row \[1/kg\], zero if the compliance acts on edges.
-pub(super) fn compliance(problem: &ContactProblem, row: usize) -> f64 {
-    match problem.compliance() {
-        Some(Compliance { coordinates: Coordinates::Contact, diagonal }) => diagonal[row],
-        _ => 0.0,
-    }
 }
 
 /// count/trace, infinite if the trace is not positive.

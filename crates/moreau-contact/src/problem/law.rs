@@ -40,6 +40,11 @@ impl Law {
         matches!(self, Law::Frictionless | Law::Associated | Law::PolyhedralAssociated { .. })
     }
 
+    /// μ of the cone that the law uses: 0 without friction.
+    pub fn cone_friction(self, friction: f64) -> f64 {
+        if self == Law::Frictionless { 0.0 } else { friction }
+    }
+
     /// The number of directions of a polyhedral law.
     pub fn directions(self) -> Option<usize> {
         match self {

@@ -55,7 +55,7 @@ impl ContactSolver for AcceleratedProjectedGradient {
     }
 
     fn takes(&self, law: Law, _rows: usize, symmetric: bool) -> bool {
-        symmetric && matches!(law, Law::Frictionless | Law::Associated)
+        super::parts::takes_convex(law, symmetric)
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
@@ -74,10 +74,7 @@ impl AcceleratedProjectedGradient {
         warm_start: Option<&DVector<f64>>,
         mut observe: impl FnMut(usize, &DVector<f64>),
     ) -> Result<Solution> {
-        if !matches!(problem.law(), Law::Frictionless | Law::Associated) {
-            return Err(super::not_convex(NAME, problem.law()));
-        }
-        super::require_symmetry(NAME, problem)?;
+        super::parts::require_convex(NAME, problem)?;
         let operator = problem.law_delassus();
         let q = problem.free_velocity() + problem.shift();
         let step = step_length(&operator);

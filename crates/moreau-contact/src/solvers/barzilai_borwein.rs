@@ -51,14 +51,11 @@ impl ContactSolver for BarzilaiBorwein {
     }
 
     fn takes(&self, law: Law, _rows: usize, symmetric: bool) -> bool {
-        symmetric && matches!(law, Law::Frictionless | Law::Associated)
+        super::parts::takes_convex(law, symmetric)
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        if !matches!(problem.law(), Law::Frictionless | Law::Associated) {
-            return Err(super::not_convex(NAME, problem.law()));
-        }
-        super::require_symmetry(NAME, problem)?;
+        super::parts::require_convex(NAME, problem)?;
         let operator = problem.law_delassus();
         let mut stopping = Stopping::new(problem, self.tolerance);
         let mut impulse = super::start(problem, warm_start)?;

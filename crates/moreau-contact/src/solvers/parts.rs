@@ -1,7 +1,7 @@
 //! What every solver needs, one that you write yourself too: where to start, what to refuse, when an answer is one.
 
 use crate::cones::second_order;
-use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
+use crate::problem::{ContactProblem, Law, Solution};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
@@ -33,15 +33,12 @@ pub fn finite(solution: Solution) -> Result<Solution> {
 
 /// R of one contact row \[1/kg\], zero if the problem is hard or its compliance acts on edges.
 pub fn compliance(problem: &ContactProblem, row: usize) -> f64 {
-    match problem.compliance() {
-        Some(Compliance { coordinates: Coordinates::Contact, diagonal }) => diagonal[row],
-        _ => 0.0,
-    }
+    problem.row_compliance(row)
 }
 
 /// μ of the cone that the law uses at contact k: 0 without friction.
 pub fn cone_friction(problem: &ContactProblem, k: usize) -> f64 {
-    if problem.law() == Law::Frictionless { 0.0 } else { problem.friction()[k] }
+    problem.law().cone_friction(problem.friction()[k])
 }
 
 /// Replaces every contact's impulse by its projection on the second-order cone.
@@ -55,6 +52,22 @@ pub fn project(problem: &ContactProblem, impulse: &mut DVector<f64>) {
 pub fn not_convex(solver: &str, law: Law) -> Error {
     let cure = if law.directions().is_some() { "lemke" } else { "pgs" };
     Error::refused(solver, format!("does not solve the law `{}`; use `{cure}`", law.name()))
+}
+
+/// Whether a solver of convex programs over second-order cones takes a problem with this law and symmetry.
+pub fn takes_convex(law: Law, symmetric: bool) -> bool {
+    symmetric && matches!(law, Law::Frictionless | Law::Associated)
+}
+
+/// Refuses what [`takes_convex`] does not take.
+///
+/// # Errors
+/// [`Error::Solver`] with a solver that takes it, or with the relative asymmetry.
+pub fn require_convex(solver: &str, problem: &ContactProblem) -> Result<()> {
+    if !takes_convex(problem.law(), true) {
+        return Err(not_convex(solver, problem.law()));
+    }
+    require_symmetry(solver, problem)
 }
 
 /// Refuses an asymmetric W in the name of a solver that minimises ½rᵀWr, whose gradient is W r only if W is symmetric.

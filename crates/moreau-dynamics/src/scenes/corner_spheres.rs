@@ -4,6 +4,7 @@
 //! stand ρ further in.
 
 use super::{Body, Scene};
+use crate::mechanics::spatial::box_moments;
 use crate::mechanics::{Mechanism, Plane, SphereBodies, SphereBody, State};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -44,9 +45,8 @@ fn shape(body: &Body, corner_radius: f64) -> Result<(Vec<SphereAt>, [f64; 3])> {
         return Ok((vec![([0.0; 3], sphere.radius)], [0.4 * body.mass * sphere.radius * sphere.radius; 3]));
     }
     let cuboid = body.cuboid.as_ref().ok_or_else(|| Error::invalid(&body.name, "has no shape", "give `sphere` or `box`"))?;
-    let [a, b, c] = cuboid.half_extents;
     let sign = |corner: usize, axis: usize| if corner >> (2 - axis) & 1 == 1 { 1.0 } else { -1.0 };
     let centre = |corner: usize| std::array::from_fn(|axis| sign(corner, axis) * (cuboid.half_extents[axis] - corner_radius));
-    let solid = [b * b + c * c, a * a + c * c, a * a + b * b].map(|sum| body.mass * sum / 3.0);
+    let solid = box_moments(body.mass, cuboid.half_extents);
     Ok(((0..8).map(|corner| (centre(corner), corner_radius)).collect(), solid))
 }

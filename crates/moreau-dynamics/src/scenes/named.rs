@@ -1,6 +1,6 @@
 //! The built-in scenes.
 
-use super::{Body, Cuboid, Ground, Material, Scene, Sphere};
+use super::{Body, Ground, Material, Scene};
 use moreau_exact::{Error, Result};
 use std::collections::BTreeMap;
 
@@ -58,26 +58,12 @@ fn scene(name: &str, description: &str, bodies: Vec<Body>, friction: f64, restit
     }
 }
 
-fn sphere(name: &str, mass: f64, radius: f64, position: [f64; 3]) -> Body {
-    Body {
-        name: name.into(),
-        sphere: Some(Sphere { radius }),
-        cuboid: None,
-        mass,
-        inertia: None,
-        position,
-        orientation: [1.0, 0.0, 0.0, 0.0],
-        linear_velocity: [0.0; 3],
-        angular_velocity: [0.0; 3],
-    }
-}
-
 fn cuboid(name: &str, half_extents: [f64; 3], position: [f64; 3]) -> Body {
-    Body { sphere: None, cuboid: Some(Cuboid { half_extents }), ..sphere(name, 1.0, 1.0, position) }
+    Body::cuboid(name, 1.0, half_extents, position)
 }
 
 fn ball(name: &str, description: &str, restitution: f64) -> Scene {
-    scene(name, description, vec![sphere("ball", 1.0, 0.1, [0.0, 0.0, 1.1])], 0.5, restitution)
+    scene(name, description, vec![Body::sphere("ball", 1.0, 0.1, [0.0, 0.0, 1.1])], 0.5, restitution)
 }
 
 /// A flat block that touches the slope with its whole lower face.
@@ -99,9 +85,9 @@ fn stack(name: &str) -> Scene {
 
 /// Without gravity and ground: the heavy sphere goes on, the light one leaves faster.
 fn two_balls(name: &str) -> Scene {
-    let mut heavy = sphere("heavy", 2.0, 0.1, [-0.6, 0.0, 0.0]);
+    let mut heavy = Body::sphere("heavy", 2.0, 0.1, [-0.6, 0.0, 0.0]);
     heavy.linear_velocity = [1.0, 0.0, 0.0];
-    let bodies = vec![heavy, sphere("light", 1.0, 0.1, [0.0, 0.0, 0.0])];
+    let bodies = vec![heavy, Body::sphere("light", 1.0, 0.1, [0.0, 0.0, 0.0])];
     let description = "A 2 kg sphere at 1 m/s hits a 1 kg sphere at rest, centrally, with restitution 1/2.";
     Scene { gravity: [0.0; 3], ground: None, duration: 1.0, ..scene(name, description, bodies, 0.0, 0.5) }
 }
@@ -109,7 +95,7 @@ fn two_balls(name: &str) -> Scene {
 /// A round body of 1 kg and radius 0.1 m on level ground, thrown without spin; moments of inertia of a solid sphere, or others
 /// \[kg·m²\] (a disk that rolls about y has m r²/2 about y and half of that across).
 fn rolling(name: &str, description: &str, inertia: Option<[f64; 3]>) -> Scene {
-    let mut body = sphere(if inertia.is_some() { "disk" } else { "sphere" }, 1.0, 0.1, [0.0, 0.0, 0.1]);
+    let mut body = Body::sphere(if inertia.is_some() { "disk" } else { "sphere" }, 1.0, 0.1, [0.0, 0.0, 0.1]);
     body.linear_velocity = [1.0, 0.0, 0.0];
     body.inertia = inertia;
     Scene { duration: 1.0, ..scene(name, description, vec![body], 0.2, 0.0) }

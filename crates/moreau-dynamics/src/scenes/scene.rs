@@ -140,6 +140,28 @@ fn upright() -> [f64; 4] {
     [1.0, 0.0, 0.0, 0.0]
 }
 
+impl Body {
+    /// A solid sphere at rest.
+    pub fn sphere(name: impl Into<String>, mass: f64, radius: f64, position: [f64; 3]) -> Self {
+        Body {
+            name: name.into(),
+            sphere: Some(Sphere { radius }),
+            cuboid: None,
+            mass,
+            inertia: None,
+            position,
+            orientation: [1.0, 0.0, 0.0, 0.0],
+            linear_velocity: [0.0; 3],
+            angular_velocity: [0.0; 3],
+        }
+    }
+
+    /// A solid box at rest, its edges along the axes.
+    pub fn cuboid(name: impl Into<String>, mass: f64, half_extents: [f64; 3], position: [f64; 3]) -> Self {
+        Body { sphere: None, cuboid: Some(Cuboid { half_extents }), ..Body::sphere(name, mass, 1.0, position) }
+    }
+}
+
 impl Scene {
     /// Parses and validates the text of a `scene/1` file.
     ///

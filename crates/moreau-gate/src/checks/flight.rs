@@ -6,6 +6,7 @@
 
 use crate::check::{Control, Run};
 use crate::checks::scenery::{GRAVITY, cuboid, over_floor, schedule, sphere};
+use crate::model::solid::box_moments;
 use crate::model::{Model, damping};
 use crate::tolerance::flight as tolerance;
 use crate::{Bench, Check, Expectation, Level, Measurement, Reply};
@@ -265,10 +266,7 @@ impl End {
 fn solid_moments(body: &Body) -> Vector3<f64> {
     match (&body.sphere, &body.cuboid) {
         (Some(sphere), _) => Vector3::repeat(0.4 * body.mass * sphere.radius * sphere.radius),
-        (_, Some(cuboid)) => {
-            let squares = Vector3::from(cuboid.half_extents).map(|half| half * half);
-            Vector3::new(squares.y + squares.z, squares.z + squares.x, squares.x + squares.y) * (body.mass / 3.0)
-        }
+        (_, Some(cuboid)) => box_moments(body.mass, cuboid.half_extents.into()),
         _ => Vector3::zeros(),
     }
 }

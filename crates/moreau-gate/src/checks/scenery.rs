@@ -1,7 +1,8 @@
 //! Small pieces that the scenes of several families are built from.
 
-use moreau_dynamics::scenes::{Body, Cuboid, Ground, Material, Scene, Sphere};
+use moreau_dynamics::scenes::{Body, Ground, Material, Scene};
 use moreau_dynamics::trajectory::{BodyTrack, Trajectory};
+pub(super) use moreau_exact::number::larger as worst;
 
 /// Standard gravity of the scenes \[m/s²\].
 pub(super) const GRAVITY: f64 = 9.81;
@@ -23,22 +24,12 @@ pub(super) fn over_floor(name: &str, bodies: Vec<Body>, friction: f64) -> Scene 
 
 /// A solid sphere at rest.
 pub(super) fn sphere(name: &str, mass: f64, radius: f64, position: [f64; 3]) -> Body {
-    Body {
-        name: name.into(),
-        sphere: Some(Sphere { radius }),
-        cuboid: None,
-        mass,
-        inertia: None,
-        position,
-        orientation: [1.0, 0.0, 0.0, 0.0],
-        linear_velocity: [0.0; 3],
-        angular_velocity: [0.0; 3],
-    }
+    Body::sphere(name, mass, radius, position)
 }
 
 /// A solid box at rest, its edges along the axes.
 pub(super) fn cuboid(name: &str, mass: f64, half_extents: [f64; 3], position: [f64; 3]) -> Body {
-    Body { sphere: None, cuboid: Some(Cuboid { half_extents }), ..sphere(name, mass, 1.0, position) }
+    Body::cuboid(name, mass, half_extents, position)
 }
 
 /// (steps, sample_every) of a motion of about `duration` \[s\] with about `samples` samples, at least one step each.
@@ -62,11 +53,6 @@ pub(super) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
 pub(super) fn angle_between(p: [f64; 4], q: [f64; 4]) -> f64 {
     let chord = |sign: f64| (0..4).fold(0.0, |length: f64, k| length.hypot(p[k] - sign * q[k]));
     4.0 * (0.5 * chord(1.0).min(chord(-1.0))).min(1.0).asin()
-}
-
-/// The larger of two numbers, NaN if one is.
-pub(super) fn worst(a: f64, b: f64) -> f64 {
-    if a.is_nan() || a > b { a } else { b }
 }
 
 #[cfg(test)]

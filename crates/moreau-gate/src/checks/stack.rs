@@ -17,6 +17,7 @@
 use crate::check::{Control, Run};
 use crate::checks::scenery::{GRAVITY, angle_between, cuboid, over_floor, worst};
 use crate::model::compression::LoadedPoint;
+use crate::model::solid::box_moments;
 use crate::model::{Model, sink};
 use crate::tolerance::{SOLVED, stack as tolerance};
 use crate::{Bench, Check, Expectation, Kind, Level, Measurement, Reply};
@@ -98,8 +99,8 @@ fn stack(masses: &[f64], gaps: &[f64], ledge: f64) -> Scene {
 fn corner(masses: &[f64], k: usize) -> LoadedPoint {
     let arm = Vector3::new(width(k), width(k), HALF);
     let inverse_mass = |body: usize| {
-        let (mass, square) = (masses[body], Vector3::new(width(body), width(body), HALF).map(|half| half * half));
-        let moments = Vector3::new(square.y + square.z, square.z + square.x, square.x + square.y) * (mass / 3.0);
+        let mass = masses[body];
+        let moments = box_moments(mass, Vector3::new(width(body), width(body), HALF));
         inverse_mass_at(mass, &Matrix3::from_diagonal(&moments.map(|moment| 1.0 / moment)), &arm, &Vector3::z())
     };
     let below = if k > 0 { inverse_mass(k - 1) } else { 0.0 };

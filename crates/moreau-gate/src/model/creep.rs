@@ -9,6 +9,7 @@
 use crate::Description;
 use crate::description::Friction;
 use crate::model::Model;
+use crate::model::solid::box_moments;
 use moreau_forms::drake_sap::{diagonal_mean, shared_creep};
 use moreau_forms::mujoco_creep::HeldBody;
 use moreau_forms::regularised_friction::FrictionCurve;
@@ -49,8 +50,7 @@ impl HeldBox {
     /// w_i \[1/kg\] of the corners, whose spheres of `inset` \[m\] radius touch inside the box's edges.
     fn diagonal_means(&self, inset: f64) -> Vec<f64> {
         let [length, width, height] = self.half_extents;
-        let square = Vector3::new(length * length, width * width, height * height);
-        let moments = Vector3::new(square.y + square.z, square.x + square.z, square.x + square.y) * (self.mass / 3.0);
+        let moments = box_moments(self.mass, Vector3::new(length, width, height));
         let inertia = (0..3).fold(Vector3::zeros(), |sum: Vector3<f64>, k| sum + self.axes[k].component_mul(&self.axes[k]) * moments[k]);
         let corner = |[x, y]: [f64; 2]| {
             let [down, side, up] = self.axes;

@@ -9,6 +9,7 @@ pub mod normal;
 pub mod regularised;
 pub mod sink;
 pub mod sliding;
+pub mod solid;
 
 use crate::{ContactModel, Description};
 use moreau_forms::mujoco_contact::ContactParameters;

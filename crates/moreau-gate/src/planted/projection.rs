@@ -3,6 +3,7 @@
 use crate::Engine;
 use crate::planted::Planted;
 use crate::planted::parts::moreau_jean;
+use moreau_checks::defects::cone_projection::clamp_the_tangent;
 use moreau_contact::cones::second_order::{contains, polar_contains, project, tangential_norm};
 
 /// The mistakes of this family.
@@ -44,15 +45,6 @@ fn along_the_normal(z: &mut [f64], mu: f64) {
         z[0] = tangential_norm(z) / mu;
     } else {
         project(z, mu);
-    }
-}
-
-fn clamp_the_tangent(z: &mut [f64], mu: f64) {
-    z[0] = z[0].max(0.0);
-    let norm = tangential_norm(z);
-    if norm > mu * z[0] {
-        let factor = mu * z[0] / norm;
-        z[1..].iter_mut().for_each(|entry| *entry *= factor);
     }
 }
 

@@ -7,12 +7,12 @@
 //! δ = −φ > 0 is the depth at the start of the step. n falls with z from its value at z = 0 to zero at min(δ/h, 1/d), and is zero beyond.
 
 use super::primal_newton::{Potential, minimise};
-use crate::drake::touching::{own_answer, response};
+use crate::drake::touching::{own_answer, response, step_touching};
 use crate::drake::{Material, SIGMA};
 use moreau_contact::contact::Contact;
 use moreau_contact::problem::{Dynamics, Solution};
 use moreau_dynamics::mechanics::State;
-use moreau_dynamics::schemes::{OwnAnswer, StepContext, StepProblem};
+use moreau_dynamics::schemes::{OwnAnswer, Start, Step, StepContext, StepProblem};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 
@@ -69,8 +69,13 @@ pub(super) fn touches(material: Material, at: &StepContext, assembled: &StepProb
     assembled.active.iter().map(|&k| Touch::new(material, &at.contacts()[k], mass, at.state, at.h)).collect()
 }
 
+/// The step of a convex law of the touching contacts.
+pub(super) fn step<P: Potential>(name: &str, material: Material, start: &Start, law: fn(Vec<Touch>) -> P) -> Result<Step> {
+    step_touching(start, &|at, assembled| answer(name, assembled, &law(touches(material, at, assembled)), at.mechanism.rows_per_contact()))
+}
+
 /// The minimum of a convex law's step; none without contact.
-pub(super) fn answer(name: &str, assembled: &StepProblem, potential: &dyn Potential, rows: usize) -> Result<Option<OwnAnswer>> {
+fn answer(name: &str, assembled: &StepProblem, potential: &dyn Potential, rows: usize) -> Result<Option<OwnAnswer>> {
     if assembled.active.is_empty() {
         return Ok(None);
     }

@@ -18,8 +18,7 @@
 //! Castro et al., *Irrotational contact fields* (2023), §IV.
 
 use super::primal_newton::Potential;
-use crate::drake::hunt_crossley::{answer, blocks, stacked, touches};
-use crate::drake::touching::step_touching;
+use crate::drake::hunt_crossley::{self, blocks, stacked};
 use crate::drake::{Material, Touch};
 use moreau_contact::solvers::ContactSolver;
 use moreau_dynamics::schemes::{Scheme, Start, Step};
@@ -62,10 +61,7 @@ impl Scheme for DrakeLagged {
     }
 
     fn step(&self, _solver: &dyn ContactSolver, start: &Start) -> Result<Step> {
-        step_touching(start, &|at, assembled| {
-            let law = Lagged(touches(self.material, at, assembled));
-            answer("drake-lagged", assembled, &law, at.mechanism.rows_per_contact())
-        })
+        hunt_crossley::step("drake-lagged", self.material, start, Lagged)
     }
 }
 

@@ -13,6 +13,7 @@
 
 use crate::tolerance::solvers::{LINE_STEPS, NEAR_MINIMUM};
 use moreau_contact::problem::Dynamics;
+use moreau_contact::solvers::LineRoot;
 use moreau_contact::tolerance::solvers::{NEWTON_STEPS, STOP};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -136,25 +137,8 @@ impl Step<'_> {
         while slope_and_curvature(high).0 < 0.0 {
             (low, high) = (high, 2.0 * high);
         }
-        let mut length = if low == 0.0 { 1.0 } else { low };
-        for _ in 0..LINE_STEPS {
-            let (here, curvature) = slope_and_curvature(length);
-            if here.abs() <= STOP * slope.abs() {
-                break;
-            }
-            if here < 0.0 {
-                low = length
-            } else {
-                high = length
-            }
-            let newton = length - here / curvature;
-            let middle = 0.5 * (low + high);
-            let next = if low < newton && newton < high { newton } else { middle };
-            if next <= low || next >= high {
-                break;
-            }
-            length = next;
-        }
-        Some(length)
+        let start = if low == 0.0 { 1.0 } else { low };
+        let root = LineRoot { low, high, start, limit: STOP * slope.abs(), evaluations: LINE_STEPS };
+        Some(root.find(slope_and_curvature))
     }
 }

@@ -37,14 +37,11 @@ impl ContactSolver for SemiAnalyticPrimal {
     }
 
     fn takes(&self, law: Law, _rows: usize, symmetric: bool) -> bool {
-        symmetric && matches!(law, Law::Frictionless | Law::Associated)
+        parts::takes_convex(law, symmetric)
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        if !matches!(problem.law(), Law::Frictionless | Law::Associated) {
-            return Err(parts::not_convex(NAME, problem.law()));
-        }
-        parts::require_symmetry(NAME, problem)?;
+        parts::require_convex(NAME, problem)?;
         let potential = Projection::of(problem)?;
         let dynamics = dynamics(problem);
         let start = parts::start(problem, warm_start)?;

@@ -18,8 +18,7 @@
 //! Castro et al., *Irrotational contact fields* (2023), §IV.
 
 use super::primal_newton::Potential;
-use crate::drake::hunt_crossley::{answer, blocks, stacked, touches};
-use crate::drake::touching::step_touching;
+use crate::drake::hunt_crossley::{self, blocks, stacked};
 use crate::drake::{Material, Touch};
 use moreau_contact::solvers::ContactSolver;
 use moreau_dynamics::schemes::{Scheme, Start, Step};
@@ -70,10 +69,7 @@ impl Scheme for DrakeSimilar {
     }
 
     fn step(&self, _solver: &dyn ContactSolver, start: &Start) -> Result<Step> {
-        step_touching(start, &|at, assembled| {
-            let law = Similar(touches(self.material, at, assembled));
-            answer("drake-similar", assembled, &law, at.mechanism.rows_per_contact())
-        })
+        hunt_crossley::step("drake-similar", self.material, start, Similar)
     }
 }
 

@@ -14,6 +14,7 @@ use crate::tolerance::energy_balance as tolerance;
 use moreau_checks::Finding;
 use moreau_contact::contact::delassus::MassFactor;
 use moreau_exact::Result;
+use moreau_exact::number::larger;
 use nalgebra::DVector;
 
 /// The reach of a motion from its start.
@@ -77,7 +78,7 @@ impl Reach {
             let squares = body.position.iter().zip(start).map(|(x, y)| (x - y).powi(2));
             squares.sum::<f64>().sqrt() * mass.sqrt()
         });
-        let farthest = gone.fold(0.0, |farthest: f64, gone| if gone.is_nan() || gone > farthest { gone } else { farthest });
+        let farthest = gone.fold(0.0, |farthest, gone| larger(gone, farthest));
         let size = distance + masses.iter().fold(0.0f64, |most, mass| most.max(*mass)).sqrt() * taken.before.position.amax();
         let tolerance = (tolerance::reach(self.steps) - 1.0) * size;
         Ok(Some(Finding::at_most_within(REACH, farthest, distance, tolerance, "√kg m")))

@@ -6,6 +6,7 @@
 //! Newton's method on φ' within a bracket; where it would leave the bracket, the bracket is halved, and doubled while it is open.
 
 use super::GaussProgram;
+use crate::solvers::LineRoot;
 use crate::tolerance::solvers::{LINE_SLOPE, ROOT_STEPS};
 use nalgebra::DVector;
 
@@ -16,31 +17,8 @@ pub fn exact_step(program: &GaussProgram, change: &DVector<f64>, direction: &DVe
     if start.is_nan() || start >= 0.0 {
         return 0.0;
     }
-    let (mut low, mut high, mut step) = (0.0, f64::INFINITY, 1.0);
-    for _ in 0..ROOT_STEPS {
-        let (slope, curvature) = line.slope(step);
-        if slope.abs() <= LINE_SLOPE * -start {
-            break;
-        }
-        if slope < 0.0 {
-            low = step
-        } else {
-            high = step
-        }
-        let newton = step - slope / curvature;
-        let next = if newton > low && newton < high {
-            newton
-        } else if high.is_finite() {
-            0.5 * (low + high)
-        } else {
-            2.0 * step
-        };
-        if next == step {
-            break;
-        }
-        step = next;
-    }
-    step
+    let root = LineRoot { low: 0.0, high: f64::INFINITY, start: 1.0, limit: LINE_SLOPE * -start, evaluations: ROOT_STEPS };
+    root.find(|step| line.slope(step))
 }
 
 struct Line<'a> {

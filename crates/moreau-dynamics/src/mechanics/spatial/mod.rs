@@ -21,6 +21,7 @@ mod touch;
 
 pub(in crate::mechanics) use features::sphere_box;
 pub(in crate::mechanics) use shape::Pose;
+pub(crate) use shape::box_moments;
 pub use shape::{Shape, SpatialBody};
 pub(in crate::mechanics) use touch::Touch;
 

@@ -29,6 +29,11 @@ impl Shape {
     }
 }
 
+/// m/3 (b² + c², a² + c², a² + b²) of a solid box with half extents a, b, c \[kg·m²\].
+pub(crate) fn box_moments(mass: f64, [a, b, c]: [f64; 3]) -> [f64; 3] {
+    [b * b + c * c, a * a + c * c, a * a + b * b].map(|sum| mass * sum / 3.0)
+}
+
 /// A rigid body in space.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpatialBody {
@@ -60,7 +65,7 @@ impl SpatialBody {
     pub fn solid(name: impl Into<String>, shape: Shape, mass: f64) -> Result<Self> {
         let moments = match shape {
             Shape::Sphere { radius } => [0.4 * mass * radius * radius; 3],
-            Shape::Box { half_extents: [a, b, c] } => [b * b + c * c, a * a + c * c, a * a + b * b].map(|sum| mass * sum / 3.0),
+            Shape::Box { half_extents } => box_moments(mass, half_extents),
         };
         SpatialBody::new(name, shape, mass, moments)
     }

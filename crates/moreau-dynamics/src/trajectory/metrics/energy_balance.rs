@@ -1,6 +1,7 @@
 //! Energy over a motion: E_k − E_0 and the largest gain in one step.
 
 use crate::trajectory::Recording;
+use moreau_exact::number::larger;
 
 /// What became of an energy over a recording.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,9 +18,7 @@ pub struct EnergyBalance {
 pub fn energy_balance(recording: &Recording, energy: impl Fn(&crate::mechanics::State) -> f64) -> EnergyBalance {
     let energies: Vec<f64> = recording.samples.iter().map(energy).collect();
     let initial = energies[0];
-    let largest = |values: &mut dyn Iterator<Item = f64>, start: f64| {
-        values.fold(start, |worst, value| if worst.is_nan() || value <= worst { worst } else { value })
-    };
+    let largest = |values: &mut dyn Iterator<Item = f64>, start: f64| values.fold(start, |worst, value| larger(value, worst));
     EnergyBalance {
         initial,
         drift: largest(&mut energies.iter().map(|e| (e - initial).abs()), 0.0),

@@ -1,13 +1,15 @@
 //! Deepest penetration max(0, −min φ) and largest gap max φ of a sampled gap.
 
+use moreau_exact::number::larger;
+
 /// max_k max(0, −φ_k) \[m\]; NaN if a gap is NaN.
 pub fn penetration(gaps: &[f64]) -> f64 {
-    gaps.iter().fold(0.0, |worst: f64, &gap| if worst.is_nan() || -gap <= worst { worst } else { -gap })
+    gaps.iter().fold(0.0, |worst, gap| larger(-gap, worst))
 }
 
 /// max_k φ_k \[m\], how far a body that should stay in contact hops; NaN if a gap is NaN, −∞ without samples.
 pub fn largest_gap(gaps: &[f64]) -> f64 {
-    gaps.iter().fold(f64::NEG_INFINITY, |worst, &gap| if worst.is_nan() || gap <= worst { worst } else { gap })
+    gaps.iter().fold(f64::NEG_INFINITY, |worst, &gap| larger(gap, worst))
 }
 
 #[cfg(test)]

@@ -1,9 +1,11 @@
 //! max_k |q_k − q(t_k)|, the largest position error at the sample times.
 
+use moreau_exact::number::larger;
+
 /// max_k |q_k − q(t_k)| \[m\] of samples q_k at times t_k against a reference motion; NaN if any error is NaN.
 pub fn position_sup(times: &[f64], positions: &[f64], reference: impl Fn(f64) -> f64) -> f64 {
     let errors = times.iter().zip(positions).map(|(&t, q)| (q - reference(t)).abs());
-    errors.fold(0.0, |worst, error| if worst.is_nan() || error <= worst { worst } else { error })
+    errors.fold(0.0, |worst, error| larger(error, worst))
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use crate::Bench;
 use crate::checks::motion::Sample;
 use crate::model::regularised::Foot;
+use crate::model::solid::box_moments;
 use moreau_forms::drake_sap::diagonal_mean;
 use nalgebra::{Matrix3, Vector3};
 
@@ -31,9 +32,7 @@ impl Feet {
             let sign = |bit: u8| if k & bit == 0 { 1.0 } else { -1.0 };
             (half - Vector3::repeat(radius)).component_mul(&Vector3::new(sign(1), sign(2), sign(4)))
         };
-        let square = half.component_mul(&half);
-        let moments = Vector3::new(square.y + square.z, square.z + square.x, square.x + square.y) * (mass / 3.0);
-        Feet { centres: (0..8).map(centre).collect(), radius, mass, moments }
+        Feet { centres: (0..8).map(centre).collect(), radius, mass, moments: box_moments(mass, half) }
     }
 
     /// The contacts of the step between two samples: those that are closed before it. Bodies of equal stiffness touch in the middle of the

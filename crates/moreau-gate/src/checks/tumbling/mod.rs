@@ -17,7 +17,7 @@ mod rest;
 mod scenes;
 
 use crate::check::{Control, Expected, Run};
-use crate::{Check, Level, Verdict};
+use crate::{Check, Level};
 
 /// The checks of the family.
 pub const CHECKS: &[Check] = &[
@@ -99,15 +99,11 @@ pub const CHECKS: &[Check] = &[
 
 /// The derived verdicts that are not `pass`.
 pub const EXPECTED: &[Expected] = &[
-    unsupported("stewart-trinkle", "tumbling/bouncing"),
-    unsupported("stewart-trinkle", "tumbling/rough"),
-    unsupported("anitescu", "tumbling/bouncing"),
-    unsupported("anitescu", "tumbling/rough"),
+    Expected::without_restitution("stewart-trinkle", "tumbling/bouncing"),
+    Expected::without_restitution("stewart-trinkle", "tumbling/rough"),
+    Expected::without_restitution("anitescu", "tumbling/bouncing"),
+    Expected::without_restitution("anitescu", "tumbling/rough"),
 ];
-
-const fn unsupported(scheme: &'static str, check: &'static str) -> Expected {
-    Expected { scheme, check, verdict: Verdict::Unsupported, why: "the scheme has no coefficient of restitution" }
-}
 
 #[cfg(test)]
 mod tests {

@@ -4,6 +4,7 @@ use crate::checks::motion::{Sample, samples};
 use crate::checks::scenery::{GRAVITY, worst};
 use crate::checks::tumbling::overlap::{Placed, overlap};
 use crate::checks::tumbling::scenes::Throw;
+use crate::model::solid::box_moments;
 use crate::{Bench, Reply};
 use moreau_dynamics::trajectory::ContactRecord;
 use nalgebra::Vector3;
@@ -21,9 +22,7 @@ pub(super) struct Solid {
 
 impl Solid {
     fn new(mass: f64, half: [f64; 3]) -> Self {
-        let square = Vector3::from(half).map(|half| half * half);
-        let moments = Vector3::new(square.y + square.z, square.z + square.x, square.x + square.y) * (mass / 3.0);
-        Solid { mass, moments, half }
+        Solid { mass, moments: box_moments(mass, half.into()), half }
     }
 
     /// Half the diagonal \[m\].

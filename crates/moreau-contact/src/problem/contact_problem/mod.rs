@@ -104,6 +104,14 @@ impl ContactProblem {
         self.compliance.as_ref()
     }
 
+    /// R of one contact row \[1/kg\], zero if the problem is hard or its compliance acts on edges.
+    pub fn row_compliance(&self, row: usize) -> f64 {
+        match &self.compliance {
+            Some(Compliance { coordinates: Coordinates::Contact, diagonal }) => diagonal[row],
+            _ => 0.0,
+        }
+    }
+
     /// M̂ and H, where known.
     pub fn dynamics(&self) -> Option<&Dynamics> {
         self.dynamics.as_ref()
