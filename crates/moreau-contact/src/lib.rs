@@ -9,7 +9,7 @@
 //!
 //! A block of 1 kg arrives at 1 m/s, slides at 2 m/s, μ = ½:
 //! ```
-//! use moreau_contact::nalgebra::{DMatrix, dvector};
+//! use moreau_contact::nalgebra::{self, DMatrix, dvector}; // the macro writes `nalgebra::`
 //! use moreau_contact::prelude::*;
 //!
 //! let problem = ContactProblem::new(DMatrix::identity(2, 2), dvector![-1.0, 2.0])

@@ -12,6 +12,7 @@ use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::schemes;
 use moreau_dynamics::schemes::{Activation, Anitescu, MoreauJean, Scheme, Step, StewartTrinkle};
 use moreau_dynamics::trajectory::{Recorder, Trajectory};
+use moreau_exact::error::Failure;
 use moreau_exact::{Error, Result};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -278,6 +279,8 @@ fn bounces(scene: &Scene) -> bool {
 fn refusal(error: Error) -> Refusal {
     match error {
         Error::Unsupported(reason) => Refusal::Unsupported(reason),
+        // not a problem for this solver: the engine cannot express the question
+        refused @ Error::Solver { failure: Failure::Refused, .. } => Refusal::unsupported(refused.to_string()),
         other => Refusal::errored(other),
     }
 }

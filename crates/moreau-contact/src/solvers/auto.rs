@@ -9,6 +9,7 @@ use super::{
 use crate::certificate::Judge;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::solvers::{self as tolerance, ACCEPTABLE, ENOUGH};
+use moreau_exact::error::Failure;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
@@ -182,6 +183,7 @@ impl ContactSolver for Auto {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+        super::start(problem, warm_start)?;
         let (mut judge, mut iterations) = (Judge::default(), 0);
         let mut best: Option<(f64, Solution)> = None;
         let mut failure = None;
@@ -213,7 +215,11 @@ impl ContactSolver for Auto {
                 let untried = if relative <= ACCEPTABLE { "" } else { left_out(problem) };
                 Ok(Solution { iterations, solver: solution.solver + untried, ..solution })
             }
-            (None, Some(Error::Solver { solver, failure, reason })) => Err(Error::solver(solver, failure, reason + left_out(problem))),
+            (None, Some(Error::Solver { solver, failure, reason })) => {
+                // one of several algorithms may refuse a problem; the chain takes them all, so that it breaks down
+                let failure = if failure == Failure::Refused { Failure::Breakdown } else { failure };
+                Err(Error::solver(solver, failure, reason + left_out(problem)))
+            }
             (None, Some(error)) => Err(error),
             (None, None) => {
                 let reason = "no algorithm gave an answer made of numbers; rescale the units of the problem";

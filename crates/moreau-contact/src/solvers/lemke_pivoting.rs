@@ -34,8 +34,10 @@ impl ContactSolver for LemkePivoting {
         rows <= 2 || !matches!(law, Law::Coulomb | Law::Associated)
     }
 
-    fn solve(&self, problem: &ContactProblem, _warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+    fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         let form = Form::of(problem)?;
+        // pivoting starts from nothing, but impulses of another problem are a mistake here too
+        super::start(problem, warm_start)?;
         let lcp = Scaled::new(&form.lcp(problem)?, form.scale(problem));
         let (mut judge, mut best, mut failure) = (Judge::default(), None::<(f64, Solution)>, None);
         for covering in lcp.coverings() {

@@ -8,10 +8,9 @@
 //! ```
 //! Several contacts hit at once with e > 0, and friction beside e > 0, have no theorem (`moreau::checks::energy_balance`).
 
-use super::{Inertia, Scheme, Start, Step, StepProblem};
+use super::{Certified, Inertia, Scheme, Start, Step, StepProblem};
 use crate::event_driven::{Collision, EventDriven};
 use crate::trajectory::LocatedImpact;
-use moreau_contact::solvers::ContactSolver;
 use moreau_exact::Result;
 use nalgebra::DMatrix;
 use std::sync::Arc;
@@ -28,7 +27,7 @@ impl Scheme for Events {
         "event-driven".into()
     }
 
-    fn step(&self, solver: &dyn ContactSolver, start: &Start) -> Result<Step> {
+    fn step(&self, solver: &Certified, start: &Start) -> Result<Step> {
         let Start { mechanism, state, h, .. } = *start;
         let motion = self.method.advance(solver, mechanism, state, h)?;
         let assembled = StepProblem {

@@ -1,13 +1,12 @@
 //! What a scheme is: one step of a state; and what a scheme is whose step is one contact problem.
 
-use super::certified::Rejected;
+use super::certified::{Certified, Rejected};
 use super::context::StepContext;
 use crate::mechanics::{Mechanism, State};
 use crate::trajectory::LocatedImpact;
 use moreau_contact::certificate::{Judgement, StepResidual};
 use moreau_contact::contact::{ContactImpulse, Inertia, Place};
 use moreau_contact::problem::{ContactProblem, Solution};
-use moreau_contact::solvers::ContactSolver;
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 use std::sync::Arc;
@@ -50,7 +49,7 @@ pub trait Scheme: Send + Sync {
     ///
     /// # Errors
     /// If the state, the step or the mechanism is outside the scheme's scope, or a contact problem has no answer.
-    fn step(&self, solver: &dyn ContactSolver, start: &Start) -> Result<Step>;
+    fn step(&self, solver: &Certified, start: &Start) -> Result<Step>;
     /// The scheme itself, if its step is one contact problem.
     fn waist(&self) -> Option<&dyn Waist> {
         None

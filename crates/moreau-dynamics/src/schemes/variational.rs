@@ -19,13 +19,12 @@
 //! # Source
 //! Chapter §8; Fetecau, Marsden, Ortiz and West, *Nonsmooth Lagrangian mechanics and variational collision integrators* (2003).
 
-use super::{Inertia, Scheme, Start, Step, StepContext, StepProblem};
+use super::{Certified, Inertia, Scheme, Start, Step, StepContext, StepProblem};
 use crate::event_driven::root::falling_root;
 use crate::mechanics::{Mechanism, State, afford};
 use moreau_contact::certificate::StepResidual;
 use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::contact::{Contact, ContactImpulse};
-use moreau_contact::solvers::ContactSolver;
 use moreau_contact::tolerance::certificate::CERTIFY;
 use moreau_exact::tolerance::rounding;
 use moreau_exact::{Error, Result};
@@ -193,7 +192,7 @@ impl Scheme for Variational {
         "variational".into()
     }
 
-    fn step(&self, _solver: &dyn ContactSolver, start: &Start) -> Result<Step> {
+    fn step(&self, _solver: &Certified, start: &Start) -> Result<Step> {
         let Start { mechanism, state, h, .. } = *start;
         StepContext::new(mechanism, state, h)?;
         step(mechanism, state, h)

@@ -8,6 +8,7 @@
 //! solving, certifying, warm starts and the choice of the candidates nearby are the same for all. Which schemes pass and which do not, and
 //! why, is in `docs/waist.md`.
 
+use super::certified::Certified;
 use super::context::StepContext;
 use super::nearby::Nearby;
 use super::scheme::{OwnAnswer, Start, Step, StepProblem, Waist};
@@ -33,7 +34,7 @@ macro_rules! passes_the_waist {
     () => {
         fn step(
             &self,
-            solver: &dyn ::moreau_contact::solvers::ContactSolver,
+            solver: &$crate::schemes::Certified,
             start: &$crate::schemes::Start,
         ) -> ::moreau_exact::Result<$crate::schemes::Step> {
             $crate::schemes::waist::step(self, solver, start)
@@ -56,6 +57,8 @@ pub struct Parts<'a> {
     pub assemble: &'a dyn Fn(&StepContext) -> Result<StepProblem>,
     /// Answers it; none without a contact.
     pub answer: &'a dyn Fn(&StepContext, &StepProblem) -> Result<Option<OwnAnswer>>,
+    /// Forgets what was found about an attempt that became no step.
+    pub discard: &'a dyn Fn(),
     /// The next configuration.
     pub advance: &'a Advance<'a>,
 }
@@ -64,7 +67,7 @@ pub struct Parts<'a> {
 ///
 /// # Errors
 /// Those of [`Waist::assemble`], [`Waist::settle`] and the solver.
-pub fn step(scheme: &dyn Waist, solver: &dyn ContactSolver, start: &Start) -> Result<Step> {
+pub fn step(scheme: &dyn Waist, solver: &Certified, start: &Start) -> Result<Step> {
     let answer = |at: &StepContext, assembled: &StepProblem| {
         let Some(problem) = &assembled.problem else { return Ok(None) };
         let warm = carry_over(start.previous, &assembled.active, &assembled.places, at.mechanism.rows_per_contact());
@@ -72,7 +75,10 @@ pub fn step(scheme: &dyn Waist, solver: &dyn ContactSolver, start: &Start) -> Re
     };
     let advance =
         |at: &StepContext, assembled: &StepProblem, velocity: &DVector<f64>| scheme.settle(at, assembled, scheme.advance(at, velocity));
-    step_in_parts(start, &Parts { assemble: &|at| scheme.assemble(at), answer: &answer, advance: &advance })
+    step_in_parts(
+        start,
+        &Parts { assemble: &|at| scheme.assemble(at), answer: &answer, discard: &|| drop(solver.take()), advance: &advance },
+    )
 }
 
 /// A step in its parts, with the contact candidates nearby: as many as the velocities before, without contact and after it can reach.
@@ -93,6 +99,7 @@ pub fn step_in_parts(start: &Start, parts: &Parts) -> Result<Step> {
         let assembled = (parts.assemble)(&at)?;
         let needed = mechanism.reach(&state.velocity, h).max(mechanism.reach(&assembled.free_velocity, h));
         if needed > reach {
+            (parts.discard)();
             reach = 2.0 * needed;
             continue;
         }
@@ -100,6 +107,7 @@ pub fn step_in_parts(start: &Start, parts: &Parts) -> Result<Step> {
         let needed = mechanism.reach(&step.state.velocity, h);
         // A bound that is not a number bounds nothing; what it comes from is refused by the next step.
         if needed > reach {
+            (parts.discard)();
             reach = 2.0 * needed;
         } else {
             return Ok(step);
@@ -142,6 +150,51 @@ pub fn carry_over(previous: &[ContactImpulse], active: &[usize], places: &[Optio
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scenes::Scene;
+    use crate::schemes::{Anitescu, step};
+    use moreau_contact::problem::{ContactProblem, Law};
+    use moreau_contact::solvers::Auto;
+
+    /// Answers a single contact a thousandth too hard, which its certificate rejects, and everything else well.
+    struct WrongAlone;
+
+    impl ContactSolver for WrongAlone {
+        fn name(&self) -> &'static str {
+            "wrong alone"
+        }
+
+        fn takes(&self, law: Law, rows: usize, symmetric: bool) -> bool {
+            Auto.takes(law, rows, symmetric)
+        }
+
+        fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+            let mut solution = Auto.solve(problem, warm_start)?;
+            if problem.contacts() == 1 {
+                solution.impulse *= 1.001;
+                solution.velocity = problem.velocity(&solution.impulse);
+            }
+            Ok(solution)
+        }
+    }
+
+    /// Two spheres that overlap by 5 cm, and `third`: a sphere 3 cm above them, which only the pushed one reaches.
+    fn pushed(third: bool) -> Step {
+        let sphere =
+            |name: &str, z: f64| format!(r#"{{"name": "{name}", "mass": 1, "position": [0, 0, {z}], "sphere": {{"radius": 0.1}}}}"#);
+        let mut bodies = vec![sphere("low", 1.0), sphere("high", 1.15)];
+        bodies.extend(third.then(|| sphere("above", 1.38)));
+        let text = format!(r#"{{"schema": "scene/1", "name": "pushed", "duration": 1, "bodies": [{}]}}"#, bodies.join(", "));
+        let (mechanism, start) = Scene::from_json(&text).expect("a scene").spatial_mechanism().expect("spheres");
+        step(&Anitescu, &WrongAlone, mechanism.as_ref(), &start, 0.001).expect("solved")
+    }
+
+    #[test]
+    fn an_attempt_that_became_no_step_is_not_judged() {
+        assert!(pushed(false).rejected.is_some(), "alone the wrong answer is the step's");
+        let step = pushed(true);
+        assert_eq!(step.assembled.active.len(), 2, "the pushed sphere reaches the third one");
+        assert!(step.rejected.is_none() && step.residual.is_some_and(|residual| residual.is_accepted()), "{:?}", step.residual);
+    }
 
     #[test]
     fn impulses_follow_their_contact_and_new_contacts_start_from_zero() {

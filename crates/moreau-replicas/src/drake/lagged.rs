@@ -20,8 +20,7 @@
 use super::primal_newton::Potential;
 use crate::drake::hunt_crossley::{self, blocks, stacked};
 use crate::drake::{Material, Touch};
-use moreau_contact::solvers::ContactSolver;
-use moreau_dynamics::schemes::{Scheme, Start, Step};
+use moreau_dynamics::schemes::{Certified, Scheme, Start, Step};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 
@@ -60,7 +59,7 @@ impl Scheme for DrakeLagged {
         false
     }
 
-    fn step(&self, _solver: &dyn ContactSolver, start: &Start) -> Result<Step> {
+    fn step(&self, _solver: &Certified, start: &Start) -> Result<Step> {
         hunt_crossley::step("drake-lagged", self.material, start, Lagged)
     }
 }

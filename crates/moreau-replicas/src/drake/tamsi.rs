@@ -26,9 +26,8 @@ use crate::drake::touching::{own_answer, step_touching};
 use crate::drake::{Material, Touch};
 use crate::tolerance::solvers::{LINE_STEPS, NEAR_MINIMUM};
 use moreau_contact::problem::Solution;
-use moreau_contact::solvers::ContactSolver;
 use moreau_contact::tolerance::solvers::{NEWTON_STEPS, STOP};
-use moreau_dynamics::schemes::{OwnAnswer, Scheme, Start, Step, StepContext, StepProblem};
+use moreau_dynamics::schemes::{Certified, OwnAnswer, Scheme, Start, Step, StepContext, StepProblem};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -136,7 +135,7 @@ impl Scheme for DrakeTamsi {
         false
     }
 
-    fn step(&self, _solver: &dyn ContactSolver, start: &Start) -> Result<Step> {
+    fn step(&self, _solver: &Certified, start: &Start) -> Result<Step> {
         step_touching(start, &|at, assembled| self.answer(at, assembled))
     }
 }

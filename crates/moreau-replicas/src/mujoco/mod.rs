@@ -46,9 +46,8 @@ pub use softness::Softness;
 use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::contact::{Contact, pairs};
 use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Law};
-use moreau_contact::solvers::ContactSolver;
 use moreau_dynamics::mechanics::Mechanism;
-use moreau_dynamics::schemes::{Inertia, Scheme, Start, Step, StepContext, StepProblem, Waist, waist};
+use moreau_dynamics::schemes::{Certified, Inertia, Scheme, Start, Step, StepContext, StepProblem, Waist, waist};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 use parameters::Soft;
@@ -169,7 +168,7 @@ impl Scheme for Mujoco {
     }
 
     /// Euler's step without friction against rotation passes the waist; the others are not one problem of three rows a contact.
-    fn step(&self, solver: &dyn ContactSolver, start: &Start) -> Result<Step> {
+    fn step(&self, solver: &Certified, start: &Start) -> Result<Step> {
         match self.waist() {
             Some(waist) => waist::step(waist, solver, start),
             None => self.integrate(solver, start),

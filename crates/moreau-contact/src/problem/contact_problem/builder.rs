@@ -6,7 +6,7 @@ use crate::contact::delassus::delassus;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
-/// The pieces of a [`ContactProblem`]. What is not said is: no name, Coulomb's law, three rows per contact, no friction, no shift, hard
+/// The pieces of a [`ContactProblem`]. What is not said is: no name, Coulomb's law, three rows per contact, no shift, hard
 /// contacts, unknown mass, unknown bodies.
 #[derive(Debug)]
 #[must_use = "a problem is made by `build`"]
@@ -101,6 +101,27 @@ impl ContactProblem {
     }
 }
 
+/// μ of every contact of so many rows: as given, or 0 where the law or the rows leave no friction.
+fn friction(given: Option<Vec<f64>>, law: Law, size: usize, rows: usize) -> Result<Vec<f64>> {
+    let contacts = size.checked_div(rows).unwrap_or(0);
+    if rows > 0 && !size.is_multiple_of(rows) {
+        let cure = format!("it is a multiple of `rows_per_contact`, which is {rows}; say how many rows a contact has");
+        return Err(Error::invalid("free_velocity", format!("has size {size}"), cure));
+    }
+    match given {
+        Some(friction) if friction.len() != contacts => {
+            let cure = format!("{size} rows at {rows} per contact need {contacts}; check `rows_per_contact`, too");
+            Err(Error::invalid("friction", format!("has {} entries", friction.len()), cure))
+        }
+        Some(friction) => Ok(friction),
+        None if law == Law::Frictionless || rows < 2 || contacts == 0 => Ok(vec![0.0; contacts]),
+        None => {
+            let problem = format!("is missing, and the law is `{}`", law.name());
+            Err(Error::invalid("friction", problem, format!("give {contacts} numbers μ ≥ 0, 0 for a contact without friction")))
+        }
+    }
+}
+
 /// H v_free.
 fn contact_velocity(jacobian: &DMatrix<f64>, free_motion: &DVector<f64>) -> Result<DVector<f64>> {
     if free_motion.len() == jacobian.ncols() {
@@ -174,7 +195,8 @@ impl ContactProblemBuilder {
         self
     }
 
-    /// The mass and Jacobian that W came from, or `None`.
+    /// The mass and Jacobian that W came from, or `None`. They are believed, not compared with W: [`ContactProblem::from_dynamics`]
+    /// makes W of them.
     pub fn dynamics(mut self, dynamics: impl Into<Option<Dynamics>>) -> Self {
         self.dynamics = dynamics.into();
         self
@@ -192,8 +214,7 @@ impl ContactProblemBuilder {
     /// [`Error::Invalid`] names the first field whose size, number or sign does not fit, with the cure.
     pub fn build(self) -> Result<ContactProblem> {
         let (delassus, free_velocity) = (self.delassus?, self.free_velocity?);
-        let contacts = || free_velocity.len().checked_div(self.rows_per_contact).unwrap_or(0);
-        let friction = self.friction.unwrap_or_else(|| vec![0.0; contacts()]);
+        let friction = friction(self.friction, self.law, free_velocity.len(), self.rows_per_contact)?;
         let shift = self.shift.unwrap_or_else(|| DVector::zeros(free_velocity.len()));
         let problem = ContactProblem {
             name: self.name,

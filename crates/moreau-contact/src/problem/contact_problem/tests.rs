@@ -5,11 +5,11 @@ use moreau_exact::Result;
 use nalgebra::{dmatrix, dvector};
 
 fn point() -> ContactProblemBuilder {
-    ContactProblem::new(DMatrix::identity(3, 3), dvector![-1.0, 2.0, 0.0])
+    ContactProblem::new(DMatrix::identity(3, 3), dvector![-1.0, 2.0, 0.0]).friction(vec![0.0])
 }
 
 #[test]
-fn what_is_not_said_is_hard_spatial_and_without_friction() {
+fn what_is_not_said_is_hard_and_spatial() {
     let problem = point().build().unwrap();
     assert_eq!((problem.rows_per_contact(), problem.contacts(), problem.law(), problem.name()), (3, 1, Law::Coulomb, ""));
     assert_eq!((problem.friction(), problem.shift()), (&[0.0][..], &DVector::zeros(3)));
@@ -20,7 +20,8 @@ fn what_is_not_said_is_hard_spatial_and_without_friction() {
 #[test]
 fn w_and_the_free_velocity_follow_from_mass_jacobian_and_free_motion() {
     let (mass, jacobian) = (dmatrix![2.0, 0.0; 0.0, 4.0], dmatrix![1.0, 1.0; 0.0, 2.0]);
-    let problem = ContactProblem::from_dynamics(mass.clone(), jacobian.clone(), &dvector![-1.0, 3.0]).rows_per_contact(2).build().unwrap();
+    let problem = ContactProblem::from_dynamics(mass.clone(), jacobian.clone(), &dvector![-1.0, 3.0]);
+    let problem = problem.rows_per_contact(2).friction(vec![0.5]).build().unwrap();
     assert_eq!((problem.dense(), problem.free_velocity()), (&dmatrix![0.75, 0.5; 0.5, 1.0], &dvector![2.0, 6.0]));
     assert_eq!(problem.dynamics(), Some(&Dynamics { mass, jacobian }));
 }
@@ -28,7 +29,7 @@ fn w_and_the_free_velocity_follow_from_mass_jacobian_and_free_motion() {
 #[test]
 fn the_operator_is_the_same_by_entry_block_column_and_effect() {
     let w = DMatrix::from_fn(4, 4, |i, j| (1 + 4 * i + j) as f64);
-    let problem = ContactProblem::new(w.clone(), DVector::zeros(4)).rows_per_contact(2).build().unwrap();
+    let problem = ContactProblem::new(w.clone(), DVector::zeros(4)).rows_per_contact(2).friction(vec![0.5; 2]).build().unwrap();
     let impulse = dvector![1.0, -2.0, 0.5, 0.0];
     let mut columns = vec![0.0; 4];
     impulse.iter().enumerate().for_each(|(j, r)| problem.add_column(j, *r, &mut columns));
@@ -45,7 +46,9 @@ fn no_problem_is_built_that_cannot_be_meant() {
     let diagonal = |entries: &[f64]| Compliance { coordinates: Coordinates::Contact, diagonal: DVector::from_row_slice(entries) };
     refused(point().rows_per_contact(0).build(), "dimension");
     refused(point().rows_per_contact(2).build(), "free_velocity");
-    refused(point().friction(vec![0.5; 2]).build(), "free_velocity");
+    refused(point().friction(vec![0.5; 2]).build(), "friction");
+    refused(ContactProblem::new(DMatrix::identity(3, 3), dvector![-1.0, 2.0, 0.0]).build(), "friction");
+    assert!(ContactProblem::new(DMatrix::identity(3, 3), dvector![-1.0, 2.0, 0.0]).law(Law::Frictionless).build().is_ok());
     refused(point().shift(DVector::zeros(2)).build(), "shift");
     refused(point().delassus(DMatrix::zeros(3, 2)).build(), "delassus");
     refused(point().delassus(DMatrix::from_element(3, 3, f64::NAN)).build(), "delassus[0]");

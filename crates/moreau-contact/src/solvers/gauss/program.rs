@@ -49,6 +49,9 @@ impl GaussProgram {
     /// # Errors
     /// [`Error::Solver`] in the name of `solver` if the law is not convex, a row is hard or mass and Jacobian are not known.
     pub fn of_problem(solver: &str, problem: &ContactProblem) -> Result<Self> {
+        if !problem.law().is_convex() {
+            return Err(super::super::not_convex(solver, problem.law()));
+        }
         super::super::require_symmetry(solver, problem)?;
         let dynamics = problem.dynamics().ok_or_else(|| Error::refused(solver, "needs mass and jacobian, not only W; use `clarabel`"))?;
         let map = rows_of(problem);

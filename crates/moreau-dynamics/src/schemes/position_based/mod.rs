@@ -18,12 +18,11 @@
 //! (`moreau::checks::energy_balance`).
 
 use super::assembly::normal_only;
-use super::{Scheme, Start, Step, StepContext, StepProblem};
+use super::{Certified, Scheme, Start, Step, StepContext, StepProblem};
 use crate::mechanics::State;
 use crate::tolerance::limits::SWEEPS;
 use moreau_contact::contact::{ContactImpulse, pairs};
 use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Law};
-use moreau_contact::solvers::ContactSolver;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use sweeps::{Held, Positions};
@@ -102,7 +101,7 @@ impl Scheme for PositionBased {
         true
     }
 
-    fn step(&self, _solver: &dyn ContactSolver, start: &Start) -> Result<Step> {
+    fn step(&self, _solver: &Certified, start: &Start) -> Result<Step> {
         self.swept(&StepContext::new(start.mechanism, start.state, start.h)?)
     }
 }
@@ -192,7 +191,7 @@ mod tests {
     use crate::mechanics::{BallChain, PointMass};
     use crate::scenes::Scene;
     use crate::schemes::{simulate, step};
-    use moreau_contact::solvers::{Auto, ProjectedGaussSeidel};
+    use moreau_contact::solvers::{Auto, ContactSolver, ProjectedGaussSeidel};
     use moreau_exact::tolerance::rounding;
     use moreau_forms::PositionBasedContact;
     use nalgebra::dvector;

@@ -341,5 +341,5 @@ fn text(file: &impl Serialize) -> String {
 }
 
 #[cfg(test)]
-#[path = "json_tests.rs"]
+#[path = "../json_tests.rs"]
 mod tests;
