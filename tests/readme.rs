@@ -254,6 +254,28 @@ fn the_evidence_of_every_decision_exists() {
 }
 
 #[test]
+fn every_term_of_the_glossary_names_a_type_that_its_file_defines() {
+    let text = read(&root().join("docs/glossary.md"));
+    let defines = |line: &str, name: &str| {
+        let defined = ["struct", "enum", "trait", "fn", "type"].map(|kind| format!("pub {kind} {name}"));
+        defined.iter().any(|start| {
+            line.trim()
+                .strip_prefix(start.as_str())
+                .is_some_and(|rest| !rest.starts_with(|next: char| next.is_alphanumeric() || next == '_'))
+        })
+    };
+    let mut types = Vec::new();
+    for row in text.lines().filter(|line| line.starts_with("| ") && line.contains(".rs`: `")) {
+        let (place, name) = row.rsplit_once("`: `").expect("a file and a type");
+        let (file, name) = (place.rsplit('`').next().expect("a file"), name.trim_end_matches("` |"));
+        let source = read(&here(file));
+        assert!(source.lines().any(|line| defines(line, name)), "docs/glossary.md: {file} does not define {name}");
+        types.push(name.to_string());
+    }
+    assert!(types.len() > 20, "{types:?}");
+}
+
+#[test]
 fn the_citation_names_this_version() {
     let citation = read(&root().join("CITATION.cff"));
     let version = format!("version: {}", env!("CARGO_PKG_VERSION"));

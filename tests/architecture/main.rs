@@ -2,6 +2,7 @@
 
 mod circles;
 mod modules;
+mod second;
 mod source;
 
 use source::{imports, names_after, small_literals, strip, without_tests};

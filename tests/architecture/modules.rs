@@ -100,8 +100,9 @@ impl Modules {
                     let public = before == "pub" || before == ")";
                     at = group(&tokens, at + 1, &[], &mut |path, name| scope.imports.push(Import { path, name, public }));
                 }
-                "fn" | "struct" | "enum" | "trait" | "type" | "const" | "static" if is_word(next) => {
-                    if top && !matches!(before, "<" | "," | "'" | "*") && !matches!(next, "fn" | "unsafe") {
+                word if is_item(word) && is_word(next) => {
+                    let named = top && !matches!(before, "<" | "," | "'" | "*") && !matches!(next, "fn" | "unsafe");
+                    if named {
                         scope.items.insert(next.into());
                         at += 1;
                     }
@@ -224,6 +225,11 @@ fn group(tokens: &[&str], mut at: usize, before: &[String], tell: &mut impl FnMu
         }
         at += 1;
     }
+}
+
+/// Whether a name follows this word where an item begins.
+fn is_item(word: &str) -> bool {
+    matches!(word, "fn" | "struct" | "enum" | "trait" | "type" | "const" | "static")
 }
 
 fn is_word(token: &str) -> bool {

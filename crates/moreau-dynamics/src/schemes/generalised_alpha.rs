@@ -13,7 +13,7 @@
 //! Linear forces −K q − C v are implicit, others are taken at the start of the step. With c = (1−α_m)/(1−α_f) and S = c M + h² β K + h γ C
 //! the impulse acts through M̂ = M A⁻¹ S, A = c M + h² (β − γ/2) K, which is symmetric if the damping is proportional.
 //!
-//! [`Scheme::assemble`] alone makes a first step, from a = M⁻¹F(q, v); [`super::run`] carries a from step to step.
+//! [`Waist::assemble`] alone makes a first step, from a = M⁻¹F(q, v); [`super::run`] carries a from step to step.
 //!
 //! # Energy
 //! ```text

@@ -1,4 +1,5 @@
-//! The waist: a step that is one [`ContactProblem`], and the adapter that makes a [`Scheme`](super::Scheme) of whoever poses it.
+//! The waist: a step that is one [`ContactProblem`](moreau_contact::ContactProblem), and the adapter that makes a
+//! [`Scheme`](super::Scheme) of whoever poses it.
 //!
 //! ```text
 //!     v⁺ = v_free + M̂⁻¹Hᵀr ,   q⁺ = q ⊕ h v̄(v, v⁺)
@@ -46,6 +47,9 @@ macro_rules! passes_the_waist {
 
 pub use passes_the_waist;
 
+/// The configuration after a step, from the velocity after it.
+type Advance<'a> = dyn Fn(&StepContext, &StepProblem, &DVector<f64>) -> Result<DVector<f64>> + 'a;
+
 /// The parts of a step that poses one problem, whoever answers it.
 pub struct Parts<'a> {
     /// Poses it.
@@ -53,7 +57,7 @@ pub struct Parts<'a> {
     /// Answers it; none without a contact.
     pub answer: &'a dyn Fn(&StepContext, &StepProblem) -> Result<Option<OwnAnswer>>,
     /// The next configuration.
-    pub advance: &'a dyn Fn(&StepContext, &StepProblem, &DVector<f64>) -> Result<DVector<f64>>,
+    pub advance: &'a Advance<'a>,
 }
 
 /// A step through the waist: a solver answers what the scheme poses, starting from the impulses of the step before.

@@ -23,7 +23,7 @@ impl Trajectory {
     /// The samples of a recording, body by body through [`Mechanism::bodies`], and the impulses between them.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if the recording and the scene do not fit together.
+    /// [`moreau_exact::Error::Invalid`] if the recording and the scene do not fit together.
     pub fn from_recording(recording: &Recording, mechanism: &dyn Mechanism, scene: &Scene, engine: Engine) -> Result<Self> {
         let mut recorder = Recorder::new(mechanism, scene, engine, recording.time_step, 1, &recording.samples[0]);
         for (state, impulses) in recording.samples[1..].iter().zip(&recording.impulses) {

@@ -10,9 +10,9 @@
 //! law in `law.rs`, of the total energy in `total.rs`, of rotation in `gyroscopic.rs`, of linear forces (M̂ ≠ M) in `linear.rs`, of schemes
 //! without a contact problem in `own.rs`, of distances in [`reach`].
 //!
-//! A balance takes one step as it was made: the state before, the [`Step`], the mechanism and h. It takes H and M̂ from the step, the
-//! impulses that the step reports, and everything else – the shift, the force, the energies – from the mechanism. Where no theorem bounds a
-//! quantity there is no finding on it.
+//! A balance takes one step as it was made: the state before, the [`Step`](moreau_dynamics::schemes::Step), the mechanism and h. It takes H
+//! and M̂ from the step, the impulses that the step reports, and everything else – the shift, the force, the energies – from the mechanism.
+//! Where no theorem bounds a quantity there is no finding on it.
 //!
 //! A step whose residual is too large for the certificate is told by the finding [`RESIDUAL`]; the other findings hold for it all the same,
 //! with its w.

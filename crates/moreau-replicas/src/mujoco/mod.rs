@@ -63,7 +63,7 @@ impl Mujoco {
     /// Checks softness and lengths.
     ///
     /// # Errors
-    /// [`Error::Invalid`] names the number that cannot be meant.
+    /// [`moreau_exact::Error::Invalid`] names the number that cannot be meant.
     pub fn validate(&self) -> Result<()> {
         self.softness.validate()?;
         self.rotational.validate()

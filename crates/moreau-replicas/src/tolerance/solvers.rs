@@ -8,7 +8,8 @@ pub const NEAR_MINIMUM: f64 = 1.0 / 67_108_864.0;
 /// Steps of its line search: bisection alone halves a bracket 53 times until its ends are neighbours.
 pub const LINE_STEPS: usize = 2 * 53;
 
-/// Steps of conjugate gradients: on a quadratic with condition κ ≤ 10⁶ an error falls by e⁻²⁸ = [`STOP`] in 14 √κ = 14 000.
+/// Steps of conjugate gradients: on a quadratic with condition κ ≤ 10⁶ an error falls by e⁻²⁸ =
+/// [`STOP`](moreau_contact::tolerance::solvers::STOP) in 14 √κ = 14 000.
 pub const CONJUGATE_STEPS: usize = 14_000;
 
 /// The same for conjugate gradients, whose gradient does not fall in every step: nv directions make one round, and nv is about 100 at
