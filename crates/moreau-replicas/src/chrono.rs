@@ -59,14 +59,6 @@ impl Chrono {
 }
 
 impl Rules for Chrono {
-    fn theta(&self) -> f64 {
-        0.0
-    }
-
-    fn is_active(&self, _candidate: &Candidate, _h: f64) -> bool {
-        true
-    }
-
     fn shift(&self, candidate: &Candidate, h: f64) -> DVector<f64> {
         let gap = candidate.contact.gap;
         let reversed = candidate.contact.restitution * candidate.velocity[0];

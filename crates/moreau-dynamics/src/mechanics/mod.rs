@@ -60,6 +60,31 @@ pub struct BodyState {
     pub angular_velocity: [f64; 3],
 }
 
+/// The questions that a mechanism around another one answers as that one does, whatever it changes of the contacts and the forces:
+/// `answers_as!(self, mechanism)` in an `impl Mechanism`. Whoever uses it depends on the crate `delegate`.
+#[macro_export]
+macro_rules! answers_as {
+    ($me:ident, $inner:ident) => {
+        ::delegate::delegate! {
+            to $me.$inner {
+                fn name(&$me) -> &str;
+                fn degrees_of_freedom(&$me) -> usize;
+                fn rows_per_contact(&$me) -> usize;
+                fn mass_matrix(&$me, position: &::nalgebra::DVector<f64>) -> ::nalgebra::DMatrix<f64>;
+                fn force(&$me, position: &::nalgebra::DVector<f64>, velocity: &::nalgebra::DVector<f64>) -> ::nalgebra::DVector<f64>;
+                fn potential_energy(&$me, position: &::nalgebra::DVector<f64>) -> f64;
+                fn bodies(
+                    &$me,
+                    position: &::nalgebra::DVector<f64>,
+                    velocity: &::nalgebra::DVector<f64>,
+                ) -> Vec<$crate::mechanics::BodyState>;
+            }
+        }
+    };
+}
+
+pub use answers_as;
+
 /// A mechanical system with contacts: everything a scheme may know of it.
 pub trait Mechanism: Send + Sync {
     /// A short name.

@@ -27,14 +27,6 @@ use nalgebra::DVector;
 pub struct Anitescu;
 
 impl Rules for Anitescu {
-    fn theta(&self) -> f64 {
-        0.0
-    }
-
-    fn is_active(&self, _candidate: &Candidate, _h: f64) -> bool {
-        true
-    }
-
     fn shift(&self, candidate: &Candidate, h: f64) -> DVector<f64> {
         normal_only(candidate.contact.gap / h, candidate.velocity.len())
     }

@@ -23,10 +23,15 @@ pub struct Candidate<'a> {
 
 /// What distinguishes one scheme from another in the assembly.
 pub trait Rules {
-    /// θ of the linear forces.
-    fn theta(&self) -> f64;
-    /// Whether the step holds this contact.
-    fn is_active(&self, candidate: &Candidate, h: f64) -> bool;
+    /// θ of the linear forces; explicit unless told otherwise.
+    fn theta(&self) -> f64 {
+        0.0
+    }
+    /// Whether the step holds this contact; every one unless told otherwise.
+    fn is_active(&self, candidate: &Candidate, h: f64) -> bool {
+        let _ = (candidate, h);
+        true
+    }
     /// What the law adds to u, one entry per row \[m/s\].
     fn shift(&self, candidate: &Candidate, h: f64) -> DVector<f64>;
     /// The contact law for contacts with this many rows.

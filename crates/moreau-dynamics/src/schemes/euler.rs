@@ -40,10 +40,6 @@ impl Euler {
 }
 
 impl Rules for Euler {
-    fn theta(&self) -> f64 {
-        0.0
-    }
-
     fn is_active(&self, candidate: &Candidate, _h: f64) -> bool {
         candidate.contact.gap <= 0.0
     }

@@ -8,7 +8,7 @@
 //! the answer without them is an answer with them. And φ + λ h u_n > 0 for λ ≤ 1 and u at v or v_free: no activation rule of
 //! Moreau–Jean would have taken them.
 
-use crate::mechanics::{BodyState, LinearForce, Mechanism, State};
+use crate::mechanics::{LinearForce, Mechanism, State, answers_as};
 use delegate::delegate;
 use moreau_contact::contact::Contact;
 use moreau_exact::Result;
@@ -23,13 +23,10 @@ pub(super) struct Nearby<'a> {
 }
 
 impl Mechanism for Nearby<'_> {
+    answers_as!(self, mechanism);
+
     delegate! {
         to self.mechanism {
-            fn name(&self) -> &str;
-            fn degrees_of_freedom(&self) -> usize;
-            fn rows_per_contact(&self) -> usize;
-            fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64>;
-            fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64>;
             fn mean_force(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64>;
             fn check_speed(&self, velocity: &DVector<f64>, h: f64) -> Result<()>;
             fn most_candidates(&self) -> Option<usize>;
@@ -40,10 +37,8 @@ impl Mechanism for Nearby<'_> {
             fn contact_rotation(&self, position: &DVector<f64>, contact: &Contact) -> Option<DMatrix<f64>>;
             fn gyroscopic_slope(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Option<DMatrix<f64>>;
             fn reach(&self, velocity: &DVector<f64>, h: f64) -> f64;
-            fn potential_energy(&self, position: &DVector<f64>) -> f64;
             fn linear_force(&self) -> Option<LinearForce>;
             fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64>;
-            fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState>;
             fn kinetic_energy(&self, state: &State) -> f64;
         }
     }

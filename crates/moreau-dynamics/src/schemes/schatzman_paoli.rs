@@ -33,14 +33,6 @@ use nalgebra::DVector;
 pub struct SchatzmanPaoli;
 
 impl Rules for SchatzmanPaoli {
-    fn theta(&self) -> f64 {
-        0.0
-    }
-
-    fn is_active(&self, _candidate: &Candidate, _h: f64) -> bool {
-        true
-    }
-
     fn shift(&self, candidate: &Candidate, h: f64) -> DVector<f64> {
         let restitution = candidate.contact.restitution;
         normal_only((1.0 + restitution) * candidate.contact.gap / h - restitution * candidate.velocity[0], candidate.velocity.len())

@@ -153,10 +153,6 @@ impl Bullet {
 }
 
 impl Rules for Bullet {
-    fn theta(&self) -> f64 {
-        0.0
-    }
-
     fn is_active(&self, candidate: &Candidate, _h: f64) -> bool {
         candidate.contact.gap <= self.margin
     }

@@ -14,12 +14,11 @@
 use crate::bullet::SequentialImpulses;
 use crate::bullet::{BREAKING_THRESHOLD, Bodies, Bullet, Friction};
 use crate::tolerance::references::bullet_step;
-use delegate::delegate;
 use moreau_contact::contact::frame::spatial_tangents;
 use moreau_contact::contact::{Contact, Place};
 use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::ContactSolver;
-use moreau_dynamics::mechanics::{BodyState, Mechanism, State};
+use moreau_dynamics::mechanics::{Mechanism, State, answers_as};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::schemes::step;
 use moreau_exact::{Error, Result};
@@ -349,17 +348,10 @@ impl Seen<'_> {
 }
 
 impl Mechanism for Seen<'_> {
-    delegate! {
-        to self.mechanism {
-            fn name(&self) -> &str;
-            fn degrees_of_freedom(&self) -> usize;
-            fn rows_per_contact(&self) -> usize;
-            fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64>;
-            fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64>;
-            fn potential_energy(&self, position: &DVector<f64>) -> f64;
-            fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64>;
-            fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState>;
-        }
+    answers_as!(self, mechanism);
+
+    fn integrate(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {
+        self.mechanism.integrate(position, velocity, h)
     }
 
     fn mean_force(&self, position: &DVector<f64>, velocity: &DVector<f64>, h: f64) -> DVector<f64> {

@@ -46,10 +46,6 @@ impl DrakeSap {
 }
 
 impl Rules for DrakeSap {
-    fn theta(&self) -> f64 {
-        0.0
-    }
-
     fn is_active(&self, candidate: &Candidate, _h: f64) -> bool {
         candidate.contact.gap < 0.0
     }

@@ -12,13 +12,14 @@
 //! never one with contact.
 
 use crate::tolerance::references::{siconos_double_sum, siconos_run, siconos_step};
-use delegate::delegate;
 use moreau_contact::contact::Contact;
 use moreau_contact::solvers::{Auto, ContactSolver, LemkePivoting};
-use moreau_dynamics::mechanics::{BallChain, BeadInCircle, BodyState, LinearForce, Mechanism, OscillatorWithStop, Plane, PointMass, State};
+use moreau_dynamics::mechanics::{
+    BallChain, BeadInCircle, LinearForce, Mechanism, OscillatorWithStop, Plane, PointMass, State, answers_as,
+};
 use moreau_dynamics::schemes::{MoreauJean, MoreauJeanProjection, SchatzmanPaoli, Scheme, step};
 use moreau_exact::{Error, Result};
-use nalgebra::{DMatrix, DVector, dvector};
+use nalgebra::{DVector, dvector};
 use serde::Deserialize;
 
 /// A run of Siconos, format `siconos-steps/1`.
@@ -268,17 +269,10 @@ struct Ahead {
 }
 
 impl Mechanism for Ahead {
-    delegate! {
-        to self.mechanism {
-            fn name(&self) -> &str;
-            fn degrees_of_freedom(&self) -> usize;
-            fn rows_per_contact(&self) -> usize;
-            fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64>;
-            fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64>;
-            fn potential_energy(&self, position: &DVector<f64>) -> f64;
-            fn linear_force(&self) -> Option<LinearForce>;
-            fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState>;
-        }
+    answers_as!(self, mechanism);
+
+    fn linear_force(&self) -> Option<LinearForce> {
+        self.mechanism.linear_force()
     }
 
     fn contacts(&self, position: &DVector<f64>) -> Vec<Contact> {

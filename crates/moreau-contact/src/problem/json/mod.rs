@@ -341,5 +341,4 @@ fn text(file: &impl Serialize) -> String {
 }
 
 #[cfg(test)]
-#[path = "../json_tests.rs"]
 mod tests;
