@@ -179,11 +179,15 @@ mod tests {
 
     /// Two spheres that overlap by 5 cm, and `third`: a sphere 3 cm above them, which only the pushed one reaches.
     fn pushed(third: bool) -> Step {
-        let sphere =
-            |name: &str, z: f64| format!(r#"{{"name": "{name}", "mass": 1, "position": [0, 0, {z}], "sphere": {{"radius": 0.1}}}}"#);
+        let sphere = |name: &str, z: f64| {
+            format!(
+                r#"{{"name": "{name}", "mass": 1, "position": [0, 0, {z}], "sphere": {{"radius": 0.1}}, "linear_velocity": [0, 0, 0], "angular_velocity": [0, 0, 0]}}"#
+            )
+        };
         let mut bodies = vec![sphere("low", 1.0), sphere("high", 1.15)];
         bodies.extend(third.then(|| sphere("above", 1.38)));
-        let text = format!(r#"{{"schema": "scene/1", "name": "pushed", "duration": 1, "bodies": [{}]}}"#, bodies.join(", "));
+        let rest = r#""gravity": [0, 0, 0], "duration": 1, "material": {"friction": 0.3, "restitution": 0}"#;
+        let text = format!(r#"{{"schema": "scene/1", "name": "pushed", "bodies": [{}], {rest}}}"#, bodies.join(", "));
         let (mechanism, start) = Scene::from_json(&text).expect("a scene").spatial_mechanism().expect("spheres");
         step(&Anitescu, &WrongAlone, mechanism.as_ref(), &start, 0.001).expect("solved")
     }

@@ -103,8 +103,11 @@ impl ContactProblem {
 
 /// μ of every contact of so many rows: as given, or 0 where the law or the rows leave no friction.
 fn friction(given: Option<Vec<f64>>, law: Law, size: usize, rows: usize) -> Result<Vec<f64>> {
-    let contacts = size.checked_div(rows).unwrap_or(0);
-    if rows > 0 && !size.is_multiple_of(rows) {
+    if !(1..=3).contains(&rows) {
+        return Ok(given.unwrap_or_default()); // `validate` names the number of rows
+    }
+    let contacts = size / rows;
+    if !size.is_multiple_of(rows) {
         let cure = format!("it is a multiple of `rows_per_contact`, which is {rows}; say how many rows a contact has");
         return Err(Error::invalid("free_velocity", format!("has size {size}"), cure));
     }
