@@ -156,10 +156,8 @@ impl Exact {
     }
 }
 
-/// The contacts of the same two bodies as each contact, itself included. Where columns of H name the bodies, contacts that W does not couple
-/// are those of two pairs: coordinates that mix bodies give them the same columns.
-pub fn groups(contacts: usize, rows: usize, known: &Known, delassus: &DMatrix<Rational>) -> Vec<Vec<usize>> {
-    let coupled = |a: usize, b: usize| a == b || delassus.view((a * rows, b * rows), (rows, rows)).iter().any(|entry| *entry != zero());
+/// The contacts of the same two bodies as each contact, itself included.
+pub fn groups(contacts: usize, rows: usize, known: &Known) -> Vec<Vec<usize>> {
     let same: Box<dyn Fn(usize, usize) -> bool> = match known {
         Known::Nothing => Box::new(|a, b| a == b),
         Known::Jacobian(dynamics) => {
@@ -167,7 +165,7 @@ pub fn groups(contacts: usize, rows: usize, known: &Known, delassus: &DMatrix<Ra
             let touched = move |contact: usize| -> Vec<bool> {
                 h.column_iter().map(|column| (contact * rows..(contact + 1) * rows).any(|row| column[row] != 0.0)).collect()
             };
-            Box::new(move |a, b| touched(a) == touched(b) && coupled(a, b))
+            Box::new(move |a, b| touched(a) == touched(b))
         }
         Known::Bodies(bodies) => Box::new(|a, b| bodies[a] == bodies[b] || [bodies[a][1], bodies[a][0]] == bodies[b]),
     };

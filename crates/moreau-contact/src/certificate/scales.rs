@@ -140,13 +140,13 @@ fn closing(law: Law, mu: f64, q: &[f64]) -> f64 {
 }
 
 /// Whether two contacts lie between the same two bodies: the columns of H decide, where there are any, and pairs named in the file count
-/// only where nothing else contradicts them. Contacts that W does not couple are never one pair, in whatever coordinates H is written.
+/// only where nothing else contradicts them.
 fn same_bodies(problem: &ContactProblem, [j, k]: [usize; 2]) -> bool {
     let same_pair = |bodies: &[[Option<usize>; 2]]| bodies[j] == bodies[k] || bodies[j] == [bodies[k][1], bodies[k][0]];
     let (rows, named) = (problem.rows_per_contact(), problem.bodies().map(same_pair));
     match (named, problem.dynamics()) {
         (Some(false), _) | (None, None) => false,
-        (_, Some(dynamics)) => same_support(dynamics, rows, [j, k]) && couples(problem, [j, k]),
+        (_, Some(dynamics)) => same_support(dynamics, rows, [j, k]),
         (Some(true), None) => couples(problem, [j, k]),
     }
 }
