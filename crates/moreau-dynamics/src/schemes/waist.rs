@@ -179,10 +179,9 @@ mod tests {
 
     /// Two spheres that overlap by 5 cm, and `third`: a sphere 3 cm above them, which only the pushed one reaches.
     fn pushed(third: bool) -> Step {
+        let still = r#""linear_velocity": [0, 0, 0], "angular_velocity": [0, 0, 0]"#;
         let sphere = |name: &str, z: f64| {
-            format!(
-                r#"{{"name": "{name}", "mass": 1, "position": [0, 0, {z}], "sphere": {{"radius": 0.1}}, "linear_velocity": [0, 0, 0], "angular_velocity": [0, 0, 0]}}"#
-            )
+            format!(r#"{{"name": "{name}", "mass": 1, "position": [0, 0, {z}], "sphere": {{"radius": 0.1}}, {still}}}"#)
         };
         let mut bodies = vec![sphere("low", 1.0), sphere("high", 1.15)];
         bodies.extend(third.then(|| sphere("above", 1.38)));
