@@ -49,7 +49,7 @@ impl ContactSolver for ProjectedGradient {
 /// Solves a problem by name, certifies it, and lets a scheme step with the solver.
 pub fn main() -> moreau::Result<()> {
     let mine = SolverEntry { name: NAME, default: || Box::new(ProjectedGradient), limited: None };
-    let table = Solvers::own().with(&[mine]);
+    let table = Solvers::own().with(&[mine])?;
     // two contacts of one body, μ = ½
     let delassus = dmatrix![2.0, 0.0, 1.0, 0.0; 0.0, 1.0, 0.0, 1.0; 1.0, 0.0, 2.0, 0.0; 0.0, 1.0, 0.0, 1.0];
     let free = dvector![-1.0, 2.0, -0.5, 2.0];

@@ -116,6 +116,9 @@ fn problems_are_solved_for_the_laws_that_are_declared() {
     assert!((solution.impulse - dvector![1.0, -0.5, 0.0]).amax() <= rounding(16, 1.0));
     let refused = engine.solve(&problem(ContactLaw::Coulomb), &options(json!({"solver": "lemke"})));
     assert!(matches!(refused, Err(Refusal::Unsupported(_))));
+    // a law that the solver takes, in a problem that it refuses: hard, without mass
+    let refused = engine.solve(&problem(ContactLaw::Associated), &options(json!({"solver": "newton"})));
+    assert!(matches!(refused, Err(Refusal::Unsupported(_))), "{refused:?}");
     for law in engine.describe(&Options::new()).expect("none").laws {
         let law = match law.as_str() {
             "frictionless" => ContactLaw::Frictionless,

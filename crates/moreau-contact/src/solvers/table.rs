@@ -80,14 +80,20 @@ impl Solvers {
 
     /// The same table with more solvers at its end.
     ///
-    /// # Panics
-    /// If a name is there already: a name stands for one algorithm.
-    pub fn with(mut self, more: &[SolverEntry]) -> Self {
+    /// # Errors
+    /// [`Error::Invalid`] if a name is there already: a name stands for one algorithm.
+    pub fn with(mut self, more: &[SolverEntry]) -> Result<Self> {
         for entry in more {
-            assert!(self.names().all(|name| name != entry.name), "there are two solvers `{}`", entry.name);
+            if self.names().any(|name| name == entry.name) {
+                return Err(Error::invalid(
+                    "name",
+                    format!("`{}` is a solver of the table already", entry.name),
+                    "give yours another name",
+                ));
+            }
             self.0.push(*entry);
         }
-        self
+        Ok(self)
     }
 
     /// The names, in order.
@@ -160,10 +166,10 @@ mod tests {
     fn an_added_solver_is_found_and_two_of_one_name_are_refused() {
         let mine = SolverEntry { name: "mine", default: || Box::new(Auto), limited: None };
         assert!(Solvers::own().by_name("mine").is_err());
-        assert!(Solvers::own().with(&[mine]).by_name("mine").is_ok());
+        assert!(Solvers::own().with(&[mine]).expect("a new name").by_name("mine").is_ok());
         assert_eq!(Solvers::of(&[mine]).names().collect::<Vec<_>>(), ["mine"]);
-        let twice = std::panic::catch_unwind(|| Solvers::of(&[mine]).with(&[mine]));
-        assert!(twice.is_err());
+        let twice = Solvers::of(&[mine]).with(&[mine]).expect_err("two of one name");
+        assert!(twice.to_string().contains("`mine`"), "{twice}");
     }
 
     #[test]

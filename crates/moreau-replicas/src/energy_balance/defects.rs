@@ -245,6 +245,14 @@ impl Scheme for Altered<'_> {
         format!("{}, altered", self.scheme.name())
     }
 
+    fn has_restitution(&self) -> bool {
+        self.scheme.has_restitution()
+    }
+
+    fn is_truncated(&self) -> bool {
+        self.scheme.is_truncated()
+    }
+
     passes_the_waist!();
 }
 
@@ -257,6 +265,10 @@ impl Waist for Altered<'_> {
 
     fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
         self.scheme.advance(at, velocity_post)
+    }
+
+    fn settle(&self, at: &StepContext, assembled: &StepProblem, position: DVector<f64>) -> Result<DVector<f64>> {
+        self.scheme.settle(at, assembled, position)
     }
 }
 

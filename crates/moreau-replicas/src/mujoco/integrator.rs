@@ -121,7 +121,7 @@ mod tests {
     use moreau_contact::solvers::GaussNewton;
     use moreau_dynamics::integrators::{Method, Phase, RungeKutta, SpringDamper};
     use moreau_dynamics::mechanics::{OscillatorWithStop, PointMass};
-    use moreau_dynamics::schemes::{Scheme, step};
+    use moreau_dynamics::schemes::{Scheme, assembled, step};
     use moreau_exact::scalar::exact;
     use moreau_exact::tolerance::rounding;
     use nalgebra::dvector;
@@ -171,6 +171,7 @@ mod tests {
         let scheme = with(Integrator::ImplicitFast);
         assert_eq!(scheme.name(), "mujoco implicitfast");
         assert!(scheme.waist().is_none() && with(Integrator::Euler).waist().is_some());
+        assert!(assembled(&scheme, &ball, &state, 0.01).is_err() && assembled(&with(Integrator::Euler), &ball, &state, 0.01).is_ok());
         assert!(step(&scheme, &GaussNewton::default(), &ball, &state, -0.01).is_err());
     }
 }

@@ -48,7 +48,7 @@ use moreau_contact::contact::{Contact, pairs};
 use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Law};
 use moreau_dynamics::mechanics::Mechanism;
 use moreau_dynamics::schemes::{Certified, Inertia, Scheme, Start, Step, StepContext, StepProblem, Waist, waist};
-use moreau_exact::Result;
+use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use parameters::Soft;
 use std::sync::Arc;
@@ -181,8 +181,12 @@ impl Scheme for Mujoco {
 }
 
 impl Waist for Mujoco {
+    /// Euler's problem; of the configurations that do not pass it would be another step's, so that they are refused.
     fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
-        self.posed(at)
+        if self.is_plain() {
+            return self.posed(at);
+        }
+        Err(Error::Unsupported(format!("{}: a step is not one contact problem of three rows a contact", self.name())))
     }
 
     fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {

@@ -31,6 +31,14 @@ impl<S: Waist> Scheme for Mistaken<S> {
         format!("{} with a mistake: {:?}", self.scheme.name(), self.mistake)
     }
 
+    fn has_restitution(&self) -> bool {
+        self.scheme.has_restitution()
+    }
+
+    fn is_truncated(&self) -> bool {
+        self.scheme.is_truncated()
+    }
+
     passes_the_waist!();
 }
 
