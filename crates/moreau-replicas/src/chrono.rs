@@ -86,7 +86,7 @@ impl Waist for Chrono {
     }
 
     fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
-        at.mechanism.integrate(&at.state.position, velocity_post, at.h)
+        at.mechanism().integrate(&at.state().position, velocity_post, at.h())
     }
 }
 

@@ -91,12 +91,12 @@ impl Waist for Altered {
     }
 
     fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
-        let StepContext { state, h, .. } = *at;
+        let (state, h) = (at.state(), at.h());
         let used = match self.0 {
             Mistake::GapTimesStep => velocity_post.clone(),
             Mistake::TrapezoidalPosition | Mistake::FixedMargin => (velocity_post + &state.velocity) * 0.5,
         };
-        at.mechanism.integrate(&at.state.position, &used, h)
+        at.mechanism().integrate(&at.state().position, &used, h)
     }
 }
 

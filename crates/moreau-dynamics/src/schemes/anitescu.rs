@@ -54,7 +54,7 @@ impl Waist for Anitescu {
     }
 
     fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
-        at.mechanism.integrate(&at.state.position, velocity_post, at.h)
+        at.mechanism().integrate(&at.state().position, velocity_post, at.h())
     }
 }
 

@@ -43,14 +43,14 @@ pub trait Rules {
 /// # Errors
 /// If M̂ is not positive definite.
 pub fn assemble(name: &str, rules: &dyn Rules, at: &StepContext) -> Result<StepProblem> {
-    let (held, candidates) = held(at, rules.theta(), |candidate| rules.is_active(candidate, at.h))?;
+    let (held, candidates) = held(at, rules.theta(), |candidate| rules.is_active(candidate, at.h()))?;
     if candidates.is_empty() {
         return Ok(held);
     }
-    let rows = at.mechanism.rows_per_contact();
-    let shifts: Vec<DVector<f64>> = candidates.iter().map(|candidate| rules.shift(candidate, at.h)).collect();
+    let rows = at.mechanism().rows_per_contact();
+    let shifts: Vec<DVector<f64>> = candidates.iter().map(|candidate| rules.shift(candidate, at.h())).collect();
     let problem = ContactProblem::from_inertia(&held.effective_mass, held.jacobian.clone(), &held.free_velocity)
-        .name(format!("{} {name} t={}", at.mechanism.name(), at.state.time))
+        .name(format!("{} {name} t={}", at.mechanism().name(), at.state().time))
         .law(rules.law(rows))
         .rows_per_contact(rows)
         .friction(candidates.iter().map(|candidate| candidate.contact.friction).collect())
@@ -68,14 +68,14 @@ pub fn held<'a>(at: &'a StepContext, theta: f64, is_active: impl Fn(&Candidate) 
     let (effective_mass, free_velocity) = at.free_motion(theta)?;
     let candidates = at.contacts().iter().map(|contact| Candidate {
         contact,
-        velocity: &contact.jacobian * &at.state.velocity,
+        velocity: &contact.jacobian * &at.state().velocity,
         free_velocity: &contact.jacobian * &free_velocity,
     });
     let (active, candidates): (Vec<usize>, Vec<Candidate>) = candidates.enumerate().filter(|(_, candidate)| is_active(candidate)).unzip();
     let jacobian = stack(
         candidates.iter().map(|candidate| &candidate.contact.jacobian),
-        at.mechanism.rows_per_contact(),
-        at.mechanism.degrees_of_freedom(),
+        at.mechanism().rows_per_contact(),
+        at.mechanism().degrees_of_freedom(),
     );
     let places = candidates.iter().map(|candidate| candidate.contact.place).collect();
     Ok((StepProblem { problem: None, active, places, effective_mass, free_velocity, jacobian, residual: None }, candidates))

@@ -9,12 +9,9 @@ use std::sync::Arc;
 
 /// A state, the step to take from it, and what several parts of the step ask of it.
 pub struct StepContext<'a> {
-    /// What moves.
-    pub mechanism: &'a dyn Mechanism,
-    /// The state before the step.
-    pub state: &'a State,
-    /// The size of the step \[s\].
-    pub h: f64,
+    mechanism: &'a dyn Mechanism,
+    state: &'a State,
+    h: f64,
     inertia: OnceCell<Arc<Inertia>>,
     contacts: OnceCell<Vec<Contact>>,
 }
@@ -27,6 +24,21 @@ impl<'a> StepContext<'a> {
     pub fn new(mechanism: &'a dyn Mechanism, state: &'a State, h: f64) -> Result<Self> {
         check_input(mechanism, state, h)?;
         Ok(StepContext { mechanism, state, h, inertia: OnceCell::new(), contacts: OnceCell::new() })
+    }
+
+    /// What moves.
+    pub fn mechanism(&self) -> &'a dyn Mechanism {
+        self.mechanism
+    }
+
+    /// The state before the step.
+    pub fn state(&self) -> &'a State {
+        self.state
+    }
+
+    /// The size of the step \[s\].
+    pub fn h(&self) -> f64 {
+        self.h
     }
 
     /// The same step of the same mechanism seen in another way, as with fewer candidates; M(q) stays.

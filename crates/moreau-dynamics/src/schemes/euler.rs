@@ -67,12 +67,12 @@ impl Waist for Euler {
     }
 
     fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
-        let StepContext { state, h, .. } = *at;
+        let (state, h) = (at.state(), at.h());
         let velocity = match self {
             Euler::Explicit => &state.velocity,
             Euler::SemiImplicit => velocity_post,
         };
-        at.mechanism.integrate(&at.state.position, velocity, h)
+        at.mechanism().integrate(&at.state().position, velocity, h)
     }
 }
 

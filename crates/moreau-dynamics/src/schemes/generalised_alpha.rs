@@ -107,7 +107,7 @@ impl GeneralisedAlpha {
     }
 
     fn smooth(&self, at: &StepContext) -> Result<Smooth> {
-        let StepContext { mechanism, state, h, .. } = *at;
+        let (mechanism, state, h) = (at.mechanism(), at.state(), at.h());
         let (weights, State { position, velocity, .. }) = (self.weights(), state);
         let (mass, force) = (at.inertia()?, mechanism.mean_force(position, velocity, h));
         let inertia = mass.matrix();
@@ -171,10 +171,10 @@ impl Scheme for GeneralisedAlpha {
 
 impl Waist for GeneralisedAlpha {
     fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
-        let StepContext { mechanism, state, h, .. } = *at;
+        let (mechanism, state, h) = (at.mechanism(), at.state(), at.h());
         let smooth = self.smooth(at)?;
         let none = DVector::zeros(state.velocity.len());
-        let reached = at.mechanism.integrate(&at.state.position, &smooth.mean_velocity(state, &none, h), h);
+        let reached = at.mechanism().integrate(&at.state().position, &smooth.mean_velocity(state, &none, h), h);
         let contacts = mechanism.contacts(&reached);
         let active: Vec<usize> = (0..contacts.len()).filter(|&k| contacts[k].gap <= 0.0).collect();
         let rows = mechanism.rows_per_contact();
@@ -205,10 +205,10 @@ impl Waist for GeneralisedAlpha {
     }
 
     fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
-        let StepContext { state, h, .. } = *at;
+        let (state, h) = (at.state(), at.h());
         let smooth = self.smooth(at).expect("assemble has made the same matrices of the same state");
         let mean = smooth.mean_velocity(state, &smooth.jump(velocity_post), h);
-        at.mechanism.integrate(&at.state.position, &mean, h)
+        at.mechanism().integrate(&at.state().position, &mean, h)
     }
 }
 

@@ -168,9 +168,9 @@ impl Waist for MoreauJean {
     }
 
     fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
-        let StepContext { state, h, .. } = *at;
+        let (state, h) = (at.state(), at.h());
         let mean = velocity_post * self.theta + &state.velocity * (1.0 - self.theta);
-        at.mechanism.integrate(&at.state.position, &mean, h)
+        at.mechanism().integrate(&at.state().position, &mean, h)
     }
 }
 

@@ -88,7 +88,7 @@ impl MoreauJeanProjection {
     }
 
     fn problem(&self, at: &StepContext, held: &[(Identity, Contact)], mass: &Inertia, free: &DVector<f64>) -> Result<ContactProblem> {
-        let StepContext { mechanism, state, .. } = *at;
+        let (mechanism, state) = (at.mechanism(), at.state());
         let (rows, before) = (mechanism.rows_per_contact(), at.contacts());
         let jacobian = assembly::stack(held.iter().map(|(_, contact)| &contact.jacobian), rows, mechanism.degrees_of_freedom());
         let shifts = held.iter().map(|(key, contact)| {
@@ -118,7 +118,7 @@ impl Scheme for MoreauJeanProjection {
 
 impl Waist for MoreauJeanProjection {
     fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
-        let StepContext { mechanism, .. } = *at;
+        let mechanism = at.mechanism();
         self.validate()?;
         let (effective_mass, free_velocity) = at.free_motion(self.theta)?;
         let mut reached = self.advance(at, &free_velocity);
@@ -149,13 +149,13 @@ impl Waist for MoreauJeanProjection {
     }
 
     fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
-        let StepContext { state, h, .. } = *at;
+        let (state, h) = (at.state(), at.h());
         let mean = velocity_post * self.theta + &state.velocity * (1.0 - self.theta);
-        at.mechanism.integrate(&at.state.position, &mean, h)
+        at.mechanism().integrate(&at.state().position, &mean, h)
     }
 
     fn settle(&self, at: &StepContext, assembled: &StepProblem, position: DVector<f64>) -> Result<DVector<f64>> {
-        let StepContext { mechanism, .. } = *at;
+        let mechanism = at.mechanism();
         let held = assembled.active.iter().zip(&assembled.places).map(|(&index, &place)| Identity { index, place });
         let held: Vec<Identity> = held.collect();
         if held.is_empty() { Ok(position) } else { project(mechanism, position, &held) }

@@ -63,9 +63,9 @@ impl Scheme for RungeKuttaFlip {
 
 impl Waist for RungeKuttaFlip {
     fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
-        let StepContext { mechanism, state, h, .. } = *at;
+        let (mechanism, state, h) = (at.mechanism(), at.state(), at.h());
         let [mean, free_velocity] = free_step(mechanism, state, h)?;
-        let reached = at.mechanism.integrate(&at.state.position, &mean, h);
+        let reached = at.mechanism().integrate(&at.state().position, &mean, h);
         let effective_mass = Arc::new(Inertia::new(mechanism.mass_matrix(&reached))?);
         let contacts = mechanism.contacts(&reached);
         let active: Vec<usize> = (0..contacts.len()).filter(|&k| contacts[k].gap <= 0.0).collect();
@@ -92,9 +92,9 @@ impl Waist for RungeKuttaFlip {
     }
 
     fn advance(&self, at: &StepContext, _velocity_post: &DVector<f64>) -> DVector<f64> {
-        let StepContext { mechanism, state, h, .. } = *at;
+        let (mechanism, state, h) = (at.mechanism(), at.state(), at.h());
         let [mean, _] = free_step(mechanism, state, h).expect("the step was assembled from the same state");
-        at.mechanism.integrate(&at.state.position, &mean, h)
+        at.mechanism().integrate(&at.state().position, &mean, h)
     }
 }
 

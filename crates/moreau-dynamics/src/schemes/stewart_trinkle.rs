@@ -86,6 +86,6 @@ impl Waist for StewartTrinkle {
     }
 
     fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
-        at.mechanism.integrate(&at.state.position, velocity_post, at.h)
+        at.mechanism().integrate(&at.state().position, velocity_post, at.h())
     }
 }

@@ -70,7 +70,7 @@ pub struct Parts<'a> {
 pub fn step(scheme: &dyn Waist, solver: &Certified, start: &Start) -> Result<Step> {
     let answer = |at: &StepContext, assembled: &StepProblem| {
         let Some(problem) = &assembled.problem else { return Ok(None) };
-        let warm = carry_over(start.previous, &assembled.active, &assembled.places, at.mechanism.rows_per_contact());
+        let warm = carry_over(start.previous, &assembled.active, &assembled.places, at.mechanism().rows_per_contact());
         Ok(Some(OwnAnswer { solution: solver.solve(problem, Some(&warm))?, residual: None }))
     };
     let advance =
@@ -128,10 +128,10 @@ fn finish(parts: &Parts, at: &StepContext, assembled: StepProblem) -> Result<Ste
         let places = assembled.active.iter().zip(&assembled.places);
         let one =
             |((&contact, &place), part): ((&usize, &Option<Place>), &[f64])| ContactImpulse { contact, impulse: part.to_vec(), place };
-        impulses = places.zip(solution.impulse.as_slice().chunks(at.mechanism.rows_per_contact())).map(one).collect();
+        impulses = places.zip(solution.impulse.as_slice().chunks(at.mechanism().rows_per_contact())).map(one).collect();
     }
     let position = (parts.advance)(at, &assembled, &velocity)?;
-    let state = State { time: at.state.time + at.h, position, velocity };
+    let state = State { time: at.state().time + at.h(), position, velocity };
     let residual = StepResidual::worse_of(own, assembled.residual);
     Ok(Step { state, impulses, assembled, solution, residual, rejected: None, impacts: None })
 }

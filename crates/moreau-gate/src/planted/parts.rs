@@ -103,7 +103,7 @@ impl Scheme for Altered {
 
 impl Waist for Altered {
     fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
-        let StepContext { h, .. } = *at;
+        let h = at.h();
         let mut step = Altered::scheme().assemble(at)?;
         (self.free_velocity)(&mut step.free_velocity, h);
         if let Some(problem) = step.problem.take() {

@@ -197,7 +197,7 @@ impl Scheme for Bullet {
 
 impl Waist for Bullet {
     fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
-        let StepContext { mechanism, state, h, .. } = *at;
+        let (mechanism, state, h) = (at.mechanism(), at.state(), at.h());
         self.validate()?;
         let mut assembled = assembly::assemble("bullet", self, at)?;
         tangents::turn(&mut assembled, self.bodies, self.is_boxed())?;
@@ -207,12 +207,12 @@ impl Waist for Bullet {
     }
 
     fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
-        let StepContext { mechanism, state, h, .. } = *at;
+        let (mechanism, state, h) = (at.mechanism(), at.state(), at.h());
         let moved = match self.push(mechanism, state, h) {
             Ok(push) => velocity_post + push,
             Err(_) => velocity_post.clone(), // `assemble` has refused the step
         };
-        at.mechanism.integrate(&at.state.position, &moved, h)
+        at.mechanism().integrate(&at.state().position, &moved, h)
     }
 }
 

@@ -66,12 +66,14 @@ impl Touch {
 /// The touching contacts of an assembled step.
 pub(super) fn touches(material: Material, at: &StepContext, assembled: &StepProblem) -> Vec<Touch> {
     let mass = assembled.effective_mass.matrix();
-    assembled.active.iter().map(|&k| Touch::new(material, &at.contacts()[k], mass, at.state, at.h)).collect()
+    assembled.active.iter().map(|&k| Touch::new(material, &at.contacts()[k], mass, at.state(), at.h())).collect()
 }
 
 /// The step of a convex law of the touching contacts.
 pub(super) fn step<P: Potential>(name: &str, material: Material, start: &Start, law: fn(Vec<Touch>) -> P) -> Result<Step> {
-    step_touching(start, &|at, assembled| answer(name, assembled, &law(touches(material, at, assembled)), at.mechanism.rows_per_contact()))
+    step_touching(start, &|at, assembled| {
+        answer(name, assembled, &law(touches(material, at, assembled)), at.mechanism().rows_per_contact())
+    })
 }
 
 /// The minimum of a convex law's step; none without contact.

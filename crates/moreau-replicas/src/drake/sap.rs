@@ -77,7 +77,7 @@ impl Waist for DrakeSap {
         if let Some(problem) = step.problem.take() {
             let rows = problem.rows_per_contact();
             let contact = |k: usize| step.jacobian.rows(k * rows, rows).into_owned();
-            let parts = (0..problem.contacts()).flat_map(|k| self.regularisation(step.effective_mass.matrix(), &contact(k), at.h));
+            let parts = (0..problem.contacts()).flat_map(|k| self.regularisation(step.effective_mass.matrix(), &contact(k), at.h()));
             let diagonal = DVector::from_iterator(problem.rows(), parts);
             let compliance = Compliance { coordinates: Coordinates::Contact, diagonal };
             step.problem = Some(problem.into_builder().compliance(compliance).build()?);
@@ -86,7 +86,7 @@ impl Waist for DrakeSap {
     }
 
     fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
-        at.mechanism.integrate(&at.state.position, velocity_post, at.h)
+        at.mechanism().integrate(&at.state().position, velocity_post, at.h())
     }
 }
 

@@ -147,8 +147,8 @@ impl DrakeTamsi {
         }
         let touches = touches(self.material, at, assembled);
         let scale = assembled.effective_mass.matrix().diagonal().map(|m| 1.0 / m.sqrt());
-        let equation = Equation { assembled, touches: &touches, rows: at.mechanism.rows_per_contact(), scale };
-        let (velocity, Residual { impulse, size, terms, .. }, iterations) = equation.solve(&at.state.velocity)?;
+        let equation = Equation { assembled, touches: &touches, rows: at.mechanism().rows_per_contact(), scale };
+        let (velocity, Residual { impulse, size, terms, .. }, iterations) = equation.solve(&at.state().velocity)?;
         let velocity = &assembled.jacobian * velocity;
         let relative = if terms > 0.0 { size / terms } else { 0.0 };
         let solution = Solution::new(NAME, impulse, velocity, iterations);

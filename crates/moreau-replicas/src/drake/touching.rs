@@ -25,6 +25,6 @@ pub(super) fn own_answer(solution: Solution, relative: f64) -> OwnAnswer {
 pub(super) fn step_touching(start: &Start, answer: &dyn Fn(&StepContext, &StepProblem) -> Result<Option<OwnAnswer>>) -> Result<Step> {
     let assemble = |at: &StepContext| Ok(assembly::held(at, 0.0, |candidate| candidate.contact.gap < 0.0)?.0);
     let advance =
-        |at: &StepContext, _: &StepProblem, velocity: &DVector<f64>| Ok(at.mechanism.integrate(&at.state.position, velocity, at.h));
+        |at: &StepContext, _: &StepProblem, velocity: &DVector<f64>| Ok(at.mechanism().integrate(&at.state().position, velocity, at.h()));
     step_in_parts(start, &Parts { assemble: &assemble, answer, discard: &|| (), advance: &advance })
 }

@@ -122,7 +122,7 @@ impl Mujoco {
 
     /// The contact problem of a state in three rows a contact, and Euler's update.
     fn posed(&self, at: &StepContext) -> Result<StepProblem> {
-        let StepContext { mechanism, state, h, .. } = *at;
+        let (mechanism, state, h) = (at.mechanism(), at.state(), at.h());
         let inertia = at.inertia()?;
         let force = mechanism.force(&state.position, &state.velocity);
         let unconstrained = &state.velocity + inertia.solve(&force) * h;
@@ -190,7 +190,7 @@ impl Waist for Mujoco {
     }
 
     fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
-        at.mechanism.integrate(&at.state.position, velocity_post, at.h)
+        at.mechanism().integrate(&at.state().position, velocity_post, at.h())
     }
 }
 

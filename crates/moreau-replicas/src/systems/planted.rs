@@ -44,7 +44,7 @@ impl<S: Waist> Scheme for Mistaken<S> {
 
 impl<S: Waist> Waist for Mistaken<S> {
     fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
-        let state = at.state;
+        let state = at.state();
         let mut step = self.scheme.assemble(at)?;
         let more = (&step.free_velocity - &state.velocity) * if self.mistake == Mistake::Heavy { 0.1 } else { 0.0 };
         step.free_velocity += &more;
@@ -58,7 +58,7 @@ impl<S: Waist> Waist for Mistaken<S> {
     }
 
     fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
-        let StepContext { state, h, .. } = *at;
+        let (state, h) = (at.state(), at.h());
         let reached = self.scheme.advance(at, velocity_post);
         // only where positions have as many entries as velocities: not with quaternions
         if self.mistake == Mistake::Ahead { reached + (velocity_post - &state.velocity) * (0.5 * h) } else { reached }

@@ -112,7 +112,7 @@ impl PositionBased {
     /// # Errors
     /// If M is not positive definite.
     pub fn position_problem(&self, at: &StepContext) -> Result<Option<ContactProblem>> {
-        let StepContext { mechanism, state, h, .. } = *at;
+        let (mechanism, state, h) = (at.mechanism(), at.state(), at.h());
         let (free_velocity, inertia, contacts) = (at.forecast()?, at.inertia()?, at.contacts());
         let rows = mechanism.rows_per_contact();
         let mut jacobian = DMatrix::zeros(rows * contacts.len(), state.velocity.len());
@@ -137,7 +137,7 @@ impl PositionBased {
     }
 
     fn swept(&self, at: &StepContext) -> Result<Step> {
-        let StepContext { mechanism, state, h, .. } = *at;
+        let (mechanism, state, h) = (at.mechanism(), at.state(), at.h());
         let (free, inertia) = (at.forecast()?, at.inertia()?);
         let pull = inertia.solve(&mechanism.force(&state.position, &state.velocity));
         let predicted = mechanism.integrate(&state.position, &free, h);

@@ -124,7 +124,7 @@ impl Scheme for Baumgarte {
 
 impl Waist for Baumgarte {
     fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
-        let StepContext { mechanism, state, h, .. } = *at;
+        let (mechanism, state, h) = (at.mechanism(), at.state(), at.h());
         let mut step = Baumgarte::scheme().assemble(at)?;
         let contacts = mechanism.contacts(&state.position);
         if let Some(problem) = step.problem.take() {
