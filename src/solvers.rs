@@ -10,4 +10,4 @@ pub use moreau_replicas::mujoco::{Direction, GaussConjugateGradient, GaussSweeps
 
 /// Every solver by name.
 pub static ALL: LazyLock<Solvers> =
-    LazyLock::new(|| Solvers::own().with(ENGINES).expect("the engines' names are none of moreau-contact's, which a test of both shows"));
+    LazyLock::new(|| Solvers::own().with(ENGINES).expect("a test of both crates shows that no name stands twice"));

@@ -157,7 +157,10 @@ impl Exact {
 }
 
 /// The contacts of the same two bodies as each contact, itself included.
-pub fn groups(contacts: usize, rows: usize, known: &Known) -> Vec<Vec<usize>> {
+///
+/// Where columns of H name the bodies, those that W joins to it, directly or through others: coordinates that mix bodies give two of them
+/// the same columns.
+pub fn groups(contacts: usize, rows: usize, known: &Known, delassus: &DMatrix<Rational>) -> Vec<Vec<usize>> {
     let same: Box<dyn Fn(usize, usize) -> bool> = match known {
         Known::Nothing => Box::new(|a, b| a == b),
         Known::Jacobian(dynamics) => {
@@ -169,7 +172,21 @@ pub fn groups(contacts: usize, rows: usize, known: &Known) -> Vec<Vec<usize>> {
         }
         Known::Bodies(bodies) => Box::new(|a, b| bodies[a] == bodies[b] || [bodies[a][1], bodies[a][0]] == bodies[b]),
     };
-    (0..contacts).map(|k| (0..contacts).filter(|&j| same(k, j)).collect()).collect()
+    let moved = |a: usize, b: usize| delassus.view((a * rows, b * rows), (rows, rows)).iter().any(|entry| *entry != zero());
+    let reached = |k: usize| {
+        let mut found = vec![k];
+        let mut next = 0;
+        while let Some(&from) = found.get(next) {
+            let more: Vec<usize> = (0..contacts).filter(|to| same(from, *to) && moved(from, *to) && !found.contains(to)).collect();
+            found.extend(more);
+            next += 1;
+        }
+        found
+    };
+    match known {
+        Known::Jacobian(_) => (0..contacts).map(reached).collect(),
+        _ => (0..contacts).map(|k| (0..contacts).filter(|&j| same(k, j)).collect()).collect(),
+    }
 }
 
 #[test]

@@ -214,7 +214,7 @@ impl Spec {
             statuses,
             parts: (given && coulomb).then(|| part(|p| &p.parts)),
             sigma: (given && coulomb).then(|| points.iter().map(|p| p.sigma.clone()).collect()),
-            groups: groups(self.contacts, self.rows, &known),
+            groups: groups(self.contacts, self.rows, &known, &exact.delassus),
             problem: exact.rounded(&self.name(), &known),
             deficient: rank(&jacobian) < impulse.len(),
             coupled: self.contacts > 1 && self.structure != Structure::Separate,

@@ -234,6 +234,43 @@ fn a_name_joins_no_contacts_that_nothing_couples() {
 }
 
 #[test]
+fn coordinates_that_mix_two_bodies_join_no_contacts_that_nothing_couples() {
+    // 10⁶ kg and 1 kg in sum and difference coordinates: every row of H touches both columns
+    let (heavy, light) = (0.25e6, 0.25);
+    let mass = DMatrix::from_row_slice(2, 2, &[heavy + light, heavy - light, heavy - light, heavy + light]);
+    let jacobian = DMatrix::from_row_slice(2, 2, &[0.5, 0.5, 0.5, -0.5]);
+    let problem = ContactProblem::from_dynamics(mass, jacobian, &DVector::from_row_slice(&[-2.0, 0.0]));
+    let problem = problem.law(Law::Frictionless).rows_per_contact(1).build().unwrap();
+    assert!(judged(&problem, &[1e6, 1.0]).is_solution(1e-8));
+    assert!(!judged(&problem, &[1e6, 0.992]).is_solution(1e-8), "the light one goes into the floor");
+}
+
+/// Contacts of one body of 1 kg and 1 kg·m² along a line, at these places, frictionless; the body falls at 1 m/s and turns at ½ rad/s.
+fn along(places: &[f64]) -> ContactProblem {
+    let jacobian = DMatrix::from_fn(places.len(), 2, |k, column| if column == 0 { 1.0 } else { places[k] });
+    let problem = ContactProblem::from_dynamics(DMatrix::identity(2, 2), jacobian, &DVector::from_row_slice(&[-1.0, 0.5]));
+    problem.law(Law::Frictionless).rows_per_contact(1).build().unwrap()
+}
+
+#[test]
+fn contacts_of_one_body_that_do_not_move_each_other_are_joined_through_a_third_in_any_order() {
+    // at ±1, the radius of gyration, a push at one point leaves the other at rest: W = 1 + x x'
+    let scale = |places: &[f64], at: f64| {
+        let problem = along(places);
+        let mut scales = super::super::scales::Scales::default();
+        scales.prepare(&problem);
+        let zero = vec![0.0; places.len()];
+        let pushed: Vec<f64> = places.iter().map(|x| if *x == 1.0 { 1e6 } else { 0.0 }).collect();
+        scales.set_sizes(&problem, &pushed, &zero);
+        scales.at(places.iter().position(|x| *x == at).unwrap())[1]
+    };
+    assert!(scale(&[1.0, -1.0], -1.0) < 10.0, "nothing joins them");
+    for places in [[1.0, -1.0, 0.25], [1.0, 0.25, -1.0], [0.25, -1.0, 1.0], [-1.0, 1.0, 0.25]] {
+        assert!(scale(&places, -1.0) > 1e5, "{places:?}: the third moves with both");
+    }
+}
+
+#[test]
 fn a_name_joins_a_contact_only_to_those_that_it_moves_itself() {
     // W couples the first with the second, the second with the third, and not the first with the third
     let problem = planar(Law::Frictionless, &[-1e6, 0.0, -5e5, 0.0, -1.0, 0.0]);

@@ -15,7 +15,8 @@
 //! nothing would otherwise excuse any velocity, and a jaw that closes from both sides, which has no solution, would have one. Nor is a
 //! floor more than a hundredth of the largest velocity in q: where rounding hides that, nothing is certain.
 //!
-//! Two contacts lie between the same two bodies if their rows of H touch the same velocities; without H, if the file names the same pair
+//! Two contacts lie between the same two bodies if their rows of H touch the same velocities and W joins them, directly or through others
+//! of that kind: coordinates that mix bodies give the rows of two bodies the same columns. Without H, if the file names the same pair
 //! and W couples them. A name alone joins nothing: it could hide a light contact behind a heavy one that it never meets.
 //!
 //! `DIFFERENCE` One ρ = rows/tr(W_kk) for a whole contact would accept a normal velocity that is wrong by W_tt/W_nn times τ.
@@ -61,13 +62,31 @@ impl Scales {
         self.find_groups(problem);
     }
 
-    /// Contact k joins the first group of whose every member it has the bodies.
+    /// Contact k joins the first group of whose every member it has the bodies. Where H is known, having the bodies is an equivalence, and
+    /// k joins, and unites, the groups of which W couples it with a member: in coordinates that mix bodies the rows of two bodies touch the
+    /// same columns, and W alone tells them apart.
     fn find_groups(&mut self, problem: &ContactProblem) {
         self.group.clear();
+        if problem.dynamics().is_some() {
+            return self.find_components(problem);
+        }
         for k in 0..problem.contacts() {
             let fits = |first: usize| (first..k).filter(|&j| self.group[j] == first).all(|j| same_bodies(problem, [j, k]));
             let found = (0..k).find(|&first| self.group[first] == first && fits(first)).unwrap_or(k);
             self.group.push(found);
+        }
+    }
+
+    fn find_components(&mut self, problem: &ContactProblem) {
+        for k in 0..problem.contacts() {
+            self.group.push(k);
+            for j in 0..k {
+                let [own, other] = [self.group[k], self.group[j]];
+                if own != other && same_bodies(problem, [j, k]) && couples(problem, [j, k]) {
+                    let [kept, gone] = [own.min(other), own.max(other)];
+                    self.group.iter_mut().filter(|group| **group == gone).for_each(|group| *group = kept);
+                }
+            }
         }
     }
 
