@@ -94,9 +94,10 @@ impl Judged {
 }
 
 impl Worst {
+    /// The first part is kept even where it is 0: it has a limit that readers look at.
     fn take(&mut self, contact: usize, part: Part) {
         self.largest = worst(self.largest, part.value);
-        if part.exceeds(&self.part) {
+        if self.part == Part::default() || part.exceeds(&self.part) {
             (self.part, self.contact) = (part, contact);
         }
     }

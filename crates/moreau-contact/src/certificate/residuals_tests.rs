@@ -234,6 +234,16 @@ fn a_name_joins_no_contacts_that_nothing_couples() {
 }
 
 #[test]
+fn a_residual_of_zero_has_the_limit_of_its_contact() {
+    let problem = planar(Law::Coulomb, &[-1.0, 2.0]);
+    let found = judged(&problem, &[1.0, -0.5]);
+    for (name, worst, _) in found.judged.entries() {
+        assert_eq!(worst.part.value, 0.0, "{name}");
+        assert!(worst.part.limit(1e-8) > 0.0, "{name}: {:?}", worst.part);
+    }
+}
+
+#[test]
 fn coordinates_that_mix_two_bodies_join_no_contacts_that_nothing_couples() {
     // 10⁶ kg and 1 kg in sum and difference coordinates: every row of H touches both columns
     let (heavy, light) = (0.25e6, 0.25);
