@@ -4,7 +4,7 @@
 //! against its closed form.
 
 use moreau::prelude::*;
-use moreau::report::motion::{Motion, lines};
+use moreau::report::motion::{MotionReport, lines};
 use moreau::report::plot;
 use moreau::report::steps::StepSummary;
 
@@ -17,7 +17,7 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let recording = simulate(&MoreauJean::default(), &Auto, mechanism.as_ref(), start, 1e-3, steps)?;
 
     let gravity = -scene.gravity[2];
-    let motion = Motion { mechanism: mechanism.as_ref(), recording: &recording, exact: exact.as_ref(), gravity };
+    let motion = MotionReport { mechanism: mechanism.as_ref(), recording: &recording, exact: exact.as_ref(), gravity };
     print!("{}", lines(&motion.summary()));
     print!("{}", StepSummary::of(&recording, mechanism.as_ref()).text());
 

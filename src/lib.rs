@@ -56,11 +56,11 @@
 //! ```
 //! Run a claim with its control:
 //! ```
-//! use moreau::claims::{self, Status, Verdict};
+//! use moreau::claims::{self, Status, ClaimVerdict};
 //!
 //! let claim = claims::find("S4.copos-plus").expect("registered");
 //! let outcome = claims::judge(claim);
-//! assert_eq!((claim.verdict, outcome.status), (Verdict::False, Status::Supported));
+//! assert_eq!((claim.verdict, outcome.status), (ClaimVerdict::False, Status::Supported));
 //! println!("{}: {}", outcome.findings[0].name, claim.correct_statement);
 //! ```
 

@@ -1,7 +1,7 @@
 //! The README and the pages of `docs/`: their numbers are those of the registry and of the stored files, their commands work as they stand,
 //! their links lead somewhere.
 
-use moreau::claims::{self, Verdict};
+use moreau::claims::{self, ClaimVerdict};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -74,11 +74,11 @@ fn the_readme_states_the_verdict_counts_of_the_registry() {
     let expected = format!(
         "{} claims: {} true, {} conditional, {} false as stated, {} inconsistent, {} ambiguous; 0 contradicted",
         claims::all().count(),
-        count(Verdict::True),
-        count(Verdict::Conditional),
-        count(Verdict::False),
-        count(Verdict::Inconsistent),
-        count(Verdict::Ambiguous)
+        count(ClaimVerdict::True),
+        count(ClaimVerdict::Conditional),
+        count(ClaimVerdict::False),
+        count(ClaimVerdict::Inconsistent),
+        count(ClaimVerdict::Ambiguous)
     );
     assert!(README.lines().any(|line| line == expected), "README.md should say: {expected}");
     let total = format!("verifies the {} claims", claims::all().count());
@@ -225,6 +225,26 @@ fn every_example_in_rust_is_a_documentation_test() {
     assert!(examples > 0, "no page has an example: the test looks at nothing");
 }
 
+/// The folders of sources of all crates.
+fn rooms() -> Vec<PathBuf> {
+    let crates = ["exact", "forms", "contact", "dynamics", "checks", "replicas", "gate"];
+    let libraries = crates.map(|name| here(&format!("crates/moreau-{name}/src/lib.rs")));
+    let folder = |library: &PathBuf| library.parent().expect("a folder").to_path_buf();
+    libraries.iter().map(folder).chain([root().join("src")]).collect()
+}
+
+/// The Rust files of a folder and of those below it.
+fn rust_files(folder: &Path, files: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display())) {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            rust_files(&path, files);
+        } else if path.extension().is_some_and(|end| end == "rs") {
+            files.push(path);
+        }
+    }
+}
+
 /// What is wrong with a piece of evidence: paths that do not exist, names that the file before them does not have.
 fn unfounded(evidence: &str) -> Vec<String> {
     let (mut text, mut wrong) = (None, Vec::new());
@@ -257,19 +277,26 @@ fn the_evidence_of_every_decision_exists() {
 fn every_term_of_the_glossary_names_a_type_that_its_file_defines() {
     let text = read(&root().join("docs/glossary.md"));
     let defines = |line: &str, name: &str| {
-        let defined = ["struct", "enum", "trait", "fn", "type"].map(|kind| format!("pub {kind} {name}"));
+        let defined = ["struct", "enum", "trait", "fn", "type", "mod"].map(|kind| format!("pub {kind} {name}"));
         defined.iter().any(|start| {
             line.trim()
                 .strip_prefix(start.as_str())
                 .is_some_and(|rest| !rest.starts_with(|next: char| next.is_alphanumeric() || next == '_'))
         })
     };
+    let mut files = Vec::new();
+    rooms().iter().for_each(|room| rust_files(room, &mut files));
+    let sources: Vec<_> = files.into_iter().map(|file| (read(&file), file)).collect();
     let mut types = Vec::new();
     for row in text.lines().filter(|line| line.starts_with("| ") && line.contains(".rs`: `")) {
         let (place, name) = row.rsplit_once("`: `").expect("a file and a type");
         let (file, name) = (place.rsplit('`').next().expect("a file"), name.trim_end_matches("` |"));
         let source = read(&here(file));
         assert!(source.lines().any(|line| defines(line, name)), "docs/glossary.md: {file} does not define {name}");
+        if name.starts_with(char::is_uppercase) {
+            let places = sources.iter().filter(|(text, _)| text.lines().any(|line| defines(line, name))).map(|(_, file)| file);
+            assert_eq!(places.collect::<Vec<_>>().len(), 1, "docs/glossary.md: {name} is the name of another public type as well");
+        }
         types.push(name.to_string());
     }
     assert!(types.len() > 20, "{types:?}");

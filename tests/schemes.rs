@@ -1,7 +1,7 @@
 //! Every scheme runs every scene it can describe, and says why where it cannot.
 
 use moreau::scenes::{LINKAGES, NAMES, Staged, named};
-use moreau::schemes::{self, Parameters, simulate};
+use moreau::schemes::{self, SchemeParameters, simulate};
 use moreau::solvers::Auto;
 
 /// h \[s\] small enough for the crank, which turns by 0.075 rad in it.
@@ -17,7 +17,7 @@ fn scenes() -> Vec<Staged> {
 fn every_scheme_runs_every_scene_or_says_why_not() {
     for scene in scenes() {
         for name in schemes::NAMES {
-            let scheme = schemes::by_name(name, Parameters::default()).expect("listed");
+            let scheme = schemes::by_name(name, SchemeParameters::default()).expect("listed");
             match simulate(scheme.as_ref(), &Auto, scene.mechanism.as_ref(), scene.start.clone(), TIME_STEP, STEPS) {
                 Err(reason) => assert!(reason.to_string().len() > 20, "{name} refuses {} without a reason: {reason}", scene.name),
                 Ok(run) => {
@@ -37,7 +37,7 @@ fn linkages_hit_their_obstacles_and_stay_outside() {
         // the slider hits its guide within a twelfth of a turn of the crank
         let (h, steps) = if scene.name == "slider-crank" { (0.0001, 200) } else { (0.004, (scene.duration / 0.004) as usize) };
         for name in ["moreau-jean", "stewart-trinkle", "anitescu"] {
-            let scheme = schemes::by_name(name, Parameters::default()).expect("listed");
+            let scheme = schemes::by_name(name, SchemeParameters::default()).expect("listed");
             let run = simulate(scheme.as_ref(), &Auto, scene.mechanism.as_ref(), scene.start.clone(), h, steps).expect("solvable");
             assert!(run.impulses.iter().any(|impulses| impulses.iter().any(|one| one.impulse[0] > 0.0)), "{name}: {} touches", scene.name);
             let (mut deepest, mut fastest) = (0.0f64, 0.0f64);
@@ -61,7 +61,7 @@ fn the_page_on_the_waist_says_which_schemes_pass() {
     let rows = page.lines().filter_map(|line| line.strip_prefix("| `")?.split_once("` | "));
     let told: Vec<(&str, &str)> = rows.map(|(name, rest)| (name, rest.split(' ').next().unwrap_or(""))).collect();
     let measured = schemes::NAMES.map(|name| {
-        let scheme = schemes::by_name(name, Parameters::default()).expect("listed");
+        let scheme = schemes::by_name(name, SchemeParameters::default()).expect("listed");
         (name, if scheme.waist().is_some() { "yes" } else { "no" })
     });
     assert_eq!(told, measured);

@@ -4,7 +4,7 @@
 use moreau::report::systems::{BEGIN, END, markdown};
 use moreau::schemes::NAMES;
 use moreau::stored::{Folder, RUNS, StoredRuns};
-use moreau::systems::{ALL, Agreement, Cone, ContactLaw, Level, Measured, Planted, Report, System, SystemReport};
+use moreau::systems::{ALL, Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, Report, System, SystemReport};
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -85,7 +85,7 @@ fn every_system_has_a_scheme_and_an_agreement_and_every_scheme_has_a_system() {
 
 static WRONG: System = System {
     name: "wrong",
-    level: Level::Velocity,
+    level: ConstraintLevel::Velocity,
     cone: Cone::SecondOrder,
     law: ContactLaw::Coulomb,
     algorithm: "none",
@@ -106,8 +106,8 @@ static WRONG: System = System {
             unit: "m",
             measure: |_| Ok(Measured { difference: f64::NAN, tolerance: 1.0 }),
             planted: &[
-                Planted { mistake: "large", measure: |_| Ok(Measured { difference: 2.0, tolerance: 1.0 }) },
-                Planted { mistake: "small", measure: |_| Ok(Measured { difference: 0.5, tolerance: 1.0 }) },
+                PlantedMistake { mistake: "large", measure: |_| Ok(Measured { difference: 2.0, tolerance: 1.0 }) },
+                PlantedMistake { mistake: "small", measure: |_| Ok(Measured { difference: 0.5, tolerance: 1.0 }) },
             ],
         },
     ],

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 /// What became of a claim of the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub enum Verdict {
+pub enum ClaimVerdict {
     /// Holds as stated.
     #[serde(rename = "TRUE")]
     True,
@@ -24,15 +24,15 @@ pub enum Verdict {
     Ambiguous,
 }
 
-impl Verdict {
+impl ClaimVerdict {
     /// The words used in reports.
     pub fn words(self) -> &'static str {
         match self {
-            Verdict::True => "true",
-            Verdict::Conditional => "conditional",
-            Verdict::False => "false as stated",
-            Verdict::Inconsistent => "inconsistent",
-            Verdict::Ambiguous => "ambiguous",
+            ClaimVerdict::True => "true",
+            ClaimVerdict::Conditional => "conditional",
+            ClaimVerdict::False => "false as stated",
+            ClaimVerdict::Inconsistent => "inconsistent",
+            ClaimVerdict::Ambiguous => "ambiguous",
         }
     }
 }
@@ -92,7 +92,7 @@ pub struct Claim {
     /// What the chapter says, with its own hedges.
     pub statement: &'static str,
     /// The verdict in force.
-    pub verdict: Verdict,
+    pub verdict: ClaimVerdict,
     /// The grade of the evidence.
     pub evidence: Evidence,
     /// The statement as it should read; the claim itself where it is true.

@@ -23,6 +23,6 @@ pub mod s9;
 mod section;
 pub mod v;
 
-pub use claim::{Claim, Evidence, Reading, Verdict, group_of};
-pub use registry::{Outcome, Status, all, find, judge, matches_group};
+pub use claim::{Claim, ClaimVerdict, Evidence, Reading, group_of};
+pub use registry::{JudgedClaim, Status, all, find, judge, matches_group};
 pub use section::{SECTIONS, Section, place};

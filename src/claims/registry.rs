@@ -20,7 +20,7 @@ pub enum Status {
 }
 
 /// The judgement of one claim.
-pub struct Outcome {
+pub struct JudgedClaim {
     /// The claim.
     pub claim: &'static Claim,
     /// Findings of the recorded reading.
@@ -68,7 +68,7 @@ pub fn matches_group(id: &str, group: &str) -> bool {
 }
 
 /// Runs the check of a claim on the recorded reading and on its control.
-pub fn judge(claim: &'static Claim) -> Outcome {
+pub fn judge(claim: &'static Claim) -> JudgedClaim {
     let start = Instant::now();
     let recorded = (claim.check)(Reading::Recorded);
     let control = (claim.check)(Reading::Control);
@@ -80,7 +80,7 @@ pub fn judge(claim: &'static Claim) -> Outcome {
         (_, Ok(control)) if control.iter().all(Finding::holds) => Status::ControlPassed,
         _ => Status::Supported,
     };
-    Outcome {
+    JudgedClaim {
         claim,
         findings: recorded.unwrap_or_default(),
         control: control.unwrap_or_default(),

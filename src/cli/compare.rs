@@ -10,11 +10,11 @@ use crate::files::write_together;
 use crate::number::significant;
 use crate::report::comparison::{Comparison, SchemeOutcome, overlaid};
 use crate::report::json::pretty;
-use crate::report::motion::Motion;
+use crate::report::motion::MotionReport;
 use crate::report::plot;
 use crate::report::steps::StepSummary;
 use crate::scenes::{ExactMotion, Staged};
-use crate::schemes::{self, Certified, Parameters};
+use crate::schemes::{self, Certified, SchemeParameters};
 use crate::solvers;
 use crate::trajectory::Recording;
 use crate::{Error, Result};
@@ -110,7 +110,7 @@ struct Run {
 impl Run {
     fn simulate(scene: &str, name: &str, solver: &Certified, h: f64, steps: usize) -> Result<Self> {
         let staged = stage(scene, "SCENE", name)?;
-        let scheme = schemes::by_name(name, Parameters::default())?;
+        let scheme = schemes::by_name(name, SchemeParameters::default())?;
         let recording =
             schemes::simulate_certified(scheme.as_ref(), solver, staged.mechanism.as_ref(), staged.start.clone(), h, steps, |_| Ok(()))?;
         Ok(Run { staged, recording })
@@ -120,9 +120,9 @@ impl Run {
         StepSummary::of(&self.recording, self.staged.mechanism.as_ref())
     }
 
-    fn motion(&self) -> Motion<'_> {
+    fn motion(&self) -> MotionReport<'_> {
         let Staged { mechanism, exact, gravity, .. } = &self.staged;
-        Motion { mechanism: mechanism.as_ref(), recording: &self.recording, exact: exact.as_ref(), gravity: *gravity }
+        MotionReport { mechanism: mechanism.as_ref(), recording: &self.recording, exact: exact.as_ref(), gravity: *gravity }
     }
 }
 

@@ -5,7 +5,7 @@ use super::limits::count;
 use super::mujoco_options::MujocoOptions;
 use super::near::suggestion;
 use super::owned::{Owned, option};
-use crate::schemes::{self, Activation, Bullet, Parameters, RestitutionRule, Scheme};
+use crate::schemes::{self, Activation, Bullet, RestitutionRule, Scheme, SchemeParameters};
 use crate::tolerance::limits::SWEEPS;
 use crate::{Error, Result};
 
@@ -99,9 +99,9 @@ impl SchemeOptions {
         ]
     }
 
-    fn parameters(&self) -> Result<Parameters> {
-        let default = Parameters::default();
-        Ok(Parameters {
+    fn parameters(&self) -> Result<SchemeParameters> {
+        let default = SchemeParameters::default();
+        Ok(SchemeParameters {
             theta: self.theta.unwrap_or(default.theta),
             activation: self.activation.as_deref().map_or(Ok(default.activation), activation)?,
             restitution: self.restitution_rule.as_deref().map_or(Ok(default.restitution), RestitutionRule::by_name).map_err(option)?,
@@ -124,7 +124,7 @@ fn foreign(option: &str, scheme: &str, owners: &[&str]) -> Error {
 
 /// The schemes whose impacts use e.
 fn restituting() -> Result<Vec<&'static str>> {
-    let all = schemes::NAMES.into_iter().map(|name| Ok((name, schemes::by_name(name, Parameters::default())?)));
+    let all = schemes::NAMES.into_iter().map(|name| Ok((name, schemes::by_name(name, SchemeParameters::default())?)));
     let all = all.collect::<Result<Vec<_>>>()?;
     Ok(all.into_iter().filter(|(_, scheme)| scheme.has_restitution()).map(|(name, _)| name).collect())
 }

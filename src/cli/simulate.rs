@@ -9,12 +9,12 @@ use super::scheme_options::SchemeOptions;
 use super::{Answer, Format};
 use crate::files::{is_same_file, write_together};
 use crate::report::json::pretty;
-use crate::report::motion::{Motion, Quantity, lines};
+use crate::report::motion::{MotionReport, Quantity, lines};
 use crate::report::plot;
 use crate::report::steps::StepSummary;
 use crate::scenes::{self, ExactMotion, Linkage, Scene, Staged};
 use crate::schemes::{self, Scheme, Step};
-use crate::trajectory::{Engine, Trajectory};
+use crate::trajectory::{Producer, Trajectory};
 use crate::{Error, Result, solvers};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -123,7 +123,7 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
     let observe = |step: &Step| dumps.see(step);
     let recording = schemes::simulate_certified(scheme.as_ref(), &certified, mechanism, staged.start, arguments.step, steps, observe)?;
     let exact = staged.exact;
-    let motion = Motion { mechanism, recording: &recording, exact: exact.as_ref(), gravity: staged.gravity };
+    let motion = MotionReport { mechanism, recording: &recording, exact: exact.as_ref(), gravity: staged.gravity };
     write(arguments, &motion, scene.as_ref(), solver.name())?;
     let summary = Summary {
         scene: &staged.name,
@@ -142,14 +142,14 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
 }
 
 /// Writes the trajectory and the picture, both or none; a linkage has no trajectory.
-fn write(arguments: &Arguments, motion: &Motion, scene: Option<&Scene>, solver: &str) -> Result<()> {
+fn write(arguments: &Arguments, motion: &MotionReport, scene: Option<&Scene>, solver: &str) -> Result<()> {
     let title = format!("{}, {}, h = {} s", motion.recording.mechanism, motion.recording.scheme, motion.recording.time_step);
     let mut files: Vec<(&Path, String)> = Vec::new();
     if let Some(file) = &arguments.plot {
         files.push((file, plot::svg(&title, &motion.panels())?));
     }
     if let (Some(file), Some(scene)) = (&arguments.out, scene) {
-        let engine = Engine::ours(&motion.recording.scheme, solver);
+        let engine = Producer::ours(&motion.recording.scheme, solver);
         files.push((file, Trajectory::from_recording(motion.recording, motion.mechanism, scene, engine)?.to_json()?));
     }
     let files: Vec<(&Path, &[u8])> = files.iter().map(|(file, text)| (*file, text.as_bytes())).collect();

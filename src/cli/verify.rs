@@ -3,7 +3,7 @@
 use super::near::suggestion;
 use super::output::{print, style};
 use super::{Answer, Format};
-use crate::claims::{self, Claim, Outcome, Status, matches_group};
+use crate::claims::{self, Claim, JudgedClaim, Status, matches_group};
 use crate::report::json::{ClaimEntry, ExplanationEntry, OutcomeEntry, pretty};
 use crate::report::text;
 use crate::{Error, Result};
@@ -99,7 +99,7 @@ fn select(group: Option<&str>) -> Result<Vec<&'static Claim>> {
 }
 
 /// Judges claims in parallel; the answer is in the order of the question.
-fn judge_all(claims: &[&'static Claim]) -> Vec<Outcome> {
+fn judge_all(claims: &[&'static Claim]) -> Vec<JudgedClaim> {
     let bar = ProgressBar::new(claims.len() as u64); // hidden unless standard error is a terminal
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} claims  {elapsed}") {
         bar.set_style(style);
@@ -110,8 +110,8 @@ fn judge_all(claims: &[&'static Claim]) -> Vec<Outcome> {
 }
 
 /// Judges one claim; a check that panics fails alone instead of taking the others with it.
-fn judge(claim: &'static Claim) -> Outcome {
-    catch_unwind(|| claims::judge(claim)).unwrap_or_else(|_| Outcome {
+fn judge(claim: &'static Claim) -> JudgedClaim {
+    catch_unwind(|| claims::judge(claim)).unwrap_or_else(|_| JudgedClaim {
         claim,
         findings: Vec::new(),
         control: Vec::new(),
@@ -121,7 +121,7 @@ fn judge(claim: &'static Claim) -> Outcome {
 }
 
 /// Yes if every outcome is supported; a run that judged nothing has shown nothing.
-fn conclusion(outcomes: &[Outcome]) -> Answer {
+fn conclusion(outcomes: &[JudgedClaim]) -> Answer {
     let shown = !outcomes.is_empty() && outcomes.iter().all(|outcome| outcome.status == Status::Supported);
     shown.into()
 }

@@ -1,6 +1,6 @@
 //! Several motions of one scene beside each other: a table of what they show, and their curves in common panels.
 
-use super::motion::{Motion, Quantity};
+use super::motion::{MotionReport, Quantity};
 use super::plot::{Panel, Role};
 use super::steps::StepSummary;
 use crate::number::{significant, with_unit};
@@ -134,7 +134,7 @@ fn aligned(rows: &[Vec<String>]) -> String {
 }
 
 /// The panels of all motions laid over each other; a closed form is drawn once.
-pub fn overlaid(motions: &[(&str, Motion)]) -> Vec<Panel> {
+pub fn overlaid(motions: &[(&str, MotionReport)]) -> Vec<Panel> {
     let mut overlaid: Vec<Panel> = Vec::new();
     for (scheme, motion) in motions {
         for (k, mut panel) in motion.panels().into_iter().enumerate() {
@@ -165,7 +165,7 @@ mod tests {
         let exact = scene.exact_motion(&start);
         let schemes: [&dyn Scheme; 2] = [&MoreauJean::default(), &Anitescu];
         let runs = schemes.map(|scheme| simulate(scheme, &Auto, mechanism.as_ref(), start.clone(), 0.01, 100).expect("a ball"));
-        let motion = |k: usize| Motion { mechanism: mechanism.as_ref(), recording: &runs[k], exact: exact.as_ref(), gravity: 9.81 };
+        let motion = |k: usize| MotionReport { mechanism: mechanism.as_ref(), recording: &runs[k], exact: exact.as_ref(), gravity: 9.81 };
         let panels = overlaid(&[("moreau-jean", motion(0)), ("anitescu", motion(1))]);
         let labels = |panel: &Panel| panel.curves.iter().map(|curve| curve.label.clone()).collect::<Vec<_>>();
         assert_eq!(panels.len(), 3);

@@ -3,7 +3,7 @@
 //! Numbers that are not finite become `null`, never `NaN`.
 
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Outcome, Status, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, JudgedClaim, Status};
 use crate::{Error, Result};
 use serde::Serialize;
 
@@ -13,7 +13,7 @@ pub struct ClaimEntry {
     id: &'static str,
     section: &'static str,
     statement: &'static str,
-    verdict: Verdict,
+    verdict: ClaimVerdict,
     evidence: Evidence,
     correct_statement: &'static str,
 }
@@ -43,8 +43,8 @@ pub struct OutcomeEntry<'a> {
     seconds: f64,
 }
 
-impl<'a> From<&'a Outcome> for OutcomeEntry<'a> {
-    fn from(outcome: &'a Outcome) -> Self {
+impl<'a> From<&'a JudgedClaim> for OutcomeEntry<'a> {
+    fn from(outcome: &'a JudgedClaim) -> Self {
         let (status, failure) = match &outcome.status {
             Status::Supported => ("supported", None),
             Status::Contradicted => ("contradicted", None),
@@ -66,8 +66,8 @@ pub struct ExplanationEntry<'a> {
     sources: &'static [&'static str],
 }
 
-impl<'a> From<&'a Outcome> for ExplanationEntry<'a> {
-    fn from(outcome: &'a Outcome) -> Self {
+impl<'a> From<&'a JudgedClaim> for ExplanationEntry<'a> {
+    fn from(outcome: &'a JudgedClaim) -> Self {
         ExplanationEntry {
             argument: outcome.claim.argument,
             control: outcome.claim.control,

@@ -10,7 +10,7 @@ use serde::Serialize;
 use std::fmt::Write;
 
 /// A recorded motion with what it is held against.
-pub struct Motion<'a> {
+pub struct MotionReport<'a> {
     /// The mechanism that moved.
     pub mechanism: &'a dyn Mechanism,
     /// Its motion.
@@ -55,7 +55,7 @@ fn length([x, y, z]: [f64; 3]) -> f64 {
 /// Samples of a closed form in a picture.
 const EXACT_SAMPLES: usize = 1500;
 
-impl Motion<'_> {
+impl MotionReport<'_> {
     /// Penetration, energy, restitution, rest and the distance from the closed form.
     pub fn summary(&self) -> Vec<Quantity> {
         let balance = energy_balance(self.recording, |state| self.mechanism.energy(state));
@@ -232,12 +232,12 @@ mod tests {
     use crate::solvers::Auto;
     use crate::tolerance::rounding;
 
-    fn with_motion(scene: &str, scheme: &dyn Scheme, check: impl Fn(&Motion, &dyn Fn(&str) -> Option<f64>)) {
+    fn with_motion(scene: &str, scheme: &dyn Scheme, check: impl Fn(&MotionReport, &dyn Fn(&str) -> Option<f64>)) {
         let scene = named(scene).expect("a built-in scene");
         let (mechanism, start) = scene.mechanism().expect("planar");
         let exact = scene.exact_motion(&start);
         let recording = simulate(scheme, &Auto, mechanism.as_ref(), start, 0.01, 200).expect("a solvable scene");
-        let motion = Motion { mechanism: mechanism.as_ref(), recording: &recording, exact: exact.as_ref(), gravity: 9.81 };
+        let motion = MotionReport { mechanism: mechanism.as_ref(), recording: &recording, exact: exact.as_ref(), gravity: 9.81 };
         let summary = motion.summary();
         check(&motion, &|name| summary.iter().find(|quantity| quantity.name == name).expect("a known name").value);
     }
@@ -273,7 +273,7 @@ mod tests {
         let (spatial, turned) = scene.spatial_mechanism().expect("in space too");
         let summaries = [(planar, start), (spatial, turned)].map(|(mechanism, start)| {
             let recording = simulate(&MoreauJean::default(), &Auto, mechanism.as_ref(), start, 0.01, 100).expect("a solvable scene");
-            let motion = Motion { mechanism: mechanism.as_ref(), recording: &recording, exact: exact.as_ref(), gravity: 9.81 };
+            let motion = MotionReport { mechanism: mechanism.as_ref(), recording: &recording, exact: exact.as_ref(), gravity: 9.81 };
             let closed =
                 motion.panels().iter().map(|panel| panel.curves.iter().filter(|curve| curve.role == Role::ClosedForm).count()).collect();
             (motion.position_error(exact.as_ref().expect("a fall")), closed)

@@ -2,7 +2,7 @@
 
 use crate::checks::Finding;
 pub use crate::checks::text::Style;
-use crate::claims::{Claim, Outcome, SECTIONS, Section, Status, Verdict, place};
+use crate::claims::{Claim, ClaimVerdict, JudgedClaim, SECTIONS, Section, Status, place};
 use crate::number::{significant, with_unit};
 use std::fmt::Write;
 
@@ -10,7 +10,7 @@ use std::fmt::Write;
 const WIDTH: usize = 100;
 
 /// The report of a run: claims by section, what is wrong, and the count as the last line.
-pub fn outcomes(outcomes: &[Outcome], style: Style) -> String {
+pub fn outcomes(outcomes: &[JudgedClaim], style: Style) -> String {
     let width = id_width(outcomes.iter().map(|outcome| outcome.claim));
     let mut text = String::new();
     let mut group = "";
@@ -41,7 +41,7 @@ pub fn list(claims: &[&'static Claim], style: Style) -> String {
 }
 
 /// One claim in full: statement, verdict, argument, findings, corrected statement, control and sources.
-pub fn explanation(outcome: &Outcome, style: Style) -> String {
+pub fn explanation(outcome: &JudgedClaim, style: Style) -> String {
     let claim = outcome.claim;
     let title = section_of(claim).map_or(claim.section(), |section| section.title);
     let mut text = String::new();
@@ -52,7 +52,7 @@ pub fn explanation(outcome: &Outcome, style: Style) -> String {
         body.iter().for_each(|paragraph| line(&mut text, paragraph));
     };
     part("The chapter says", &[wrap(claim.statement)]);
-    part(if claim.verdict == Verdict::True { "Proof" } else { "Proof or counterexample" }, &[wrap(claim.argument)]);
+    part(if claim.verdict == ClaimVerdict::True { "Proof" } else { "Proof or counterexample" }, &[wrap(claim.argument)]);
     part("What this run found", &outcome.findings.iter().map(judged).collect::<Vec<_>>());
     part("Correct statement", &[wrap(claim.correct_statement)]);
     let mut control = vec![wrap(claim.control)];
@@ -73,17 +73,17 @@ pub fn explanation(outcome: &Outcome, style: Style) -> String {
 }
 
 /// The last line of `verify`.
-fn count(outcomes: &[Outcome]) -> String {
+fn count(outcomes: &[JudgedClaim]) -> String {
     let with = |verdict| outcomes.iter().filter(|outcome| outcome.claim.verdict == verdict).count();
     let contradicted = outcomes.iter().filter(|outcome| outcome.status != Status::Supported).count();
     format!(
         "{} claims: {} true, {} conditional, {} false as stated, {} inconsistent, {} ambiguous; {contradicted} contradicted",
         outcomes.len(),
-        with(Verdict::True),
-        with(Verdict::Conditional),
-        with(Verdict::False),
-        with(Verdict::Inconsistent),
-        with(Verdict::Ambiguous),
+        with(ClaimVerdict::True),
+        with(ClaimVerdict::Conditional),
+        with(ClaimVerdict::False),
+        with(ClaimVerdict::Inconsistent),
+        with(ClaimVerdict::Ambiguous),
     )
 }
 
@@ -128,7 +128,7 @@ fn alarm_word(status: &Status) -> Option<&'static str> {
 }
 
 /// Says in full what keeps an outcome from being supported.
-fn complain(text: &mut String, outcome: &Outcome, style: Style) {
+fn complain(text: &mut String, outcome: &JudgedClaim, style: Style) {
     let Some(word) = alarm_word(&outcome.status) else { return };
     let reason = match &outcome.status {
         Status::Failed(reason) => format!("the check could not be carried out: {reason}"),
@@ -174,7 +174,7 @@ pub(crate) mod tests {
     pub(crate) const CLAIM: Claim = Claim {
         id: "S4.example",
         statement: "one is two",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Exact,
         correct_statement: "one is one",
         argument: "1 ≠ 2",
@@ -183,9 +183,9 @@ pub(crate) mod tests {
         check: |reading| Ok(vec![Finding::equal("length", reading.pick(1.0, 2.0), 1.0, 0.0, "m")]),
     };
 
-    pub(crate) fn outcome(status: Status) -> Outcome {
+    pub(crate) fn outcome(status: Status) -> JudgedClaim {
         let findings = |reading| (CLAIM.check)(reading).expect("the example cannot fail");
-        Outcome { claim: &CLAIM, findings: findings(Reading::Recorded), control: findings(Reading::Control), status, seconds: 0.0 }
+        JudgedClaim { claim: &CLAIM, findings: findings(Reading::Recorded), control: findings(Reading::Control), status, seconds: 0.0 }
     }
 
     const PLAIN: Style = Style { colour: false };

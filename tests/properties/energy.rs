@@ -3,7 +3,7 @@
 use crate::cases;
 use moreau::checks::energy::{elastic_invariant, impact, worked_ball, worked_example};
 use moreau::checks::zeno::DroppedBall;
-use moreau::exact_particle::{Ball, Motion};
+use moreau::exact_particle::{Ball, BallState};
 use moreau::scalar::{Rational, ratio};
 use moreau::schemes::{Activation, MoreauJean, RestitutionRule, Scheme};
 use proptest::prelude::*;
@@ -41,7 +41,7 @@ proptest! {
     ) {
         let ball = Ball { mass, gravity: gravity.clone(), restitution: ratio(1, 1) };
         let height = gravity * &h * &h * ratio(steps_of_fall * steps_of_fall, 2);
-        let start = Motion { position: height, velocity: ratio(0, 1) };
+        let start = BallState { position: height, velocity: ratio(0, 1) };
         for finding in elastic_invariant(&ball, &start, &theta, activation, &h, 40) {
             prop_assert!(finding.holds(), "{finding}");
         }

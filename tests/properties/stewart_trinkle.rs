@@ -7,7 +7,7 @@ use moreau::certificate::residuals::residuals as judge;
 use moreau::certificate::{Decision, existence};
 use moreau::checks::Finding;
 use moreau::checks::stewart_trinkle::{
-    System, chapter_example, decisions, identity, rational_directions, reduced, reference, solvability, theorem_applies, wedge,
+    RationalStep, chapter_example, decisions, identity, rational_directions, reduced, reference, solvability, theorem_applies, wedge,
 };
 use moreau::contact::delassus::delassus;
 use moreau::problem::{ContactProblem, Law, Lcp};
@@ -38,7 +38,7 @@ enum Relation {
 }
 
 /// A system of this shape: up to 4 velocities, contacts that may repeat or oppose the first, μ from 0 to 3.
-fn system(shapes: &'static [(usize, usize)], gaps: std::ops::RangeInclusive<i64>) -> impl Strategy<Value = System> {
+fn system(shapes: &'static [(usize, usize)], gaps: std::ops::RangeInclusive<i64>) -> impl Strategy<Value = RationalStep> {
     (prop::sample::select(shapes), 1..=4usize).prop_flat_map(move |((contacts, d), velocities)| {
         let rows_per_contact = if d == 2 { 2 } else { 3 };
         let relation = prop_oneof![3 => Just(Relation::Independent), 1 => Just(Relation::Redundant), 1 => Just(Relation::Opposed)];
@@ -50,7 +50,7 @@ fn system(shapes: &'static [(usize, usize)], gaps: std::ops::RangeInclusive<i64>
             prop::collection::vec(gaps.clone(), contacts),
             prop::collection::vec(-5..=5i64, velocities),
         )
-            .prop_map(move |(entries, relations, masses, friction, gaps, free)| System {
+            .prop_map(move |(entries, relations, masses, friction, gaps, free)| RationalStep {
                 mass: DVector::from_iterator(velocities, masses.iter().map(|&(p, q)| ratio(p, q))),
                 jacobian: related(rows_per_contact, velocities, &entries.iter().map(|&x| ratio(x, 1)).collect::<Vec<_>>(), &relations),
                 rows_per_contact,
@@ -78,7 +78,7 @@ fn related<T: Scalar>(rows_per_contact: usize, velocities: usize, entries: &[T],
     })
 }
 
-fn assert_holds(system: &System, findings: &[Finding]) -> std::result::Result<(), TestCaseError> {
+fn assert_holds(system: &RationalStep, findings: &[Finding]) -> std::result::Result<(), TestCaseError> {
     for finding in findings {
         prop_assert!(finding.holds(), "{finding}\n{system:?}");
     }
@@ -86,7 +86,7 @@ fn assert_holds(system: &System, findings: &[Finding]) -> std::result::Result<()
 }
 
 /// Three points x ≥ 0 of a system: two pseudo-random, one with equal entries.
-fn points(system: &System, seeds: &[i64]) -> Vec<DVector<Rational>> {
+fn points(system: &RationalStep, seeds: &[i64]) -> Vec<DVector<Rational>> {
     let size = system.unknowns();
     let strided = |stride: usize| DVector::from_fn(size, |i, _| ratio(seeds[stride * i % seeds.len()], 3));
     vec![strided(1), strided(5), DVector::from_element(size, ratio(1, 1))]

@@ -2,8 +2,8 @@
 
 use crate::cases::this_program;
 use libtest_mimic::Trial;
-use moreau::gate::conformance::{Conformance, Outcome, conformance};
-use moreau::gate::process::{Cause, Limits};
+use moreau::gate::conformance::{Conformance, ProbeOutcome, conformance};
+use moreau::gate::process::{Fate, Limits};
 use std::time::Duration;
 
 /// Mistakes with the probes that must find them – no others may complain – and words of their report.
@@ -88,7 +88,7 @@ pub fn all() -> Vec<Trial> {
     }));
     trials.push(Trial::test("an_adapter_that_does_not_start_has_no_outcome", || {
         let fault = conformance(&["/nowhere/engine".into()], LIMITS).expect_err("nobody answers");
-        assert!(matches!(fault.cause, Cause::NotStarted(_)));
+        assert!(matches!(fault.cause, Fate::NotStarted(_)));
         let fault = conformance(&this_program(&["--misbehave", "crash-at-start"]), LIMITS).expect_err("nobody answers");
         assert!(fault.to_string().contains("No module named 'simulator'"), "{fault}");
         Ok(())
@@ -103,8 +103,8 @@ fn probed(mistake: &str) -> Conformance {
 }
 
 fn problems(outcome: &Conformance) -> Vec<(&'static str, String)> {
-    let problem = |outcome: &Outcome| match outcome {
-        Outcome::Problem { why, cure } => Some(format!("{why} / {cure}")),
+    let problem = |outcome: &ProbeOutcome| match outcome {
+        ProbeOutcome::Problem { why, cure } => Some(format!("{why} / {cure}")),
         _ => None,
     };
     outcome.probes.iter().filter_map(|probe| problem(&probe.outcome).map(|text| (probe.probe, text))).collect()

@@ -4,7 +4,7 @@ use crate::numbers::Numbers;
 use moreau::mechanics::{Mechanism, OscillatorWithStop, State};
 use moreau::scenes::{Body, Cuboid, Ground, Material, PairOverride, Scene, Sphere};
 use moreau::schemes::mujoco::Cone;
-use moreau::schemes::{Activation, Bodies, Parameters, RestitutionRule};
+use moreau::schemes::{Activation, Bodies, RestitutionRule, SchemeParameters};
 use nalgebra::dvector;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -24,7 +24,7 @@ pub struct Scenario {
     pub seed: u64,
     pub h: f64,
     pub steps: usize,
-    pub parameters: Parameters,
+    pub parameters: SchemeParameters,
     pub subject: Subject,
 }
 
@@ -101,8 +101,8 @@ impl Scenario {
     }
 }
 
-fn parameters(n: &mut Numbers) -> Parameters {
-    let mut parameters = Parameters { theta: if n.chance(0.6) { 0.5 } else { n.share() }, ..Parameters::default() };
+fn parameters(n: &mut Numbers) -> SchemeParameters {
+    let mut parameters = SchemeParameters { theta: if n.chance(0.6) { 0.5 } else { n.share() }, ..SchemeParameters::default() };
     parameters.activation = n.one_of(&Activation::ALL);
     parameters.restitution = n.one_of(&RestitutionRule::ALL);
     parameters.bullet.bodies = n.one_of(&[Bodies::Multi, Bodies::Rigid]);

@@ -11,7 +11,7 @@ use crate::document::Document;
 use crate::{momentum, planted};
 use libtest_mimic::Failed;
 use moreau::checks::Finding;
-use moreau::closed_forms::dart_column::{Column, Interface, Parameters};
+use moreau::closed_forms::dart_column::{Column, ColumnParameters, Interface};
 use moreau::systems::replay::option;
 use moreau::tolerance::references as tolerance;
 use moreau::trajectory::Trajectory;
@@ -32,8 +32,8 @@ pub fn check(document: &Document, trajectory: &Trajectory) -> Result<Vec<Finding
     Ok([momentum::check(document, trajectory)?, planted::caught(trajectory, own)?].concat())
 }
 
-fn parameters(trajectory: &Trajectory) -> Result<Parameters, Failed> {
-    Ok(Parameters {
+fn parameters(trajectory: &Trajectory) -> Result<ColumnParameters, Failed> {
+    Ok(ColumnParameters {
         error_reduction: option(trajectory, "error_reduction")?,
         correction_speed: option(trajectory, "correction_speed")?,
         force_mixing: option(trajectory, "force_mixing")?,

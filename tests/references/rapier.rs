@@ -13,7 +13,7 @@ use crate::document::Document;
 use crate::{momentum, planted};
 use libtest_mimic::Failed;
 use moreau::checks::Finding;
-use moreau::closed_forms::rapier_contact::{Ball, Contact, opposing_share, rest_depth};
+use moreau::closed_forms::rapier_contact::{RapierBall, RapierContact, opposing_share, rest_depth};
 use moreau::systems::replay::option;
 use moreau::tolerance::references as tolerance;
 use moreau::trajectory::Trajectory;
@@ -47,7 +47,7 @@ fn own(document: &Document, trajectory: &Trajectory) -> Result<Vec<Finding>, Fai
 fn ball(document: &Document, trajectory: &Trajectory) -> Result<Vec<Finding>, Failed> {
     let (scene, track) = (&trajectory.scene, &trajectory.bodies[0]);
     let radius = scene.bodies[0].sphere.ok_or("the ball is a sphere")?.radius;
-    let contact = Contact {
+    let contact = RapierContact {
         time_step: trajectory.time_step,
         substeps: option(trajectory, "solver_iterations")? as usize,
         frequency: option(trajectory, "ground_contact_frequency")?,
@@ -59,7 +59,7 @@ fn ball(document: &Document, trajectory: &Trajectory) -> Result<Vec<Finding>, Fa
         gravity: -scene.gravity[2],
         mass: scene.bodies[0].mass,
     };
-    let mut ball = Ball { height: track.position[0][2], velocity: track.linear_velocity[0][2], ..Ball::default() };
+    let mut ball = RapierBall { height: track.position[0][2], velocity: track.linear_velocity[0][2], ..RapierBall::default() };
     let (mut apart, mut speed) = ([0.0f64; 2], 0.0f64);
     for (place, velocity) in track.position.iter().zip(&track.linear_velocity).skip(1) {
         contact.step(&mut ball);

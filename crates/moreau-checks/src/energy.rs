@@ -11,7 +11,7 @@
 use super::zeno::DroppedBall;
 use crate::finding::Finding;
 use moreau_contact::solvers::ProjectedGaussSeidel;
-use moreau_dynamics::exact_particle::{Ball, Motion, Outcome};
+use moreau_dynamics::exact_particle::{Ball, BallState, BallStep};
 use moreau_dynamics::mechanics::State;
 use moreau_dynamics::schemes::{Activation, MoreauJean, Scheme, step};
 use moreau_dynamics::tolerance::schemes;
@@ -81,7 +81,7 @@ fn energy_rounding(ball: &DroppedBall, before: &State, h: f64) -> f64 {
 /// Ẽ of an elastic ball (e = 1) after every one of `steps` steps equals its initial value, exactly and for every θ.
 pub fn elastic_invariant(
     ball: &Ball<Rational>,
-    start: &Motion<Rational>,
+    start: &BallState<Rational>,
     theta: &Rational,
     activation: Activation,
     h: &Rational,
@@ -113,8 +113,8 @@ pub fn worked_ball() -> Ball<Rational> {
 }
 
 /// The contact step of the chapter's worked example: q = 0.005 m, v = −0.99 m/s, h = 0.01 s, rule D.
-pub fn worked_step(ball: &Ball<Rational>, theta: &Rational) -> Outcome<Rational> {
-    let before = Motion { position: ratio(5, 1000), velocity: ratio(-99, 100) };
+pub fn worked_step(ball: &Ball<Rational>, theta: &Rational) -> BallStep<Rational> {
+    let before = BallState { position: ratio(5, 1000), velocity: ratio(-99, 100) };
     ball.moreau_jean(&before, theta, Activation::FreeVelocityForecast, &ratio(1, 100))
 }
 
@@ -152,7 +152,7 @@ mod tests {
     #[test]
     fn the_invariant_belongs_to_its_own_theta() {
         let ball = Ball { restitution: ratio(1, 1), ..worked_ball() };
-        let start = Motion { position: ratio(1, 20), velocity: ratio(0, 1) };
+        let start = BallState { position: ratio(1, 20), velocity: ratio(0, 1) };
         let h = ratio(1, 100);
         let end = (0..20).fold(start.clone(), |now, _| ball.moreau_jean(&now, &ratio(1, 1), Activation::Gap, &h).motion);
         assert_eq!(ball.scheme_energy(&end, &ratio(1, 1), &h), ball.energy(&start));

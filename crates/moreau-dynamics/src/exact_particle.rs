@@ -23,7 +23,7 @@ pub struct Ball<T> {
 
 /// Height and velocity of the ball, upwards.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Motion<T> {
+pub struct BallState<T> {
     /// q \[m\].
     pub position: T,
     /// v \[m/s\].
@@ -32,9 +32,9 @@ pub struct Motion<T> {
 
 /// One step and what it was made of.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Outcome<T> {
+pub struct BallStep<T> {
     /// q⁺ and v⁺.
-    pub motion: Motion<T>,
+    pub motion: BallState<T>,
     /// r \[N·s\].
     pub impulse: T,
     /// v_free = v − g h \[m/s\].
@@ -47,7 +47,7 @@ pub struct Outcome<T> {
 
 impl<T: Scalar> Ball<T> {
     /// One step of Moreau–Jean with the position update q + h(θ v⁺ + (1−θ) v).
-    pub fn moreau_jean(&self, now: &Motion<T>, theta: &T, activation: Activation, h: &T) -> Outcome<T> {
+    pub fn moreau_jean(&self, now: &BallState<T>, theta: &T, activation: Activation, h: &T) -> BallStep<T> {
         let free_velocity = now.velocity.clone() - self.gravity.clone() * h.clone();
         let forecast_speed = match activation {
             Activation::Gap => T::zero(),
@@ -61,7 +61,7 @@ impl<T: Scalar> Ball<T> {
     }
 
     /// One step of Stewart–Trinkle: 0 ≤ r ⟂ q + h v⁺ ≥ 0, position update q + h v⁺, no restitution.
-    pub fn stewart_trinkle(&self, now: &Motion<T>, h: &T) -> Outcome<T> {
+    pub fn stewart_trinkle(&self, now: &BallState<T>, h: &T) -> BallStep<T> {
         let free_velocity = now.velocity.clone() - self.gravity.clone() * h.clone();
         let impulse = self.impulse(&free_velocity, now.position.clone() / h.clone());
         self.outcome(now, &T::one(), h, free_velocity, impulse, true)
@@ -69,7 +69,7 @@ impl<T: Scalar> Ball<T> {
 
     /// One step of nonsmooth generalised-α, which under a constant force is the same for every spectral radius: active if the free step
     /// ends at or below the floor, position update q + ½h (v + v⁺).
-    pub fn generalised_alpha(&self, now: &Motion<T>, h: &T) -> Outcome<T> {
+    pub fn generalised_alpha(&self, now: &BallState<T>, h: &T) -> BallStep<T> {
         let free_velocity = now.velocity.clone() - self.gravity.clone() * h.clone();
         let half = T::ratio(1, 2);
         let reached = now.position.clone() + h.clone() * half.clone() * (now.velocity.clone() + free_velocity.clone());
@@ -79,7 +79,7 @@ impl<T: Scalar> Ball<T> {
     }
 
     /// One step of Schatzman–Paoli: 0 ≤ r ⟂ v⁺ − e v + (1+e) q/h ≥ 0, position update q + h v⁺.
-    pub fn schatzman_paoli(&self, now: &Motion<T>, h: &T) -> Outcome<T> {
+    pub fn schatzman_paoli(&self, now: &BallState<T>, h: &T) -> BallStep<T> {
         let free_velocity = now.velocity.clone() - self.gravity.clone() * h.clone();
         let ahead = (T::one() + self.restitution.clone()) * now.position.clone() / h.clone();
         let impulse = self.impulse(&free_velocity, ahead - self.restitution.clone() * now.velocity.clone());
@@ -91,7 +91,7 @@ impl<T: Scalar> Ball<T> {
     ///
     /// Free step: Δ(½v²) = −g h v + ½g²h², g Δq = g h v − θ g²h² and −(θ−½) g h Δv = (θ−½) g²h²; the sum is zero.
     /// Elastic bounce: Δ(½v²) = 0, g Δq = g h (1−2θ) v and −(θ−½) g h Δv = (2θ−1) g h v; the sum is zero.
-    pub fn scheme_energy(&self, motion: &Motion<T>, theta: &T, h: &T) -> T {
+    pub fn scheme_energy(&self, motion: &BallState<T>, theta: &T, h: &T) -> T {
         let half = T::ratio(1, 2);
         let kinetic = half.clone() * motion.velocity.clone() * motion.velocity.clone();
         let potential = self.gravity.clone() * motion.position.clone();
@@ -100,7 +100,7 @@ impl<T: Scalar> Ball<T> {
     }
 
     /// E = ½ m v² + m g q \[J\].
-    pub fn energy(&self, motion: &Motion<T>) -> T {
+    pub fn energy(&self, motion: &BallState<T>) -> T {
         self.scheme_energy(motion, &T::ratio(1, 2), &T::zero())
     }
 
@@ -115,12 +115,12 @@ impl<T: Scalar> Ball<T> {
         if wanted > T::zero() { wanted } else { T::zero() }
     }
 
-    fn outcome(&self, now: &Motion<T>, theta: &T, h: &T, free_velocity: T, impulse: T, active: bool) -> Outcome<T> {
+    fn outcome(&self, now: &BallState<T>, theta: &T, h: &T, free_velocity: T, impulse: T, active: bool) -> BallStep<T> {
         let velocity = free_velocity.clone() + impulse.clone() / self.mass.clone();
         let mean = theta.clone() * velocity.clone() + (T::one() - theta.clone()) * now.velocity.clone();
         let position = now.position.clone() + h.clone() * mean;
         let forecast = now.position.clone() + h.clone() * free_velocity.clone();
-        Outcome { motion: Motion { position, velocity }, impulse, free_velocity, forecast, active }
+        BallStep { motion: BallState { position, velocity }, impulse, free_velocity, forecast, active }
     }
 }
 
@@ -139,7 +139,7 @@ mod tests {
     const RESTITUTION: f64 = 0.6;
 
     /// Steps the f64 scheme and, from each of its states, the exact ball; both must agree within one step's rounding.
-    fn agree(scheme: &dyn Scheme, reference: impl Fn(&Ball<Rational>, &Motion<Rational>, &Rational) -> Outcome<Rational>) {
+    fn agree(scheme: &dyn Scheme, reference: impl Fn(&Ball<Rational>, &BallState<Rational>, &Rational) -> BallStep<Rational>) {
         let h = 0.013;
         let mechanism = PointMass::ball_on_floor(MASS, GRAVITY, RESTITUTION);
         let ball = Ball { mass: exact(MASS), gravity: exact(GRAVITY), restitution: exact(RESTITUTION) };
@@ -147,7 +147,7 @@ mod tests {
         for _ in 0..150 {
             let (q, v) = (state.position[0], state.velocity[0]);
             let next = step(scheme, &ProjectedGaussSeidel::default(), &mechanism, &state, h).expect("a ball can be stepped");
-            let outcome = reference(&ball, &Motion { position: exact(q), velocity: exact(v) }, &exact(h));
+            let outcome = reference(&ball, &BallState { position: exact(q), velocity: exact(v) }, &exact(h));
             assert_eq!(outcome.active, !next.assembled.active.is_empty(), "{} at q = {q}, v = {v}", scheme.name());
             let fall = GRAVITY * h;
             // Stewart–Trinkle forms φ/h, whose size is that of a speed, and Schatzman–Paoli up to twice that.
@@ -188,8 +188,8 @@ mod tests {
     #[test]
     fn stewart_trinkle_lands_exactly_on_the_floor() {
         let ball = Ball { mass: Rational::ratio(1, 1), gravity: Rational::ratio(10, 1), restitution: Rational::ratio(1, 2) };
-        let start = Motion { position: Rational::ratio(1, 20), velocity: Rational::ratio(0, 1) };
+        let start = BallState { position: Rational::ratio(1, 20), velocity: Rational::ratio(0, 1) };
         let landed = ball.stewart_trinkle(&start, &Rational::ratio(1, 10));
-        assert_eq!(landed.motion, Motion { position: Rational::ratio(0, 1), velocity: Rational::ratio(-1, 2) });
+        assert_eq!(landed.motion, BallState { position: Rational::ratio(0, 1), velocity: Rational::ratio(-1, 2) });
     }
 }

@@ -22,7 +22,7 @@ const UNLIMITED: usize = 3;
 
 /// DART's numbers for all contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameters {
+pub struct ColumnParameters {
     /// ERP.
     pub error_reduction: f64,
     /// v_max \[m/s\].
@@ -52,7 +52,7 @@ pub struct Column {
     /// e.
     pub restitution: f64,
     /// ERP, v_max, c and the threshold of rebounds.
-    pub parameters: Parameters,
+    pub parameters: ColumnParameters,
     /// \[kg\], from the ground on.
     pub masses: Vec<f64>,
     /// Below every body.
@@ -83,7 +83,7 @@ impl Column {
 
     /// t_i.
     fn target(&self, gaps: &DVector<f64>, interface: usize, approach: f64) -> f64 {
-        let Parameters { error_reduction, correction_speed, rebound_threshold, .. } = self.parameters;
+        let ColumnParameters { error_reduction, correction_speed, rebound_threshold, .. } = self.parameters;
         let unlimited = error_reduction * -gaps[interface] / self.time_step;
         let push = if island(gaps, interface) < UNLIMITED { unlimited.min(correction_speed) } else { unlimited };
         let rebound = -approach * self.restitution;
@@ -130,7 +130,8 @@ mod tests {
     const G: f64 = 10.0;
 
     fn column(bodies: usize) -> Column {
-        let parameters = Parameters { error_reduction: 0.125, correction_speed: 0.25, force_mixing: 1.0 / 1024.0, rebound_threshold: 0.5 };
+        let parameters =
+            ColumnParameters { error_reduction: 0.125, correction_speed: 0.25, force_mixing: 1.0 / 1024.0, rebound_threshold: 0.5 };
         let interface = Interface { points: 4.0, response: 2.5 };
         let masses = vec![2.0; bodies];
         Column { time_step: H, gravity: G, restitution: 0.5, parameters, masses, interfaces: vec![interface; bodies] }

@@ -22,7 +22,7 @@ use std::f64::consts::TAU;
 
 /// A ball's contact and its step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Contact {
+pub struct RapierContact {
     /// h \[s\].
     pub time_step: f64,
     /// N.
@@ -47,7 +47,7 @@ pub struct Contact {
 
 /// The ball, with what the engine keeps for its next step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Ball {
+pub struct RapierBall {
     /// φ + radius \[m\]: a gap closed without push-out ends at zero to rounding, which then decides between rigid and soft, so it is formed
     /// as the engine forms it.
     pub height: f64,
@@ -59,9 +59,9 @@ pub struct Ball {
     pub pressed: bool,
 }
 
-impl Contact {
+impl RapierContact {
     /// One step of size h.
-    pub fn step(&self, ball: &mut Ball) {
+    pub fn step(&self, ball: &mut RapierBall) {
         let dt = self.time_step / self.substeps as f64;
         if self.gap(ball) > self.prediction {
             for _ in 0..self.substeps {
@@ -84,7 +84,7 @@ impl Contact {
         ball.pressed = total > 0.0;
     }
 
-    fn substep(&self, ball: &mut Ball, dt: f64) {
+    fn substep(&self, ball: &mut RapierBall, dt: f64) {
         let (push, softness) = self.spring(dt);
         ball.velocity += ball.impulse / self.mass - self.gravity * dt;
         let gap = self.gap(ball);
@@ -97,11 +97,11 @@ impl Contact {
         self.sweep(ball, self.gap(ball).max(0.0) / dt, 1.0);
     }
 
-    fn gap(&self, ball: &Ball) -> f64 {
+    fn gap(&self, ball: &RapierBall) -> f64 {
         ball.height - self.radius
     }
 
-    fn sweep(&self, ball: &mut Ball, bias: f64, softness: f64) {
+    fn sweep(&self, ball: &mut RapierBall, bias: f64, softness: f64) {
         let impulse = softness * (ball.impulse - self.mass * (ball.velocity + bias)).max(0.0);
         ball.velocity += (impulse - ball.impulse) / self.mass;
         ball.impulse = impulse;
@@ -132,8 +132,8 @@ mod tests {
     use super::*;
     use moreau_exact::tolerance::rounding;
 
-    fn contact(time_step: f64, substeps: usize) -> Contact {
-        Contact {
+    fn contact(time_step: f64, substeps: usize) -> RapierContact {
+        RapierContact {
             time_step,
             substeps,
             frequency: 60.0,
@@ -153,7 +153,7 @@ mod tests {
         assert!((depth - 10.0 / (TAU * 60.0).powi(2)).abs() <= rounding(8, depth));
         for (h, substeps) in [(1.0 / 64.0, 1), (1.0 / 64.0, 4), (1.0 / 1024.0, 4)] {
             let contact = contact(h, substeps);
-            let mut ball = Ball { height: 0.25 - depth, velocity: 0.0, impulse: 20.0 * h / substeps as f64, pressed: true };
+            let mut ball = RapierBall { height: 0.25 - depth, velocity: 0.0, impulse: 20.0 * h / substeps as f64, pressed: true };
             for _ in 0..16 {
                 contact.step(&mut ball);
             }
@@ -165,18 +165,18 @@ mod tests {
     #[test]
     fn it_falls_by_the_semi_implicit_method_of_its_substeps_and_rebounds_with_e_times_the_speed_before_the_step() {
         let contact = contact(1.0 / 64.0, 4);
-        let mut ball = Ball { height: 0.75, ..Ball::default() };
+        let mut ball = RapierBall { height: 0.75, ..RapierBall::default() };
         let dt = 1.0 / 256.0;
         for step in 1..=16 {
             contact.step(&mut ball);
             let n = f64::from(4 * step);
             assert!((ball.height - (0.75 - 10.0 * dt * dt * n * (n + 1.0) / 2.0)).abs() <= rounding(256, 1.0));
         }
-        let mut ball = Ball { height: 0.251, velocity: -3.0, ..Ball::default() };
+        let mut ball = RapierBall { height: 0.251, velocity: -3.0, ..RapierBall::default() };
         contact.step(&mut ball);
         assert!((ball.velocity - 1.5).abs() <= rounding(64, 4.0), "{}", ball.velocity);
         // what was pressed in the step before does not rebound again
-        let mut ball = Ball { height: 0.249, velocity: -3.0, impulse: 0.0, pressed: true };
+        let mut ball = RapierBall { height: 0.249, velocity: -3.0, impulse: 0.0, pressed: true };
         contact.step(&mut ball);
         assert!(ball.velocity.abs() <= rounding(64, 4.0), "{}", ball.velocity);
     }

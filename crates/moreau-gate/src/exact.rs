@@ -6,7 +6,7 @@ use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::trajectory::{BodyTrack, Trajectory};
 
 /// Position, orientation \[w, x, y, z\], velocity and angular velocity of one body.
-pub(crate) type State = ([f64; 3], [f64; 4], [f64; 3], [f64; 3]);
+pub(crate) type RigidState = ([f64; 3], [f64; 4], [f64; 3], [f64; 3]);
 
 /// The engine whose bodies move as `motion(scene, body, h, t)` says.
 pub(crate) struct Exact<F> {
@@ -14,7 +14,7 @@ pub(crate) struct Exact<F> {
     pub motion: F,
 }
 
-impl<F: Fn(&Scene, usize, f64, f64) -> State + Send> Engine for Exact<F> {
+impl<F: Fn(&Scene, usize, f64, f64) -> RigidState + Send> Engine for Exact<F> {
     fn describe(&mut self, _options: &Options) -> Reply<Description> {
         Ok(Description {
             name: "exact".into(),
@@ -37,7 +37,7 @@ impl<F: Fn(&Scene, usize, f64, f64) -> State + Send> Engine for Exact<F> {
         Ok(Trajectory {
             schema: moreau_dynamics::trajectory::SCHEMA.into(),
             scene: scene.clone(),
-            engine: moreau_dynamics::trajectory::Engine { name: "exact".into(), version: "0".into(), options: Options::new() },
+            engine: moreau_dynamics::trajectory::Producer { name: "exact".into(), version: "0".into(), options: Options::new() },
             time_step: h,
             times,
             bodies,
@@ -48,9 +48,9 @@ impl<F: Fn(&Scene, usize, f64, f64) -> State + Send> Engine for Exact<F> {
     }
 }
 
-impl<F: Fn(&Scene, usize, f64, f64) -> State> Exact<F> {
+impl<F: Fn(&Scene, usize, f64, f64) -> RigidState> Exact<F> {
     fn track(&self, scene: &Scene, index: usize, name: &str, h: f64, times: &[f64]) -> BodyTrack {
-        let states: Vec<State> = times.iter().map(|t| (self.motion)(scene, index, h, *t)).collect();
+        let states: Vec<RigidState> = times.iter().map(|t| (self.motion)(scene, index, h, *t)).collect();
         BodyTrack {
             name: name.into(),
             position: states.iter().map(|state| state.0).collect(),
@@ -62,7 +62,7 @@ impl<F: Fn(&Scene, usize, f64, f64) -> State> Exact<F> {
 }
 
 /// The measurements of a check on a motion at h, with their verdicts.
-pub(crate) fn judge<F: Fn(&Scene, usize, f64, f64) -> State + Send>(check: &str, h: f64, motion: F) -> Vec<crate::Measurement> {
+pub(crate) fn judge<F: Fn(&Scene, usize, f64, f64) -> RigidState + Send>(check: &str, h: f64, motion: F) -> Vec<crate::Measurement> {
     let check = crate::checks::find(check).expect("a registered check");
     let mut engine = Exact { motion };
     let options = Options::new();

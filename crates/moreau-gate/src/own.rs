@@ -25,7 +25,7 @@ pub type Mechanics = fn(&Scene) -> Result<(Box<dyn Mechanism>, State)>;
 
 /// The options of our schemes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameters {
+pub struct OwnParameters {
     /// θ of Moreau–Jean.
     pub theta: f64,
     /// Activation rule of Moreau–Jean.
@@ -34,10 +34,10 @@ pub struct Parameters {
     pub directions: usize,
 }
 
-impl Default for Parameters {
+impl Default for OwnParameters {
     fn default() -> Self {
         let MoreauJean { theta, activation, .. } = MoreauJean::default();
-        Parameters { theta, activation, directions: StewartTrinkle::default().directions }
+        OwnParameters { theta, activation, directions: StewartTrinkle::default().directions }
     }
 }
 
@@ -45,13 +45,13 @@ impl Default for Parameters {
 ///
 /// # Errors
 /// θ outside \[0, 1\].
-pub fn moreau_jean(&Parameters { theta, activation, .. }: &Parameters) -> Result<Box<dyn Scheme>> {
+pub fn moreau_jean(&OwnParameters { theta, activation, .. }: &OwnParameters) -> Result<Box<dyn Scheme>> {
     let scheme = MoreauJean { theta, activation, ..MoreauJean::default() };
     scheme.validate()?;
     Ok(Box::new(scheme))
 }
 
-fn stewart_trinkle(&Parameters { directions, .. }: &Parameters) -> Result<Box<dyn Scheme>> {
+fn stewart_trinkle(&OwnParameters { directions, .. }: &OwnParameters) -> Result<Box<dyn Scheme>> {
     let scheme = StewartTrinkle { directions };
     scheme.validate()?;
     Ok(Box::new(scheme))
@@ -63,15 +63,15 @@ pub struct OwnEngine {
     /// What it is called.
     pub name: String,
     /// The contact law it declares.
-    pub law: Law,
+    pub law: OwnScheme,
     /// Options in force when a request gives none.
-    pub parameters: Parameters,
+    pub parameters: OwnParameters,
     /// Whether a step that the certificate rejects is an error. A planted engine is let through: the checks have to see its mistake.
     pub certified: bool,
     /// The solver when a request names none.
     pub solver_name: String,
     /// The scheme.
-    pub scheme: fn(&Parameters) -> Result<Box<dyn Scheme>>,
+    pub scheme: fn(&OwnParameters) -> Result<Box<dyn Scheme>>,
     /// The solvers that a request may name.
     pub solvers: Solvers,
     /// The mechanism of a scene with its initial state.
@@ -82,7 +82,7 @@ pub struct OwnEngine {
 
 /// The law a scheme declares.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Law {
+pub enum OwnScheme {
     /// Moreau–Jean: Coulomb–Signorini with restitution; options θ and activation.
     Coulomb,
     /// Stewart–Trinkle: d friction directions, no restitution.
@@ -96,8 +96,8 @@ pub enum Law {
 /// # Errors
 /// [`Error::Unsupported`] lists the known names.
 pub fn by_name(name: &str) -> Result<OwnEngine> {
-    let default = Parameters::default();
-    let engine = |law, parameters, scheme: fn(&Parameters) -> Result<Box<dyn Scheme>>| OwnEngine {
+    let default = OwnParameters::default();
+    let engine = |law, parameters, scheme: fn(&OwnParameters) -> Result<Box<dyn Scheme>>| OwnEngine {
         name: name.into(),
         law,
         parameters,
@@ -109,10 +109,10 @@ pub fn by_name(name: &str) -> Result<OwnEngine> {
         project: second_order::project,
     };
     match name {
-        "moreau-jean" => Ok(engine(Law::Coulomb, default, moreau_jean)),
-        "moreau-jean-theta-1" => Ok(engine(Law::Coulomb, Parameters { theta: 1.0, ..default }, moreau_jean)),
-        "stewart-trinkle" => Ok(engine(Law::StewartTrinkle, default, stewart_trinkle)),
-        "anitescu" => Ok(engine(Law::Anitescu, default, |_| Ok(Box::new(Anitescu)))),
+        "moreau-jean" => Ok(engine(OwnScheme::Coulomb, default, moreau_jean)),
+        "moreau-jean-theta-1" => Ok(engine(OwnScheme::Coulomb, OwnParameters { theta: 1.0, ..default }, moreau_jean)),
+        "stewart-trinkle" => Ok(engine(OwnScheme::StewartTrinkle, default, stewart_trinkle)),
+        "anitescu" => Ok(engine(OwnScheme::Anitescu, default, |_| Ok(Box::new(Anitescu)))),
         _ => Err(Error::Unsupported(format!("there is no engine `{name}`; use one of {}", NAMES.join(", ")))),
     }
 }
@@ -131,11 +131,11 @@ impl OwnEngine {
         let wrong = |cure: &str| Error::invalid(format!("options.{option}"), format!("is {value}"), cure);
         match (self.law, option) {
             (_, "solver") => self.solver_name = value.as_str().ok_or_else(|| wrong("use the name of a solver"))?.into(),
-            (Law::Coulomb, "theta") => self.parameters.theta = value.as_f64().ok_or_else(|| wrong("use a number from 0 to 1"))?,
-            (Law::Coulomb, "activation") => {
+            (OwnScheme::Coulomb, "theta") => self.parameters.theta = value.as_f64().ok_or_else(|| wrong("use a number from 0 to 1"))?,
+            (OwnScheme::Coulomb, "activation") => {
                 self.parameters.activation = Activation::by_name(value.as_str().ok_or_else(|| wrong("use the name of a rule"))?)?;
             }
-            (Law::StewartTrinkle, "directions") => {
+            (OwnScheme::StewartTrinkle, "directions") => {
                 let whole = value.as_f64().filter(|d| d.fract() == 0.0 && *d >= 3.0 && *d <= f64::from(u32::MAX));
                 self.parameters.directions = whole.ok_or_else(|| wrong("use a whole number from 3 on"))? as usize;
             }
@@ -146,9 +146,9 @@ impl OwnEngine {
 
     fn known(&self) -> &'static str {
         match self.law {
-            Law::Coulomb => "solver, theta, activation",
-            Law::StewartTrinkle => "solver, directions",
-            Law::Anitescu => "solver",
+            OwnScheme::Coulomb => "solver, theta, activation",
+            OwnScheme::StewartTrinkle => "solver, directions",
+            OwnScheme::Anitescu => "solver",
         }
     }
 
@@ -161,7 +161,7 @@ impl OwnEngine {
     fn chosen(&self) -> Options {
         let mut options = Options::new();
         options.insert("solver".into(), self.solver_name.clone().into());
-        if self.law == Law::Coulomb {
+        if self.law == OwnScheme::Coulomb {
             options.insert("theta".into(), self.parameters.theta.into());
             options.insert("activation".into(), self.parameters.activation.name().into());
         }
@@ -171,9 +171,9 @@ impl OwnEngine {
     fn contact_model(&self) -> ContactModel {
         let directions = || Parameter { value: OneOrMany::One(self.parameters.directions as f64), unit: OneOrMany::One("1".into()) };
         let (law, parameters) = match self.law {
-            Law::Coulomb => ("coulomb", BTreeMap::new()),
-            Law::StewartTrinkle => ("stewart-trinkle", BTreeMap::from([("directions".to_string(), directions())])),
-            Law::Anitescu => ("anitescu", BTreeMap::new()),
+            OwnScheme::Coulomb => ("coulomb", BTreeMap::new()),
+            OwnScheme::StewartTrinkle => ("stewart-trinkle", BTreeMap::from([("directions".to_string(), directions())])),
+            OwnScheme::Anitescu => ("anitescu", BTreeMap::new()),
         };
         ContactModel { kind: Kind::Rigid, law: Some(law.into()), parameters }
     }
@@ -188,8 +188,8 @@ impl Engine for OwnEngine {
             version: env!("CARGO_PKG_VERSION").into(),
             precision: Precision::Double,
             contact_model: engine.contact_model(),
-            restitution: engine.law == Law::Coulomb,
-            friction: if engine.law == Law::StewartTrinkle { Friction::Pyramid } else { Friction::Cone },
+            restitution: engine.law == OwnScheme::Coulomb,
+            friction: if engine.law == OwnScheme::StewartTrinkle { Friction::Pyramid } else { Friction::Cone },
             reports_contacts: true,
             levels: vec![Level::Simulate, Level::Solve, Level::Project],
             laws: laws(solver.as_ref()),
@@ -199,13 +199,13 @@ impl Engine for OwnEngine {
 
     fn simulate(&mut self, scene: &Scene, time_step: f64, sample_every: usize, options: &Options) -> Reply<Trajectory> {
         let engine = self.with(options)?;
-        if engine.law != Law::Coulomb && bounces(scene) {
+        if engine.law != OwnScheme::Coulomb && bounces(scene) {
             return Err(Refusal::unsupported("this scheme has no restitution: every impact is plastic"));
         }
         let steps = count_steps(scene.duration, time_step, sample_every)?;
         let (scheme, solver) = engine.parts()?;
         let (mechanism, start) = (engine.mechanism)(scene).map_err(refusal)?;
-        let who = moreau_dynamics::trajectory::Engine {
+        let who = moreau_dynamics::trajectory::Producer {
             name: engine.name.clone(),
             version: env!("CARGO_PKG_VERSION").into(),
             options: engine.chosen(),

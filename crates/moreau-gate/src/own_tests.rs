@@ -147,7 +147,7 @@ fn every_part_can_be_exchanged_and_the_exchange_shows() {
     let moved = |engine: OwnEngine| simulated(engine, "ball-drop", 1.0 / 64.0, 64, 1).bodies[0].position.clone();
     let plain = moved(base());
     let weightless = OwnEngine { mechanism: |scene| Scene { gravity: [0.0; 3], ..scene.clone() }.spatial_mechanism(), ..base() };
-    let implicit = OwnEngine { scheme: |_| moreau_jean(&Parameters { theta: 1.0, ..Parameters::default() }), ..base() };
+    let implicit = OwnEngine { scheme: |_| moreau_jean(&OwnParameters { theta: 1.0, ..OwnParameters::default() }), ..base() };
     assert!(moved(weightless) != plain && moved(implicit) != plain);
     let mut lazy = OwnEngine { project: |_, _| (), ..base() };
     assert_eq!(lazy.project(0.5, &[vec![-1.0, 1.0]], &Options::new()).expect("a point"), [vec![-1.0, 1.0]]);

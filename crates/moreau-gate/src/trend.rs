@@ -8,7 +8,7 @@
 
 use crate::tolerance::CONSTANT_ORDER;
 use crate::{StepOutcome, Verdict};
-use moreau_dynamics::trajectory::order::{Level, fit_order};
+use moreau_dynamics::trajectory::order::{Refinement, fit_order};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -22,13 +22,14 @@ pub struct Trend {
     /// Largest minus smallest order between neighbouring steps.
     pub spread: f64,
     /// Where the deviation comes from.
-    pub cause: Cause,
+    pub cause: Origin,
 }
 
 /// Where a deviation comes from, by its dependence on h.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-pub enum Cause {
+#[schemars(rename = "Cause")]
+pub enum Origin {
     /// Independent of h.
     Model,
     /// Vanishes with h.
@@ -49,10 +50,10 @@ pub fn trends(steps: &[StepOutcome]) -> Vec<Trend> {
 }
 
 fn trend(quantity: &str, steps: &[StepOutcome]) -> Option<Trend> {
-    let mut levels: Vec<Level> = Vec::new();
+    let mut levels: Vec<Refinement> = Vec::new();
     for step in steps {
         let measured = step.measurements.iter().find(|one| one.quantity == quantity)?;
-        levels.push(Level { time_step: step.time_step?, error: measured.ideal.miss(measured.value) });
+        levels.push(Refinement { time_step: step.time_step?, error: measured.ideal.miss(measured.value) });
     }
     levels.sort_by(|a, b| a.time_step.total_cmp(&b.time_step));
     let three = levels.len() >= 3;
@@ -60,11 +61,11 @@ fn trend(quantity: &str, steps: &[StepOutcome]) -> Option<Trend> {
     let slopes = fit.levels.windows(2).map(|pair| (pair[1].error / pair[0].error).ln() / (pair[1].time_step / pair[0].time_step).ln());
     let slopes: Vec<f64> = slopes.collect();
     let cause = if slopes.iter().all(|slope| slope.abs() <= CONSTANT_ORDER) {
-        Cause::Model
+        Origin::Model
     } else if slopes.iter().all(|slope| *slope > CONSTANT_ORDER) {
-        Cause::Discretisation
+        Origin::Discretisation
     } else {
-        Cause::Irregular
+        Origin::Irregular
     };
     Some(Trend { quantity: quantity.into(), order: fit.slope, spread: fit.spread, cause })
 }
@@ -72,9 +73,11 @@ fn trend(quantity: &str, steps: &[StepOutcome]) -> Option<Trend> {
 impl std::fmt::Display for Trend {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self.cause {
-            Cause::Model => write!(f, "{}: independent of h (order {:.2}), so it is the model", self.quantity, self.order),
-            Cause::Discretisation => write!(f, "{}: vanishes with h (order {:.2}), so it is the discretisation", self.quantity, self.order),
-            Cause::Irregular => write!(f, "{}: irregular in h (order {:.2}, spread {:.2})", self.quantity, self.order, self.spread),
+            Origin::Model => write!(f, "{}: independent of h (order {:.2}), so it is the model", self.quantity, self.order),
+            Origin::Discretisation => {
+                write!(f, "{}: vanishes with h (order {:.2}), so it is the discretisation", self.quantity, self.order)
+            }
+            Origin::Irregular => write!(f, "{}: irregular in h (order {:.2}, spread {:.2})", self.quantity, self.order, self.spread),
         }
     }
 }
@@ -84,18 +87,18 @@ mod tests {
     use super::*;
     use crate::{Expectation, Measurement};
 
-    fn cause(value: fn(f64) -> f64) -> Option<Cause> {
+    fn cause(value: fn(f64) -> f64) -> Option<Origin> {
         let step = |h: f64| StepOutcome::new(Some(h), Ok(vec![Measurement::new("x", "m", value(h), Expectation::equal(0.0, 0.0, ""))]));
         trends(&[0.1, 0.01, 0.001].map(step)).first().map(|trend| trend.cause)
     }
 
     #[test]
     fn a_deviation_is_told_by_its_order() {
-        assert_eq!(cause(|_| 2.0), Some(Cause::Model));
-        assert_eq!(cause(|h| 3.0 * h), Some(Cause::Discretisation));
-        assert_eq!(cause(f64::sqrt), Some(Cause::Discretisation));
-        assert_eq!(cause(|h| if h > 0.05 { 1.0 } else { h }), Some(Cause::Discretisation));
-        assert_eq!(cause(|h| if h < 0.005 { 1.0 } else { h }), Some(Cause::Irregular));
+        assert_eq!(cause(|_| 2.0), Some(Origin::Model));
+        assert_eq!(cause(|h| 3.0 * h), Some(Origin::Discretisation));
+        assert_eq!(cause(f64::sqrt), Some(Origin::Discretisation));
+        assert_eq!(cause(|h| if h > 0.05 { 1.0 } else { h }), Some(Origin::Discretisation));
+        assert_eq!(cause(|h| if h < 0.005 { 1.0 } else { h }), Some(Origin::Irregular));
         assert_eq!(cause(|_| 0.0), None, "nothing deviates");
     }
 }

@@ -13,7 +13,7 @@ use moreau_exact::{Error, Result};
 
 /// The parameters of all schemes; each scheme takes those it has.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameters {
+pub struct SchemeParameters {
     /// θ of Moreau–Jean, with projection and without.
     pub theta: f64,
     /// Activation rule of Moreau–Jean.
@@ -40,10 +40,10 @@ pub struct Parameters {
     pub drake: Material,
 }
 
-impl Default for Parameters {
+impl Default for SchemeParameters {
     fn default() -> Self {
         let MoreauJean { theta, activation, restitution } = MoreauJean::default();
-        Parameters {
+        SchemeParameters {
             theta,
             activation,
             restitution,
@@ -66,7 +66,7 @@ pub struct SchemeEntry {
     /// Its name on the command line and in files; [`Scheme::name`] starts with it.
     pub name: &'static str,
     /// The scheme with these parameters, or why there is none.
-    pub make: fn(&Parameters) -> Result<Box<dyn Scheme>>,
+    pub make: fn(&SchemeParameters) -> Result<Box<dyn Scheme>>,
 }
 
 /// Every scheme, in the order in which they are listed; a new one is one more line.
@@ -136,7 +136,7 @@ pub const NAMES: [&str; ALL.len()] = {
 /// # Errors
 /// An unknown name (the message lists the known ones), or a parameter of the scheme outside its range: θ outside \[0, 1\], fewer than three
 /// directions, a negative softness, a material with a negative stiffness.
-pub fn by_name(name: &str, parameters: Parameters) -> Result<Box<dyn Scheme>> {
+pub fn by_name(name: &str, parameters: SchemeParameters) -> Result<Box<dyn Scheme>> {
     let unknown = || Error::invalid("scheme", format!("`{name}` is unknown"), format!("use one of {}", NAMES.join(", ")));
     let entry = ALL.iter().find(|entry| entry.name == name).ok_or_else(unknown)?;
     (entry.make)(&parameters)
@@ -147,7 +147,7 @@ fn valid(checked: Result<()>, scheme: impl Scheme + 'static) -> Result<Box<dyn S
     checked.map(|()| Box::new(scheme) as Box<dyn Scheme>)
 }
 
-fn position_based(scheme: PositionBased, parameters: &Parameters) -> Result<Box<dyn Scheme>> {
+fn position_based(scheme: PositionBased, parameters: &SchemeParameters) -> Result<Box<dyn Scheme>> {
     let scheme = PositionBased { sweeps: parameters.sweeps.unwrap_or(scheme.sweeps), ..scheme };
     valid(scheme.validate(), scheme)
 }
@@ -160,7 +160,7 @@ mod tests {
     #[test]
     fn every_listed_name_is_a_scheme_and_starts_its_own_description() {
         for name in NAMES {
-            let scheme = by_name(name, Parameters::default()).expect("a listed name");
+            let scheme = by_name(name, SchemeParameters::default()).expect("a listed name");
             assert!(scheme.name().starts_with(name));
         }
     }
@@ -168,9 +168,9 @@ mod tests {
     #[test]
     fn unknown_names_are_answered_with_the_known_ones() {
         let message = |result: Result<Box<dyn Scheme>>| result.err().expect("must be refused").to_string();
-        assert!(message(by_name("euler", Parameters::default())).contains("generalised-alpha, stewart-trinkle, anitescu"));
-        assert!(message(by_name("moreau-jean", Parameters { theta: f64::NAN, ..Parameters::default() })).contains("theta"));
-        let directed = |directions: usize| by_name("stewart-trinkle", Parameters { directions, ..Parameters::default() });
+        assert!(message(by_name("euler", SchemeParameters::default())).contains("generalised-alpha, stewart-trinkle, anitescu"));
+        assert!(message(by_name("moreau-jean", SchemeParameters { theta: f64::NAN, ..SchemeParameters::default() })).contains("theta"));
+        let directed = |directions: usize| by_name("stewart-trinkle", SchemeParameters { directions, ..SchemeParameters::default() });
         for outside in [2, DIRECTIONS + 1] {
             assert!(message(directed(outside)).contains("`directions`") && message(directed(outside)).contains("from 3 to 1024"));
         }

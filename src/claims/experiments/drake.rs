@@ -8,7 +8,7 @@
 
 use crate::mechanics::{PointMass, State};
 use crate::schemes::drake::Material;
-use crate::schemes::{Parameters, by_name, simulate};
+use crate::schemes::{SchemeParameters, by_name, simulate};
 use crate::solvers::SemiAnalyticPrimal;
 use crate::tolerance::claims::drake::SETTLING_TIME;
 use crate::trajectory::Trajectory;
@@ -73,7 +73,7 @@ const GRAVITY: f64 = 9.81;
 /// # Errors
 /// Those of the scheme, and if the block leaves the ground.
 pub fn sliding_gap(scheme: &str, h: f64, speed: f64) -> Result<f64> {
-    let scheme = by_name(scheme, Parameters { drake: MATERIAL, ..Parameters::default() })?;
+    let scheme = by_name(scheme, SchemeParameters { drake: MATERIAL, ..SchemeParameters::default() })?;
     let slope = PointMass::block_on_incline(1.0, GRAVITY, FRICTION.atan(), FRICTION, 0.0);
     let start = State { time: 0.0, position: dvector![0.0, -GRAVITY / MATERIAL.stiffness], velocity: dvector![speed, 0.0] };
     let recording = simulate(scheme.as_ref(), &SemiAnalyticPrimal, &slope, start, h, (SETTLING_TIME / h).round() as usize)?;

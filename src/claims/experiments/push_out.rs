@@ -5,7 +5,7 @@
 //!     velocity bias, ERP   v⁺ ≥ −ERP φ/h while φ < 0:             ΔT = ½ m (ERP δ/h)² from rest, and the lift on top
 //! ```
 
-use crate::exact_particle::{Ball, Motion};
+use crate::exact_particle::{Ball, BallState};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
 
@@ -32,7 +32,7 @@ pub fn elastic_drop<T: Scalar>(activation: Activation, project: bool) -> Drop<T>
 /// The same, thrown upwards with a velocity \[m/s\].
 pub fn elastic_throw<T: Scalar>(velocity: T, activation: Activation, project: bool) -> Drop<T> {
     let (ball, h) = (ball(T::one()), T::ratio(1, 100));
-    let mut now = Motion { position: T::one(), velocity };
+    let mut now = BallState { position: T::one(), velocity };
     let start = ball.energy(&now);
     let mut drop = Drop { energy: T::one(), lift: T::zero(), projections: 0 };
     for _ in 0..2000 {
@@ -48,11 +48,11 @@ pub fn elastic_throw<T: Scalar>(velocity: T, activation: Activation, project: bo
 }
 
 /// One step of a plastic ball whose contact asks for v⁺ ≥ −ERP φ/h while it is closed; position update q + h v⁺.
-pub fn biased_step(ball: &Ball<Rational>, now: &Motion<Rational>, erp: &Rational, h: &Rational) -> Motion<Rational> {
+pub fn biased_step(ball: &Ball<Rational>, now: &BallState<Rational>, erp: &Rational, h: &Rational) -> BallState<Rational> {
     let free = now.velocity.clone() - ball.gravity.clone() * h.clone();
     let wanted = -(erp.clone() * now.position.clone()) / h.clone();
     let velocity = if now.position <= ratio(0, 1) && free < wanted { wanted } else { free };
-    Motion { position: now.position.clone() + h.clone() * velocity.clone(), velocity }
+    BallState { position: now.position.clone() + h.clone() * velocity.clone(), velocity }
 }
 
 /// Gain of kinetic and of potential energy \[J\] over one step of 1/60 s of a plastic ball that rested 1 mm deep, with a velocity bias.
@@ -72,6 +72,6 @@ pub fn projected_gain(gravity: &Rational) -> [Rational; 2] {
 }
 
 /// At rest, 1 mm deep.
-pub fn sunk() -> Motion<Rational> {
-    Motion { position: ratio(-1, 1000), velocity: ratio(0, 1) }
+pub fn sunk() -> BallState<Rational> {
+    BallState { position: ratio(-1, 1000), velocity: ratio(0, 1) }
 }

@@ -6,7 +6,7 @@
 //! ```
 //! ⅓ = (n + c) h with c = ⅓ for even k and ⅔ for odd k: no step of a power of two ends at the impact.
 
-use crate::exact_particle::{Ball, Motion, Outcome};
+use crate::exact_particle::{Ball, BallState, BallStep};
 use crate::scalar::{Rational, ratio};
 use crate::schemes::Activation;
 
@@ -24,7 +24,7 @@ pub struct Approach {
     /// h \[s\].
     pub step: Rational,
     /// Each step's end and impulse.
-    pub outcomes: Vec<Outcome<Rational>>,
+    pub outcomes: Vec<BallStep<Rational>>,
 }
 
 /// The motion with h = 2⁻ᵏ s.
@@ -32,7 +32,7 @@ pub fn approach(stepping: Stepping, k: u32) -> Approach {
     let (steps, half) = (1usize << k, ratio(1, 2));
     let step = ratio(1, steps as i64);
     let ball = Ball { mass: ratio(1, 1), gravity: ratio(0, 1), restitution: half.clone() };
-    let mut now = Motion { position: ratio(1, 3), velocity: ratio(-1, 1) };
+    let mut now = BallState { position: ratio(1, 3), velocity: ratio(-1, 1) };
     let outcomes = (0..steps).map(|_| {
         let outcome = match stepping {
             Stepping::StewartTrinkle => ball.stewart_trinkle(&now, &step),
@@ -46,7 +46,7 @@ pub fn approach(stepping: Stepping, k: u32) -> Approach {
 
 impl Approach {
     /// The ends of the steps with what happened in them.
-    fn ends(&self) -> impl Iterator<Item = (Rational, &Outcome<Rational>)> {
+    fn ends(&self) -> impl Iterator<Item = (Rational, &BallStep<Rational>)> {
         (1..).map(|n| ratio(n, 1) * &self.step).zip(&self.outcomes)
     }
 

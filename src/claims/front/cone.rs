@@ -4,9 +4,9 @@ use crate::Result;
 use crate::certificate::lcp::residuals;
 use crate::checks::Finding;
 use crate::claims::s4::polyhedral::order_findings;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::cones::polyhedral::strength_error;
-use crate::problem::{Lcp, stewart_trinkle};
+use crate::problem::{Lcp, PlanarProblem};
 use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
 use crate::solvers::lemke::{LemkeOutcome, lemke};
@@ -18,7 +18,7 @@ pub const PREFACE: &[Claim] = &[Claim {
     id: "P.lcp-slack",
     statement: "A solution of 0 ≤ z ⟂ w = Mz + q ≥ 0 has z_i = 0 or w_i = 0 for each i; N_C(x) = {g : ⟨g, y − x⟩ ≤ 0 for all y in C}; \
         prox_f(v) = argmin f(x) + ½‖x − v‖².",
-    verdict: Verdict::True,
+    verdict: ClaimVerdict::True,
     evidence: Evidence::Exact,
     correct_statement: "As stated, for C closed and convex and x in C; the prox of an indicator is the projection, and v − prox(v) lies in \
         the normal cone.",
@@ -34,7 +34,7 @@ pub const PREFACE: &[Claim] = &[Claim {
 pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     id: "M.cone-error",
     statement: "The polyhedral cone changes the cone's shape: an error O(1/d), its LCP exact.",
-    verdict: Verdict::Conditional,
+    verdict: ClaimVerdict::Conditional,
     evidence: Evidence::Certified,
     correct_statement: "O(1/d) is the order of the direction (π/d) and of the force vector; the radius is short by 1 − cos(π/d) = O(1/d²): \
         0.2929, 0.0761, 0.0192, 0.0048 for d = 4, 8, 16, 32. The LCP of that cone is solved exactly.",
@@ -102,9 +102,8 @@ fn cone_error(reading: Reading) -> Result<Vec<Finding>> {
         findings.push(Finding::equal(format!("missing strength, d = {d}"), strength_error(d), 1.0 - cosine, rounding(8, 1.0), "1"));
     }
     let directions = [[1, 0], [0, 1], [-1, 0], [0, -1]].map(|axis| axis.map(|entry| ratio(entry, 1)));
-    let map = stewart_trinkle::generators(1, 3, &directions);
     let free = DVector::from_iterator(3, [-1, 1, 1].iter().map(number));
-    let lcp = stewart_trinkle::lcp(&(map.transpose() * &map), &[ratio(1, 2)], &(map.transpose() * free));
+    let lcp = PlanarProblem::new(DMatrix::identity(3, 3), free).polyhedral(&[ratio(1, 2)], &directions)?.lcp;
     let exact = match lemke(&lcp, &DVector::from_element(lcp.size(), ratio(1, 1)))? {
         LemkeOutcome::Solution { z, .. } => residuals(&lcp, &z).vanish(),
         LemkeOutcome::Ray { .. } => false,

@@ -3,13 +3,13 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::s5::planar_step::Block;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::bouncing_ball::BouncingBall;
 use crate::mechanics::{PointMass, State};
 use crate::problem::{Compliance, Coordinates, Law, Lcp};
 use crate::scalar::{Rational, ratio};
 use crate::schemes::{Anitescu, MoreauJean, Scheme, StepContext, StepProblem, Waist, passes_the_waist, simulate};
-use crate::solvers::lemke::{LemkeOutcome, lemke};
+use crate::solvers::lemke::solution;
 use crate::solvers::{AcceleratedProjectedGradient, Auto};
 use crate::tolerance;
 use nalgebra::{DMatrix, DVector, dvector};
@@ -20,7 +20,7 @@ pub(super) const PREFACE: &[Claim] = &[
         id: "P.modB",
         statement: "Module B: implement Anitescu's convex step with APGD and a second-order cone; measure and verify the O(h) gliding, the \
             speed of a block at rest on an incline being proportional to h.",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Measured,
         correct_statement: "The hard convex step keeps a block with tan α < μ at rest for every h. What is proportional to h is the gap \
             μh|v_t| of a sliding block. (A regularised convex step, as Drake's SAP, does creep proportionally to h.) One mistake, counted \
@@ -35,7 +35,7 @@ pub(super) const PREFACE: &[Claim] = &[
         id: "P.scenes",
         statement: "Reference scenes: (a) the bouncing ball shows robustness to Zeno, (b) a stack shows stability, penetration and jitter, \
             (c) a block on an incline verifies the gliding.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "(a) and (b) do what they are for. (c) shows the artefact of the hard relaxation only if the block slides, tan \
             α > μ; a block that sticks shows nothing.",
@@ -53,7 +53,7 @@ pub(super) const MISCONCEPTIONS: &[Claim] = &[Claim {
     id: "M.convex-Oh",
     statement: "Misconception: the convex relaxation loses physics. Correct: its error is O(h) and vanishes with the step (convergence to \
         the MDI).",
-    verdict: Verdict::Conditional,
+    verdict: ClaimVerdict::Conditional,
     evidence: Evidence::Exact,
     correct_statement: "The error is O(h) for motions that meet the contact compatibly; a tangential shock in closed contact leaves an \
         O(1) hop (S5.Oh-vanish).",
@@ -138,10 +138,8 @@ fn stack(h: &Rational) -> Result<(DVector<Rational>, Rational)> {
     let inverse_mass = DMatrix::from_diagonal(&DVector::from_vec(vec![ratio(1, 1), ratio(1, 2), ratio(1, 3)]));
     let free = DVector::from_element(3, -(h.clone() * ratio(10, 1)));
     let lcp = Lcp::new(&jacobian * &inverse_mass * jacobian.transpose(), &jacobian * &free);
-    match lemke(&lcp, &DVector::from_element(3, one(1)))? {
-        LemkeOutcome::Solution { z, .. } => Ok((free + inverse_mass * jacobian.transpose() * &z, z[0].clone())),
-        LemkeOutcome::Ray { .. } => Err(crate::Error::ray("lemke", "ended on a ray")),
-    }
+    let impulse = solution(&lcp)?;
+    Ok((free + inverse_mass * jacobian.transpose() * &impulse, impulse[0].clone()))
 }
 
 /// Velocity error against Coulomb and gap over μ h v_t, one second into a slide from rest with 1/h steps.

@@ -5,9 +5,9 @@ use crate::checks::Finding;
 use crate::claims::s3::elastic::{chain_energies, distinct, oscillator_energy_ratio};
 use crate::claims::s3::smooth_energy::{linear_energy_change, pendulum_energy_change};
 use crate::claims::s3::theta_step::{LinearSystem, phase};
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::ElasticBall;
-use crate::exact_particle::{Ball, Motion};
+use crate::exact_particle::{Ball, BallState};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
 use num_traits::Zero;
@@ -15,7 +15,7 @@ use num_traits::Zero;
 pub const PREFACE: &[Claim] = &[Claim {
     id: "P.modA",
     statement: "Project, module A: θ = 0.5 conserves the energy of an elastic collision chain, θ = 1 dissipates.",
-    verdict: Verdict::False,
+    verdict: ClaimVerdict::False,
     evidence: Evidence::Exact,
     correct_statement: "For elastic collisions under constant forces no θ drifts: without force the kinetic energy is constant, under \
         gravity E − (θ−½) m g h v is. θ = 1 dissipates when springs (or other position-dependent forces) act. The half about θ = 0.5 is \
@@ -32,7 +32,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     id: "M.force-vs-impulse",
     statement: "A lasting contact force is a finite function, an impact is an atom of impulse; the unknown of time-stepping is the impulse \
         P throughout.",
-    verdict: Verdict::True,
+    verdict: ClaimVerdict::True,
     evidence: Evidence::Exact,
     correct_statement: "As stated.",
     argument: "m = 2 kg, g = 981/100 m/s². Resting: P = m g h, so P/h = m g at every h. Impact at −3 m/s with e = 1/2 and no force: P = \
@@ -45,7 +45,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
 pub const TABLES: &[Claim] = &[Claim {
     id: "T.energy",
     statement: "Table of theorems: θ = 1/2 is energy neutral, θ = 1 dissipates O(h²).",
-    verdict: Verdict::Conditional,
+    verdict: ClaimVerdict::Conditional,
     evidence: Evidence::Exact,
     correct_statement: "θ = 1/2 is neutral exactly for constant and linear forces, O(h³) per step otherwise. θ = 1 loses ½h²FᵀM⁻¹F per \
         step for a constant force – O(h²) per step, O(h) over a fixed time.",
@@ -68,7 +68,7 @@ fn elastic_chain(reading: Reading) -> Result<Vec<Finding>> {
     let ball = Ball { mass: ratio(1, 1), gravity: ratio(981, 100), restitution: ratio(1, 1) };
     let closed_form = ElasticBall { mass: ratio(1, 1), gravity: ratio(981, 100) };
     for activation in Activation::ALL {
-        let mut now = Motion { position: ratio(1, 2), velocity: ratio(0, 1) };
+        let mut now = BallState { position: ratio(1, 2), velocity: ratio(0, 1) };
         for _ in 0..300 {
             now = ball.moreau_jean(&now, &theta, activation, &h).motion;
         }
@@ -86,7 +86,7 @@ fn elastic_chain(reading: Reading) -> Result<Vec<Finding>> {
 fn force_or_atom(reading: Reading) -> Result<Vec<Finding>> {
     let impulse = |gravity: Rational, velocity: Rational, h: &Rational| {
         let ball = Ball { mass: ratio(2, 1), gravity, restitution: ratio(1, 2) };
-        ball.moreau_jean(&Motion { position: Rational::zero(), velocity }, &ratio(1, 1), Activation::Gap, h).impulse
+        ball.moreau_jean(&BallState { position: Rational::zero(), velocity }, &ratio(1, 1), Activation::Gap, h).impulse
     };
     let (coarse, fine) = (ratio(1, 100), ratio(1, 1000));
     let impact = |h: &Rational| {

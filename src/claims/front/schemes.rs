@@ -5,11 +5,11 @@ use crate::Result;
 use crate::checks::Finding;
 use crate::checks::energy::{worked_ball, worked_step};
 use crate::checks::zeno::{DroppedBall, settle};
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::bouncing_ball::{BouncingBall, impact_time_ratio};
 use crate::contact::delassus::delassus;
 use crate::defects::energy::{Misassembled, restitution_forgotten};
-use crate::exact_particle::{Ball, Motion};
+use crate::exact_particle::{Ball, BallState};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, simulate};
 use crate::solvers::ProjectedGaussSeidel;
@@ -21,7 +21,7 @@ pub const PREFACE: &[Claim] = &[
     Claim {
         id: "P.zeno-quiz",
         statement: "A ball bouncing with e = 0.8: infinitely many bounces in a finite total time (Zeno).",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; the total time is 9 times that of the first fall.",
         argument: "t_k/t₁ = 1 + 2(e + … + e^{k−1}) increases strictly and stays below (1+e)/(1−e) = 9: t_60 and t_240 in rationals. \
@@ -34,7 +34,7 @@ pub const PREFACE: &[Claim] = &[
         id: "P.compare",
         statement: "Project: run the same three scenes in MuJoCo or PyBullet and compare penetration, energy curves and gliding with \
                     one's own implementation.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "Meaningful once the restitution is matched: a spring–damper contact that can only push has the \
                             restitution of its damping ratio, e^{-2} = 0.135 if critically damped, whatever e the rigid \
@@ -55,7 +55,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[
         id: "M.simultaneous",
         statement: "Contact simulation is not a smooth ODE with collision detection patched on: contact and dynamics are solved \
                     simultaneously.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated of time-stepping: one (v⁺, P) satisfies the balance of momentum and the contact law together.",
         argument: "The worked step of §12: m(v⁺ − v) + m g h − P = 0 and P·(v⁺ + e v) = 0 with P = 317/200. Predicting v_free and then \
@@ -68,7 +68,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[
     Claim {
         id: "M.zeno",
         statement: "Time-stepping is robust against Zeno: many micro-bounces are absorbed by one step.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "It never stalls and needs a bounded number of steps, but not one: after the last real bounce the \
                             velocity decays by the factor e per step. One step suffices if e = 0.",
@@ -87,7 +87,7 @@ pub const TABLES: &[Claim] = &[
         id: "T.moreau-convergence",
         statement: "Moreau–Jean converges weakly for prox-regular constraints and θ ∈ [½, 1]: q_h → q uniformly, v_h ⇀* v \
                     (attributed to Moreau and Jean, CMAME 177, 1999).",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::NotDecidable,
         correct_statement: "As an entry of a table it lacks the hypotheses (which impact law, friction, several contacts, which \
                             activation rule) on which its truth depends, and its attribution has not been verified here. What can be \
@@ -103,7 +103,7 @@ pub const TABLES: &[Claim] = &[
         id: "T.symbols",
         statement: "The table of symbols gives D = [d₁, …, d_d] the tangential directions, N = DᵀM⁻¹D the Hessian of \
                     Anitescu's QP (equal to the Delassus operator), N_K(x) the normal cone, E the coupling vector, e the restitution.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Consistent if D is read as the tangential directions in §4 and as the generators of all contact directions, \
                             normals included, in §5, N as a matrix there but as a cone in §2, and E as a vector in §4 but as an energy in \
@@ -179,8 +179,8 @@ fn speeds_after_absorption(restitution: Rational) -> [Rational; 2] {
     let ball = Ball { restitution: restitution.clone(), ..worked_ball() };
     let h = ratio(1, 100);
     let slow = ball.gravity.clone() * &h / (ratio(1, 1) + restitution);
-    let step = |now: &Motion<Rational>| ball.moreau_jean(now, &ratio(1, 1), Activation::HalfStepForecast, &h);
-    let mut now = Motion { position: ratio(1, 20), velocity: ratio(0, 1) };
+    let step = |now: &BallState<Rational>| ball.moreau_jean(now, &ratio(1, 1), Activation::HalfStepForecast, &h);
+    let mut now = BallState { position: ratio(1, 20), velocity: ratio(0, 1) };
     let mut consecutive = 0;
     while consecutive < 2 {
         let outcome = step(&now);

@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::s5::planar_step::{Block, painleve_rod};
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::problem::{Law, Lcp};
 use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
@@ -14,7 +14,7 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
     statement: "Another solver or simulator gives another result: (a) simultaneous impacts, where the LCP's solution is not unique, (b) \
         different cones or relaxations, (c) gliding at large steps. Check whether there are simultaneous impacts (non-uniqueness is \
         normal), compare the schemes (§10); to reproduce, fix simulator, version, solver and step.",
-    verdict: Verdict::Conditional,
+    verdict: ClaimVerdict::Conditional,
     evidence: Evidence::Exact,
     correct_statement: "Without friction the impulses of a simultaneous impact may not be unique, but the velocities are: M is positive \
         definite. Two solvers of the same impact law agree in the motion; what differs is the law (simultaneous or one after another). \
@@ -55,8 +55,9 @@ fn four_corners() -> Result<(Vec<DVector<Rational>>, usize, bool)> {
 /// The velocities of Painlevé's rod, μ = 3.
 fn rod() -> Result<Vec<DVector<Rational>>> {
     let step = painleve_rod(ratio(3, 1));
-    let set = all_solutions(&step.stewart_trinkle_lcp())?;
-    Ok(distinct(set.points.iter().map(|z| step.velocity(&step.impulse_of_stewart_trinkle(z)))))
+    let problem = step.stewart_trinkle()?;
+    let set = all_solutions(&problem.lcp)?;
+    Ok(distinct(set.points.iter().map(|z| step.velocity(&problem.impulse(z)))))
 }
 
 /// Three equal balls, the first at 1 m/s, e = 1: all contacts at once, or pair by pair.

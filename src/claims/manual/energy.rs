@@ -8,9 +8,9 @@ use crate::claims::experiments::soft::{GRAVITY, land, rebound, unlimited_contact
 use crate::claims::experiments::spring::energy_ratio;
 use crate::claims::experiments::tower::{Sweeps, Tower, energy_of_stale_impulses};
 use crate::claims::s9::energy::{elastic_invariant, first_impact};
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::mujoco_normal::spring_damper_restitution;
-use crate::exact_particle::{Ball, Motion};
+use crate::exact_particle::{Ball, BallState};
 use crate::scalar::{Rational, ratio};
 use crate::schemes::{Activation, RestitutionRule};
 use crate::solvers::ContactSolver;
@@ -22,7 +22,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "R3",
         statement: "Energy grows, the system runs ever faster: (a) explicit Euler, (b) Baumgarte, (c) an unconverged solver. Check the \
             integrator (semi-implicit or better), drop Baumgarte for coordinate projection or GGL, raise the iterations, look for e > 1.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "The listed causes are causes; missing are Newton's e with friction, the recommended projection itself, and a \
             contact too stiff for its step. An unconverged solver injects only from a warm start or through restitution: cold sweeps with \
@@ -39,7 +39,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "R4",
         statement: "Energy is lost, motion is viscous: (a) θ = 1 or large numerical damping, (b) over-damped Baumgarte. Take θ = 1/2 \
             (energy neutral), reduce numerical damping or solref's damping ratio, check whether e is too small.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "A smaller damping ratio helps: e(ζ) = exp(−ζ/√(1−ζ²)·acos(2ζ²−1)). θ helps where forces depend on the state; a \
             body under gravity bounces with the same loss for every θ.",
@@ -55,7 +55,7 @@ pub(super) const CLAIMS: &[Claim] = &[
 /// Kinetic energy after over before an impact at 1 m/s with e = 11/10.
 fn superelastic() -> Rational {
     let ball = Ball { mass: ratio(1, 1), gravity: ratio(0, 1), restitution: ratio(11, 10) };
-    let arriving = Motion { position: ratio(0, 1), velocity: ratio(-1, 1) };
+    let arriving = BallState { position: ratio(0, 1), velocity: ratio(-1, 1) };
     let after = ball.moreau_jean(&arriving, &ratio(1, 2), Activation::Gap, &ratio(1, 100)).motion;
     ball.kinetic_energy(&after.velocity) / ball.kinetic_energy(&arriving.velocity)
 }

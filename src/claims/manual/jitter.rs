@@ -6,7 +6,7 @@ use crate::claims::experiments::creep::Creeping;
 use crate::claims::experiments::soft::{GRAVITY, land, unlimited_contact};
 use crate::claims::experiments::tower::{Sweeps, Tower, approach_left};
 use crate::claims::s9::jitter::effect_of_theta_on_a_tower;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::tolerance::claims::pathology as tolerance;
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -15,7 +15,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "A stack at rest trembles at high frequency: (a) step too large, (b) stiffness too high for the step, (c) solver not \
             converged, (d) forces switch. Raise the solver's iterations (the commonest cause), reduce the step or the stiffness, increase \
             numerical damping (θ → 1) moderately, warm-start the contact forces.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "More iterations, a smaller step or stiffness and a warm start work, as predicted; θ → 1 has no effect on rigid \
             contacts under a constant load (S9.theta-damps-jitter).",
@@ -32,7 +32,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "A body that should rest on a slope slides down slowly: it is the O(h) gliding of the convex relaxation, no bug and no \
             wrong parameter. Check that the scheme is convex (SAP, MuJoCo, Chrono); halve h and see the slip shrink linearly; accept it or \
             reduce h; do not mend it with a larger friction coefficient.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "True of SAP: v = R_t h g_t. In MuJoCo the creep v = R_t g_t/b does not depend on h and is a matter of \
             parameters (impratio, solimp, solref); under Drake's Similar and Lagged it is proportional to their stiction speed; the hard \

@@ -5,9 +5,9 @@ use crate::checks::Finding;
 use crate::checks::zeno::{DroppedBall, absorption, events_predicted, events_until};
 use crate::claims::experiments::curve::{Side, drift, slide};
 use crate::claims::experiments::soft::{default_contact, land};
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::bouncing_ball::impact_time_ratio;
-use crate::exact_particle::{Ball, Motion};
+use crate::exact_particle::{Ball, BallState};
 use crate::scalar::{Rational, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StewartTrinkle};
 use crate::tolerance::claims::{lcp::circle_residual, pathology as tolerance};
@@ -19,7 +19,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             soft contact penetrates by nature, (d) a collision is missed. Reduce h: if the penetration shrinks linearly it is \
             discretisation error; is the simulator soft (penetration is normal) or rigid (project)? project the position in velocity-level \
             schemes; check the collision margin.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "The exponent p of penetration ∝ hᵖ tells the causes apart: 0 is the depth of a soft law, 1 the drift of a \
             velocity-level scheme along a curve or the overshoot of an impact, 2 the linearised gap of Stewart–Trinkle. So discretisation \
@@ -36,7 +36,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "The simulation gets stuck, its step shrinks to machine precision: event-driven simulation of a Zeno scene (a ball \
             coming to rest). Confirm that events are detected, change to time stepping (fixed step, no events), which absorbs the many \
             small bounces.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated, with an activation rule that absorbs (S0.zeno-absorb).",
         argument: "q₀ = 1/20 m, g = 10 m/s², e = 1/2: t₁ = 1/10 s, T∞ = 3/10 s. Event 200 still lies before T∞, in rationals; in double \
@@ -57,7 +57,7 @@ fn quotient(numerator: f64, denominator: f64, errors: [f64; 2]) -> f64 {
 /// Depth after the step in which a plastic ball at 1 m/s crosses the floor at half of the step.
 fn overshoot(h: &Rational) -> Rational {
     let ball = Ball { mass: ratio(1, 1), gravity: ratio(0, 1), restitution: ratio(0, 1) };
-    let before = Motion { position: h / ratio(2, 1), velocity: ratio(-1, 1) };
+    let before = BallState { position: h / ratio(2, 1), velocity: ratio(-1, 1) };
     let landed = ball.moreau_jean(&before, &ratio(1, 2), Activation::Gap, h).motion;
     -ball.moreau_jean(&landed, &ratio(1, 1), Activation::Gap, h).motion.position
 }

@@ -4,7 +4,7 @@ use super::runge_kutta::{Impacts, Norm, order};
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::identifiers::issn_agrees;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::integrators::Phase;
 use crate::integrators::jacobian::jacobian;
 use crate::integrators::symplectic::{defect, volume};
@@ -17,7 +17,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S0.siamrev",
         statement: "Stewart's survey of the branch is SIAM Review 42:3 (2000).",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Cited,
         correct_statement: "Volume 42 (issue 1), pages 3–39, 2000; 3 is the first page, not an issue.",
         argument: "The record in HAL and the DOI 10.1137/S0036144599360110, whose letters S0036-1445 are the journal's ISSN: its check \
@@ -30,7 +30,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S0.hlw",
         statement: "Hairer, Lubich and Wanner's book of 644 pages assumes smooth Hamiltonian systems throughout; on solutions of bounded \
             variation its error estimates say nothing.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::Measured,
         correct_statement: "Neither the number of pages nor the contents were checked. What can be decided is that an estimate for smooth \
             systems carries over exactly where the motion is smooth: the order of a method is kept by locating the impact, and lost by \
@@ -46,7 +46,7 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Variational integrators can be extended to contact (Fetecau, Marsden, West and Ortiz 2003: a discretisation of \
             collisions that keeps the symplectic form), but are used less, because symplecticity and the correction of penetration exclude \
             each other.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "To elastic impacts without friction (Fetecau, Marsden, Ortiz and West): there the step through the impact is \
             symplectic. With e < 1 no integrator that follows the motion can be, since the motion is not: its determinant is e². Why the \

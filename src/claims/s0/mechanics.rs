@@ -1,10 +1,10 @@
 //! Gap, contact Jacobian, generalised contact force, Delassus operator, impulses.
 
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::contact::delassus::delassus;
 use crate::elimination::solve;
-use crate::exact_particle::{Ball, Motion};
+use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::planar::{PlanarBody, Shape};
 use crate::mechanics::{Mechanism, PlanarBodies, Plane, PointMass, State};
 use crate::scalar::{Rational, Scalar, ratio};
@@ -19,7 +19,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S0.signorini",
         statement: "0 ≤ φ ⟂ λ_n ≥ 0: a positive distance means no force, a force means zero distance.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated. Of the discretisations, Stewart–Trinkle imposes it on the linearised gap at the end of a step; \
             Moreau–Jean imposes a velocity-level law instead.",
@@ -32,7 +32,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S0.phidot",
         statement: "φ̇ = J v with J = ∇φ; J v > 0 means separation, J v < 0 approach.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated where v = q̇. With quaternions q̇ = N(q)v and J = ∇φ N(q).",
         argument: "Chain rule. For the corner of a tilted box over the ground the central difference of the gap along the motion agrees \
@@ -44,7 +44,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S0.JT",
         statement: "By virtual work a contact force λ acts as the generalised force Jᵀλ.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated.",
         argument: "λ·(Jv) = (Jᵀλ)·v for all v. For a force at the corner of a tilted box, Jᵀλ is the force and its moment about the centre \
@@ -56,7 +56,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S0.delassus-ij",
         statement: "W = J M⁻¹Jᵀ: entry ij is the velocity change at contact j caused by a unit impulse at contact i.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; W is symmetric, so the order of the indices does not matter.",
         argument: "Three balls of 1, 2 and 4 kg in line: a unit impulse at the first contact changes u by (3/2, −1/2), one at the second \
@@ -68,7 +68,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S0.impulse-unit",
         statement: "The unknowns of Moreau–Jean and of Stewart–Trinkle are impulses (N·s); in lasting contact P ≈ λ h.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated; for a body at rest P = m g h exactly.",
         argument: "A 2 kg ball at rest under both schemes: P/(m g h) = 1, and halving h halves P.",
@@ -84,7 +84,7 @@ fn signorini(reading: Reading) -> Result<Vec<Finding>> {
     let (mut product, mut smallest, mut held) = (Rational::zero(), Rational::zero(), 0usize);
     for position in [ratio(0, 1), ratio(1, 200), ratio(1, 2)] {
         for velocity in [ratio(-2, 1), ratio(-1, 10), ratio(0, 1), ratio(1, 1)] {
-            let now = Motion { position: position.clone(), velocity };
+            let now = BallState { position: position.clone(), velocity };
             let outcome =
                 reading.pick(ball.stewart_trinkle(&now, &h), ball.moreau_jean(&now, &ratio(1, 1), Activation::FreeVelocityForecast, &h));
             held += usize::from(outcome.impulse > Rational::zero());

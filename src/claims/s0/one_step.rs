@@ -2,8 +2,8 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
-use crate::exact_particle::{Ball, Motion};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::exact_particle::{Ball, BallState};
 use crate::scalar::{Rational, ratio};
 
 /// The claims of this file.
@@ -11,7 +11,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S0.rk4-local",
         statement: "If the impact lies within a step, the local truncation error of RK4 collapses from O(h⁵) to O(h) or even O(1).",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "With the velocity reversed at the end of the step, position and velocity are wrong by O(h); with the \
                             impact ignored in the step, the position by O(h) and the velocity by O(1).",
@@ -26,7 +26,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S0.flip-inconsistent",
         statement: "Checking each step for penetration and flipping the velocity is a bad version of event detection: it fails \
                     completely when the ball settles, and every flip breaks the consistency of momentum and energy.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "For e < 1 every flip costs (1−e²) m g |q| of energy too much, which is O(h) and vanishes with the step; for \
                             e = 1 it costs nothing. The failure at the accumulation point is qualitative: the ball sinks through \
@@ -41,9 +41,9 @@ pub const CLAIMS: &[Claim] = &[
 ];
 
 /// One step of the classical Runge–Kutta method for q̇ = v, v̇ = −g.
-fn runge_kutta_step(now: &Motion<Rational>, gravity: &Rational, h: &Rational) -> Motion<Rational> {
-    let slope = |motion: &Motion<Rational>| Motion { position: motion.velocity.clone(), velocity: -gravity.clone() };
-    let ahead = |slope: &Motion<Rational>, share: Rational| Motion {
+fn runge_kutta_step(now: &BallState<Rational>, gravity: &Rational, h: &Rational) -> BallState<Rational> {
+    let slope = |motion: &BallState<Rational>| BallState { position: motion.velocity.clone(), velocity: -gravity.clone() };
+    let ahead = |slope: &BallState<Rational>, share: Rational| BallState {
         position: now.position.clone() + share.clone() * h * &slope.position,
         velocity: now.velocity.clone() + share * h * &slope.velocity,
     };
@@ -51,18 +51,18 @@ fn runge_kutta_step(now: &Motion<Rational>, gravity: &Rational, h: &Rational) ->
     let second = slope(&ahead(&first, ratio(1, 2)));
     let third = slope(&ahead(&second, ratio(1, 2)));
     let fourth = slope(&ahead(&third, ratio(1, 1)));
-    let mean = |component: fn(&Motion<Rational>) -> &Rational| {
+    let mean = |component: fn(&BallState<Rational>) -> &Rational| {
         let middle = component(&second).clone() + component(&third);
         (component(&first).clone() + ratio(2, 1) * middle + component(&fourth)) / ratio(6, 1)
     };
-    let slope = Motion { position: mean(|motion| &motion.position), velocity: mean(|motion| &motion.velocity) };
+    let slope = BallState { position: mean(|motion| &motion.position), velocity: mean(|motion| &motion.velocity) };
     ahead(&slope, ratio(1, 1))
 }
 
 /// Free flight for a time t.
-fn fly(now: &Motion<Rational>, gravity: &Rational, time: &Rational) -> Motion<Rational> {
+fn fly(now: &BallState<Rational>, gravity: &Rational, time: &Rational) -> BallState<Rational> {
     let fall = gravity.clone() * time;
-    Motion {
+    BallState {
         position: now.position.clone() + time * (now.velocity.clone() - fall.clone() / ratio(2, 1)),
         velocity: now.velocity.clone() - fall,
     }
@@ -76,10 +76,13 @@ fn runge_kutta(reading: Reading) -> Result<Vec<Finding>> {
         let tau = ratio(1, 4) * &h;
         // Back in time from the impact: 3/4 of the step, or 3/4 and another whole one for the control.
         let before = ratio(3, 4) * &h + reading.pick(ratio(0, 1), h.clone());
-        let impact = Motion { position: ratio(0, 1), velocity: -u.clone() };
+        let impact = BallState { position: ratio(0, 1), velocity: -u.clone() };
         let start = fly(&impact, &g, &-before.clone());
-        let end =
-            if before < h { fly(&Motion { velocity: e.clone() * &u, ..impact }, &g, &(h.clone() - before)) } else { fly(&start, &g, &h) };
+        let end = if before < h {
+            fly(&BallState { velocity: e.clone() * &u, ..impact }, &g, &(h.clone() - before))
+        } else {
+            fly(&start, &g, &h)
+        };
         let ignored = runge_kutta_step(&start, &g, &h);
         let flipped = if ignored.position < ratio(0, 1) { -e.clone() * &ignored.velocity } else { ignored.velocity.clone() };
         let sum = ratio(1, 1) + &e;
@@ -92,18 +95,18 @@ fn runge_kutta(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 /// Exact flight for one step; a ball found below the floor and approaching has its velocity reversed by e.
-fn flip_step(ball: &Ball<Rational>, now: &Motion<Rational>, h: &Rational) -> (Motion<Rational>, bool) {
+fn flip_step(ball: &Ball<Rational>, now: &BallState<Rational>, h: &Rational) -> (BallState<Rational>, bool) {
     let flown = fly(now, &ball.gravity, h);
     let flips = flown.position < ratio(0, 1) && flown.velocity < ratio(0, 1);
     let velocity = if flips { -ball.restitution.clone() * &flown.velocity } else { flown.velocity };
-    (Motion { position: flown.position, velocity }, flips)
+    (BallState { position: flown.position, velocity }, flips)
 }
 
 fn flipping(reading: Reading) -> Result<Vec<Finding>> {
     let e = reading.pick(ratio(1, 2), ratio(1, 1));
     let ball = Ball { mass: ratio(1, 1), gravity: ratio(10, 1), restitution: e.clone() };
     // V² = 2 g q₀ = 1.
-    let start = Motion { position: ratio(1, 20), velocity: ratio(0, 1) };
+    let start = BallState { position: ratio(1, 20), velocity: ratio(0, 1) };
     let lost = ratio(1, 1) - e.clone() * &e;
     let mut findings = Vec::new();
     for inverse in [7000, 700, 70] {

@@ -6,15 +6,15 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::tolerance::claims::INTEGER_ORDER;
-use crate::trajectory::order::{Level, fit_order};
+use crate::trajectory::order::{Refinement, fit_order};
 use nalgebra::{Vector2, Vector4};
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S0.rattle-high",
     statement: "Purely equality-constrained DAEs have mature high-order integrators, for example SHAKE/RATTLE.",
-    verdict: Verdict::False,
+    verdict: ClaimVerdict::False,
     evidence: Evidence::Measured,
     correct_statement: "The statement is right, the example is not: SHAKE and RATTLE have order 2 (the chapter itself calls orders 1–2 \
         low). High order comes from compositions of RATTLE or from Radau-type methods.",
@@ -61,8 +61,10 @@ impl Bob {
 }
 
 fn slope(step: impl Fn(Bob, f64) -> Bob) -> Result<f64> {
-    let level =
-        |steps: usize| Level { time_step: 1.0 / steps as f64, error: (Bob::reached(&step, steps) - Bob::reached(&step, 2 * steps)).norm() };
+    let level = |steps: usize| Refinement {
+        time_step: 1.0 / steps as f64,
+        error: (Bob::reached(&step, steps) - Bob::reached(&step, 2 * steps)).norm(),
+    };
     Ok(fit_order([16, 32, 64, 128].map(level).to_vec())?.slope)
 }
 

@@ -2,14 +2,14 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::{BeltOscillator, DryFrictionOscillator};
 use crate::event_driven::EventDriven;
 use crate::event_driven::filippov::{DryFriction, Mode, Side, Switch, advance, share_above};
 use crate::event_driven::flight::{Control, Location};
 use crate::scalar::{Rational, ratio};
 use crate::tolerance::claims::events::{ACCURACY, LOCATED_ORDER, SWITCHING};
-use crate::trajectory::{Level, fit_order};
+use crate::trajectory::{Refinement, fit_order};
 use nalgebra::{DVector, dvector};
 
 pub const CLAIMS: &[Claim] = &[
@@ -17,7 +17,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S1.filippov",
         statement: "On the switching surface the sliding mode is the convex combination ẋ = α f₊ + (1−α) f₋, and α is fixed uniquely by ṡ \
             = 0.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "For one surface that both fields point at, ∇s·f₊ < 0 < ∇s·f₋: α = ∇s·f₋/(∇s·f₋ − ∇s·f₊) ∈ (0, 1). Where both \
             point away the same α exists, but the motion may leave; where one crosses there is none in [0, 1]. \
@@ -32,7 +32,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S1.stick-sliding",
         statement: "Sticking under Coulomb friction is a sliding mode on v_t = 0, slipping is regular motion.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated.",
         argument: "The dry-friction oscillator (δ = 0.15, q₀ = 1) integrated as a Filippov system enters the sliding mode after 3 \
@@ -46,7 +46,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S1.pk",
         statement: "The event-driven method of Piiroinen and Kuznetsov (ACM TOMS, 2008) detects entering and leaving the sliding mode \
             exactly and integrates it accurately, more finely than time-stepping.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Cited,
         correct_statement: "As stated, “exactly” meaning to the accuracy of the integrator and the root finder. The paper was not read; \
             what its kind of method can do is measured on one of our own.",
@@ -125,9 +125,9 @@ fn detection(reading: Reading) -> Result<Vec<Finding>> {
     let method = |control, location| EventDriven { control, location, ..EventDriven::default() };
     let (_, cycles) = carried(&BELT, &EventDriven::default(), 10.0)?;
     let released = begins(&cycles, Mode::Beside(Side::Below));
-    let level = |h: f64| -> Result<Level> {
+    let level = |h: f64| -> Result<Refinement> {
         let (end, _) = carried(&BELT, &method(Control::Fixed(h), location), 8.0)?;
-        Ok(Level { time_step: h, error: (end[0] - exact.carried_from_zero(8.0).0).abs() })
+        Ok(Refinement { time_step: h, error: (end[0] - exact.carried_from_zero(8.0).0).abs() })
     };
     let order = fit_order([0.1, 0.05, 0.025].into_iter().map(level).collect::<Result<_>>()?)?.slope;
     let (_, late) = carried(&BELT, &method(Control::Fixed(LATE_STEP), Location::EndOfStep), 4.0)?;

@@ -6,15 +6,15 @@ use crate::checks::convergence::{Stop, plastic_ball};
 use crate::claims::experiments::wall::{Stepping, approach};
 use crate::claims::s4::painleve::answers;
 use crate::claims::s11::compactness::{mass_apart, weakly};
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::defects::convergence::{Altered, Mistake};
-use crate::exact_particle::{Ball, Motion};
+use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{OscillatorWithStop, State};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, RungeKuttaFlip, Scheme, StewartTrinkle, simulate};
 use crate::solvers::Auto;
 use crate::tolerance::claims::ORDER_GAP;
-use crate::trajectory::{Level, fit_order};
+use crate::trajectory::{Refinement, fit_order};
 use nalgebra::dvector;
 
 pub const CLAIMS: &[Claim] = &[
@@ -22,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S1.ts-unique",
         statement: "In Zeno and Painlevé situations, where event-driven methods are undefined, time-stepping gives the unique correct \
             limit.",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Exact,
         correct_statement: "A limit of a subsequence. For the ball that falls under gravity the limit is unique; where two sliding forces \
             exist a step itself has three answers at every h, which tend to two different motions, \
@@ -37,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S1.stewart98",
         statement: "Stewart (1998) proves that the limit h → 0 of the scheme is a solution of the measure differential inclusion.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Measured,
         correct_statement: "A limit of a subsequence, of plastic impacts (e = 0), under conditions on the friction cone that the chapter \
             does not name. The paper was not read; what it concludes is checked on one motion, and why a subsequence is needed is shown.",
@@ -55,7 +55,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S1.weakstar",
         statement: "At impacts time-stepping is accurate in a robust sense: it converges weakly* to the solution of the measure \
             differential inclusion.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "For subsequences, where the limit is a solution (S1.stewart98). Weakly* is said of the impulses; velocities \
             converge in the mean and, away from the impacts, pointwise. Neither converges in a stronger sense: not the mass of the \
@@ -70,7 +70,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S1.implicit-impact",
         statement: "Not detecting events does not mean ignoring impacts: the impact is the atom in the impulse of a step's complementarity \
             problem, with no event detection.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated. P = m(1+e)|v| + m g h in the step of the impact, m g h in a step at rest, 0 in flight: the first \
             stays as h → 0, the second is the weight times h.",
@@ -83,7 +83,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S1.order12",
         statement: "Between impacts time-stepping is of order 1 to 2 (θ method, semi-implicit Euler).",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Measured,
         correct_statement: "As stated: order 2 for θ = ½ and linear forces, 1 for other θ and for Stewart–Trinkle.",
         argument: "q̈ = −4q, stop out of reach, error of q at 2 s for h = 2⁻⁶ … 2⁻⁹ s.",
@@ -148,8 +148,9 @@ fn atom(reading: Reading) -> Result<Vec<Finding>> {
     for exponent in 1..=4u32 {
         let h = ratio(1, 10i64.pow(exponent));
         let weight = &ball.mass * &ball.gravity * &h;
-        let step =
-            |position: Rational, velocity: Rational| ball.moreau_jean(&Motion { position, velocity }, &half, Activation::Gap, &h).impulse;
+        let step = |position: Rational, velocity: Rational| {
+            ball.moreau_jean(&BallState { position, velocity }, &half, Activation::Gap, &h).impulse
+        };
         let expected = reading.pick(ratio(9, 2), &h * ratio(45, 1));
         let impact = step(ratio(0, 1), ratio(-2, 1)) - &weight;
         findings.push(Finding::exact(format!("P − m g h of the impact, h = 1e-{exponent} s"), &impact, &expected, "N·s"));
@@ -162,12 +163,12 @@ fn atom(reading: Reading) -> Result<Vec<Finding>> {
 /// Order of a scheme in q at 2 s on q̈ = −4q.
 fn smooth_order(scheme: &dyn Scheme) -> Result<f64> {
     let spring = OscillatorWithStop::new(1.0, 4.0, 0.0, -100.0, 0.0)?;
-    let level = |exponent: i32| -> Result<Level> {
+    let level = |exponent: i32| -> Result<Refinement> {
         let steps = 1usize << (exponent + 1);
         let time_step = 2.0 / steps as f64;
         let start = State { time: 0.0, position: dvector![1.0], velocity: dvector![0.0] };
         let end = simulate(scheme, &Auto, &spring, start, time_step, steps)?.last().position[0];
-        Ok(Level { time_step, error: (end - 4f64.cos()).abs() })
+        Ok(Refinement { time_step, error: (end - 4f64.cos()).abs() })
     };
     Ok(fit_order((6..=9).map(level).collect::<Result<_>>()?)?.slope)
 }

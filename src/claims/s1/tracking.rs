@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::s4::painleve::rod;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::BouncingBall;
 use crate::event_driven::EventDriven;
 use crate::mechanics::planar::{PlanarBody, Shape};
@@ -19,7 +19,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S1.ed-undefined",
         statement: "Event-driven methods are mathematically undefined at Zeno accumulations and at Painlevé's paradox.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Before an accumulation of impacts every time is reached after finitely many events; beyond it the method is \
             defined by a continuation rule, or not at all. \
@@ -36,7 +36,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S1.scale",
         statement: "Event-driven methods are acceptable for up to about ten contacts, time-stepping scales well to 10⁶.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::NotDecidable,
         correct_statement: "“Acceptable” and “well” are judgements, and no number is a limit. What can be said: the work of an \
             event-driven method grows with the number of events, which contacts add up; \

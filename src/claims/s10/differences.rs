@@ -4,10 +4,10 @@ use crate::checks::Finding;
 use crate::claims::experiments::creep::Creeping;
 use crate::claims::experiments::soft::{default_contact, land, rebound};
 use crate::claims::s5::planar_step::Block;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::mujoco_normal::spring_damper_restitution;
 use crate::elimination::solve;
-use crate::exact_particle::{Ball, Motion};
+use crate::exact_particle::{Ball, BallState};
 use crate::problem::Law;
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
@@ -21,7 +21,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S10.all-delassus",
         statement: "All six simulators are built on the Delassus operator W = JM⁻¹Jᵀ; they differ in four things only: position or \
             velocity level, polyhedral or second-order cone, relaxed or softened or not, numerical algorithm.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "All solve a problem whose dual has W as its operator; a primal method (SAP's and MuJoCo's Newton) solves it \
             without ever forming W. And the four things do not determine the motion: restitution, the amount of compliance and the \
@@ -37,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S10.results-differ",
         statement: "Different simulators use different discretisations, cones, relaxations and solvers, so their results differ \
             systematically; that is normal, not a bug.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated. The differences are those of the declared models and can be predicted from them.",
         argument: "1 kg at rest on the floor: 0 m deep under an LCP scheme, 3.6718e-4 m in MuJoCo. Rebound of the default contact: e⁻² = \
@@ -54,7 +54,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S10.mujoco-gliding",
         statement: "Exercise 3, one stack of cubes: of Bullet, Drake SAP and MuJoCo, which penetrates least, which trembles most easily, \
             which shows O(h) gliding, which has gradients?",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "Of gliding: SAP creeps by O(h) at rest, MuJoCo at a speed that does not depend on h (set by impratio, solimp \
             and solref), a scheme with hard friction such as Bullet's model not at all.",
@@ -84,7 +84,7 @@ fn soft_tower() -> Result<[DVector<Rational>; 2]> {
 /// Velocity after a step of a ball that arrives at −1 m/s, without load.
 fn after_impact(restitution: Rational) -> Rational {
     let ball = Ball { mass: ratio(1, 1), gravity: ratio(0, 1), restitution };
-    let arriving = Motion { position: ratio(0, 1), velocity: ratio(-1, 1) };
+    let arriving = BallState { position: ratio(0, 1), velocity: ratio(-1, 1) };
     ball.moreau_jean(&arriving, &ratio(1, 2), Activation::Gap, &ratio(1, 100)).motion.velocity
 }
 
@@ -92,7 +92,7 @@ fn four_dimensions(reading: Reading) -> Result<Vec<Finding>> {
     let [primal, dual] = soft_tower()?;
     let (one, other) = (after_impact(ratio(0, 1)), after_impact(reading.pick(ratio(1, 2), ratio(0, 1))));
     let resting = Ball { mass: ratio(1, 1), gravity: ratio(10, 1), restitution: ratio(0, 1) };
-    let sunk = Motion { position: ratio(-1, 1000), velocity: ratio(0, 1) };
+    let sunk = BallState { position: ratio(-1, 1000), velocity: ratio(0, 1) };
     let unprojected = resting.moreau_jean(&sunk, &ratio(1, 2), Activation::Gap, &ratio(1, 100)).motion.position;
     let projected = unprojected.clone().max(ratio(0, 1));
     Ok(vec![
@@ -105,7 +105,7 @@ fn four_dimensions(reading: Reading) -> Result<Vec<Finding>> {
 /// Depth at rest under Moreau–Jean or Stewart–Trinkle, from a ball laid on the floor.
 fn hard_depth(position_level: bool) -> Rational {
     let ball = Ball { mass: ratio(1, 1), gravity: ratio(981, 100), restitution: ratio(1, 2) };
-    let mut now = Motion { position: ratio(0, 1), velocity: ratio(0, 1) };
+    let mut now = BallState { position: ratio(0, 1), velocity: ratio(0, 1) };
     let h = ratio(1, 100);
     for _ in 0..100 {
         let outcome =

@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::scenes::named;
 use crate::schemes::{Anitescu, Scheme, StewartTrinkle, simulate};
 use crate::solvers::Auto;
@@ -14,7 +14,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
     id: "S10.table-instances",
     statement: "Who uses what: Moreau–Jean in Siconos, Pinocchio 3 and RaiSim; Stewart–Trinkle in early Drake, Bullet's MLCP and ODE; \
         Anitescu for rolling contact in Chrono; sequential impulses in Bullet, PhysX, Havok and ODE.",
-    verdict: Verdict::Ambiguous,
+    verdict: ClaimVerdict::Ambiguous,
     evidence: Evidence::Measured,
     correct_statement: "Which release of which software runs what was not checked here for RaiSim, early Drake, PhysX, Havok and ODE, \
         which stands in two rows. Of the use that is named, rolling contact, Anitescu's relaxation is right about the end and wrong on the \

@@ -4,7 +4,7 @@ use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::mujoco::facts;
 use crate::claims::experiments::soft_stack;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::problem::Law;
 use crate::schemes::mujoco::Cone;
 
@@ -14,7 +14,7 @@ const PATH: Claim = Claim {
     id: "S10.path-mujoco",
     statement: "MuJoCo: src/engine/engine_solver.c with mj_solPGS, mj_solCG and mj_solNewton, engine_core_constraint.c; MJX: \
         mujoco/mjx/_src/solver.py.",
-    verdict: Verdict::Conditional,
+    verdict: ClaimVerdict::Conditional,
     evidence: Evidence::Cited,
     correct_statement: "The two C files are right. In the repository MJX's file is mjx/mujoco/mjx/_src/solver.py; what the chapter gives \
         is its path in the package.",
@@ -29,7 +29,7 @@ const ROW: Claim = Claim {
     id: "S10.mujoco-row",
     statement: "MuJoCo: semi-implicit Euler, implicitfast, RK4; PGS, CG, Newton; a quadratic or second-order cone program; no explicit \
         impact law; h from 1 to 10 ms; differentiable.",
-    verdict: Verdict::Conditional,
+    verdict: ClaimVerdict::Conditional,
     evidence: Evidence::Measured,
     correct_statement: "As stated, with implicit and discrete added to the integrators and without “differentiable” (S6.mjx-gradients).",
     argument: "Integrators, solvers and the default h = 2 ms are the pinned release's. A step with pyramids has one-sided rows only, a \

@@ -5,8 +5,8 @@ use crate::certificate::copositivity::copositive_plus;
 use crate::checks::Finding;
 use crate::claims::experiments::wall::{Approach, Stepping, approach};
 use crate::claims::s4::stepping::trapezoidal_rebound;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
-use crate::exact_particle::{Ball, Motion};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::exact_particle::{Ball, BallState};
 use crate::problem::Lcp;
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
@@ -18,7 +18,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S11.bv",
         statement: "Step 1: the velocities of all steps have uniformly bounded variation. Copositive-plus bounds the impulse of every \
             step's complementarity problem, the energy the dissipation.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "With a pointed friction cone (no impulses that cancel) and starts that do not penetrate. Copositive-plus \
             yields a solution, not a bound on it; and the Stewart–Trinkle matrix has it only without friction (S4.copos-plus).",
@@ -31,7 +31,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S11.impulse-infinite",
         statement: "Impulses cannot be unbounded, because energy would then grow without bound.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "If Hᵀ P = 0 with P in the cone implies P = 0. Otherwise impulses that cancel each other do no work, and energy \
             says nothing of them.",
@@ -45,7 +45,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S11.helly",
         statement: "Step 2, Helly: of functions that are uniformly bounded with uniformly bounded variation a subsequence converges \
             pointwise, to a function of bounded variation.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Cited,
         correct_statement: "As stated; a standard theorem, not proved here. That its hypothesis on the variation is needed, and that the \
             velocities of a scheme satisfy it, is checked.",
@@ -58,7 +58,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S11.subseq",
         statement: "Hence a subsequence of the velocities converges pointwise, and the positions uniformly.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated. A subsequence is meant: at the time of an impact the whole sequence need not converge.",
         argument: "Stewart–Trinkle on a wall that is hit at ⅓ s: ∫|v_h − v| = 4h/9, which bounds the error of the position. v_h = −1 and 0 \
@@ -70,7 +70,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S11.weakstar",
         statement: "Step 3, Banach–Alaoglu: of impulse measures with bounded mass a subsequence converges weakly*.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; C([0, T]) is separable. Weakly*, and in no stronger sense: not in mass.",
         argument: "The same wall: P_h has mass 1 in two steps next to ⅓ s, ∫g dP_h → g(⅓) for g = t, t², |t − ⅓| with errors of at most 2h \
@@ -82,7 +82,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S11.atom",
         statement: "The limit of the impulses is a measure that may contain atoms; they are the impacts.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated: (1 + e) m |v| in every window around the impact, however narrow.",
         argument: "Moreau–Jean on the wall, e = ½: the impulse within 2h of ⅓ s is 3/2 N s for h = 2⁻⁴ … 2⁻⁸, that within 2h of ¾ s is 0.",
@@ -94,7 +94,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S11.step4",
         statement: "Step 4: complementarity and the normal-cone relation carry over to the limit because the graph of the normal cone is \
             closed.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "The conclusion is the theorem's; the closed graph alone does not give it. v_h converges pointwise and P_h \
             weakly*, and ∫v_h dP_h need not converge to ∫v dP: a further argument is needed where both jump, such as the energy balance.",
@@ -108,7 +108,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S11.no-taylor",
         statement: "The four steps are a template: whoever wants to prove a new scheme convergent goes through them, with compactness in \
             place of Taylor expansions.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::NotDecidable,
         correct_statement: "A plan, not a theorem. Steps 1 to 3 can succeed with a limit that is no solution: step 4 has to be proved for \
             each scheme.",
@@ -121,7 +121,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S11.ex1",
         statement: "Exercise: for a mass that hits a wall the energy estimate bounds the variation of v_h uniformly.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated: impulses push one way only, so Σ P/m = v_N − v_0 + g T and the variation is at most 2 g T + v_N − \
             v_0 ≤ 2 g T + √(2 g q₀) + g h for a drop from q₀ with e ≤ 1.",
@@ -317,7 +317,7 @@ fn exercise(reading: Reading) -> Result<Vec<Finding>> {
     for k in [4, 6, 8, 10, 12] {
         let steps = 2usize << k;
         let h = 2.0 / steps as f64;
-        let mut now = Motion { position: 0.125, velocity: 0.0 };
+        let mut now = BallState { position: 0.125, velocity: 0.0 };
         let [mut variation, mut fastest] = [0.0f64; 2];
         for _ in 0..steps {
             let next = ball.moreau_jean(&now, &0.5, Activation::Gap, &h).motion;

@@ -2,19 +2,19 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::ElasticBar;
 use crate::elastic_bar::{FiniteElementBar, Method};
 use crate::tolerance::claims::ORDER_GAP;
 use crate::tolerance::claims::elastic::{CONVERGING, OSCILLATING, energy_rounding};
-use crate::trajectory::{Level, fit_order};
+use crate::trajectory::{Refinement, fit_order};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S11.rigid-to-fem",
         statement: "The convergence proof of rigid-body time-stepping does not carry over to flexible bodies and finite elements: discrete \
             elastic waves with contact easily bring a numerical drift of energy, which needs integrators of its own.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Measured,
         correct_statement: "As stated, seen on a bar that hits a wall. The solution is of another kind (a finite force ρcAV over 2L/c, e = \
             1, no atom), refining the mesh changes the finite-dimensional problem, and what is proved for each mesh says nothing of the \
@@ -35,7 +35,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S11.fem-refs",
         statement: "Laursen and Chawla (1997) and Laursen and Love (2002) construct energy–momentum conserving finite-element integrators \
             for impact; Hauret and Le Tallec (2006) estimate the dissipation; Hesch and Betsch treat contact in the same spirit.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::Cited,
         correct_statement: "Citations without a statement to decide; the papers were not read. What the first two names stand for is \
             checked: the persistency condition keeps the energy, at the price of a penetration of a step and of a force that oscillates.",
@@ -83,7 +83,7 @@ const MESHES: [usize; 3] = [20, 40, 80];
 
 /// The order in Δ of a number per mesh.
 fn order(value: impl Fn(usize) -> Result<f64>) -> Result<f64> {
-    let level = |elements: usize| Ok(Level { time_step: 1.0 / elements as f64, error: value(elements)? });
+    let level = |elements: usize| Ok(Refinement { time_step: 1.0 / elements as f64, error: value(elements)? });
     Ok(fit_order(MESHES.into_iter().map(level).collect::<Result<_>>()?)?.slope)
 }
 

@@ -1,19 +1,19 @@
 //! §12, the contact step from q = 0.005 m, v = −0.99 m/s.
 
 use super::motion::before_contact;
+use crate::Result;
 use crate::checks::Finding;
 use crate::checks::energy::{worked_ball, worked_step};
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::defects::zeno::{Altered, Mistake};
-use crate::exact_particle::{Ball, Motion};
+use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{PointMass, State};
 use crate::problem::Lcp;
 use crate::scalar::{Rational, ratio};
 use crate::schemes::{self, Activation, MoreauJean, RestitutionRule, Scheme};
 use crate::solvers::ProjectedGaussSeidel;
-use crate::solvers::lemke::{LemkeOutcome, lemke};
+use crate::solvers::lemke::solution;
 use crate::tolerance::schemes::ball_velocity;
-use crate::{Error, Result};
 use nalgebra::{DMatrix, DVector, dvector};
 
 /// The claims of this file.
@@ -22,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S12.step",
         statement: "From q = 0.005, v = −0.99 with h = 0.01: v_free = −1.09, forecast −0.0059 < 0, U = P − 1.585, hence \
                     P = 1.585 N·s and v⁺ = 0.495 m/s.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated.",
         argument: "v_free = −99/100 − 1/10 = −109/100; forecast 1/200 − 109/10000 = −59/10000; U = v_free + P + ½v = \
@@ -34,7 +34,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S12.vplus",
         statement: "The step satisfies the impact law: v⁺ = −e v⁻ = −0.5 · (−0.99) = 0.495 m/s.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated, with v⁻ the velocity v_ℓ at the start of the step (not v_free, the velocity just before \
                             the discrete impact).",
@@ -46,7 +46,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S12.impulse-split",
         statement: "The impulse splits as P = 1.585 = 1.09 + 0.495: first it cancels m|v_free|, then it produces m v⁺.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; it holds for every mass, P = m|v_free| + m v⁺.",
         argument: "m(v⁺ − v_free) = P with v_free < 0 < v⁺: 109/100 + 99/200 = 317/200 for m = 1 and three times each for m = 3.",
@@ -57,7 +57,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S12.qplus",
         statement: "The new position is q⁺ = 0.005 + 0.01 · 0.495 = 0.005 + 0.00495 = 0.0099 m > 0.",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Exact,
         correct_statement: "q⁺ = 0.00995 m (199/20000); the summands are right, their sum was truncated.",
         argument: "1/200 + 99/20000 = 199/20000 = 0.00995. The conclusion drawn from it, that the ball has left the floor, stands.",
@@ -68,7 +68,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S12.unified",
         statement: "One and the same LCP cancels the incoming velocity and produces the rebound; lasting contact and impact are unified.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated.",
         argument: "0 ≤ W P + v_free + e v ⟂ P ≥ 0, solved by Lemke's method in rationals: the impact of the example gives \
@@ -134,16 +134,13 @@ fn new_position(reading: Reading) -> Result<Vec<Finding>> {
 fn impulse(velocity: Rational, restitution: &Rational) -> Result<Rational> {
     let vector = velocity.clone() - ratio(1, 10) + restitution.clone() * velocity;
     let lcp = Lcp::new(DMatrix::from_element(1, 1, ratio(1, 1)), DVector::from_element(1, vector));
-    match lemke(&lcp, &DVector::from_element(1, ratio(1, 1)))? {
-        LemkeOutcome::Solution { z, .. } => Ok(z[0].clone()),
-        LemkeOutcome::Ray { .. } => Err(Error::ray("lemke", "ended on a ray although W > 0")),
-    }
+    Ok(solution(&lcp)?[0].clone())
 }
 
 fn one_problem_for_all(reading: Reading) -> Result<Vec<Finding>> {
     let restitution = reading.pick(ratio(1, 2), ratio(0, 1));
-    let at_floor = |velocity: Rational| Motion { position: ratio(0, 1), velocity };
-    let exact = |now: Motion<Rational>| {
+    let at_floor = |velocity: Rational| BallState { position: ratio(0, 1), velocity };
+    let exact = |now: BallState<Rational>| {
         let ball = Ball { restitution: restitution.clone(), ..worked_ball() };
         ball.moreau_jean(&now, &ratio(1, 1), Activation::FreeVelocityForecast, &ratio(1, 100)).impulse
     };

@@ -3,10 +3,10 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::s5::planar_step::Block;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::problem::{Law, Lcp};
 use crate::scalar::{Rational, ratio};
-use crate::solvers::lemke::{LemkeOutcome, lemke};
+use crate::solvers::lemke::solution;
 use nalgebra::{DMatrix, DVector};
 
 /// The claims of this file.
@@ -14,7 +14,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
     id: "S12.ex3",
     statement: "In one dimension without friction the convex QP of Anitescu is equivalent to the LCP; with a tangential direction \
         (friction, horizontal initial velocity) LCP and relaxation begin to differ by an O(h) gliding.",
-    verdict: Verdict::Conditional,
+    verdict: ClaimVerdict::Conditional,
     evidence: Evidence::Exact,
     correct_statement: "The one-dimensional QP and LCP have the same solution. With friction they differ only while the contact slides, by \
         the gap μh|v_t|; they agree where it sticks.",
@@ -29,10 +29,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
 fn exercise(reading: Reading) -> Result<Vec<Finding>> {
     let free = ratio(-317, 200);
     let lcp = Lcp::new(DMatrix::from_element(1, 1, ratio(1, 1)), DVector::from_element(1, free.clone()));
-    let by_lcp = match lemke(&lcp, &DVector::from_element(1, ratio(1, 1)))? {
-        LemkeOutcome::Solution { z, .. } => z[0].clone(),
-        LemkeOutcome::Ray { .. } => return Err(crate::Error::ray("lemke", "ended on a ray")),
-    };
+    let by_lcp = solution(&lcp)?[0].clone();
     // ½P² + fP = ½(P + f)² − ½f²: smaller nowhere on P ≥ 0 than at the LCP's solution
     let objective = |p: &Rational| ratio(1, 2) * p.clone() * p.clone() + free.clone() * p.clone();
     let better = (0..400).filter(|&k| objective(&ratio(k, 100)) < objective(&by_lcp)).count();

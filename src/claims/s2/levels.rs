@@ -3,9 +3,9 @@
 use super::half_space::TangentCone;
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::bouncing_ball::BouncingBall;
-use crate::exact_particle::{Ball, Motion};
+use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{BeadInCircle, Mechanism, PointMass, State};
 use crate::scalar::{Rational, ratio};
 use crate::schemes::{Activation, MoreauJean, Scheme, StewartTrinkle, simulate};
@@ -19,7 +19,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S2.NTC-robust",
         statement: "Replacing N_C(q) by the velocity-level N_{T_C(q)}(v⁺) removes the 0/1 switch of the position level: it suffices to \
             impose ∇φ·v⁺ ≥ 0 at the contacts with φ ≤ 0 (or about to be), so the scheme is naturally robust to activation.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "No event time is needed, but T_C(q) jumps from the whole space to a half-space at φ = 0 just as N_C does, and \
             the discrete result depends on the activation rule.",
@@ -34,7 +34,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S2.pos-vel-equiv",
         statement: "Position and velocity level are equivalent in persistent contact (φ ≡ 0); they differ when contact is about to be \
             made.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated, in continuous time; for a linear gap it holds step by step.",
         argument: "φ ≡ 0 on an interval gives φ̇ = 0; conversely ∇φ·v⁺ ≥ 0 with complementarity from φ = 0 keeps φ ≥ 0. For linear φ = 0 \
@@ -47,7 +47,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S2.pos-strict",
         statement: "The position level guarantees strict non-penetration (at the price of expanding a nonlinear gap).",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "Exact for linear φ. With φ linearised in each step there remains −½h² v·∇²φ v, which does not accumulate.",
         argument: "A bead of unit speed on the inside of a unit circle: the linearised condition puts q⁺ on the tangent line, |q⁺|² = 1 + \
@@ -60,7 +60,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S2.vel-drift",
         statement: "The velocity level makes velocities admissible, but positions may drift.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "On curved constraints: the depth grows like h v² T/(2R). For linear φ in persistent contact there is none.",
         argument: "The bead on the unit circle moves along the tangent, so |q⁺|² = |q|² + h²w², and |q| w is conserved: |q|² ≤ 1 + hT. The \
@@ -73,7 +73,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S2.penetration-zero",
         statement: "In the sweeping process penetration is strictly zero (or corrected as drift), in the penalty method it is intended.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Certified,
         correct_statement: "The continuous motion satisfies φ ≥ 0 at all times by definition; discrete ones need the drift corrected.",
         argument: "q(t) ∈ C is part of the problem. The exact bouncing ball (e = 1/2) is not below the floor at any of 4000 instants up to \
@@ -85,9 +85,9 @@ pub const CLAIMS: &[Claim] = &[
 ];
 
 /// The rest of a plastic ball after 128 steps of 1/64 s from 1/10 m, and its largest speed.
-fn rest(rule: Activation) -> (Motion<Rational>, Rational) {
+fn rest(rule: Activation) -> (BallState<Rational>, Rational) {
     let ball = Ball { mass: ratio(1, 1), gravity: ratio(10, 1), restitution: ratio(0, 1) };
-    let mut motion = Motion { position: ratio(1, 10), velocity: ratio(0, 1) };
+    let mut motion = BallState { position: ratio(1, 10), velocity: ratio(0, 1) };
     let mut fastest = ratio(0, 1);
     for _ in 0..128 {
         motion = ball.moreau_jean(&motion, &ratio(1, 1), rule, &ratio(1, 64)).motion;
@@ -206,7 +206,7 @@ fn penetration(reading: Reading) -> Result<Vec<Finding>> {
         Reading::Recorded => (0..=SAMPLES).map(|k| exact.state(k as f64 * step).0).fold(f64::INFINITY, f64::min),
         Reading::Control => {
             let ball = Ball { mass: 1.0, gravity, restitution };
-            let mut motion = Motion { position: height, velocity: 0.0 };
+            let mut motion = BallState { position: height, velocity: 0.0 };
             (0..SAMPLES).fold(height, |lowest, _| {
                 motion = ball.moreau_jean(&motion, &1.0, Activation::Gap, &step).motion;
                 lowest.min(motion.position)

@@ -3,9 +3,9 @@
 use super::half_space::whole;
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::bouncing_ball::{accumulation_time_ratio, impact_time_ratio};
-use crate::problem::stewart_trinkle;
+use crate::problem::PlanarProblem;
 use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
 use nalgebra::{DMatrix, DVector};
@@ -17,7 +17,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S2.base-measure",
         statement: "The base measure is dμ = dt + Σᵢ δ_{tᵢ}, the Lebesgue measure and an atom at each impact; v is of bounded variation \
             and dv splits into v̇ dt and jumps.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "True for finitely many impacts in bounded time and without a Cantor part of dv. Past a Zeno point the atoms \
             need summable weights, for instance the jumps: dμ = dt + |dv|.",
@@ -34,7 +34,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S2.sweep-theory",
         statement: "Sweeping processes are rigorous, with a complete theory of existence and uniqueness (Moreau 1977 for convex C(t), \
             later prox-regular sets), in first order or their second-order dynamic version.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Existence and uniqueness hold for the first-order process with convex or prox-regular C(t). For the \
             second-order process of this chapter uniqueness fails in general.",
@@ -108,14 +108,13 @@ fn swept_out(c: &Rational) -> bool {
 /// The distinct impulses that solve one planar contact with μ = 1 and free velocity (1, 10).
 fn planar_contact(coupling: i64) -> Result<Vec<DVector<Rational>>> {
     let delassus = DMatrix::from_row_slice(2, 2, &[whole(1), whole(coupling), whole(coupling), whole(5)]);
-    let map = stewart_trinkle::generators(1, 2, &[[whole(1), whole(0)], [whole(-1), whole(0)]]);
     let free = DVector::from_vec(vec![whole(1), whole(10)]);
-    let reduced = map.transpose() * delassus * &map;
-    let set = all_solutions(&stewart_trinkle::lcp(&reduced, &[whole(1)], &(map.transpose() * free)))?;
+    let problem = PlanarProblem::new(delassus, free).coulomb(&[whole(1)])?;
+    let set = all_solutions(&problem.lcp)?;
     // families move σ only: the slip rate of an open contact is not determined, its impulse is
     let mut impulses: Vec<DVector<Rational>> = Vec::new();
     for z in &set.points {
-        let impulse = &map * z.rows(0, map.ncols());
+        let impulse = problem.impulse(z);
         if !impulses.contains(&impulse) {
             impulses.push(impulse);
         }

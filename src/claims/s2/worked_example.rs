@@ -3,8 +3,8 @@
 use super::half_space::{Impact, TangentCone, grid, line_normal_cone_contains, pairs, whole};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
-use crate::problem::stewart_trinkle;
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::problem::PlanarProblem;
 use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
 use nalgebra::{DMatrix, DVector};
@@ -15,7 +15,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S2.case2",
         statement: "Case two of the example: from −M dv ∈ N_{T_C(0)}(v⁺), with v⁻ < 0, the impulse makes v⁺ = 0 (plastic, e = 0) or v⁺ = \
             −e v⁻ = e|v⁻| > 0 (rebound).",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Exact,
         correct_statement: "−M dv ∈ N_{T_C(0)}(v⁺) has the one solution v⁺ = 0. A rebound needs the argument v⁺ + e v⁻ of §3, whose one \
             solution is v⁺ = −e v⁻.",
@@ -29,7 +29,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S2.cone-direction",
         statement: "In case two the normal cone N_{T_C(0)}(0) = {g ≤ 0} is the normal pointing into the set.",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Exact,
         correct_statement: "The set {g ≤ 0} is right; for C = {q ≥ 0} it points out of C. The force −g is what points in.",
         argument: "0 + t g = −t ∉ C for g = −1 and every t > 0. Only the words in parentheses are wrong; three lines on, the text has the \
@@ -42,7 +42,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S2.case13",
         statement: "Cases one and three: inside (q > 0), or at the wall and leaving (q = 0, v > 0), there is no force and v does not \
             change.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated: the normal cone is {0}.",
         argument: "Inside T_C = ℝ, at the wall with v > 0 the velocity is interior to T_C = {u ≥ 0}; in both N = {0}, hence P = m(v⁺ − v⁻) \
@@ -54,7 +54,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S2.branches",
         statement: "The three cases are the three branches of 0 ≤ φ ⟂ λ ≥ 0: (φ > 0, λ = 0), (φ = 0, λ > 0), (φ = 0, λ = 0).",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; these are all branches.",
         argument: "Of the nine pairs of signs of φ and λ, 0 ≤ φ, 0 ≤ λ and φλ = 0 leave exactly these three.",
@@ -65,7 +65,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S2.ex1",
         statement: "Exercise 1: with Newton's law the impulse at the wall is P = −2 m v⁻ for e = 1 and P = −m v⁻ for e = 0.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "P = m(v⁺ − v⁻) = −(1 + e) m v⁻.",
         argument: "Integrating the inclusion over the atom gives P = m(v⁺ − v⁻); v⁺ = −e v⁻ is the only solution with argument v⁺ + e v⁻. \
@@ -78,7 +78,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S2.ex3",
         statement: "Exercise 3: on a smooth phase the inclusion is equivalent to 0 ≤ λ ⟂ ∇φ·v⁺ ≥ 0; with the friction cone this becomes a \
             nonlinear complementarity problem instead of an LCP.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "The equivalence holds on φ = 0. Friction leaves an LCP in the plane and for polyhedral cones; the nonlinear \
             problem comes with the circular cone of a spatial contact.",
@@ -169,14 +169,12 @@ fn strength_of_lcp_solution(rows: usize) -> Result<(Rational, usize)> {
     let [one, none] = [whole(1), whole(0)];
     let axes = [[one.clone(), none.clone()], [none.clone(), one.clone()], [whole(-1), none.clone()], [none, whole(-1)]];
     let directions: Vec<_> = if rows == 2 { vec![axes[0].clone(), axes[2].clone()] } else { axes.to_vec() };
-    let map = stewart_trinkle::generators(1, rows, &directions);
     let free = DVector::from_fn(rows, |row, _| if row == 0 { whole(-1) } else { one.clone() });
-    let reduced: DMatrix<Rational> = map.transpose() * &map;
     let mu = ratio(1, 2);
-    let lcp = stewart_trinkle::lcp(&reduced, std::slice::from_ref(&mu), &(map.transpose() * free));
-    let set = all_solutions(&lcp)?;
+    let problem = PlanarProblem::new(DMatrix::identity(rows, rows), free).polyhedral(std::slice::from_ref(&mu), &directions)?;
+    let set = all_solutions(&problem.lcp)?;
     let Some(z) = set.points.first() else { return Ok((whole(0), 0)) };
-    let impulse = &map * z.rows(0, map.ncols());
+    let impulse = problem.impulse(z);
     let tangential = impulse.iter().skip(1).fold(whole(0), |sum, entry| sum + entry.clone() * entry.clone());
     let bound = mu * impulse[0].clone();
     Ok((tangential / (bound.clone() * bound), set.points.len()))

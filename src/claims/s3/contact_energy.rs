@@ -5,12 +5,12 @@
 //! ```
 //! Without friction PᵀŪ = 0. With friction PᵀŪ ≤ 0 if the law holds for all components of Ū.
 
+use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
-use crate::problem::{Lcp, stewart_trinkle};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::problem::{PlanarProblem, Response};
 use crate::scalar::{Rational, ratio};
-use crate::solvers::lemke::{LemkeOutcome, lemke};
-use crate::{Error, Result};
+use crate::solvers::lemke::solution;
 use nalgebra::{DMatrix, DVector};
 use num_traits::{One, Zero};
 
@@ -18,7 +18,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.contact-work-sign",
         statement: "ΔE_contact = −½Pᵀ(U⁺ + U⁻) (the chapter adds: the sign depends on the convention).",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "With P ≥ 0 and M(v⁺ − v⁻) = HᵀP, the convention of the scheme in §3, ΔT = +½Pᵀ(U⁺ + U⁻). The minus sign \
             belongs to P = ∫dR with M(v⁺ − v⁻) = −HᵀP, the convention of §0.",
@@ -32,7 +32,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.contact-diss",
         statement: "In the Moreau–Jean frame Pᵀ(v⁺ + e v⁻)/2 ≥ 0 guarantees that the contact dissipates in addition (e < 1 loses energy, e \
             = 1 keeps it).",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "For one common e, a pure impact, and the law on every component if there is friction: ΔT ≤ −½(1−e)/(1+e) PᵀWP \
             ≤ 0, with equality without friction.",
@@ -47,7 +47,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.moreau-diss",
         statement: "Moreau's impact law: e < 1 dissipates, e = 1 conserves (and friction dissipates by itself).",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "For one common e without friction, and with friction if v⁺ + e v⁻ is taken in normal and tangential \
             components. Newton's law on the normal component alone, combined with Coulomb friction, can gain energy.",
@@ -59,43 +59,30 @@ pub const CLAIMS: &[Claim] = &[
     },
 ];
 
-/// An impact in contact coordinates: W, U⁻, U⁺ and P.
+/// An impact in contact coordinates: W and U⁻, and what came of it.
 struct Impact {
-    delassus: DMatrix<Rational>,
-    before: DVector<Rational>,
-    after: DVector<Rational>,
-    impulse: DVector<Rational>,
+    problem: PlanarProblem<Rational>,
+    end: Response<Rational>,
 }
 
 impl Impact {
     /// Solves 0 ≤ U⁺ + diag(e) U⁻ ⟂ P ≥ 0 with U⁺ = U⁻ + W P.
     fn frictionless(delassus: DMatrix<Rational>, before: DVector<Rational>, restitution: &[Rational]) -> Result<Self> {
-        let shifted = DVector::from_fn(before.len(), |i, _| &before[i] * (Rational::one() + &restitution[i]));
-        let impulse = solved(&Lcp::new(delassus.clone(), shifted))?;
-        Ok(Impact::new(delassus, before, impulse))
-    }
-
-    fn new(delassus: DMatrix<Rational>, before: DVector<Rational>, impulse: DVector<Rational>) -> Self {
-        let after = &before + &delassus * &impulse;
-        Impact { delassus, before, after, impulse }
+        let shift = DVector::from_fn(before.len(), |i, _| &before[i] * &restitution[i]);
+        let problem = PlanarProblem::new(delassus, before);
+        let impulse = solution(&problem.shifted(&shift).frictionless())?;
+        Ok(Impact { end: problem.response(impulse), problem })
     }
 
     /// ½ Pᵀ(U⁺ + U⁻).
     fn work(&self) -> Rational {
-        self.impulse.dot(&(&self.after + &self.before)) * ratio(1, 2)
+        self.end.impulse.dot(&(&self.end.after + &self.problem.velocity)) * ratio(1, 2)
     }
 
     /// −½ (1−e)/(1+e) PᵀWP.
     fn predicted_loss(&self, restitution: &Rational) -> Rational {
         let factor = (Rational::one() - restitution) / (Rational::one() + restitution);
-        -(self.impulse.dot(&(&self.delassus * &self.impulse)) * factor * ratio(1, 2))
-    }
-}
-
-fn solved(lcp: &Lcp<Rational>) -> Result<DVector<Rational>> {
-    match lemke(lcp, &DVector::from_element(lcp.size(), Rational::one()))? {
-        LemkeOutcome::Solution { z, .. } => Ok(z),
-        LemkeOutcome::Ray { .. } => Err(Error::ray("lemke", "ended on a ray")),
+        -(self.end.impulse.dot(&(&self.problem.delassus * &self.end.impulse)) * factor * ratio(1, 2))
     }
 }
 
@@ -111,11 +98,11 @@ fn work_sign(reading: Reading) -> Result<Vec<Finding>> {
     // unit masses at 1 and 0 m/s, H = (−1, 1), e = 0: P = 1/2
     let impact = Impact::frictionless(integers(1, 1, &[2]), vector(&[ratio(-1, 1)]), &[ratio(0, 1)])?;
     let kinetic = |velocities: [Rational; 2]| velocities.iter().map(|v| v * v * ratio(1, 2)).fold(Rational::zero(), |a, b| a + b);
-    let push = impact.impulse[0].clone();
+    let push = impact.end.impulse[0].clone();
     let change = kinetic([ratio(1, 1) - &push, push.clone()]) - kinetic([ratio(1, 1), ratio(0, 1)]);
     // P = ∫dR is minus the impulse on the bodies
-    let in_convention = reading.pick(-push, impact.impulse[0].clone());
-    let printed = -(in_convention * (&impact.after[0] + &impact.before[0])) * ratio(1, 2);
+    let in_convention = reading.pick(-push, impact.end.impulse[0].clone());
+    let printed = -(in_convention * (&impact.end.after[0] + &impact.problem.velocity[0])) * ratio(1, 2);
     Ok(vec![
         Finding::exact("−½P(U⁺ + U⁻) against the change of kinetic energy", &printed, &change, "J"),
         Finding::exact("+½P(U⁺ + U⁻) with P ≥ 0 on the bodies", &impact.work(), &change, "J"),
@@ -143,13 +130,9 @@ fn dissipation(reading: Reading) -> Result<Vec<Finding>> {
 
 /// Planar Coulomb impact with restitution e on the components given by `reversed`, as a Stewart–Trinkle LCP with d = 2.
 fn frictional(delassus: &DMatrix<Rational>, before: &DVector<Rational>, mu: &Rational, shift: &DVector<Rational>) -> Result<Impact> {
-    let directions = [[ratio(1, 1), ratio(0, 1)], [ratio(-1, 1), ratio(0, 1)]];
-    let generators = stewart_trinkle::generators(1, 2, &directions);
-    let reduced = generators.transpose() * delassus * &generators;
-    let velocity = generators.transpose() * (before + shift);
-    let z = solved(&stewart_trinkle::lcp(&reduced, std::slice::from_ref(mu), &velocity))?;
-    let impulse = &generators * z.rows(0, generators.ncols());
-    Ok(Impact::new(delassus.clone(), before.clone(), impulse))
+    let problem = PlanarProblem::new(delassus.clone(), before.clone());
+    let impulse = problem.shifted(shift).coulomb(std::slice::from_ref(mu))?.solve()?;
+    Ok(Impact { end: problem.response(impulse), problem })
 }
 
 fn moreau_law(reading: Reading) -> Result<Vec<Finding>> {
@@ -165,7 +148,7 @@ fn moreau_law(reading: Reading) -> Result<Vec<Finding>> {
     Ok(vec![
         Finding::exact("energy gained in the frictional impact with e = 1", &subject.work(), &Rational::zero(), "J"),
         Finding::exact("kinetic energy before the impact", &energy(&before), &ratio(1, 4), "J"),
-        Finding::exact("after it, restitution of the normal component alone", &energy(&gaining.after), &ratio(9, 4), "J"),
+        Finding::exact("after it, restitution of the normal component alone", &energy(&gaining.end.after), &ratio(9, 4), "J"),
         Finding::exact("½Pᵀ(U⁺ + U⁻) of that impact", &gaining.work(), &ratio(2, 1), "J"),
     ])
 }

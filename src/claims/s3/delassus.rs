@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::certificate::definiteness::{Definiteness, definiteness};
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::contact::delassus::delassus;
 use crate::elimination::{rank, solve};
 use crate::scalar::{Rational, ratio};
@@ -13,7 +13,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.delassus-psd",
         statement: "M ≻ 0, hence W = H M⁻¹Hᵀ ⪰ 0.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "W is positive semidefinite, and positive definite iff the rows of H are independent.",
         argument: "xᵀWx = (Hᵀx)ᵀM⁻¹(Hᵀx) ≥ 0, zero iff Hᵀx = 0. Decided exactly here for H with independent and dependent rows, and on a \
@@ -26,7 +26,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.delassus-phys",
         statement: "W is the contact's effective compliance: ΔU = W P; one contact and one velocity: 1/m; off-diagonal entries couple \
             contacts; nearly parallel contact directions or extreme masses make W ill-conditioned.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated. Two contacts of a point at the angle α have condition number cot²(α/2); two contacts of a chain of \
             masses 1, 1/ρ, 1 have 1 + 2ρ.",

@@ -2,8 +2,8 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
-use crate::exact_particle::{Ball, Motion};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{BeadInCircle, Mechanism, State};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, simulate};
@@ -14,7 +14,7 @@ use nalgebra::dvector;
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S3.drift",
     statement: "Without projection, pure Moreau–Jean lets a body sink slowly into the table over long runs.",
-    verdict: Verdict::Conditional,
+    verdict: ClaimVerdict::Conditional,
     evidence: Evidence::Certified,
     correct_statement: "A body on a plane does not drift under the activation rules A, B or D (A: φ ≤ 0, B: φ + ½hu ≤ 0, D: φ + h u_free ≤ \
         0): only the offset of the landing remains. It sinks under rule C (φ + h u ≤ 0 and u ≤ 0) with 0 < e < 1, at g h (1−e)/(2(1+e)); \
@@ -29,9 +29,9 @@ pub const CLAIMS: &[Claim] = &[Claim {
 }];
 
 /// Mean velocity over the last 500 of 1000 steps of a ball dropped from 1/10 m with e = 1/2.
-fn settled_velocity(step: impl Fn(&Ball<f64>, &Motion<f64>) -> Motion<f64>) -> f64 {
+fn settled_velocity(step: impl Fn(&Ball<f64>, &BallState<f64>) -> BallState<f64>) -> f64 {
     let ball = Ball { mass: 1.0, gravity: 9.81, restitution: 0.5 };
-    let mut now = Motion { position: 0.1, velocity: 0.0 };
+    let mut now = BallState { position: 0.1, velocity: 0.0 };
     let mut halfway = 0.0;
     for count in 0..1000 {
         if count == 500 {
@@ -45,15 +45,15 @@ fn settled_velocity(step: impl Fn(&Ball<f64>, &Motion<f64>) -> Motion<f64>) -> f
 const STEP: f64 = 0.01;
 
 /// Rule C: the contact takes part if q + h v ≤ 0 and v ≤ 0.
-fn rule_c(ball: &Ball<f64>, now: &Motion<f64>) -> Motion<f64> {
+fn rule_c(ball: &Ball<f64>, now: &BallState<f64>) -> BallState<f64> {
     let free = now.velocity - ball.gravity * STEP;
     let active = now.position + STEP * now.velocity <= 0.0 && now.velocity <= 0.0;
     let velocity = if active { free.max(-ball.restitution * now.velocity) } else { free };
-    Motion { position: now.position + STEP * 0.5 * (velocity + now.velocity), velocity }
+    BallState { position: now.position + STEP * 0.5 * (velocity + now.velocity), velocity }
 }
 
 fn sinking(reading: Reading) -> Result<Vec<Finding>> {
-    let rule = |activation: Activation| move |ball: &Ball<f64>, now: &Motion<f64>| ball.moreau_jean(now, &0.5, activation, &STEP).motion;
+    let rule = |activation: Activation| move |ball: &Ball<f64>, now: &BallState<f64>| ball.moreau_jean(now, &0.5, activation, &STEP).motion;
     let sink = settled_velocity(rule_c);
     let first = reading.pick(settled_velocity(rule(Activation::Gap)), sink);
     let mut findings = vec![Finding::equal("sinking velocity long after landing", first, 0.0, f64::EPSILON, "m/s")];
@@ -77,7 +77,7 @@ fn sinking(reading: Reading) -> Result<Vec<Finding>> {
 
 fn resting_drift(activation: Activation) -> Rational {
     let ball = Ball { mass: ratio(1, 1), gravity: ratio(981, 100), restitution: ratio(1, 2) };
-    let mut now = Motion { position: ratio(0, 1), velocity: ratio(0, 1) };
+    let mut now = BallState { position: ratio(0, 1), velocity: ratio(0, 1) };
     for _ in 0..1000 {
         now = ball.moreau_jean(&now, &ratio(1, 2), activation, &ratio(1, 100)).motion;
     }

@@ -2,8 +2,8 @@
 
 use super::theta_step::{LinearSystem, phase};
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
-use crate::exact_particle::{Ball, Motion};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{BallChain, Mechanism, State};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, simulate};
@@ -16,7 +16,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
     id: "S3.energy-runs-down",
     statement: "θ = 1 draws energy off artificially; where long-term conservation matters (satellite, pendulum, chains of elastic \
         collisions) the simulation runs ever slower until it stands still.",
-    verdict: Verdict::False,
+    verdict: ClaimVerdict::False,
     evidence: Evidence::Exact,
     correct_statement: "True for the pendulum and other oscillators. Elastic collisions do not run down: without forces θ has no effect on \
         the energy, and under gravity E − (θ−½) m g h v is conserved exactly across flights and impacts, so E only oscillates by O(h). A \
@@ -35,7 +35,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
 fn elastic_ball(activation: Activation, steps: usize) -> (usize, usize, Rational) {
     let ball = Ball { mass: ratio(1, 1), gravity: ratio(981, 100), restitution: ratio(1, 1) };
     let (theta, h) = (ratio(1, 1), ratio(1, 100));
-    let mut now = Motion { position: ratio(1, 2), velocity: ratio(0, 1) };
+    let mut now = BallState { position: ratio(1, 2), velocity: ratio(0, 1) };
     let start = ball.energy(&now);
     let mut values = BTreeSet::from([ball.scheme_energy(&now, &theta, &h)]);
     let mut bounces = 0;

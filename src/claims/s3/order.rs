@@ -4,7 +4,7 @@ use super::pendulum::Swing;
 use super::theta_step::{LinearSystem, phase};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::bouncing_ball::BouncingBall;
 use crate::mechanics::{OscillatorWithStop, PointMass, State};
 use crate::scalar::{Rational, Scalar, ratio};
@@ -12,14 +12,14 @@ use crate::schemes::{Activation, MoreauJean, RestitutionRule, simulate};
 use crate::solvers::LemkePivoting;
 use crate::tolerance::claims::theta_scheme::{METHOD_CONSTANTS, central_difference_of_step};
 use crate::tolerance::rounding;
-use crate::trajectory::order::{Level, OrderEstimate, fit_order};
+use crate::trajectory::order::{OrderEstimate, Refinement, fit_order};
 use nalgebra::dvector;
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.theta-order",
         statement: "θ = 1/2 is the second-order trapezoidal rule, θ = 1 is backward Euler.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Measured,
         correct_statement: "Orders 2 and 1 while the motion is smooth; through an impact every θ has order 1 in the position.",
         argument: "q̈ = −q to t = 2: the one-step factor is R = (1 + (1−θ)z)/(1 − θz) = 1 + z + θz² + …, z = ±ih, so the order is 2 iff θ \
@@ -32,7 +32,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.table-2nd-order",
         statement: "Table, overall behaviour of θ = 1/2: second order and energy neutral; for elastic collisions and long conservative \
             motions.",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Certified,
         correct_statement: "θ = 1/2 is energy neutral for constant and linear forces; its order is 2 on smooth pieces and 1 through \
             impacts, like that of every θ.",
@@ -46,7 +46,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.symplectic-like",
         statement: "θ = 1/2 behaves like a symplectic integrator: no long-term drift of the energy.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "For smooth motions: on linear systems the θ = 1/2 step preserves area, on nonlinear ones it does not but is \
             conjugate to the midpoint rule, which does. No such statement holds across impacts.",
@@ -63,12 +63,12 @@ pub const CLAIMS: &[Claim] = &[
 fn oscillator_order(theta: f64, stop: f64) -> Result<OrderEstimate> {
     let oscillator = OscillatorWithStop::new(1.0, 1.0, 0.0, stop, 1.0)?;
     let scheme = MoreauJean { theta, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
-    let level = |steps: usize| -> Result<Level> {
+    let level = |steps: usize| -> Result<Refinement> {
         let (h, start) = (2.0 / steps as f64, State { time: 0.0, position: dvector![1.0], velocity: dvector![0.0] });
         let end = simulate(&scheme, &LemkePivoting, &oscillator, start, h, steps)?.last().clone();
         let sign = if stop < 0.0 { 1.0 } else { -1.0 };
         let error = (end.position[0] - sign * 2f64.cos()).hypot(end.velocity[0] + sign * 2f64.sin());
-        Ok(Level { time_step: h, error })
+        Ok(Refinement { time_step: h, error })
     };
     fit_order([64, 128, 256, 512].map(level).into_iter().collect::<Result<Vec<_>>>()?)
 }

@@ -1,9 +1,9 @@
 //! One step: which velocity moves the body, where restitution enters, and what the unknown is.
 
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::contact::delassus::{MassFactor, delassus};
-use crate::exact_particle::{Ball, Motion};
+use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{Mechanism, OscillatorWithStop, PointMass, State};
 use crate::problem::Lcp;
 use crate::scalar::{Rational, Scalar, ratio};
@@ -20,7 +20,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.explicit-bad",
         statement: "Naive explicit Euler: with q⁺ = q + h v and the old velocity v, the contact force acts too late and the body has \
             already penetrated.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "With θ = 0 the impulse of a step cannot change the position at its end; penetration follows whenever q + h v < \
             0.",
@@ -33,7 +33,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.mj-condition",
         statement: "At every active contact 0 ≤ U = H(v⁺ + e v) ⟂ P ≥ 0.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "This is the definition of the scheme's contact law; U⁺ = H v⁺ itself need not be complementary to P.",
         argument: "Three balls of 1, 2 and 4 kg in line at velocities 3, 0, −1 m/s, both contacts closed, e = 1/2: Lemke in rationals \
@@ -45,7 +45,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.newton-embedded",
         statement: "The argument v⁺ + e v embeds Newton's impact law v⁺ = −e v⁻.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "U_n⁺ = −e U_n holds exactly at contacts with P > 0, and U_n is the velocity at the start of the step, which \
             differs from the velocity at the impact by at most g h in free fall. A closed contact with P = 0 separates by its own \
@@ -61,7 +61,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.ufree",
         statement: "With v_free = v + h M⁻¹F: U = W P + U_free, U_free = H(v_free + e v) = (1+e) H v + h H M⁻¹F, W = H M⁻¹Hᵀ (F explicit \
             or linearised).",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Exact for an explicit force. For a linearised implicit force −Kq − Cv, M is replaced by M̂ = M + hθC + h²θ²K, \
             in W and in v_free alike.",
@@ -74,7 +74,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.P-force",
         statement: "The unknown P is an impulse in N·s; taking it for a force is off by the factor 1/h.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Certified,
         correct_statement: "A resting body has P = m g h; P/h = m g is the force.",
         argument: "Resting 2 kg block at h = 1/64 and 1/128 s: P halves with h while P/h stays m g = 19.62 N.",
@@ -92,7 +92,7 @@ fn gravity() -> Rational {
 fn explicit_position(reading: Reading) -> Result<Vec<Finding>> {
     let theta = reading.pick(ratio(0, 1), ratio(1, 1));
     let ball = Ball { mass: ratio(1, 1), gravity: ratio(0, 1), restitution: ratio(0, 1) };
-    let start = Motion { position: ratio(1, 100), velocity: ratio(-2, 1) };
+    let start = BallState { position: ratio(1, 100), velocity: ratio(-2, 1) };
     let outcome = ball.moreau_jean(&start, &theta, Activation::FreeVelocityForecast, &ratio(1, 50));
     Ok(vec![
         Finding::exact("position at the end of the step", &outcome.motion.position, &ratio(-3, 100), "m"),
@@ -124,10 +124,10 @@ fn complementarity(reading: Reading) -> Result<Vec<Finding>> {
 fn newton_law(reading: Reading) -> Result<Vec<Finding>> {
     let (e, h) = (ratio(1, 2), ratio(1, 100));
     let ball = Ball { mass: ratio(1, 1), gravity: gravity(), restitution: e.clone() };
-    let falling = Motion { position: ratio(1, 200), velocity: ratio(-1, 1) };
-    let separating = Motion { position: ratio(0, 1), velocity: ratio(1, 1) };
+    let falling = BallState { position: ratio(1, 200), velocity: ratio(-1, 1) };
+    let separating = BallState { position: ratio(0, 1), velocity: ratio(1, 1) };
     let claimed = reading.pick(&falling, &separating);
-    let step = |start: &Motion<Rational>| {
+    let step = |start: &BallState<Rational>| {
         let rule = if start.position.is_zero() { Activation::Gap } else { Activation::FreeVelocityForecast };
         ball.moreau_jean(start, &ratio(1, 1), rule, &h)
     };

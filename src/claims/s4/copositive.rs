@@ -6,8 +6,8 @@ use crate::certificate::copositivity::{copositive, copositive_plus};
 use crate::certificate::definiteness::quadratic_form;
 use crate::certificate::feasibility::nonnegative_solution;
 use crate::checks::Finding;
-use crate::checks::stewart_trinkle::{System, chapter_example, reference, wedge};
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::checks::stewart_trinkle::{RationalStep, chapter_example, reference, wedge};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::problem::Lcp;
 use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
@@ -17,7 +17,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.cp-def",
         statement: "N is copositive-plus if (i) x ≥ 0 implies xᵀNx ≥ 0 and (ii) x ≥ 0 with xᵀNx = 0 implies (N + Nᵀ)x = 0.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "This is the standard definition.",
         argument: "[[0, 1], [0, 0]] is copositive (form x₁x₂) but x = (1, 0) has form 0 and (N + Nᵀ)x = (0, 1): part (ii) excludes it. \
@@ -29,7 +29,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.copos",
         statement: "M_LCP is copositive (part (i) of the theorem).",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "M_LCP is copositive for every μ ≥ 0, any number of contacts and any redundancy.",
         argument: "xᵀM x = x₁ᵀW̃x₁ + Σμᵢλᵢσᵢ is a sum of two terms that are ≥ 0 for x ≥ 0 (x₁ = (λ, β)). Decided exactly here for the \
@@ -41,7 +41,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.copos-plus",
         statement: "Theorem (the chapter attributes it to Anitescu and Potra 1997): the Stewart–Trinkle matrix M_LCP is copositive-plus.",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Exact,
         correct_statement: "M_LCP is copositive; it is copositive-plus if and only if every μ is 0. Solvability rests on something else: \
             with q = (nᵀv + b, Dᵀv, 0), v the free velocity and b = φ/h, if bᵀλ ≥ 0 for all λ, β ≥ 0 with nλ + Dβ = 0 and Eᵀβ ≤ μλ – true \
@@ -61,7 +61,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.quadratic-general",
         statement: "Proof and exercise 2: xᵀM_LCP x = x₁ᵀW̃x₁, because the friction row and the tangential column cancel; and xᵀMx = 0 \
             implies (M + Mᵀ)x = 0.",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Exact,
         correct_statement: "xᵀM_LCP x = x₁ᵀW̃x₁ + Σμᵢλᵢσᵢ: only +E against −Eᵀ cancels, μ has no partner. Copositivity follows all the \
             same; the second implication does not, and falls with S4.copos-plus.",
@@ -74,7 +74,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.cps-thm",
         statement: "By a theorem of Cottle, Pang and Stone, an LCP with a copositive-plus matrix that is feasible has a solution.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "True; but it does not apply to the Stewart–Trinkle LCP with friction, whose matrix is not copositive-plus.",
         argument: "A secondary ray of Lemke's method would give x ≥ 0 with xᵀMx = 0, Mx ≥ 0 and xᵀq < 0; (ii) turns Mx ≥ 0 into Mᵀx ≤ 0, \
@@ -141,7 +141,7 @@ fn not_plus(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 fn general_form(reading: Reading) -> Result<Vec<Finding>> {
-    let systems: [System; 2] = [wedge(ratio(1, 2)), chapter_example(ratio(0, 1), [ratio(0, 1), ratio(0, 1)])];
+    let systems: [RationalStep; 2] = [wedge(ratio(1, 2)), chapter_example(ratio(0, 1), [ratio(0, 1), ratio(0, 1)])];
     let mut findings = Vec::new();
     for system in &systems {
         let mut matrix = reference(system)?.matrix;

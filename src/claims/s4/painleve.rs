@@ -6,8 +6,8 @@
 use super::matrices::integers;
 use crate::Result;
 use crate::checks::Finding;
-use crate::checks::stewart_trinkle::{System, rational_directions, reference};
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::checks::stewart_trinkle::{RationalStep, rational_directions, reference};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::contact::delassus::delassus;
 use crate::mechanics::{PainleveRod, State};
 use crate::problem::Lcp;
@@ -23,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.painleve",
         statement: "Painlevé 1895: for some rigid bodies with Coulomb friction (a rod sliding on the ground with large μ) the equations of \
             motion have no solution or several.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "For the uniform rod this happens for μ > μ_P = W_nn/|W_nt| = (4 + tan²)/(3 tan) ≥ 4/3 when it slides towards \
             the side it leans to.",
@@ -37,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.painleve-atom",
         statement: "The limit h → 0 of Stewart–Trinkle solutions exists and contains an impulsive atom, “impact without collision”; time \
             stepping delivers it automatically.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Where no sliding force exists the step has one solution, whose impulse does not vanish with h: P_n = \
             |W_nt||v_t|/det W, P_t = W_nn|v_t|/det W, and the end sticks. Where two forces exist the step has three solutions, and the \
@@ -51,7 +51,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.ex3-energy",
         statement: "Exercise 3: is the impulse of Painlevé's rod dissipative in energy, or does it inject energy?",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "It dissipates: ΔT = ½Pᵀ(u⁺ + u⁻) = −½ W_nn v_t²/det W = −(1 + 3cos²)/8 · m v_t².",
         argument: "u⁻ = (0, −1), P = (9/25, 13/25), u⁺ = 0: ΔT = ½·(13/25)·(−1) = −13/50 with m = 1, cos = 3/5; the same from ½vᵀMv before \
@@ -63,9 +63,9 @@ pub const CLAIMS: &[Claim] = &[
 ];
 
 /// The rod sliding with v_t = −1, with this friction and normal free velocity, φ = 0.
-pub(in crate::claims) fn rod(friction: Rational, normal_velocity: Rational) -> System {
+pub(in crate::claims) fn rod(friction: Rational, normal_velocity: Rational) -> RationalStep {
     let zero = || ratio(0, 1);
-    System {
+    RationalStep {
         mass: DVector::from_vec(vec![ratio(1, 1), ratio(1, 1), ratio(1, 3)]),
         jacobian: DMatrix::from_row_slice(2, 3, &[zero(), ratio(1, 1), ratio(-3, 5), ratio(1, 1), zero(), ratio(4, 5)]),
         rows_per_contact: 2,
@@ -94,7 +94,7 @@ pub(in crate::claims) fn sliding_forces(friction: &Rational, b: i64) -> Result<u
 }
 
 /// The different velocities after the step among these solutions.
-pub(super) fn velocities(system: &System, set: &SolutionSet) -> Vec<DVector<Rational>> {
+pub(super) fn velocities(system: &RationalStep, set: &SolutionSet) -> Vec<DVector<Rational>> {
     let mut velocities: Vec<DVector<Rational>> = Vec::new();
     for z in &set.points {
         let velocity = &system.free_velocity + system.impulse(z).component_div(&system.mass);

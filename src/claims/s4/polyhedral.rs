@@ -3,10 +3,10 @@
 use super::matrices::integers;
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::cones::polyhedral::{direction, direction_error, force_error, strength_error};
 use crate::mechanics::{Mechanism, Plane, PointMass, State};
-use crate::problem::stewart_trinkle;
+use crate::problem::PlanarProblem;
 use crate::scalar::{Rational, ratio};
 use crate::schemes::{MoreauJean, Scheme, StewartTrinkle, step};
 use crate::solvers::Auto;
@@ -22,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.poly-order",
         statement: "The polyhedral cone has an error O(1/d) in its shape (§4, its summary, §5's insight); it has an error O(1/d²) in the \
             radius (§4's pitfall) and in its shape (§5's table).",
-        verdict: Verdict::Inconsistent,
+        verdict: ClaimVerdict::Inconsistent,
         evidence: Evidence::Certified,
         correct_statement: "Shape and strength: 1 − cos(π/d) ≈ π²/(2d²). Direction of the force: π/d; force vector: 2 sin(π/2d) ≈ π/d. In \
             the plane d = 2 has no error.",
@@ -39,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.d8",
         statement: "The error of the polyhedral cone is O(1/d²) (for the radius); d = 8 is already quite accurate. What changes in kind is \
             a slight anisotropy.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Measured,
         correct_statement: "d = 8 is 7.6 % weak in the worst direction and up to 22.5° off in the direction of the force; a free slide \
             drifts sideways by up to 10.6 % of its stopping distance.",
@@ -56,7 +56,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.aniso",
         statement: "The friction force is restricted to d discrete directions, which makes sliding along the basis directions slightly \
             easier or harder than along the diagonals.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "Basis directions are the harder ones (full μ), bisectors the easier ones (μ cos(π/d)), so stopping distances \
             differ by sec(π/d): 1.414, 1.082, 1.020 for d = 4, 8, 16. \
@@ -72,7 +72,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.maxdiss",
         statement: "The slip-rate multiplier σ with μλ − Eᵀβ ≥ 0 ⟂ σ ≥ 0 reproduces the principle of maximal dissipation: σ = 0 while \
             sticking, σ > 0 and full friction while sliding.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "β maximises −u_t·Dβ over β ≥ 0, Eᵀβ ≤ μλ – on the polyhedral cone – and σ is the multiplier of that linear \
             programme, σ = max_j(−D_j·u_t).",
@@ -253,22 +253,21 @@ fn rational_directions() -> Vec<[Rational; 2]> {
 
 fn maximal_dissipation(reading: Reading) -> Result<Vec<Finding>> {
     let directions = rational_directions();
-    let map = stewart_trinkle::generators(1, 3, &directions);
     let delassus = DMatrix::from_row_slice(3, 3, &[4, 1, -1, 1, 3, 1, -1, 1, 5].map(|x| ratio(x, 2)));
     let mu = ratio(1, 2);
     let mut findings = Vec::new();
     for free in [[-2, 3, 1], [-1, -2, 4], [-3, 5, -5], [-6, 1, 0]] {
         let free = integers(&free);
-        let mut lcp = stewart_trinkle::lcp(&(map.transpose() * &delassus * &map), std::slice::from_ref(&mu), &(map.transpose() * &free));
-        let cone_row = map.ncols();
+        let mut problem = PlanarProblem::new(delassus.clone(), free.clone()).polyhedral(std::slice::from_ref(&mu), &directions)?;
+        let cone_row = problem.generators.ncols();
         for beta in 1..cone_row {
-            lcp.matrix[(cone_row, beta)] *= reading.pick(ratio(1, 1), ratio(2, 1));
+            problem.lcp.matrix[(cone_row, beta)] *= reading.pick(ratio(1, 1), ratio(2, 1));
         }
-        let LemkeOutcome::Solution { z, .. } = lemke(&lcp, &DVector::from_element(lcp.size(), ratio(1, 1)))? else {
+        let LemkeOutcome::Solution { z, .. } = lemke(&problem.lcp, &DVector::from_element(problem.lcp.size(), ratio(1, 1)))? else {
             findings.push(Finding::decision("the LCP is solved", false, true));
             continue;
         };
-        let impulse = &map * z.rows(0, cone_row);
+        let impulse = problem.impulse(&z);
         let velocity = &delassus * &impulse + &free;
         let rate = |d: &[Rational; 2]| -(d[0].clone() * velocity[1].clone() + d[1].clone() * velocity[2].clone());
         let best = directions.iter().map(rate).fold(ratio(0, 1), |a, b| if b > a { b } else { a });

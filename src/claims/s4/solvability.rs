@@ -5,8 +5,8 @@ use super::matrices::{integers, jamming_matrix};
 use crate::Result;
 use crate::certificate::existence;
 use crate::checks::Finding;
-use crate::checks::stewart_trinkle::{System, chapter_example, rational_directions, reduced, reference, wedge};
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::checks::stewart_trinkle::{RationalStep, chapter_example, rational_directions, reduced, reference, wedge};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::problem::Lcp;
 use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
@@ -18,7 +18,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.feasible",
         statement: "The Stewart–Trinkle LCP is always feasible: β = 0, λ_n = 0, σ = 0 with free motion gives a feasible point (“the \
             degenerate case can be constructed”).",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Exact,
         correct_statement: "Zero is infeasible at every closing contact, and the LCP itself can be infeasible. If every gap is ≥ 0 it is \
             feasible, indeed solvable.",
@@ -32,7 +32,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.solvable",
         statement: "Every step of the Stewart–Trinkle scheme has a solution, because its matrix is copositive-plus and the LCP feasible.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "A step is solvable if bᵀλ ≥ 0 for all λ, β ≥ 0 with nλ + Dβ = 0 and Eᵀβ ≤ μλ (b = φ/h); in particular if all \
             gaps are ≥ 0 (any μ, redundancy, jamming) or the friction cone is pointed (any gap). Otherwise it may be feasible and \
@@ -50,8 +50,8 @@ pub const CLAIMS: &[Claim] = &[
 ];
 
 /// A unit point mass between two walls with normals ±y, both at this gap, h = 1, μ = 1/2.
-fn between_walls(gap: i64) -> System {
-    System {
+fn between_walls(gap: i64) -> RationalStep {
+    RationalStep {
         mass: integers(&[1, 1]),
         jacobian: DMatrix::from_row_slice(4, 2, &[0, 1, 1, 0, 0, -1, 1, 0].map(|x| ratio(x, 1))),
         rows_per_contact: 2,

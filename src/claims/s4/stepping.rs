@@ -2,8 +2,8 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
-use crate::exact_particle::{Ball, Motion, Outcome};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::exact_particle::{Ball, BallState, BallStep};
 use crate::mechanics::{BeadInCircle, Mechanism, PointMass, State};
 use crate::scalar::{Rational, ratio};
 use crate::schemes::{self, Activation, MoreauJean, RestitutionRule, StewartTrinkle, Waist};
@@ -16,7 +16,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.linearised",
         statement: "In practice the non-linear gap is linearised: φ + h∇φᵀv⁺ ≥ 0; against the velocity level of Moreau–Jean this adds the \
             term φ/h.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Certified,
         correct_statement: "φ/h + ∇φᵀv⁺ ≥ 0, with a residual of O(h²) per step, −½h²v²/R on a circle of radius R.",
         argument: "A bead on the unit circle with unit tangential speed: the linearised constraint is met with 0 and the gap after the \
@@ -28,7 +28,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.nonpen",
         statement: "Stewart–Trinkle is strictly non-penetrating (after linearisation approximately) and does not drift.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "The gap stays ≥ −½h²·max v²/R and does not accumulate, provided the position update is the one of the \
             constraint, q⁺ = q + hv⁺. With a trapezoidal update the plastic ball rebounds at (1 − c)/2 of its speed for every h, where c = \
@@ -43,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.brake",
         statement: "Because of φ/h Stewart–Trinkle can brake before contact; Moreau–Jean waits until φ = 0.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "A ball that would pass the floor within the step gets v⁺ = −φ/h; the impact is spread over two steps, with the \
             total impulse m|v|.",
@@ -55,7 +55,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.pushout",
         statement: "For φ < 0 the term φ/h actively pushes the body out, so Stewart–Trinkle needs no Baumgarte stabilisation.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "It corrects penetration within one step, v⁺ = |φ|/h, but injects the kinetic energy ½m(φ/h)², unbounded as h → \
             0 for a given penetration; and with penetration the LCP may lose its solution. Penetrations must be O(h²), as the scheme's own \
@@ -68,7 +68,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.mj-vs-st",
         statement: "Stewart–Trinkle and Moreau–Jean are equivalent in persistent contact.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "They produce the same iterates in persistent contact if φ is linear, e·u_n = 0, and both update q⁺ = q + hv⁺. \
             On a curved constraint Moreau–Jean drifts and Stewart–Trinkle does not.",
@@ -83,7 +83,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.conv-chain",
         statement: "Convergence proof: a uniform bound on the variation of v_h, Helly's selection theorem, weak* compactness of the \
             impulses, and the limit satisfies the measure differential inclusion.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Certified,
         correct_statement: "The chain is sound; its first link needs starting positions that do not penetrate (or only by O(h)).",
         argument: "Plastic ball from height 1, T = 1: impulses are ≥ 0 and v ≤ 0, so TV(v_h) ≤ gT + Σr/m = 2gT + v_N − v_0 ≤ 2gT = 19.62 \
@@ -156,17 +156,17 @@ fn plastic_ball(gravity: Rational) -> Ball<Rational> {
 /// Velocity after two steps from φ = h/5, v = −1, with the constraint φ + hv⁺ ≥ 0 but q⁺ = q + ½h(v + v⁺).
 pub(in crate::claims) fn trapezoidal_rebound(h: &Rational) -> Rational {
     let ball = plastic_ball(ratio(0, 1));
-    let mut now = Motion { position: h / ratio(5, 1), velocity: ratio(-1, 1) };
+    let mut now = BallState { position: h / ratio(5, 1), velocity: ratio(-1, 1) };
     for _ in 0..2 {
         let velocity = ball.stewart_trinkle(&now, h).motion.velocity;
         let position = &now.position + h * (&now.velocity + &velocity) / ratio(2, 1);
-        now = Motion { position, velocity };
+        now = BallState { position, velocity };
     }
     now.velocity
 }
 
 /// One exact step of Stewart–Trinkle, or of Moreau–Jean with activation φ ≤ 0.
-fn particle_step(reading: Reading, now: &Motion<Rational>, h: &Rational) -> Outcome<Rational> {
+fn particle_step(reading: Reading, now: &BallState<Rational>, h: &Rational) -> BallStep<Rational> {
     let ball = plastic_ball(ratio(0, 1));
     match reading {
         Reading::Recorded => ball.stewart_trinkle(now, h),
@@ -176,7 +176,7 @@ fn particle_step(reading: Reading, now: &Motion<Rational>, h: &Rational) -> Outc
 
 fn brake(reading: Reading) -> Result<Vec<Finding>> {
     let h = ratio(1, 10);
-    let first = particle_step(reading, &Motion { position: ratio(3, 100), velocity: ratio(-1, 1) }, &h);
+    let first = particle_step(reading, &BallState { position: ratio(3, 100), velocity: ratio(-1, 1) }, &h);
     let second = particle_step(reading, &first.motion, &h);
     Ok(vec![
         Finding::exact("v⁺ before touching, −φ/h", &first.motion.velocity, &ratio(-3, 10), "m/s"),
@@ -187,7 +187,7 @@ fn brake(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 fn push_out(reading: Reading) -> Result<Vec<Finding>> {
-    let resting = Motion { position: ratio(-1, 1000), velocity: ratio(0, 1) };
+    let resting = BallState { position: ratio(-1, 1000), velocity: ratio(0, 1) };
     let cases = [(10_000, ratio(10, 1)), (1000, ratio(1, 1)), (100, ratio(1, 10))];
     let findings = cases.into_iter().flat_map(|(denominator, speed)| {
         let velocity = particle_step(reading, &resting, &ratio(1, denominator)).motion.velocity;
@@ -238,7 +238,7 @@ fn bounded_variation(reading: Reading) -> Result<Vec<Finding>> {
     for exponent in [12, 10, 8, 6, 4] {
         let steps = 1usize << exponent;
         let h = 1.0 / steps as f64;
-        let mut now = Motion { position: reading.pick(1.0, -1.0 / 64.0), velocity: 0.0 };
+        let mut now = BallState { position: reading.pick(1.0, -1.0 / 64.0), velocity: 0.0 };
         let mut variation = 0.0;
         for _ in 0..steps {
             let next = ball.stewart_trinkle(&now, &h).motion;

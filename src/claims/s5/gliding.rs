@@ -3,7 +3,7 @@
 use super::planar_step::Block;
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::problem::Law;
 use crate::scalar::{Rational, ratio};
 
@@ -14,7 +14,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Anitescu's relaxation produces a visible artefact: an object that should stick, for instance a block at rest on an \
             incline, \
                     slips slowly with a speed of order h (the chapter quotes Drake's SAP documentation for it).",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Exact,
         correct_statement: "The hard relaxation sticks exactly: from rest at φ = 0 with tan α ≤ μ its step keeps v = 0. Its artefact \
             belongs to sliding contacts, which \
@@ -35,7 +35,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.gliding-normal",
         statement: "When the normal force is large the body slips with a speed proportional to the normal force, although it should stick.",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Exact,
         correct_statement: "The hard relaxation does not creep at all (S5.gliding-creep). With a tangential softness R_t the creep is v = \
             R_t r_t, proportional to the \
@@ -54,7 +54,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "The slip arises because the relaxed constraint μ(n·v) + |Dᵀv| ≤ 0 couples the two velocities: through the gap term and \
             softening a small \
                     penetration velocity along the normal leaks into tangential slip.",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Exact,
         correct_statement: "The constraint is n·v + φ/h ≥ μ|v_t|. It lets tangential motion force normal lift, u_n = μ|u_t|; a normal \
             approach or a penetration forces no \
@@ -76,7 +76,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "S5.glide-h-not-mu",
         statement: "The slip is inherent to the scheme and proportional to h, not to the friction coefficient; raising μ only treats the \
             symptom.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "True of the creep of a block at rest under a regularised convex scheme (R_t independent of h, as in Drake's \
             SAP): v = R_t r_t is proportional to h and \

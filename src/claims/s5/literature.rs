@@ -4,10 +4,10 @@ use super::gradient::{grown, pressed_row};
 use crate::checks::Finding;
 use crate::claims::experiments::identifiers::issn_agrees;
 use crate::claims::experiments::siconos::Facts;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::mechanics::{Plane, PointMass, State};
 use crate::problem::Law;
-use crate::schemes::{Parameters, assembled, by_name};
+use crate::schemes::{SchemeParameters, assembled, by_name};
 use crate::solvers::Momentum;
 use crate::{Error, Result};
 use nalgebra::dvector;
@@ -16,7 +16,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.cite",
         statement: "Anitescu, Math. Program. 105:113 (2006).",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Cited,
         correct_statement: "As stated: Optimization-based simulation of nonsmooth rigid multibody dynamics, 105 (1), 113–143.",
         argument: "Volume and page as other papers' lists of references have them; the DOI carries neither. The journal's ISSN, 0025-5610, \
@@ -28,7 +28,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.apgd-credit",
         statement: "APGD, Nesterov's accelerated projected gradient, is of Tasora and Anitescu (2011), and Chrono's main solver.",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Cited,
         correct_statement: "The paper of 2011 has an iterated fixed point with separable projections, which its abstract calls a \
             contractive mapping. Accelerated gradients for these problems came with Mazhar, Heyn, Negrut and Tasora (2015). That they are \
@@ -47,7 +47,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.who-uses",
         statement: "Drake's SAP and Chrono use the convex relaxation with second-order cones; Siconos offers both kinds of cone.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Cited,
         correct_statement: "As stated; SAP with regularisation R > 0.",
         argument: "The schemes that reproduce SAP's stored motions and Chrono's closed forms pose the associated law over round cones. The \
@@ -60,7 +60,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.pivot-scale",
         statement: "Pivoting is less scalable than first-order methods at 10⁵ contacts.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::NotDecidable,
         correct_statement: "Scalable with respect to what is not said: a pivoting method ends with an exact answer, a first-order one with \
             an error. What can be said is memory: a dense tableau does not fit.",
@@ -90,7 +90,7 @@ fn users(reading: Reading) -> Result<Vec<Finding>> {
     let law = |scheme: &str| -> Result<Option<Law>> {
         let block = PointMass::new("block", 1.0, dvector![0.0, 0.0, -9.81], vec![Plane::new(dvector![0.0, 0.0, 1.0], 0.0, 0.5, 0.0)?])?;
         let state = State { time: 0.0, position: dvector![0.0, 0.0, -0.001], velocity: dvector![1.0, 0.0, 0.0] };
-        let scheme = by_name(scheme, Parameters::default())?;
+        let scheme = by_name(scheme, SchemeParameters::default())?;
         let waist = scheme.waist().ok_or_else(|| Error::Unsupported("the scheme does not pass the waist".into()))?;
         Ok(assembled(waist, &block, &state, 0.01)?.problem.map(|problem| problem.law()))
     };

@@ -4,11 +4,11 @@ use super::planar_step::{PlanarStep, box_on_two_corners, painleve_rod};
 use crate::Result;
 use crate::certificate::residuals;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::problem::{ContactProblem, Law, Lcp};
 use crate::scalar::{Rational, exact, ratio};
 use crate::solvers::enumeration::all_solutions;
-use crate::solvers::lemke::{LemkeOutcome, lemke};
+use crate::solvers::lemke::solution;
 use crate::solvers::{Auto, ContactSolver};
 use crate::tolerance;
 use nalgebra::{DMatrix, DVector};
@@ -18,7 +18,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.nonconvex",
         statement: "The exact step problem with Coulomb friction has solutions, but their set may be non-convex (after Anitescu and Hart).",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "Coulomb's step problem may have a non-convex solution set, for instance three isolated solutions.",
         argument: "Painlevé's rod (W = (73, −36; −36, 52)/25, μ = 3 > 73/36, free velocity (1/10, −1)): enumeration of all complementary \
@@ -31,7 +31,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.unique-vs-lcp",
         statement: "Against the LCP, whose solution may be non-unique, the convex step buys uniqueness, differentiability and stability.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "The convex step makes v⁺ and Nγ unique also where the LCP has several solutions; γ is unique only if N is \
             definite, and uniqueness does not make the relaxed answer the right one.",
@@ -45,7 +45,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "S5.apitfall-poly",
         statement: "Polyhedral and relaxed are different things: polyhedral friction leaves an LCP that may be non-convex, the relaxation \
             makes the solution set convex.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "The polyhedral step is an LCP whose solution set may be non-convex; the solution set of the relaxed step is \
             convex.",
@@ -59,7 +59,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "S5.orthogonal",
         statement: "The polyhedral cone (shape of the cone) and the convex relaxation (structure of the constraint) are two independent \
             approximations that can be combined freely.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Certified,
         correct_statement: "All four combinations exist. The relaxation decides whether a sliding contact lifts off, u_n = μ|u_t|-like or \
             0; the shape decides how strong friction is in which direction.",
@@ -76,7 +76,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Convexity is the necessary premise of differentiable contact: LCP solutions are not differentiable where the active \
             set changes, solutions of a strictly convex QP are; back-propagation through KKT conditions is well defined only in the convex \
             case.",
-        verdict: Verdict::Inconsistent,
+        verdict: ClaimVerdict::Inconsistent,
         evidence: Evidence::Exact,
         correct_statement: "Convexity buys uniqueness and Lipschitz continuity, not derivatives. At a change of the active set both the \
             LCP and the QP have a kink; away from it both are differentiable by the implicit function theorem. (That the QP's solution is \
@@ -94,8 +94,9 @@ pub(super) const CLAIMS: &[Claim] = &[
 
 /// r of every solution of the rod's Stewart–Trinkle LCP.
 fn rod_solutions(rod: &PlanarStep) -> Result<Vec<DVector<Rational>>> {
-    let set = all_solutions(&rod.stewart_trinkle_lcp())?;
-    let mut impulses: Vec<_> = set.points.iter().map(|z| rod.impulse_of_stewart_trinkle(z)).collect();
+    let problem = rod.stewart_trinkle()?;
+    let set = all_solutions(&problem.lcp)?;
+    let mut impulses: Vec<_> = set.points.iter().map(|z| problem.impulse(z)).collect();
     impulses.sort_by(|a, b| a[0].cmp(&b[0]));
     impulses.dedup();
     Ok(impulses)
@@ -203,10 +204,7 @@ fn four_combinations(reading: Reading) -> Result<Vec<Finding>> {
 /// z(θ) of 0 ≤ z ⟂ 2z + θ ≥ 0.
 fn by_lcp(theta: &Rational) -> Result<Rational> {
     let lcp = Lcp::new(DMatrix::from_element(1, 1, ratio(2, 1)), DVector::from_element(1, theta.clone()));
-    match lemke(&lcp, &DVector::from_element(1, ratio(1, 1)))? {
-        LemkeOutcome::Solution { z, .. } => Ok(z[0].clone()),
-        LemkeOutcome::Ray { .. } => Err(crate::Error::ray("lemke", "ended on a ray")),
-    }
+    Ok(solution(&lcp)?[0].clone())
 }
 
 /// z(θ) of min z² + θz over z ≥ 0: the minimiser −θ/2 projected on the half-line.

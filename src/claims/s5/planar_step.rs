@@ -6,10 +6,10 @@
 //!     Coulomb      Stewart–Trinkle with both senses of the tangent, exact in the plane
 //! ```
 
-use crate::problem::{Law, Lcp, stewart_trinkle};
+use crate::Result;
+use crate::problem::{ImpulseLcp, Law, Lcp, PlanarProblem};
 use crate::scalar::{Rational, ratio};
-use crate::solvers::lemke::{LemkeOutcome, lemke};
-use crate::{Error, Result};
+use crate::solvers::lemke::solution;
 use nalgebra::{DMatrix, DVector};
 
 /// The data of one step; rows of H in the order (n, t) per contact.
@@ -84,11 +84,9 @@ impl PlanarStep {
     }
 
     /// The Stewart–Trinkle LCP of Coulomb's law.
-    pub fn stewart_trinkle_lcp(&self) -> Lcp<Rational> {
-        let generators = self.generators();
+    pub fn stewart_trinkle(&self) -> Result<ImpulseLcp<Rational>> {
         let operator = self.delassus() + DMatrix::from_diagonal(&self.softness);
-        let reduced = generators.transpose() * operator * &generators;
-        stewart_trinkle::lcp(&reduced, &self.friction, &(generators.transpose() * self.linear_term()))
+        PlanarProblem::new(operator, self.linear_term()).coulomb(&self.friction)
     }
 
     /// r of a solution of [`PlanarStep::edge_lcp`].
@@ -96,22 +94,13 @@ impl PlanarStep {
         self.edges() * z
     }
 
-    /// r of a solution of [`PlanarStep::stewart_trinkle_lcp`].
-    pub fn impulse_of_stewart_trinkle(&self, z: &DVector<Rational>) -> DVector<Rational> {
-        self.generators() * z.rows(0, 3 * self.friction.len())
-    }
-
     /// The step under [`Law::Associated`] or [`Law::Coulomb`].
     pub fn solve(&self, law: Law) -> Result<Answer> {
-        let associated = law == Law::Associated;
-        let lcp = if associated { self.edge_lcp() } else { self.stewart_trinkle_lcp() };
-        match lemke(&lcp, &DVector::from_element(lcp.size(), ratio(1, 1)))? {
-            LemkeOutcome::Solution { z, .. } => {
-                let impulse = if associated { self.impulse_of_edges(&z) } else { self.impulse_of_stewart_trinkle(&z) };
-                Ok(Answer { velocity: self.velocity(&impulse), impulse })
-            }
-            LemkeOutcome::Ray { .. } => Err(Error::ray("lemke", "ended on a ray")),
-        }
+        let impulse = match law {
+            Law::Associated => self.impulse_of_edges(&solution(&self.edge_lcp())?),
+            _ => self.stewart_trinkle()?.solve()?,
+        };
+        Ok(Answer { velocity: self.velocity(&impulse), impulse })
     }
 
     /// Whether K ∋ r ⟂ y ∈ K* holds exactly.
@@ -138,11 +127,6 @@ impl PlanarStep {
             (true, _, 0) => self.friction[row / 2].clone(),
             (true, _, _) => -self.friction[row / 2].clone(),
         })
-    }
-
-    fn generators(&self) -> DMatrix<Rational> {
-        let directions = [[ratio(1, 1), ratio(0, 1)], [ratio(-1, 1), ratio(0, 1)]];
-        stewart_trinkle::generators(self.friction.len(), 2, &directions)
     }
 }
 

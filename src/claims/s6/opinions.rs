@@ -4,7 +4,7 @@ use crate::Result;
 use crate::certificate::residuals;
 use crate::checks::Finding;
 use crate::claims::experiments::soft_stack::{self, STEP};
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::drake_sap::{SapContact, TANGENTIAL_RATIO};
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::mechanics::{PointMass, State};
@@ -24,7 +24,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S6.mjx-gradients",
         statement: "Gradients are well defined everywhere, so MJX is differentiable.",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Certified,
         correct_statement: "The optimum is a Lipschitz function of the step's data while the set of contacts stays the same. The step as a \
             function of the state jumps where a moving contact enters that set, so it has no gradient there.",
@@ -37,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S6.time-reversible",
         statement: "Soft, convex and continuous in time means reversible in time: the inverse dynamics have a closed form.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "Forces follow from accelerations in closed form, f = −∇s(Ja − a_ref). That is invertibility; the motion itself \
             is not reversible, since contact dissipates.",
@@ -52,7 +52,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.hard-engine-cost",
         statement: "Hard constraints need exact collision detection and the solution of complementarity problems, and are hard to run in \
             parallel on GPUs.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::NotDecidable,
         correct_statement: "Speed on a machine is no mathematical statement. What can be decided: hard contact alone does not make a step \
             a complementarity problem that needs more than convex minimisation; Coulomb's law does. Soft contact reads the same gaps.",
@@ -65,7 +65,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S6.pyr-faster",
         statement: "Pyramidal cones are faster to compute.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::NotDecidable,
         correct_statement: "It depends on the model, as MuJoCo's documentation says. A pyramid has four rows for three but a piecewise \
             quadratic cost.",
@@ -77,7 +77,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S6.less-rigid-than-sap",
         statement: "Contact is less rigid than in Drake's SAP or in Siconos.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::NotDecidable,
         correct_statement: "Against Siconos, whose contact is rigid, always. SAP and MuJoCo are both soft, by parameters: either can be \
             made the softer one.",
@@ -90,7 +90,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S6.gpu-scale",
         statement: "It is made for reinforcement learning in a million parallel environments.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::NotDecidable,
         correct_statement: "No mathematical statement. What a step needs for it holds: environments do not couple, so that each can be \
             stepped alone.",

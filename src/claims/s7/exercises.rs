@@ -4,11 +4,12 @@ use super::impacts::{impact, pushed_rod, rod, rod_path};
 use super::simultaneous::rod_above_supports;
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::rough_impact::{Regime, RoughImpact};
 use crate::closed_forms::two_body_impact::TwoBodyImpact;
 use crate::impact_laws::routh::Path;
-use crate::impact_laws::{Impact, Outcome, moreau, newton, poisson, stronge};
+use crate::impact_laws::{moreau, newton, poisson, stronge};
+use crate::problem::{PlanarProblem, Response};
 use crate::scalar::{Rational, ratio};
 use crate::tolerance::claims::impact::SIX_DECIMALS;
 
@@ -17,7 +18,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.ex1",
         statement: "Exercise 1: two balls in central impact under Newton's law and conservation of momentum have ΔE = −½(1 − e²) μ₁₂ (v₁ − \
             v₂)², μ₁₂ = m₁m₂/(m₁ + m₂).",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; v₁⁺ = (m₁v₁ + m₂v₂ − e m₂(v₁ − v₂))/(m₁ + m₂) and v₂⁺ = (m₁v₁ + m₂v₂ + e m₁(v₁ − v₂))/(m₁ + m₂).",
         argument: "W = 1/μ₁₂ and U⁻ = v₂ − v₁ in Moreau's law give the impulse and the energy of the formula, in rationals, for masses \
@@ -30,7 +31,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.ex2",
         statement: "Exercise 2: find a counterexample like Kane's, for instance a rod that hits two fixed points at once; why may Newton's \
             law with e = 1 at each point increase the total kinetic energy?",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Exact,
         correct_statement: "It cannot in this example: without friction U⁺ = −U⁻ at both points conserves energy, whatever the coupling. A \
             gain needs unequal coefficients with a separating end, friction, or impulses computed as if each point were alone.",
@@ -44,7 +45,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.ex3",
         statement: "Exercise 3: expand −P ∈ N_{T_C}(v⁺ + e v⁻) for v⁻ ≈ 0 and for v⁻ < 0; it becomes v⁺ ≥ 0 with resting contact, and v⁺ = \
             −e v⁻.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated, for one contact and a velocity change by P alone: 0 ≤ v⁺ + e v⁻ ⟂ P ≥ 0.",
         argument: "W = 2. v⁻ = 0: v⁺ = 0 and P = 0. v⁻ = −1, e = 1/2: P = 3/4, v⁺ = 1/2. For small v⁻ = −1/1000 the same formula gives \
@@ -57,7 +58,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.routh",
         statement: "With friction the compression impulse couples through W into the tangential direction, so that the end of compression \
             is not tied to the velocity ratio.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated, and solvable in closed form for one planar contact: the slip stops at P_s = |U_t|/(μW_tt − sW_nt), \
             then sticks if μ ≥ |W_nt|/W_tt and turns round otherwise; Newton, Poisson and Stronge end at different points of one path of \
@@ -92,7 +93,7 @@ fn two_balls(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 /// Rods above supports, and whether both ends approach.
-fn rods() -> Vec<(Impact<Rational>, bool)> {
+fn rods() -> Vec<(PlanarProblem<Rational>, bool)> {
     let mut rods = Vec::new();
     for distance in [ratio(1, 1), ratio(1, 2), ratio(1, 4)] {
         for (velocity, approaching) in [([-1, -1], true), ([-3, -1], true), ([-2, 1], false)] {
@@ -102,11 +103,11 @@ fn rods() -> Vec<(Impact<Rational>, bool)> {
     rods
 }
 
-type Law = fn(&Impact<Rational>, &[Rational]) -> Result<Outcome<Rational>>;
+type ImpactLaw = fn(&PlanarProblem<Rational>, &[Rational]) -> Result<Response<Rational>>;
 
 fn rod_on_two_points(reading: Reading) -> Result<Vec<Finding>> {
     let pair = [ratio(1, 1), ratio(1, 1)];
-    let law = reading.pick(newton::together as Law, newton::uncoupled);
+    let law = reading.pick(newton::together as ImpactLaw, newton::uncoupled);
     let [mut newton_changes, mut poisson_changes, mut moreau_changes] = [0; 3];
     for (rod, approaching) in rods() {
         newton_changes += usize::from(rod.energy_change(&law(&rod, &pair)?) != ratio(0, 1));
@@ -138,12 +139,12 @@ fn two_cases(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 /// The formulas by regime for an impact with rows (n, t).
-fn formulas(impact: &Impact<Rational>, friction: Rational) -> RoughImpact<Rational> {
+fn formulas(impact: &PlanarProblem<Rational>, friction: Rational) -> RoughImpact<Rational> {
     let w = &impact.delassus;
     RoughImpact {
         delassus: [w[(0, 0)].clone(), w[(0, 1)].clone(), w[(1, 1)].clone()],
-        approach: -impact.before[0].clone(),
-        slide: impact.before[1].clone(),
+        approach: -impact.velocity[0].clone(),
+        slide: impact.velocity[1].clone(),
         friction,
     }
 }
@@ -166,7 +167,7 @@ fn routh(reading: Reading) -> Result<Vec<Finding>> {
         }
     }
     let turning = rod_path(&ratio(1, 2))?;
-    let gain = |end: Outcome<Rational>| turning.impact().energy_change(&end).to_f64().value();
+    let gain = |end: Response<Rational>| turning.impact().energy_change(&end).to_f64().value();
     findings.push(Finding::equal("ΔT under Newton, μ = 1/2", gain(newton::along(&turning, &e)?), 0.053_972, SIX_DECIMALS, "J"));
     findings.push(Finding::equal("ΔT under Poisson, μ = 1/2", gain(poisson::along(&turning, &e)?), -0.087_381, SIX_DECIMALS, "J"));
     let rounded = Path::new(super::impacts::rounded(turning.impact()), &0.5)?;

@@ -2,40 +2,40 @@
 
 use crate::Result;
 use crate::impact_laws::routh::Path;
-use crate::impact_laws::{Impact, Outcome};
+use crate::problem::{PlanarProblem, Response};
 use crate::scalar::{Rational, ratio};
 use nalgebra::{DMatrix, DVector};
 
 /// The impact with this W, row by row, and U⁻.
-pub fn impact<const N: usize>(delassus: &[i64], before: [Rational; N]) -> Impact<Rational> {
+pub fn impact<const N: usize>(delassus: &[i64], before: [Rational; N]) -> PlanarProblem<Rational> {
     let entries: Vec<_> = delassus.iter().map(|&x| ratio(x, 1)).collect();
-    Impact::new(DMatrix::from_row_slice(N, N, &entries), DVector::from_row_slice(&before))
+    PlanarProblem::new(DMatrix::from_row_slice(N, N, &entries), DVector::from_row_slice(&before))
 }
 
 /// Two frictionless contacts that drive each other down: a uniform rod of 2 kg above supports at its ends, W = (2, −1; −1, 2).
-pub fn ends(before: [Rational; 2]) -> Impact<Rational> {
+pub fn ends(before: [Rational; 2]) -> PlanarProblem<Rational> {
     impact(&[2, -1, -1, 2], before)
 }
 
 /// Two frictionless contacts that lift each other: supports near the middle, W = (2, 1; 1, 2).
-pub fn middle(before: [Rational; 2]) -> Impact<Rational> {
+pub fn middle(before: [Rational; 2]) -> PlanarProblem<Rational> {
     impact(&[2, 1, 1, 2], before)
 }
 
 /// Three equal balls of 1 kg, the first at 1 m/s: W = (2, −1; −1, 2), U⁻ = (−1, 0).
-pub fn cradle() -> Impact<Rational> {
+pub fn cradle() -> PlanarProblem<Rational> {
     ends([ratio(-1, 1), ratio(0, 1)])
 }
 
 /// A uniform rod (1 kg, 2 m) at 45° that hits with its end: W = (5, −3; −3, 5)/2, U⁻ = (−1, 3/5), T⁻ = 1/5 J.
-pub fn rod() -> Impact<Rational> {
+pub fn rod() -> PlanarProblem<Rational> {
     let mut rod = impact(&[5, -3, -3, 5], [ratio(-1, 1), ratio(3, 5)]);
     rod.delassus *= ratio(1, 2);
     rod
 }
 
 /// The rod sliding the other way, which its coupling drives on: W_nt > 0.
-pub fn pushed_rod() -> Impact<Rational> {
+pub fn pushed_rod() -> PlanarProblem<Rational> {
     let mut rod = impact(&[5, 3, 3, 5], [ratio(-1, 1), ratio(3, 5)]);
     rod.delassus *= ratio(1, 2);
     rod
@@ -47,17 +47,17 @@ pub fn rod_path(friction: &Rational) -> Result<Path<Rational>> {
 }
 
 /// The same impact in floating point.
-pub fn rounded(impact: &Impact<Rational>) -> Impact<f64> {
-    Impact::new(impact.delassus.map(|x| x.to_f64().value()), impact.before.map(|x| x.to_f64().value()))
+pub fn rounded(impact: &PlanarProblem<Rational>) -> PlanarProblem<f64> {
+    PlanarProblem::new(impact.delassus.map(|x| x.to_f64().value()), impact.velocity.map(|x| x.to_f64().value()))
 }
 
 /// ΔT of an outcome on a path \[J\].
-pub fn gain(path: &Path<Rational>, outcome: Result<Outcome<Rational>>) -> Result<Rational> {
+pub fn gain(path: &Path<Rational>, outcome: Result<Response<Rational>>) -> Result<Rational> {
     Ok(path.impact().energy_change(&outcome?))
 }
 
 /// Frictionless impacts of two coupled contacts, W positive definite, among whose velocities each sign occurs.
-pub fn frictionless_grid(approaching_only: bool) -> Vec<Impact<Rational>> {
+pub fn frictionless_grid(approaching_only: bool) -> Vec<PlanarProblem<Rational>> {
     let delassus = [[2, -1, -1, 2], [2, 1, 1, 2], [1, 3, 3, 10], [5, -2, -2, 1], [3, 0, 0, 2]];
     let before = [[-4, -4], [-4, -1], [-1, -4], [-4, 0], [-2, 1], [1, -4], [-3, 5]];
     let chosen = before.iter().filter(|velocities| !approaching_only || velocities.iter().all(|&u| u <= 0));

@@ -2,10 +2,11 @@
 
 use super::impacts::{ends, frictionless_grid, gain, middle, rod_path};
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::double_pendulum_impact::DoublePendulum;
 use crate::impact_laws::routh::Path;
-use crate::impact_laws::{Impact, Outcome, moreau, newton, poisson, stronge};
+use crate::impact_laws::{moreau, newton, poisson, stronge};
+use crate::problem::{PlanarProblem, Response};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::tolerance::claims::pathology::FOUR_DIGITS;
 use crate::{Error, Result};
@@ -16,7 +17,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.kane-multi",
         statement: "Kane's counterexample: in some collisions of several bodies, Newton's law applied independently at every contact \
             increases the total kinetic energy.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Yes with friction, with unequal coefficients, or if each impulse is computed as if its contact were alone. Not \
             without friction for one e and the coupled problem: ΔT = −½(1 − e²)U⁻ᵀW⁻¹U⁻ ≤ 0, and e = 1 conserves exactly.",
@@ -30,7 +31,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.kane-friction",
         statement: "With friction, Newton's law gets into trouble: some impact laws create energy.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated, and one contact is enough. The rod at 45° with μ = 1, U⁻ = (−1, 3/5) has ΔT(e) = (e² − \
             16/25)/(16/5): a gain for e > 4/5.",
@@ -45,7 +46,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.kane-double-pendulum",
         statement: "Kane's counterexample is a real mechanism: a double pendulum whose tip hits the ground gains energy under Newton's law \
             with friction.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated, for uniform rods of equal mass and length at 20° and 30° and ω = (−0.1, −0.2) rad/s (masses and \
             lengths are a choice made here): ΔT/T = +0.298 with μ = 0.5, e = 0.9, and +2.11 with μ = e = 0.7. Poisson's and Stronge's laws \
@@ -61,7 +62,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.kane-different-e",
         statement: "The cause: Newton's law prescribes velocity ratios, and since rigid bodies couple the contact velocities, prescribing \
             them independently over-constrains the motion or injects energy.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Coupling alone does neither: a singular W over-constrains, and unequal coefficients inject energy if a \
             separating contact receives an impulse or an impulse pulls. With P ≥ 0 and every contact approaching, ΔT = ½Σ(1 − e_i)P_iU_i⁻ \
@@ -80,7 +81,7 @@ fn ones(count: usize) -> Vec<Rational> {
 }
 
 /// How many impacts of the grid gain energy at e = 1.
-fn gaining(law: fn(&Impact<Rational>, &[Rational]) -> Result<Outcome<Rational>>) -> Result<usize> {
+fn gaining(law: fn(&PlanarProblem<Rational>, &[Rational]) -> Result<Response<Rational>>) -> Result<usize> {
     let mut count = 0;
     for impact in frictionless_grid(false) {
         count += usize::from(impact.energy_change(&law(&impact, &ones(2))?) > ratio(0, 1));
@@ -89,7 +90,7 @@ fn gaining(law: fn(&Impact<Rational>, &[Rational]) -> Result<Outcome<Rational>>)
 }
 
 fn several_contacts(reading: Reading) -> Result<Vec<Finding>> {
-    let law = reading.pick(newton::together as fn(&Impact<Rational>, &[Rational]) -> Result<Outcome<Rational>>, newton::uncoupled);
+    let law = reading.pick(newton::together as fn(&PlanarProblem<Rational>, &[Rational]) -> Result<Response<Rational>>, newton::uncoupled);
     let straight = middle([ratio(-1, 1), ratio(-1, 1)]);
     let tilted = middle([ratio(-1, 1), ratio(-1, 2)]);
     let unequal = newton::together(&tilted, &[ratio(1, 1), ratio(0, 1)])?;
@@ -109,7 +110,7 @@ fn several_contacts(reading: Reading) -> Result<Vec<Finding>> {
 
 fn friction(reading: Reading) -> Result<Vec<Finding>> {
     let path = rod_path(&ratio(1, 1))?;
-    let law = reading.pick(newton::along as fn(&Path<Rational>, &Rational) -> Result<Outcome<Rational>>, poisson::along);
+    let law = reading.pick(newton::along as fn(&Path<Rational>, &Rational) -> Result<Response<Rational>>, poisson::along);
     let mut findings = Vec::new();
     for e in [ratio(1, 1), ratio(9, 10), ratio(4, 5), ratio(1, 2), ratio(0, 1)] {
         let predicted = (&e * &e - ratio(16, 25)) * ratio(5, 16);
@@ -127,7 +128,7 @@ fn tip<T: Scalar>(angles: [[T; 2]; 2], friction: &T) -> Result<(Path<T>, T)> {
     let angular = [T::ratio(-1, 10), T::ratio(-1, 5)];
     let [nn, nt, tt] = pendulum.delassus();
     let before = DVector::from_row_slice(&pendulum.contact_velocity(&angular));
-    let impact = Impact::new(DMatrix::from_row_slice(2, 2, &[nn, nt.clone(), nt, tt]), before);
+    let impact = PlanarProblem::new(DMatrix::from_row_slice(2, 2, &[nn, nt.clone(), nt, tt]), before);
     Ok((Path::new(impact, friction)?, pendulum.kinetic_energy(&angular)))
 }
 
@@ -177,7 +178,7 @@ fn unequal_coefficients(reading: Reading) -> Result<Vec<Finding>> {
     let lifted = moreau::frictionless(&separating, &pair)?;
     let pulling = middle([ratio(-1, 1), ratio(-1, 2)]);
     let reversed = newton::together(&pulling, &[ratio(1, 1), ratio(0, 1)])?;
-    let singular = Impact::new(DMatrix::from_element(2, 2, ratio(1, 1)), DVector::from_element(2, ratio(-1, 1)));
+    let singular = PlanarProblem::new(DMatrix::from_element(2, 2, ratio(1, 1)), DVector::from_element(2, ratio(-1, 1)));
     let refused = matches!(newton::together(&singular, &[ratio(1, 1), ratio(0, 1)]), Err(Error::Unsupported(_)));
     Ok(vec![
         Finding::exact("energy gained above supports at the ends", &separating.energy_change(&lifted), &ratio(1, 12), "J"),

@@ -3,9 +3,10 @@
 use super::impacts::{ends, middle, pushed_rod, rod, rough_grid};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
-use crate::exact_particle::{Ball, Motion, Outcome as Step};
-use crate::impact_laws::{Outcome, moreau, newton};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::exact_particle::{Ball, BallState, BallStep as Step};
+use crate::impact_laws::{moreau, newton};
+use crate::problem::Response;
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
 
@@ -13,7 +14,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.moreau-def",
         statement: "Moreau: −P ∈ N_{T_C}(v⁺ + e v⁻); its normal component gives v_n⁺ = −e v_n⁻, as Newton.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "v_n⁺ = −e v_n⁻ where P > 0, v_n⁺ ≥ −e v_n⁻ elsewhere. A contact that separated before may so leave into the \
             ground.",
@@ -27,7 +28,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.moreau-dissipative",
         statement: "Moreau's law, restitution on the normal component and Coulomb friction in the same inclusion, dissipates friction \
             automatically.",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Exact,
         correct_statement: "With e on the normal component it can gain energy, as Newton's law: it is Newton's law wherever the slip does \
             not turn round. With the whole vector v⁺ + e v⁻, and for e = 0, it never gains: ΔT = PᵀŪ/(1+e) − ½(1−e)/(1+e) PᵀWP with PᵀŪ ≤ \
@@ -43,7 +44,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.moreau-no-split",
         statement: "One formula covers collision and resting contact: for v⁻ ≈ 0 the argument v⁺ + e v⁻ demands v⁺ ≥ 0, for v⁻ < 0 it \
             enforces v⁺ = −e v⁻; no case distinction.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "For v⁻ ≤ 0. A contact that is active and separates, v⁻ > 0, may be left with v⁺ down to −e v⁻: into the \
             ground.",
@@ -57,7 +58,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.atom",
         statement: "In a collision P takes the value of an atom of the impulse measure; in resting contact it is the ordinary force times \
             the step.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated: P/h → ∞ in one case and P/h = m g in the other.",
         argument: "Ball of 1 kg, g = 10, e = 1/2. Resting: P/h = 10 N for h = 1/10, 1/100, 1/1000 s. Arriving at −1 m/s: P = 3/2 + 10 h, \
@@ -70,7 +71,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.no-tangential-restitution",
         statement: "Tangential motion belongs to friction; forcing a tangential coefficient of restitution on it conflicts with the \
             friction cone and may gain energy.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "It may gain energy for e_t < e_n, and most at e_t = 0, which is what the chapter recommends; e_t = e_n never \
             gains. There is no conflict with the cone: the law is posed with it.",
@@ -84,7 +85,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.friction-bound",
         statement: "In a collision the tangential impulse is bounded by the normal one, ‖β‖ ≤ μP_n, and its direction is set by the \
             sliding.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "The bound holds. The direction is that against the sliding at every instant, not against the sliding before \
             the collision: once the end sticks, coupling sets it.",
@@ -100,7 +101,7 @@ fn definition(reading: Reading) -> Result<Vec<Finding>> {
     let (lifted, e) = (middle([ratio(-1, 1), ratio(-1, 4)]), ratio(1, 2));
     let half = moreau::frictionless(&lifted, &[e.clone(), e.clone()])?;
     let contact = reading.pick(0, 1);
-    let reversed = -(e * &lifted.before[contact]);
+    let reversed = -(e * &lifted.velocity[contact]);
     let separating = ends([ratio(-1, 1), ratio(1, 2)]);
     let elastic = moreau::frictionless(&separating, &[ratio(1, 1), ratio(1, 1)])?;
     Ok(vec![
@@ -113,7 +114,7 @@ fn definition(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 /// The rod under Coulomb's law with these coefficients of restitution.
-fn on_the_rod(friction: Rational, normal: Rational, tangential: Rational) -> Result<(Outcome<Rational>, Rational)> {
+fn on_the_rod(friction: Rational, normal: Rational, tangential: Rational) -> Result<(Response<Rational>, Rational)> {
     let rod = rod();
     let outcome = moreau::two_coefficients(&rod, &[friction], &normal, &tangential)?;
     let change = rod.energy_change(&outcome);
@@ -154,7 +155,7 @@ fn automatic_dissipation(reading: Reading) -> Result<Vec<Finding>> {
 /// A Moreau–Jean step of a ball of 1 kg at zero gap, h = 1/10 s.
 fn step(velocity: Rational, fall: Rational, restitution: Rational) -> Step<Rational> {
     let ball = Ball { mass: ratio(1, 1), gravity: fall * ratio(10, 1), restitution };
-    ball.moreau_jean(&Motion { position: ratio(0, 1), velocity }, &ratio(1, 2), Activation::Gap, &ratio(1, 10))
+    ball.moreau_jean(&BallState { position: ratio(0, 1), velocity }, &ratio(1, 2), Activation::Gap, &ratio(1, 10))
 }
 
 fn no_distinction(reading: Reading) -> Result<Vec<Finding>> {
@@ -174,7 +175,7 @@ fn no_distinction(reading: Reading) -> Result<Vec<Finding>> {
 fn atom(reading: Reading) -> Result<Vec<Finding>> {
     let ball = Ball { mass: ratio(1, 1), gravity: ratio(10, 1), restitution: ratio(1, 2) };
     let impulse = |velocity: Rational, h: &Rational| {
-        ball.moreau_jean(&Motion { position: ratio(0, 1), velocity }, &ratio(1, 2), Activation::Gap, h).impulse
+        ball.moreau_jean(&BallState { position: ratio(0, 1), velocity }, &ratio(1, 2), Activation::Gap, h).impulse
     };
     let mut findings = Vec::new();
     for steps in [10, 100, 1000] {

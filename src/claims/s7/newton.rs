@@ -3,9 +3,10 @@
 use super::impacts::{cradle, frictionless_grid, impact, rod, rod_path};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::impact_laws::energy_projection::energy;
-use crate::impact_laws::{Impact, moreau, newton, poisson, stronge};
+use crate::impact_laws::{moreau, newton, poisson, stronge};
+use crate::problem::PlanarProblem;
 use crate::scalar::{Rational, ratio};
 
 pub const CLAIMS: &[Claim] = &[
@@ -13,7 +14,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.newton-single",
         statement: "The naive law v_n⁺ = −e v_n⁻ is fine for one contact point; it goes wrong when several points collide at once or when \
             there is friction.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Fine for one contact without friction: ΔT = −½(1 − e²)(U⁻)²/W. With friction one contact is enough to gain \
             energy.",
@@ -26,7 +27,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.four-generations",
         statement: "Four generations, Newton (17th century), Poisson (19th), Stronge (1990s, mending Kane's counterexample), Moreau \
             (1980s), are not replacements of one another but corrections of different defects.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Cited,
         correct_statement: "The four laws are different laws. As a chronology Moreau stands before Stronge, and energetic restitution was \
             published in 1990 for friction that turns round or stops.",
@@ -39,7 +40,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.table-newton",
         statement: "Newton: e = 1 conserves energy, e < 1 dissipates; with several bodies it may gain energy (Kane).",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Without friction and with one e for all contacts, solved together: ΔT = −½(1 − e²)U⁻ᵀW⁻¹U⁻, for any number of \
             bodies. A gain needs friction, unequal coefficients, or impulses computed contact by contact.",
@@ -52,7 +53,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.e0-max-dissipation",
         statement: "e = 0 is completely plastic and dissipates the most.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Without friction. With friction a rebound lengthens the rubbing, and e = 1 may take most.",
         argument: "Without friction ΔT ∝ −(1 − e²). A particle of 1 kg with U⁻ = (−1, 10), μ = 1/2: ΔT = −43/8, −243/32, −19/2 for e = 0, \
@@ -64,7 +65,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.newton-pointwise-best",
         statement: "Newton's law is the most intuitive, and the most accurate for single points.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::NotDecidable,
         correct_statement: "Intuition cannot be checked, and accuracy would be a matter of measured collisions. What can be decided: for \
             one contact without friction all four laws are the same law, so none is more accurate.",
@@ -80,7 +81,7 @@ fn half() -> Rational {
 }
 
 /// One contact without friction, W = 2, U⁻ = −1.
-fn single() -> Impact<Rational> {
+fn single() -> PlanarProblem<Rational> {
     impact(&[2], [ratio(-1, 1)])
 }
 
@@ -131,7 +132,7 @@ fn four_laws(reading: Reading) -> Result<Vec<Finding>> {
 fn broken_identities() -> Result<usize> {
     let mut broken = 0;
     for impact in frictionless_grid(false) {
-        let stored = energy(&impact, &impact.before)?;
+        let stored = energy(&impact, &impact.velocity)?;
         for e in [ratio(0, 1), half(), ratio(1, 1)] {
             let outcome = newton::together(&impact, &[e.clone(), e.clone()])?;
             let predicted = -(half() * (ratio(1, 1) - &e * &e) * &stored);
@@ -178,7 +179,7 @@ fn same_law(reading: Reading) -> Result<Vec<Finding>> {
     let (contact, e) = (single(), [half()]);
     let laws = [newton::together(&contact, &e)?, poisson::two_problems(&contact, &e)?.end, moreau::frictionless(&contact, &e)?];
     let smooth = laws_on_the_rod(&reading.pick(ratio(0, 1), ratio(1, 1)))?;
-    let squared = &rod().before[0] * &rod().before[0];
+    let squared = &rod().velocity[0] * &rod().velocity[0];
     Ok(vec![
         Finding::decision(
             "the laws agree on a frictionless rod",

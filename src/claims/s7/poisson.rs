@@ -3,9 +3,10 @@
 use super::impacts::{cradle, ends, frictionless_grid, gain, impact, middle, rod_path, rough_grid};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::impact_laws::routh::Path;
-use crate::impact_laws::{Impact, Outcome, moreau, newton, poisson};
+use crate::impact_laws::{moreau, newton, poisson};
+use crate::problem::{PlanarProblem, Response};
 use crate::scalar::{Rational, ratio};
 
 pub const CLAIMS: &[Claim] = &[
@@ -13,7 +14,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.poisson-def",
         statement: "Poisson: a compression phase from v⁻ to zero relative velocity with the impulse P_c, then a restitution phase with P_r \
             = e P_c.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Well defined for one contact: with a positive definite W compression always ends, even if the contact is \
             driven down at first. With several contacts both phases are complementarity problems, and a contact may take more than e P_c.",
@@ -28,7 +29,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.poisson-conserved",
         statement: "Poisson's law constrains the impulse, a conserved quantity, instead of the velocity; that is why it is more consistent \
             in energy.",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Exact,
         correct_statement: "A contact impulse is not conserved: it is what the contact hands over, and total momentum is kept under every \
             law. Prescribing impulse ratios does not by itself prevent a gain: Newton's outcome is also one of a prescribed ratio. The \
@@ -42,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.poisson-better",
         statement: "With friction and several bodies Poisson's law is more consistent in energy than Newton's.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "One contact with friction never gains for e ≤ 1, nor do any number of frictionless contacts with any \
             coefficients. Two contacts with friction and unequal coefficients may gain; for equal ones this is not decided here.",
@@ -59,7 +60,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.newton-eq-poisson-single",
         statement: "For one contact without friction Newton's and Poisson's laws agree: P_c = m_eff|v⁻| and v⁺ = e|v⁻|.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated, m_eff = 1/W.",
         argument: "P_c = −U⁻/W, P_c + P_r = −(1 + e)U⁻/W, U⁺ = −eU⁻. W = 2, 1/3, 7 and e = 0, 2/5, 1 in rationals.",
@@ -71,7 +72,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.newton-neq-poisson-multi",
         statement: "With several bodies or friction the off-diagonal entries of W couple the contacts, and prescribing impulse ratios \
             gives another result than prescribing velocity ratios.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "With friction, unequal coefficients or a separating contact. Without friction, for one e and U⁻ ≤ 0, Poisson's \
             law is Moreau's, P = (1 + e)P_c, however large the off-diagonal entries; Newton's law for all contacts together differs from \
@@ -86,7 +87,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.compression-end",
         statement: "Compression ends at the instant at which all normal velocities are zero.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Zero at the contacts that carry a compression impulse; the others may already separate: 0 ≤ U_c ⟂ P_c ≥ 0.",
         argument: "Three balls: U_c = (0, 0). W = (2, 1; 1, 2), U⁻ = (−1, −1/4): P_c = (1/2, 0) and U_c = (0, 1/4), although both contacts \
@@ -123,7 +124,7 @@ fn conserved(reading: Reading) -> Result<Vec<Finding>> {
     // momentum of three balls of 1 kg from their impulses: −P₁ + (P₁ − P₂) + P₂
     let cradle = cradle();
     let pair = [ratio(1, 2), ratio(1, 2)];
-    let momentum = |end: &Outcome<Rational>| {
+    let momentum = |end: &Response<Rational>| {
         let [first, second] = [end.impulse[0].clone(), end.impulse[1].clone()];
         [-first.clone(), &first - &second, second].into_iter().fold(ratio(0, 1), |sum, change| sum + change)
     };
@@ -137,9 +138,9 @@ fn conserved(reading: Reading) -> Result<Vec<Finding>> {
     ])
 }
 
-type Law = fn(&Path<Rational>, &Rational) -> Result<Outcome<Rational>>;
+type ImpactLaw = fn(&Path<Rational>, &Rational) -> Result<Response<Rational>>;
 
-fn gains_on_the_rough_grid(law: Law) -> Result<usize> {
+fn gains_on_the_rough_grid(law: ImpactLaw) -> Result<usize> {
     let mut count = 0;
     for (path, _) in rough_grid()? {
         count += usize::from(gain(&path, law(&path, &ratio(1, 1)))? > ratio(0, 1));
@@ -184,7 +185,7 @@ fn gain_of_two_rough_contacts() -> Result<Rational> {
 
 fn consistent(reading: Reading) -> Result<Vec<Finding>> {
     let path = rod_path(&ratio(1, 1))?;
-    let law = reading.pick(poisson::along as Law, newton::along);
+    let law = reading.pick(poisson::along as ImpactLaw, newton::along);
     Ok(vec![
         Finding::count("planar impacts with friction that gain energy, e = 1", gains_on_the_rough_grid(law)?, 0),
         Finding::decision("Newton gains in some of them", gains_on_the_rough_grid(newton::along)? > 0, true),
@@ -229,7 +230,7 @@ fn when_different(reading: Reading) -> Result<Vec<Finding>> {
     let unequal = vec![[ratio(1, 1), ratio(0, 1)]];
     let path = rod_path(&ratio(1, 1))?;
     let elastic = poisson::along(&path, &ratio(1, 1))?;
-    let pulling: Impact<Rational> = middle([ratio(-1, 1), ratio(-1, 4)]);
+    let pulling: PlanarProblem<Rational> = middle([ratio(-1, 1), ratio(-1, 4)]);
     let pair = [ratio(1, 2), ratio(1, 2)];
     let [together, apart] = [newton::together(&pulling, &pair)?, moreau::frictionless(&pulling, &pair)?];
     Ok(vec![

@@ -3,14 +3,15 @@
 use super::impacts::{cradle, ends, frictionless_grid, impact, middle, rod};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::newtons_cradle::{after_two_impacts, at_once};
 use crate::closed_forms::rocking_block::landing;
 use crate::contact::delassus::delassus;
 use crate::elimination::rank;
 use crate::impact_laws::sequential::sequential;
-use crate::impact_laws::{Impact, energy_projection, fremond, moreau, newton};
+use crate::impact_laws::{energy_projection, fremond, moreau, newton};
 use crate::problem::Lcp;
+use crate::problem::PlanarProblem;
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::solvers::enumeration::all_solutions;
 use crate::tolerance::rounding;
@@ -21,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.multi-nonunique",
         statement: "Three balls colliding at once, or a block landing on four corners: there is no unique Newton solution; the velocities \
             after it depend on the microscopic order of the contacts.",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Exact,
         correct_statement: "Posed at once without friction, the velocities are unique: v⁺ solves a strictly convex program; for three \
             balls even the impulses are, for four corners not. What is not unique is whether it happens at once: another order is another \
@@ -35,7 +36,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.four-corners",
         statement: "A block landing flat on four corners is a pathological case.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "For the impulses only: W has rank 3 with null vector (1, −1, 1, −1), so that any multiple of it may be added \
             while P stays ≥ 0. The velocities are unique.",
@@ -49,7 +50,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.solver-pivot",
         statement: "Simulators return some solution of such an impact, which depends on the solver's order of pivots; one more reason for \
             “another solver, another result”.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "The impulses depend on it, the velocities do not as long as there is no friction. With friction the velocities \
             may (S4.painleve-atom: three solutions).",
@@ -63,7 +64,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.fremond-2024",
         statement: "A solution: Frémond's law for several bodies (Acary and others, 2024), a global energy functional that constrains all \
             contacts.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::Cited,
         correct_statement: "The paper was not found. Siconos has a law of that name: Newton's e on the normal components and Coulomb \
             friction on θU_t⁺ + (1−θ)U_t⁻. At θ = 1/2 it cannot gain energy from approaching contacts, at any number of them. It does not \
@@ -81,7 +82,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.pfeiffer-glocker-proj",
         statement: "A solution: an energy-consistent Pfeiffer–Glocker projection, which projects the velocities after the impact on the \
             feasible set of no energy gain.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::Exact,
         correct_statement: "Such a projection exists and is explicit: on the cone U ≥ 0, then scaled, in the metric W⁻¹, which keeps \
             momentum. But it may leave an impulse that pulls. Under this name no source was found; Pfeiffer and Glocker's two \
@@ -95,7 +96,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.rocking",
         statement: "Velocity jumps with several contacts are not determined by a pointwise e alone (the block that lands on its base).",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated: with e = 0 at both edges the outcome depends on friction. If the edge that is hit holds, ω⁺/ω⁻ = 1 \
             − 3/2 sin²α (Housner); on a smooth floor (c² − 2b²)/(c² + 4b²).",
@@ -116,19 +117,19 @@ fn relative(v: [Rational; 3]) -> DVector<Rational> {
 }
 
 /// A cube of 1 kg and 1 m that lands flat at 1 m/s on these of its corners, in order around the base.
-fn cube(corners: &[usize]) -> Impact<Rational> {
+fn cube(corners: &[usize]) -> PlanarProblem<Rational> {
     let place = [[1, 1], [-1, 1], [-1, -1], [1, -1]];
     // W_ij = 1/m + (x_i x_j + y_i y_j)/I with x, y = ±1/2 and I = 1/6
     let entry = |i: usize, j: usize| ratio(1, 1) + ratio(3, 2) * ratio(place[i][0] * place[j][0] + place[i][1] * place[j][1], 1);
     let size = corners.len();
-    Impact::new(DMatrix::from_fn(size, size, |i, j| entry(corners[i], corners[j])), DVector::from_element(size, ratio(-1, 1)))
+    PlanarProblem::new(DMatrix::from_fn(size, size, |i, j| entry(corners[i], corners[j])), DVector::from_element(size, ratio(-1, 1)))
 }
 
 /// U⁺ of every solution that enumeration lists for a plastic or elastic impact, ends of families included.
-fn all_velocities(impact: &Impact<Rational>, restitution: &Rational) -> Result<Vec<DVector<Rational>>> {
-    let set = all_solutions(&Lcp::new(impact.delassus.clone(), &impact.before * (ratio(1, 1) + restitution)))?;
+fn all_velocities(impact: &PlanarProblem<Rational>, restitution: &Rational) -> Result<Vec<DVector<Rational>>> {
+    let set = all_solutions(&Lcp::new(impact.delassus.clone(), &impact.velocity * (ratio(1, 1) + restitution)))?;
     let along = set.families.iter().map(|family| &family.point + &family.direction * ratio(1, 1000));
-    Ok(set.points.iter().cloned().chain(along).map(|impulse| impact.outcome(impulse).after).collect())
+    Ok(set.points.iter().cloned().chain(along).map(|impulse| impact.response(impulse).after).collect())
 }
 
 fn uniqueness(reading: Reading) -> Result<Vec<Finding>> {
@@ -140,7 +141,7 @@ fn uniqueness(reading: Reading) -> Result<Vec<Finding>> {
     }
     let half = sequential(&balls, &ratio(1, 2), &[0, 1])?;
     let corners = cube(&[0, 1, 2, 3]);
-    let solutions = all_solutions(&Lcp::new(corners.delassus.clone(), corners.before.clone()))?;
+    let solutions = all_solutions(&Lcp::new(corners.delassus.clone(), corners.velocity.clone()))?;
     let landed = all_velocities(&corners, &ratio(0, 1))?;
     let expected = relative(at_once(&e));
     Ok(vec![
@@ -157,9 +158,9 @@ fn uniqueness(reading: Reading) -> Result<Vec<Finding>> {
 fn four_corners(reading: Reading) -> Result<Vec<Finding>> {
     let all = cube(&[0, 1, 2, 3]);
     let subject = reading.pick(all.clone(), cube(&[0, 1, 2]));
-    let solutions = all_solutions(&Lcp::new(subject.delassus.clone(), subject.before.clone()))?;
-    let even = all.outcome(DVector::from_element(4, ratio(1, 4)));
-    let tilted = all.outcome(DVector::from_vec(vec![ratio(1, 2), ratio(0, 1), ratio(1, 2), ratio(0, 1)]));
+    let solutions = all_solutions(&Lcp::new(subject.delassus.clone(), subject.velocity.clone()))?;
+    let even = all.response(DVector::from_element(4, ratio(1, 4)));
+    let tilted = all.response(DVector::from_vec(vec![ratio(1, 2), ratio(0, 1), ratio(1, 2), ratio(0, 1)]));
     Ok(vec![
         Finding::decision("the impulses are unique", solutions.is_unique(), false),
         Finding::count("rank of W", rank(&all.delassus), 3),
@@ -188,18 +189,18 @@ fn orders(size: usize) -> Vec<Vec<usize>> {
 }
 
 /// Different impulses and different velocities that Lemke's method returns for the contacts in all orders.
-fn outcomes_in_all_orders(impact: &Impact<Rational>) -> Result<[usize; 2]> {
+fn outcomes_in_all_orders(impact: &PlanarProblem<Rational>) -> Result<[usize; 2]> {
     let (mut impulses, mut velocities): (Vec<DVector<Rational>>, Vec<DVector<Rational>>) = (vec![], vec![]);
-    let size = impact.before.len();
+    let size = impact.velocity.len();
     for order in orders(size) {
-        let permuted = Impact::new(
+        let permuted = PlanarProblem::new(
             DMatrix::from_fn(size, size, |i, j| impact.delassus[(order[i], order[j])].clone()),
-            DVector::from_fn(size, |i, _| impact.before[order[i]].clone()),
+            DVector::from_fn(size, |i, _| impact.velocity[order[i]].clone()),
         );
         let outcome = moreau::frictionless(&permuted, &vec![ratio(0, 1); size])?;
         let mut impulse = DVector::from_element(size, ratio(0, 1));
         order.iter().enumerate().for_each(|(i, &contact)| impulse[contact] = outcome.impulse[i].clone());
-        let velocity = impact.outcome(impulse.clone()).after;
+        let velocity = impact.response(impulse.clone()).after;
         if !impulses.contains(&impulse) {
             impulses.push(impulse);
         }
@@ -220,10 +221,10 @@ fn order_of_pivots(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 /// A body with M = 1 that hits a rough floor with contacts at (−1, −1) and (2, −2) from its centre, rows (n, t) each.
-fn two_rough_contacts() -> Impact<Rational> {
+fn two_rough_contacts() -> PlanarProblem<Rational> {
     let jacobian = DMatrix::from_row_slice(4, 3, &[0, 1, -1, 1, 0, 1, 0, 1, 2, 1, 0, 2].map(|x| ratio(x, 1)));
     let before = &jacobian * DVector::from_vec(vec![ratio(1, 1), ratio(-2, 1), ratio(1, 2)]);
-    Impact::new(&jacobian * jacobian.transpose(), before)
+    PlanarProblem::new(&jacobian * jacobian.transpose(), before)
 }
 
 fn fremond_law(reading: Reading) -> Result<Vec<Finding>> {
@@ -232,7 +233,7 @@ fn fremond_law(reading: Reading) -> Result<Vec<Finding>> {
     let pair = two_rough_contacts();
     let rough = fremond::planar(&pair, &[ratio(1, 8), ratio(1, 8)], &e)?;
     let friction = (0..2).map(|k| {
-        let mean = (&rough.after[2 * k + 1] + &pair.before[2 * k + 1]) * ratio(1, 2);
+        let mean = (&rough.after[2 * k + 1] + &pair.velocity[2 * k + 1]) * ratio(1, 2);
         -(ratio(1, 8) * &rough.impulse[2 * k] * mean.magnitude())
     });
     let predicted = friction.fold(ratio(0, 1), |sum, work| sum + work);
@@ -263,7 +264,7 @@ fn projection(reading: Reading) -> Result<Vec<Finding>> {
         let candidate = newton::together(&impact, &pair)?;
         let projected = energy_projection::project(&impact, &candidate.after)?;
         let energy = energy_projection::energy(&impact, &projected.direction)? * projected.factor_squared;
-        gaining += usize::from(energy > energy_projection::energy(&impact, &impact.before)?);
+        gaining += usize::from(energy > energy_projection::energy(&impact, &impact.velocity)?);
     }
     let root = 0.75f64.sqrt();
     Ok(vec![
@@ -282,7 +283,7 @@ fn landing_ratio(friction: &Rational) -> Result<Rational> {
     // rows n = (0, 1, x), t = (1, 0, −y) of the edges at (∓1, −2) from the centre
     let jacobian = DMatrix::from_row_slice(4, 3, &[0, 1, -1, 1, 0, 2, 0, 1, 1, 1, 0, 2].map(|x| ratio(x, 1)));
     let before = DVector::from_vec(vec![two, -one.clone(), -one]);
-    let impact = Impact::new(delassus(&mass, &jacobian)?, &jacobian * &before);
+    let impact = PlanarProblem::new(delassus(&mass, &jacobian)?, &jacobian * &before);
     let outcome = moreau::normal_only(&impact, &[friction.clone(), friction.clone()], &zero)?;
     let change = (jacobian.transpose() * outcome.impulse)[2].clone() * ratio(3, 5);
     Ok((&before[2] + change) / &before[2])
@@ -303,7 +304,7 @@ fn rocking(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 /// Used by the exercises: the uniform rod of 1 kg and length 2 m with supports at ±d from its centre, W = 1 ± 3d².
-pub(super) fn rod_above_supports(distance: &Rational, before: [Rational; 2]) -> Impact<Rational> {
+pub(super) fn rod_above_supports(distance: &Rational, before: [Rational; 2]) -> PlanarProblem<Rational> {
     let arm = ratio(3, 1) * distance * distance;
     let mut rod = impact(&[0, 0, 0, 0], before);
     for i in 0..2 {

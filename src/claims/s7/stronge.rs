@@ -3,9 +3,10 @@
 use super::impacts::{cradle, frictionless_grid, rod_path, rough_grid, rounded};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::impact_laws::routh::Path;
-use crate::impact_laws::{Impact, Outcome, energy_projection, moreau, newton, poisson, stronge};
+use crate::impact_laws::{energy_projection, moreau, newton, poisson, stronge};
+use crate::problem::{PlanarProblem, Response};
 use crate::scalar::{Rational, ratio};
 use crate::tolerance::claims::impact::SIX_DECIMALS;
 use crate::tolerance::rounding;
@@ -15,7 +16,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.stronge-def",
         statement: "Stronge: the energetic coefficient e_*² = E⁺/E⁻, the energy released in restitution over the energy stored in \
             compression.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::Exact,
         correct_statement: "Right if E means the work of the normal impulse in each phase; wrong if it is read as the kinetic energies \
             after and before, which friction lowers as well.",
@@ -28,7 +29,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.stronge-no-gain",
         statement: "Stronge's law avoids the gain of energy in Kane's counterexample at the root, because it bounds an energy ratio by 1.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Certified,
         correct_statement: "As stated, for one contact: ΔT = −(1 − e_*²)|W_c| + W_friction with W_friction ≤ 0.",
         argument: "The normal work of both phases is −(1 − e_*²)|W_c|, and ∫U_t dq ≤ 0 along Routh's path, exactly, in 150 planar impacts; \
@@ -40,7 +41,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.stronge-conserves",
         statement: "To conserve energy with several bodies one needs Stronge's law or an energy-consistent projection.",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Certified,
         correct_statement: "Without friction they are not needed: Newton's and Moreau's laws conserve at e = 1. With friction they do not \
             conserve: e_* = 1 still loses the work of friction, and a projection only takes energy away.",
@@ -53,7 +54,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S7.definitions-differ",
         statement: "Newton's, Poisson's and Stronge's e are different numbers for the same collision (velocity, impulse, energy).",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated, with friction that stops or turns round. Without friction, or while the slip goes on, the three \
             agree.",
@@ -67,7 +68,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.e-not-material",
         statement: "e is not a material constant: it depends on speed, geometry and temperature, and is usually smaller at high speed; \
             used as a constant across speeds it makes a simulation inaccurate.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::NotDecidable,
         correct_statement: "Speed and temperature are physics that no scheme decides. What can be decided: the velocity ratio depends on \
             geometry and friction even if the energetic coefficient is fixed, and none of these laws with a constant e can express a \
@@ -82,7 +83,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.e1-single-conserves",
         statement: "e = 1 conserves energy for a single contact only; with several bodies colliding at once, Newton's law with e = 1 at \
             every point may change the energy.",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Exact,
         correct_statement: "Without friction, the setting of the sentence, Newton's law with e = 1 conserves energy for any number of \
             contacts, solved together: ΔT = ½Pᵀ(U⁺ + U⁻) = 0 because U⁺ = −U⁻. What changes it is friction (already with one contact) or \
@@ -117,17 +118,17 @@ fn two_ratios(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 /// ΔT in floating point of an elastic end of a path.
-fn rounded_gain(path: &Path<Rational>, friction: &Rational, law: fn(&Path<f64>, f64) -> Result<Outcome<f64>>) -> Result<f64> {
+fn rounded_gain(path: &Path<Rational>, friction: &Rational, law: fn(&Path<f64>, f64) -> Result<Response<f64>>) -> Result<f64> {
     let path = Path::new(rounded(path.impact()), &friction.to_f64().value())?;
     Ok(path.impact().energy_change(&law(&path, 1.0)?))
 }
 
-fn newton_along(path: &Path<f64>, restitution: f64) -> Result<Outcome<f64>> {
+fn newton_along(path: &Path<f64>, restitution: f64) -> Result<Response<f64>> {
     newton::along(path, &restitution)
 }
 
 fn no_gain(reading: Reading) -> Result<Vec<Finding>> {
-    let law = reading.pick(stronge::along as fn(&Path<f64>, f64) -> Result<Outcome<f64>>, newton_along);
+    let law = reading.pick(stronge::along as fn(&Path<f64>, f64) -> Result<Response<f64>>, newton_along);
     let (mut gains, mut fed) = (0, 0);
     for (path, mu) in rough_grid()? {
         gains += usize::from(rounded_gain(&path, &mu, law)? >= 0.0);
@@ -178,10 +179,10 @@ fn not_material(reading: Reading) -> Result<Vec<Finding>> {
     let [rough, smooth] = [rod_path(&ratio(1, 1))?, rod_path(&ratio(0, 1))?];
     let subject = stronge::end(reading.pick(&rough, &smooth), &ratio(1, 1))?.speed_squared;
     let mut faster = rough.impact().clone();
-    faster.before *= ratio(3, 1);
+    faster.velocity *= ratio(3, 1);
     let faster = Path::new(faster, &ratio(1, 1))?;
     let e = ratio(1, 2);
-    let thrice = |end: Outcome<Rational>| end.impulse * ratio(3, 1);
+    let thrice = |end: Response<Rational>| end.impulse * ratio(3, 1);
     let scales = thrice(newton::along(&rough, &e)?) == newton::along(&faster, &e)?.impulse
         && thrice(poisson::along(&rough, &e)?) == poisson::along(&faster, &e)?.impulse;
     Ok(vec![
@@ -191,10 +192,10 @@ fn not_material(reading: Reading) -> Result<Vec<Finding>> {
     ])
 }
 
-type Law = fn(&Impact<Rational>, &[Rational]) -> Result<Outcome<Rational>>;
+type ImpactLaw = fn(&PlanarProblem<Rational>, &[Rational]) -> Result<Response<Rational>>;
 
 /// Impacts whose energy changes at e = 1.
-fn changes(law: Law, approaching_only: bool) -> Result<usize> {
+fn changes(law: ImpactLaw, approaching_only: bool) -> Result<usize> {
     let mut count = 0;
     for impact in frictionless_grid(approaching_only) {
         count += usize::from(impact.energy_change(&law(&impact, &[ratio(1, 1), ratio(1, 1)])?) != ratio(0, 1));
@@ -203,8 +204,8 @@ fn changes(law: Law, approaching_only: bool) -> Result<usize> {
 }
 
 fn elastic(reading: Reading) -> Result<Vec<Finding>> {
-    let law = reading.pick(newton::together as Law, newton::uncoupled);
-    let two_phases: Law = |impact, pair| poisson::two_problems(impact, pair).map(|phases| phases.end);
+    let law = reading.pick(newton::together as ImpactLaw, newton::uncoupled);
+    let two_phases: ImpactLaw = |impact, pair| poisson::two_problems(impact, pair).map(|phases| phases.end);
     let path = rod_path(&ratio(1, 1))?;
     let single = [newton::along(&path, &ratio(1, 1))?, poisson::along(&path, &ratio(1, 1))?].map(|end| path.impact().energy_change(&end));
     Ok(vec![

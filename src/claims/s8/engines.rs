@@ -5,12 +5,12 @@ use super::systems::disk_flow;
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::stored::{Faller, Thrower, projectile_error, update_residuals};
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::integrators::impact_flow::Tangent;
 use crate::integrators::stability::invariants;
 use crate::integrators::symplectic::volume;
 use crate::integrators::variational::Verlet;
-use crate::integrators::{Damping, ExplicitEuler, Method, Phase, SemiImplicitEuler, SpringDamper, System};
+use crate::integrators::{Damping, ExplicitEuler, Method, Phase, SemiImplicitEuler, SmoothSystem, SpringDamper};
 use crate::scalar::{Dual, Rational, Scalar, ratio};
 use crate::tolerance::claims::integrators::{FALL, PROJECTILE};
 use nalgebra::DVector;
@@ -19,7 +19,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S8.nobody-explicit",
         statement: "No serious simulator uses pure explicit Euler for contact.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::NotDecidable,
         correct_statement: "A survey without a list, and “serious” is a judgement. The engines stored here whose falls are kept step by \
             step, MuJoCo and Drake, do not.",
@@ -32,7 +32,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S8.semi-sim-list",
         statement: "Semi-implicit Euler is the main integrator of MuJoCo, Bullet and Drake.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Measured,
         correct_statement: "Of the position update: all three move with the velocity at the end of the step. The contact forces are not \
             evaluated at the old state, as forces are in semi-implicit Euler, but solved for the velocity at its end; MuJoCo offers other \
@@ -47,7 +47,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.drake-midpoint",
         statement: "Implicit end of the range: Drake's SAP midpoint, and implicitfast, stand for the fully implicit level with O(h²) \
             dissipation.",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Exact,
         correct_statement: "Midpoint is θ = 1/2: it neither dissipates nor is L-stable. A step that is implicit in the velocity alone, as \
             implicitfast is, is semi-implicit Euler on an undamped spring, with its bound hω < 2. Drake's discrete stepper, as stored \
@@ -66,7 +66,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S8.all-sims-semi",
         statement: "That is why all simulators use semi-implicit Euler and not the explicit one.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::Measured,
         correct_statement: "Not explicit: true of the engines stored here. All semi-implicit: not so. Siconos uses its θ scheme, as the \
             chapter says elsewhere.",
@@ -79,7 +79,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S8.plastic-common",
         statement: "Contact of robots mostly has e ≈ 0, so that symplectic integrators fail there altogether.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::NotDecidable,
         correct_statement: "How common plastic contact is, is a statement about models, and “fail” a judgement. At the impact nothing is \
             left to preserve; between impacts a symplectic step stays one.",
@@ -94,7 +94,7 @@ pub const CLAIMS: &[Claim] = &[
         statement: "MuJoCo gave up variational integrators, which plastic contact and corrections of penetration rule out, for \
             semi-implicit Euler with a soft convex solver: not symplectic, but differentiable and time-reversible, which matters more for \
             MPC and learning.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::NotDecidable,
         correct_statement: "A statement of motives. MuJoCo's documentation names the cost of variational integrators, which are implicit \
             where the inertia depends on the configuration, and that continuous-time dynamics are defined backward in time; it names \
@@ -193,7 +193,7 @@ fn common(reading: Reading) -> Result<Vec<Finding>> {
 /// A spring that pushes only: v̇ = max(0, −q).
 struct OneSided;
 
-impl System for OneSided {
+impl SmoothSystem for OneSided {
     fn acceleration<T: Scalar>(&self, position: &DVector<T>, _velocity: &DVector<T>) -> DVector<T> {
         position.map(|q| if q < T::zero() { -q } else { T::zero() })
     }

@@ -3,9 +3,9 @@
 use super::spring::{SEMI_IMPLICIT, both_sides, energy, is_stable, matrix, undamped};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::spring_damper::theta as bound;
-use crate::exact_particle::{Ball, Motion};
+use crate::exact_particle::{Ball, BallState};
 use crate::integrators::stability::{invariants, spectral_radius};
 use crate::integrators::{ExplicitEuler, Method, Phase, SpringDamper};
 use crate::scalar::{Rational, Scalar, ratio};
@@ -17,7 +17,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S8.explicit-injects",
         statement: "Explicit Euler adds energy to oscillating systems (it is unstable).",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated for an undamped oscillator: E⁺ = (1 + h²ω²) E from every state. A damper that takes more than that, \
             2ζ > hω, makes the same step decay (S8.explicit-G).",
@@ -30,7 +30,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S8.explicit-bound",
         statement: "Explicit Euler is stable only for h < 2/√(k/m), a bound that shrinks with the stiffness.",
-        verdict: Verdict::Inconsistent,
+        verdict: ClaimVerdict::Inconsistent,
         evidence: Evidence::Exact,
         correct_statement: "Without damping no step is stable, as the same section derives a few lines later. 2/ω is the bound of \
             semi-implicit Euler. With damping the bound of explicit Euler is s = hω < 2ζ for ζ ≤ 1 and s < 2/(ζ + √(ζ²−1)) beyond; it \
@@ -44,7 +44,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S8.explicit-lag",
         statement: "With the old velocity in the position update the contact force comes too late to stop the penetration.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated: the step in which the contact acts still moves by h v, so that a ball that touches the floor at \
             speed |v| ends the step h|v| below it, whatever e.",
@@ -57,7 +57,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S8.explicit-G",
         statement: "On an undamped spring the amplification factor of explicit Euler is |G| = √(1 + ω²h²) > 1: unstable for every step.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated, for the undamped spring that it names.",
         argument: "Eigenvalues 1 ± i s: trace 2 and determinant 1 + s² exactly. At ζ = 3/10 steps below s = 6/10 are stable: |G|² = 0.9941 \
@@ -70,7 +70,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.ex1",
         statement: "Exercise: under explicit Euler E = ½(v² + ω²x²) grows by (1 + ω²h²) a step; under semi-implicit Euler a conserved \
             quantity bounds it.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; the conserved quantity is v² + ω²x² − hω²xv, which bounds E if and only if hω < 2. With the \
             position updated first the sign of the last term is reversed.",
@@ -120,7 +120,7 @@ fn lag(reading: Reading) -> Result<Vec<Finding>> {
     let mut findings = Vec::new();
     for (restitution, speed) in [(ratio(0, 1), ratio(0, 1)), (ratio(1, 2), ratio(1, 1))] {
         let ball = Ball { mass: ratio(1, 1), gravity: ratio(0, 1), restitution: restitution.clone() };
-        let touching = Motion { position: ratio(0, 1), velocity: ratio(-2, 1) };
+        let touching = BallState { position: ratio(0, 1), velocity: ratio(-2, 1) };
         let after = ball.moreau_jean(&touching, &theta, Activation::Gap, &ratio(1, 100)).motion;
         findings.push(Finding::exact(
             format!("q⁺ of a ball that touches at −2 m/s, e = {restitution}"),

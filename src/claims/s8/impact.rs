@@ -5,9 +5,9 @@ use super::symplectic::vanishes;
 use super::systems::{Coupled, Disk, Floor, across, disk_flow, entries, identity, projected_step};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::elimination::rank;
-use crate::exact_particle::{Ball, Motion};
+use crate::exact_particle::{Ball, BallState};
 use crate::integrators::impact_flow::{ImpactFlow, Tangent};
 use crate::integrators::jacobian::jacobian;
 use crate::integrators::symplectic::{defect, form, volume};
@@ -21,7 +21,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.activation-not-diffeo",
         statement: "The switching of the active set is not a diffeomorphism: at activation the phase space is folded, and the fold does \
             not keep the symplectic form.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "At e = 0, where the flow is singular, and at a grazing impact, where its derivative grows without bound. \
             Across an impact with e > 0 and a normal speed the flow is smooth with a smooth inverse: its determinant is e².",
@@ -38,7 +38,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S8.e-lt-1",
         statement: "As soon as e < 1 the symplectic form is lost.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated: det D = e² for every number of coordinates, curved walls and constant forces. J⁻¹DᵀJD has the \
             eigenvalues e², e², 1, 1, …: with one coordinate the form is scaled by e², with more it is not.",
@@ -51,7 +51,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S8.e0",
         statement: "A plastic impact (e = 0) and symplecticity contradict each other.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated: the flow is not even invertible. On a flat wall it loses two dimensions, the gap and its rate; a \
             curved one, which the body leaves along the tangent, keeps one of them, the time of the impact.",
@@ -63,7 +63,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S8.e1-only",
         statement: "Symplecticity is kept only for e = 1, purely elastic, and without correction of the penetration.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "The flow with exact impacts keeps it iff e = 1. A time-stepping scheme without correction need not: a \
             Moreau–Jean step in which the contact acts has determinant −e, that is −1 for e = 1, for every θ. And a correction need not \
@@ -77,7 +77,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S8.friction-det",
         statement: "(Beside the text, which speaks of dissipation by e alone.) What friction does to phase volume in an impact.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "An impact in which the body slides throughout has det D = e², as without friction, and is not symplectic even \
             at e = 1: conserved volume does not show a conserved form. An impact that sticks has det D = 0.",
@@ -90,7 +90,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.ex2-fold",
         statement: "Exercise: pushing a penetrating body back squashes or folds phase space; the purely elastic impact without correction \
             is an exception.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Projection squashes, determinant 0. The exception is the flow with the impact at its time, determinant 1; \
             reversing the velocity at the end of a step is not, determinant −1.",
@@ -104,7 +104,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.ex3-tasks",
         statement: "Exercise: which integrator for (a) planets over a million years, (b) ten seconds of a trotting quadruped, (c) a \
             million elastic bounces without friction, (d) training by reinforcement.",
-        verdict: Verdict::Ambiguous,
+        verdict: ClaimVerdict::Ambiguous,
         evidence: Evidence::NotDecidable,
         correct_statement: "A judgement. For (c) it can be said what holds its energy: located impacts do, and so does Moreau–Jean, up to \
             an oscillation of O(h) and with no symplecticity at its impacts; e = 0.9999 instead of 1 leaves nothing.",
@@ -203,7 +203,7 @@ pub(in crate::claims) fn moreau_jean(restitution: &Rational, theta: &Rational) -
     let ball = Ball { mass: constant(&ratio(1, 1)), gravity: constant(&ratio(10, 1)), restitution: constant(restitution) };
     let (theta, h) = (constant(theta), constant(&ratio(1, 10)));
     jacobian(&entries(&[(-1, 100), (-2, 1)]), |x| {
-        let now = Motion { position: x[0].clone(), velocity: x[1].clone() };
+        let now = BallState { position: x[0].clone(), velocity: x[1].clone() };
         let after = ball.moreau_jean(&now, &theta, Activation::Gap, &h).motion;
         DVector::from_vec(vec![after.position, after.velocity])
     })
@@ -273,7 +273,7 @@ fn bounced(restitution: f64, impacts: usize) -> f64 {
 fn tasks(reading: Reading) -> Result<Vec<Finding>> {
     let million = 1_000_000;
     let ball = Ball { mass: 1.0, gravity: 10.0, restitution: reading.pick(1.0, 0.9999) };
-    let start = Motion { position: 0.0, velocity: 1.0 };
+    let start = BallState { position: 0.0, velocity: 1.0 };
     let (theta, h, steps) = (0.5, 0.01, 10_000);
     let end = (0..steps).fold(start.clone(), |now, _| ball.moreau_jean(&now, &theta, Activation::Gap, &h).motion);
     let share = ball.energy(&end) / ball.energy(&start);

@@ -5,9 +5,9 @@ use crate::Result;
 use crate::checks::Finding;
 use crate::claims::s3::theta_step::{LinearSystem, phase};
 use crate::claims::s9::energy::elastic_invariant;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::spring_damper::theta_energy_ratio;
-use crate::exact_particle::{Ball, Motion};
+use crate::exact_particle::{Ball, BallState};
 use crate::integrators::stability::{Powers, invariants, spectral_radius};
 use crate::integrators::{Method, Phase, SpringDamper};
 use crate::scalar::{Rational, Scalar, ratio};
@@ -20,7 +20,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.implicit-AL",
         statement: "Fully implicit integration (θ = 1) is the most stable, A-stable and L-stable; it allows large steps and needs a \
             nonlinear system solved per step.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; a system that is nonlinear where the forces are, with contact in it in any case. θ = 1/2 is \
             A-stable, not L-stable.",
@@ -35,7 +35,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.backward-uncond",
         statement: "Implicit Euler is unconditionally stable on the spring, |G| < 1 for every h; the price is an O(h²) dissipation that \
             wipes out the contact's oscillation at large steps.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; |G|² = 1/(1 + s²), per step (over a fixed time the loss is O(h), S8.implicit-diss).",
         argument: "Determinant 1/(1 + s²) and decay at s = 1/1000, 1, 2, 10⁶ in rationals, without damping; |G| = 1/√(1 + s²) in floating \
@@ -47,7 +47,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S8.implicit-diss",
         statement: "The price of θ = 1 is numerical dissipation O(h²).",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Per step: E⁺/E = 1/(1 + h²ω²). Over a fixed time t it is O(h), E(t) = E₀ (1 + h²ω²)^(−t/h) ≈ E₀ e^(−ω²ht).",
         argument: "ω = 1, t = 1, in rationals: the energy lost with h = 1/32 over that with h = 1/64 lies within 1/16 of 2, not of 4; the \
@@ -60,7 +60,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.implicit-not-always",
         statement: "Fully implicit integration is not always best: each step is dearer, and its dissipation takes the motion away where \
             details or energy matter.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated.",
         argument: "Undamped spring, 20 steps of s = 1: θ = 1 leaves 2⁻²⁰ of the energy, θ = 1/2 all of it, and semi-implicit Euler returns \
@@ -73,7 +73,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.theta-spectrum",
         statement: "The θ scheme parametrises the spectrum: θ = 0 explicit, θ = 1 fully implicit, θ = 1/2 trapezoidal, close to a \
             symplectic method's neutrality in energy.",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated; on linear forces θ = 1/2 is symplectic and keeps the energy exactly: E⁺/E = (1 + (1−θ)²s²)/(1 + \
             θ²s²), determinant the same number.",
@@ -87,7 +87,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.semi-on-spectrum",
         statement: "Semi-implicit Euler is a particular splitting (velocity implicit, position semi-implicit); it, the θ scheme of Siconos \
             and Drake's are points of the same spectrum.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Of the spectrum from explicit to implicit, yes; no value of θ gives it unless the force is constant. It takes \
             the force at the old position, θ_v = 0, and the velocity at the new one, θ_q = 1.",
@@ -100,7 +100,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S8.backwards-theta-energy",
         statement: "θ = 1/2 is neutral in energy, θ = 1 dissipates.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "On forces that depend on the state. Under gravity alone θ = 1 loses ½ m g²h² per step of free flight, and an \
             elastic impact gives it back: E − (θ − ½) m g h v is conserved through flights and impacts, for every θ.",
@@ -229,9 +229,9 @@ fn no_theta(reading: Reading) -> Result<Vec<Finding>> {
     let determinants = [(0, 1), (1, 4), (1, 2), (3, 4), (1, 1)].map(|(n, d)| invariants(&matrix(&theta(n, d), &spring, &s))[1].clone());
     findings.push(Finding::decision("the determinant falls with θ", determinants.windows(2).all(|pair| pair[0] > pair[1]), true));
     let ball = Ball { mass: ratio(1, 1), gravity: ratio(10, 1), restitution: ratio(0, 1) };
-    let (start, h) = (Motion { position: ratio(5, 1), velocity: ratio(1, 1) }, ratio(1, 10));
+    let (start, h) = (BallState { position: ratio(5, 1), velocity: ratio(1, 1) }, ratio(1, 10));
     let after = ball.moreau_jean(&start, &ratio(1, 1), Activation::Gap, &h).motion;
-    let constant = Motion { velocity: ratio(0, 1), position: ratio(5, 1) };
+    let constant = BallState { velocity: ratio(0, 1), position: ratio(5, 1) };
     findings.push(Finding::decision("under a constant force θ = 1 is semi-implicit Euler", after == constant, true));
     Ok(findings)
 }
@@ -241,7 +241,7 @@ fn under_gravity(reading: Reading) -> Result<Vec<Finding>> {
     let next = theta(1, 1).step(&spring, &start, &ratio(3, 20));
     let kept = energy(&spring, &next) / energy(&spring, &start);
     let ball = Ball { mass: ratio(1, 1), gravity: ratio(981, 100), restitution: ratio(1, 1) };
-    let (flying, h) = (Motion { position: ratio(1, 1), velocity: ratio(1, 2) }, ratio(1, 100));
+    let (flying, h) = (BallState { position: ratio(1, 1), velocity: ratio(1, 2) }, ratio(1, 100));
     let flown = ball.moreau_jean(&flying, &ratio(1, 1), Activation::Gap, &h).motion;
     let lost = ball.energy(&flying) - ball.energy(&flown);
     let fall = &h * ratio(981, 100);

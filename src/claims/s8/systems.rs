@@ -4,7 +4,7 @@ use super::spring::SEMI_IMPLICIT;
 use crate::integrators::impact_flow::{ImpactFlow, Tangent};
 use crate::integrators::jacobian::jacobian;
 use crate::integrators::variational::{InPotential, ScalarField, Variational, Verlet};
-use crate::integrators::{Method, Phase, System};
+use crate::integrators::{Method, Phase, SmoothSystem};
 use crate::scalar::{Rational, Scalar, ratio};
 use nalgebra::{DMatrix, DVector};
 
@@ -29,7 +29,7 @@ impl Coupled {
     }
 }
 
-impl System for Coupled {
+impl SmoothSystem for Coupled {
     fn acceleration<T: Scalar>(&self, position: &DVector<T>, _velocity: &DVector<T>) -> DVector<T> {
         let (x, y) = (position[0].clone(), position[1].clone());
         let force = [-(x.clone() + y.clone() * y.clone()), -(T::ratio(2, 1) * x * y + T::ratio(3, 1))];
@@ -42,7 +42,7 @@ impl System for Coupled {
 /// M = q² and no potential: q q̈ = −q̇².
 pub struct MassOfPlace;
 
-impl System for MassOfPlace {
+impl SmoothSystem for MassOfPlace {
     fn acceleration<T: Scalar>(&self, position: &DVector<T>, velocity: &DVector<T>) -> DVector<T> {
         let v = velocity[0].clone();
         DVector::from_element(1, -(v.clone() * v / position[0].clone()))
@@ -52,7 +52,7 @@ impl System for MassOfPlace {
 /// A free particle in polar coordinates: r̈ = r ω², r ω̇ = −2 ṙ ω.
 pub struct FreeInPolar;
 
-impl System for FreeInPolar {
+impl SmoothSystem for FreeInPolar {
     fn acceleration<T: Scalar>(&self, position: &DVector<T>, velocity: &DVector<T>) -> DVector<T> {
         let (r, rate, turn) = (position[0].clone(), velocity[0].clone(), velocity[1].clone());
         DVector::from_vec(vec![r.clone() * turn.clone() * turn.clone(), -(T::ratio(2, 1) * rate * turn / r)])

@@ -3,13 +3,13 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::drake::{facts, rest_depth};
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::tolerance::claims::drake::rest;
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S9.drake-projection",
     statement: "Drake has coordinate projection built in.",
-    verdict: Verdict::False,
+    verdict: ClaimVerdict::False,
     evidence: Evidence::Cited,
     correct_statement: "Not found: the documentation of its plant does not know the term, and its contacts are left with the depth that \
         carries the load. Discrete constraints are compliant, near rigid where they should be hard.",

@@ -4,8 +4,8 @@ use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::curve::{Side, drift, slide};
 use crate::claims::experiments::tower::{Sweeps, Tower};
-use crate::claims::{Claim, Evidence, Reading, Verdict};
-use crate::exact_particle::{Ball, Motion};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::exact_particle::{Ball, BallState};
 use crate::scalar::{Rational, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StewartTrinkle};
 use crate::solvers::{ContactSolver, ProjectedGaussSeidel};
@@ -16,7 +16,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S9.velocity-legal",
         statement: "The velocity constraint ∇φᵀv⁺ ≥ 0 only guarantees that the velocity of this step is admissible; the position \
             constraint drifts.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "Moreau–Jean constrains v⁺ + e v, so its new velocity is admissible, ∇φᵀv⁺ ≥ 0, if e = 0; with e > 0 a body \
             that is moving away may \
@@ -34,7 +34,7 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Velocity-level schemes (Moreau–Jean): each step only keeps the velocity from penetrating, but numerical error lets the \
             position leave the \
                     constraint slowly – the body gradually sinks into the ground.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "On a flat floor with a converged solver a resting body does not move at all. It drifts along curved \
             constraints, by h v²κ/2 per second, and if the \
@@ -53,7 +53,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S9.ST-residual",
         statement: "Even Stewart–Trinkle's linearised position constraint φ + h∇φᵀv⁺ ≥ 0 holds only up to the linearisation: a residual \
             penetration of O(h²).",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Certified,
         correct_statement: "A residual of at most ½h²v²/R where φ is concave along the motion (inside a circle), without accumulation; \
             none where φ is convex (outside one) or linear.",
@@ -70,7 +70,7 @@ fn admissible_velocity(reading: Reading) -> Result<Vec<Finding>> {
     // free velocity v − 13/10
     let step = |restitution: Rational, velocity: Rational| {
         let ball = Ball { mass: ratio(1, 1), gravity: ratio(13, 1), restitution };
-        ball.moreau_jean(&Motion { position: ratio(0, 1), velocity }, &ratio(1, 2), Activation::Gap, &ratio(1, 10))
+        ball.moreau_jean(&BallState { position: ratio(0, 1), velocity }, &ratio(1, 2), Activation::Gap, &ratio(1, 10))
     };
     let slowest = |restitution: Rational| {
         (-20..=20)
@@ -110,7 +110,7 @@ fn velocity_drift(reading: Reading) -> Result<Vec<Finding>> {
     ];
     for theta in [ratio(1, 2), ratio(1, 1)] {
         let ball = Ball { mass: ratio(1, 1), gravity: ratio(981, 100), restitution: ratio(1, 2) };
-        let mut now = Motion { position: ratio(0, 1), velocity: ratio(0, 1) };
+        let mut now = BallState { position: ratio(0, 1), velocity: ratio(0, 1) };
         for _ in 0..1000 {
             now = ball.moreau_jean(&now, &theta, Activation::Gap, &ratio(1, 100)).motion;
         }

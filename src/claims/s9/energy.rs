@@ -6,8 +6,8 @@ use crate::claims::experiments::push_out::{ball, biased_gain, elastic_drop};
 use crate::claims::experiments::rod::energy_gained;
 use crate::claims::experiments::spring::energy_ratio;
 use crate::claims::experiments::tower::energy_of_stale_impulses;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
-use crate::exact_particle::Motion;
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::exact_particle::BallState;
 use crate::scalar::{Rational, ratio};
 use crate::schemes::{Activation, RestitutionRule};
 use crate::tolerance;
@@ -17,7 +17,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S9.energy-up-causes",
         statement: "Energy that grows usually comes from explicit components or from Baumgarte's injection: use a (semi-)implicit scheme, \
             and projection instead of Baumgarte.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "These two inject, and so do: Newton's e on the normal component with Coulomb friction, projection itself (m g \
             δ), impulses of the step before that too few sweeps have not corrected, and a contact too stiff for its step (S9.jitter).",
@@ -32,7 +32,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S9.energy-down",
         statement: "Too much loss of energy comes from θ = 1 or large numerical damping: use θ = 1/2, reduce the damping.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "True of forces that depend on the state (springs): E⁺/E = 1/(1 + h²ω²) at θ = 1 and 1 at θ = 1/2. Under \
             gravity θ has no effect in the long run: E − (θ−½) m g h v is conserved, and an impact keeps e² of the kinetic energy, for \
@@ -72,7 +72,7 @@ fn causes_of_growth(reading: Reading) -> Result<Vec<Finding>> {
 /// (E − ½ m g h v)/E₀ of the elastic ball after 2000 steps with θ = 1.
 pub(in crate::claims) fn elastic_invariant() -> Rational {
     let (ball, theta, h) = (ball(ratio(1, 1)), ratio(1, 1), ratio(1, 100));
-    let start = Motion { position: ratio(1, 1), velocity: ratio(0, 1) };
+    let start = BallState { position: ratio(1, 1), velocity: ratio(0, 1) };
     let end = (0..2000).fold(start.clone(), |now, _| ball.moreau_jean(&now, &theta, Activation::Gap, &h).motion);
     ball.scheme_energy(&end, &theta, &h) / ball.energy(&start)
 }
@@ -80,7 +80,7 @@ pub(in crate::claims) fn elastic_invariant() -> Rational {
 /// Kinetic energy after the first impact over that before it, e = 1/2, dropped from 1 m with h = 1/100 s.
 pub(in crate::claims) fn first_impact(theta: &Rational) -> Rational {
     let (ball, h) = (ball(ratio(1, 2)), ratio(1, 100));
-    let mut now = Motion { position: ratio(1, 1), velocity: ratio(0, 1) };
+    let mut now = BallState { position: ratio(1, 1), velocity: ratio(0, 1) };
     loop {
         let outcome = ball.moreau_jean(&now, theta, Activation::Gap, &h);
         if outcome.impulse > ratio(0, 1) {

@@ -3,8 +3,8 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::push_out::{ball, biased_gain, biased_step, elastic_drop, elastic_throw, projected_gain, sunk};
-use crate::claims::{Claim, Evidence, Reading, Verdict};
-use crate::exact_particle::{Ball, Motion};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::exact_particle::{Ball, BallState};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
 use crate::tolerance::claims::pathology as tolerance;
@@ -14,7 +14,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S9.baumgarte-inject",
         statement: "Baumgarte stabilisation: (α, β) are very hard to tune; too small, the drift is corrected slowly, too large, artificial \
             energy is injected into the system (or it is overdamped).",
-        verdict: Verdict::True,
+        verdict: ClaimVerdict::True,
         evidence: Evidence::Exact,
         correct_statement: "As stated: as a velocity bias v⁺ = −ERP φ/h it injects T = ½m(ERP δ/h)², at every ERP and growing with its \
             square.",
@@ -27,7 +27,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S9.bullet-erp",
         statement: "Bullet's default ERP (error reduction parameter) = 0.2 is in essence Baumgarte stabilisation.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "It is the semi-implicit Baumgarte step with 2αh = 1 and β²h² = ERP, constants that follow the step: under load \
             φ⁺ = (1 − ERP)φ, a first-order decay by 4/5 per step whatever h is (time constant 4.48 steps). With given (α, β) it is not.",
@@ -44,7 +44,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S9.projection-energy",
         statement: "Coordinate projection is preferable to Baumgarte: it injects no artificial energy and is geometrically clean.",
-        verdict: Verdict::False,
+        verdict: ClaimVerdict::False,
         evidence: Evidence::Exact,
         correct_statement: "Projection leaves the kinetic energy alone but lifts the body, ΔE = m g δ. How often depends on the activation \
             rule (with the forecast φ + h v_free ≤ 0 never), \
@@ -63,7 +63,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S9.clean-dirty",
         statement: "Stabilisations differ in whether they disturb the physics while pulling the constraint back: Baumgarte injects energy \
             (dirty), projection does not (clean).",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "As a comparison: both pay the lift m g δ, Baumgarte pays ½m(ERP δ/h)² of kinetic energy on top. That \
             projection adds nothing at all is S9.projection-energy.",
@@ -76,7 +76,7 @@ pub const CLAIMS: &[Claim] = &[
 ];
 
 /// Height and velocity after `steps` steps of 1/60 s from 1 mm below the floor, without load, ERP = 1/5.
-fn unloaded(steps: usize) -> Motion<Rational> {
+fn unloaded(steps: usize) -> BallState<Rational> {
     let free = Ball { gravity: ratio(0, 1), ..ball(ratio(0, 1)) };
     (0..steps).fold(sunk(), |now, _| biased_step(&free, &now, &ratio(1, 5), &ratio(1, 60)))
 }

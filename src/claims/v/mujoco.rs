@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::mujoco::facts;
-use crate::claims::{Claim, Evidence, Reading, Verdict};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::scalar::{Rational, ratio};
 
@@ -13,7 +13,7 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "V.mujoco",
         statement: "MuJoCo 3.x, open source; MJX is differentiable.",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Cited,
         correct_statement: "The version is a matter of date: 3.x is what this repository pins (3.17.0), 4.0.0 appeared in November 2026. \
             On MJX see S6.mjx-gradients.",
@@ -26,7 +26,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "V.defaults",
         statement: "MuJoCo's defaults: solref (0.02, 1), solimp (0.9, 0.95, 0.001, 0.5, 2), Newton, semi-implicit Euler; timeconst ≥ 2h; a \
             spring needs h ≤ 2√(m/k).",
-        verdict: Verdict::Conditional,
+        verdict: ClaimVerdict::Conditional,
         evidence: Evidence::Exact,
         correct_statement: "The defaults are right. The bound on h is that of the undamped spring; with an explicit damper c it is h²k + \
             2hc ≤ 4m, and smaller.",

@@ -4,7 +4,7 @@ use moreau_contact::solvers::Auto;
 use moreau_dynamics::mechanics::{PointMass, State};
 use moreau_dynamics::schemes::{Scheme, simulate};
 use moreau_dynamics::trajectory::metrics::{Normalisation, graph_distance, position_sup, velocity_l1, velocity_sup};
-use moreau_dynamics::trajectory::{Graph, Level, OrderEstimate, fit_order, shifted_steps};
+use moreau_dynamics::trajectory::{Graph, OrderEstimate, Refinement, fit_order, shifted_steps};
 use moreau_exact::Result;
 use moreau_forms::BouncingBall;
 use nalgebra::dvector;
@@ -70,7 +70,7 @@ pub struct Study {
 /// Those of the scheme, and an error that is zero or not finite.
 pub fn study(scheme: &dyn Scheme, restitution: f64, horizon: f64, intervals: &[usize], shifts: usize) -> Result<Study> {
     let first_impact = BouncingBall::new(GRAVITY, HEIGHT, restitution)?.first_impact_time();
-    let mut levels: [Vec<Level>; 4] = Default::default();
+    let mut levels: [Vec<Refinement>; 4] = Default::default();
     for &count in intervals {
         let runs = shifted_steps(first_impact, count, shifts).into_iter().map(|h| {
             let errors = ball_errors(scheme, restitution, horizon, h)?;
@@ -78,7 +78,7 @@ pub fn study(scheme: &dyn Scheme, restitution: f64, horizon: f64, intervals: &[u
         });
         let runs = runs.collect::<Result<Vec<_>>>()?;
         for (metric, levels) in levels.iter_mut().enumerate() {
-            let worst = runs.iter().map(|(h, errors)| Level { time_step: *h, error: errors[metric] });
+            let worst = runs.iter().map(|(h, errors)| Refinement { time_step: *h, error: errors[metric] });
             levels.extend(worst.max_by(|a, b| a.error.total_cmp(&b.error)));
         }
     }

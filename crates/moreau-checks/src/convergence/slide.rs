@@ -12,7 +12,7 @@ use moreau_contact::solvers::Auto;
 use moreau_dynamics::mechanics::{PointMass, State};
 use moreau_dynamics::schemes::{Scheme, simulate};
 use moreau_dynamics::trajectory::metrics::{creep_speed, largest_gap, position_sup, velocity_l1, velocity_sup};
-use moreau_dynamics::trajectory::{Graph, Level, Recording, fit_order};
+use moreau_dynamics::trajectory::{Graph, Recording, Refinement, fit_order};
 use moreau_exact::Result;
 use moreau_forms::InclineBlock;
 use nalgebra::dvector;
@@ -145,11 +145,11 @@ pub fn anitescu_hop(subject: &dyn Scheme, incline: &Incline) -> Result<Vec<Findi
 
 /// Orders and constants of the three errors: constant·h up to a relative remainder.
 fn slide(subject: &dyn Scheme, incline: &Incline, gap: impl Fn(f64) -> f64, constants: [f64; 3]) -> Result<Vec<Finding>> {
-    let mut levels: [Vec<Level>; 3] = Default::default();
+    let mut levels: [Vec<Refinement>; 3] = Default::default();
     for steps in STEPS {
         let (recording, time_step) = incline.run(subject, gap(incline.duration / steps as f64), steps)?;
         for (levels, error) in levels.iter_mut().zip(incline.errors(&recording)?) {
-            levels.push(Level { time_step, error });
+            levels.push(Refinement { time_step, error });
         }
     }
     let mut findings = Vec::new();

@@ -2,7 +2,7 @@
 
 use super::Defect;
 use crate::finding::Finding;
-use crate::stewart_trinkle::{Assembly, System, chapter_example, decisions, identity, reduced, reference, solvability, wedge};
+use crate::stewart_trinkle::{Assembly, RationalStep, chapter_example, decisions, identity, reduced, reference, solvability, wedge};
 use moreau_contact::problem::{Lcp, stewart_trinkle};
 use moreau_exact::Result;
 use moreau_exact::scalar::{Rational, ratio};
@@ -55,27 +55,27 @@ fn family(assembly: Assembly) -> Result<Vec<Finding>> {
 }
 
 /// The last rows and columns of the reference, changed entry by entry.
-fn changed(system: &System, change: impl Fn(usize, usize, Rational) -> Rational) -> Result<Lcp<Rational>> {
+fn changed(system: &RationalStep, change: impl Fn(usize, usize, Rational) -> Rational) -> Result<Lcp<Rational>> {
     let lcp = reference(system)?;
     let first_sigma = system.sigma(0);
     let matrix = lcp.matrix.map_with_location(|i, j, x| if i >= first_sigma { change(i, j, x) } else { x });
     Ok(Lcp::new(matrix, lcp.vector))
 }
 
-fn cone_row_reversed(system: &System) -> Result<Lcp<Rational>> {
+fn cone_row_reversed(system: &RationalStep) -> Result<Lcp<Rational>> {
     changed(system, |_, _, x| -x)
 }
 
-fn symmetric_blocks(system: &System) -> Result<Lcp<Rational>> {
+fn symmetric_blocks(system: &RationalStep) -> Result<Lcp<Rational>> {
     let columns = reference(system)?.matrix.transpose();
     changed(system, |i, j, _| columns[(i, j)].clone())
 }
 
-fn friction_forgotten(system: &System) -> Result<Lcp<Rational>> {
+fn friction_forgotten(system: &RationalStep) -> Result<Lcp<Rational>> {
     changed(system, |_, j, x| if j < system.contacts() { ratio(0, 1) } else { x })
 }
 
-fn gap_times_step(system: &System) -> Result<Lcp<Rational>> {
+fn gap_times_step(system: &RationalStep) -> Result<Lcp<Rational>> {
     let mut wrong = system.clone();
     for gap in &mut wrong.gap {
         *gap = gap.clone() * &system.step * &system.step;

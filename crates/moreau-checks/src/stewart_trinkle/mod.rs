@@ -7,7 +7,7 @@
 //! system itself, in impulses and velocities, and from exact decisions on the matrix; theorem and proof stand in
 //! [`moreau_contact::certificate::existence`].
 
-mod system;
+mod rational_step;
 
 use crate::finding::Finding;
 use dashu_ratio::RBig;
@@ -16,46 +16,53 @@ use moreau_contact::certificate::definiteness::{positive_semidefinite, quadratic
 use moreau_contact::certificate::p_matrix::p_matrix;
 use moreau_contact::certificate::{Decision, existence, lcp as certificate};
 use moreau_contact::contact::delassus::delassus;
-use moreau_contact::problem::{Lcp, stewart_trinkle};
+use moreau_contact::problem::{Lcp, PlanarProblem};
 use moreau_contact::solvers::lemke::{LemkeOutcome, lemke};
 use moreau_exact::Result;
 use moreau_exact::scalar::{Rational, ratio};
 use nalgebra::{DMatrix, DVector};
 
-pub use system::{System, rational_directions};
+pub use rational_step::{RationalStep, rational_directions};
 
 /// The subject of this family: how the LCP of a system is written down.
-pub type Assembly = fn(&System) -> Result<Lcp<Rational>>;
+pub type Assembly = fn(&RationalStep) -> Result<Lcp<Rational>>;
 
 /// The crate's own assembly: W̃ = Gᵀ H M⁻¹ Hᵀ G, b = φ/h.
 ///
 /// # Errors
 /// If the system's mass is not positive.
-pub fn reference(system: &System) -> Result<Lcp<Rational>> {
-    let (reduced, velocity) = reduced(system)?;
-    Ok(stewart_trinkle::lcp(&reduced, &system.friction, &velocity))
+pub fn reference(system: &RationalStep) -> Result<Lcp<Rational>> {
+    Ok(problem(system)?.polyhedral(&system.friction, &system.directions)?.lcp)
+}
+
+/// W and the velocities u_free, with φ/h added to the normal ones.
+///
+/// # Errors
+/// If the system's mass is not positive.
+pub fn problem(system: &RationalStep) -> Result<PlanarProblem<Rational>> {
+    let delassus = delassus(&DMatrix::from_diagonal(&system.mass), &system.jacobian)?;
+    let mut velocity = &system.jacobian * &system.free_velocity;
+    for (i, gap) in system.gap.iter().enumerate() {
+        velocity[i * system.rows_per_contact] += gap / &system.step;
+    }
+    Ok(PlanarProblem::new(delassus, velocity))
 }
 
 /// W̃ and the velocities (nᵀv_free + φ/h, Dᵀv_free).
 ///
 /// # Errors
 /// If the system's mass is not positive.
-pub fn reduced(system: &System) -> Result<(DMatrix<Rational>, DVector<Rational>)> {
-    let generators = stewart_trinkle::generators(system.contacts(), system.rows_per_contact, &system.directions);
-    let delassus = delassus(&DMatrix::from_diagonal(&system.mass), &system.jacobian)?;
-    let transposed = generators.transpose();
-    let mut velocity = &transposed * (&system.jacobian * &system.free_velocity);
-    for (i, gap) in system.gap.iter().enumerate() {
-        velocity[i] += gap / &system.step;
-    }
-    Ok((&transposed * delassus * generators, velocity))
+pub fn reduced(system: &RationalStep) -> Result<(DMatrix<Rational>, DVector<Rational>)> {
+    let lcp = reference(system)?;
+    let impulses = lcp.size() - system.contacts();
+    Ok((lcp.matrix.view((0, 0), (impulses, impulses)).into_owned(), lcp.vector.rows(0, impulses).into_owned()))
 }
 
 /// The identity xᵀM x = pᵀM⁻¹p + Σμλσ at these x, and the two facts it implies at x = (0, 0, σ).
 ///
 /// # Errors
 /// If the assembly fails.
-pub fn identity(system: &System, assembly: Assembly, points: &[DVector<Rational>]) -> Result<Vec<Finding>> {
+pub fn identity(system: &RationalStep, assembly: Assembly, points: &[DVector<Rational>]) -> Result<Vec<Finding>> {
     let matrix = assembly(system)?.matrix;
     let mut findings: Vec<Finding> =
         points.iter().map(|x| Finding::exact("xᵀMx", &quadratic_form(&matrix, x), &system.expected_form(x), "J")).collect();
@@ -73,7 +80,7 @@ pub fn identity(system: &System, assembly: Assembly, points: &[DVector<Rational>
 ///
 /// # Errors
 /// If the assembly fails or the matrix is too large.
-pub fn decisions(system: &System, assembly: Assembly) -> Result<Vec<Finding>> {
+pub fn decisions(system: &RationalStep, assembly: Assembly) -> Result<Vec<Finding>> {
     let matrix = assembly(system)?.matrix;
     let frictionless = system.friction.iter().all(|mu| mu.is_zero());
     let plus = copositive_plus(&matrix)?;
@@ -99,7 +106,7 @@ pub fn decisions(system: &System, assembly: Assembly) -> Result<Vec<Finding>> {
 ///
 /// # Errors
 /// If the assembly fails.
-pub fn solvability(system: &System, assembly: Assembly) -> Result<Vec<Finding>> {
+pub fn solvability(system: &RationalStep, assembly: Assembly) -> Result<Vec<Finding>> {
     let lcp = assembly(system)?;
     let mut findings = Vec::new();
     let outcome = lemke(&lcp, &DVector::from_element(lcp.size(), RBig::ONE))?;
@@ -120,7 +127,7 @@ pub fn solvability(system: &System, assembly: Assembly) -> Result<Vec<Finding>> 
 ///
 /// # Errors
 /// If the system's mass is not positive.
-pub fn theorem_applies(system: &System) -> Result<bool> {
+pub fn theorem_applies(system: &RationalStep) -> Result<bool> {
     let open = system.gap.iter().all(|gap| *gap >= RBig::ZERO);
     Ok(open || existence::pointed(&reduced(system)?.0, &system.friction).holds())
 }
@@ -130,8 +137,8 @@ fn unit(size: usize, index: usize) -> DVector<Rational> {
 }
 
 /// The chapter's point contact (M = 1, d = ±x, μ = 1/2) at the gap φ, with h = 1/10.
-pub fn chapter_example(gap: Rational, free_velocity: [Rational; 2]) -> System {
-    System {
+pub fn chapter_example(gap: Rational, free_velocity: [Rational; 2]) -> RationalStep {
+    RationalStep {
         mass: DVector::from_element(2, RBig::ONE),
         jacobian: DMatrix::from_row_slice(2, 2, &[0, 1, 1, 0].map(|x| ratio(x, 1))),
         rows_per_contact: 2,
@@ -144,9 +151,9 @@ pub fn chapter_example(gap: Rational, free_velocity: [Rational; 2]) -> System {
 }
 
 /// A point in a wedge of two walls with normals (±4/5, 3/5), friction μ and gaps φ = −h on both sides.
-pub fn wedge(friction: Rational) -> System {
+pub fn wedge(friction: Rational) -> RationalStep {
     let rows = [[4, 3], [3, -4], [-4, 3], [3, 4]].map(|row| row.map(|x| ratio(x, 5)));
-    System {
+    RationalStep {
         mass: DVector::from_element(2, RBig::ONE),
         jacobian: DMatrix::from_row_slice(4, 2, rows.as_flattened()),
         rows_per_contact: 2,

@@ -7,6 +7,7 @@ mod contact_problem;
 mod json;
 mod law;
 mod lcp;
+mod planar_problem;
 mod solution;
 pub mod stewart_trinkle;
 
@@ -15,4 +16,5 @@ pub use contact_problem::{Compliance, ContactProblem, ContactProblemBuilder, Coo
 pub use json::{ProblemFile, SolutionFile};
 pub use law::Law;
 pub use lcp::Lcp;
+pub use planar_problem::{ImpulseLcp, PlanarProblem, Response};
 pub use solution::Solution;

@@ -8,7 +8,7 @@
 //! With k contacts and d directions each: λ (k normal impulses), β (k·d, contact by contact), σ (k slip speeds).
 //! G maps (λ, β) to the contact impulses, r_n = λ and r_t = Σ Dⱼβⱼ; E couples the d directions of a contact to its σ.
 
-use super::{Compliance, ContactProblem, Coordinates, Law, Lcp};
+use super::{Compliance, ContactProblem, Coordinates, Law, Lcp, PlanarProblem};
 use crate::cones::polyhedral;
 use moreau_exact::scalar::Scalar;
 use moreau_exact::{Error, Result};
@@ -67,6 +67,10 @@ pub fn lcp<T: Scalar>(reduced: &DMatrix<T>, friction: &[T], velocity: &DVector<T
     Lcp::new(matrix, vector)
 }
 
+fn directions_of(count: usize) -> Vec<[f64; 2]> {
+    (0..count).map(|j| polyhedral::direction(j, count)).collect()
+}
+
 impl ContactProblem {
     /// The number of directions with which this problem is a Stewart–Trinkle LCP exactly: its own for the polyhedral
     /// law, 2 for Coulomb's law in the plane, where ±tangent₁ spans the whole cone.
@@ -80,8 +84,7 @@ impl ContactProblem {
 
     /// G of this problem for d directions at angles 2πj/d.
     pub fn stewart_trinkle_generators(&self, directions: usize) -> DMatrix<f64> {
-        let list: Vec<_> = (0..directions).map(|j| polyhedral::direction(j, directions)).collect();
-        generators(self.contacts(), self.rows_per_contact(), &list)
+        generators(self.contacts(), self.rows_per_contact(), &directions_of(directions))
     }
 
     /// The LCP in (λ, β, σ), compliance in contact coordinates included in W̃.
@@ -95,10 +98,8 @@ impl ContactProblem {
         if self.contacts() == 0 {
             return Ok(Lcp::new(DMatrix::zeros(0, 0), DVector::zeros(0)));
         }
-        let generators = self.stewart_trinkle_generators(directions);
-        let reduced = generators.tr_mul(&(self.law_delassus() * &generators));
-        let velocity = generators.tr_mul(&(self.free_velocity() + self.shift()));
-        Ok(lcp(&reduced, self.friction(), &velocity))
+        let problem = PlanarProblem::new(self.law_delassus(), self.free_velocity() + self.shift());
+        Ok(problem.polyhedral(self.friction(), &directions_of(directions))?.lcp)
     }
 
     /// W + R, with which y = (W + R) r + u_free + shift; R only where it acts on contact components.

@@ -7,7 +7,7 @@
 //! noise. There the tableau B⁻¹(I, −M, −d, q) is computed afresh from the data after every pivot, and entries below its
 //! error are zero. The problem should be scaled so that M and q have entries of order one.
 
-use crate::problem::Lcp;
+use crate::problem::{ImpulseLcp, Lcp};
 use crate::tolerance::solvers::{cancellation, lemke_pivot_limit, smallest_pivot, tableau_zero};
 use moreau_exact::scalar::Scalar;
 use moreau_exact::{Error, Result, elimination};
@@ -80,6 +80,27 @@ pub fn lemke<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>) -> Result<LemkeOutc
         }
     }
     Err(Error::limit("lemke", "rounding makes the pivots cycle; scale the problem or use exact rationals"))
+}
+
+/// The solution that Lemke's method reaches with the covering vector of ones.
+///
+/// # Errors
+/// As [`lemke`]; [`Error::Solver`] if the path ends on a ray.
+pub fn solution<T: Scalar>(lcp: &Lcp<T>) -> Result<DVector<T>> {
+    match lemke(lcp, &DVector::from_element(lcp.size(), T::one()))? {
+        LemkeOutcome::Solution { z, .. } => Ok(z),
+        LemkeOutcome::Ray { .. } => Err(Error::ray("lemke", "ended on a ray")),
+    }
+}
+
+impl<T: Scalar> ImpulseLcp<T> {
+    /// r of the solution that Lemke's method reaches.
+    ///
+    /// # Errors
+    /// As [`solution`].
+    pub fn solve(&self) -> Result<DVector<T>> {
+        Ok(self.impulse(&solution(&self.lcp)?))
+    }
 }
 
 fn check<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>) -> Result<()> {

@@ -18,7 +18,7 @@ pub use step::Method;
 
 /// Displacements \[m\], velocities \[m/s\], accelerations \[m/s²\] and the contact force \[N\].
 #[derive(Clone, Debug, PartialEq)]
-pub struct State {
+pub struct BarState {
     /// u.
     pub displacement: DVector<f64>,
     /// v.
@@ -68,21 +68,21 @@ impl FiniteElementBar {
     }
 
     /// The bar as it touches the wall, moving at −V.
-    pub fn arriving(&self) -> State {
+    pub fn arriving(&self) -> BarState {
         let nodes = self.mass.len();
         let still = || DVector::zeros(nodes);
-        State { displacement: still(), velocity: DVector::from_element(nodes, -self.speed), acceleration: still(), force: 0.0 }
+        BarState { displacement: still(), velocity: DVector::from_element(nodes, -self.speed), acceleration: still(), force: 0.0 }
     }
 
     /// ½ vᵀMv + ½ uᵀKu + ½ λ²/k \[J\].
-    pub fn energy(&self, state: &State) -> f64 {
+    pub fn energy(&self, state: &BarState) -> f64 {
         let kinetic = state.velocity.component_mul(&self.mass).dot(&state.velocity);
         let elastic = state.displacement.dot(&(&self.stiffness * &state.displacement));
         0.5 * (kinetic + elastic + self.compliance * state.force * state.force)
     }
 
     /// Σ m v \[N·s\].
-    pub fn momentum(&self, state: &State) -> f64 {
+    pub fn momentum(&self, state: &BarState) -> f64 {
         self.mass.dot(&state.velocity)
     }
 }

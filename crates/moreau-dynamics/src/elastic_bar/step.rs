@@ -10,7 +10,7 @@
 //! ```
 //! The identities follow from vᵀM and uᵀK times the mean of a step; they hold whatever the mesh.
 
-use super::{FiniteElementBar, State};
+use super::{BarState, FiniteElementBar};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
@@ -30,7 +30,7 @@ impl FiniteElementBar {
     ///
     /// # Errors
     /// If h is not positive, or the midpoint rules are asked for the redistributed mass, for whose massless end they are not written.
-    pub fn run(&self, method: Method, h: f64, steps: usize, mut observe: impl FnMut(&State)) -> Result<State> {
+    pub fn run(&self, method: Method, h: f64, steps: usize, mut observe: impl FnMut(&BarState)) -> Result<BarState> {
         if method != Method::AverageAcceleration && self.compliance > 0.0 {
             return Err(Error::Unsupported("the redistributed mass is integrated by average acceleration".into()));
         }
@@ -41,7 +41,7 @@ impl FiniteElementBar {
         let answer = factor.solve(&unit);
         let mut state = self.arriving();
         for _ in 0..steps {
-            let State { displacement: u, velocity: v, acceleration: a, .. } = &state;
+            let BarState { displacement: u, velocity: v, acceleration: a, .. } = &state;
             state = if method == Method::AverageAcceleration {
                 let reach = u + v * h + a * (0.25 * h * h);
                 let free = -factor.solve(&(&self.stiffness * &reach));
@@ -49,7 +49,7 @@ impl FiniteElementBar {
                 let force = (-gap / (0.25 * h * h * answer[0] + self.compliance)).max(0.0);
                 let acceleration = free + &answer * force;
                 let velocity = v + (a + &acceleration) * (0.5 * h);
-                State { displacement: reach + &acceleration * (0.25 * h * h), velocity, acceleration, force }
+                BarState { displacement: reach + &acceleration * (0.25 * h * h), velocity, acceleration, force }
             } else {
                 let free = -factor.solve(&(&self.stiffness * (u + v * (0.5 * h))));
                 let moved = h * v[0] + 0.5 * h * h * free[0];
@@ -57,7 +57,7 @@ impl FiniteElementBar {
                 let gap = if method == Method::Midpoint { u[0] + moved } else { moved };
                 let force = if held { (-gap / (0.5 * h * h * answer[0])).max(0.0) } else { 0.0 };
                 let acceleration = free + &answer * force;
-                State { displacement: u + v * h + &acceleration * (0.5 * h * h), velocity: v + &acceleration * h, acceleration, force }
+                BarState { displacement: u + v * h + &acceleration * (0.5 * h * h), velocity: v + &acceleration * h, acceleration, force }
             };
             observe(&state);
         }

@@ -52,7 +52,7 @@ impl Default for EventDriven {
 
 /// A motion over some time.
 #[derive(Clone, Debug)]
-pub struct Motion {
+pub struct Passage {
     /// Where it ends.
     pub state: State,
     /// The impulses of each contact that carried one, forces and impacts together.
@@ -80,7 +80,7 @@ impl EventDriven {
     /// # Errors
     /// [`Error::Unsupported`] for a mechanism in space or with curved coordinates; [`Error::Solver`] where no contact forces exist or the
     /// events do not end; those of `solver`.
-    pub fn advance(&self, solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, duration: f64) -> Result<Motion> {
+    pub fn advance(&self, solver: &dyn ContactSolver, mechanism: &dyn Mechanism, state: &State, duration: f64) -> Result<Passage> {
         self.check(mechanism, state, duration)?;
         afford(mechanism, &state.position, f64::INFINITY)?;
         let (mut position, mut velocity) = (state.position.clone(), state.velocity.clone());
@@ -109,7 +109,7 @@ impl EventDriven {
             let Some(event) = arrival.event.filter(|_| left > 0.0) else {
                 project(mechanism, &phase.closed, &mut position, &mut velocity)?;
                 let state = State { time: state.time + duration, position, velocity };
-                return Ok(Motion { state, impulses: tally.impulses(), events, impacts });
+                return Ok(Passage { state, impulses: tally.impulses(), events, impacts });
             };
             stalled = if struck || arrival.elapsed > LOOK_AHEAD * duration { 0 } else { stalled + 1 };
             if stalled > stalled_events(mechanism.rows_per_contact() * contacts.len()) {

@@ -13,7 +13,7 @@ fn at(position: f64, velocity: f64) -> State {
     State { time: 0.0, position: dvector![position], velocity: dvector![velocity] }
 }
 
-fn go(mechanism: &dyn Mechanism, start: &State, duration: f64) -> Motion {
+fn go(mechanism: &dyn Mechanism, start: &State, duration: f64) -> Passage {
     EventDriven::default().advance(&Auto, mechanism, start, duration).expect("in scope")
 }
 

@@ -7,7 +7,8 @@
 //! The projection on a convex cone and a ball around its apex is that on the cone followed by that on the ball. W⁻¹ is the metric of
 //! the kinetic energy in the space of the contact velocities, so momentum is kept: P = W⁻¹(U⁺ − U⁻). Nothing makes P ≥ 0.
 
-use super::{Impact, Outcome};
+use super::impact::unilateral;
+use moreau_contact::problem::{PlanarProblem, Response};
 use moreau_exact::scalar::Scalar;
 use moreau_exact::{Error, Result, elimination};
 use nalgebra::DVector;
@@ -25,11 +26,11 @@ pub struct Projection<T: Scalar> {
 ///
 /// # Errors
 /// [`Error::Unsupported`] if W is singular; [`Error::Solver`] if the complementarity problem is not solved.
-pub fn project<T: Scalar>(impact: &Impact<T>, candidate: &DVector<T>) -> Result<Projection<T>> {
+pub fn project<T: Scalar>(impact: &PlanarProblem<T>, candidate: &DVector<T>) -> Result<Projection<T>> {
     let zero = DVector::from_element(candidate.len(), T::zero());
-    let landing = Impact::new(impact.delassus.clone(), candidate.clone());
-    let direction = landing.outcome(landing.unilateral(&zero)?).after;
-    let (allowed, present) = (energy(impact, &impact.before)?, energy(impact, &direction)?);
+    let landing = PlanarProblem::new(impact.delassus.clone(), candidate.clone());
+    let direction = landing.response(unilateral(&landing, &zero)?).after;
+    let (allowed, present) = (energy(impact, &impact.velocity)?, energy(impact, &direction)?);
     let factor_squared = if present > allowed { allowed / present } else { T::one() };
     Ok(Projection { direction, factor_squared })
 }
@@ -39,9 +40,9 @@ impl Projection<f64> {
     ///
     /// # Errors
     /// [`Error::Unsupported`] if W is singular.
-    pub fn outcome(&self, impact: &Impact<f64>) -> Result<Outcome<f64>> {
+    pub fn outcome(&self, impact: &PlanarProblem<f64>) -> Result<Response<f64>> {
         let after = &self.direction * self.factor_squared.sqrt();
-        Ok(Outcome { impulse: impulse_of(impact, &(&after - &impact.before))?, after })
+        Ok(Response { impulse: impulse_of(impact, &(&after - &impact.velocity))?, after })
     }
 }
 
@@ -49,12 +50,12 @@ impl Projection<f64> {
 ///
 /// # Errors
 /// [`Error::Unsupported`] if W is singular.
-pub fn energy<T: Scalar>(impact: &Impact<T>, velocity: &DVector<T>) -> Result<T> {
+pub fn energy<T: Scalar>(impact: &PlanarProblem<T>, velocity: &DVector<T>) -> Result<T> {
     Ok(velocity.dot(&impulse_of(impact, velocity)?))
 }
 
 /// W⁻¹ ΔU.
-fn impulse_of<T: Scalar>(impact: &Impact<T>, change: &DVector<T>) -> Result<DVector<T>> {
+fn impulse_of<T: Scalar>(impact: &PlanarProblem<T>, change: &DVector<T>) -> Result<DVector<T>> {
     let singular = || Error::Unsupported("the projection measures velocities by W⁻¹, which needs a nonsingular W".into());
     elimination::solve(&impact.delassus, change).ok_or_else(singular)
 }

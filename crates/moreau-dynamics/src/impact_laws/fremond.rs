@@ -7,7 +7,7 @@
 //! The work of an impulse is P times the mean velocity, so friction on the mean never feeds energy in, at any number of contacts.
 
 use super::moreau::two_coefficients;
-use super::{Impact, Outcome};
+use moreau_contact::problem::{PlanarProblem, Response};
 use moreau_exact::Result;
 use moreau_exact::scalar::Scalar;
 
@@ -19,6 +19,6 @@ use moreau_exact::scalar::Scalar;
 /// # Source
 /// Frémond, *Non-Smooth Thermomechanics* (2002), percussions that derive from a function of the mean velocity; in the form of
 /// Siconos' `FremondImpactFrictionNSL` at θ = ½.
-pub fn planar<T: Scalar>(impact: &Impact<T>, friction: &[T], restitution: &T) -> Result<Outcome<T>> {
+pub fn planar<T: Scalar>(impact: &PlanarProblem<T>, friction: &[T], restitution: &T) -> Result<Response<T>> {
     two_coefficients(impact, friction, restitution, &T::one())
 }

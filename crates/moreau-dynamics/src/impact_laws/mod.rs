@@ -3,6 +3,9 @@
 //! ```text
 //!     U⁺ = U⁻ + W P ,     ΔT = ½ Pᵀ(U⁺ + U⁻) ,     W = H M⁻¹ Hᵀ
 //! ```
+//! An impact is a [`PlanarProblem`](moreau_contact::problem::PlanarProblem) whose velocities are U⁻; what comes of it is a
+//! [`Response`](moreau_contact::problem::Response).
+//!
 //! | law | what it prescribes |
 //! |---|---|
 //! | [`newton`] | U_n⁺ = −e U_n⁻, in three readings: all contacts together, each as if alone, along Routh's path |
@@ -24,8 +27,6 @@ pub mod poisson;
 pub mod routh;
 pub mod sequential;
 pub mod stronge;
-
-pub use impact::{Impact, Outcome};
 
 #[cfg(test)]
 mod tests;

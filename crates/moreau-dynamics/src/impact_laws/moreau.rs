@@ -7,8 +7,8 @@
 //! ```
 //! PᵀŪ ≤ 0 under Coulomb's law on Ū, so the full vector never gains energy; normal-only may.
 
-use super::impact::check_restitution;
-use super::{Impact, Outcome};
+use super::impact::{check_restitution, coulomb, unilateral};
+use moreau_contact::problem::{PlanarProblem, Response};
 use moreau_exact::Result;
 use moreau_exact::scalar::Scalar;
 use nalgebra::DVector;
@@ -17,17 +17,17 @@ use nalgebra::DVector;
 ///
 /// # Errors
 /// [`moreau_exact::Error::Invalid`] for e outside \[0, 1\]; [`moreau_exact::Error::Solver`] if the complementarity problem is not solved.
-pub fn frictionless<T: Scalar>(impact: &Impact<T>, restitution: &[T]) -> Result<Outcome<T>> {
-    check_restitution(restitution, impact.before.len())?;
-    let shift = impact.before.map_with_location(|i, _, u| u * restitution[i].clone());
-    Ok(impact.outcome(impact.unilateral(&shift)?))
+pub fn frictionless<T: Scalar>(impact: &PlanarProblem<T>, restitution: &[T]) -> Result<Response<T>> {
+    check_restitution(restitution, impact.velocity.len())?;
+    let shift = impact.velocity.map_with_location(|i, _, u| u * restitution[i].clone());
+    Ok(impact.response(unilateral(impact, &shift)?))
 }
 
 /// Planar Coulomb friction with e on the normal components, as time-stepping codes have it.
 ///
 /// # Errors
 /// As [`frictionless`], and if there are not two rows per contact.
-pub fn normal_only<T: Scalar>(impact: &Impact<T>, friction: &[T], restitution: &T) -> Result<Outcome<T>> {
+pub fn normal_only<T: Scalar>(impact: &PlanarProblem<T>, friction: &[T], restitution: &T) -> Result<Response<T>> {
     two_coefficients(impact, friction, restitution, &T::zero())
 }
 
@@ -35,7 +35,7 @@ pub fn normal_only<T: Scalar>(impact: &Impact<T>, friction: &[T], restitution: &
 ///
 /// # Errors
 /// As [`normal_only`].
-pub fn full_vector<T: Scalar>(impact: &Impact<T>, friction: &[T], restitution: &T) -> Result<Outcome<T>> {
+pub fn full_vector<T: Scalar>(impact: &PlanarProblem<T>, friction: &[T], restitution: &T) -> Result<Response<T>> {
     two_coefficients(impact, friction, restitution, restitution)
 }
 
@@ -43,9 +43,9 @@ pub fn full_vector<T: Scalar>(impact: &Impact<T>, friction: &[T], restitution: &
 ///
 /// # Errors
 /// As [`normal_only`].
-pub fn two_coefficients<T: Scalar>(impact: &Impact<T>, friction: &[T], normal: &T, tangential: &T) -> Result<Outcome<T>> {
+pub fn two_coefficients<T: Scalar>(impact: &PlanarProblem<T>, friction: &[T], normal: &T, tangential: &T) -> Result<Response<T>> {
     check_restitution(&[normal.clone(), tangential.clone()], 2)?;
-    let shift: DVector<T> = impact.before.map_with_location(|i, _, u| u * if i % 2 == 0 { normal.clone() } else { tangential.clone() });
-    let mixed = Impact::new(impact.delassus.clone(), &impact.before + shift);
-    Ok(impact.outcome(mixed.coulomb(friction, &DVector::from_element(friction.len(), T::zero()))?))
+    let shift: DVector<T> = impact.velocity.map_with_location(|i, _, u| u * if i % 2 == 0 { normal.clone() } else { tangential.clone() });
+    let mixed = impact.shifted(&shift);
+    Ok(impact.response(coulomb(&mixed, friction, &DVector::from_element(friction.len(), T::zero()))?))
 }

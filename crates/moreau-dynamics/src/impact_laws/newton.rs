@@ -8,7 +8,7 @@
 
 use super::impact::check_restitution;
 use super::routh::Path;
-use super::{Impact, Outcome};
+use moreau_contact::problem::{PlanarProblem, Response};
 use moreau_exact::scalar::Scalar;
 use moreau_exact::{Error, Result, elimination};
 use nalgebra::DVector;
@@ -18,33 +18,33 @@ use nalgebra::DVector;
 /// # Errors
 /// [`Error::Invalid`] for e outside \[0, 1\]; [`Error::Unsupported`] if W is singular: then the ratios contradict each other or
 /// leave the impulses open.
-pub fn together<T: Scalar>(impact: &Impact<T>, restitution: &[T]) -> Result<Outcome<T>> {
-    check_restitution(restitution, impact.before.len())?;
-    let change = DVector::from_fn(impact.before.len(), |i, _| -(T::one() + restitution[i].clone()) * impact.before[i].clone());
+pub fn together<T: Scalar>(impact: &PlanarProblem<T>, restitution: &[T]) -> Result<Response<T>> {
+    check_restitution(restitution, impact.velocity.len())?;
+    let change = DVector::from_fn(impact.velocity.len(), |i, _| -(T::one() + restitution[i].clone()) * impact.velocity[i].clone());
     let singular = || Error::Unsupported("Newton's law prescribes every velocity, which needs a nonsingular W".into());
-    elimination::solve(&impact.delassus, &change).map(|impulse| impact.outcome(impulse)).ok_or_else(singular)
+    elimination::solve(&impact.delassus, &change).map(|impulse| impact.response(impulse)).ok_or_else(singular)
 }
 
 /// P_i = −(1 + e_i) U_i⁻/W_ii at every approaching contact, computed as if it were alone, all applied at once.
 ///
 /// # Errors
 /// [`Error::Invalid`] for e outside \[0, 1\].
-pub fn uncoupled<T: Scalar>(impact: &Impact<T>, restitution: &[T]) -> Result<Outcome<T>> {
-    check_restitution(restitution, impact.before.len())?;
-    let impulse = DVector::from_fn(impact.before.len(), |i, _| {
-        let approach = impact.before[i].clone();
+pub fn uncoupled<T: Scalar>(impact: &PlanarProblem<T>, restitution: &[T]) -> Result<Response<T>> {
+    check_restitution(restitution, impact.velocity.len())?;
+    let impulse = DVector::from_fn(impact.velocity.len(), |i, _| {
+        let approach = impact.velocity[i].clone();
         let alone = -(T::one() + restitution[i].clone()) * approach.clone() / impact.delassus[(i, i)].clone();
         if approach < T::zero() { alone } else { T::zero() }
     });
-    Ok(impact.outcome(impulse))
+    Ok(impact.response(impulse))
 }
 
 /// One planar contact with Coulomb friction: the impulse grows along Routh's path until U_n = −e U_n⁻.
 ///
 /// # Errors
 /// [`Error::Invalid`] for e outside \[0, 1\].
-pub fn along<T: Scalar>(path: &Path<T>, restitution: &T) -> Result<Outcome<T>> {
+pub fn along<T: Scalar>(path: &Path<T>, restitution: &T) -> Result<Response<T>> {
     check_restitution(std::slice::from_ref(restitution), 1)?;
-    let target = -restitution.clone() * path.impact().before[0].clone();
+    let target = -restitution.clone() * path.impact().velocity[0].clone();
     Ok(path.outcome(&path.reaching(&target)))
 }

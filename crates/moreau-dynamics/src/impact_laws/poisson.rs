@@ -7,9 +7,9 @@
 //! ```
 //! Without friction P_c + P_r minimises the kinetic energy ½PᵀWP + PᵀU⁻ among P ≥ (1 + E)P_c; see [`two_problems`].
 
-use super::impact::check_restitution;
+use super::impact::{check_restitution, coulomb, unilateral};
 use super::routh::Path;
-use super::{Impact, Outcome};
+use moreau_contact::problem::{PlanarProblem, Response};
 use moreau_exact::Result;
 use moreau_exact::scalar::Scalar;
 use nalgebra::DVector;
@@ -18,9 +18,9 @@ use nalgebra::DVector;
 #[derive(Clone, Debug, PartialEq)]
 pub struct TwoPhases<T: Scalar> {
     /// P_c and U_c.
-    pub compression: Outcome<T>,
+    pub compression: Response<T>,
     /// P_c + P_r and U⁺.
-    pub end: Outcome<T>,
+    pub end: Response<T>,
 }
 
 /// Two frictionless complementarity problems, any number of contacts and coefficients.
@@ -34,15 +34,15 @@ pub struct TwoPhases<T: Scalar> {
 ///
 /// # Source
 /// Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts* (1996).
-pub fn two_problems<T: Scalar>(impact: &Impact<T>, restitution: &[T]) -> Result<TwoPhases<T>> {
-    let contacts = impact.before.len();
+pub fn two_problems<T: Scalar>(impact: &PlanarProblem<T>, restitution: &[T]) -> Result<TwoPhases<T>> {
+    let contacts = impact.velocity.len();
     check_restitution(restitution, contacts)?;
     let zero = DVector::from_element(contacts, T::zero());
-    let compression = impact.outcome(impact.unilateral(&zero)?);
+    let compression = impact.response(unilateral(impact, &zero)?);
     let least = compression.impulse.map_with_location(|i, _, p| p * restitution[i].clone());
-    let released = Impact::new(impact.delassus.clone(), &compression.after + &impact.delassus * &least);
-    let surplus = released.unilateral(&zero)?;
-    let end = impact.outcome(&compression.impulse + least + surplus);
+    let released = PlanarProblem::new(impact.delassus.clone(), &compression.after + &impact.delassus * &least);
+    let surplus = unilateral(&released, &zero)?;
+    let end = impact.response(&compression.impulse + least + surplus);
     Ok(TwoPhases { compression, end })
 }
 
@@ -53,13 +53,13 @@ pub fn two_problems<T: Scalar>(impact: &Impact<T>, restitution: &[T]) -> Result<
 ///
 /// # Errors
 /// As [`two_problems`], and if there are not two rows per contact.
-pub fn two_frictional_problems<T: Scalar>(impact: &Impact<T>, friction: &[T], restitution: &[T]) -> Result<TwoPhases<T>> {
+pub fn two_frictional_problems<T: Scalar>(impact: &PlanarProblem<T>, friction: &[T], restitution: &[T]) -> Result<TwoPhases<T>> {
     check_restitution(restitution, friction.len())?;
     let none = DVector::from_element(friction.len(), T::zero());
-    let compression = impact.outcome(impact.coulomb(friction, &none)?);
+    let compression = impact.response(coulomb(impact, friction, &none)?);
     let least = DVector::from_fn(friction.len(), |k, _| restitution[k].clone() * compression.impulse[2 * k].clone());
-    let released = Impact::new(impact.delassus.clone(), compression.after.clone());
-    let end = impact.outcome(&compression.impulse + released.coulomb(friction, &least)?);
+    let released = PlanarProblem::new(impact.delassus.clone(), compression.after.clone());
+    let end = impact.response(&compression.impulse + coulomb(&released, friction, &least)?);
     Ok(TwoPhases { compression, end })
 }
 
@@ -67,7 +67,7 @@ pub fn two_frictional_problems<T: Scalar>(impact: &Impact<T>, friction: &[T], re
 ///
 /// # Errors
 /// [`moreau_exact::Error::Invalid`] for e outside \[0, 1\].
-pub fn along<T: Scalar>(path: &Path<T>, restitution: &T) -> Result<Outcome<T>> {
+pub fn along<T: Scalar>(path: &Path<T>, restitution: &T) -> Result<Response<T>> {
     check_restitution(std::slice::from_ref(restitution), 1)?;
     Ok(path.outcome(&((T::one() + restitution.clone()) * path.compression_end())))
 }

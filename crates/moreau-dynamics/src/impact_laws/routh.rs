@@ -9,7 +9,7 @@
 //! U_n ends up rising on every path: a slip that never stops has μ W_tt ≤ s W_nt, hence dU_n/dp = W_nn − μ s W_nt ≥ det W/W_tt > 0, and
 //! after a stop the slope is det W/W_tt or, with μ < |W_nt|/W_tt, W_nn − μ |W_nt| which is more. So compression always ends.
 
-use super::{Impact, Outcome};
+use moreau_contact::problem::{PlanarProblem, Response};
 use moreau_exact::scalar::Scalar;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -27,7 +27,7 @@ pub struct Slopes<T: Scalar> {
 
 /// A state on the path.
 #[derive(Clone, Debug, PartialEq)]
-pub struct State<T: Scalar> {
+pub struct PathState<T: Scalar> {
     /// p, the normal impulse so far \[N·s\].
     pub impulse: T,
     /// q, the friction impulse so far \[N·s\].
@@ -42,7 +42,7 @@ pub struct State<T: Scalar> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Piece<T: Scalar> {
     /// Its first state.
-    pub start: State<T>,
+    pub start: PathState<T>,
     /// Slopes on it.
     pub slopes: Slopes<T>,
     /// p at its end; none for the last piece.
@@ -52,14 +52,14 @@ pub struct Piece<T: Scalar> {
 /// The path of one impact.
 #[derive(Clone, Debug)]
 pub struct Path<T: Scalar> {
-    impact: Impact<T>,
+    impact: PlanarProblem<T>,
     pieces: Vec<Piece<T>>,
 }
 
-impl<T: Scalar> State<T> {
+impl<T: Scalar> PathState<T> {
     fn advanced(&self, slopes: &Slopes<T>, dp: &T) -> Self {
         let grown = |value: &T, slope: &T| value.clone() + slope.clone() * dp.clone();
-        State {
+        PathState {
             impulse: self.impulse.clone() + dp.clone(),
             friction_impulse: grown(&self.friction_impulse, &slopes.friction),
             normal: grown(&self.normal, &slopes.normal),
@@ -76,27 +76,27 @@ impl<T: Scalar> Path<T> {
     ///
     /// # Source
     /// Routh, *Dynamics of a System of Rigid Bodies* (1905); Wang and Mason, J. Appl. Mech. 59 (1992).
-    pub fn new(impact: Impact<T>, friction: &T) -> Result<Self> {
+    pub fn new(impact: PlanarProblem<T>, friction: &T) -> Result<Self> {
         check(&impact, friction)?;
         let zero = T::zero();
-        let start = State {
+        let start = PathState {
             impulse: zero.clone(),
             friction_impulse: zero.clone(),
-            normal: impact.before[0].clone(),
-            tangential: impact.before[1].clone(),
+            normal: impact.velocity[0].clone(),
+            tangential: impact.velocity[1].clone(),
         };
         let slopes = slopes(&impact, friction, &start.tangential);
         let stop = stop(&start.tangential, &slopes.tangential);
         let mut pieces = vec![Piece { start, slopes, end: stop.clone() }];
         if let Some(stop) = stop {
-            let rest = State { tangential: zero.clone(), ..pieces[0].start.advanced(&pieces[0].slopes, &stop) };
+            let rest = PathState { tangential: zero.clone(), ..pieces[0].start.advanced(&pieces[0].slopes, &stop) };
             pieces.push(Piece { start: rest, slopes: self::slopes(&impact, friction, &zero), end: None });
         }
         Ok(Path { impact, pieces })
     }
 
     /// W and U⁻.
-    pub fn impact(&self) -> &Impact<T> {
+    pub fn impact(&self) -> &PlanarProblem<T> {
         &self.impact
     }
 
@@ -111,15 +111,15 @@ impl<T: Scalar> Path<T> {
     }
 
     /// The state at the impulse p ≥ 0.
-    pub fn state(&self, impulse: &T) -> State<T> {
+    pub fn state(&self, impulse: &T) -> PathState<T> {
         let piece = self.piece_after(impulse);
         piece.start.advanced(&piece.slopes, &(impulse.clone() - piece.start.impulse.clone()))
     }
 
     /// P = (p, q(p)) and U⁺.
-    pub fn outcome(&self, impulse: &T) -> Outcome<T> {
+    pub fn outcome(&self, impulse: &T) -> Response<T> {
         let state = self.state(impulse);
-        self.impact.outcome(DVector::from_vec(vec![state.impulse, state.friction_impulse]))
+        self.impact.response(DVector::from_vec(vec![state.impulse, state.friction_impulse]))
     }
 
     /// The least p with U_n(p) = target ≥ 0, on a rising piece.
@@ -149,7 +149,7 @@ impl<T: Scalar> Path<T> {
     }
 
     /// The integral over p of what is linear on every piece.
-    fn integral(&self, from: &T, to: &T, rate: impl Fn(&State<T>, &Slopes<T>) -> T) -> T {
+    fn integral(&self, from: &T, to: &T, rate: impl Fn(&PathState<T>, &Slopes<T>) -> T) -> T {
         let mut sum = T::zero();
         for piece in &self.pieces {
             let left = if *from > piece.start.impulse { from.clone() } else { piece.start.impulse.clone() };
@@ -164,23 +164,23 @@ impl<T: Scalar> Path<T> {
     }
 }
 
-fn check<T: Scalar>(impact: &Impact<T>, friction: &T) -> Result<()> {
+fn check<T: Scalar>(impact: &PlanarProblem<T>, friction: &T) -> Result<()> {
     let w = &impact.delassus;
-    if impact.before.len() != 2 || *friction < T::zero() {
+    if impact.velocity.len() != 2 || *friction < T::zero() {
         return Err(Error::invalid("impact", "is not one planar contact with μ ≥ 0", "give rows (normal, tangent)"));
     }
     let determinant = w[(0, 0)].clone() * w[(1, 1)].clone() - w[(0, 1)].clone() * w[(1, 0)].clone();
     if !(determinant > T::zero() && w[(1, 1)] > T::zero()) {
         return Err(Error::invalid("delassus", "is not positive definite", "a rigid body that is free to move has a positive definite W"));
     }
-    if impact.before[0] >= T::zero() {
+    if impact.velocity[0] >= T::zero() {
         return Err(Error::invalid("before", "does not approach", "an impact needs U_n < 0"));
     }
     Ok(())
 }
 
 /// Slopes of slip in the sense of U_t; at U_t = 0 of stick, or of slip in the sense of W_nt.
-fn slopes<T: Scalar>(impact: &Impact<T>, friction: &T, tangential: &T) -> Slopes<T> {
+fn slopes<T: Scalar>(impact: &PlanarProblem<T>, friction: &T, tangential: &T) -> Slopes<T> {
     let (coupling, mobility) = (impact.delassus[(0, 1)].clone(), impact.delassus[(1, 1)].clone());
     let sign = |x: &T| if *x > T::zero() { T::one() } else { -T::one() };
     let sticks = tangential.is_zero() && coupling.magnitude() <= friction.clone() * mobility.clone();

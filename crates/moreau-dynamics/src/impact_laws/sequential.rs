@@ -5,8 +5,8 @@
 //! ```
 
 use super::impact::check_restitution;
-use super::{Impact, Outcome};
 use crate::tolerance::impact_laws::SEQUENCE_LIMIT;
+use moreau_contact::problem::{PlanarProblem, Response};
 use moreau_exact::scalar::Scalar;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -16,13 +16,13 @@ use nalgebra::DVector;
 /// # Errors
 /// [`Error::Invalid`] for e outside \[0, 1\] or an order that names no contact; [`Error::Solver`] if contacts still approach after
 /// [`SEQUENCE_LIMIT`] rounds: the sequence may be infinite.
-pub fn sequential<T: Scalar>(impact: &Impact<T>, restitution: &T, order: &[usize]) -> Result<Outcome<T>> {
+pub fn sequential<T: Scalar>(impact: &PlanarProblem<T>, restitution: &T, order: &[usize]) -> Result<Response<T>> {
     check_restitution(std::slice::from_ref(restitution), 1)?;
-    let contacts = impact.before.len();
+    let contacts = impact.velocity.len();
     if let Some(stranger) = order.iter().find(|&&i| i >= contacts) {
         return Err(Error::invalid("order", format!("names contact {stranger}"), format!("there are {contacts}")));
     }
-    let mut now = impact.outcome(DVector::from_element(contacts, T::zero()));
+    let mut now = impact.response(DVector::from_element(contacts, T::zero()));
     for _ in 0..SEQUENCE_LIMIT {
         if order.iter().all(|&i| now.after[i] >= T::zero()) {
             return Ok(now);
@@ -30,7 +30,7 @@ pub fn sequential<T: Scalar>(impact: &Impact<T>, restitution: &T, order: &[usize
         for &i in order.iter() {
             if now.after[i] < T::zero() {
                 now.impulse[i] -= (T::one() + restitution.clone()) * now.after[i].clone() / impact.delassus[(i, i)].clone();
-                now = impact.outcome(now.impulse);
+                now = impact.response(now.impulse);
             }
         }
     }

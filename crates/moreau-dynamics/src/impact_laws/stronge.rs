@@ -6,9 +6,9 @@
 //! ```
 //! U_n⁺² is rational where the data are; U_n⁺ and the impulse need a square root.
 
-use super::Outcome;
 use super::impact::check_restitution;
-use super::routh::{Path, State};
+use super::routh::{Path, PathState};
+use moreau_contact::problem::Response;
 use moreau_exact::Result;
 use moreau_exact::scalar::Scalar;
 
@@ -16,7 +16,7 @@ use moreau_exact::scalar::Scalar;
 #[derive(Clone, Debug, PartialEq)]
 pub struct End<T: Scalar> {
     /// The state at the start of the last piece.
-    pub start: State<T>,
+    pub start: PathState<T>,
     /// dU_n/dp on it \[1/kg\].
     pub slope: T,
     /// U_n⁺² \[m²/s²\].
@@ -62,7 +62,7 @@ fn finish<T: Scalar>(path: &Path<T>, at: &T, due: &T) -> End<T> {
 ///
 /// # Errors
 /// As [`end`].
-pub fn along(path: &Path<f64>, restitution: f64) -> Result<Outcome<f64>> {
+pub fn along(path: &Path<f64>, restitution: f64) -> Result<Response<f64>> {
     let end = end(path, &restitution)?;
     let impulse = end.start.impulse + (end.speed_squared.sqrt() - end.start.normal) / end.slope;
     Ok(path.outcome(&impulse))

@@ -2,6 +2,7 @@
 
 use super::*;
 use moreau_contact::contact::delassus::delassus;
+use moreau_contact::problem::{PlanarProblem, Response};
 use moreau_exact::scalar::{Rational, Scalar, ratio};
 use moreau_forms::double_pendulum_impact::DoublePendulum;
 use moreau_forms::newtons_cradle;
@@ -12,15 +13,15 @@ fn numbers(entries: &[i64]) -> Vec<Rational> {
     entries.iter().map(|&x| ratio(x, 1)).collect()
 }
 
-fn impact(delassus: &[i64], before: &[i64]) -> Impact<Rational> {
+fn impact(delassus: &[i64], before: &[i64]) -> PlanarProblem<Rational> {
     let size = before.len();
-    Impact::new(DMatrix::from_row_slice(size, size, &numbers(delassus)), DVector::from_vec(numbers(before)))
+    PlanarProblem::new(DMatrix::from_row_slice(size, size, &numbers(delassus)), DVector::from_vec(numbers(before)))
 }
 
-fn planar(data: &RoughImpact<Rational>) -> Impact<Rational> {
+fn planar(data: &RoughImpact<Rational>) -> PlanarProblem<Rational> {
     let [nn, nt, tt] = data.delassus.clone();
     let before = DVector::from_vec(vec![-data.approach.clone(), data.slide.clone()]);
-    Impact::new(DMatrix::from_row_slice(2, 2, &[nn, nt.clone(), nt, tt]), before)
+    PlanarProblem::new(DMatrix::from_row_slice(2, 2, &[nn, nt.clone(), nt, tt]), before)
 }
 
 /// All planar impacts of a small grid of positive definite W, velocities and coefficients.
@@ -87,7 +88,7 @@ fn poisson_and_stronge_never_gain_energy_and_newton_does() {
     for data in grid() {
         let path = path(&data);
         for e in [ratio(1, 2), ratio(1, 1)] {
-            let change = |end: moreau_exact::Result<Outcome<Rational>>| path.impact().energy_change(&end.expect("e in [0, 1]"));
+            let change = |end: moreau_exact::Result<Response<Rational>>| path.impact().energy_change(&end.expect("e in [0, 1]"));
             assert!(change(poisson::along(&path, &e)) <= ratio(0, 1), "{data:?}");
             gains += usize::from(change(newton::along(&path, &e)) > ratio(0, 1));
             let work = &e * &e * stronge::compression_work(&path);
@@ -120,11 +121,11 @@ fn increments(data: &RoughImpact<Rational>, p: &Rational, steps: i64) -> DVector
     let mut impulse = DVector::from_element(2, ratio(0, 1));
     for _ in 0..steps {
         impulse[0] += &dp;
-        let free = impact.outcome(impulse.clone()).after[1].clone();
+        let free = impact.response(impulse.clone()).after[1].clone();
         let wanted = -free / &data.delassus[2];
         impulse[1] += wanted.clamp(-bound.clone(), bound.clone());
     }
-    impact.outcome(impulse).after
+    impact.response(impulse).after
 }
 
 #[test]
@@ -167,7 +168,7 @@ fn full_vector_moreau_and_fremond_never_gain_energy() {
             let full = moreau::full_vector(&impact, mu, &e).expect("solvable");
             assert!(impact.energy_change(&full) <= ratio(0, 1), "{data:?}");
             let fremond = fremond::planar(&impact, mu, &e).expect("solvable");
-            let mean = (&fremond.after[1] + &impact.before[1]) * ratio(1, 2);
+            let mean = (&fremond.after[1] + &impact.velocity[1]) * ratio(1, 2);
             let normal = ratio(1, 2) * (&e - ratio(1, 1)) * &fremond.impulse[0] * &data.approach;
             let friction = -(&data.friction * &fremond.impulse[0] * mean.magnitude());
             assert_eq!(impact.energy_change(&fremond), normal + friction, "{data:?}");
@@ -236,7 +237,7 @@ fn the_projection_is_on_the_boundary_it_must_be_on_and_satisfies_its_variational
         let projection = energy_projection::project(&impact, &candidate).expect("W is nonsingular");
         let energy = |u: &DVector<Rational>| energy_projection::energy(&impact, u).expect("W is nonsingular");
         let kept = energy(&projection.direction) * &projection.factor_squared;
-        assert!(projection.factor_squared < ratio(1, 1) && kept == energy(&impact.before));
+        assert!(projection.factor_squared < ratio(1, 1) && kept == energy(&impact.velocity));
         assert!(projection.direction.iter().all(|u| *u >= ratio(0, 1)));
         // (U* − U_K)ᵀW⁻¹(V − U_K) ≤ 0 for all V ≥ 0: U_K is the projection on the cone
         let pull = moreau_exact::elimination::solve(&impact.delassus, &(&projection.direction - &candidate)).expect("nonsingular");

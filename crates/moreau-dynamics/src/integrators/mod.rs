@@ -33,7 +33,7 @@ pub use spring_damper::SpringDamper;
 pub use theta::Theta;
 
 /// A smooth motion, q̇ = v, v̇ = a(q, v), with n coordinates.
-pub trait System {
+pub trait SmoothSystem {
     /// a(q, v) \[m/s², rad/s²\], n entries.
     fn acceleration<T: Scalar>(&self, position: &DVector<T>, velocity: &DVector<T>) -> DVector<T>;
 }
@@ -68,10 +68,10 @@ impl<T: Scalar> Phase<T> {
 /// A one-step method.
 pub trait Method {
     /// The state after a step h \[s\].
-    fn step<T: Scalar>(&self, system: &impl System, now: &Phase<T>, h: &T) -> Phase<T>;
+    fn step<T: Scalar>(&self, system: &impl SmoothSystem, now: &Phase<T>, h: &T) -> Phase<T>;
 
     /// D = ∂(q⁺, v⁺)/∂(q, v) of a step, 2n × 2n.
-    fn jacobian<T: Scalar>(&self, system: &impl System, now: &Phase<T>, h: &T) -> DMatrix<T>
+    fn jacobian<T: Scalar>(&self, system: &impl SmoothSystem, now: &Phase<T>, h: &T) -> DMatrix<T>
     where
         Self: Sized,
     {

@@ -5,7 +5,7 @@
 //! ```
 //! For linear forces x⁺ = R(hA) x with R(z) = 1 + z + z²/2 + z³/6 + z⁴/24.
 
-use super::{Method, Phase, System, ahead};
+use super::{Method, Phase, SmoothSystem, ahead};
 use moreau_exact::scalar::Scalar;
 
 /// The classical Runge–Kutta method of order four.
@@ -13,7 +13,7 @@ use moreau_exact::scalar::Scalar;
 pub struct RungeKutta;
 
 impl Method for RungeKutta {
-    fn step<T: Scalar>(&self, system: &impl System, now: &Phase<T>, h: &T) -> Phase<T> {
+    fn step<T: Scalar>(&self, system: &impl SmoothSystem, now: &Phase<T>, h: &T) -> Phase<T> {
         let rate = |at: &Phase<T>| Phase { position: at.velocity.clone(), velocity: system.acceleration(&at.position, &at.velocity) };
         let along = |share: &T, k: &Phase<T>| Phase {
             position: ahead(&now.position, share, &k.position),

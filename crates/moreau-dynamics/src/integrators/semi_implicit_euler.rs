@@ -7,7 +7,7 @@
 //! The second is one Newton step of v⁺ = v + h a(q, v⁺) from v, and its solution where a is linear in v.
 
 use super::jacobian::jacobian;
-use super::{Method, Phase, System, ahead};
+use super::{Method, Phase, SmoothSystem, ahead};
 use moreau_exact::elimination::solve;
 use moreau_exact::scalar::{Dual, Scalar};
 use nalgebra::DMatrix;
@@ -31,7 +31,7 @@ pub struct SemiImplicitEuler {
 impl Method for SemiImplicitEuler {
     /// # Panics
     /// With implicit damping, if I − h A is singular.
-    fn step<T: Scalar>(&self, system: &impl System, now: &Phase<T>, h: &T) -> Phase<T> {
+    fn step<T: Scalar>(&self, system: &impl SmoothSystem, now: &Phase<T>, h: &T) -> Phase<T> {
         let Phase { position, velocity } = now;
         let mut change = system.acceleration(position, velocity) * h.clone();
         if self.damping == Damping::Implicit {

@@ -4,7 +4,7 @@
 //!     ω² = k/m ,   2ζω = c/m ,   s = hω      (the amplification matrix depends on s and ζ alone, up to the unit of q)
 //! ```
 
-use super::System;
+use super::SmoothSystem;
 use moreau_exact::scalar::{Rational, Scalar, ratio};
 use nalgebra::DVector;
 
@@ -24,7 +24,7 @@ impl SpringDamper {
     }
 }
 
-impl System for SpringDamper {
+impl SmoothSystem for SpringDamper {
     fn acceleration<T: Scalar>(&self, position: &DVector<T>, velocity: &DVector<T>) -> DVector<T> {
         let (stiffness, damping) = (T::nearest(&self.stiffness_per_mass), T::nearest(&self.damping_per_mass));
         -(position * stiffness) - velocity * damping

@@ -25,7 +25,7 @@ fn matrix(method: &impl Method, damping_ratio: &Rational, s: &Rational) -> DMatr
 /// q̈ = −q − q³ − ½ v, by hand.
 struct Hardening;
 
-impl System for Hardening {
+impl SmoothSystem for Hardening {
     fn acceleration<T: Scalar>(&self, position: &DVector<T>, velocity: &DVector<T>) -> DVector<T> {
         position.map(|q| -(q.clone() + q.clone() * q.clone() * q)) - velocity * T::ratio(1, 2)
     }

@@ -7,7 +7,7 @@
 //! forces, the trapezoidal rule), 1 implicit Euler. Where a is not linear it is the linearly implicit form of the same order.
 
 use super::jacobian::jacobian;
-use super::{Method, Phase, System};
+use super::{Method, Phase, SmoothSystem};
 use moreau_exact::elimination::solve;
 use moreau_exact::scalar::{Dual, Rational, Scalar};
 use nalgebra::{DMatrix, DVector};
@@ -20,7 +20,7 @@ pub struct Theta {
 }
 
 /// f(x) = (v, a(q, v)).
-fn rate<T: Scalar>(system: &impl System, stacked: &DVector<T>) -> DVector<T> {
+fn rate<T: Scalar>(system: &impl SmoothSystem, stacked: &DVector<T>) -> DVector<T> {
     let Phase { position, velocity } = Phase::from_stacked(stacked);
     let acceleration = system.acceleration(&position, &velocity);
     Phase { position: velocity, velocity: acceleration }.stacked()
@@ -29,7 +29,7 @@ fn rate<T: Scalar>(system: &impl System, stacked: &DVector<T>) -> DVector<T> {
 impl Method for Theta {
     /// # Panics
     /// If I − hθ ∂f/∂x is singular.
-    fn step<T: Scalar>(&self, system: &impl System, now: &Phase<T>, h: &T) -> Phase<T> {
+    fn step<T: Scalar>(&self, system: &impl SmoothSystem, now: &Phase<T>, h: &T) -> Phase<T> {
         let x = now.stacked();
         let slope = jacobian(&x, |at: &DVector<Dual<T>>| rate(system, at));
         let matrix = DMatrix::identity(x.len(), x.len()) - slope * (h.clone() * T::nearest(&self.theta));

@@ -16,7 +16,7 @@
 
 use super::jacobian::jacobian;
 use super::root::root;
-use super::{Method, Phase, System, ahead};
+use super::{Method, Phase, SmoothSystem, ahead};
 use moreau_exact::scalar::{Dual, Scalar};
 use nalgebra::DVector;
 
@@ -38,7 +38,7 @@ pub trait ScalarField {
 #[derive(Clone, Copy, Debug)]
 pub struct InPotential<V>(pub V);
 
-impl<V: ScalarField> System for InPotential<V> {
+impl<V: ScalarField> SmoothSystem for InPotential<V> {
     fn acceleration<T: Scalar>(&self, position: &DVector<T>, _velocity: &DVector<T>) -> DVector<T> {
         -self.0.gradient(position)
     }
@@ -49,7 +49,7 @@ impl<V: ScalarField> System for InPotential<V> {
 pub struct Verlet;
 
 impl Method for Verlet {
-    fn step<T: Scalar>(&self, system: &impl System, now: &Phase<T>, h: &T) -> Phase<T> {
+    fn step<T: Scalar>(&self, system: &impl SmoothSystem, now: &Phase<T>, h: &T) -> Phase<T> {
         let half = h.clone() * T::ratio(1, 2);
         let before = ahead(&now.velocity, &half, &system.acceleration(&now.position, &now.velocity));
         let position = ahead(&now.position, h, &before);

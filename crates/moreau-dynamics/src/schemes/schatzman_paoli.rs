@@ -64,7 +64,7 @@ impl Waist for SchatzmanPaoli {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact_particle::{Ball, Motion};
+    use crate::exact_particle::{Ball, BallState};
     use crate::mechanics::{PointMass, State};
     use crate::schemes::{StewartTrinkle, simulate, step};
     use moreau_contact::solvers::LemkePivoting;
@@ -76,7 +76,7 @@ mod tests {
         let (h, e) = (ratio(1, 10), ratio(1, 2));
         let ball = Ball { mass: ratio(3, 1), gravity: ratio(0, 1), restitution: e.clone() };
         for offset in 1..10 {
-            let mut now = Motion { position: ratio(2, 10) + ratio(offset, 100), velocity: ratio(-1, 1) };
+            let mut now = BallState { position: ratio(2, 10) + ratio(offset, 100), velocity: ratio(-1, 1) };
             let mut hits = 0;
             for _ in 0..12 {
                 let outcome = ball.schatzman_paoli(&now, &h);

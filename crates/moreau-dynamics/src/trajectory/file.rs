@@ -30,7 +30,7 @@ pub struct Trajectory {
     /// What was simulated.
     pub scene: Scene,
     /// Who computed it.
-    pub engine: Engine,
+    pub engine: Producer,
     /// h \[s\], the engine's step; samples may be several steps apart.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub time_step: f64,
@@ -64,7 +64,8 @@ pub struct StepResiduals {
 /// The program that computed a trajectory.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Engine {
+#[schemars(rename = "Engine")]
+pub struct Producer {
     /// Its name.
     pub name: String,
     /// Its version.
@@ -150,11 +151,11 @@ impl Trajectory {
     }
 }
 
-impl Engine {
+impl Producer {
     /// This crate with one of its schemes and solvers.
     pub fn ours(scheme: &str, solver: &str) -> Self {
         let options = [("scheme", scheme), ("solver", solver)].map(|(key, value)| (key.to_string(), value.into()));
-        Engine { name: env!("CARGO_PKG_NAME").into(), version: env!("CARGO_PKG_VERSION").into(), options: options.into_iter().collect() }
+        Producer { name: env!("CARGO_PKG_NAME").into(), version: env!("CARGO_PKG_VERSION").into(), options: options.into_iter().collect() }
     }
 }
 

@@ -9,8 +9,8 @@ mod recording;
 mod segment_tree;
 mod validation;
 
-pub use file::{BodyTrack, ContactRecord, Engine, SCHEMA, StepResiduals, Trajectory};
+pub use file::{BodyTrack, ContactRecord, Producer, SCHEMA, StepResiduals, Trajectory};
 pub use graph::Graph;
-pub use order::{Level, OrderEstimate, estimate_order, fit_order, shifted_steps};
+pub use order::{OrderEstimate, Refinement, estimate_order, fit_order, shifted_steps};
 pub use recorder::Recorder;
 pub use recording::{LocatedImpact, Recording};

@@ -14,7 +14,7 @@ use moreau_exact::{Error, Result};
 
 /// One level of a convergence study: the worst of the shifted steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Level {
+pub struct Refinement {
     /// The step at which the error was largest \[s\].
     pub time_step: f64,
     /// The largest error over the shifted steps.
@@ -29,7 +29,7 @@ pub struct OrderEstimate {
     /// Largest minus smallest slope between neighbouring levels.
     pub spread: f64,
     /// The envelope, level by level.
-    pub levels: Vec<Level>,
+    pub levels: Vec<Refinement>,
 }
 
 /// The steps h_j = t*/(N + (j + ½)/m) that put the event at t* at m evenly spread phases of its step.
@@ -50,11 +50,11 @@ pub fn estimate_order(
 ) -> Result<OrderEstimate> {
     let mut levels = Vec::with_capacity(intervals.len());
     for &count in intervals {
-        let mut worst = Level { time_step: f64::NAN, error: f64::NEG_INFINITY };
+        let mut worst = Refinement { time_step: f64::NAN, error: f64::NEG_INFINITY };
         for time_step in shifted_steps(event_time, count, shifts) {
             let value = error(time_step)?;
             if value.is_nan() || value > worst.error {
-                worst = Level { time_step, error: value };
+                worst = Refinement { time_step, error: value };
             }
             if value.is_nan() {
                 break;
@@ -69,7 +69,7 @@ pub fn estimate_order(
 ///
 /// # Errors
 /// [`Error::Unsupported`] with fewer than two levels, equal steps, or an error that is not positive and finite.
-pub fn fit_order(levels: Vec<Level>) -> Result<OrderEstimate> {
+pub fn fit_order(levels: Vec<Refinement>) -> Result<OrderEstimate> {
     if levels.len() < 2 || levels.iter().any(|level| !(level.error.is_finite() && level.error > 0.0 && level.time_step > 0.0)) {
         return Err(Error::Unsupported("an order needs at least two levels with positive finite errors".into()));
     }
@@ -181,9 +181,9 @@ mod tests {
         // The kept phase is at least 1 − 1/16 at every level, and at most 1.
         let bound = estimate.slope_interval(1.05 / (0.05 + 1.0 - 1.0 / 16.0));
         assert!((estimate.slope - 1.0).abs() <= bound, "{} against {bound}", estimate.slope);
-        let single: Vec<Level> = [0.04f64, 0.0199, 0.0101, 0.005]
+        let single: Vec<Refinement> = [0.04f64, 0.0199, 0.0101, 0.005]
             .iter()
-            .map(|&time_step| Level { time_step, error: sawtooth(time_step).expect("positive") })
+            .map(|&time_step| Refinement { time_step, error: sawtooth(time_step).expect("positive") })
             .collect();
         assert!((fit_order(single).expect("positive").slope - 1.0).abs() > bound);
     }
@@ -192,10 +192,10 @@ mod tests {
     fn data_at_both_ends_of_the_band_reach_the_slope_interval() {
         let steps = [1e-1, 1e-2, 1e-3, 1e-4];
         let ratio: f64 = 3.0;
-        let extreme: Vec<Level> = steps
+        let extreme: Vec<Refinement> = steps
             .iter()
             .enumerate()
-            .map(|(k, &time_step)| Level { time_step, error: time_step * if k < 2 { ratio.sqrt() } else { 1.0 / ratio.sqrt() } })
+            .map(|(k, &time_step)| Refinement { time_step, error: time_step * if k < 2 { ratio.sqrt() } else { 1.0 / ratio.sqrt() } })
             .collect();
         let slope = fit_order(extreme).expect("positive").slope;
         assert!((slope - 1.0 - slope_interval(&steps, ratio)).abs() <= ORDER_ROUNDING);
@@ -204,12 +204,14 @@ mod tests {
     #[test]
     fn level_by_level_bounds_reach_the_slope_deviation() {
         let bounds = [[1.0, 3.0], [1.0, 1.5], [1.0, 1.25]];
-        let levels: Vec<Level> = [(1e-1, 3.0), (1e-2, 1.0), (1e-3, 1.0)].map(|(h, c)| Level { time_step: h, error: c * h }).to_vec();
+        let levels: Vec<Refinement> =
+            [(1e-1, 3.0), (1e-2, 1.0), (1e-3, 1.0)].map(|(h, c)| Refinement { time_step: h, error: c * h }).to_vec();
         let estimate = fit_order(levels).expect("positive");
         // The middle level has no weight, the outer ones pull in opposite senses.
         assert!((estimate.slope - 1.0 - estimate.slope_deviation(&bounds)).abs() <= ORDER_ROUNDING);
         assert!(estimate.spread <= estimate.spread_deviation(&bounds));
-        let falling: Vec<Level> = [(1e-1, 1.0), (1e-2, 1.0), (1e-3, 3.0)].map(|(h, c)| Level { time_step: h, error: c * h }).to_vec();
+        let falling: Vec<Refinement> =
+            [(1e-1, 1.0), (1e-2, 1.0), (1e-3, 3.0)].map(|(h, c)| Refinement { time_step: h, error: c * h }).to_vec();
         let estimate = fit_order(falling).expect("positive");
         let bounds = [[1.0, 1.25], [1.0, 1.5], [1.0, 3.0]];
         assert!((1.0 - estimate.slope - estimate.slope_deviation(&bounds)).abs() <= ORDER_ROUNDING, "downwards it is reached as well");
@@ -217,7 +219,8 @@ mod tests {
 
     #[test]
     fn constants_that_alternate_reach_the_spread_deviation() {
-        let levels: Vec<Level> = [(1e-1, 3.0), (1e-2, 1.0), (1e-3, 3.0)].map(|(h, c)| Level { time_step: h, error: c * h }).to_vec();
+        let levels: Vec<Refinement> =
+            [(1e-1, 3.0), (1e-2, 1.0), (1e-3, 3.0)].map(|(h, c)| Refinement { time_step: h, error: c * h }).to_vec();
         let estimate = fit_order(levels).expect("positive");
         assert!((estimate.spread - estimate.spread_deviation(&[[1.0, 3.0]; 3])).abs() <= ORDER_ROUNDING);
     }

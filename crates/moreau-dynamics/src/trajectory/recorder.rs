@@ -1,7 +1,7 @@
 //! From the steps of a simulation to a `trajectory/1`: states at every N-th step, impulses of each pair of bodies summed in between.
 
 use super::Recording;
-use super::file::{BodyTrack, ContactRecord, Engine, SCHEMA, Trajectory};
+use super::file::{BodyTrack, ContactRecord, Producer, SCHEMA, Trajectory};
 use crate::mechanics::{Mechanism, State};
 use crate::scenes::Scene;
 use moreau_contact::certificate::{Judgement, StepResidual};
@@ -24,7 +24,7 @@ impl Trajectory {
     ///
     /// # Errors
     /// [`moreau_exact::Error::Invalid`] if the recording and the scene do not fit together.
-    pub fn from_recording(recording: &Recording, mechanism: &dyn Mechanism, scene: &Scene, engine: Engine) -> Result<Self> {
+    pub fn from_recording(recording: &Recording, mechanism: &dyn Mechanism, scene: &Scene, engine: Producer) -> Result<Self> {
         let mut recorder = Recorder::new(mechanism, scene, engine, recording.time_step, 1, &recording.samples[0]);
         for (state, impulses) in recording.samples[1..].iter().zip(&recording.impulses) {
             recorder.push(state, impulses);
@@ -54,7 +54,7 @@ impl<'a> Recorder<'a> {
     pub fn new(
         mechanism: &'a dyn Mechanism,
         scene: &Scene,
-        engine: Engine,
+        engine: Producer,
         time_step: f64,
         sample_every: usize,
         initial: &State,

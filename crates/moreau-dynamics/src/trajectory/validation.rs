@@ -125,14 +125,14 @@ mod tests {
     use super::*;
     use crate::mechanics::State;
     use crate::scenes;
-    use crate::trajectory::{Engine, Recording};
+    use crate::trajectory::{Producer, Recording};
 
     fn valid() -> Trajectory {
         let scene = scenes::named(scenes::NAMES[0]).expect("a listed scene");
         let (mechanism, initial) = scene.mechanism().expect("a planar scene");
         let mut recording = Recording::new(mechanism.name(), "none".into(), 0.25, initial.clone());
         recording.push(State { time: initial.time + 0.25, ..initial }, Vec::new());
-        Trajectory::from_recording(&recording, mechanism.as_ref(), &scene, Engine::ours("none", "none")).expect("fits")
+        Trajectory::from_recording(&recording, mechanism.as_ref(), &scene, Producer::ours("none", "none")).expect("fits")
     }
 
     fn refused(change: impl Fn(&mut Trajectory), field: &str) {

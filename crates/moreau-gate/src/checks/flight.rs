@@ -275,10 +275,10 @@ fn solid_moments(body: &Body) -> Vector3<f64> {
 mod tests {
     use super::*;
     use crate::Verdict;
-    use crate::exact::{State, judge};
+    use crate::exact::{RigidState, judge};
     use crate::runner::SWEEP;
 
-    fn exact(scene: &Scene, index: usize, theta: f64, h: f64, t: f64) -> State {
+    fn exact(scene: &Scene, index: usize, theta: f64, h: f64, t: f64) -> RigidState {
         let body = &scene.bodies[index];
         let [start, velocity, gravity, rate] =
             [body.position, body.linear_velocity, scene.gravity, body.angular_velocity].map(Vector3::from);
@@ -291,7 +291,7 @@ mod tests {
         (position.into(), [q.w, q.i, q.j, q.k], velocity.into(), end.angular_velocity().into())
     }
 
-    fn verdicts(check: &str, motion: impl Fn(&Scene, usize, f64, f64) -> State + Send + Copy) -> Vec<Verdict> {
+    fn verdicts(check: &str, motion: impl Fn(&Scene, usize, f64, f64) -> RigidState + Send + Copy) -> Vec<Verdict> {
         let worst = |h: &f64| judge(check, *h, motion).iter().map(Measurement::verdict).max().expect("measurements");
         SWEEP.iter().map(worst).collect()
     }

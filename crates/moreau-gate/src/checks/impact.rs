@@ -266,12 +266,12 @@ fn plastic(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {
 mod tests {
     use super::*;
     use crate::Verdict;
-    use crate::exact::{State, judge};
+    use crate::exact::{RigidState, judge};
     use crate::runner::QUICK;
     use moreau_forms::two_body_impact::TwoBodyImpact;
 
     /// The exact motion of the head-on and oblique pair; three spheres strike one after another.
-    fn exact(scene: &Scene, index: usize, restitution: f64, t: f64) -> State {
+    fn exact(scene: &Scene, index: usize, restitution: f64, t: f64) -> RigidState {
         let body = &scene.bodies[index];
         let start = Vector3::from(body.position);
         let contact = GAP / SPEED;

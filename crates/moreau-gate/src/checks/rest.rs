@@ -197,7 +197,7 @@ mod tests {
     use crate::exact::judge;
     use crate::runner::SWEEP;
 
-    fn still(scene: &Scene, index: usize, moved: [f64; 3], speed: f64) -> crate::exact::State {
+    fn still(scene: &Scene, index: usize, moved: [f64; 3], speed: f64) -> crate::exact::RigidState {
         let place: Vec<f64> = (0..3).map(|k| scene.bodies[index].position[k] + moved[k]).collect();
         ([place[0], place[1], place[2]], [1.0, 0.0, 0.0, 0.0], [0.0, speed, 0.0], [0.0; 3])
     }

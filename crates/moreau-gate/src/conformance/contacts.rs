@@ -7,7 +7,7 @@
 
 use crate::Description;
 use crate::conformance::scenes::{EVERY, LANDING, MASS, landing_ball};
-use crate::conformance::{Outcome, Probe, Seen, demand, probe, problem, skipped};
+use crate::conformance::{Probe, ProbeOutcome, Seen, demand, probe, problem, skipped};
 use crate::tolerance::conformance::{MOMENTUM, STEP};
 use moreau_dynamics::trajectory::{ContactRecord, Trajectory};
 use nalgebra::Vector3;
@@ -28,7 +28,7 @@ struct Balance {
     weight: f64,
 }
 
-pub(super) fn probe_all(landed: Result<Trajectory, Outcome>, description: &Description, probes: &mut Vec<Probe>) {
+pub(super) fn probe_all(landed: Result<Trajectory, ProbeOutcome>, description: &Description, probes: &mut Vec<Probe>) {
     let with_contacts = landed.and_then(|trajectory| match () {
         () if !description.reports_contacts => Err(skipped("the engine does not report contacts")),
         () if trajectory.times.len() != SAMPLES => Err(skipped("there are other samples than were asked for")),

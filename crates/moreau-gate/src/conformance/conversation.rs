@@ -1,6 +1,6 @@
 //! Probes of the conversation itself: lines, numbers, refusals, the end.
 
-use crate::conformance::{Outcome, Probe, Seen, demand, probe, problem, skipped};
+use crate::conformance::{Probe, ProbeOutcome, Seen, demand, probe, problem, skipped};
 use crate::process::messages::{Answer, PROTOCOL};
 use crate::process::{Fault, Limits, Session, messages};
 use crate::{Description, Refusal};
@@ -60,7 +60,7 @@ impl<'a> Talk<'a> {
         Ok(told)
     }
 
-    fn ask(&mut self, request: Value) -> Result<Told, Outcome> {
+    fn ask(&mut self, request: Value) -> Result<Told, ProbeOutcome> {
         self.ask_in(PROTOCOL, request).map_err(|fault| problem(fault, ONE_LINE))?.map_err(malformed)
     }
 
@@ -78,12 +78,12 @@ fn told(line: &[u8], id: Option<u64>) -> Result<Told, String> {
     })
 }
 
-fn malformed(why: String) -> Outcome {
+fn malformed(why: String) -> ProbeOutcome {
     problem(why, "reply {\"id\": …, \"result\": {…}}, or with \"unsupported\" or \"error\" and a text; repeat the `id` of the request")
 }
 
 /// The description in the first reply.
-pub(super) fn described(first: Result<Result<Told, String>, Fault>) -> Result<Description, Outcome> {
+pub(super) fn described(first: Result<Result<Told, String>, Fault>) -> Result<Description, ProbeOutcome> {
     let told = first.map_err(|fault| problem(fault, ONE_LINE))?.map_err(malformed)?;
     let text = told.map_err(|refusal| problem(refusal, "`describe` must be answered with a result"))?;
     messages::description(&text).map_err(|error| problem(error, "give the fields of `describe` in docs/protocol.md, and no others"))

@@ -130,7 +130,7 @@ fn expected_unit(law: Option<&str>, name: &str) -> Option<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::conformance::Outcome;
+    use crate::conformance::ProbeOutcome;
     use serde_json::json;
 
     fn description(law: &str, kind: &str, parameters: serde_json::Value) -> Description {
@@ -143,7 +143,7 @@ mod tests {
     fn seen(description: &Description) -> Vec<&'static str> {
         let mut probes = Vec::new();
         probe_all(description, &mut probes);
-        probes.retain(|probe| matches!(probe.outcome, Outcome::Problem { .. }));
+        probes.retain(|probe| matches!(probe.outcome, ProbeOutcome::Problem { .. }));
         probes.iter().map(|probe| probe.probe).collect()
     }
 

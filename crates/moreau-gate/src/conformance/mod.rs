@@ -12,9 +12,9 @@ mod scenes;
 mod seen;
 mod tasks;
 
-pub use seen::{Outcome, Probe};
+pub use seen::{Probe, ProbeOutcome};
 
-use crate::process::{Cause, Fault, Limits, ProcessEngine};
+use crate::process::{Fate, Fault, Limits, ProcessEngine};
 use crate::{Description, Level};
 use schemars::JsonSchema;
 use seen::{Seen, demand, probe, problem, refused, skipped};
@@ -32,7 +32,7 @@ pub struct Conformance {
 impl Conformance {
     /// Whether no probe found a problem.
     pub fn is_sound(&self) -> bool {
-        !self.probes.iter().any(|probe| matches!(probe.outcome, Outcome::Problem { .. }))
+        !self.probes.iter().any(|probe| matches!(probe.outcome, ProbeOutcome::Problem { .. }))
     }
 }
 
@@ -44,7 +44,7 @@ pub fn conformance(command: &[String], limits: Limits) -> Result<Conformance, Fa
     let mut talk = conversation::Talk::new(command, limits);
     let first = talk.describe();
     if let Err(fault) = &first
-        && matches!(fault.cause, Cause::NotStarted(_) | Cause::Ended(..))
+        && matches!(fault.cause, Fate::NotStarted(_) | Fate::Ended(..))
     {
         return Err(fault.clone());
     }

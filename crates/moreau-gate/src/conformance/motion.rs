@@ -1,7 +1,7 @@
 //! Probes of simulated motion: samples, initial state, gravity, restitution, repetition.
 
 use crate::conformance::scenes::{EVERY, STEPS, bouncing_ball, landing_ball, thrown_ball, tumbling_brick};
-use crate::conformance::{Outcome, Probe, Seen, contacts, demand, probe, problem, refused, rotation, skipped};
+use crate::conformance::{Probe, ProbeOutcome, Seen, contacts, demand, probe, problem, refused, rotation, skipped};
 use crate::tolerance::SAME_TIME;
 use crate::tolerance::conformance::{FREE_FALL, RESTITUTION, STEP, same_state};
 use crate::{Description, Engine, Options, Refusal};
@@ -10,14 +10,14 @@ use moreau_dynamics::trajectory::{BodyTrack, Trajectory};
 use nalgebra::{Vector3, Vector4};
 
 /// The motion of a scene, or why there is none to look at.
-type Motion = Result<Trajectory, Outcome>;
+type Motion = Result<Trajectory, ProbeOutcome>;
 
 fn simulate(engine: &mut dyn Engine, scene: &Scene, every: usize) -> Motion {
     engine.simulate(scene, STEP, every, &Options::new()).map_err(refused)
 }
 
 /// The motion as far as another probe needs it: its refusal is reported once.
-fn as_far(motion: &Motion) -> Result<&Trajectory, Outcome> {
+fn as_far(motion: &Motion) -> Result<&Trajectory, ProbeOutcome> {
     motion.as_ref().map_err(|_| skipped("there is no motion to look at"))
 }
 
@@ -25,7 +25,7 @@ pub(super) fn probe_all(engine: &mut dyn Engine, description: &Description, prob
     let scene = thrown_ball();
     let thrown = simulate(engine, &scene, 1);
     probes.push(probe("simulate/answers", "a sound trajectory/1 is the result", thrown.as_ref().map(drop).map_err(Clone::clone)));
-    if matches!(thrown, Err(Outcome::Problem { .. })) {
+    if matches!(thrown, Err(ProbeOutcome::Problem { .. })) {
         // the other motions would have it as well
         return;
     }

@@ -13,13 +13,13 @@ pub struct Probe {
     pub demand: &'static str,
     /// Whether it is met.
     #[serde(flatten)]
-    pub outcome: Outcome,
+    pub outcome: ProbeOutcome,
 }
 
 /// The outcome of a probe.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(tag = "outcome", rename_all = "kebab-case")]
-pub enum Outcome {
+pub enum ProbeOutcome {
     /// As demanded.
     Ok,
     /// Not as demanded.
@@ -37,19 +37,19 @@ pub enum Outcome {
 }
 
 /// What a probe sees: nothing wrong, or another outcome.
-pub(super) type Seen = Result<(), Outcome>;
+pub(super) type Seen = Result<(), ProbeOutcome>;
 
 pub(super) fn probe(name: &'static str, demand: &'static str, seen: Seen) -> Probe {
-    let outcome = seen.map_or_else(|outcome| outcome, |()| Outcome::Ok);
+    let outcome = seen.map_or_else(|outcome| outcome, |()| ProbeOutcome::Ok);
     Probe { probe: name, demand, outcome }
 }
 
-pub(super) fn problem(why: impl std::fmt::Display, cure: impl Into<String>) -> Outcome {
-    Outcome::Problem { why: why.to_string(), cure: cure.into() }
+pub(super) fn problem(why: impl std::fmt::Display, cure: impl Into<String>) -> ProbeOutcome {
+    ProbeOutcome::Problem { why: why.to_string(), cure: cure.into() }
 }
 
-pub(super) fn skipped(why: impl Into<String>) -> Outcome {
-    Outcome::Skipped { why: why.into() }
+pub(super) fn skipped(why: impl Into<String>) -> ProbeOutcome {
+    ProbeOutcome::Skipped { why: why.into() }
 }
 
 /// Nothing wrong, or a problem.
@@ -58,7 +58,7 @@ pub(super) fn demand(met: bool, why: impl FnOnce() -> String, cure: &str) -> See
 }
 
 /// A refusal of a question that the engine may refuse: an honest `unsupported` is no problem.
-pub(super) fn refused(refusal: Refusal) -> Outcome {
+pub(super) fn refused(refusal: Refusal) -> ProbeOutcome {
     match refusal {
         Refusal::Unsupported(reason) => skipped(format!("unsupported: {reason}")),
         Refusal::Errored(cause) => problem(cause, "answer the request with a result, or with `unsupported` and the reason"),

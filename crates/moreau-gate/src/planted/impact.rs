@@ -1,7 +1,7 @@
 //! Mistakes at impacts and at rest.
 
 use crate::Engine;
-use crate::own::Parameters;
+use crate::own::OwnParameters;
 use crate::planted::Planted;
 use crate::planted::wrapped::{EachStep, Misdeclare, Misread, Moment, declare_springs, moreau_jean};
 use moreau_checks::defects::zeno::{Altered, Mistake};
@@ -102,7 +102,7 @@ pub const PLANTED: &[Planted] = &[
 ];
 
 /// Moreau–Jean with another scheme.
-fn altered(scheme: fn(&Parameters) -> Result<Box<dyn Scheme>>) -> Box<dyn Engine> {
+fn altered(scheme: fn(&OwnParameters) -> Result<Box<dyn Scheme>>) -> Box<dyn Engine> {
     let mut engine = crate::own::by_name("moreau-jean").expect("a listed name");
     engine.certified = false;
     engine.scheme = scheme;

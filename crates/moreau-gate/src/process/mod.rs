@@ -13,7 +13,7 @@ mod words;
 
 pub use group::end_engines_on_interrupt;
 pub use limits::Limits;
-pub use session::{Cause, Fault, Session};
+pub use session::{Fate, Fault, Session};
 
 use crate::{Description, Engine, Options, Refusal, Reply};
 use messages::{Answer, Question, Request};
@@ -59,7 +59,7 @@ impl ProcessEngine {
                 self.session = Some(session);
                 reply
             }
-            Err(problem) => Err(Refusal::errored(session.fail(Cause::Malformed(problem)))),
+            Err(problem) => Err(Refusal::errored(session.fail(Fate::Malformed(problem)))),
         }
     }
 }

@@ -28,14 +28,14 @@ pub struct Session {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
     /// What happened.
-    pub cause: Cause,
+    pub cause: Fate,
     /// The last lines of standard error.
     pub last_words: String,
 }
 
 /// What a child did wrong.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Cause {
+pub enum Fate {
     /// The program is not there or may not be run.
     NotStarted(String),
     /// No whole line within this many seconds, with the beginning of the one that was under way.
@@ -60,9 +60,9 @@ impl Session {
     /// Starts a program.
     ///
     /// # Errors
-    /// [`Cause::NotStarted`].
+    /// [`Fate::NotStarted`].
     pub fn start(command: &[String], limits: Limits) -> Result<Session, Fault> {
-        let not_started = |error: std::io::Error| Fault { cause: Cause::NotStarted(error.to_string()), last_words: String::new() };
+        let not_started = |error: std::io::Error| Fault { cause: Fate::NotStarted(error.to_string()), last_words: String::new() };
         let (group, streams) = Group::start(command).map_err(not_started)?;
         let (sender, events, begun) = read_lines(streams.output, limits.line);
         let requests = Some(write_lines(streams.input, sender));
@@ -85,16 +85,16 @@ impl Session {
         }
     }
 
-    fn converse(&mut self, request: &str) -> Result<Vec<u8>, Cause> {
+    fn converse(&mut self, request: &str) -> Result<Vec<u8>, Fate> {
         self.quiet()?;
         self.write(request);
         match self.next_event(&Deadline::after(self.limits.reply)) {
             Some(Event::Line { line, followed: false }) => Ok(line),
-            Some(Event::Line { line, followed: true }) => Err(Cause::Followed(words::beginning(&line))),
+            Some(Event::Line { line, followed: true }) => Err(Fate::Followed(words::beginning(&line))),
             Some(other) => Err(self.cause_of(other)),
             None => Err(match self.group.wait(Duration::ZERO) {
-                Some(status) => Cause::Ended(status, self.begun()),
-                None => Cause::TimedOut(format!("{:?}", self.limits.reply), self.begun()),
+                Some(status) => Fate::Ended(status, self.begun()),
+                None => Fate::TimedOut(format!("{:?}", self.limits.reply), self.begun()),
             }),
         }
     }
@@ -115,12 +115,12 @@ impl Session {
     }
 
     /// Whether the child has kept silent since its last reply.
-    fn quiet(&self) -> Result<(), Cause> {
+    fn quiet(&self) -> Result<(), Fate> {
         match self.events.try_recv() {
-            Ok(Event::Line { line, .. }) => Err(Cause::Unsolicited(words::beginning(&line))),
+            Ok(Event::Line { line, .. }) => Err(Fate::Unsolicited(words::beginning(&line))),
             Ok(other) => Err(self.cause_of(other)),
             Err(TryRecvError::Disconnected) => Err(self.ended(String::new())),
-            Err(TryRecvError::Empty) if !self.begun().is_empty() => Err(Cause::Unsolicited(self.begun())),
+            Err(TryRecvError::Empty) if !self.begun().is_empty() => Err(Fate::Unsolicited(self.begun())),
             Err(TryRecvError::Empty) => Ok(()),
         }
     }
@@ -131,19 +131,19 @@ impl Session {
         let _ = self.requests.as_ref().map(|writer| writer.send(line));
     }
 
-    fn cause_of(&self, event: Event) -> Cause {
+    fn cause_of(&self, event: Event) -> Fate {
         match event {
-            Event::Line { line, .. } => Cause::Unsolicited(words::beginning(&line)),
-            Event::TooLong(beginning) => Cause::TooLong(self.limits.line, beginning),
+            Event::Line { line, .. } => Fate::Unsolicited(words::beginning(&line)),
+            Event::TooLong(beginning) => Fate::TooLong(self.limits.line, beginning),
             Event::Ended(beginning) => self.ended(beginning),
-            Event::NotRead => self.group.wait(self.limits.farewell).map_or(Cause::NotRead, |status| Cause::Ended(status, String::new())),
+            Event::NotRead => self.group.wait(self.limits.farewell).map_or(Fate::NotRead, |status| Fate::Ended(status, String::new())),
         }
     }
 
-    fn ended(&self, beginning: String) -> Cause {
+    fn ended(&self, beginning: String) -> Fate {
         match self.group.wait(self.limits.farewell) {
-            Some(status) => Cause::Ended(status, beginning),
-            None => Cause::Closed(beginning),
+            Some(status) => Fate::Ended(status, beginning),
+            None => Fate::Closed(beginning),
         }
     }
 
@@ -152,7 +152,7 @@ impl Session {
     }
 
     /// Ends the child with everything it started; the fault has its last words.
-    pub fn fail(&mut self, cause: Cause) -> Fault {
+    pub fn fail(&mut self, cause: Fate) -> Fault {
         self.group.end();
         Fault { cause, last_words: self.errors.last_lines(self.limits.farewell) }
     }
@@ -191,19 +191,19 @@ impl fmt::Display for Fault {
     }
 }
 
-impl fmt::Display for Cause {
+impl fmt::Display for Fate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let begun = |line: &str| if line.is_empty() { String::new() } else { format!(", in the middle of the line `{line}`") };
         match self {
-            Cause::NotStarted(error) => write!(f, "it cannot be started: {error}"),
-            Cause::TimedOut(limit, line) => write!(f, "no reply within {limit}{}", begun(line)),
-            Cause::Ended(status, line) => write!(f, "it ended without a reply ({status}){}", begun(line)),
-            Cause::Closed(line) => write!(f, "it closed its standard output but still runs{}", begun(line)),
-            Cause::NotRead => write!(f, "it closed its standard input but still runs"),
-            Cause::TooLong(limit, line) => write!(f, "a line of more than {limit} bytes, which begins `{line}`"),
-            Cause::Unsolicited(line) => write!(f, "it wrote `{line}` on standard output before it was asked"),
-            Cause::Followed(line) => write!(f, "more than one line in reply to one request; the first is `{line}`"),
-            Cause::Malformed(problem) => write!(f, "{problem}"),
+            Fate::NotStarted(error) => write!(f, "it cannot be started: {error}"),
+            Fate::TimedOut(limit, line) => write!(f, "no reply within {limit}{}", begun(line)),
+            Fate::Ended(status, line) => write!(f, "it ended without a reply ({status}){}", begun(line)),
+            Fate::Closed(line) => write!(f, "it closed its standard output but still runs{}", begun(line)),
+            Fate::NotRead => write!(f, "it closed its standard input but still runs"),
+            Fate::TooLong(limit, line) => write!(f, "a line of more than {limit} bytes, which begins `{line}`"),
+            Fate::Unsolicited(line) => write!(f, "it wrote `{line}` on standard output before it was asked"),
+            Fate::Followed(line) => write!(f, "more than one line in reply to one request; the first is `{line}`"),
+            Fate::Malformed(problem) => write!(f, "{problem}"),
         }
     }
 }

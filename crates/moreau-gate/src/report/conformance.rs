@@ -1,6 +1,6 @@
 //! What `moreau protocol-check` prints: one line per probe, and under a problem what was seen and its cure.
 
-use crate::conformance::{Conformance, Outcome, Probe};
+use crate::conformance::{Conformance, Probe, ProbeOutcome};
 use moreau_checks::text::Style;
 
 /// The outcomes, and their count as the last line.
@@ -23,20 +23,20 @@ pub fn text(conformance: &Conformance, style: Style) -> String {
     )
 }
 
-fn word(outcome: &Outcome) -> &'static str {
+fn word(outcome: &ProbeOutcome) -> &'static str {
     match outcome {
-        Outcome::Ok => "ok",
-        Outcome::Problem { .. } => "problem",
-        Outcome::Skipped { .. } => "skipped",
+        ProbeOutcome::Ok => "ok",
+        ProbeOutcome::Problem { .. } => "problem",
+        ProbeOutcome::Skipped { .. } => "skipped",
     }
 }
 
 fn line(probe: &Probe, width: usize, style: Style) -> String {
     let word = format!("{:8}", word(&probe.outcome));
     let (colour, below) = match &probe.outcome {
-        Outcome::Ok => ("32", String::new()),
-        Outcome::Problem { why, cure } => ("1;31", format!("          seen: {why}\n          cure: {cure}\n")),
-        Outcome::Skipped { why } => ("2", format!("          {why}\n")),
+        ProbeOutcome::Ok => ("32", String::new()),
+        ProbeOutcome::Problem { why, cure } => ("1;31", format!("          seen: {why}\n          cure: {cure}\n")),
+        ProbeOutcome::Skipped { why } => ("2", format!("          {why}\n")),
     };
     let word = if style.colour { format!("\u{1b}[{colour}m{word}\u{1b}[0m") } else { word };
     format!("{word}  {:width$}  {}\n{below}", probe.probe, probe.demand)

@@ -2,7 +2,7 @@
 
 use crate::energy_balance::Taken;
 use crate::energy_balance::position::Position;
-use crate::energy_balance::waist::Waist;
+use crate::energy_balance::waist::WaistLaw;
 use moreau_contact::contact::delassus::MassFactor;
 use nalgebra::{DMatrix, DVector};
 
@@ -16,7 +16,7 @@ pub(super) struct Constant {
 
 impl Constant {
     /// F and M of the step, if they are the same at both ends; `None` where the bounds do not apply.
-    pub fn of(taken: &Taken, waist: &Waist) -> Option<Self> {
+    pub fn of(taken: &Taken, waist: &WaistLaw) -> Option<Self> {
         let mechanism = taken.mechanism;
         let (from, to) = (&taken.before.position, &taken.step.state.position);
         let mass = mechanism.mass_matrix(from);

@@ -2,7 +2,7 @@
 
 use crate::energy_balance::reach::Reach;
 use crate::energy_balance::{Balance, Taken};
-use crate::schemes::{Parameters, by_name};
+use crate::schemes::{SchemeParameters, by_name};
 use moreau_checks::Finding;
 use moreau_checks::defects::Defect;
 use moreau_contact::problem::ContactProblem;
@@ -162,22 +162,22 @@ fn findings(balance: &Balance, taken: &Taken, mass: f64) -> Result<Vec<Finding>>
 /// The balance of a step that was altered after it was made.
 fn made(name: &str, case: fn() -> Result<Case>, alter: fn(&State, &mut Step, f64)) -> Result<Vec<Finding>> {
     let (mechanism, before, mass) = case()?;
-    let scheme = by_name(name, Parameters::default())?;
+    let scheme = by_name(name, SchemeParameters::default())?;
     let mut step = step(scheme.as_ref(), &Auto, mechanism.as_ref(), &before, H)?;
     alter(&before, &mut step, H);
     let taken = Taken { mechanism: mechanism.as_ref(), before: &before, step: &step, h: H };
-    findings(&Balance::of(name, &Parameters::default())?, &taken, mass)
+    findings(&Balance::of(name, &SchemeParameters::default())?, &taken, mass)
 }
 
 /// The balance of a step whose problem was altered before it was solved.
 fn posed(name: &str, case: fn() -> Result<Case>, alter: fn(ContactProblem) -> Result<ContactProblem>) -> Result<Vec<Finding>> {
     let (mechanism, before, mass) = case()?;
-    let scheme = by_name(name, Parameters::default())?;
+    let scheme = by_name(name, SchemeParameters::default())?;
     let around = || Error::Unsupported(format!("`{name}` does not pass the waist"));
     let altered = Altered { scheme: scheme.waist().ok_or_else(around)?, alter };
     let step = step(&altered, &Auto, mechanism.as_ref(), &before, H)?;
     let taken = Taken { mechanism: mechanism.as_ref(), before: &before, step: &step, h: H };
-    findings(&Balance::of(name, &Parameters::default())?, &taken, mass)
+    findings(&Balance::of(name, &SchemeParameters::default())?, &taken, mass)
 }
 
 fn as_it_is(problem: ContactProblem) -> Result<ContactProblem> {

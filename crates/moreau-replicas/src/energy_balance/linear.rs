@@ -14,13 +14,13 @@
 
 use crate::energy_balance::exchange::{kinetic, norm};
 use crate::energy_balance::position::Position;
-use crate::energy_balance::waist::{Posed, Waist};
+use crate::energy_balance::waist::{Posed, WaistLaw};
 use crate::energy_balance::{TOTAL, TOTAL_IDENTITY, Taken};
 use crate::tolerance::energy_balance as tolerance;
 use moreau_checks::Finding;
 
 /// The findings of the module's equations; none for a scheme whose linear forces are not those of the θ step.
-pub(super) fn judge(waist: &Waist, taken: &Taken, posed: &Posed) -> Vec<Finding> {
+pub(super) fn judge(waist: &WaistLaw, taken: &Taken, posed: &Posed) -> Vec<Finding> {
     let (mechanism, h, assembled) = (taken.mechanism, taken.h, &taken.step.assembled);
     let (Position::Theta(theta), Some(linear), true) = (waist.position, mechanism.linear_force(), waist.implicit) else {
         return Vec::new();

@@ -17,12 +17,12 @@
 //! A step whose residual is too large for the certificate is told by the finding [`RESIDUAL`]; the other findings hold for it all the same,
 //! with its w.
 
-use crate::schemes::Parameters;
+use crate::schemes::SchemeParameters;
 use moreau_dynamics::schemes::{MoreauJean, RestitutionRule};
 use moreau_exact::Result;
 use position::Position;
 use shift::Shift;
-use waist::{Regularised, Waist};
+use waist::{Regularised, WaistLaw};
 
 mod constant;
 pub mod defects;
@@ -50,7 +50,7 @@ pub struct Balance(Kind);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
-    Waist(Waist),
+    Waist(WaistLaw),
     Variational,
     Events,
     NoTheorem,
@@ -58,7 +58,7 @@ enum Kind {
 
 /// A scheme whose forces are means over the step and whose contacts are stiff.
 const fn waist(shift: Shift, position: Position) -> Kind {
-    Kind::Waist(Waist { shift, position, explicit: false, implicit: false, regularised: None })
+    Kind::Waist(WaistLaw { shift, position, explicit: false, implicit: false, regularised: None })
 }
 
 impl Balance {
@@ -66,7 +66,7 @@ impl Balance {
     ///
     /// # Errors
     /// Those of [`crate::schemes::by_name`] for an unknown name or parameters that cannot be meant.
-    pub fn of(name: &str, parameters: &Parameters) -> Result<Self> {
+    pub fn of(name: &str, parameters: &SchemeParameters) -> Result<Self> {
         crate::schemes::by_name(name, *parameters)?;
         let newton = Shift::Newton { full: false };
         let gap = Shift::Gap { relaxation: 0.0 };
@@ -85,7 +85,7 @@ impl Balance {
                 let shift = Shift::Mujoco(parameters.mujoco.softness);
                 let plain =
                     crate::mujoco::Mujoco { cone: parameters.mujoco.cone, softness: parameters.mujoco.softness, ..Default::default() };
-                let law = Waist { shift, position: Position::Theta(1.0), explicit: true, implicit: false, regularised: None };
+                let law = WaistLaw { shift, position: Position::Theta(1.0), explicit: true, implicit: false, regularised: None };
                 if plain == parameters.mujoco { Kind::Waist(law) } else { Kind::NoTheorem }
             }
             "explicit-euler" => waist(newton, Position::Theta(0.0)),
@@ -95,7 +95,7 @@ impl Balance {
             "drake-similar" | "drake-lagged" | "drake-tamsi" => {
                 let drake = parameters.drake;
                 let regularised = Some(Regularised { stiffness: drake.stiffness, damped: drake.dissipation > 0.0 });
-                Kind::Waist(Waist { shift: gap, position: Position::Theta(1.0), explicit: false, implicit: false, regularised })
+                Kind::Waist(WaistLaw { shift: gap, position: Position::Theta(1.0), explicit: false, implicit: false, regularised })
             }
             "variational" => Kind::Variational,
             "event-driven" => Kind::Events,
@@ -108,7 +108,7 @@ impl Balance {
     pub fn of_moreau_jean(scheme: &MoreauJean) -> Self {
         let full = scheme.restitution == RestitutionRule::FullVector;
         let (shift, position) = (Shift::Newton { full }, Position::Theta(scheme.theta));
-        Balance(Kind::Waist(Waist { shift, position, explicit: false, implicit: true, regularised: None }))
+        Balance(Kind::Waist(WaistLaw { shift, position, explicit: false, implicit: true, regularised: None }))
     }
 
     /// Whether there is any theorem on a step of this scheme.
@@ -130,9 +130,9 @@ impl Balance {
     }
 }
 
-impl Parameters {
+impl SchemeParameters {
     fn moreau_jean(&self) -> Balance {
-        let Parameters { theta, activation, restitution, .. } = *self;
+        let SchemeParameters { theta, activation, restitution, .. } = *self;
         Balance::of_moreau_jean(&MoreauJean { theta, activation, restitution })
     }
 }

@@ -11,7 +11,7 @@ use moreau_exact::tolerance::rounding;
 use nalgebra::dvector;
 
 /// A ball of 2 kg at this height and speed, one step of a scheme.
-fn ball_step(name: &str, parameters: &Parameters, e: f64, at: [f64; 2], h: f64) -> Judged {
+fn ball_step(name: &str, parameters: &SchemeParameters, e: f64, at: [f64; 2], h: f64) -> Judged {
     let ball = PointMass::ball_on_floor(2.0, 10.0, e);
     let before = State { time: 0.0, position: dvector![at[0]], velocity: dvector![at[1]] };
     let scheme = by_name(name, *parameters).expect("listed");
@@ -32,7 +32,7 @@ fn the_gain_of_discretised_gravity_is_reached_by_a_ball_that_half_rests() {
     // v
     let h = 0.125;
     for (e, theta) in [(0.0, 0.5), (0.0, 1.0), (0.25, 0.5), (0.5, 0.25), (1.0, 0.5)] {
-        let parameters = Parameters { theta, activation: Activation::Gap, ..Parameters::default() };
+        let parameters = SchemeParameters { theta, activation: Activation::Gap, ..SchemeParameters::default() };
         let speed = 0.5 * 10.0 * h / (1.0 + e);
         let (measured, bound) = rise(&ball_step("moreau-jean", &parameters, e, [0.0, speed], h));
         let closed = (1.0 - e) / (1.0 + e) * 2.0 * (10.0 * h) * (10.0 * h) / 8.0;
@@ -52,7 +52,7 @@ fn the_gain_of_discretised_gravity_is_reached_by_a_ball_that_half_rests() {
 fn a_spring_reaches_its_bound_too() {
     let (h, e, theta) = (0.125, 0.5, 0.5);
     let body = OscillatorWithStop::new(2.0, 8.0, 0.0, 0.5, e).expect("valid");
-    let parameters = Parameters { theta, activation: Activation::Gap, ..Parameters::default() };
+    let parameters = SchemeParameters { theta, activation: Activation::Gap, ..SchemeParameters::default() };
     let scheme = by_name("moreau-jean", parameters).expect("listed");
     // −(1+e) r·u⁻ = Q̂ is least at r = −½ M̂(v_free − v)
     let sharpest = (0..=200).map(|k| {
@@ -73,7 +73,7 @@ fn cornered(restitutions: [f64; 2]) -> f64 {
     let walls = vec![wall(dvector![0.0, 1.0], restitutions[0]), wall(dvector![0.96, -0.28], restitutions[1])];
     let point = PointMass::new("cornered", 1.0, dvector![0.0, 0.0], walls).expect("valid");
     let before = State { time: 0.0, position: dvector![0.0, 0.0], velocity: dvector![-1.0, -0.1] };
-    let parameters = Parameters { activation: Activation::Gap, ..Parameters::default() };
+    let parameters = SchemeParameters { activation: Activation::Gap, ..SchemeParameters::default() };
     let made =
         step(&MoreauJean { activation: Activation::Gap, ..MoreauJean::default() }, &Auto, &point, &before, 0.01).expect("two contacts");
     let taken = Taken { mechanism: &point, before: &before, step: &made, h: 0.01 };
@@ -93,7 +93,7 @@ fn an_impact_without_friction_and_gravity_gains_with_no_pair_of_restitutions() {
 
 #[test]
 fn schemes_of_every_row_hold_their_row_on_an_impact_and_on_a_depth() {
-    let parameters = Parameters::default();
+    let parameters = SchemeParameters::default();
     for row in &ROWS {
         let balance = Balance::of(row.scheme, &parameters).expect("listed");
         for (e, at) in [(0.5, [0.002, -1.0]), (0.0, [-0.001, -0.1]), (1.0, [0.02, -3.0]), (0.5, [3.0, 0.0])] {

@@ -2,12 +2,12 @@
 
 use crate::energy_balance::constant::Constant;
 use crate::energy_balance::gyroscopic::Turned;
-use crate::energy_balance::waist::{Posed, Waist};
+use crate::energy_balance::waist::{Posed, WaistLaw};
 use crate::energy_balance::{IDENTITY, Judged, KINETIC, RESIDUAL, Taken, linear, own, total};
 use moreau_checks::Finding;
 use moreau_exact::Result;
 
-impl Waist {
+impl WaistLaw {
     /// The findings of one step.
     pub fn judge(&self, taken: &Taken) -> Result<Judged> {
         if self.explicit && taken.mechanism.linear_force().is_some() {

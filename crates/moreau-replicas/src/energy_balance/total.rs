@@ -22,7 +22,7 @@
 use crate::energy_balance::constant::Constant;
 use crate::energy_balance::gyroscopic::Turned;
 use crate::energy_balance::position::Position;
-use crate::energy_balance::waist::{Posed, Waist, effort};
+use crate::energy_balance::waist::{Posed, WaistLaw, effort};
 use crate::energy_balance::{TOTAL, TOTAL_IDENTITY, Taken};
 use crate::tolerance::energy_balance as tolerance;
 use moreau_checks::Finding;
@@ -43,7 +43,7 @@ fn rounding(taken: &Taken, posed: &Posed, constant: &Constant, turned: &Turned) 
 }
 
 /// The findings of the module's equations.
-pub(super) fn judge(waist: &Waist, taken: &Taken, posed: &Posed, constant: &Constant, turned: &Turned) -> Total {
+pub(super) fn judge(waist: &WaistLaw, taken: &Taken, posed: &Posed, constant: &Constant, turned: &Turned) -> Total {
     let none = Total { findings: Vec::new(), rise: None };
     let (mechanism, before, after) = (taken.mechanism, taken.before, &taken.step.state);
     let tolerance = rounding(taken, posed, constant, turned);

@@ -17,7 +17,7 @@ use nalgebra::DVector;
 
 /// What is declared of a scheme through impulses.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Waist {
+pub(super) struct WaistLaw {
     /// What the law adds to u.
     pub shift: Shift,
     /// How the positions move.
@@ -75,7 +75,7 @@ impl Regularised {
     }
 }
 
-impl Waist {
+impl WaistLaw {
     /// The step's impulses, its declared shift and its residual.
     pub fn posed(&self, taken: &Taken) -> Result<Posed> {
         let exchange = Exchange::new(taken)?;

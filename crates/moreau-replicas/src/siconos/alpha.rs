@@ -26,7 +26,7 @@ use serde::Deserialize;
 #[derive(Clone, Debug, Deserialize)]
 pub struct SiconosAlpha {
     system: Spring,
-    scheme: Parameters,
+    scheme: SchemeParameters,
     /// h \[s\].
     pub time_step: f64,
     times: Vec<f64>,
@@ -48,7 +48,7 @@ struct Spring {
 }
 
 #[derive(Clone, Debug, Deserialize)]
-struct Parameters {
+struct SchemeParameters {
     spectral_radius: f64,
     newton_tolerance: f64,
 }

@@ -14,7 +14,7 @@ use crate::siconos::steps::{Provenance, Stored};
 use crate::tolerance::references::siconos_flight;
 use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::solvers::LemkePivoting;
-use moreau_dynamics::event_driven::{EventDriven, Motion};
+use moreau_dynamics::event_driven::{EventDriven, Passage};
 use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -131,7 +131,7 @@ impl SiconosEvents {
         Ok(())
     }
 
-    fn motion(&self, method: &EventDriven, mechanism: &dyn Mechanism, from: usize, to: usize) -> Result<Motion> {
+    fn motion(&self, method: &EventDriven, mechanism: &dyn Mechanism, from: usize, to: usize) -> Result<Passage> {
         method.advance(&LemkePivoting, mechanism, &self.state(from), self.times[to] - self.times[from])
     }
 

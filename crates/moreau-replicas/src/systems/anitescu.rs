@@ -5,7 +5,7 @@
 //! ```
 
 use super::planted::{Mistake, planted};
-use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System, on_a_ball, on_a_slope};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, on_a_ball, on_a_slope};
 use moreau_contact::certificate::{natural_map, residuals};
 use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::{Auto, ClarabelPolished, ContactSolver, largest_eigenvalue_bound};
@@ -18,7 +18,7 @@ use nalgebra::DVector;
 
 pub static SYSTEM: System = System {
     name: "Anitescu",
-    level: Level::Position,
+    level: ConstraintLevel::Position,
     cone: Cone::SecondOrder,
     law: ContactLaw::Associated,
     algorithm: "block projected Gauss–Seidel, accelerated; projected gradient; interior point",
@@ -31,7 +31,7 @@ pub static SYSTEM: System = System {
             quantity: "gap of a sliding block, μ h v",
             unit: "m",
             measure: |_| on_a_slope::sliding_gap(&Anitescu),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "half of every μ",
                 measure: |_| on_a_slope::sliding_gap(&planted(Anitescu, Mistake::HalfFriction)),
             }],
@@ -41,14 +41,17 @@ pub static SYSTEM: System = System {
             quantity: "creep of a block that sticks",
             unit: "m/s",
             measure: |_| on_a_slope::creep(&Anitescu),
-            planted: &[Planted { mistake: "half of every μ", measure: |_| on_a_slope::creep(&planted(Anitescu, Mistake::HalfFriction)) }],
+            planted: &[PlantedMistake {
+                mistake: "half of every μ",
+                measure: |_| on_a_slope::creep(&planted(Anitescu, Mistake::HalfFriction)),
+            }],
         },
         Agreement {
             against: "exact rationals",
             quantity: "velocity after each step of a landing ball",
             unit: "m/s",
             measure: |_| on_a_ball::velocities(&Anitescu, |ball, now, h| ball.stewart_trinkle(now, h).motion),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "forces 10 % too strong",
                 measure: |_| on_a_ball::velocities(&planted(Anitescu, Mistake::Heavy), |ball, now, h| ball.stewart_trinkle(now, h).motion),
             }],
@@ -59,11 +62,11 @@ pub static SYSTEM: System = System {
             unit: "m/s",
             measure: |_| stack_against_clarabel(&Anitescu, &Auto, 20),
             planted: &[
-                Planted {
+                PlantedMistake {
                     mistake: "the answer to a problem with 10 % more free velocity",
                     measure: |_| stack_answered_wrongly(&Anitescu, &Auto),
                 },
-                Planted {
+                PlantedMistake {
                     mistake: "velocities before the impulses",
                     measure: |_| stack_against_clarabel(&Anitescu, &Untouched(Box::new(Auto)), 1),
                 },

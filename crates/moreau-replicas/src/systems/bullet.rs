@@ -6,7 +6,7 @@
 
 use super::planted::{Mistake, planted};
 use super::replay::{self, Replay};
-use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System};
 use crate::bullet::SequentialImpulses;
 use crate::bullet::steps::BulletSteps;
 use crate::bullet::{Bodies, Bullet, Friction};
@@ -32,7 +32,7 @@ const ENGINE: &str = "PyBullet 3.2.7";
 
 pub static SYSTEM: System = System {
     name: "Bullet",
-    level: Level::Velocity,
+    level: ConstraintLevel::Velocity,
     cone: Cone::SecondOrder,
     law: ContactLaw::Coulomb,
     algorithm: "sequential impulses, a given number of sweeps (`--solver sequential-impulses`); or their limit",
@@ -45,21 +45,24 @@ pub static SYSTEM: System = System {
             quantity: "velocity of a sunken ball, every step",
             unit: "m/s",
             measure: |runs| velocity(runs, SUNK, &Bullet::default()),
-            planted: &[Planted { mistake: "ERP = 0.2", measure: |runs| velocity(runs, SUNK, &eager(Bullet::default())) }],
+            planted: &[PlantedMistake { mistake: "ERP = 0.2", measure: |runs| velocity(runs, SUNK, &eager(Bullet::default())) }],
         },
         Agreement {
             against: ENGINE,
             quantity: "velocity of a bouncing multibody, every step",
             unit: "m/s",
             measure: |runs| velocity(runs, BOUNCE, &Bullet::default()),
-            planted: &[Planted { mistake: "a rigid body in place of the multibody", measure: |runs| velocity(runs, BOUNCE, &rigid()) }],
+            planted: &[PlantedMistake {
+                mistake: "a rigid body in place of the multibody",
+                measure: |runs| velocity(runs, BOUNCE, &rigid()),
+            }],
         },
         Agreement {
             against: ENGINE,
             quantity: "velocity of a bouncing rigid body, every step",
             unit: "m/s",
             measure: |runs| velocity(runs, RIGID_BOUNCE, &rigid()),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "a multibody in place of the rigid body",
                 measure: |runs| velocity(runs, RIGID_BOUNCE, &Bullet::default()),
             }],
@@ -69,14 +72,14 @@ pub static SYSTEM: System = System {
             quantity: "position under split impulses, every step",
             unit: "m",
             measure: |runs| position(runs, DEEP, &rigid()),
-            planted: &[Planted { mistake: "ERP = 0.2", measure: |runs| position(runs, DEEP, &eager(rigid())) }],
+            planted: &[PlantedMistake { mistake: "ERP = 0.2", measure: |runs| position(runs, DEEP, &eager(rigid())) }],
         },
         Agreement {
             against: ENGINE,
             quantity: "velocity of a block sliding on a box, every second step",
             unit: "m/s",
             measure: |runs| velocity(runs, SLIDE, &boxes()),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "half of every μ",
                 measure: |runs| velocity(runs, SLIDE, &planted(boxes(), Mistake::HalfFriction)),
             }],
@@ -87,11 +90,11 @@ pub static SYSTEM: System = System {
             unit: "N·s",
             measure: |runs| by_sweeps(runs, STEPS),
             planted: &[
-                Planted {
+                PlantedMistake {
                     mistake: "sweeps to the end, whatever the residual",
                     measure: |runs| swept(runs, STEPS, |scheme| scheme, |right| Box::new(SequentialImpulses { residual: 0.0, ..right })),
                 },
-                Planted {
+                PlantedMistake {
                     mistake: "the solution in place of its sweeps",
                     measure: |runs| swept(runs, STEPS, |scheme| scheme, |_| Box::new(ProjectedGaussSeidel::accelerated())),
                 },
@@ -103,11 +106,11 @@ pub static SYSTEM: System = System {
             unit: "N·s",
             measure: |runs| by_sweeps(runs, FIVE_SWEEPS),
             planted: &[
-                Planted {
+                PlantedMistake {
                     mistake: "friction before the normals of each sweep",
                     measure: |runs| swept(runs, FIVE_SWEEPS, |scheme| scheme, |right| Box::new(FrictionFirst(right))),
                 },
-                Planted {
+                PlantedMistake {
                     mistake: "one sweep more",
                     measure: |runs| {
                         swept(
@@ -126,11 +129,11 @@ pub static SYSTEM: System = System {
             unit: "N·s",
             measure: |runs| by_sweeps(runs, PYRAMID),
             planted: &[
-                Planted {
+                PlantedMistake {
                     mistake: "the round cone in place of the pyramid",
                     measure: |runs| swept(runs, PYRAMID, |scheme| Bullet { friction: Friction::Cone, ..scheme }, |right| Box::new(right)),
                 },
-                Planted {
+                PlantedMistake {
                     mistake: "a rigid body in place of the multibody",
                     measure: |runs| swept(runs, PYRAMID, |scheme| Bullet { bodies: Bodies::Rigid, ..scheme }, |right| Box::new(right)),
                 },
@@ -141,7 +144,7 @@ pub static SYSTEM: System = System {
             quantity: "the same of rigid bodies, warm start 0.85",
             unit: "N·s",
             measure: |runs| by_sweeps(runs, WARM),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "warm start 0.1",
                 measure: |runs| swept(runs, WARM, |scheme| scheme, |right| Box::new(SequentialImpulses { warm_start: 0.1, ..right })),
             }],

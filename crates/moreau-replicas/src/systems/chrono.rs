@@ -5,7 +5,7 @@
 //! ```
 
 use super::planted::{Mistake, planted};
-use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System, anitescu, on_a_slope};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, anitescu, on_a_slope};
 use crate::chrono::Chrono;
 use moreau_contact::solvers::{Auto, Solvers};
 use moreau_dynamics::mechanics::{PointMass, State};
@@ -16,7 +16,7 @@ use nalgebra::dvector;
 
 pub static SYSTEM: System = System {
     name: "Chrono NSC",
-    level: Level::Position,
+    level: ConstraintLevel::Position,
     cone: Cone::SecondOrder,
     law: ContactLaw::Associated,
     algorithm: "projected over-relaxation, Barzilai–Borwein, accelerated projected gradient, ADMM",
@@ -29,7 +29,7 @@ pub static SYSTEM: System = System {
             quantity: "gap of a sliding block, μ h v",
             unit: "m",
             measure: |_| on_a_slope::sliding_gap(&Chrono::default()),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "half of every μ",
                 measure: |_| on_a_slope::sliding_gap(&planted(Chrono::default(), Mistake::HalfFriction)),
             }],
@@ -39,7 +39,7 @@ pub static SYSTEM: System = System {
             quantity: "creep of a block that sticks",
             unit: "m/s",
             measure: |_| on_a_slope::creep(&Chrono::default()),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "half of every μ",
                 measure: |_| on_a_slope::creep(&planted(Chrono::default(), Mistake::HalfFriction)),
             }],
@@ -49,7 +49,7 @@ pub static SYSTEM: System = System {
             quantity: "depth undone at the recovery speed",
             unit: "m",
             measure: |_| recovery(&Chrono::default()),
-            planted: &[Planted { mistake: "Anitescu, which undoes any depth at once", measure: |_| recovery(&Anitescu) }],
+            planted: &[PlantedMistake { mistake: "Anitescu, which undoes any depth at once", measure: |_| recovery(&Anitescu) }],
         },
         Agreement {
             against: "Clarabel 0.11, polished",
@@ -57,11 +57,11 @@ pub static SYSTEM: System = System {
             unit: "m/s",
             measure: |_| four_algorithms(&Chrono::default()),
             planted: &[
-                Planted {
+                PlantedMistake {
                     mistake: "one of them answers a problem with 10 % more free velocity",
                     measure: |_| anitescu::stack_answered_wrongly(&Chrono::default(), Solvers::own().by_name("apgd")?.as_ref()),
                 },
-                Planted {
+                PlantedMistake {
                     mistake: "one of them tells velocities before its impulses",
                     measure: |_| {
                         anitescu::stack_against_clarabel(&Chrono::default(), &anitescu::Untouched(Solvers::own().by_name("apgd")?), 1)

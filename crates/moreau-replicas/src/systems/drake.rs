@@ -5,7 +5,7 @@
 //!     Similar, Lagged, TAMSI     r_n = h k (δ − h u_n)₊ (1 − d u_n)₊ ,   friction regularised below a slip v_s
 //! ```
 
-use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System};
 use crate::drake::replay::Replay;
 use crate::drake::{Material, by_name};
 use crate::stored::StoredRuns;
@@ -27,7 +27,7 @@ const fn drake(
 ) -> System {
     System {
         name,
-        level: Level::Position,
+        level: ConstraintLevel::Position,
         cone: Cone::SecondOrder,
         law: ContactLaw::Compliant,
         algorithm,
@@ -39,7 +39,11 @@ const fn drake(
 }
 
 /// Velocities, weighed by the mass, against a stored motion of Drake's.
-const fn velocity(quantity: &'static str, measure: fn(&dyn StoredRuns) -> Result<Measured>, planted: &'static [Planted]) -> Agreement {
+const fn velocity(
+    quantity: &'static str,
+    measure: fn(&dyn StoredRuns) -> Result<Measured>,
+    planted: &'static [PlantedMistake],
+) -> Agreement {
     Agreement { against: ENGINE, quantity, unit: "kg^½·m/s", measure, planted }
 }
 
@@ -49,7 +53,7 @@ macro_rules! agreement {
         velocity(
             $quantity,
             |runs| $how(runs, $name, None),
-            &[$(Planted { mistake: $mistake, measure: |runs| $how(runs, $name, Some($scheme)) }),+],
+            &[$(PlantedMistake { mistake: $mistake, measure: |runs| $how(runs, $name, Some($scheme)) }),+],
         )
     };
 }
@@ -61,9 +65,9 @@ macro_rules! landing {
             "velocity after every step of five boxes that land on each other, h = 5 ms",
             |runs| one_step(runs, $name, None),
             &[
-                Planted { mistake: "friction 1 % larger", measure: |runs| altered(runs, $name, rougher) },
-                Planted { mistake: "corners of 6 mm", measure: |runs| altered(runs, $name, rounder) },
-                Planted { mistake: "the first box a tenth narrower", measure: |runs| altered(runs, $name, narrower) },
+                PlantedMistake { mistake: "friction 1 % larger", measure: |runs| altered(runs, $name, rougher) },
+                PlantedMistake { mistake: "corners of 6 mm", measure: |runs| altered(runs, $name, rounder) },
+                PlantedMistake { mistake: "the first box a tenth narrower", measure: |runs| altered(runs, $name, narrower) },
             ],
         )
     };

@@ -4,7 +4,7 @@
 //!     ẋ = f(x) between events ,   impacts  y = H v⁺ + e min(u_n⁻, 0) n ,   forces  0 ≤ λ ⟂ H v̇ + Ḣ v ≥ 0
 //! ```
 
-use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System};
 use crate::siconos::events::SiconosEvents;
 use crate::stored::StoredRuns;
 use moreau_contact::solvers::Auto;
@@ -19,7 +19,7 @@ use nalgebra::{DVector, dvector};
 
 pub static SYSTEM: System = System {
     name: "Event-driven",
-    level: Level::Acceleration,
+    level: ConstraintLevel::Acceleration,
     cone: Cone::SecondOrder,
     law: ContactLaw::Coulomb,
     algorithm: "Lemke on accelerations; block projected Gauss–Seidel at impacts",
@@ -32,35 +32,35 @@ pub static SYSTEM: System = System {
             quantity: "position of a ball through all its impacts to rest",
             unit: "m",
             measure: |_| ball(&EventDriven::default()),
-            planted: &[Planted { mistake: "events noticed at the end of a step of 13 ms", measure: |_| ball(&late()) }],
+            planted: &[PlantedMistake { mistake: "events noticed at the end of a step of 13 ms", measure: |_| ball(&late()) }],
         },
         Agreement {
             against: "closed form",
             quantity: "position of oscillators with a stop whose impacts end, go on or accumulate",
             unit: "m",
             measure: |_| stops(&EventDriven::default()),
-            planted: &[Planted { mistake: "events noticed at the end of a step of 13 ms", measure: |_| stops(&late()) }],
+            planted: &[PlantedMistake { mistake: "events noticed at the end of a step of 13 ms", measure: |_| stops(&late()) }],
         },
         Agreement {
             against: "Siconos 4.4.0",
             quantity: "instant of every impact of balls and oscillators with a stop, times the speed",
             unit: "m",
             measure: |runs| siconos(runs, &EventDriven::default()),
-            planted: &[Planted { mistake: "events noticed at the end of a step of 13 ms", measure: |runs| siconos(runs, &late()) }],
+            planted: &[PlantedMistake { mistake: "events noticed at the end of a step of 13 ms", measure: |runs| siconos(runs, &late()) }],
         },
         Agreement {
             against: "closed form",
             quantity: "speed of a block that friction stops on a slope and that slides back or stays",
             unit: "m/s",
             measure: |_| block(&EventDriven::default()),
-            planted: &[Planted { mistake: "events noticed at the end of a step of 13 ms", measure: |_| block(&late()) }],
+            planted: &[PlantedMistake { mistake: "events noticed at the end of a step of 13 ms", measure: |_| block(&late()) }],
         },
         Agreement {
             against: "closed form",
             quantity: "position of a mass that sticks and slips on a belt, through Filippov's sliding mode",
             unit: "m",
             measure: |_| belt(&EventDriven::default()),
-            planted: &[Planted { mistake: "events noticed at the end of a step of 13 ms", measure: |_| belt(&late()) }],
+            planted: &[PlantedMistake { mistake: "events noticed at the end of a step of 13 ms", measure: |_| belt(&late()) }],
         },
     ],
 };

@@ -5,7 +5,7 @@
 //! ```
 
 use super::planted::{Mistake, planted};
-use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System, on_a_ball, on_a_spring};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, on_a_ball, on_a_spring};
 use moreau_dynamics::integrators::ExplicitEuler;
 use moreau_dynamics::schemes::{Activation, Euler, Scheme};
 use moreau_exact::Result;
@@ -13,7 +13,7 @@ use moreau_exact::scalar::ratio;
 
 pub static SYSTEM: System = System {
     name: "explicit Euler",
-    level: Level::Velocity,
+    level: ConstraintLevel::Velocity,
     cone: Cone::SecondOrder,
     law: ContactLaw::Coulomb,
     algorithm: "block projected Gauss–Seidel, accelerated",
@@ -26,7 +26,7 @@ pub static SYSTEM: System = System {
             quantity: "state after each step of a spring, relative",
             unit: "1",
             measure: |_| on_a_spring::steps(&Euler::Explicit, &ExplicitEuler),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "positions moved on by half the change of velocity as well",
                 measure: |_| on_a_spring::steps(&planted(Euler::Explicit, Mistake::Ahead), &ExplicitEuler),
             }],
@@ -36,7 +36,7 @@ pub static SYSTEM: System = System {
             quantity: "growth of the spring's energy, (1 + s²)ⁿ, relative",
             unit: "1",
             measure: |_| on_a_spring::energy(&Euler::Explicit, 1.0 + on_a_spring::STEP.powi(2), 0.0),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "positions moved on by half the change of velocity as well",
                 measure: |_| on_a_spring::energy(&planted(Euler::Explicit, Mistake::Ahead), 1.0 + on_a_spring::STEP.powi(2), 0.0),
             }],
@@ -46,7 +46,7 @@ pub static SYSTEM: System = System {
             quantity: "position after each step of a bouncing ball",
             unit: "m",
             measure: |_| positions(&Euler::Explicit),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "positions moved on by half the change of velocity as well",
                 measure: |_| positions(&planted(Euler::Explicit, Mistake::Ahead)),
             }],

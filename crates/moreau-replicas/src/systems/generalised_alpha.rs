@@ -8,7 +8,7 @@
 //! [`crate::siconos::alpha`].
 
 use super::planted::{Mistake, planted};
-use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System, on_a_ball, on_a_spring};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, on_a_ball, on_a_spring};
 use crate::siconos::alpha::SiconosAlpha;
 use crate::stored::StoredRuns;
 use moreau_dynamics::schemes::{GeneralisedAlpha, Scheme};
@@ -16,7 +16,7 @@ use moreau_exact::{Error, Result};
 
 pub static SYSTEM: System = System {
     name: "nonsmooth generalised-α",
-    level: Level::Velocity,
+    level: ConstraintLevel::Velocity,
     cone: Cone::SecondOrder,
     law: ContactLaw::Coulomb,
     algorithm: "block projected Gauss–Seidel, accelerated",
@@ -29,21 +29,21 @@ pub static SYSTEM: System = System {
             quantity: "the spring's energy at ρ = 1, where it stays, relative",
             unit: "1",
             measure: |_| kept(&trapezoidal()?),
-            planted: &[Planted { mistake: "damped, ρ below 1", measure: |_| kept(&GeneralisedAlpha::default()) }],
+            planted: &[PlantedMistake { mistake: "damped, ρ below 1", measure: |_| kept(&GeneralisedAlpha::default()) }],
         },
         Agreement {
             against: "Siconos 4.4.0",
             quantity: "velocity after single steps between contacts of springs and a fall, NewMarkAlphaOSI at ρ = 1, 0.8 and 0.2",
             unit: "m/s",
             measure: |runs| siconos(runs, |run| run.scheme()),
-            planted: &[Planted { mistake: "ρ = 0.79 throughout", measure: |runs| siconos(runs, |_| GeneralisedAlpha::new(0.79)) }],
+            planted: &[PlantedMistake { mistake: "ρ = 0.79 throughout", measure: |runs| siconos(runs, |_| GeneralisedAlpha::new(0.79)) }],
         },
         Agreement {
             against: "exact rationals",
             quantity: "velocity after each step of a bouncing ball",
             unit: "m/s",
             measure: |_| bounced(&GeneralisedAlpha::default()),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "forces 10 % too strong",
                 measure: |_| bounced(&planted(GeneralisedAlpha::default(), Mistake::Heavy)),
             }],

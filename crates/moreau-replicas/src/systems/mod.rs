@@ -38,7 +38,7 @@ mod variational;
 
 pub use measured::Measured;
 pub use report::{AgreementReport, Report, SystemReport};
-pub use system::{Agreement, Cone, ContactLaw, Level, Planted, System};
+pub use system::{Agreement, Cone, ConstraintLevel, ContactLaw, PlantedMistake, System};
 
 /// Every system, in the order of the chapter; a new one is one more line.
 pub static ALL: &[&System] = &[

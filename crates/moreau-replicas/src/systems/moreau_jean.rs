@@ -5,14 +5,14 @@
 //! ```
 
 use super::planted::{Mistake, planted};
-use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System, on_a_ball, on_a_slope};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, on_a_ball, on_a_slope};
 use moreau_dynamics::schemes::{Activation, MoreauJean, RestitutionRule, Scheme};
 use moreau_exact::Result;
 use moreau_exact::scalar::exact;
 
 pub static SYSTEM: System = System {
     name: "Moreau–Jean",
-    level: Level::Velocity,
+    level: ConstraintLevel::Velocity,
     cone: Cone::SecondOrder,
     law: ContactLaw::Coulomb,
     algorithm: "block projected Gauss–Seidel, accelerated",
@@ -25,7 +25,7 @@ pub static SYSTEM: System = System {
             quantity: "velocity after each step of a bouncing ball, three activation rules",
             unit: "m/s",
             measure: |_| all_rules(|scheme| Box::new(scheme)),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "forces 10 % too strong",
                 measure: |_| all_rules(|scheme| Box::new(planted(scheme, Mistake::Heavy))),
             }],
@@ -35,7 +35,7 @@ pub static SYSTEM: System = System {
             quantity: "position of a ball through all impacts to rest, h = 1/1024 s",
             unit: "m",
             measure: |_| on_a_ball::drop_to_rest(&MoreauJean::default(), &MoreauJean::default()),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "forces 10 % too strong",
                 measure: |_| on_a_ball::drop_to_rest(&planted(MoreauJean::default(), Mistake::Heavy), &MoreauJean::default()),
             }],
@@ -45,7 +45,7 @@ pub static SYSTEM: System = System {
             quantity: "speed of a block sliding down a slope",
             unit: "m/s",
             measure: |_| on_a_slope::sliding_speed(&MoreauJean::default()),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "forces 10 % too strong",
                 measure: |_| on_a_slope::sliding_speed(&planted(MoreauJean::default(), Mistake::Heavy)),
             }],
@@ -55,7 +55,7 @@ pub static SYSTEM: System = System {
             quantity: "creep of a block that sticks",
             unit: "m/s",
             measure: |_| on_a_slope::creep(&MoreauJean::default()),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "half of every μ",
                 measure: |_| on_a_slope::creep(&planted(MoreauJean::default(), Mistake::HalfFriction)),
             }],

@@ -5,7 +5,7 @@
 //! ```
 
 use super::planted::{Mistake, planted};
-use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System};
 use crate::mujoco::GaussSweeps;
 use crate::mujoco::Mujoco;
 use crate::mujoco::{Cone as Shape, Integrator, Rotational};
@@ -43,7 +43,7 @@ const ROLLING: Mujoco = Mujoco { rotational: Rotational { torsional: 0.01, rolli
 
 pub static SYSTEM: System = System {
     name: "MuJoCo",
-    level: Level::Acceleration,
+    level: ConstraintLevel::Acceleration,
     cone: Cone::Polyhedral,
     law: ContactLaw::Compliant,
     algorithm: "Newton, conjugate gradients, or Gauss–Seidel; the cone may be round, too",
@@ -56,7 +56,7 @@ pub static SYSTEM: System = System {
             quantity: "impulses of a stored step, block on a slope, relative",
             unit: "",
             measure: |runs| stored_step(runs, STEP, &GaussNewton::default(), REPLAYED_STEP),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "no step of Newton",
                 measure: |runs| stored_step(runs, STEP, &GaussNewton { steps: 0, ..GaussNewton::default() }, REPLAYED_STEP),
             }],
@@ -66,7 +66,7 @@ pub static SYSTEM: System = System {
             quantity: "place of a dropped ball over 2 s",
             unit: "m",
             measure: |runs| replay(runs, BALL, &ELLIPTIC),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "forces 10 % too strong",
                 measure: |runs| replay(runs, BALL, &planted(ELLIPTIC, Mistake::Heavy)),
             }],
@@ -76,7 +76,7 @@ pub static SYSTEM: System = System {
             quantity: "place of a block that creeps on a slope over 1 s, round cone",
             unit: "m",
             measure: |runs| replay(runs, STICKING, &ELLIPTIC),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "forces 10 % too strong",
                 measure: |runs| replay(runs, STICKING, &planted(ELLIPTIC, Mistake::Heavy)),
             }],
@@ -86,7 +86,7 @@ pub static SYSTEM: System = System {
             quantity: "place of a block that slides and hops over 1 s, pyramid",
             unit: "m",
             measure: |runs| replay(runs, SLIDING, &PYRAMIDAL),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "half of every μ",
                 measure: |runs| replay(runs, SLIDING, &planted(PYRAMIDAL, Mistake::HalfFriction)),
             }],
@@ -96,7 +96,7 @@ pub static SYSTEM: System = System {
             quantity: "places of a stack of five boxes over 1 s, pyramid",
             unit: "m",
             measure: |runs| replay(runs, STACK, &PYRAMIDAL),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "forces 10 % too strong",
                 measure: |runs| replay(runs, STACK, &planted(PYRAMIDAL, Mistake::Heavy)),
             }],
@@ -106,7 +106,7 @@ pub static SYSTEM: System = System {
             quantity: "impulses of a stored step, sliding block, round cone, relative",
             unit: "",
             measure: |runs| stored_step(runs, CONVERGED_STEP, &GaussNewton::default(), tolerance::CONVERGED_STEP),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "no step of Newton",
                 measure: |runs| stored_step(runs, CONVERGED_STEP, &GaussNewton { steps: 0, ..GaussNewton::default() }, REPLAYED_STEP),
             }],
@@ -116,7 +116,7 @@ pub static SYSTEM: System = System {
             quantity: "place of a block that slides and hops over 1 s, round cone",
             unit: "m",
             measure: |runs| replay(runs, CONVERGED_SLIDE, &ELLIPTIC),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "half of every μ",
                 measure: |runs| replay(runs, CONVERGED_SLIDE, &planted(ELLIPTIC, Mistake::HalfFriction)),
             }],
@@ -127,8 +127,8 @@ pub static SYSTEM: System = System {
             unit: "m",
             measure: |runs| replay(runs, TUMBLE, &FAST),
             planted: &[
-                Planted { mistake: "Euler in its place", measure: |runs| replay(runs, TUMBLE, &ELLIPTIC) },
-                Planted {
+                PlantedMistake { mistake: "Euler in its place", measure: |runs| replay(runs, TUMBLE, &ELLIPTIC) },
+                PlantedMistake {
                     mistake: "RK4 in its place",
                     measure: |runs| replay(runs, TUMBLE, &Mujoco { integrator: Integrator::RungeKutta, ..ELLIPTIC }),
                 },
@@ -139,7 +139,7 @@ pub static SYSTEM: System = System {
             quantity: "place of a box that tumbles and lands, RK4, pyramid",
             unit: "m",
             measure: |runs| replay(runs, STAGES, &RK4),
-            planted: &[Planted { mistake: "Euler in its place", measure: |runs| replay(runs, STAGES, &PYRAMIDAL) }],
+            planted: &[PlantedMistake { mistake: "Euler in its place", measure: |runs| replay(runs, STAGES, &PYRAMIDAL) }],
         },
         Agreement {
             against: "MuJoCo 3.17.0, run to the end",
@@ -147,8 +147,8 @@ pub static SYSTEM: System = System {
             unit: "m",
             measure: |runs| replay(runs, ROLL, &ROLLING),
             planted: &[
-                Planted { mistake: "no torsional and rolling friction", measure: |runs| replay(runs, ROLL, &ELLIPTIC) },
-                Planted {
+                PlantedMistake { mistake: "no torsional and rolling friction", measure: |runs| replay(runs, ROLL, &ELLIPTIC) },
+                PlantedMistake {
                     mistake: "rolling friction 1 % larger",
                     measure: |runs| replay(runs, ROLL, &Mujoco { rotational: Rotational { torsional: 0.01, rolling: 0.0101 }, ..ELLIPTIC }),
                 },
@@ -159,14 +159,14 @@ pub static SYSTEM: System = System {
             quantity: "depth of a ball at rest",
             unit: "m",
             measure: |_| rest_depth(&ELLIPTIC),
-            planted: &[Planted { mistake: "forces 10 % too strong", measure: |_| rest_depth(&planted(ELLIPTIC, Mistake::Heavy)) }],
+            planted: &[PlantedMistake { mistake: "forces 10 % too strong", measure: |_| rest_depth(&planted(ELLIPTIC, Mistake::Heavy)) }],
         },
         Agreement {
             against: "MuJoCo 3.17.0",
             quantity: "impulses of Gauss–Seidel along rays and discs, the same stored step, relative",
             unit: "",
             measure: |runs| stored_step(runs, STEP, &GaussSweeps::default(), REPLAYED_STEP),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "one sweep",
                 measure: |runs| stored_step(runs, STEP, &GaussSweeps { sweeps: 1, ..GaussSweeps::default() }, REPLAYED_STEP),
             }],

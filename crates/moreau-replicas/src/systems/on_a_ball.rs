@@ -4,7 +4,7 @@ use super::Measured;
 use moreau_checks::convergence::ball_errors;
 use moreau_checks::tolerance::convergence::Impacts;
 use moreau_contact::solvers::Auto;
-use moreau_dynamics::exact_particle::{Ball, Motion};
+use moreau_dynamics::exact_particle::{Ball, BallState};
 use moreau_dynamics::mechanics::{PointMass, State};
 use moreau_dynamics::schemes::{MoreauJean, Scheme, step};
 use moreau_dynamics::tolerance::schemes::{ball_position, ball_velocity};
@@ -27,7 +27,7 @@ const STEPS: usize = 150;
 /// Those of the scheme.
 pub fn velocities(
     scheme: &dyn Scheme,
-    next: impl Fn(&Ball<Rational>, &Motion<Rational>, &Rational) -> Motion<Rational>,
+    next: impl Fn(&Ball<Rational>, &BallState<Rational>, &Rational) -> BallState<Rational>,
 ) -> Result<Measured> {
     compare(scheme, next, |state, exact, speed| {
         let difference = (state.velocity[0] - exact.velocity.to_f64().value()).abs();
@@ -41,7 +41,7 @@ pub fn velocities(
 /// Those of the scheme.
 pub fn positions(
     scheme: &dyn Scheme,
-    next: impl Fn(&Ball<Rational>, &Motion<Rational>, &Rational) -> Motion<Rational>,
+    next: impl Fn(&Ball<Rational>, &BallState<Rational>, &Rational) -> BallState<Rational>,
 ) -> Result<Measured> {
     compare(scheme, next, |state, exact, speed| {
         let difference = (state.position[0] - exact.position.to_f64().value()).abs();
@@ -53,8 +53,8 @@ pub fn positions(
 
 fn compare(
     scheme: &dyn Scheme,
-    next: impl Fn(&Ball<Rational>, &Motion<Rational>, &Rational) -> Motion<Rational>,
-    difference: impl Fn(&State, &Motion<Rational>, f64) -> Measured,
+    next: impl Fn(&Ball<Rational>, &BallState<Rational>, &Rational) -> BallState<Rational>,
+    difference: impl Fn(&State, &BallState<Rational>, f64) -> Measured,
 ) -> Result<Measured> {
     let mechanism = PointMass::ball_on_floor(MASS, GRAVITY, RESTITUTION);
     let ball = Ball { mass: exact(MASS), gravity: exact(GRAVITY), restitution: exact(RESTITUTION) };
@@ -63,7 +63,7 @@ fn compare(
     for _ in 0..STEPS {
         let (q, v) = (state.position[0], state.velocity[0]);
         let reached = step(scheme, &Auto, &mechanism, &state, TIME_STEP)?.state;
-        let wanted = next(&ball, &Motion { position: exact(q), velocity: exact(v) }, &exact(TIME_STEP));
+        let wanted = next(&ball, &BallState { position: exact(q), velocity: exact(v) }, &exact(TIME_STEP));
         // a law on the gap forms φ/h, which is the size of a speed where it acts
         let speed = v.abs() + (q.abs() / TIME_STEP).min(2.0 * v.abs() + GRAVITY * TIME_STEP);
         comparisons.push(difference(&reached, &wanted, speed));

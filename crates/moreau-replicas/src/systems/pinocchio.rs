@@ -5,7 +5,7 @@
 //! ```
 //! Its step here is Moreau–Jean's with θ = 1, activation A and e = 0: `--theta 1 --activation A --solver admm`.
 
-use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System};
 use crate::stored::StoredRuns;
 use crate::tolerance::references as tolerance;
 use moreau_contact::problem::{ContactProblem, Law, Solution};
@@ -29,7 +29,7 @@ const ENGINE: &str = "Pinocchio 4.1.0, ADMM";
 
 pub static SYSTEM: System = System {
     name: "Pinocchio, Simple",
-    level: Level::Velocity,
+    level: ConstraintLevel::Velocity,
     cone: Cone::SecondOrder,
     law: ContactLaw::Coulomb,
     algorithm: "ADMM with a proximal term and automatic ρ (`--solver admm`)",
@@ -42,21 +42,21 @@ pub static SYSTEM: System = System {
             quantity: "contact velocities of six hard problems",
             unit: "m/s",
             measure: |runs| compare(runs, &HARD, &AlternatingDirections::default()),
-            planted: &[Planted { mistake: "μ a thousandth too large", measure: |runs| compare(runs, &HARD, &Rougher) }],
+            planted: &[PlantedMistake { mistake: "μ a thousandth too large", measure: |runs| compare(runs, &HARD, &Rougher) }],
         },
         Agreement {
             against: ENGINE,
             quantity: "contact velocities of two compliant problems",
             unit: "m/s",
             measure: |runs| compare(runs, &SOFT, &AlternatingDirections::default()),
-            planted: &[Planted { mistake: "μ a thousandth too large", measure: |runs| compare(runs, &SOFT, &Rougher) }],
+            planted: &[PlantedMistake { mistake: "μ a thousandth too large", measure: |runs| compare(runs, &SOFT, &Rougher) }],
         },
         Agreement {
             against: "Pinocchio 4.1.0, ADMM with solve_ncp = false",
             quantity: "contact velocities of three relaxed problems",
             unit: "m/s",
             measure: |runs| compare(runs, &RELAXED, &AlternatingDirections::default()),
-            planted: &[Planted { mistake: "μ a thousandth too large", measure: |runs| compare(runs, &RELAXED, &Rougher) }],
+            planted: &[PlantedMistake { mistake: "μ a thousandth too large", measure: |runs| compare(runs, &RELAXED, &Rougher) }],
         },
     ],
 };

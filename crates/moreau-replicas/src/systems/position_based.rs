@@ -4,7 +4,7 @@
 //!     q⁺ = q + h v_free + M⁻¹HᵀΛ ,   0 ≤ Λ ⟂ φ(q⁺) + (α/h²) Λ ≥ 0 ,   v = (q⁺ − q)/h
 //! ```
 
-use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System};
 use moreau_contact::solvers::Auto;
 use moreau_dynamics::mechanics::{PointMass, State};
 use moreau_dynamics::schemes::{PositionBased, Softness, simulate, step};
@@ -15,7 +15,7 @@ use nalgebra::dvector;
 
 pub static SYSTEM: System = System {
     name: "XPBD, PBD",
-    level: Level::Position,
+    level: ConstraintLevel::Position,
     cone: Cone::SecondOrder,
     law: ContactLaw::Compliant,
     algorithm: "projected Gauss–Seidel on positions, gaps taken anew",
@@ -28,7 +28,7 @@ pub static SYSTEM: System = System {
             quantity: "rest depth under XPBD, α m g at every h",
             unit: "m",
             measure: |_| depth(xpbd(COMPLIANCE), |contact| contact.rest_depth_of_compliance(COMPLIANCE)),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "a compliance 1 % larger",
                 measure: |_| depth(xpbd(1.01 * COMPLIANCE), |contact| contact.rest_depth_of_compliance(COMPLIANCE)),
             }],
@@ -38,7 +38,7 @@ pub static SYSTEM: System = System {
             quantity: "rest depth under PBD, g h² (1−s)^k/(1−(1−s)^k)",
             unit: "m",
             measure: |_| depth(pbd(3), |contact| contact.rest_depth_of_share(0.5, 3)),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "four sweeps in place of three",
                 measure: |_| depth(pbd(4), |contact| contact.rest_depth_of_share(0.5, 3)),
             }],
@@ -48,7 +48,7 @@ pub static SYSTEM: System = System {
             quantity: "velocity after the step of an impact, e|v − g h|",
             unit: "m/s",
             measure: |_| rebound(xpbd(0.0), 0.5),
-            planted: &[Planted { mistake: "e = 0.5 taken for 0.51", measure: |_| rebound(xpbd(0.0), 0.51) }],
+            planted: &[PlantedMistake { mistake: "e = 0.5 taken for 0.51", measure: |_| rebound(xpbd(0.0), 0.51) }],
         },
     ],
 };

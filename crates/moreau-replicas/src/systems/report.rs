@@ -1,6 +1,6 @@
 //! The table: every system with what its agreements measure now.
 
-use super::{ALL, Agreement, Cone, ContactLaw, Level, System};
+use super::{ALL, Agreement, Cone, ConstraintLevel, ContactLaw, System};
 use crate::stored::StoredRuns;
 use moreau_exact::{Error, Result};
 use schemars::JsonSchema;
@@ -19,7 +19,7 @@ pub struct SystemReport {
     /// Its name.
     pub name: String,
     /// What the contact constraint is written on.
-    pub level: Level,
+    pub level: ConstraintLevel,
     /// The set of admissible impulses of one contact.
     pub cone: Cone,
     /// How impulse and velocity exclude each other.

@@ -5,15 +5,15 @@
 //! ```
 
 use super::planted::{Mistake, planted};
-use super::{Agreement, Cone, ContactLaw, Level, Planted, System, on_a_ball, on_a_spring};
-use moreau_dynamics::exact_particle::{Ball, Motion};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, PlantedMistake, System, on_a_ball, on_a_spring};
+use moreau_dynamics::exact_particle::{Ball, BallState};
 use moreau_dynamics::integrators::RungeKutta;
 use moreau_dynamics::schemes::RungeKuttaFlip;
 use moreau_exact::scalar::{Rational, ratio};
 
 pub static SYSTEM: System = System {
     name: "Runge–Kutta with a flip",
-    level: Level::Velocity,
+    level: ConstraintLevel::Velocity,
     cone: Cone::SecondOrder,
     law: ContactLaw::Coulomb,
     algorithm: "block projected Gauss–Seidel, accelerated",
@@ -26,7 +26,7 @@ pub static SYSTEM: System = System {
             quantity: "state after each step of a spring, relative",
             unit: "1",
             measure: |_| on_a_spring::steps(&RungeKuttaFlip, &RungeKutta),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "positions moved on by half the change of velocity as well",
                 measure: |_| on_a_spring::steps(&planted(RungeKuttaFlip, Mistake::Ahead), &RungeKutta),
             }],
@@ -36,7 +36,7 @@ pub static SYSTEM: System = System {
             quantity: "the spring's energy, (1 − s⁶/72 + s⁸/576)ⁿ, relative",
             unit: "1",
             measure: |_| on_a_spring::energy(&RungeKuttaFlip, amplification(), 0.0),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "positions moved on by half the change of velocity as well",
                 measure: |_| on_a_spring::energy(&planted(RungeKuttaFlip, Mistake::Ahead), amplification(), 0.0),
             }],
@@ -46,7 +46,7 @@ pub static SYSTEM: System = System {
             quantity: "velocity after each step of a bouncing ball",
             unit: "m/s",
             measure: |_| on_a_ball::velocities(&RungeKuttaFlip, flip),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "forces 10 % too strong",
                 measure: |_| on_a_ball::velocities(&planted(RungeKuttaFlip, Mistake::Heavy), flip),
             }],
@@ -61,10 +61,10 @@ fn amplification() -> f64 {
 }
 
 /// Constant gravity: the parabola, then the flip.
-fn flip(ball: &Ball<Rational>, now: &Motion<Rational>, h: &Rational) -> Motion<Rational> {
+fn flip(ball: &Ball<Rational>, now: &BallState<Rational>, h: &Rational) -> BallState<Rational> {
     let free = &now.velocity - &ball.gravity * h;
     let position = &now.position + h * (&now.velocity + &free) * ratio(1, 2);
     let zero = ratio(0, 1);
     let velocity = if position <= zero && free < zero { -(&ball.restitution * free) } else { free };
-    Motion { position, velocity }
+    BallState { position, velocity }
 }

@@ -5,7 +5,7 @@
 //! ```
 
 use super::planted::{Mistake, planted};
-use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System, on_a_ball, on_a_spring};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, on_a_ball, on_a_spring};
 use moreau_dynamics::integrators::{Damping, SemiImplicitEuler};
 use moreau_dynamics::schemes::{Activation, Euler, Scheme};
 use moreau_exact::Result;
@@ -13,7 +13,7 @@ use moreau_exact::scalar::ratio;
 
 pub static SYSTEM: System = System {
     name: "semi-implicit Euler",
-    level: Level::Velocity,
+    level: ConstraintLevel::Velocity,
     cone: Cone::SecondOrder,
     law: ContactLaw::Coulomb,
     algorithm: "block projected Gauss–Seidel, accelerated",
@@ -26,7 +26,7 @@ pub static SYSTEM: System = System {
             quantity: "state after each step of a spring, relative",
             unit: "1",
             measure: |_| on_a_spring::steps(&Euler::SemiImplicit, &SemiImplicitEuler { damping: Damping::Explicit }),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "positions moved on by half the change of velocity as well",
                 measure: |_| {
                     on_a_spring::steps(&planted(Euler::SemiImplicit, Mistake::Ahead), &SemiImplicitEuler { damping: Damping::Explicit })
@@ -38,7 +38,7 @@ pub static SYSTEM: System = System {
             quantity: "the spring's invariant q² + v² − s q v, relative",
             unit: "1",
             measure: |_| on_a_spring::energy(&Euler::SemiImplicit, 1.0, -on_a_spring::STEP),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "positions moved on by half the change of velocity as well",
                 measure: |_| on_a_spring::energy(&planted(Euler::SemiImplicit, Mistake::Ahead), 1.0, -on_a_spring::STEP),
             }],
@@ -48,7 +48,7 @@ pub static SYSTEM: System = System {
             quantity: "position after each step of a bouncing ball",
             unit: "m",
             measure: |_| positions(&Euler::SemiImplicit),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "forces 10 % too strong",
                 measure: |_| positions(&planted(Euler::SemiImplicit, Mistake::Heavy)),
             }],

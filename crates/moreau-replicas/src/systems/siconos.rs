@@ -9,7 +9,7 @@
 
 use super::event_driven::{late, siconos};
 use super::planted::{Mistake, Mistaken, planted};
-use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System, on_a_ball};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, on_a_ball};
 use crate::siconos::steps::SiconosSteps;
 use crate::stored::StoredRuns;
 use moreau_dynamics::event_driven::EventDriven;
@@ -18,7 +18,7 @@ use moreau_exact::{Error, Result};
 
 pub static SYSTEM: System = System {
     name: "Siconos",
-    level: Level::Velocity,
+    level: ConstraintLevel::Velocity,
     cone: Cone::SecondOrder,
     law: ContactLaw::Coulomb,
     algorithm: "direct here: lexicographic Lemke; there NSGS, nonsmooth Newton and others",
@@ -32,21 +32,27 @@ pub static SYSTEM: System = System {
                 Moreau–Jean",
             unit: "m/s",
             measure: |runs| steps(runs, MOREAU_JEAN, 1, |run| run.scheme(0.0)),
-            planted: &[Planted { mistake: "forces 10 % too strong", measure: |runs| steps(runs, MOREAU_JEAN, 1, heavy_moreau_jean) }],
+            planted: &[PlantedMistake {
+                mistake: "forces 10 % too strong",
+                measure: |runs| steps(runs, MOREAU_JEAN, 1, heavy_moreau_jean),
+            }],
         },
         Agreement {
             against: "Siconos 4.4.0",
             quantity: "impulse in every step, Moreau–Jean",
             unit: "N·s",
             measure: |runs| steps(runs, MOREAU_JEAN, 2, |run| run.scheme(0.0)),
-            planted: &[Planted { mistake: "forces 10 % too strong", measure: |runs| steps(runs, MOREAU_JEAN, 2, heavy_moreau_jean) }],
+            planted: &[PlantedMistake {
+                mistake: "forces 10 % too strong",
+                measure: |runs| steps(runs, MOREAU_JEAN, 2, heavy_moreau_jean),
+            }],
         },
         Agreement {
             against: "Siconos 4.4.0",
             quantity: "position after every step, combined projection",
             unit: "m",
             measure: |runs| steps(runs, PROJECTION, 0, |run| run.scheme(0.0)),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "the first run: positions moved on by half the change of velocity as well",
                 measure: |runs| {
                     steps(runs, &PROJECTION[..1], 0, |_| Ok(Box::new(planted(MoreauJeanProjection { theta: 0.5 }, Mistake::Ahead))))
@@ -59,11 +65,11 @@ pub static SYSTEM: System = System {
             unit: "m/s",
             measure: |runs| steps(runs, SCHATZMAN_PAOLI, 1, |run| run.scheme(0.0)),
             planted: &[
-                Planted {
+                PlantedMistake {
                     mistake: "forces 10 % too strong",
                     measure: |runs| steps(runs, SCHATZMAN_PAOLI, 1, |_| Ok(Box::new(heavy_schatzman_paoli()))),
                 },
-                Planted {
+                PlantedMistake {
                     mistake: "Stewart–Trinkle in its place",
                     measure: |runs| steps(runs, SCHATZMAN_PAOLI, 1, |_| Ok(Box::new(StewartTrinkle::default()))),
                 },
@@ -74,14 +80,14 @@ pub static SYSTEM: System = System {
             quantity: "instant of every impact of balls and oscillators with a stop, times the speed, event-driven",
             unit: "m",
             measure: |runs| siconos(runs, &EventDriven::default()),
-            planted: &[Planted { mistake: "events noticed at the end of a step of 13 ms", measure: |runs| siconos(runs, &late()) }],
+            planted: &[PlantedMistake { mistake: "events noticed at the end of a step of 13 ms", measure: |runs| siconos(runs, &late()) }],
         },
         Agreement {
             against: "exact rationals",
             quantity: "velocity after each step of a bouncing ball, Schatzman–Paoli",
             unit: "m/s",
             measure: |_| on_a_ball::velocities(&SchatzmanPaoli, |ball, now, h| ball.schatzman_paoli(now, h).motion),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "forces 10 % too strong",
                 measure: |_| on_a_ball::velocities(&heavy_schatzman_paoli(), |ball, now, h| ball.schatzman_paoli(now, h).motion),
             }],

@@ -5,12 +5,12 @@
 //! ```
 
 use super::planted::{Mistake, Mistaken, planted};
-use super::{Agreement, Cone, ContactLaw, Level, Planted, System, on_a_ball, on_a_slope};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, PlantedMistake, System, on_a_ball, on_a_slope};
 use moreau_dynamics::schemes::StewartTrinkle;
 
 pub static SYSTEM: System = System {
     name: "Stewart–Trinkle",
-    level: Level::Position,
+    level: ConstraintLevel::Position,
     cone: Cone::Polyhedral,
     law: ContactLaw::Coulomb,
     algorithm: "lexicographic Lemke; in space Gauss–Seidel first",
@@ -23,7 +23,7 @@ pub static SYSTEM: System = System {
             quantity: "velocity after each step of a landing ball",
             unit: "m/s",
             measure: |_| on_a_ball::velocities(&StewartTrinkle::default(), |ball, now, h| ball.stewart_trinkle(now, h).motion),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "forces 10 % too strong",
                 measure: |_| on_a_ball::velocities(&wrong(Mistake::Heavy), |ball, now, h| ball.stewart_trinkle(now, h).motion),
             }],
@@ -33,7 +33,7 @@ pub static SYSTEM: System = System {
             quantity: "position after each step of a landing ball",
             unit: "m",
             measure: |_| on_a_ball::positions(&StewartTrinkle::default(), |ball, now, h| ball.stewart_trinkle(now, h).motion),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "positions moved on by half the change of velocity as well",
                 measure: |_| on_a_ball::positions(&wrong(Mistake::Ahead), |ball, now, h| ball.stewart_trinkle(now, h).motion),
             }],
@@ -43,14 +43,17 @@ pub static SYSTEM: System = System {
             quantity: "speed of a block sliding down a slope",
             unit: "m/s",
             measure: |_| on_a_slope::sliding_speed(&StewartTrinkle::default()),
-            planted: &[Planted { mistake: "half of every μ", measure: |_| on_a_slope::sliding_speed(&wrong(Mistake::HalfFriction)) }],
+            planted: &[PlantedMistake {
+                mistake: "half of every μ",
+                measure: |_| on_a_slope::sliding_speed(&wrong(Mistake::HalfFriction)),
+            }],
         },
         Agreement {
             against: "closed form",
             quantity: "creep of a block that sticks",
             unit: "m/s",
             measure: |_| on_a_slope::creep(&StewartTrinkle::default()),
-            planted: &[Planted { mistake: "half of every μ", measure: |_| on_a_slope::creep(&wrong(Mistake::HalfFriction)) }],
+            planted: &[PlantedMistake { mistake: "half of every μ", measure: |_| on_a_slope::creep(&wrong(Mistake::HalfFriction)) }],
         },
     ],
 };

@@ -9,7 +9,8 @@ use std::fmt;
 /// What the contact constraint is written on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-pub enum Level {
+#[schemars(rename = "Level")]
+pub enum ConstraintLevel {
     /// φ/h + u⁺: the gap at the end of the step, linearised.
     Position,
     /// u⁺ with restitution; the gap only chooses the active contacts.
@@ -50,7 +51,7 @@ pub struct System {
     /// Its name, as the chapter uses it.
     pub name: &'static str,
     /// First axis.
-    pub level: Level,
+    pub level: ConstraintLevel,
     /// Second axis.
     pub cone: Cone,
     /// Third axis.
@@ -82,12 +83,12 @@ pub struct Agreement {
     /// Those of the scheme, and a stored run that is missing or not what it should be.
     pub measure: fn(&dyn StoredRuns) -> Result<Measured>,
     /// Mistakes that it catches, at least one.
-    pub planted: &'static [Planted],
+    pub planted: &'static [PlantedMistake],
 }
 
 /// A mistake in what is compared, which must put the agreement out of its tolerance.
 #[derive(Clone, Copy, Debug)]
-pub struct Planted {
+pub struct PlantedMistake {
     /// What is wrong.
     pub mistake: &'static str,
     /// Measures the agreement with the mistake.
@@ -97,12 +98,12 @@ pub struct Planted {
     pub measure: fn(&dyn StoredRuns) -> Result<Measured>,
 }
 
-impl fmt::Display for Level {
+impl fmt::Display for ConstraintLevel {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.write_str(match self {
-            Level::Position => "position",
-            Level::Velocity => "velocity",
-            Level::Acceleration => "acceleration",
+            ConstraintLevel::Position => "position",
+            ConstraintLevel::Velocity => "velocity",
+            ConstraintLevel::Acceleration => "acceleration",
         })
     }
 }

@@ -5,7 +5,7 @@
 //! ```
 
 use super::planted::{Mistake, planted};
-use super::{Agreement, Cone, ContactLaw, Level, Measured, Planted, System, on_a_spring};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, on_a_spring};
 use moreau_dynamics::integrators::Theta;
 use moreau_dynamics::schemes::{MoreauJean, Scheme};
 use moreau_exact::Result;
@@ -13,7 +13,7 @@ use moreau_exact::scalar::exact;
 
 pub static SYSTEM: System = System {
     name: "θ method, implicit Euler",
-    level: Level::Velocity,
+    level: ConstraintLevel::Velocity,
     cone: Cone::SecondOrder,
     law: ContactLaw::Coulomb,
     algorithm: "block projected Gauss–Seidel, accelerated",
@@ -26,7 +26,7 @@ pub static SYSTEM: System = System {
             quantity: "state after each step of a spring, θ = 0, ½ and 1, relative",
             unit: "1",
             measure: |_| over_theta(|scheme| Box::new(scheme), |scheme, theta| on_a_spring::steps(scheme, &Theta { theta: exact(theta) })),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "forces 10 % too strong",
                 measure: |_| over_theta(heavy, |scheme, theta| on_a_spring::steps(scheme, &Theta { theta: exact(theta) })),
             }],
@@ -36,7 +36,7 @@ pub static SYSTEM: System = System {
             quantity: "the spring's energy, |R|²ⁿ, θ = 0, ½ and 1, relative",
             unit: "1",
             measure: |_| over_theta(|scheme| Box::new(scheme), |scheme, theta| on_a_spring::energy(scheme, amplification(theta), 0.0)),
-            planted: &[Planted {
+            planted: &[PlantedMistake {
                 mistake: "forces 10 % too strong",
                 measure: |_| over_theta(heavy, |scheme, theta| on_a_spring::energy(scheme, amplification(theta), 0.0)),
             }],

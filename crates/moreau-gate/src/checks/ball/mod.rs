@@ -85,14 +85,14 @@ pub const EXPECTED: &[Expected] = &[
 mod tests {
     use super::scene::RADIUS;
     use super::*;
-    use crate::exact::{State, judge};
+    use crate::exact::{RigidState, judge};
     use crate::runner::{QUICK, SWEEP};
     use crate::{Measurement, Verdict};
     use moreau_dynamics::scenes::Scene;
     use moreau_forms::BouncingBall;
 
     /// The exact ball of the scene, with another restitution.
-    fn exact(scene: &Scene, restitution: f64, t: f64) -> State {
+    fn exact(scene: &Scene, restitution: f64, t: f64) -> RigidState {
         let height = scene.bodies[0].position[2] - RADIUS;
         let (gap, velocity) = BouncingBall::new(-scene.gravity[2], height, restitution).expect("valid").state(t);
         ([0.0, 0.0, RADIUS + gap], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, velocity], [0.0; 3])

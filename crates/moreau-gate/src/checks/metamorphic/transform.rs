@@ -96,7 +96,7 @@ mod tests {
     use super::*;
     use crate::checks::metamorphic::scenes;
     use crate::checks::scenery::{angle_between, distance};
-    use moreau_dynamics::trajectory::{BodyTrack, Engine};
+    use moreau_dynamics::trajectory::{BodyTrack, Producer};
     use moreau_exact::tolerance::rounding;
 
     /// A trajectory of one sample: the start of the scene, at the given time.
@@ -111,7 +111,7 @@ mod tests {
         Trajectory {
             schema: moreau_dynamics::trajectory::SCHEMA.into(),
             scene: scene.clone(),
-            engine: Engine::ours("none", "none"),
+            engine: Producer::ours("none", "none"),
             time_step: 1.0,
             times: vec![time],
             bodies: bodies.collect(),

@@ -108,14 +108,14 @@ pub const EXPECTED: &[Expected] = &[
 #[cfg(test)]
 mod tests {
     use super::scenes::{FRICTION, Throw, Thrown};
-    use crate::exact::{State, judge};
+    use crate::exact::{RigidState, judge};
     use crate::runner::QUICK;
     use crate::{Engine, Measurement, Options, Verdict, own};
     use moreau_dynamics::scenes::Scene;
     use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
     /// A body that falls through everything and turns about a fixed axis, which keeps its energy.
-    fn falling(scene: &Scene, body: usize, t: f64) -> State {
+    fn falling(scene: &Scene, body: usize, t: f64) -> RigidState {
         let body = &scene.bodies[body];
         let [w, x, y, z] = body.orientation;
         let spin = Vector3::from(body.angular_velocity);

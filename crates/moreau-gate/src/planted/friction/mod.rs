@@ -5,7 +5,7 @@ mod solver;
 mod world;
 
 use crate::Engine;
-use crate::own::{Law, OwnEngine, by_name};
+use crate::own::{OwnEngine, OwnScheme, by_name};
 use crate::planted::Planted;
 use crate::planted::parts::with_solver;
 use moreau_dynamics::scenes::Scene;
@@ -54,7 +54,7 @@ pub const PLANTED: &[Planted] = &[
     Planted {
         name: "incline/undeclared-relaxation",
         mistake: "solves the convex relaxation and declares Coulomb's law",
-        engine: || Box::new(OwnEngine { law: Law::Coulomb, ..own("anitescu") }),
+        engine: || Box::new(OwnEngine { law: OwnScheme::Coulomb, ..own("anitescu") }),
         caught_by: &["incline/hop", "incline/gap", "contact/complementarity"],
     },
     Planted {

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// Contacts of a mechanism with diagonal mass matrix, in rational numbers.
 #[derive(Clone, Debug, PartialEq)]
-pub struct System {
+pub struct RationalStep {
     /// Diagonal of M, positive.
     pub mass: DVector<Rational>,
     /// H with rows (n, t₁) or (n, t₁, t₂) per contact.
@@ -42,7 +42,7 @@ pub fn rational_directions(d: usize) -> Vec<[Rational; 2]> {
     }
 }
 
-impl System {
+impl RationalStep {
     /// Number of contacts k.
     pub fn contacts(&self) -> usize {
         self.friction.len()
