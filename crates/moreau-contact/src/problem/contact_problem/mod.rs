@@ -4,6 +4,7 @@ use super::Law;
 use nalgebra::{DMatrix, DVector};
 
 mod builder;
+mod polyhedral;
 #[cfg(test)]
 mod tests;
 mod validation;
