@@ -16,7 +16,7 @@ use std::path::Path;
 pub fn keep_input(input: &Path, option: &str, output: Option<&Path>) -> Result<()> {
     match output {
         Some(output) if input.is_file() && is_same_file(input, output) => {
-            let problem = format!("is {}, the file that is read", output.display());
+            let problem = format!("is {}, which is also the input file", output.display());
             Err(Error::invalid(option, problem, "write the result to another file"))
         }
         _ => Ok(()),

@@ -119,7 +119,7 @@ impl SchemeOptions {
 }
 
 fn foreign(option: &str, scheme: &str, owners: &[&str]) -> Error {
-    Error::invalid(option, format!("does nothing in {scheme}"), format!("it belongs to {}", owners.join(", ")))
+    Error::invalid(option, format!("does nothing in {scheme}"), format!("use it with {}", owners.join(", ")))
 }
 
 /// The schemes whose impacts use e.

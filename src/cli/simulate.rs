@@ -164,7 +164,7 @@ impl Arguments {
         }
         match (&self.out, &self.plot) {
             (Some(out), Some(plot)) if is_same_file(out, plot) => {
-                Err(Error::invalid("--plot", "is the file of --out", "give each its own file"))
+                Err(Error::invalid("--plot", "is also the file of --out", "give each its own file"))
             }
             _ => Ok(()),
         }

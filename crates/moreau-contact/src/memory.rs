@@ -31,8 +31,8 @@ fn require_within(limit: u64, what: &str, bytes: u128) -> Result<()> {
     if bytes <= u128::from(limit) {
         return Ok(());
     }
-    let problem = format!("is {}, and {what} needs about {}", size(u128::from(limit)), size(bytes));
-    Err(Error::invalid("--max-memory", problem, format!("take fewer bodies or contacts, or allow {}", allowance(bytes))))
+    let problem = format!("is {}, but {what} needs about {}", size(u128::from(limit)), size(bytes));
+    Err(Error::invalid("--max-memory", problem, format!("take fewer bodies or contacts, or pass {}", allowance(bytes))))
 }
 
 /// Bytes of a dense matrix, without overflow.

@@ -102,7 +102,11 @@ impl Arguments {
         for (k, (option, file)) in outputs.iter().enumerate() {
             let inputs = self.trajectory.iter().chain(&self.description);
             if let Some(input) = inputs.into_iter().find(|input| input.is_file() && is_same_file(input, file)) {
-                return Err(Error::invalid(*option, format!("is {}, a file that is read", input.display()), "write to another file"));
+                return Err(Error::invalid(
+                    *option,
+                    format!("is {}, which is also an input file", input.display()),
+                    "write to another file",
+                ));
             }
             if let Some((other, _)) = outputs[..k].iter().find(|(_, other)| is_same_file(other, file) || other == file) {
                 return Err(Error::invalid(*option, format!("is the same file as {other}"), "write to another file"));

@@ -275,7 +275,7 @@ pub(super) fn check_sizes(problem: &ContactProblem, solution: &Solution) -> Resu
         Some((field, size, needed)) => Err(Error::invalid(
             field,
             format!("has size {}", size.unwrap_or(0)),
-            format!("the problem `{}` needs {needed}", problem.name()),
+            format!("give size {needed}, which the problem `{}` needs", problem.name()),
         )),
     }
 }

@@ -167,14 +167,22 @@ impl<T: Scalar> Path<T> {
 fn check<T: Scalar>(impact: &Impact<T>, friction: &T) -> Result<()> {
     let w = &impact.delassus;
     if impact.before.len() != 2 || *friction < T::zero() {
-        return Err(Error::invalid("impact", "is not one planar contact with μ ≥ 0", "give rows (normal, tangent)"));
+        return Err(Error::invalid(
+            "impact",
+            "is not one planar contact with μ ≥ 0",
+            "give one contact with rows (normal, tangent) and μ ≥ 0",
+        ));
     }
     let determinant = w[(0, 0)].clone() * w[(1, 1)].clone() - w[(0, 1)].clone() * w[(1, 0)].clone();
     if !(determinant > T::zero() && w[(1, 1)] > T::zero()) {
-        return Err(Error::invalid("delassus", "is not positive definite", "a rigid body that is free to move has a positive definite W"));
+        return Err(Error::invalid(
+            "delassus",
+            "is not positive definite",
+            "give the positive definite W of a rigid body that can move freely",
+        ));
     }
     if impact.before[0] >= T::zero() {
-        return Err(Error::invalid("before", "does not approach", "an impact needs U_n < 0"));
+        return Err(Error::invalid("before", "does not approach", "give U_n < 0"));
     }
     Ok(())
 }

@@ -37,7 +37,7 @@ pub const CHECKS: &[Check] = &[
     Check {
         name: "rocking/fall-time",
         level: Level::Simulate,
-        question: "Does a block released tilted on its edge land after the time of its pendulum integral?",
+        question: "Does a block that is released tilted on its edge land at the time that the pendulum equation gives?",
         derivation: "t = ∫ dθ/√(2p²(lift θ₀ − lift θ)), with the moment of inertia about the edge. A step until the edge carries, half a \
                      step of lag, one in which the edge falls back, half a sample: 3.5 h. A compliant edge carries after its own time, \
                      twice that besides.",

@@ -227,7 +227,7 @@ pub fn points(text: &str, asked: &[Vec<f64>]) -> moreau_exact::Result<Vec<Vec<f6
         return Err(moreau_exact::Error::invalid(
             "points",
             format!("has {} rows", points.len()),
-            "answer every point with one of the same size",
+            "answer every point with a point of the same size",
         ));
     }
     Ok(points)

@@ -187,7 +187,7 @@ impl Session {
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.cause)?;
-        if self.last_words.is_empty() { Ok(()) } else { write!(f, "; its last words on standard error: {}", self.last_words) }
+        if self.last_words.is_empty() { Ok(()) } else { write!(f, "; its last lines on standard error: {}", self.last_words) }
     }
 }
 

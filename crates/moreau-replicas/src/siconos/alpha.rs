@@ -79,7 +79,7 @@ impl SiconosAlpha {
         if run.times.len() < 3 || rows.iter().any(|count| *count != run.times.len()) {
             return Err(Error::invalid(
                 "times",
-                format!("are {} for lists of {rows:?}", run.times.len()),
+                format!("has {} entries, but the other lists need {rows:?}", run.times.len()),
                 "store the start and one row per event",
             ));
         }

@@ -97,7 +97,7 @@ impl SiconosSteps {
         let run: SiconosSteps = serde_json::from_str(text)?;
         let states = run.impulses.len() + 1;
         if run.positions.len() != states || run.velocities.len() != states || states == 1 {
-            let problem = format!("are {} for {} steps", run.positions.len(), run.impulses.len());
+            let problem = format!("has {} rows for {} steps", run.positions.len(), run.impulses.len());
             return Err(Error::invalid("positions", problem, "store the start and one row per step"));
         }
         Ok(run)
