@@ -35,7 +35,7 @@ pub fn print(text: &str) -> Result<()> {
     }
 }
 
-/// Writes to standard error what accompanies a result on standard output; nobody need be listening.
+/// Writes a note to standard error, beside the result on standard output. A closed standard error is no failure.
 pub fn print_aside(text: &str) {
     let _ = std::io::stderr().write_all(text.as_bytes());
 }

@@ -53,7 +53,7 @@ impl SchemeOptions {
     /// The scheme with this name and these parameters.
     ///
     /// # Errors
-    /// An unknown name, an option of another scheme, a parameter that cannot be meant.
+    /// An unknown name, an option that belongs to another scheme, or a parameter that is not valid.
     pub fn build(&self, name: &str) -> Result<Box<dyn Scheme>> {
         if !schemes::NAMES.contains(&name) {
             let known = format!("use one of {}", schemes::NAMES.join(", "));

@@ -46,7 +46,7 @@ pub struct Arguments {
     duration: Option<f64>,
     #[command(flatten)]
     options: SchemeOptions,
-    /// Who solves the contact problems.
+    /// The solver of the contact problems.
     #[arg(long, value_name = "NAME", default_value = "auto", help = super::solve::solver_help())]
     solver: String,
     #[command(flatten)]

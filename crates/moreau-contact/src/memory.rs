@@ -1,4 +1,4 @@
-//! Memory is asked for before it is taken: what a computation needs is estimated from its sizes and held against one limit.
+//! Memory is checked before it is taken: the need of a computation is estimated from its sizes and compared with one limit.
 //!
 //! The limit belongs to the process, as its memory does; the command line sets it once, before anything else. No result depends on it: a
 //! computation within the limit gives the same answer under every limit.

@@ -33,7 +33,7 @@ pub struct Baseline {
     pub version: String,
     /// The time steps of the sweep \[s\].
     pub sweep: Vec<f64>,
-    /// The engine's options in force, as JSON.
+    /// The options that the engine used, as JSON.
     pub options: String,
     /// Failures that are accepted for the time being.
     #[serde(default, rename = "known_issue")]

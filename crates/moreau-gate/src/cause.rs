@@ -100,7 +100,8 @@ pub fn find<'a>(causes: &'a [Cause], engine: &str, check: &str) -> Option<&'a Ca
     causes.iter().find(|cause| names(&cause.engines, engine) && names(&cause.checks, check))
 }
 
-/// What does not fit: cells that fail or err without a cause, with two, and causes of cells that do neither; one line each.
+/// One line for each failed or errored cell without a stored cause, for each cell with two causes, and for each cause of a cell that
+/// neither fails nor errs.
 pub fn misfits(causes: &[Cause], standings: &[Standing]) -> Vec<String> {
     let bad = |engine: &str, check: &str| {
         let report = standings.iter().find(|standing| standing.entry.name == engine)?.report.as_ref()?;

@@ -52,7 +52,7 @@ pub struct Expectation {
     pub value: f64,
     /// The derived allowance.
     pub tolerance: f64,
-    /// Equal, at most or at least.
+    /// How the measured value must relate to the expected one: equal, at most or at least.
     pub relation: Relation,
     /// Where value and tolerance come from, in a few words.
     pub why: String,
@@ -110,12 +110,12 @@ pub struct Measurement {
 }
 
 impl Measurement {
-    /// A measured number held against the ideal alone.
+    /// A measured number that is compared with the ideal alone.
     pub fn new(quantity: impl Into<String>, unit: &str, value: f64, ideal: Expectation) -> Self {
         Measurement { quantity: quantity.into(), unit: unit.into(), value, spread: 0.0, ideal, model: None }
     }
 
-    /// The same, with the prediction of the declared law if there is one.
+    /// Adds the prediction of the declared law, if there is one.
     pub fn predicted(mut self, model: Option<Expectation>) -> Self {
         self.model = model;
         self

@@ -64,7 +64,7 @@ pub struct OwnEngine {
     pub name: String,
     /// The contact law it declares.
     pub law: Law,
-    /// Options in force when a request gives none.
+    /// The options that apply when a request gives none.
     pub parameters: Parameters,
     /// Whether a step that the certificate rejects is an error. A planted engine is let through: the checks have to see its mistake.
     pub certified: bool,

@@ -131,7 +131,7 @@ impl Arguments {
         write_together(&files)
     }
 
-    /// The baseline of this run; known issues that somebody wrote into the old file stay.
+    /// The baseline of this run. It keeps the known issues of the file that it replaces.
     fn new_baseline(&self, report: &Report) -> Result<Baseline> {
         let mut baseline = Baseline::of(report);
         if let Some(old) = self.save_baseline.as_deref().filter(|file| file.is_file()) {

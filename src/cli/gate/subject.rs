@@ -1,4 +1,4 @@
-//! Who is judged: a program, or stored trajectories.
+//! What `moreau gate` judges: a program, or stored trajectories.
 
 use super::Arguments;
 use crate::gate::audit::audit;

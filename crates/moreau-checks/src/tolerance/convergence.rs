@@ -30,12 +30,12 @@
 
 use moreau_exact::tolerance::rounding;
 
-/// The error of one family of metrics lies between these, in its own unit.
+/// Bounds of one error metric, in the unit of that metric.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
-    /// Of the envelope over the shifted steps.
+    /// Lower bound of the envelope over the shifted steps.
     pub lower: f64,
-    /// Of every step.
+    /// Upper bound of the error at every step size.
     pub upper: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What the residuals of a contact are held against: impulses and velocities of its own pair of bodies, and the rounding of its own rows.
+//! The scales of the residuals of a contact: impulses and velocities of its own pair of bodies, and the rounding of its own rows.
 //!
 //! ```text
 //!     ρ_n = 1/(W_nn + R_nn) ,   ρ_t = tangential rows / tr(W_tt + R_tt)                                        [kg]

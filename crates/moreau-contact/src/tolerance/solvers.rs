@@ -88,8 +88,8 @@ pub fn stalled(contacts: usize) -> usize {
     FIRST_SWEEPS * (1 + contacts)
 }
 
-/// The same for accelerated sweeps, which need about one sweep for each of the n slow modes of the chain and its memory again for each
-/// change of a contact's state.
+/// Accelerated sweeps over n contacts without halving the residual after which they have stalled. They need about one sweep for each of the
+/// n slow modes of the chain, and as many as they remember for each change of a contact's state.
 pub fn accelerated_stalled(contacts: usize) -> usize {
     MEMORY * (MEMORY + contacts)
 }
@@ -102,7 +102,8 @@ pub const NONSMOOTH_STEPS: usize = 100;
 /// contacts at the border of two states. Only work depends on it.
 pub const NONSMOOTH_STALLED: usize = 40;
 
-/// The same once an iterate is below [`ACCEPTABLE`]: there the error squares, and three steps that do not bring it down have met rounding.
+/// Steps in a row that do not halve the residual after which the iteration ends, once an iterate is below [`ACCEPTABLE`]. There a step
+/// squares the error, so that three steps without progress have reached rounding.
 pub const NONSMOOTH_ENDED: usize = 3;
 
 /// Lengths 1, ½, ¼ of a step that are tried: what a quarter of it does not bring nearer, the other η may.
@@ -133,8 +134,8 @@ pub const LEMKE_DIRECTIONS: [usize; 2] = [8, 5];
 /// and sixteen times as many for twice the contacts. `lemke` by name has no such limit.
 pub const LEMKE_UNKNOWNS: usize = 200;
 
-/// The same for a polygon in place of a round cone, where Lemke is not the last resort: 3·10⁸ operations, what the alternating directions
-/// that follow take for as many contacts.
+/// Unknowns of the linear complementarity problems that `auto` pivots for a polygon in place of a round cone. The limit is lower because
+/// other algorithms follow: 3·10⁸ operations are what the alternating directions take for as many contacts.
 pub const POLYGON_UNKNOWNS: usize = 128;
 
 /// The compliances α of contacts that are made harder, in units of their own W: from as soft as the bodies themselves to

@@ -125,7 +125,7 @@ impl EventDriven {
     /// Checks the step or tolerance and τ.
     ///
     /// # Errors
-    /// [`Error::Invalid`] names the one that cannot be meant.
+    /// [`Error::Invalid`] names the parameter that is not valid.
     pub fn validate(&self) -> Result<()> {
         let (Control::Fixed(size) | Control::Tolerance(size)) = self.control;
         if !(size.is_finite() && size > 0.0) {

@@ -17,7 +17,7 @@ use nalgebra::DVector;
 /// Changes per normal impulse.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slopes<T: Scalar> {
-    /// dq/dp.
+    /// dq/dp, the change of the friction impulse per normal impulse.
     pub friction: T,
     /// dU_n/dp \[1/kg\].
     pub normal: T,

@@ -1,5 +1,5 @@
 //! The waist: a step that is one [`ContactProblem`](moreau_contact::ContactProblem), and the adapter that makes a
-//! [`Scheme`](super::Scheme) of whoever poses it.
+//! [`Scheme`](super::Scheme) of every type that poses one.
 //!
 //! ```text
 //!     v⁺ = v_free + M̂⁻¹Hᵀr ,   q⁺ = q ⊕ h v̄(v, v⁺)
@@ -51,11 +51,11 @@ pub use passes_the_waist;
 /// The configuration after a step, from the velocity after it.
 type Advance<'a> = dyn Fn(&StepContext, &StepProblem, &DVector<f64>) -> Result<DVector<f64>> + 'a;
 
-/// The parts of a step that poses one problem, whoever answers it.
+/// The parts of a step that poses one problem. Any solver may answer it.
 pub struct Parts<'a> {
-    /// Poses it.
+    /// Poses the problem.
     pub assemble: &'a dyn Fn(&StepContext) -> Result<StepProblem>,
-    /// Answers it; none without a contact.
+    /// Answers the problem. There is no answer without a contact.
     pub answer: &'a dyn Fn(&StepContext, &StepProblem) -> Result<Option<OwnAnswer>>,
     /// Forgets what was found about an attempt that became no step.
     pub discard: &'a dyn Fn(),

@@ -12,8 +12,8 @@ pub const SAFETY: f64 = 0.9;
 /// By how much a step may grow or shrink at once (the same place: between 5 and 10).
 pub const GROWTH: f64 = 5.0;
 
-/// A rest shorter than this share of a step is taken with it, 2⁻¹⁰; and its square, a millionth, is the share of the motion below which
-/// a step is too short to be meant.
+/// 2⁻¹⁰. A remaining time shorter than this share of a step is added to the step. A step shorter than the square of this share, a
+/// millionth, of the time of the flight is refused.
 pub const SHORTEST_STEP: f64 = 1.0 / 1024.0;
 
 /// Share of 1 + |q| up to which a gap counts as closed, and of 1 + |v| up to which a speed counts as zero, 2⁻³⁶ ≈ 1.5·10⁻¹¹: sixteen times
@@ -48,5 +48,6 @@ pub fn stalled_events(rows: usize) -> usize {
 /// most 10 events, which each hand it on with a factor below 1 + e: 100 · 10⁻¹² = 10⁻¹⁰.
 pub const ACCURACY: f64 = 1e-10;
 
-/// The same of a motion that sticks and slips: the instant of a switch is the error of s over ṡ, here at least 1/10.
+/// Error of an event-driven motion that sticks and slips. The instant of a switch is off by the error of s divided by ṡ, which is at least
+/// 1/10 here.
 pub const SWITCHING: f64 = 10.0 * ACCURACY;

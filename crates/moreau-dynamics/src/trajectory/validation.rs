@@ -11,7 +11,7 @@ impl Trajectory {
     /// Checks sizes, times, names, finiteness and unit lengths.
     ///
     /// # Errors
-    /// [`Error::Invalid`] names the first field that cannot be meant.
+    /// [`Error::Invalid`] names the first field that is not valid.
     pub fn validate(&self) -> Result<()> {
         if self.schema != SCHEMA {
             return Err(Error::invalid("schema", format!("is `{}`", self.schema), format!("use `{SCHEMA}`")));

@@ -7,7 +7,7 @@ use crate::{Description, Refusal};
 use serde_json::{Value, json};
 use std::time::Duration;
 
-/// A request nobody has.
+/// A kind of request that no engine knows.
 const UNKNOWN: &str = "moreau-does-not-exist";
 
 /// How long the adapter is listened to after a reply.

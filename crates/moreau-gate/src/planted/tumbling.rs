@@ -1,4 +1,4 @@
-//! Mistakes of solvers that show in the motion of thrown boxes: answers that nobody looked at before they were used.
+//! Mistakes of solvers that show in the motion of thrown boxes: answers that are used without being checked.
 
 use crate::Engine;
 use crate::planted::Planted;

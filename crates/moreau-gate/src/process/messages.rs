@@ -36,7 +36,7 @@ pub struct Request {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 #[serde(tag = "request", rename_all = "kebab-case")]
 pub enum Question {
-    /// Who are you, under these options?
+    /// Asks for the name and the contact model of the engine, under these options.
     Describe {
         /// Overrides.
         #[serde(skip_serializing_if = "Options::is_empty")]
@@ -63,7 +63,7 @@ pub enum Question {
         #[serde(skip_serializing_if = "Options::is_empty")]
         options: Options,
     },
-    /// Where do these points lie on the friction cone?
+    /// Asks for the projections of these points on the friction cone.
     Project {
         /// μ.
         friction: f64,
@@ -98,10 +98,10 @@ impl Request {
     }
 }
 
-/// A reply whose envelope is sound: the text of the result, or why there is none.
+/// A reply whose outer form is valid: the text of its result, or the reason why it has none.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Answer<'a> {
-    /// It was carried out; the JSON text of `result`.
+    /// The request was carried out; this is the JSON text of `result`.
     Result(&'a str),
     /// The engine cannot express the question.
     Unsupported(String),
@@ -117,7 +117,7 @@ pub enum Answer<'a> {
 pub struct ReplyForm {
     /// The number of the request; null only if it could not be read.
     id: Option<u64>,
-    /// It was carried out.
+    /// The request was carried out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Options")]
     result: Option<Options>,

@@ -79,7 +79,7 @@ impl SiconosEvents {
     /// The mechanism itself.
     ///
     /// # Errors
-    /// If a stored parameter cannot be meant.
+    /// If a stored parameter is not valid.
     pub fn mechanism(&self) -> Result<Box<dyn Mechanism>> {
         self.system.mechanism()
     }

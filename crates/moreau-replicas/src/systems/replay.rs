@@ -21,7 +21,7 @@ pub struct Replay {
 /// Runs the scheme over the stored motion's scene with its step, and compares `samples` samples after the first.
 ///
 /// # Errors
-/// Those of the scheme; a motion without provenance, whose accuracy nobody knows.
+/// Those of the scheme. A motion without provenance is an error too, because its accuracy is unknown.
 pub fn replay(stored: &Trajectory, scheme: &dyn Scheme, samples: usize) -> Result<Replay> {
     let (mechanism, start) = stored.scene.spatial_mechanism()?;
     let h = stored.time_step;

@@ -101,8 +101,8 @@ pub fn siconos_run(steps: usize, step: f64) -> f64 {
     steps as f64 * step
 }
 
-/// The same \[m\] for a scheme that keeps two positions: an error δ of one step is an error δ/h of the velocity, and grows to at most k δ
-/// in the k steps after it.
+/// Distance of a whole run \[m\] for a scheme that keeps two positions. An error δ of one step is an error δ/h of the velocity. It grows
+/// to at most k δ in the k steps after it.
 pub fn siconos_double_sum(steps: usize, step: f64) -> f64 {
     (steps * steps) as f64 * step
 }

@@ -1,4 +1,4 @@
-//! How a contact problem is made: piece by piece, and looked at as a whole before anyone sees it.
+//! How a contact problem is made: its pieces are set one by one, and `build` checks them together.
 
 use super::{Compliance, ContactProblem, Dynamics, Law};
 use crate::contact::Inertia;
@@ -6,8 +6,8 @@ use crate::contact::delassus::delassus;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
-/// The pieces of a [`ContactProblem`]. What is not said is: no name, Coulomb's law, three rows per contact, no shift, hard
-/// contacts, unknown mass, unknown bodies.
+/// The pieces of a [`ContactProblem`]. The defaults are: no name, Coulomb's law, three rows per contact, no shift, hard contacts,
+/// unknown mass, unknown bodies.
 #[derive(Debug)]
 #[must_use = "a problem is made by `build`"]
 pub struct ContactProblemBuilder {
@@ -68,7 +68,7 @@ impl ContactProblem {
         ContactProblemBuilder::of(delassus(&mass, &jacobian), free_velocity, Some(Dynamics { mass, jacobian }))
     }
 
-    /// The same from a mass that is factored already.
+    /// Does what [`ContactProblem::from_dynamics`] does, from a mass matrix that is factored already.
     pub fn from_inertia(inertia: &Inertia, jacobian: DMatrix<f64>, free_motion: &DVector<f64>) -> ContactProblemBuilder {
         let free_velocity = contact_velocity(&jacobian, free_motion);
         let mass = inertia.matrix().clone();
@@ -211,7 +211,7 @@ impl ContactProblemBuilder {
         self
     }
 
-    /// The problem, if it can be meant.
+    /// The problem, if its pieces are valid together.
     ///
     /// # Errors
     /// [`Error::Invalid`] names the first field whose size, number or sign does not fit, with the cure.

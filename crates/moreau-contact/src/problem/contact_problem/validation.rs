@@ -1,4 +1,4 @@
-//! What a contact problem must be: the sizes fit, the numbers are finite, signs and law are meant.
+//! What a contact problem must satisfy: its sizes fit together, its numbers are finite, and its signs and its law are valid.
 
 use super::{ContactProblem, Coordinates, Dynamics, Law};
 use crate::memory;
@@ -9,7 +9,7 @@ impl ContactProblem {
     /// Checks sizes, finiteness and signs.
     ///
     /// # Errors
-    /// [`Error::Invalid`] names the first field that cannot be meant.
+    /// [`Error::Invalid`] names the first field that is not valid.
     pub(super) fn validate(&self) -> Result<()> {
         if !(1..=3).contains(&self.rows_per_contact) {
             return Err(Error::invalid("dimension", format!("is {}", self.rows_per_contact), "use 1 (normal rows only), 2 or 3"));

@@ -1,4 +1,4 @@
-//! Thrown boxes: what holds of a motion whose course nobody can predict.
+//! Thrown boxes: laws that hold although the motion itself cannot be predicted.
 //!
 //! ```text
 //!     e = 0 with friction, e > 0 without       the energy rises by no more than gravity and rotation within a step allow
