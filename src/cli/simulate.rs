@@ -189,7 +189,7 @@ impl Arguments {
         Ok(Staged { duration, ..staged })
     }
 
-    /// The scene with the options applied, and what has to be said about it.
+    /// The scene with the options applied, and a note for the user if one is needed.
     fn build_scene(&self, name: &str, scheme: &dyn Scheme) -> Result<(Scene, Option<&'static str>)> {
         let mut scene = find(name, "--scene")?;
         if let Some(duration) = self.duration {

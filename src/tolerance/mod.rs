@@ -1,5 +1,5 @@
-//! Every tolerance under one roof, each with the reason it has the value it has: those of the crates below, where what they bound is, and
-//! here those of claims and the command line.
+//! Every tolerance, each with the reason for its value. The tolerances of the crates below are re-exported. Those of the claims and of the
+//! command line are defined here.
 //!
 //! A tolerance here is one of: a rounding bound (a constant times the unit roundoff times the size of the data), a
 //! proven bound of a scheme (a constant times a power of h), or an engine's documented stopping tolerance propagated

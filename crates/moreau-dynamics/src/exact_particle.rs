@@ -30,7 +30,7 @@ pub struct Motion<T> {
     pub velocity: T,
 }
 
-/// One step and what it was made of.
+/// The result of one step, with its intermediate quantities.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome<T> {
     /// q⁺ and v⁺.

@@ -45,7 +45,7 @@ impl Verdict {
     }
 }
 
-/// An expected value or bound, how far the measured one may be off, and why that far.
+/// An expected value or bound, the allowed deviation from it, and the reason for that allowance.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Expectation {
     /// The expected value or bound.

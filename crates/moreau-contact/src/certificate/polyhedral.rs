@@ -88,9 +88,9 @@ fn rounding_of_parts(d: usize, size: f64) -> f64 {
 
 /// The scales of the two members of a pair.
 struct Members {
-    /// \[N·s\]
+    /// Scale of the impulse \[N·s\].
     impulse: f64,
-    /// \[m/s\]
+    /// Scale of the velocity \[m/s\].
     velocity: f64,
     /// Rounding of the velocity \[m/s\].
     floor: f64,

@@ -90,7 +90,7 @@ impl ContactSolver for ProjectedGaussSeidel {
             sweeper.accelerated(self)
         }
         let sweeps = sweeper.sweeps;
-        // a declared number of plain sweeps answers what they end with
+        // plain sweeps that reach their declared number answer the last iterate
         let keeps_best = self.memory > 0 || sweeps < self.sweeps;
         let impulse = if keeps_best && sweeper.is_finite() { sweeper.best.impulse } else { sweeper.impulse };
         let velocity = problem.velocity(&impulse);

@@ -148,7 +148,7 @@ impl<T: Scalar> Path<T> {
         self.integral(from, to, |state, slopes| state.tangential.clone() * slopes.friction.clone())
     }
 
-    /// The integral over p of what is linear on every piece.
+    /// The integral of `rate` over p. `rate` has to be linear in p on every piece.
     fn integral(&self, from: &T, to: &T, rate: impl Fn(&State<T>, &Slopes<T>) -> T) -> T {
         let mut sum = T::zero();
         for piece in &self.pieces {

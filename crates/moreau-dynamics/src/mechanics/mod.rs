@@ -54,7 +54,7 @@ pub struct BodyState {
     pub position: [f64; 3],
     /// Unit quaternion \[w, x, y, z\].
     pub orientation: [f64; 4],
-    /// \[m/s\].
+    /// Velocity of the centre of mass \[m/s\].
     pub linear_velocity: [f64; 3],
     /// \[rad/s\], world frame.
     pub angular_velocity: [f64; 3],

@@ -105,7 +105,7 @@ pub fn step_in_parts(start: &Start, parts: &Parts) -> Result<Step> {
         }
         let step = finish(parts, &at, assembled)?;
         let needed = mechanism.reach(&step.state.velocity, h);
-        // A bound that is not a number bounds nothing; what it comes from is refused by the next step.
+        // A bound that is not a number is ignored here; the next step refuses the state that it comes from.
         if needed > reach {
             (parts.discard)();
             reach = 2.0 * needed;

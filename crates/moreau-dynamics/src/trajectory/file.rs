@@ -84,7 +84,7 @@ pub struct BodyTrack {
     pub position: Vec<[f64; 3]>,
     /// Unit quaternion \[w, x, y, z\].
     pub orientation: Vec<[f64; 4]>,
-    /// \[m/s\].
+    /// Velocity of the centre of mass \[m/s\].
     pub linear_velocity: Vec<[f64; 3]>,
     /// \[rad/s\], world frame.
     pub angular_velocity: Vec<[f64; 3]>,

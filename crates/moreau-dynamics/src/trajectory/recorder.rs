@@ -90,7 +90,7 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    /// Adds the worst residual of a step and what it means.
+    /// Adds the worst residual of a step and the judgement of that residual.
     pub fn push_residual(&mut self, residual: Option<StepResidual>, judgement: Judgement) {
         let steps = self.trajectory.steps.get_or_insert_default();
         if let Some(StepResidual { limit, .. }) = residual {

@@ -18,7 +18,7 @@ use crate::{Bench, Check, Expectation, Kind, Level, Measurement, Reply};
 const HALF: f64 = 0.1;
 /// Height of the centre at the start \[m\].
 const HEIGHT: f64 = 0.3;
-/// \[s\].
+/// Duration of the motion \[s\].
 const DURATION: f64 = 0.5;
 
 /// The checks of the family.

@@ -119,7 +119,8 @@ enum Start {
     Apart,
     /// The declared depths \[m\].
     Sprung(Vec<f64>),
-    /// Gaps of δ, for declared springs that would let a box sink by half its height or more: then other faces touch, and no law says where.
+    /// Gaps of δ, for declared springs that would let a box sink by half its height or more. Other faces touch then, and no law gives the
+    /// depth.
     Swallowed,
 }
 

@@ -1,4 +1,4 @@
-//! Probes of a description: whether what it says can be used.
+//! Probes of a description: whether its content can be used.
 
 use crate::conformance::{Probe, Seen, demand, probe, problem, skipped};
 use crate::description::{OneOrMany, Parameter};

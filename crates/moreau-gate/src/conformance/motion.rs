@@ -42,7 +42,7 @@ pub(super) fn probe_all(engine: &mut dyn Engine, description: &Description, prob
     contacts::probe_all(simulate(engine, &landing_ball(), EVERY), description, probes);
     probes.push(probe(
         "simulate/restitution",
-        "restitution is honoured, or refused where the description says so",
+        "a scene with restitution is simulated with it, or refused if the description says that there is none",
         restitution(engine, description),
     ));
     let again = as_far(&thrown).and_then(|thrown| same_again(engine, thrown));
@@ -144,7 +144,7 @@ fn sample_every(engine: &mut dyn Engine, dense: &Trajectory, scene: &Scene, desc
     for (k, position) in sparse.bodies[0].position.iter().enumerate() {
         let Some(expected) = dense.bodies[0].position.get(k * EVERY) else { return Ok(()) };
         let off = (Vector3::from(*position) - Vector3::from(*expected)).amax();
-        let why = || format!("sample {k} of every third is {position:?}, but state {} of all is {expected:?}", k * EVERY);
+        let why = || format!("sample {k} of every third state is {position:?}, but state {} of all states is {expected:?}", k * EVERY);
         demand(
             off <= same_state(description.precision.epsilon()) * scale,
             why,

@@ -1,4 +1,4 @@
-//! What a contact law says of the work of its impulses.
+//! The work that a contact law allows its impulses.
 //!
 //! ```text
 //!     Σ_k max(0, r_k·y_k) = w ,      y = u + shift + R r ,      r·u ≤ −r·shift − rᵀR r + w .

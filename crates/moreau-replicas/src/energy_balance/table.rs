@@ -84,7 +84,7 @@ pub const ROWS: [Row; 20] = [
     Row {
         scheme: "runge-kutta-flip",
         kinetic: "T(v⁺) ≤ T(v_free) − Σ e r_n min(u_free,n, 0) − ½ rᵀW r, H at q⁺",
-        total: "no gyroscopic term: ΔE is what contact does to T",
+        total: "without gyroscopic term, ΔE is the change of T by contact",
         open: "the free flight of other forces, of order h⁵; a resting body sinks and loses V",
     },
     Row {

@@ -9,12 +9,12 @@ use moreau_dynamics::trajectory::Trajectory;
 use moreau_exact::{Error, Result};
 use serde_json::Value;
 
-/// Largest differences from a stored motion, and what they may be.
+/// Largest differences from a stored motion, with their tolerances.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Replay {
-    /// \[m\].
+    /// Largest difference of a position \[m\].
     pub position: Measured,
-    /// \[m/s\].
+    /// Largest difference of a velocity \[m/s\].
     pub velocity: Measured,
 }
 

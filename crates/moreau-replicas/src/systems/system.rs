@@ -79,7 +79,7 @@ pub struct Agreement {
     /// Measures it.
     ///
     /// # Errors
-    /// Those of the scheme, and a stored run that is missing or not what it should be.
+    /// Those of the scheme, and a stored run that is missing or malformed.
     pub measure: fn(&dyn StoredRuns) -> Result<Measured>,
     /// Mistakes that it catches, at least one.
     pub planted: &'static [Planted],

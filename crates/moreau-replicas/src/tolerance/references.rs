@@ -74,8 +74,8 @@ pub fn last_improvement(tolerance: f64, rows: f64, mass_trace: f64) -> f64 {
     (2.0 * lipschitz * tolerance * mass_trace).sqrt()
 }
 
-/// Relative accuracy of the sliding gap read from a SAP step: the three terms that make the gap up are larger than it by at most 10,
-/// and each carries SAP's relative tolerance.
+/// Relative accuracy of the sliding gap that is read from a SAP step. The gap is a sum of three terms, each with SAP's relative tolerance.
+/// A term is at most 10 times as large as the gap.
 pub fn sap_sliding_gap() -> f64 {
     10.0 * SAP_RELATIVE
 }

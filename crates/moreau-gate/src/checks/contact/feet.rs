@@ -11,7 +11,7 @@ use nalgebra::{Matrix3, Vector3};
 pub(super) struct Feet {
     /// Centres in the body frame \[m\].
     centres: Vec<Vector3<f64>>,
-    /// \[m\].
+    /// Radius of the spheres \[m\].
     radius: f64,
     mass: f64,
     /// Principal moments \[kg·m²\].
