@@ -38,8 +38,8 @@ impl Trajectory {
 
 /// Collects a trajectory step by step.
 ///
-/// The impulses of all points of a pair are added; the pair's normal is the mean of the points' normals weighted by their normal
-/// impulses, and its first body is the one whose name comes first. A pair without impulse is left out.
+/// The impulses of all points of a pair are added. The normal of the pair is the mean of the points' normals, weighted by their normal
+/// impulses. The first body of the pair is the one whose name comes first. A pair without impulse is left out.
 pub struct Recorder<'a> {
     mechanism: &'a dyn Mechanism,
     sample_every: usize,
