@@ -29,7 +29,7 @@ pub enum Error {
     #[cfg(feature = "json")]
     #[error("not valid JSON: {0}")]
     Json(#[from] serde_json::Error),
-    /// A field holds a value that is not valid.
+    /// A field of the input holds a value that is not allowed.
     #[error("field `{field}`: {problem}; {cure}")]
     Invalid {
         /// The field, as spelt in the input.

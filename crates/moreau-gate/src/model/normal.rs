@@ -11,7 +11,7 @@ use moreau_forms::mujoco_normal::NormalContact;
 pub enum Arms {
     /// Radius r \[m\] and 1/J \[1/(kg·m²)\] of up to two spheres; (0, 0) for none.
     Spheres([(f64, f64); 2]),
-    /// ‖W_ii‖_F/3 \[1/kg\] of another contact, at any depth.
+    /// ‖W_ii‖_F/3 \[1/kg\] of a contact that is not between spheres. It does not depend on the depth.
     Fixed(f64),
 }
 

@@ -23,7 +23,8 @@ fn depth(model: &Model, level: LoadedPoint, h: f64) -> Option<f64> {
     match *model {
         Model::Coulomb(limits) => {
             let RigidLimits { penetration_allowance, contact_margin, .. } = limits;
-            // The corner of a cube feels at most 4 (1/m_a + 1/m_b), and four corners share the load: as if the middle carried it.
+            // The inverse mass at the corner of a cube is at most 4 (1/m_a + 1/m_b), and four corners share the load.
+            // So the compression is at most that of a contact in the middle.
             let either = penetration_allowance.max(contact_margin) + 2.0 * limits.compression(&level);
             (either > 0.0).then_some(either)
         }

@@ -38,11 +38,11 @@ pub struct Request {
 pub enum Question {
     /// Asks for the name and the contact model of the engine, under these options.
     Describe {
-        /// Overrides.
+        /// Options that differ from the engine's own values.
         #[serde(skip_serializing_if = "Options::is_empty")]
         options: Options,
     },
-    /// How does this scene move?
+    /// Asks for the motion of a scene.
     Simulate {
         /// What is simulated.
         scene: Box<Scene>,
@@ -50,16 +50,16 @@ pub enum Question {
         time_step: f64,
         /// Steps from sample to sample.
         sample_every: usize,
-        /// Overrides.
+        /// Options that differ from the engine's own values.
         #[serde(skip_serializing_if = "Options::is_empty")]
         options: Options,
     },
-    /// Which impulses solve this contact problem?
+    /// Asks for the impulses that solve a contact problem.
     Solve {
         /// A `contact-problem/1`.
         #[schemars(with = "moreau_contact::problem::ProblemFile")]
         problem: Box<RawValue>,
-        /// Overrides.
+        /// Options that differ from the engine's own values.
         #[serde(skip_serializing_if = "Options::is_empty")]
         options: Options,
     },
@@ -69,11 +69,11 @@ pub enum Question {
         friction: f64,
         /// Rows (n, t₁) or (n, t₁, t₂).
         points: Vec<Vec<f64>>,
-        /// Overrides.
+        /// Options that differ from the engine's own values.
         #[serde(skip_serializing_if = "Options::is_empty")]
         options: Options,
     },
-    /// Answer and end.
+    /// Asks the engine to answer and to end.
     Bye {},
 }
 

@@ -79,7 +79,7 @@ pub const DEFECTS: &[Defect] = &[
     },
     Defect {
         name: "energy-balance/spring-contact-too-strong",
-        mistake: "Hunt and Crossley's impulse twice, with the velocity it makes",
+        mistake: "Hunt and Crossley's impulse acts twice",
         defective: || made("drake-lagged", sunken, |_, step, _| scaled(step, 2.0)),
         reference: || made("drake-lagged", sunken, |_, _, _| ()),
     },

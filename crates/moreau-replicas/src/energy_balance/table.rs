@@ -120,19 +120,19 @@ pub const ROWS: [Row; 20] = [
     Row {
         scheme: "drake-similar",
         kinetic: HUNT_CROSSLEY,
-        total: "the same + h²FᵀM⁻¹F/8 for Ẽ, θ = 1",
+        total: "the bound on the left, for Ẽ, plus h²FᵀM⁻¹F/8, θ = 1",
         open: "a depth φ returns energy, at most k φ²/4",
     },
     Row {
         scheme: "drake-lagged",
         kinetic: HUNT_CROSSLEY,
-        total: "the same + h²FᵀM⁻¹F/8 for Ẽ, θ = 1",
+        total: "the bound on the left, for Ẽ, plus h²FᵀM⁻¹F/8, θ = 1",
         open: "a depth φ returns energy, at most k φ²/4",
     },
     Row {
         scheme: "drake-tamsi",
         kinetic: HUNT_CROSSLEY,
-        total: "the same + h²FᵀM⁻¹F/8 for Ẽ, θ = 1",
+        total: "the bound on the left, for Ẽ, plus h²FᵀM⁻¹F/8, θ = 1",
         open: "a depth φ returns energy, at most k φ²/4",
     },
 ];

@@ -85,7 +85,7 @@ pub struct Agreement {
     pub planted: &'static [Planted],
 }
 
-/// A mistake in what is compared, which must put the agreement out of its tolerance.
+/// A planted mistake in the compared scheme or solver. With it the agreement must exceed its tolerance.
 #[derive(Clone, Copy, Debug)]
 pub struct Planted {
     /// What is wrong.

@@ -89,8 +89,8 @@ pub const CREEP_GEOMETRY: f64 = 1e-4;
 /// [`siconos_step`].
 pub const SICONOS_PER_STEP: f64 = 1e-12;
 
-/// Distance of one step from Siconos's with direct solvers on both sides, for numbers of the given size: 64 operations, and the 1e-14 m at
-/// which its projection ends. That is also ten times the 1e-15 at which its iteration for spatial friction does, whose residual, the
+/// Distance of one step from Siconos's with direct solvers on both sides, for numbers of the given size. It covers 64 operations, and the
+/// 1e-14 m at which Siconos's projection ends. Siconos's iteration for spatial friction ends at 1e-15, a tenth of that. Its residual, the
 /// natural map with ρ = 1 kg, is at least 1 − μ ≥ ½ times the error of the impulse of a mass of 1 kg.
 pub fn siconos_step(size: f64) -> f64 {
     moreau_exact::tolerance::rounding(64, size) + 1e-14
