@@ -67,14 +67,14 @@ impl Staged<'_> {
 fn stage<'a>(file: &Path, contents: &'a [u8], staged: &mut Vec<Staged<'a>>) -> std::io::Result<()> {
     if let Ok(metadata) = fs::metadata(file) {
         if metadata.is_dir() {
-            return Err(IoError::other("it is a directory"));
+            return Err(IoError::other("the path is a directory"));
         }
         if !metadata.is_file() {
             staged.push(Staged::Stream { place: file.into(), contents });
             return Ok(());
         }
         if metadata.permissions().readonly() {
-            return Err(IoError::other("it is read-only"));
+            return Err(IoError::other("the file is read-only"));
         }
     }
     let place = destination(file)?;

@@ -73,7 +73,7 @@ fn read_up_to(source: impl Read, limit: u64, sensible: impl Fn(&[u8]) -> bool) -
             Err(error) => return Err(error),
         };
         if part[..count].contains(&0) {
-            return Err(IoError::new(ErrorKind::InvalidData, "it is not text: it holds a byte 0"));
+            return Err(IoError::new(ErrorKind::InvalidData, "the file is not text, because it holds a byte 0"));
         }
         let is_first = bytes.is_empty();
         bytes.extend_from_slice(&part[..count]);

@@ -120,7 +120,7 @@ fn orientation(body: &Body, track: &BodyTrack, tolerance: f64) -> Seen {
     let cure = if off(rotated) <= tolerance {
         "the components are in the order x, y, z, w: put w first"
     } else if off(conjugate) <= tolerance {
-        "it is the rotation from world to body: conjugate it"
+        "the quaternion is the rotation from world to body; conjugate it"
     } else {
         "set the scene's orientation, w first, and record it before the first step"
     };
