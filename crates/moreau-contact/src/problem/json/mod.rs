@@ -271,7 +271,7 @@ fn read_law(name: &str, directions: Option<usize>) -> Result<Law> {
         "associated" => Law::Associated,
         "polyhedral-coulomb" | "polyhedral-associated" => {
             let directions =
-                directions.ok_or_else(|| Error::invalid("directions", "is missing", format!("give the number of friction directions")))?;
+                directions.ok_or_else(|| Error::invalid("directions", "is missing", "give the number of friction directions"))?;
             return Ok(if name == "polyhedral-coulomb" {
                 Law::PolyhedralCoulomb { directions }
             } else {
