@@ -32,7 +32,7 @@ fn every_family_has_at_least_two_defects() {
 
 /// The checks that a planted engine names, all of which must catch it.
 fn catch(mistake: &planted::Planted) -> &'static [&'static str] {
-    assert!(!mistake.caught_by.is_empty(), "{} is caught by nobody: {}", mistake.name, mistake.mistake);
+    assert!(!mistake.caught_by.is_empty(), "{} is that no check catches: {}", mistake.name, mistake.mistake);
     let find = |name: &&str| checks::find(name).unwrap_or_else(|| panic!("{}: no check `{name}`", mistake.name));
     let checks: Vec<_> = mistake.caught_by.iter().map(find).collect();
     let report = matrix::judge(mistake, &checks).unwrap_or_else(|error| panic!("{}: {error}", mistake.name));

@@ -19,7 +19,7 @@ pub enum Answer {
     Yes,
     /// Exit code 1.
     No,
-    /// Exit code 3: there is nobody to ask.
+    /// Exit code 3: the engine could not be run.
     CannotRun,
 }
 

@@ -25,7 +25,7 @@ impl CertificateOptions {
         Ok(Certified::with_tolerance(solver, self.certify_tolerance))
     }
 
-    /// No, if steps were rejected and that is not accepted.
+    /// The answer is no if steps were rejected and `--accept-rejected` is absent.
     pub fn answer(&self, rejected: bool) -> Answer {
         if rejected && self.accept_rejected {
             print_aside("warning: the certificate rejects steps of this motion; --accept-rejected lets it pass\n");

@@ -42,7 +42,7 @@ pub struct Arguments {
     /// Simulated time [s]; the scene's own if absent.
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     duration: Option<f64>,
-    /// Who solves the contact problems.
+    /// The solver of the contact problems.
     #[arg(long, value_name = "NAME", default_value = "auto", help = super::solve::solver_help())]
     solver: String,
     #[command(flatten)]

@@ -50,7 +50,7 @@ fn text(rows: &[Row], idle: &[&str]) -> String {
         text += &format!("{}\n    {}\n    caught by {caught}\n", row.name, row.mistake);
     }
     let missed = rows.iter().filter(|row| row.caught_by.is_empty()).count();
-    text += &format!("\n{} planted mistakes, {missed} caught by nobody\n", rows.len());
+    text += &format!("\n{} planted mistakes, {missed} that no check catches\n", rows.len());
     if !idle.is_empty() {
         text += &format!("checks that catch nothing: {}\n", idle.join(", "));
     }

@@ -16,7 +16,7 @@ use std::path::Path;
 pub fn keep_input(input: &Path, option: &str, output: Option<&Path>) -> Result<()> {
     match output {
         Some(output) if input.is_file() && is_same_file(input, output) => {
-            let problem = format!("is {}, the file that is read", output.display());
+            let problem = format!("is {}, which is also the input file", output.display());
             Err(Error::invalid(option, problem, "write the result to another file"))
         }
         _ => Ok(()),
@@ -35,7 +35,7 @@ pub fn print(text: &str) -> Result<()> {
     }
 }
 
-/// Writes to standard error what accompanies a result on standard output; nobody need be listening.
+/// Writes a note to standard error, beside the result on standard output. A closed standard error is no failure.
 pub fn print_aside(text: &str) {
     let _ = std::io::stderr().write_all(text.as_bytes());
 }

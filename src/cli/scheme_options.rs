@@ -53,7 +53,7 @@ impl SchemeOptions {
     /// The scheme with this name and these parameters.
     ///
     /// # Errors
-    /// An unknown name, an option of another scheme, a parameter that cannot be meant.
+    /// An unknown name, an option that belongs to another scheme, or a parameter that is not valid.
     pub fn build(&self, name: &str) -> Result<Box<dyn Scheme>> {
         if !schemes::NAMES.contains(&name) {
             let known = format!("use one of {}", schemes::NAMES.join(", "));
@@ -119,7 +119,7 @@ impl SchemeOptions {
 }
 
 fn foreign(option: &str, scheme: &str, owners: &[&str]) -> Error {
-    Error::invalid(option, format!("does nothing in {scheme}"), format!("it belongs to {}", owners.join(", ")))
+    Error::invalid(option, format!("does nothing in {scheme}"), format!("use it with {}", owners.join(", ")))
 }
 
 /// The schemes whose impacts use e.

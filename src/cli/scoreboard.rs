@@ -62,7 +62,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let selected = |name: &str| arguments.only.is_empty() || arguments.only.iter().any(|part| name.contains(part.as_str()));
     if !engines.iter().any(|entry| selected(&entry.name)) {
         let names: Vec<&str> = engines.iter().map(|entry| entry.name.as_str()).collect();
-        return Err(Error::invalid("--only", "leaves no engine", format!("the list has {}", names.join(", "))));
+        return Err(Error::invalid("--only", "selects no engine", format!("name one of {}", names.join(", "))));
     }
     if let Some(file) = &arguments.readme {
         section::replaced(file, MARKERS, "")?; // a file without the markers is refused before the engines run

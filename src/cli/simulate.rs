@@ -46,7 +46,7 @@ pub struct Arguments {
     duration: Option<f64>,
     #[command(flatten)]
     options: SchemeOptions,
-    /// Who solves the contact problems.
+    /// The solver of the contact problems.
     #[arg(long, value_name = "NAME", default_value = "auto", help = super::solve::solver_help())]
     solver: String,
     #[command(flatten)]
@@ -164,7 +164,7 @@ impl Arguments {
         }
         match (&self.out, &self.plot) {
             (Some(out), Some(plot)) if is_same_file(out, plot) => {
-                Err(Error::invalid("--plot", "is the file of --out", "give each its own file"))
+                Err(Error::invalid("--plot", "is also the file of --out", "give each its own file"))
             }
             _ => Ok(()),
         }
@@ -189,7 +189,7 @@ impl Arguments {
         Ok(Staged { duration, ..staged })
     }
 
-    /// The scene with the options applied, and what has to be said about it.
+    /// The scene with the options applied, and a note for the user if one is needed.
     fn build_scene(&self, name: &str, scheme: &dyn Scheme) -> Result<(Scene, Option<&'static str>)> {
         let mut scene = find(name, "--scene")?;
         if let Some(duration) = self.duration {

@@ -11,7 +11,7 @@ use crate::systems::Report;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::PathBuf;
 
-/// Show where every simulator stands on the four axes, what it was held against, and how closely it agrees.
+/// Show where every simulator stands on the four axes, what it was compared with, and how closely it agrees.
 ///
 /// The axes are the level of the constraint (position, velocity, acceleration), the cone of impulses, the contact law and the
 /// algorithm. Every agreement is measured when the command runs, from closed forms and stored references; the answer is

@@ -72,7 +72,7 @@ fn explain(id: &str, format: Format) -> Result<Answer> {
     let claim = claims::find(id).ok_or_else(|| {
         let is_group = claims::all().any(|claim| matches_group(claim.id, id));
         let cure = if is_group {
-            format!("it is a group: `moreau verify --filter {id}`")
+            format!("this is a group, which `moreau verify --filter {id}` runs")
         } else {
             suggestion(id, claims::all().map(|claim| claim.id), "`moreau verify --list` shows every id")
         };

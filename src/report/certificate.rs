@@ -54,7 +54,7 @@ impl<'a> Certificate<'a> {
             let value = with_unit(&significant(part.value), unit);
             line(format!("  {name:18} {value:16} relative {relative:10} limit {:16} contact {contact}", with_unit(&limit, unit)));
         }
-        line("for comparison, over all contacts".into());
+        line("norms over all contacts, shown for comparison only:".into());
         for (name, value, unit) in self.residuals.norms() {
             line(format!("  {name:18} {}", with_unit(&significant(value), unit)));
         }

@@ -28,7 +28,7 @@ pub struct Comparison {
     pub time_step: f64,
     /// Simulated time \[s\].
     pub duration: f64,
-    /// Who solved the contact problems.
+    /// The solver of the contact problems.
     pub solver: String,
     /// The closed form that position errors are measured from.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -9,7 +9,7 @@ use crate::trajectory::metrics::{creep_speed, effective_restitutions, energy_bal
 use serde::Serialize;
 use std::fmt::Write;
 
-/// A recorded motion with what it is held against.
+/// A recorded motion, with the closed form that it is compared with.
 pub struct MotionReport<'a> {
     /// The mechanism that moved.
     pub mechanism: &'a dyn Mechanism,
@@ -181,7 +181,8 @@ impl MotionReport<'_> {
         self.recording.samples.iter().map(normal).collect()
     }
 
-    /// 2 g h: a resting body falls freely for at most one step and rebounds with at most what it fell with.
+    /// The speed 2 g h \[m/s\], below which a body counts as resting. A resting body falls freely for at most one step, and it rebounds
+    /// with at most the speed of that fall.
     fn resting_speed(&self) -> f64 {
         2.0 * self.gravity * self.recording.time_step
     }

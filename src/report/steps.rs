@@ -16,7 +16,7 @@ pub struct StepSummary {
     pub solved: usize,
     /// Steps whose residual exceeds its limit.
     pub rejected: usize,
-    /// The same, of a scheme or solver whose algorithm is a declared number of sweeps.
+    /// Steps whose residual exceeds its limit, where the algorithm is a declared number of sweeps.
     pub unconverged: usize,
     /// The step that exceeds its limit most, or comes nearest to it.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -30,7 +30,7 @@ pub struct WorstStep {
     pub step: usize,
     /// The time at its end \[s\].
     pub time: f64,
-    /// Who judges: `certificate`, or the stopping rule of the scheme's own law.
+    /// The rule that judges the step: `certificate`, or the stopping rule of the scheme's own law.
     pub rule: &'static str,
     /// Which residual.
     pub residual: &'static str,

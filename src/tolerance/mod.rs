@@ -1,5 +1,5 @@
-//! Every tolerance under one roof, each with the reason it has the value it has: those of the crates below, where what they bound is, and
-//! here those of claims and the command line.
+//! Every tolerance, each with the reason for its value. The tolerances of the crates below are re-exported. Those of the claims and of the
+//! command line are defined here.
 //!
 //! A tolerance here is one of: a rounding bound (a constant times the unit roundoff times the size of the data), a
 //! proven bound of a scheme (a constant times a power of h), or an engine's documented stopping tolerance propagated
@@ -64,7 +64,7 @@ pub mod claims {
         8.0 * 4.0 * 32.0 / 120.0 * SOFT_STEP.powi(4) + super::EPSILON * 4.0 / SOFT_STEP
     }
 
-    /// Half the distance between neighbouring orders of a one-step method: orders are integers, and the nearest one is meant.
+    /// Half the distance between neighbouring orders of a one-step method. Orders are integers, so the nearest integer is the order.
     /// Over the fitted ranges (a factor 8 or more in h) a constant would have to drift by 8^½ to cross it; the phases of
     /// the impact are controlled, so it drifts by O(h).
     pub const ORDER_GAP: f64 = 0.5;
@@ -155,8 +155,8 @@ pub mod claims {
         /// Rounding of a linearised gap constraint of size 1, solved and evaluated in some 16 operations.
         pub const LINEARISED_GAP: f64 = 32.0 * EPSILON;
 
-        /// Rounding of n steps of one contact with velocities up to 10 m/s: each step rounds some 20 operations at that size,
-        /// and the steps, being non-expansive, hand errors on without growth.
+        /// Rounding of n steps of one contact with velocities up to 10 m/s. Each step rounds some 20 operations on numbers of that
+        /// size. The map of a step is non-expansive, so errors do not grow from step to step.
         pub fn repeated_steps(steps: usize) -> f64 {
             rounding(20 * steps, 10.0)
         }

@@ -73,7 +73,7 @@ fn a_problem_is_held_against_its_own_limit() {
         numbers("1")
     );
     let (problem, answer) = (folder.file("problem.json", &problem), folder.path("answer.json"));
-    moreau(&["solve", &problem, "--max-memory", "12MB"]).is_refused(&["the matrices of this problem needs about 13.0 MB"]);
+    moreau(&["solve", &problem, "--max-memory", "12MB"]).is_refused(&["storing the matrices of this problem needs about 13.0 MB"]);
     moreau(&["solve", &problem, "--max-memory", "50MB"]).is_refused(&["solving 900 rows needs about 51.8 MB"]);
     assert_eq!(moreau(&["solve", &problem, "--max-memory", "52MB", "--out", &answer]).code, 0);
     assert_eq!(moreau(&["certify", &problem, &answer, "--max-memory", "13MB"]).code, 0);

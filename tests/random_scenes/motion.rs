@@ -68,7 +68,7 @@ fn attempt(name: &str, scenario: &Scenario, outcome: &mut Outcome) -> moreau::Re
         }
         if !mechanism.energy(&step.state).is_finite() {
             // a spring whose explicit step is unstable: `simulate` ends there with an error
-            return Err(Error::breakdown(name, "left the numbers: the energy is not finite"));
+            return Err(Error::breakdown(name, "the energy is not finite"));
         }
         let taken = Taken { mechanism: mechanism.as_ref(), before: &state, step: &step, h: scenario.h };
         let judged = balance.judge(&taken)?;

@@ -1,10 +1,10 @@
-//! A finding: one measured number held against one expectation.
+//! A finding: one measured number, compared with one expectation.
 
 use moreau_exact::scalar::Rational;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// How a measured number is held against the expected one.
+/// How a measured number is compared with the expected one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Relation {

@@ -1,4 +1,4 @@
-//! Memory is asked for before it is taken: what a computation needs is estimated from its sizes and held against one limit.
+//! Memory is checked before it is taken: the need of a computation is estimated from its sizes and compared with one limit.
 //!
 //! The limit belongs to the process, as its memory does; the command line sets it once, before anything else. No result depends on it: a
 //! computation within the limit gives the same answer under every limit.
@@ -31,8 +31,8 @@ fn require_within(limit: u64, what: &str, bytes: u128) -> Result<()> {
     if bytes <= u128::from(limit) {
         return Ok(());
     }
-    let problem = format!("is {}, and {what} needs about {}", size(u128::from(limit)), size(bytes));
-    Err(Error::invalid("--max-memory", problem, format!("take fewer bodies or contacts, or allow {}", allowance(bytes))))
+    let problem = format!("is {}, but {what} needs about {}", size(u128::from(limit)), size(bytes));
+    Err(Error::invalid("--max-memory", problem, format!("take fewer bodies or contacts, or pass {}", allowance(bytes))))
 }
 
 /// Bytes of a dense matrix, without overflow.

@@ -30,7 +30,7 @@ pub struct BallState<T> {
     pub velocity: T,
 }
 
-/// One step and what it was made of.
+/// The result of one step, with its intermediate quantities.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BallStep<T> {
     /// q⁺ and v⁺.

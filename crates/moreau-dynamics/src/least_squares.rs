@@ -24,7 +24,7 @@ pub fn least_squares(method: &str, matrix: DMatrix<f64>, right: &DVector<f64>, n
         return Ok(DVector::zeros(matrix.ncols()));
     }
     if matrix.iter().chain(right).any(|x| !x.is_finite()) {
-        return Err(Error::breakdown(method, "a contact's row or gap is not finite: the motion has left the numbers; use a smaller step"));
+        return Err(Error::breakdown(method, "a contact's row or gap is not finite; use a smaller step"));
     }
     let limit = ITERATIONS * matrix.nrows().max(matrix.ncols());
     let decomposed = matrix.try_svd(true, true, 5.0 * f64::EPSILON, limit);

@@ -29,7 +29,7 @@ pub enum Error {
     #[cfg(feature = "json")]
     #[error("not valid JSON: {0}")]
     Json(#[from] serde_json::Error),
-    /// A field holds a value that cannot be meant.
+    /// A field of the input holds a value that is not allowed.
     #[error("field `{field}`: {problem}; {cure}")]
     Invalid {
         /// The field, as spelt in the input.
@@ -39,7 +39,7 @@ pub enum Error {
         /// What would be accepted.
         cure: String,
     },
-    /// The error, with the file it came from.
+    /// An error in the content of a file, with the name of the file.
     #[error("{}: {inner}", file.display())]
     InFile {
         /// The file.
@@ -52,12 +52,12 @@ pub enum Error {
     Solver {
         /// The solver's name.
         solver: String,
-        /// Which of the two, and how it ended.
+        /// Whether the solver refused the problem, and otherwise how it ended.
         failure: Failure,
         /// Why it refuses, or how it ended, in words.
         reason: String,
     },
-    /// A request the crate cannot serve (unknown scheme, scene outside the mechanisms it has…).
+    /// The crate cannot do what was asked, as with an unknown scheme or a scene that no mechanism covers.
     #[error("{0}")]
     Unsupported(String),
 }
@@ -95,32 +95,32 @@ impl std::fmt::Display for Failure {
 }
 
 impl Error {
-    /// A field that holds a value that cannot be meant.
+    /// The error of a field that holds an invalid value.
     pub fn invalid(field: impl Into<String>, problem: impl Into<String>, cure: impl Into<String>) -> Self {
         Error::Invalid { field: field.into(), problem: problem.into(), cure: cure.into() }
     }
 
-    /// A solver that ended without a solution, by name.
+    /// The error of a solver that ended without a solution; `solver` is its name.
     pub fn solver(solver: impl Into<String>, failure: Failure, reason: impl Into<String>) -> Self {
         Error::Solver { solver: solver.into(), failure, reason: reason.into() }
     }
 
-    /// A solver that refuses a problem outside its scope.
+    /// The error of a solver that refuses a problem outside its scope.
     pub fn refused(solver: impl Into<String>, reason: impl Into<String>) -> Self {
         Error::solver(solver, Failure::Refused, reason)
     }
 
-    /// A solver whose arithmetic broke down.
+    /// The error of a solver whose arithmetic broke down.
     pub fn breakdown(solver: impl Into<String>, reason: impl Into<String>) -> Self {
         Error::solver(solver, Failure::Breakdown, reason)
     }
 
-    /// A solver that ended on a ray.
+    /// The error of a pivoting solver that ended on a ray.
     pub fn ray(solver: impl Into<String>, reason: impl Into<String>) -> Self {
         Error::solver(solver, Failure::Ray, reason)
     }
 
-    /// A solver that reached its limit.
+    /// The error of a solver that reached its limit of iterations.
     pub fn limit(solver: impl Into<String>, reason: impl Into<String>) -> Self {
         Error::solver(solver, Failure::Limit, reason)
     }

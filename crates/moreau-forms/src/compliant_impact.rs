@@ -33,7 +33,7 @@ impl CompliantImpact {
     pub fn new(mass: f64, stiffness: f64, damping: f64) -> Result<Self> {
         let usable = mass > 0.0 && stiffness > 0.0 && damping >= 0.0 && (mass + stiffness + damping).is_finite();
         if !usable {
-            return Err(Error::invalid("impact", "has a mass, stiffness or damping that is not usable", "use m > 0, k > 0 and c ≥ 0"));
+            return Err(Error::invalid("impact", "has a mass, stiffness or damping that is out of range", "use m > 0, k > 0 and c ≥ 0"));
         }
         Ok(CompliantImpact { mass, stiffness, damping })
     }

@@ -35,7 +35,7 @@ pub struct HuntCrossley {
 }
 
 impl HuntCrossley {
-    /// r \[N·s\] on a reduced mass m̄ \[kg\]; bisection down to neighbouring floats.
+    /// The normal impulse r \[N·s\] on a reduced mass m̄ \[kg\], found by bisection down to neighbouring floats.
     pub fn normal_impulse(&self, mass: f64, depth: f64, free_velocity: f64) -> f64 {
         if depth <= 0.0 {
             return 0.0;

@@ -24,8 +24,8 @@ pub struct SapContact {
     pub stiffness: f64,
     /// τ \[s\], relaxation time of the dissipation.
     pub relaxation_time: f64,
-    /// w = ‖J_i diag(M)⁻¹ J_iᵀ‖_F/3 \[1/kg\] of the contact's three rows: Drake takes the diagonal of M, so w is the Delassus block's only
-    /// where M is diagonal (stored steps of a tilted block tell the two apart, see `tests/references`).
+    /// w = ‖J_i diag(M)⁻¹ J_iᵀ‖_F/3 \[1/kg\] of the contact's three rows. Drake takes the diagonal of M, so w is that of the Delassus block
+    /// only if M is diagonal. The stored steps of a tilted block in `tests/references` show the difference.
     pub diagonal_mean: f64,
     /// σ, ratio of R_t to w (1e-3 in Drake).
     pub tangential_ratio: f64,

@@ -41,7 +41,7 @@ impl PositionBasedContact {
         compliance * self.mass * self.gravity
     }
 
-    /// Gap and velocity after the positions of a step of XPBD that begins at gap φ with velocity v and ends in contact.
+    /// Gap and velocity after the position pass of a step of XPBD. The step begins at gap φ with velocity v and ends in contact.
     pub fn landing(&self, compliance: f64, gap: f64, velocity: f64) -> (f64, f64) {
         let h = self.time_step;
         let scaled = compliance / (h * h);

@@ -33,9 +33,9 @@ pub struct RapierContact {
     pub damping_ratio: f64,
     /// v_max \[m/s\].
     pub largest_push: f64,
-    /// Gap \[m\] from which on the contact is looked at.
+    /// Gap \[m\] below which the contact is considered.
     pub prediction: f64,
-    /// Of the ball \[m\].
+    /// Radius of the ball \[m\].
     pub radius: f64,
     /// e.
     pub restitution: f64,

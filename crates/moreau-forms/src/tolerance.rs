@@ -19,7 +19,7 @@ pub fn difference_error(velocity: f64, third_derivative: f64) -> f64 {
     DIFFERENCE * DIFFERENCE / 6.0 * third_derivative + 2.0 * 16.0 * EPSILON * velocity / DIFFERENCE
 }
 
-/// Half a unit in the seventh printed digit, relative: numbers quoted with seven digits.
+/// Relative error of a number that is quoted with seven digits: half a unit in the last one.
 pub const PRINTED_DIGITS: f64 = 5e-7;
 
 /// Parts of the Runge–Kutta reference of the tumbling box.

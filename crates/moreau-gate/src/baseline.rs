@@ -33,7 +33,7 @@ pub struct Baseline {
     pub version: String,
     /// The time steps of the sweep \[s\].
     pub sweep: Vec<f64>,
-    /// The engine's options in force, as JSON.
+    /// The options that the engine used, as JSON.
     pub options: String,
     /// Failures that are accepted for the time being.
     #[serde(default, rename = "known_issue")]
@@ -170,19 +170,21 @@ impl Baseline {
     /// [`Error::Invalid`] if the run is of another engine or lacks a time step of the baseline: nothing could be compared.
     pub fn compare(&self, report: &Report, today: Date) -> Result<Vec<Change>> {
         if self.engine != report.engine.name {
-            let problem = format!("is of `{}`, the run is of `{}`", self.engine, report.engine.name);
+            let problem = format!("is `{}`, but the run is of `{}`", self.engine, report.engine.name);
             return Err(Error::invalid("baseline.engine", problem, "compare an engine with its own baseline"));
         }
         let same_sweep = self.sweep.len() == report.sweep.len() && self.sweep.iter().all(|h| report.sweep.contains(h));
         if !same_sweep {
-            let problem = format!("has the time steps {:?}, the run {:?}", self.sweep, report.sweep);
+            let problem = format!("has the time steps {:?}, but the run has {:?}", self.sweep, report.sweep);
             return Err(Error::invalid("baseline.sweep", problem, "run with the same `--quick` or `--steps`"));
         }
         let mut changes = Vec::new();
         for now in &report.checks {
             match self.checks.iter().find(|check| check.name == now.check) {
                 Some(then) => changes.extend(then.compare(now)),
-                None if now.verdict.is_bad() => changes.push(change(now, ChangeKind::Regression, "is bad and not in the baseline".into())),
+                None if now.verdict.is_bad() => {
+                    changes.push(change(now, ChangeKind::Regression, "is bad, and the baseline does not have this check".into()))
+                }
                 None => {}
             }
         }
@@ -197,7 +199,7 @@ impl Baseline {
         let mut notes = Vec::new();
         let engine = &report.engine;
         if self.version != engine.version {
-            notes.push(format!("the baseline is of {} {}, the run of {}", self.engine, self.version, engine.version));
+            notes.push(format!("the baseline is of {} {}, but the run is of {}", self.engine, self.version, engine.version));
         }
         let then: crate::Options = serde_json::from_str(&self.options).unwrap_or_default();
         let said = |value: Option<&serde_json::Value>| value.map_or("absent".to_string(), ToString::to_string);

@@ -96,7 +96,7 @@ impl<'a> Bench<'a> {
         let projected = self.engine.project(friction, points, self.options)?;
         let same = projected.len() == points.len() && projected.iter().zip(points).all(|(one, other)| one.len() == other.len());
         if !same {
-            return Err(Refusal::errored("`points` has other sizes than the request's"));
+            return Err(Refusal::errored("`points` differs in size from the points of the request"));
         }
         if projected.iter().flatten().any(|x| !x.is_finite()) {
             return Err(Refusal::errored("`points` is not finite"));

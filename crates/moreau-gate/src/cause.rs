@@ -100,7 +100,8 @@ pub fn find<'a>(causes: &'a [Cause], engine: &str, check: &str) -> Option<&'a Ca
     causes.iter().find(|cause| names(&cause.engines, engine) && names(&cause.checks, check))
 }
 
-/// What does not fit: cells that fail or err without a cause, with two, and causes of cells that do neither; one line each.
+/// One line for each failed or errored cell without a stored cause, for each cell with two causes, and for each cause of a cell that
+/// neither fails nor errs.
 pub fn misfits(causes: &[Cause], standings: &[Standing]) -> Vec<String> {
     let bad = |engine: &str, check: &str| {
         let report = standings.iter().find(|standing| standing.entry.name == engine)?.report.as_ref()?;
@@ -112,12 +113,12 @@ pub fn misfits(causes: &[Cause], standings: &[Standing]) -> Vec<String> {
     };
     let all: Vec<(String, String)> = causes.iter().flat_map(named).collect();
     let idle = all.iter().filter(|(engine, check)| bad(engine, check) != Some(true));
-    let mut lines: Vec<String> = idle.map(|(engine, check)| format!("{engine}: {check} has a cause and does not fail")).collect();
+    let mut lines: Vec<String> = idle.map(|(engine, check)| format!("{engine}: {check} has a stored cause but does not fail")).collect();
     for (engine, outcome) in cells(standings).filter(|(_, outcome)| outcome.verdict.is_bad()) {
         match all.iter().filter(|(name, check)| name == engine && *check == outcome.check).count() {
-            0 => lines.push(format!("{engine}: {} is {} without a cause", outcome.check, outcome.verdict.word())),
+            0 => lines.push(format!("{engine}: {} is {}, but no cause is stored", outcome.check, outcome.verdict.word())),
             1 => {}
-            _ => lines.push(format!("{engine}: {} has several causes", outcome.check)),
+            _ => lines.push(format!("{engine}: {} has more than one stored cause", outcome.check)),
         }
     }
     lines

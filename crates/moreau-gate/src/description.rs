@@ -29,7 +29,7 @@ pub struct Description {
     pub name: String,
     /// Its version, as it reports it.
     pub version: String,
-    /// What rounding the verdicts must allow.
+    /// The precision of the engine's arithmetic; it decides how much rounding a verdict allows.
     pub precision: Precision,
     /// The declared contact model.
     pub contact_model: ContactModel,
@@ -44,7 +44,7 @@ pub struct Description {
     /// At level `solve`: the laws the solver takes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub laws: Vec<String>,
-    /// Everything else that can be chosen, with its value in force.
+    /// Every other setting that can be chosen, with the value that the engine uses.
     #[serde(default)]
     pub options: Options,
 }
@@ -109,7 +109,7 @@ pub struct ContactModel {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Parameter {
-    /// The value in force.
+    /// The value that the engine uses.
     pub value: OneOrMany<f64>,
     /// Its unit, or one unit per entry.
     pub unit: OneOrMany<String>,
@@ -119,9 +119,9 @@ pub struct Parameter {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub enum OneOrMany<T> {
-    /// One.
+    /// A single entry.
     One(T),
-    /// Several.
+    /// A list of entries.
     Many(Vec<T>),
 }
 

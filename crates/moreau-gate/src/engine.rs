@@ -12,9 +12,9 @@ pub type Reply<T> = std::result::Result<T, Refusal>;
 /// Why an engine gave no answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Refusal {
-    /// It cannot express what was asked, with its reason: an honest answer that never counts against it.
+    /// The engine cannot express what was asked; the text is its reason. This answer never counts against the engine.
     Unsupported(String),
-    /// It should have answered and did not, with the cause.
+    /// The engine should have answered but did not; the text is the cause.
     Errored(String),
 }
 

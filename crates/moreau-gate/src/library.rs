@@ -123,7 +123,7 @@ fn resampled(stored: &Trajectory, scene: &Scene, time_step: f64, steps: usize, s
 
 /// The scenes that checks ask for, as files a simulator can be run on elsewhere.
 pub struct Requests {
-    /// Who answers meanwhile, so that checks of several requests go on.
+    /// The engine that answers each request, so that checks with several requests can go on.
     pub inner: Box<dyn Engine>,
     /// What was asked: scene, h \[s\], `sample_every`.
     pub asked: Arc<std::sync::Mutex<Vec<(Scene, f64, usize)>>>,

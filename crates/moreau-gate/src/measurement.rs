@@ -45,14 +45,14 @@ impl Verdict {
     }
 }
 
-/// An expected value or bound, how far the measured one may be off, and why that far.
+/// An expected value or bound, the allowed deviation from it, and the reason for that allowance.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Expectation {
     /// The expected value or bound.
     pub value: f64,
     /// The derived allowance.
     pub tolerance: f64,
-    /// Equal, at most or at least.
+    /// How the measured value must relate to the expected one: equal, at most or at least.
     pub relation: Relation,
     /// Where value and tolerance come from, in a few words.
     pub why: String,
@@ -110,12 +110,12 @@ pub struct Measurement {
 }
 
 impl Measurement {
-    /// A measured number held against the ideal alone.
+    /// A measured number that is compared with the ideal alone.
     pub fn new(quantity: impl Into<String>, unit: &str, value: f64, ideal: Expectation) -> Self {
         Measurement { quantity: quantity.into(), unit: unit.into(), value, spread: 0.0, ideal, model: None }
     }
 
-    /// The same, with the prediction of the declared law if there is one.
+    /// Adds the prediction of the declared law, if there is one.
     pub fn predicted(mut self, model: Option<Expectation>) -> Self {
         self.model = model;
         self

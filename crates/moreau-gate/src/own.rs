@@ -64,7 +64,7 @@ pub struct OwnEngine {
     pub name: String,
     /// The contact law it declares.
     pub law: OwnScheme,
-    /// Options in force when a request gives none.
+    /// The options that apply when a request gives none.
     pub parameters: OwnParameters,
     /// Whether a step that the certificate rejects is an error. A planted engine is let through: the checks have to see its mistake.
     pub certified: bool,
@@ -139,7 +139,7 @@ impl OwnEngine {
                 let whole = value.as_f64().filter(|d| d.fract() == 0.0 && *d >= 3.0 && *d <= f64::from(u32::MAX));
                 self.parameters.directions = whole.ok_or_else(|| wrong("use a whole number from 3 on"))? as usize;
             }
-            _ => return Err(Error::invalid(format!("options.{option}"), "is unknown", format!("this engine has {}", self.known()))),
+            _ => return Err(Error::invalid(format!("options.{option}"), "is unknown", format!("use one of {}", self.known()))),
         }
         Ok(())
     }

@@ -86,7 +86,7 @@ Examples:
   moreau gate --option cone=elliptic --option impratio=10 -- .venv/mujoco/bin/python scripts/engines/mujoco.py
   moreau gate --save-baseline engine.toml -- ./my-engine      then, in CI:
   moreau gate --baseline engine.toml -- ./my-engine
-  moreau gate --quick -- moreau engine --scheme anitescu      our own scheme behind the same door
+  moreau gate --quick -- moreau engine --scheme anitescu      our own scheme over the same protocol
   moreau gate --explain ball/energy
 
 Exit codes: 0 nothing is bad (or nothing worse than the baseline); 1 a check fails or errors, or a regression;

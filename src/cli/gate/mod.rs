@@ -102,7 +102,11 @@ impl Arguments {
         for (k, (option, file)) in outputs.iter().enumerate() {
             let inputs = self.trajectory.iter().chain(&self.description);
             if let Some(input) = inputs.into_iter().find(|input| input.is_file() && is_same_file(input, file)) {
-                return Err(Error::invalid(*option, format!("is {}, a file that is read", input.display()), "write to another file"));
+                return Err(Error::invalid(
+                    *option,
+                    format!("is {}, which is also an input file", input.display()),
+                    "write to another file",
+                ));
             }
             if let Some((other, _)) = outputs[..k].iter().find(|(_, other)| is_same_file(other, file) || other == file) {
                 return Err(Error::invalid(*option, format!("is the same file as {other}"), "write to another file"));
@@ -127,7 +131,7 @@ impl Arguments {
         write_together(&files)
     }
 
-    /// The baseline of this run; known issues that somebody wrote into the old file stay.
+    /// The baseline of this run. It keeps the known issues of the file that it replaces.
     fn new_baseline(&self, report: &Report) -> Result<Baseline> {
         let mut baseline = Baseline::of(report);
         if let Some(old) = self.save_baseline.as_deref().filter(|file| file.is_file()) {

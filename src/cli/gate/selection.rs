@@ -28,7 +28,7 @@ pub fn checks(arguments: &Arguments) -> Result<Vec<&'static Check>> {
     if selected.is_empty() {
         return Err(Error::invalid(
             "--only",
-            "and the other options leave no check",
+            "selects no check together with the other options",
             "`moreau gate --list` shows every check with its level",
         ));
     }

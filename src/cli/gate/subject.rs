@@ -1,4 +1,4 @@
-//! Who is judged: a program, or stored trajectories.
+//! What `moreau gate` judges: a program, or stored trajectories.
 
 use super::Arguments;
 use crate::gate::audit::audit;
@@ -24,7 +24,7 @@ pub fn maker(arguments: &Arguments) -> Result<Box<dyn Fn() -> Box<dyn Engine> + 
     Ok(Box::new(move || Box::new(ProcessEngine::new(command.clone(), Limits { reply: limit, ..Limits::default() }))))
 }
 
-/// With stored trajectories: the checks whose scene is among them, and the audit of every file. A check that no file answers says nothing.
+/// The report of a run on stored trajectories: the checks whose scene is stored, and the audit of every file. Other checks are left out.
 pub fn audited(arguments: &Arguments, mut report: Report) -> Result<Report> {
     if arguments.trajectory.is_empty() {
         return Ok(report);

@@ -62,18 +62,18 @@ pub fn minimiser(z: &[f64], mu: f64) -> Result<Certified> {
         .map_err(|reason| Error::breakdown("clarabel", format!("projection of {z:?} for μ = {mu} ended as {}: {reason}", answer.status)))
 }
 
-/// The point with its radius, once both members of the pair are seen to lie in their cones.
+/// The point with its radius, after a check that the point and the multiplier lie in their cones.
 fn certified(z: &[f64], mu: f64, point: Vec<f64>, multiplier: &[f64]) -> std::result::Result<Certified, String> {
     let minus: Vec<f64> = multiplier.iter().map(|entry| -entry).collect();
     let size = norm(&point).max(norm(multiplier));
     let outside = cone_excess(&point, mu).max(polar_excess(&minus, mu));
     if outside.is_nan() || outside > tolerance::position(size) {
-        return Err(format!("its point or its multiplier is {outside:e} outside its cone"));
+        return Err(format!("the point or the multiplier lies {outside:e} outside its cone"));
     }
     let mismatch = norm(&difference(&difference(&point, z), multiplier));
     let radius = (mismatch * mismatch + 2.0 * dot(&point, multiplier).max(0.0)).sqrt();
     if radius.is_nan() || radius > tolerance::clarabel_radius(norm(z)) {
-        return Err(format!("its certificate proves no more than a radius of {radius:e}"));
+        return Err(format!("its certificate gives the radius {radius:e}, which is too large to judge a projection"));
     }
     Ok(Certified { point, radius })
 }

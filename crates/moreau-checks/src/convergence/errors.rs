@@ -54,13 +54,13 @@ pub fn ball_errors(scheme: &dyn Scheme, restitution: f64, horizon: f64, h: f64) 
 /// Envelopes of the four errors over the shifted steps of each level, and their slopes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Study {
-    /// Of [`BallErrors::position`].
+    /// The estimate for [`BallErrors::position`].
     pub position: OrderEstimate,
-    /// Of [`BallErrors::velocity_l1`].
+    /// The estimate for [`BallErrors::velocity_l1`].
     pub velocity_l1: OrderEstimate,
-    /// Of [`BallErrors::velocity_sup`].
+    /// The estimate for [`BallErrors::velocity_sup`].
     pub velocity_sup: OrderEstimate,
-    /// Of [`BallErrors::graph`].
+    /// The estimate for [`BallErrors::graph`].
     pub graph: OrderEstimate,
 }
 

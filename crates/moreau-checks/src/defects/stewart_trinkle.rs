@@ -36,7 +36,8 @@ pub const DEFECTS: &[Defect] = &[
     },
 ];
 
-/// The whole family on three systems: sliding before touching, penetrating at rest, and two walls.
+/// The findings of the whole family of checks on three systems: a contact that slides before it touches, one that penetrates at rest, and a
+/// point between two walls.
 fn family(assembly: Assembly) -> Result<Vec<Finding>> {
     let systems = [
         chapter_example(ratio(1, 100), [ratio(2, 1), ratio(-1, 1)]),

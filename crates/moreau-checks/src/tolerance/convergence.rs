@@ -30,12 +30,12 @@
 
 use moreau_exact::tolerance::rounding;
 
-/// The error of one family of metrics lies between these, in its own unit.
+/// Bounds of one error metric, in the unit of that metric.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
-    /// Of the envelope over the shifted steps.
+    /// Lower bound of the envelope over the shifted steps.
     pub lower: f64,
-    /// Of every step.
+    /// Upper bound of the error at every step size.
     pub upper: f64,
 }
 
@@ -77,7 +77,7 @@ impl Impacts {
         (0..self.shifts).map(move |j| low + (j as f64 + 0.5) / count)
     }
 
-    /// max |q_k − q(t_k)| in V h at N steps to the first impact.
+    /// Bounds of max |q_k − q(t_k)| in units of V h, with N steps to the first impact.
     pub fn position(&self, intervals: f64) -> Bounds {
         let e = self.restitution;
         let before = (self.theta - 0.5).abs();
@@ -115,7 +115,7 @@ impl Impacts {
         Bounds { lower, upper }
     }
 
-    /// ess sup |v_h − v| in V: the jump (1+e)V, changed by gravity over at most 3 steps.
+    /// Bounds of ess sup |v_h − v| in units of V. The error is the jump (1+e)V, which gravity changes over at most 3 steps.
     pub fn velocity_sup(&self, intervals: f64) -> Bounds {
         let jump = 1.0 + self.restitution;
         let shift = (1..=self.impacts.unwrap_or(4)).map(|n| self.stairs(n)).fold(0.0, f64::max);

@@ -11,8 +11,8 @@ pub fn gram_matrix(velocities: usize, trace: f64) -> f64 {
     rounding(velocities + 2, trace)
 }
 
-/// How far H(M⁻¹Hᵀe_j) may be from W_ij for a *diagonal* M of n velocities, where `magnitude` is √(W_ii W_jj):
-/// two sums of n products of three rounded factors each, and Σ|H_ik H_jk|/m_k ≤ √(W_ii W_jj) (Cauchy–Schwarz).
+/// How far H(M⁻¹Hᵀe_j) may be from W_ij for a *diagonal* M of n velocities, where `magnitude` is √(W_ii W_jj).
+/// Both are sums of n products of three rounded factors each. By Cauchy–Schwarz Σ|H_ik H_jk|/m_k ≤ √(W_ii W_jj).
 pub fn column(velocities: usize, magnitude: f64) -> f64 {
     2.0 * rounding(velocities + 2, magnitude)
 }

@@ -77,13 +77,13 @@ pub struct Drop {
 pub struct Bounds {
     /// K of 4: bounces that surely take place.
     pub bounces: i32,
-    /// By how many steps the ball may be absorbed before T∞ (5).
+    /// By how many steps the ball may be absorbed before T∞ (section 5 of the header).
     pub early: f64,
-    /// By how many steps the ball may be absorbed after T∞ (5 and 6).
+    /// By how many steps the ball may be absorbed after T∞ (sections 5 and 6 of the header).
     pub late: f64,
-    /// How deep the ball may be at any time, in g h² (2, plus one for the moves of less than a step's fall).
+    /// How deep the ball may be at any time, in g h² (section 2 of the header, plus one for the moves of less than a step's fall).
     pub depth: f64,
-    /// Lowest and highest place of rest, in g h² (7).
+    /// Lowest and highest place of rest, in g h² (section 7 of the header).
     pub rest: [f64; 2],
 }
 

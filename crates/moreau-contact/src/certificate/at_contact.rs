@@ -28,7 +28,7 @@ pub(super) struct Here<'a> {
 }
 
 impl Here<'_> {
-    /// What an impulse of friction is held against where the contact slides: μ s_r, or s_r where no friction is allowed at all.
+    /// The scale of a friction impulse where the contact slides: μ s_r, or s_r if μ is zero.
     pub fn friction_scale(&self, mu: f64) -> f64 {
         if mu > 0.0 { mu * self.sizes[1] } else { self.sizes[1] }
     }

@@ -5,7 +5,7 @@
 pub enum Decision<Witness> {
     /// The statement holds.
     Holds,
-    /// It does not, and this shows it.
+    /// The statement does not hold, and this witness shows it.
     Fails(Witness),
 }
 

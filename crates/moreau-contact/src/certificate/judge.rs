@@ -1,4 +1,4 @@
-//! The judgement of an answer, contact by contact: each residual with what it is held against, and where it is worst.
+//! The judgement of an answer, contact by contact: each residual with its scale, and the contact where it is worst.
 //!
 //! ```text
 //!     normal        min(r_n, ρ_n w)                                                                  [N·s]
@@ -10,7 +10,7 @@
 //! as large as the slip speed, and they tell a wrong normal impulse from a wrong direction of friction. Polyhedral laws are judged by their
 //! pairs.
 //!
-//! Where a contact slides, friction is held against μ s_r, and the rounding of its velocity counts as the angle it is of the slip.
+//! Where a contact slides, the scale of friction is μ s_r. The rounding of its velocity counts as an angle, relative to the slip.
 
 use super::at_contact::{AtContact, Here, worst};
 use super::part::{Part, pair};
@@ -24,11 +24,11 @@ use moreau_exact::{Error, Result};
 /// A residual where it is worst.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Worst {
-    /// The residual and what it is held against.
+    /// The residual with its scale and its rounding.
     pub part: Part,
     /// The contact.
     pub contact: usize,
-    /// The largest value at any contact, perhaps another one.
+    /// The largest value of this residual at any contact. It may belong to another contact.
     pub largest: f64,
 }
 
@@ -197,7 +197,7 @@ impl Judge {
         Ok(judged)
     }
 
-    /// The stored u against the impulses.
+    /// Judges the stored u: its difference from W r + u_free.
     fn stored_velocity(&self, problem: &ContactProblem, solution: &Solution, judged: &mut Judged) {
         let rows = problem.rows_per_contact();
         for (row, stored) in solution.velocity.iter().enumerate() {
@@ -239,7 +239,7 @@ fn nan_kept(part: Part, from: f64) -> Part {
     if from.is_nan() { Part { value: f64::NAN, ..part } } else { part }
 }
 
-/// ‖r_t − P_disk(r_t − ρ_t y_t)‖ and what it is held against.
+/// ‖r_t − P_disk(r_t − ρ_t y_t)‖ with its scale and its rounding.
 fn friction(mu: f64, s_r: f64, here: &Here) -> Part {
     let (r, y, rho) = (here.r, here.y, here.weights[1]);
     let radius = mu * r[0].max(0.0);
@@ -275,7 +275,7 @@ pub(super) fn check_sizes(problem: &ContactProblem, solution: &Solution) -> Resu
         Some((field, size, needed)) => Err(Error::invalid(
             field,
             format!("has size {}", size.unwrap_or(0)),
-            format!("the problem `{}` needs {needed}", problem.name()),
+            format!("give size {needed}, which the problem `{}` needs", problem.name()),
         )),
     }
 }

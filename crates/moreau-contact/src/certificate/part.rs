@@ -1,10 +1,10 @@
-//! One number that a solution makes zero, with what it is held against.
+//! One number that is zero at a solution, with its scale and its rounding.
 //!
 //! ```text
 //!     limit = max(τ · scale, floor) ,      relative = 0 if value ≤ floor, value/scale otherwise ,      accepted ⟺ relative ≤ τ
 //! ```
 //! The scale is the size of what the number is made of at its own contact, the floor is the rounding of its evaluation. `relative` does not
-//! depend on τ, so that an answer is judged once and held against any τ.
+//! depend on τ, so that an answer is judged once and compared with any τ.
 
 /// A residual of one contact; all three numbers have its unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

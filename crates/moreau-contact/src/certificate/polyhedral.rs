@@ -6,8 +6,8 @@
 //! ```
 //! Polyhedral associated, r = Σ fⱼ (n + μDⱼ): `0 ≤ fⱼ ⟂ y_n + μ Dⱼ·y_t + Rⱼ fⱼ ≥ 0`.
 //!
-//! A member of a pair that is an impulse is held against an impulse, one that is a velocity against a velocity and its rounding: fast
-//! sliding, which makes σ large, excuses no impulse along another direction.
+//! The scale of a pair's impulse is an impulse. The scale of its velocity is a velocity, with its rounding. Fast sliding makes σ large, but
+//! it excuses no impulse along another direction.
 //!
 //! Where a solution does not give β, f or σ they are recovered. σ = max_j(−Dⱼ·y_t)₊ is the smallest that makes every Dⱼ·y_t + σ ≥ 0. β is
 //! the decomposition of r_t along the two directions beside it, the one with the smallest Σβⱼ: when σ > 0 only the
@@ -86,11 +86,11 @@ fn rounding_of_parts(d: usize, size: f64) -> f64 {
     moreau_exact::tolerance::rounding(d + 4, size)
 }
 
-/// What the members of a pair are held against.
+/// The scales of the two members of a pair.
 struct Members {
-    /// \[N·s\]
+    /// Scale of the impulse \[N·s\].
     impulse: f64,
-    /// \[m/s\]
+    /// Scale of the velocity \[m/s\].
     velocity: f64,
     /// Rounding of the velocity \[m/s\].
     floor: f64,

@@ -24,11 +24,11 @@ use crate::problem::{ContactProblem, Law, Solution};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 
-/// The residuals of a proposed solution, and the scales they are held against.
+/// The residuals of a proposed solution, and their scales.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Residuals {
-    /// Each residual at the contact where it is worst, with what it is held against.
+    /// Each residual with its scale, at the contact where it is worst.
     pub judged: Judged,
     /// max over contacts of dist(r, K) \[N·s\].
     pub primal: f64,

@@ -1,4 +1,4 @@
-//! What the residuals of a contact are held against: impulses and velocities of its own pair of bodies, and the rounding of its own rows.
+//! The scales of the residuals of a contact: impulses and velocities of its own pair of bodies, and the rounding of its own rows.
 //!
 //! ```text
 //!     ρ_n = 1/(W_nn + R_nn) ,   ρ_t = tangential rows / tr(W_tt + R_tt)                                        [kg]
@@ -128,8 +128,8 @@ impl Scales {
         }
     }
 
-    /// The floors of a contact's normal row and of its tangential ones \[m/s\], below what rounding could hide of the velocities that are
-    /// given.
+    /// The floors of a contact's normal row and of its tangential rows \[m/s\]. They are limited to the part of the given velocities that
+    /// rounding may hide.
     pub fn floors_at(&self, rows: std::ops::Range<usize>) -> [f64; 2] {
         let floors = &self.floors[rows];
         let most = if self.fastest[0] > 0.0 { self.fastest[0] * HIDDEN } else { f64::INFINITY };
@@ -144,8 +144,8 @@ impl Scales {
     }
 }
 
-/// What the data ask of the normal impulse \[m/s\]: q_n, less what the associated laws give way to the slip. Its rounding is 8ε of its
-/// terms.
+/// The velocity at which the data make the contact close \[m/s\]: q_n, reduced by the slip under the associated laws. Its rounding is 8ε of
+/// its terms.
 fn closing(law: Law, mu: f64, q: &[f64]) -> f64 {
     match law {
         Law::Associated => q[0] - mu * tangential_norm(q),
@@ -158,8 +158,8 @@ fn closing(law: Law, mu: f64, q: &[f64]) -> f64 {
     }
 }
 
-/// Whether two contacts lie between the same two bodies: the columns of H decide, where there are any, and pairs named in the file count
-/// only where nothing else contradicts them.
+/// Whether two contacts lie between the same two bodies. If there is H, its columns decide. Pairs that a file names count only where
+/// nothing else contradicts them.
 fn same_bodies(problem: &ContactProblem, [j, k]: [usize; 2]) -> bool {
     let same_pair = |bodies: &[[Option<usize>; 2]]| bodies[j] == bodies[k] || bodies[j] == [bodies[k][1], bodies[k][0]];
     let (rows, named) = (problem.rows_per_contact(), problem.bodies().map(same_pair));
@@ -170,7 +170,7 @@ fn same_bodies(problem: &ContactProblem, [j, k]: [usize; 2]) -> bool {
     }
 }
 
-/// Whether an impulse at one contact moves the other: an entry of W beside those on the diagonal that is more than rounding could be.
+/// Whether an impulse at one contact moves the other: whether an entry of W between them is more than rounding, compared with the diagonal.
 fn couples(problem: &ContactProblem, [j, k]: [usize; 2]) -> bool {
     let rows = problem.rows_per_contact();
     let largest = |k: usize| (k * rows..(k + 1) * rows).map(|row| problem.entry(row, row)).fold(0.0, f64::max);

@@ -6,10 +6,10 @@
 //! A scheme through the waist is judged by the certificate of its contact problems, one with a law of its own by its own residual and
 //! stopping rule.
 
-/// The worst residual of a step, relative to what it is held against.
+/// The worst residual of a step, relative to its scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepResidual {
-    /// Who judges: `certificate`, or the stopping rule of a scheme's own law.
+    /// The rule that judges the step: `certificate`, or the stopping rule of a scheme's own law.
     pub rule: &'static str,
     /// Which of its residuals is the worst.
     pub residual: &'static str,

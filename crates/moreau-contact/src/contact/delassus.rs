@@ -37,7 +37,7 @@ pub fn delassus<T: Scalar>(mass: &DMatrix<T>, jacobian: &DMatrix<T>) -> Result<D
 pub fn delassus_factored<T: Scalar>(factor: &MassFactor<T>, jacobian: &DMatrix<T>) -> Result<DMatrix<T>> {
     if jacobian.ncols() != factor.pivots.len() {
         let problem = format!("has {} columns", jacobian.ncols());
-        return Err(Error::invalid("jacobian", problem, format!("this mass matrix needs {}", factor.pivots.len())));
+        return Err(Error::invalid("jacobian", problem, format!("give {} columns, one per row of the mass matrix", factor.pivots.len())));
     }
     finite("jacobian", jacobian)?;
     let mut half = jacobian.transpose();
@@ -76,7 +76,7 @@ impl<T: Scalar> MassFactor<T> {
     /// rounding, for rationals exactly.
     pub fn new(mass: &DMatrix<T>) -> Result<Self> {
         if !mass.is_square() {
-            return Err(Error::invalid("mass", format!("has shape {}×{}", mass.nrows(), mass.ncols()), "the mass matrix is square"));
+            return Err(Error::invalid("mass", format!("has shape {}×{}", mass.nrows(), mass.ncols()), "give a square mass matrix"));
         }
         let n = mass.nrows();
         if is_diagonal(mass) {
@@ -164,7 +164,7 @@ fn definite<T: Scalar>(j: usize, pivot: T, entry: &T, n: usize) -> Result<T> {
         return Ok(pivot);
     }
     let problem = format!("is not positive definite (pivot {j} is {})", pivot.to_f64());
-    Err(Error::invalid("mass", problem, "every velocity needs a positive inertia"))
+    Err(Error::invalid("mass", problem, "give every velocity a positive inertia"))
 }
 
 /// Whether M has finite numbers on its diagonal and zeros beside it, as that of free bodies in principal axes: most of it need not be
@@ -190,7 +190,7 @@ fn symmetric<T: Scalar>(mass: &DMatrix<T>) -> Result<()> {
             let size = mass[(i, i)].magnitude() + mass[(j, j)].magnitude();
             if difference > rounding::<T>(n) * size {
                 let problem = format!("is not symmetric at ({i}, {j})");
-                return Err(Error::invalid("mass", problem, "a mass matrix equals its transpose"));
+                return Err(Error::invalid("mass", problem, "give a symmetric mass matrix"));
             }
         }
     }

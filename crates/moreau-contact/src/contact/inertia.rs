@@ -4,7 +4,7 @@ use super::delassus::{MassFactor, delassus_factored};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 
-/// A mass matrix with its factor: whoever solves with M̂ again finds it factored.
+/// A mass matrix M̂ with its factorisation, so that it is factored only once.
 #[derive(Clone, Debug)]
 pub struct Inertia {
     matrix: DMatrix<f64>,

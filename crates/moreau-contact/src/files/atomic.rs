@@ -41,9 +41,9 @@ fn failed(file: &Path, source: IoError) -> Error {
 
 /// Contents on their way to a file.
 enum Staged<'a> {
-    /// Complete in a temporary file beside the place they are meant for.
+    /// The contents are complete in a temporary file, which stands beside the final place.
     Beside { temporary: PathBuf, place: PathBuf },
-    /// Bound for a device or a pipe, which cannot be replaced.
+    /// The contents go to a device or a pipe, which cannot be replaced.
     Stream { place: PathBuf, contents: &'a [u8] },
 }
 
@@ -63,18 +63,18 @@ impl Staged<'_> {
     }
 }
 
-/// Writes the contents beside the file they are meant for and adds the file to `staged`.
+/// Writes the contents to a temporary file beside `file` and adds it to `staged`.
 fn stage<'a>(file: &Path, contents: &'a [u8], staged: &mut Vec<Staged<'a>>) -> std::io::Result<()> {
     if let Ok(metadata) = fs::metadata(file) {
         if metadata.is_dir() {
-            return Err(IoError::other("it is a directory"));
+            return Err(IoError::other("the path is a directory"));
         }
         if !metadata.is_file() {
             staged.push(Staged::Stream { place: file.into(), contents });
             return Ok(());
         }
         if metadata.permissions().readonly() {
-            return Err(IoError::other("it is read-only"));
+            return Err(IoError::other("the file is read-only"));
         }
     }
     let place = destination(file)?;

@@ -15,7 +15,11 @@ pub fn read_schema<T: DeserializeOwned>(text: &str, schema: &str) -> Result<T> {
     }
     let first = text.trim_start_matches(|letter: char| letter.is_whitespace() || letter == '\u{feff}').chars().next();
     if text.starts_with('\u{feff}') || first.is_some_and(|letter| letter != '{') {
-        return Err(Error::invalid("schema", "is missing: this is not a JSON object", format!("start with {{\"schema\": \"{schema}\"")));
+        return Err(Error::invalid(
+            "schema",
+            "is missing, because the text is not a JSON object",
+            format!("start with {{\"schema\": \"{schema}\""),
+        ));
     }
     let probe: Probe = read_object(text, schema)?;
     match probe.schema {

@@ -1,4 +1,5 @@
-//! Text in, up to a size: what is too large is refused before it is read, what has no end as soon as it has passed the limit.
+//! Reading text up to a limit of size. A file that is too large is refused before it is read. A stream is refused as soon as it passes the
+//! limit.
 
 use crate::memory::size;
 use crate::tolerance::limits::FILE_BYTES;
@@ -59,7 +60,7 @@ fn read_while(file: &Path, limit: u64, cure: &str, sensible: impl Fn(&[u8]) -> b
     String::from_utf8(bytes).map_err(|error| failed(IoError::new(ErrorKind::InvalidData, error.utf8_error())))
 }
 
-/// What there is, or one byte more than the limit; less where the first part is not `sensible`.
+/// All bytes of the source, but at most one more than the limit. Reading stops early if the first part is not `sensible`.
 fn read_up_to(source: impl Read, limit: u64, sensible: impl Fn(&[u8]) -> bool) -> std::io::Result<Vec<u8>> {
     const PART: usize = 1 << 16;
     let mut source = source.take(limit.saturating_add(1));
@@ -72,7 +73,7 @@ fn read_up_to(source: impl Read, limit: u64, sensible: impl Fn(&[u8]) -> bool) -
             Err(error) => return Err(error),
         };
         if part[..count].contains(&0) {
-            return Err(IoError::new(ErrorKind::InvalidData, "it is not text: it holds a byte 0"));
+            return Err(IoError::new(ErrorKind::InvalidData, "the file is not text, because it holds a byte 0"));
         }
         let is_first = bytes.is_empty();
         bytes.extend_from_slice(&part[..count]);

@@ -26,7 +26,7 @@ pub enum Momentum {
     Plain,
     /// Nesterov's momentum β = (t − 1)/t⁺, t⁺ = (1 + √(1 + 4t²))/2.
     Nesterov,
-    /// The same, with t = 1 again whenever the momentum points uphill, (p − r⁺)·(r⁺ − r) > 0.
+    /// Nesterov's momentum that restarts with t = 1 whenever it points uphill, (p − r⁺)·(r⁺ − r) > 0.
     Restarted,
 }
 

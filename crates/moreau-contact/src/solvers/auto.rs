@@ -1,4 +1,4 @@
-//! The solver to use when nothing is said.
+//! The default solver, which tries several algorithms in turn.
 
 #[cfg(feature = "clarabel")]
 use super::ClarabelPolished;

@@ -106,7 +106,7 @@ impl<T: Scalar> ImpulseLcp<T> {
 fn check<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>) -> Result<()> {
     if covering.len() != lcp.size() || covering.iter().any(|d| !(*d > T::zero() && is_finite(d))) {
         let problem = format!("is not a positive finite vector of size {}", lcp.size());
-        return Err(Error::invalid("covering", problem, "use all ones"));
+        return Err(Error::invalid("covering", problem, "use the vector of ones"));
     }
     if !lcp.matrix.iter().chain(lcp.vector.iter()).all(is_finite) {
         return Err(Error::invalid("lcp", "holds a number that is not finite", "use finite numbers"));

@@ -1,4 +1,4 @@
-//! What every solver needs, one that you write yourself too: where to start, what to refuse, when an answer is one.
+//! What every solver needs, your own included: impulses to start from, refusals, and a check that an answer is finite.
 
 use crate::cones::second_order;
 use crate::problem::{ContactProblem, Law, Solution};

@@ -83,7 +83,7 @@ impl PolyhedralContact {
         Some(Candidate { impulse, violation: self.slip_violation(block, q, &impulse, j).max(negative) })
     }
 
-    /// By how much σ = −Dⱼ·y_t falls short of 0 or of another −D_k·y_t, relative to q.
+    /// The violation of the condition that σ = −Dⱼ·y_t is at least 0 and at least every other −D_k·y_t, relative to q.
     fn slip_violation(&self, block: &Matrix3<f64>, q: &Vector3<f64>, impulse: &Vector3<f64>, j: usize) -> f64 {
         let y = block * impulse + q;
         let against = |edge: &Vector3<f64>| (edge[1] * y[1] + edge[2] * y[2]) / self.mu;

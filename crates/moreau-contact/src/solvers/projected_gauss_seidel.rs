@@ -90,7 +90,7 @@ impl ContactSolver for ProjectedGaussSeidel {
             sweeper.accelerated(self)
         }
         let sweeps = sweeper.sweeps;
-        // a declared number of plain sweeps answers what they end with
+        // plain sweeps that reach their declared number answer the last iterate
         let keeps_best = self.memory > 0 || sweeps < self.sweeps;
         let impulse = if keeps_best && sweeper.is_finite() { sweeper.best.impulse } else { sweeper.impulse };
         let velocity = problem.velocity(&impulse);
@@ -98,11 +98,11 @@ impl ContactSolver for ProjectedGaussSeidel {
     }
 }
 
-/// The best iterate so far, by its largest relative residual, and since when there is no better one worth the name.
+/// The iterate with the smallest relative residual so far, and the sweep that last halved that residual.
 struct Best {
     relative: f64,
     impulse: DVector<f64>,
-    /// The residual at the last mark, and the sweep: the next mark is a residual half as large.
+    /// The residual at the last mark, and the sweep of that mark. The next mark is set when the residual has halved.
     mark: (f64, usize),
 }
 
@@ -137,7 +137,8 @@ impl Sweeper<'_> {
         }
     }
 
-    /// Sweeps with extrapolated ones in between. A jump that makes the residual grow is taken back, and the sweeps go on without memory.
+    /// Alternates sweeps with extrapolations by Anderson's method. An extrapolation that makes the residual grow is undone, and the method
+    /// forgets its past sweeps.
     fn accelerated(&mut self, solver: &ProjectedGaussSeidel) {
         let patience = tolerance::accelerated_stalled(self.problem.contacts());
         let mut anderson = Anderson::new(solver.memory);
@@ -195,14 +196,14 @@ impl Sweeper<'_> {
         moved
     }
 
-    /// Goes on from other impulses.
+    /// Replaces the impulses and computes y for them.
     fn jump(&mut self, impulse: DVector<f64>) {
         self.law_velocity = self.problem.law_velocity(&impulse);
         self.impulse = impulse;
     }
 
-    /// The largest relative residual; one within the tolerance is taken on a freshly computed y, since the updated one carries old
-    /// rounding.
+    /// The largest relative residual. If it is within the tolerance, it is measured again with a freshly computed y, because the updated y
+    /// carries the rounding of earlier sweeps.
     fn measure(&mut self, tolerance: f64) -> f64 {
         let mut relative = self.stopping.relative(&self.impulse, &self.law_velocity);
         if relative <= tolerance {

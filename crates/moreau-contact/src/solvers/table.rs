@@ -1,4 +1,4 @@
-//! Solvers by name. A table is a value: this crate fills it with its own algorithms, whoever knows more adds them and hands it on.
+//! Solvers by name. This crate makes a table of its own algorithms. A program with more solvers adds them to the table.
 
 #[cfg(feature = "clarabel")]
 use super::ClarabelPolished;
@@ -16,7 +16,7 @@ pub struct SolverEntry {
     pub name: &'static str,
     /// The algorithm with its default settings.
     pub default: fn() -> Box<dyn ContactSolver>,
-    /// The same with another limit of its iterations; absent if it has none.
+    /// The solver with another limit of iterations; absent if it has no such limit.
     pub limited: Option<fn(usize) -> Box<dyn ContactSolver>>,
 }
 

@@ -2,28 +2,28 @@
 
 use moreau_exact::tolerance::EPSILON;
 
-/// γ = mε/(1 − mε), the relative rounding error of m operations (Higham, *Accuracy and Stability*, §3.1); infinite where m ε reaches 1.
+/// γ = mε/(1 − mε), the relative rounding error of m operations (Higham, *Accuracy and Stability*, §3.1). It is infinite if m ε reaches 1.
 ///
-/// ε is the spacing at 1, twice the unit roundoff, so that data which are themselves rounded are covered too.
+/// ε is the spacing at 1, twice the unit roundoff, so that the bound also covers data that are rounded themselves.
 pub fn gamma(operations: usize) -> f64 {
     let part = operations as f64 * EPSILON;
     if part < 1.0 { part / (1.0 - part) } else { f64::INFINITY }
 }
 
-/// Rounding of a radial projection onto a disk, relative to its radius: a norm of two components, a quotient and two products, eight
-/// operations with the radius μ r_n.
+/// Rounding of a radial projection onto a disk, relative to the radius μ r_n. It takes eight operations: a norm of two components, a
+/// quotient and two products, and the radius.
 pub const PROJECTED: f64 = 8.0 * EPSILON;
 
-/// Most that an impulse may exceed what the velocities of its problem ask of its own contact and still widen a limit, 10⁶, the largest mass
-/// ratio that is promised: a body between two that are so much heavier is held against its real load, and what is accepted at 10⁻⁸ is
-/// within a hundredth of those velocities however hard contacts press.
+/// 10⁶, the largest mass ratio that the certificate covers. The scale of an impulse is at most this many times the impulse that the largest
+/// velocity of the problem asks of the contact. So a body between two that are 10⁶ times heavier is judged by its real load. An answer that
+/// is accepted at 10⁻⁸ is within a hundredth of those velocities, however hard contacts press.
 pub const JAMMED: f64 = 1e6;
 
-/// Part of the largest velocity in the data that rounding may hide, that hundredth.
+/// Part of the largest velocity in the data that rounding may hide: a hundredth, as for [`JAMMED`].
 pub const HIDDEN: f64 = 1e-2;
 
-/// Size of an entry of W between two contacts, relative to those on the diagonal, from which it couples them: √ε, below which the product
-/// of two impulses' motions is rounding.
+/// √ε. Two contacts are coupled if an entry of W between them is larger than this, relative to the entries on the diagonal. Below it the
+/// product of the motions of two impulses is rounding.
 pub const COUPLED: f64 = 1.0 / 67_108_864.0;
 
 /// Default of `certify --tolerance`, relative to the scale of each residual's unit.

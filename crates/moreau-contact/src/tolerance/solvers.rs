@@ -11,101 +11,98 @@ pub fn cancellation<T: Scalar>(rows: usize, magnitude: T) -> T {
     T::ratio(2 * rows as i64, 1) * T::spacing() * magnitude
 }
 
-/// Smallest entry that may become a pivot in a tableau B⁻¹A scaled to entries of order one, √ε.
+/// Smallest entry that may become a pivot in a tableau B⁻¹A scaled to entries of order one, √ε. Zero for exact rationals.
 ///
-/// A pivot p multiplies the condition of the basis by up to 1/p, and with it the relative error ε of the next tableau,
-/// which is computed afresh from the data: at p = √ε half of the digits are left, below it an entry cannot be told from
-/// the error ε/p of a basis whose last pivot was p. Zero for exact rationals.
+/// A pivot p multiplies the condition of the basis by up to 1/p. The relative error ε of the next tableau, which is computed afresh from
+/// the data, grows by the same factor. At p = √ε half of the digits are left. Below it an entry cannot be told from the error ε/p of a
+/// basis whose last pivot was p.
 pub fn smallest_pivot<T: Scalar>() -> T {
     if T::spacing().is_zero() { T::zero() } else { T::ratio(1, 1 << 26) }
 }
 
-/// Size up to which an entry of such a tableau is zero for the choice of pivots, √ε: the error ε·cond(B) of a basis as badly
-/// conditioned as [`smallest_pivot`] admits, cond(B) = 1/√ε. Zero for exact rationals.
+/// Size up to which an entry of a tableau counts as zero in the choice of pivots, √ε. It is the error ε·cond(B) of the worst basis that
+/// [`smallest_pivot`] admits, cond(B) = 1/√ε. Zero for exact rationals.
 pub fn tableau_zero<T: Scalar>() -> T {
     smallest_pivot()
 }
 
 /// Pivots after which Lemke's method on rounded numbers is declared to cycle.
 ///
-/// Lexicographic pivoting repeats no basis in exact arithmetic, so exact runs have no limit. On contact problems
-/// the count is a small multiple of n; ten times n pivots can only mean that rounding has broken the order, and each costs n³. The
-/// limit never decides about a solution: it turns an endless loop into an error, and another covering vector is tried.
+/// Lexicographic pivoting repeats no basis in exact arithmetic, so exact runs have no limit. On contact problems the count is a small
+/// multiple of n. Ten times n pivots can only mean that rounding has broken the order, and each pivot costs n³. The limit decides nothing
+/// about a solution. It turns an endless loop into an error, and another covering vector is tried.
 pub fn lemke_pivot_limit<T: Scalar>(size: usize) -> usize {
     if T::spacing().is_zero() { usize::MAX } else { 10 * (size + 1) }
 }
 
-/// Relative natural map at which iterations stop, 2¹²·ε ≈ 9.1e-13: the rounding floor of u = W r + b is 2nε relative to the terms
-/// of a row, so this is above the floor up to n ≈ 2000 rows and four decimal digits below the default of the certificate.
+/// Relative natural map at which iterations stop, 2¹²·ε ≈ 9.1e-13. The rounding of u = W r + b is 2nε relative to the terms of a row, so
+/// this is above rounding up to n ≈ 2000 rows. It is four decimal digits below the default of the certificate.
 pub const STOP: f64 = 4096.0 * EPSILON;
 
 /// Sweep limit of projected Gauss–Seidel. On a chain of n bodies a sweep contracts by cos²(π/(n+1)) ≈ 1 − π²/n², so that 100 000
 /// sweeps reach [`STOP`] = e⁻²⁸ for n ≤ 180.
 pub const SWEEPS: usize = 100_000;
 
-/// Most iterations that a user may ask for, ten million: a hundred times [`SWEEPS`]; what needs more needs another algorithm.
+/// Most iterations that a user may ask for: ten million, a hundred times [`SWEEPS`]. A problem that needs more needs another algorithm.
 pub const MOST_ITERATIONS: usize = 100 * SWEEPS;
 
-/// Sweeps that Anderson's acceleration remembers: a chain of n bodies has n slow modes, and ten are the piles in view.
+/// Sweeps that Anderson's acceleration remembers. A chain of n bodies has n slow modes, and ten is the height of the piles in use.
 pub const MEMORY: usize = 10;
 
-/// Size relative to itself below which what is left of a difference of sweeps after orthogonalisation is rounding, √ε.
+/// √ε. Orthogonalisation reduces a difference of sweeps. If less than this part of its size remains, the remainder is rounding.
 pub const DEPENDENT: f64 = 1.0 / 67_108_864.0;
 
-/// Sweeps tried before a polyhedral problem goes to Lemke: about as many operations as one factorisation of its tableau with the
-/// (2 + d) n unknowns, 8·1000 n² against 2·1000 n³/3 for d = 8, for the tens of contacts a step has.
+/// Sweeps that are tried before a polyhedral problem goes to Lemke's method. They cost about as much as one factorisation of its tableau
+/// with (2 + d) n unknowns: 8·1000 n² against 2·1000 n³/3 operations for d = 8, with the tens of contacts of a usual step.
 pub const FIRST_SWEEPS: usize = 1000;
 
-/// Relative residual, 2⁻³⁴ ≈ 5.8e-11, with which `auto` takes an answer whose iteration has stalled above [`STOP`]: the geometric middle
-/// between [`STOP`]
-/// and the default of the certificate, so that what it takes is accepted with two digits to spare.
+/// Relative residual, 2⁻³⁴ ≈ 5.8e-11, at which `auto` takes an answer whose iteration has stalled above [`STOP`]. It is the geometric mean
+/// of [`STOP`] and the default of the certificate, so that the certificate accepts the answer with two digits to spare.
 pub const ENOUGH: f64 = 1.0 / (1u64 << 34) as f64;
 
-/// Relative residual, 2⁻²⁸ ≈ 3.7e-9, with which `auto` spares the algorithms that cost most: less than half of the default of the
+/// Relative residual, 2⁻²⁸ ≈ 3.7e-9, at which `auto` does not try its most expensive algorithms. It is less than half of the default of the
 /// certificate.
 pub const ACCEPTABLE: f64 = 1.0 / (1u64 << 28) as f64;
 
-/// Relative residual 2⁻²⁰ below which the rounding of y is worth a pass over W: above it rounding decides only where impulses cancel to a
-/// millionth, and [`FRESH_ROUNDING`] sees to that.
+/// Relative residual, 2⁻²⁰, below which the rounding of y is worth a pass over W. Above it rounding decides only if impulses cancel to a
+/// millionth, and [`FRESH_ROUNDING`] covers that case.
 pub const NEAR_SOLUTION: f64 = 1.0 / 1_048_576.0;
 
-/// Calls after which the rounding of y is computed anew in any case; a sixteenth of the cost of the sweeps between.
+/// Calls after which the rounding of y is always computed again. It costs a sixteenth of the sweeps between.
 pub const FRESH_ROUNDING: usize = 16;
 
-/// Factor within which impulses are of one size: the rounding of y, proportional to them, is then known within it, and only the work
-/// until the next fresh one depends on that.
+/// Factor within which two impulses count as equal in size. The rounding of y is proportional to the impulses, so it is known within this
+/// factor. Only the work until the next computation of the rounding depends on it.
 pub const SAME_SIZE: f64 = 2.0;
 
-/// By how much an extrapolated iterate may exceed the best residual seen before it is dropped: two. Residuals of an accelerated iteration
-/// oscillate, and one
-/// that doubles in every step has left the piece on which the iteration is affine.
+/// Factor by which an extrapolated iterate may exceed the best residual so far before it is dropped: two. Residuals of an accelerated
+/// iteration oscillate. A residual that doubles has left the piece on which the iteration is affine.
 pub const GROWTH: f64 = 2.0;
 
-/// Sweeps over n contacts without halving the residual after which plain sweeps have stalled: a chain of n bodies contracts by
-/// cos²(π/(n+1)) ≈ 1 − π²/n² a sweep,
-/// which halves the residual in (ln 2/π²) n² sweeps, fewer than 1000 (1 + n) for n < 14 000.
+/// Sweeps over n contacts without halving the residual after which plain sweeps have stalled. On a chain of n bodies a sweep contracts by
+/// cos²(π/(n+1)) ≈ 1 − π²/n². So the residual halves in (ln 2/π²) n² sweeps, fewer than 1000 (1 + n) for n < 14 000.
 pub fn stalled(contacts: usize) -> usize {
     FIRST_SWEEPS * (1 + contacts)
 }
 
-/// The same for accelerated sweeps, which need about one sweep for each of the n slow modes of the chain and its memory again for each
-/// change of a contact's state.
+/// Accelerated sweeps over n contacts without halving the residual after which they have stalled. They need about one sweep for each of the
+/// n slow modes of the chain, and as many as they remember for each change of a contact's state.
 pub fn accelerated_stalled(contacts: usize) -> usize {
     MEMORY * (MEMORY + contacts)
 }
 
-/// Steps of the nonsmooth Newton method: a step changes the state of some contact or squares the error. A limit against endless loops.
+/// Most steps of the nonsmooth Newton method, against endless loops. A step changes the state of some contact or squares the error.
 pub const NONSMOOTH_STEPS: usize = 100;
 
-/// Steps in a row that do not halve the residual after which it is cycling: three times the states of a contact (open, sticking, sliding)
-/// for each of a handful of
-/// contacts at the border of two states. Only work depends on it.
+/// Steps in a row that do not halve the residual after which the method is cycling. A contact has three states (open, sticking, sliding).
+/// The number allows three rounds through them for a handful of contacts at the border of two states. Only the work depends on it.
 pub const NONSMOOTH_STALLED: usize = 40;
 
-/// The same once an iterate is below [`ACCEPTABLE`]: there the error squares, and three steps that do not bring it down have met rounding.
+/// Steps in a row that do not halve the residual after which the iteration ends, once an iterate is below [`ACCEPTABLE`]. There a step
+/// squares the error, so that three steps without progress have reached rounding.
 pub const NONSMOOTH_ENDED: usize = 3;
 
-/// Lengths 1, ½, ¼ of a step that are tried: what a quarter of it does not bring nearer, the other η may.
+/// Lengths 1, ½, ¼ of a step that are tried. If a quarter of the step brings no progress, another η may.
 pub const NONSMOOTH_HALVINGS: i32 = 3;
 
 /// The η on the diagonal of J, whose entries are of order one, start by start. An error falls by η/σ a step, σ the smallest singular
@@ -120,82 +117,82 @@ pub const NONSMOOTH_PROXIMALS: [&[f64]; 3] = {
     [&[half(16), half(40)], &[half(20)], &[half(12), half(16), half(40)]]
 };
 
-/// Iterations of the alternating directions from one look at the certificate to the next: a look costs about half an iteration.
+/// Iterations of the alternating directions between two evaluations of the certificate's residuals. An evaluation costs about half an
+/// iteration.
 pub const LOOK: usize = 8;
 
-/// Directions of the polygons that Lemke solves in place of a round cone, one after the other, from which Newton's method goes on: an
-/// octagon, whose friction is within
-/// 1 − cos(π/8) = 8 % of the round one, and a pentagon, whose sides lie elsewhere. Only the states of the contacts are taken from them.
+/// Directions of the polygons that Lemke's method solves in place of a round cone, one after the other. Newton's method starts from their
+/// answers. The friction of the octagon is within 1 − cos(π/8) = 8 % of the round one. The sides of the pentagon lie elsewhere. Only the
+/// states of the contacts are taken from the polygons.
 pub const LEMKE_DIRECTIONS: [usize; 2] = [8, 5];
 
-/// Unknowns of the linear complementarity problems that `auto` pivots, λ, β and σ of 20 contacts with eight directions: some 2n pivots
-/// with 2n³/3 operations each are 2·10⁹ there,
-/// and sixteen times as many for twice the contacts. `lemke` by name has no such limit.
+/// Most unknowns of the linear complementarity problems that `auto` pivots: λ, β and σ of 20 contacts with eight directions. Some 2n pivots
+/// with 2n³/3 operations each make 2·10⁹ operations there, and sixteen times as many for twice the contacts. `lemke` by name has no such
+/// limit.
 pub const LEMKE_UNKNOWNS: usize = 200;
 
-/// The same for a polygon in place of a round cone, where Lemke is not the last resort: 3·10⁸ operations, what the alternating directions
-/// that follow take for as many contacts.
+/// Unknowns of the linear complementarity problems that `auto` pivots for a polygon in place of a round cone. The limit is lower because
+/// other algorithms follow: 3·10⁸ operations are what the alternating directions take for as many contacts.
 pub const POLYGON_UNKNOWNS: usize = 128;
 
-/// The compliances α of contacts that are made harder, in units of their own W: from as soft as the bodies themselves to
-/// √[`f64::EPSILON`], below which Newton's η is no smaller.
-/// A quarter of it is nearer than a contact's states change, mostly.
+/// The compliances α of contacts that are made harder step by step, in units of their own W. They start as soft as the bodies themselves
+/// and end at √[`f64::EPSILON`], because Newton's η is no smaller. A factor of a quarter usually changes the answer by less than the states
+/// of its contacts.
 pub fn softnesses() -> impl Iterator<Item = f64> {
     (0..14).map(|k| 0.25f64.powi(k))
 }
 
-/// Newton's steps on a softer contact, whose answer is only a start.
+/// Newton's steps on a softer contact problem, whose answer is only used as a start.
 pub const SOFT_STEPS: usize = 12;
 
-/// Accelerated sweeps that `auto` spends before it goes on to other algorithms, and sweeps of over-relaxation after them.
+/// Accelerated sweeps that `auto` makes before it goes on to other algorithms. It makes as many sweeps of over-relaxation after them.
 pub const AUTO_SWEEPS: usize = 20 * FIRST_SWEEPS;
 
-/// Accelerated sweeps before Newton's method is tried, as many as the acceleration remembers: they tell which contacts press. Easy
-/// contacts are solved by them, and
-/// for n contacts Newton's ten steps or so are worth 10 n of them.
+/// Accelerated sweeps before Newton's method is tried: as many as the acceleration remembers. They show which contacts press, and they
+/// solve easy contacts. For n contacts some ten steps of Newton's method cost as much as 10 n of these sweeps.
 pub const FEW_SWEEPS: usize = MEMORY;
 
-/// Plain sweeps that `auto` spends where accelerated ones have stalled: what they do not bring near a solution is left to the others.
+/// Plain sweeps that `auto` makes after accelerated ones have stalled. A problem that they bring no nearer to a solution goes to the other
+/// algorithms.
 pub const PLAIN_SWEEPS: usize = 2 * FIRST_SWEEPS;
 
-/// Iterations of the alternating directions within `auto` before Newton's method goes on from them: they tell sticking from sliding long
-/// before they converge.
+/// Iterations of the alternating directions within `auto` before Newton's method starts from them. They separate sticking from sliding
+/// contacts long before they converge.
 pub const FIRST_ALTERNATIONS: usize = FIRST_SWEEPS;
 
-/// Steps of the accelerated projected gradient: its bound 2LR²/(k+1)² reaches the relative objective error 2⁻³⁴ at k = 2¹⁷·√2; what
-/// needs more is ill conditioned and left to the other solvers.
+/// Most steps of the accelerated projected gradient. Its bound 2LR²/(k+1)² reaches the relative objective error 2⁻³⁴ at k = 2¹⁷·√2. A
+/// problem that needs more is ill conditioned and left to the other solvers.
 pub const GRADIENT_STEPS: usize = 200_000;
 
-/// Iterations of the alternating directions: each costs a triangular solve, two matrix products, so that 100 000 are worth what
-/// [`GRADIENT_STEPS`] are; what needs more is left to the other solvers.
+/// Most iterations of the alternating directions. Each costs a triangular solve and two matrix products, so that 100 000 of them cost as
+/// much as [`GRADIENT_STEPS`]. A problem that needs more is left to the other solvers.
 pub const ALTERNATIONS: usize = 100_000;
 
-/// Proximal weight η of the alternating directions in units of the mean diagonal entry of W + R: Pinocchio's default, a millionth, which
-/// leaves
-/// the fixed points alone and makes a singular W definite.
+/// Proximal weight η of the alternating directions in units of the mean diagonal entry of W + R: a millionth, Pinocchio's default. It does
+/// not change the fixed points, and it makes a singular W definite.
 pub const ADMM_PROXIMAL: f64 = 1e-6;
 
-/// Bounds of the penalty ρ in the same units, Pinocchio's: a millionth and a million keep ten digits of W in W + ρI.
+/// Bounds of the penalty ρ in units of the mean diagonal entry of W + R, as in Pinocchio. A millionth and a million keep ten digits of W in
+/// W + ρI.
 pub const PENALTIES: (f64, f64) = (1e-6, 1e6);
 
-/// How far the primal residual of the alternating directions may exceed the dual one, or the other way round, before ρ changes: ten, as
-/// in the
-/// literature and in Pinocchio. Only the number of iterations depends on it.
+/// Factor by which the primal residual of the alternating directions may exceed the dual one, or the reverse, before ρ changes: ten, as in
+/// the literature and in Pinocchio. Only the number of iterations depends on it.
 pub const BALANCE: f64 = 10.0;
 
-/// Past values of the objective that a Barzilai–Borwein step must stay below: ten, as Birgin, Martínez and Raydan take. Only the number
-/// of steps depends on it.
+/// Number of past values of the objective that a Barzilai–Borwein step must stay below: ten, as Birgin, Martínez and Raydan choose. Only
+/// the number of steps depends on it.
 pub const PAST_VALUES: usize = 10;
 
-/// Share γ of the predicted fall that a Barzilai–Borwein step must achieve, 10⁻⁴ as there; any γ < ½ is met by the exact minimum along
-/// the direction.
+/// Share γ of the predicted fall that a Barzilai–Borwein step must achieve: 10⁻⁴, as Birgin, Martínez and Raydan choose. The exact minimum
+/// along the direction meets any γ < ½.
 pub const ARMIJO: f64 = 1e-4;
 
 /// Relative asymmetry max|W − Wᵀ|/max|W| up to which W counts as symmetric: the rounding of sums of 1000 products, 2000 ε ≈ 4e-13.
 pub const SYMMETRY: f64 = 2000.0 * EPSILON;
 
-/// Stopping tolerances asked of Clarabel. Its default 1e-8 leaves natural maps up to 2e-5, and near 1e-14 it breaks down;
-/// the answer is polished and judged in any case.
+/// Stopping tolerances asked of Clarabel. Its default 1e-8 leaves natural maps up to 2e-5, and near 1e-14 it breaks down. The answer is
+/// polished and judged in any case.
 pub const CLARABEL: f64 = 1e-10;
 
 /// How far the velocities y of two answers to one convex problem may differ \[m/s\], when their natural maps are e₁ and e₂ and
@@ -210,30 +207,29 @@ pub fn agreement(norm: f64, residual: f64, impulses: f64, rho: f64) -> f64 {
     linear + (linear * impulses / rho).sqrt()
 }
 
-/// Sweeps that polish an interior-point answer. It identifies which contacts stick, slide and open; where that is right a few sweeps
-/// finish, and 2000 are worth what one interior-point solve costs.
+/// Sweeps that polish an interior-point answer. That answer shows which contacts stick, slide and open. If it shows them correctly, a few
+/// sweeps finish. 2000 sweeps cost as much as one interior-point solve.
 pub const POLISHING_SWEEPS: usize = 2000;
 
-/// Relative weight 2⁻²⁰ of the proximal term of a rank-deficient diagonal block: the factorised block keeps 52 − 20 bits, and every
-/// sweep reduces the error of the stiff directions by 2⁻²⁰.
+/// Relative weight 2⁻²⁰ of the proximal term of a rank-deficient diagonal block. The factorised block keeps 52 − 20 bits. Every sweep
+/// reduces the error of the stiff directions by the factor 2⁻²⁰.
 pub const PROXIMAL: f64 = 1.0 / 1_048_576.0;
 
-/// Steps of a bracketed root search in \[0, 1\] that halves at least every third step: 3·53 until neighbours, and as many again
-/// for roots down to 2⁻¹⁰⁶.
+/// Most steps of a bracketed root search in \[0, 1\] that halves the bracket at least every third step. 3·53 steps make its ends
+/// neighbours, and as many again find roots down to 2⁻¹⁰⁶.
 pub const ROOT_STEPS: usize = 2 * 3 * 53;
 
-/// Slope of a line search relative to that at its start at which a step is exact, 2⁻⁴⁰: the step is off by less than that part of itself,
-/// and Newton's method squares its error only down to 2⁻⁴⁰ of the last one, below what a solution needs after two steps.
+/// Slope of a line search, relative to that at its start, at which a step counts as exact: 2⁻⁴⁰. The step is off by less than that part of
+/// itself. Newton's method then squares its error only down to 2⁻⁴⁰ of the last one, which is below what a solution needs after two steps.
 pub const LINE_SLOPE: f64 = 1.0 / (1u64 << 40) as f64;
 
-/// Steps of Newton's method on a soft convex problem; each changes the zone of at least one contact or squares the error. A limit
-/// against endless loops, not a part of any bound.
+/// Most steps of Newton's method on a soft convex problem, against endless loops. Each step changes the zone of at least one contact or
+/// squares the error. No bound depends on this number.
 pub const NEWTON_STEPS: usize = 200;
 
-/// Fall of the cost ½ΔᵀMΔ + s, relative to it, that is more than rounding, 2⁻⁴²: a sum of at most 500 squares has the relative error
-/// 2·500 ε.
+/// Relative fall of the cost ½ΔᵀMΔ + s that is more than rounding: 2⁻⁴². A sum of at most 500 squares has the relative error 2·500 ε.
 pub const COST_FLOOR: f64 = 1.0 / (1u64 << 42) as f64;
 
-/// Steps of Newton's method in a row that reduce neither cost nor gradient after which rounding is all that is left: a step with an exact
-/// line search reduces the cost, unless it is as small as rounding; three leave room for one bad draw.
+/// Steps of Newton's method in a row that reduce neither cost nor gradient, after which only rounding is left. A step with an exact line
+/// search reduces the cost, unless the reduction is as small as rounding. Three steps leave room for one exception.
 pub const NEWTON_STALLED: usize = 3;

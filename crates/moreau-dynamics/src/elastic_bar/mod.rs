@@ -49,7 +49,7 @@ impl FiniteElementBar {
     /// If there are fewer than two elements.
     pub fn new(bar: &ElasticBar, elements: usize, redistributed: bool) -> Result<Self> {
         if elements < 2 {
-            return Err(Error::invalid("elements", format!("are {elements}"), "use at least two"));
+            return Err(Error::invalid("elements", format!("is {elements}"), "use at least 2"));
         }
         let length = bar.length / elements as f64;
         let (lump, spring) = (bar.density * bar.area * length, bar.modulus * bar.area / length);

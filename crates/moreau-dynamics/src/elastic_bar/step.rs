@@ -35,8 +35,10 @@ impl FiniteElementBar {
             return Err(Error::Unsupported("the redistributed mass is integrated by average acceleration".into()));
         }
         let matrix = nalgebra::DMatrix::from_diagonal(&self.mass) + &self.stiffness * (0.25 * h * h);
-        let factor =
-            matrix.cholesky().filter(|_| h > 0.0).ok_or_else(|| Error::invalid("time_step", format!("is {h}"), "use a positive one"))?;
+        let factor = matrix
+            .cholesky()
+            .filter(|_| h > 0.0)
+            .ok_or_else(|| Error::invalid("time_step", format!("is {h}"), "use a positive number of seconds"))?;
         let unit = DVector::from_fn(self.mass.len(), |i, _| f64::from(i == 0));
         let answer = factor.solve(&unit);
         let mut state = self.arriving();

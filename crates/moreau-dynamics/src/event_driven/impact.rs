@@ -26,7 +26,7 @@ pub struct Impact<'a> {
     pub solver: &'a dyn ContactSolver,
     /// Every candidate at q.
     pub contacts: &'a [Contact],
-    /// Those that touch.
+    /// Indices of the candidates that touch.
     pub touching: &'a [usize],
     /// q.
     pub position: &'a DVector<f64>,

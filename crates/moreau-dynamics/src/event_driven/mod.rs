@@ -113,7 +113,7 @@ impl EventDriven {
             };
             stalled = if struck || arrival.elapsed > LOOK_AHEAD * duration { 0 } else { stalled + 1 };
             if stalled > stalled_events(mechanism.rows_per_contact() * contacts.len()) {
-                let reason = format!("events follow each other and no time passes at t = {} s", state.time + duration - left);
+                let reason = format!("events follow each other without any time passing, at t = {} s", state.time + duration - left);
                 return Err(Error::limit("event-driven", reason));
             }
             let later = &arrival.state + phase.rate(&arrival.state)? * (LOOK_AHEAD * step.min(left));
@@ -125,7 +125,7 @@ impl EventDriven {
     /// Checks the step or tolerance and τ.
     ///
     /// # Errors
-    /// [`Error::Invalid`] names the one that cannot be meant.
+    /// [`Error::Invalid`] names the parameter that is not valid.
     pub fn validate(&self) -> Result<()> {
         let (Control::Fixed(size) | Control::Tolerance(size)) = self.control;
         if !(size.is_finite() && size > 0.0) {

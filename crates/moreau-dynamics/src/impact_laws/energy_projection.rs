@@ -13,7 +13,7 @@ use moreau_exact::scalar::Scalar;
 use moreau_exact::{Error, Result, elimination};
 use nalgebra::DVector;
 
-/// The direction U_K and the square of the factor on it, both rational where the data are.
+/// The direction U_K and the square of the factor on it. Both are rational if the data are.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Projection<T: Scalar> {
     /// U_K \[m/s\].

@@ -11,7 +11,8 @@ use moreau_contact::problem::{PlanarProblem, Response};
 use moreau_exact::Result;
 use moreau_exact::scalar::Scalar;
 
-/// Planar contacts, rows (normal, tangent): Coulomb's law on (U_n⁺ + e U_n⁻, U_t⁺ + U_t⁻), the tangential mean times two.
+/// The impact of planar contacts with rows (normal, tangent), by Coulomb's law on (U_n⁺ + e U_n⁻, U_t⁺ + U_t⁻). The second entry is twice
+/// the mean of the sliding velocities.
 ///
 /// # Errors
 /// As [`two_coefficients`].

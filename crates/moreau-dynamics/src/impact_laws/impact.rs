@@ -35,7 +35,11 @@ pub(super) fn coulomb<T: Scalar>(impact: &PlanarProblem<T>, friction: &[T], leas
 /// Refuses coefficients outside \[0, 1\] or in the wrong number.
 pub(super) fn check_restitution<T: Scalar>(restitution: &[T], contacts: usize) -> Result<()> {
     if restitution.len() != contacts || restitution.iter().any(|e| !(*e >= T::zero() && *e <= T::one())) {
-        return Err(Error::invalid("restitution", "is not a list of numbers in [0, 1], one per contact", format!("give {contacts}")));
+        return Err(Error::invalid(
+            "restitution",
+            "is not a list of numbers in [0, 1], one per contact",
+            format!("give {contacts} numbers from 0 to 1"),
+        ));
     }
     Ok(())
 }

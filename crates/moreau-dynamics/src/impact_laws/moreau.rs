@@ -13,7 +13,7 @@ use moreau_exact::Result;
 use moreau_exact::scalar::Scalar;
 use nalgebra::DVector;
 
-/// Without friction, any number of contacts and coefficients.
+/// The impact of frictionless contacts, any number of them, each with its own coefficient.
 ///
 /// # Errors
 /// [`moreau_exact::Error::Invalid`] for e outside \[0, 1\]; [`moreau_exact::Error::Solver`] if the complementarity problem is not solved.
@@ -23,7 +23,7 @@ pub fn frictionless<T: Scalar>(impact: &PlanarProblem<T>, restitution: &[T]) -> 
     Ok(impact.response(unilateral(impact, &shift)?))
 }
 
-/// Planar Coulomb friction with e on the normal components, as time-stepping codes have it.
+/// The impact of planar contacts with Coulomb friction, with e on the normal components only, as time-stepping codes do it.
 ///
 /// # Errors
 /// As [`frictionless`], and if there are not two rows per contact.
@@ -31,7 +31,7 @@ pub fn normal_only<T: Scalar>(impact: &PlanarProblem<T>, friction: &[T], restitu
     two_coefficients(impact, friction, restitution, &T::zero())
 }
 
-/// Planar Coulomb friction with e on both components.
+/// The impact of planar contacts with Coulomb friction, with e on both components.
 ///
 /// # Errors
 /// As [`normal_only`].
@@ -39,7 +39,7 @@ pub fn full_vector<T: Scalar>(impact: &PlanarProblem<T>, friction: &[T], restitu
     two_coefficients(impact, friction, restitution, restitution)
 }
 
-/// Planar Coulomb friction on (U_n⁺ + e_n U_n⁻, U_t⁺ + e_t U_t⁻).
+/// The impact of planar contacts with Coulomb's law on (U_n⁺ + e_n U_n⁻, U_t⁺ + e_t U_t⁻).
 ///
 /// # Errors
 /// As [`normal_only`].

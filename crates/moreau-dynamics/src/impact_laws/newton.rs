@@ -13,11 +13,11 @@ use moreau_exact::scalar::Scalar;
 use moreau_exact::{Error, Result, elimination};
 use nalgebra::DVector;
 
-/// U⁺ = −E U⁻ at every contact at once, without friction; impulses may pull.
+/// The impact with U⁺ = −E U⁻ at every contact at once, without friction. Impulses may pull.
 ///
 /// # Errors
-/// [`Error::Invalid`] for e outside \[0, 1\]; [`Error::Unsupported`] if W is singular: then the ratios contradict each other or
-/// leave the impulses open.
+/// [`Error::Invalid`] for e outside \[0, 1\]; [`Error::Unsupported`] if W is singular, because the ratios then contradict each
+/// other or do not determine the impulses.
 pub fn together<T: Scalar>(impact: &PlanarProblem<T>, restitution: &[T]) -> Result<Response<T>> {
     check_restitution(restitution, impact.velocity.len())?;
     let change = DVector::from_fn(impact.velocity.len(), |i, _| -(T::one() + restitution[i].clone()) * impact.velocity[i].clone());
@@ -25,7 +25,8 @@ pub fn together<T: Scalar>(impact: &PlanarProblem<T>, restitution: &[T]) -> Resu
     elimination::solve(&impact.delassus, &change).map(|impulse| impact.response(impulse)).ok_or_else(singular)
 }
 
-/// P_i = −(1 + e_i) U_i⁻/W_ii at every approaching contact, computed as if it were alone, all applied at once.
+/// The impact with P_i = −(1 + e_i) U_i⁻/W_ii at every approaching contact. Each impulse is computed as if its contact were alone, and all
+/// are applied at once.
 ///
 /// # Errors
 /// [`Error::Invalid`] for e outside \[0, 1\].
@@ -39,7 +40,7 @@ pub fn uncoupled<T: Scalar>(impact: &PlanarProblem<T>, restitution: &[T]) -> Res
     Ok(impact.response(impulse))
 }
 
-/// One planar contact with Coulomb friction: the impulse grows along Routh's path until U_n = −e U_n⁻.
+/// The impact of one planar contact with Coulomb friction. The impulse grows along Routh's path until U_n = −e U_n⁻.
 ///
 /// # Errors
 /// [`Error::Invalid`] for e outside \[0, 1\].

@@ -23,11 +23,11 @@ pub struct TwoPhases<T: Scalar> {
     pub end: Response<T>,
 }
 
-/// Two frictionless complementarity problems, any number of contacts and coefficients.
+/// The impact of frictionless contacts by one complementarity problem per phase, for any number of contacts and coefficients.
 ///
 /// A contact may take more than e P_c in restitution, if its neighbours would otherwise drive it into the ground. No energy is
-/// gained: P_r minimises f(P) = ½PᵀWP + PᵀU_c over P ≥ E P_c, which is the change of energy since compression, P = P_c is one of
-/// the candidates, and f(P_c) is minus what compression took, U_cᵀP_c = 0.
+/// gained. P_r minimises f(P) = ½PᵀWP + PᵀU_c over P ≥ E P_c, which is the change of energy since compression. P = P_c is one of
+/// the candidates. Because of U_cᵀP_c = 0, f(P_c) is minus the energy that compression took.
 ///
 /// # Errors
 /// [`moreau_exact::Error::Invalid`] for e outside \[0, 1\]; [`moreau_exact::Error::Solver`] if a complementarity problem is not solved.
@@ -46,10 +46,11 @@ pub fn two_problems<T: Scalar>(impact: &PlanarProblem<T>, restitution: &[T]) -> 
     Ok(TwoPhases { compression, end })
 }
 
-/// Two planar problems with Coulomb friction, on the velocities at the end of each phase; rows (normal, tangent) per contact.
+/// The impact of planar contacts with Coulomb friction by one problem per phase, on the velocities at the end of the phase. Each contact
+/// has the rows (normal, tangent).
 ///
-/// In restitution 0 ≤ U_n⁺ ⟂ P_rn − e P_cn ≥ 0, and Coulomb's law holds between P_r and U_t⁺. Where the sliding turns round within
-/// a phase this is not Routh's path. Several contacts with unequal coefficients may gain energy.
+/// In restitution 0 ≤ U_n⁺ ⟂ P_rn − e P_cn ≥ 0, and Coulomb's law holds between P_r and U_t⁺. If the sliding reverses within
+/// a phase, this is not Routh's path. Several contacts with unequal coefficients may gain energy.
 ///
 /// # Errors
 /// As [`two_problems`], and if there are not two rows per contact.
@@ -63,7 +64,7 @@ pub fn two_frictional_problems<T: Scalar>(impact: &PlanarProblem<T>, friction: &
     Ok(TwoPhases { compression, end })
 }
 
-/// One planar contact with Coulomb friction: the impulse grows along Routh's path until P_n = (1 + e) p_c.
+/// The impact of one planar contact with Coulomb friction. The impulse grows along Routh's path until P_n = (1 + e) p_c.
 ///
 /// # Errors
 /// [`moreau_exact::Error::Invalid`] for e outside \[0, 1\].

@@ -17,7 +17,7 @@ use nalgebra::DVector;
 /// Changes per normal impulse.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slopes<T: Scalar> {
-    /// dq/dp.
+    /// dq/dp, the change of the friction impulse per normal impulse.
     pub friction: T,
     /// dU_n/dp \[1/kg\].
     pub normal: T,
@@ -148,7 +148,7 @@ impl<T: Scalar> Path<T> {
         self.integral(from, to, |state, slopes| state.tangential.clone() * slopes.friction.clone())
     }
 
-    /// The integral over p of what is linear on every piece.
+    /// The integral of `rate` over p. `rate` has to be linear in p on every piece.
     fn integral(&self, from: &T, to: &T, rate: impl Fn(&PathState<T>, &Slopes<T>) -> T) -> T {
         let mut sum = T::zero();
         for piece in &self.pieces {
@@ -167,14 +167,22 @@ impl<T: Scalar> Path<T> {
 fn check<T: Scalar>(impact: &PlanarProblem<T>, friction: &T) -> Result<()> {
     let w = &impact.delassus;
     if impact.velocity.len() != 2 || *friction < T::zero() {
-        return Err(Error::invalid("impact", "is not one planar contact with μ ≥ 0", "give rows (normal, tangent)"));
+        return Err(Error::invalid(
+            "impact",
+            "is not one planar contact with μ ≥ 0",
+            "give one contact with rows (normal, tangent) and μ ≥ 0",
+        ));
     }
     let determinant = w[(0, 0)].clone() * w[(1, 1)].clone() - w[(0, 1)].clone() * w[(1, 0)].clone();
     if !(determinant > T::zero() && w[(1, 1)] > T::zero()) {
-        return Err(Error::invalid("delassus", "is not positive definite", "a rigid body that is free to move has a positive definite W"));
+        return Err(Error::invalid(
+            "delassus",
+            "is not positive definite",
+            "give the positive definite W of a rigid body that can move freely",
+        ));
     }
     if impact.velocity[0] >= T::zero() {
-        return Err(Error::invalid("before", "does not approach", "an impact needs U_n < 0"));
+        return Err(Error::invalid("before", "does not approach", "give U_n < 0"));
     }
     Ok(())
 }

@@ -11,7 +11,7 @@ use moreau_exact::scalar::Scalar;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
-/// Frictionless contacts, visited cyclically in this order.
+/// The impacts of frictionless contacts one after the other, visited cyclically in this order.
 ///
 /// # Errors
 /// [`Error::Invalid`] for e outside \[0, 1\] or an order that names no contact; [`Error::Solver`] if contacts still approach after

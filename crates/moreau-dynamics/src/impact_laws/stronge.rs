@@ -12,7 +12,7 @@ use moreau_contact::problem::Response;
 use moreau_exact::Result;
 use moreau_exact::scalar::Scalar;
 
-/// Where restitution ends: on a piece of the path, at a squared normal velocity.
+/// The end of restitution: a piece of the path, and the squared normal velocity there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct End<T: Scalar> {
     /// The state at the start of the last piece.
@@ -58,7 +58,7 @@ fn finish<T: Scalar>(path: &Path<T>, at: &T, due: &T) -> End<T> {
     End { start, slope, speed_squared }
 }
 
-/// One planar contact with Coulomb friction.
+/// The impact of one planar contact with Coulomb friction.
 ///
 /// # Errors
 /// As [`end`].

@@ -54,14 +54,14 @@ pub struct BodyState {
     pub position: [f64; 3],
     /// Unit quaternion \[w, x, y, z\].
     pub orientation: [f64; 4],
-    /// \[m/s\].
+    /// Velocity of the centre of mass \[m/s\].
     pub linear_velocity: [f64; 3],
     /// \[rad/s\], world frame.
     pub angular_velocity: [f64; 3],
 }
 
-/// The questions that a mechanism around another one answers as that one does, whatever it changes of the contacts and the forces:
-/// `answers_as!(self, mechanism)` in an `impl Mechanism`. Whoever uses it depends on the crate `delegate`.
+/// Delegates to an inner mechanism its name, sizes, mass matrix, force, potential energy and bodies. Write `answers_as!(self, mechanism)`
+/// in the `impl Mechanism` of the outer mechanism. A crate that uses this macro depends on the crate `delegate`.
 #[macro_export]
 macro_rules! answers_as {
     ($me:ident, $inner:ident) => {
@@ -119,7 +119,7 @@ pub trait Mechanism: Send + Sync {
         let _ = reach;
         self.contacts(position)
     }
-    /// An upper bound of the number of contact candidates at any q; `None` if there are so few that nobody counts.
+    /// An upper bound of the number of contact candidates at any q; `None` if there are too few to matter.
     fn most_candidates(&self) -> Option<usize> {
         None
     }

@@ -81,7 +81,7 @@ pub struct Body {
     /// Unit quaternion \[w, x, y, z\], body to world.
     #[serde(default = "upright")]
     pub orientation: [f64; 4],
-    /// \[m/s\].
+    /// Velocity of the centre of mass \[m/s\].
     #[serde(default)]
     pub linear_velocity: [f64; 3],
     /// \[rad/s\], world frame.
@@ -93,7 +93,7 @@ pub struct Body {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sphere {
-    /// \[m\].
+    /// Radius of the sphere \[m\].
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
 }

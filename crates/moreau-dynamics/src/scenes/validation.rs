@@ -13,7 +13,7 @@ impl Scene {
     /// Checks what the types cannot: signs, finiteness, unit vectors, unique names.
     ///
     /// # Errors
-    /// [`Error::Invalid`] names the first field that cannot be meant.
+    /// [`Error::Invalid`] names the first field that is not valid.
     pub fn validate(&self) -> Result<()> {
         if self.schema != SCHEMA {
             return Err(Error::invalid("schema", format!("is `{}`", self.schema), format!("use `{SCHEMA}`")));

@@ -41,7 +41,7 @@ impl<'a> StepContext<'a> {
         self.h
     }
 
-    /// The same step of the same mechanism seen in another way, as with fewer candidates; M(q) stays.
+    /// This step with another view of the same mechanism, for example one with fewer candidates. M(q) is not computed again.
     pub(super) fn of<'b>(&self, mechanism: &'b dyn Mechanism) -> StepContext<'b>
     where
         'a: 'b,
@@ -98,7 +98,7 @@ impl<'a> StepContext<'a> {
     }
 }
 
-/// Refuses a step, masses or a state that cannot be meant.
+/// Refuses a step size that is not positive, and velocities that the mechanism cannot have.
 fn check_input(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<()> {
     if !(h.is_finite() && h > 0.0) {
         return Err(Error::invalid("time_step", format!("is {h}"), "use a positive number of seconds"));

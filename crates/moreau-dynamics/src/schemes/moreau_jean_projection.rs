@@ -227,7 +227,7 @@ mod tests {
         let own = |gap: f64| ball.contacts(&dvector![gap]).remove(0);
         let touching = joined(vec![own(-0.1)], Vec::new());
         assert_eq!(touching.len(), 1);
-        // the list is empty now: the contact stays with its rows, and nobody new has joined
+        // the list is empty now: the contact stays with its rows, and no other contact has joined
         let kept = joined(Vec::new(), touching.clone());
         assert_eq!(kept, touching);
         // one that has vanished and another that has come are two, not one for the other

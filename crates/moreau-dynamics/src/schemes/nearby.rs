@@ -31,7 +31,7 @@ impl Mechanism for Nearby<'_> {
             fn check_speed(&self, velocity: &DVector<f64>, h: f64) -> Result<()>;
             fn most_candidates(&self) -> Option<usize>;
             fn contacts_between(&self, position: &DVector<f64>, bodies: (usize, Option<usize>)) -> Vec<Contact>;
-            /// Not cut short: who asks for a reach of its own has its own reason for it.
+            /// Uses the caller's reach and not the reach of this wrapper.
             fn contacts_halfway(&self, position: &DVector<f64>, reach: f64) -> Vec<Contact>;
             fn inverse_mass(&self, contact: &Contact) -> Option<f64>;
             fn contact_rotation(&self, position: &DVector<f64>, contact: &Contact) -> Option<DMatrix<f64>>;

@@ -178,7 +178,7 @@ impl<'a> Conservative<'a> {
         let impulse = self.impulse(&touching, &normal, h - time)?;
         let leaving = &touching.velocity + self.factor.solve(&normal) * impulse;
         if h > time && self.first_hit(&touching.position, &leaving, h - time)?.is_some() {
-            return Err(self.refuse("a step with at most one impact; take a smaller one"));
+            return Err(self.refuse("a step with at most one impact; take a smaller step"));
         }
         let after = self.fly(&touching.position, &leaving, h - time);
         let moving = 0.5 * leaving.dot(&(&self.mass * &leaving));

@@ -1,5 +1,5 @@
 //! The waist: a step that is one [`ContactProblem`](moreau_contact::ContactProblem), and the adapter that makes a
-//! [`Scheme`](super::Scheme) of whoever poses it.
+//! [`Scheme`](super::Scheme) of every type that poses one.
 //!
 //! ```text
 //!     v⁺ = v_free + M̂⁻¹Hᵀr ,   q⁺ = q ⊕ h v̄(v, v⁺)
@@ -51,11 +51,11 @@ pub use passes_the_waist;
 /// The configuration after a step, from the velocity after it.
 type Advance<'a> = dyn Fn(&StepContext, &StepProblem, &DVector<f64>) -> Result<DVector<f64>> + 'a;
 
-/// The parts of a step that poses one problem, whoever answers it.
+/// The parts of a step that poses one problem. Any solver may answer it.
 pub struct Parts<'a> {
-    /// Poses it.
+    /// Poses the problem.
     pub assemble: &'a dyn Fn(&StepContext) -> Result<StepProblem>,
-    /// Answers it; none without a contact.
+    /// Answers the problem. There is no answer without a contact.
     pub answer: &'a dyn Fn(&StepContext, &StepProblem) -> Result<Option<OwnAnswer>>,
     /// Forgets what was found about an attempt that became no step.
     pub discard: &'a dyn Fn(),
@@ -105,7 +105,7 @@ pub fn step_in_parts(start: &Start, parts: &Parts) -> Result<Step> {
         }
         let step = finish(parts, &at, assembled)?;
         let needed = mechanism.reach(&step.state.velocity, h);
-        // A bound that is not a number bounds nothing; what it comes from is refused by the next step.
+        // A bound that is not a number is ignored here; the next step refuses the state that it comes from.
         if needed > reach {
             (parts.discard)();
             reach = 2.0 * needed;

@@ -1,5 +1,5 @@
 //! Tolerances of [`crate::impact_laws`].
 
-/// Rounds after which a sequence of single impacts is given up: it may be infinite, and exact rationals grow by some bits a round. The
-/// chains of balls in use end after at most four.
+/// Rounds after which a sequence of single impacts is given up. The sequence may be infinite, and exact rationals grow by some bits per
+/// round. The chains of balls in use end after at most four rounds.
 pub const SEQUENCE_LIMIT: usize = 64;

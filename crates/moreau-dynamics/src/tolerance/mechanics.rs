@@ -26,12 +26,12 @@ pub fn runge_kutta_energy(coarse: f64) -> f64 {
 /// size, and each step more than squares it; six reach ε from there.
 pub const NEWTON_STEPS: usize = 6;
 
-/// Sine of the angle below which crossing edges of two boxes count as parallel: what is left out by it is at most a thousandth of the
-/// tilt of the faces, the normal that is kept is good to a thousandth of the digits.
+/// Sine of the angle below which crossing edges of two boxes count as parallel. What it leaves out is at most a thousandth of the tilt
+/// of the faces. A normal that is kept loses at most a factor of a thousand in accuracy.
 pub const PARALLEL: f64 = 1.0 / 1024.0;
 
-/// How far, relative to its gap, a corner may lie beside the face it is measured against: what faces tilted against each other by up to
-/// 1/16 need, and little enough that its gap from the plane is its distance from the face up to 1/512.
+/// How far a corner may lie beside the face from which its gap is measured, relative to that gap. Faces tilted against each other by up to
+/// 1/16 need this much. The gap from the plane then differs from the distance to the face by at most 1/512 of it.
 pub const BESIDE: f64 = 1.0 / 16.0;
 
 /// Angle θ₀ \[rad\] up to which two faces count as parallel and share one normal, their bisector: [`PARALLEL`] times [`BESIDE`], 2⁻¹⁴.

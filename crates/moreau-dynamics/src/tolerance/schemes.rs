@@ -2,7 +2,7 @@
 
 use moreau_exact::tolerance::{EPSILON, rounding};
 
-/// Singular values of H_n H_nᵀ, relative to its largest entry, below which contact normals say the same twice: 64 ε, the rounding of
+/// Singular values of H_n H_nᵀ, relative to its largest entry, below which contact normals are linearly dependent: 64 ε, the rounding of
 /// its entries.
 pub const DEPENDENT_NORMALS: f64 = 64.0 * EPSILON;
 

@@ -29,7 +29,7 @@ pub struct Trajectory {
     pub schema: String,
     /// What was simulated.
     pub scene: Scene,
-    /// Who computed it.
+    /// The engine that computed the trajectory.
     pub engine: Producer,
     /// h \[s\], the engine's step; samples may be several steps apart.
     #[schemars(extend("exclusiveMinimum" = 0))]
@@ -49,7 +49,7 @@ pub struct Trajectory {
     pub provenance: Option<serde_json::Value>,
 }
 
-/// The worst residual of every step of an engine that certifies its steps, relative to what it is held against; sample k ends step k·n.
+/// The worst residual of every step, relative to its scale, for an engine that certifies its steps. Sample k ends step k·n.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StepResiduals {
@@ -85,7 +85,7 @@ pub struct BodyTrack {
     pub position: Vec<[f64; 3]>,
     /// Unit quaternion \[w, x, y, z\].
     pub orientation: Vec<[f64; 4]>,
-    /// \[m/s\].
+    /// Velocity of the centre of mass \[m/s\].
     pub linear_velocity: Vec<[f64; 3]>,
     /// \[rad/s\], world frame.
     pub angular_velocity: Vec<[f64; 3]>,

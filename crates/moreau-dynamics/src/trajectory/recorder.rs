@@ -38,8 +38,8 @@ impl Trajectory {
 
 /// Collects a trajectory step by step.
 ///
-/// The impulses of all points of a pair are added; the pair's normal is the mean of the points' normals weighted by their normal
-/// impulses, and its first body is the one whose name comes first. A pair without impulse is left out.
+/// The impulses of all points of a pair are added. The normal of the pair is the mean of the points' normals, weighted by their normal
+/// impulses. The first body of the pair is the one whose name comes first. A pair without impulse is left out.
 pub struct Recorder<'a> {
     mechanism: &'a dyn Mechanism,
     sample_every: usize,
@@ -90,7 +90,7 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    /// Adds the worst residual of a step and what it means.
+    /// Adds the worst residual of a step and the judgement of that residual.
     pub fn push_residual(&mut self, residual: Option<StepResidual>, judgement: Judgement) {
         let steps = self.trajectory.steps.get_or_insert_default();
         if let Some(StepResidual { limit, .. }) = residual {

@@ -54,7 +54,7 @@ impl Recording {
         self.push_judged(state, impulses, None, Judgement::Accepted);
     }
 
-    /// The same with the worst residual of the step and what it means.
+    /// Appends the state after a step, its impulses, its worst residual and the judgement of that residual.
     pub fn push_judged(&mut self, state: State, impulses: Vec<ContactImpulse>, residual: Option<StepResidual>, judgement: Judgement) {
         self.samples.push(state);
         self.impulses.push(impulses);

@@ -11,7 +11,7 @@ impl Trajectory {
     /// Checks sizes, times, names, finiteness and unit lengths.
     ///
     /// # Errors
-    /// [`Error::Invalid`] names the first field that cannot be meant.
+    /// [`Error::Invalid`] names the first field that is not valid.
     pub fn validate(&self) -> Result<()> {
         if self.schema != SCHEMA {
             return Err(Error::invalid("schema", format!("is `{}`", self.schema), format!("use `{SCHEMA}`")));
@@ -29,19 +29,21 @@ impl Trajectory {
     fn validate_steps(&self) -> Result<()> {
         let Some(super::StepResiduals { limit, relative, accepted }) = &self.steps else { return Ok(()) };
         if relative.len() != accepted.len() {
-            let problem = format!("has {} entries and `steps.relative` {}", accepted.len(), relative.len());
-            return Err(Error::invalid("steps.accepted", problem, "give one of each per step"));
+            let problem = format!("has {} entries, but `steps.relative` has {}", accepted.len(), relative.len());
+            return Err(Error::invalid("steps.accepted", problem, "give one entry per step in both"));
         }
         let is_size = |x: &f64| x.is_finite() && *x >= 0.0;
         match relative.iter().flatten().chain([limit]).find(|x| !is_size(x)) {
             None => Ok(()),
-            Some(x) => Err(Error::invalid("steps", format!("holds {x}"), "use finite numbers ≥ 0, and null where nothing was solved")),
+            Some(x) => {
+                Err(Error::invalid("steps", format!("holds {x}"), "use finite numbers ≥ 0, and null for a step that solved nothing"))
+            }
         }
     }
 
     fn validate_times(&self) -> Result<()> {
         if self.times.first() != Some(&0.0) {
-            return Err(Error::invalid("times", "does not start at 0", "sample 0 is the initial state at t = 0"));
+            return Err(Error::invalid("times", "does not start at 0", "give the initial state at t = 0 as sample 0"));
         }
         finite("times", &self.times)?;
         match self.times.windows(2).position(|pair| pair[1] <= pair[0]) {
@@ -52,13 +54,13 @@ impl Trajectory {
 
     fn validate_bodies(&self) -> Result<()> {
         if self.bodies.len() != self.scene.bodies.len() {
-            let cure = format!("the scene has {}", self.scene.bodies.len());
+            let cure = format!("give {}, one per body of the scene", self.scene.bodies.len());
             return Err(Error::invalid("bodies", format!("has {} tracks", self.bodies.len()), cure));
         }
         for (index, (track, body)) in self.bodies.iter().zip(&self.scene.bodies).enumerate() {
             if track.name != body.name {
                 let problem = format!("is `{}`", track.name);
-                return Err(Error::invalid(format!("bodies[{index}].name"), problem, format!("the scene's is `{}`", body.name)));
+                return Err(Error::invalid(format!("bodies[{index}].name"), problem, format!("use the scene's name `{}`", body.name)));
             }
             track.validate(&format!("bodies[{index}]"), self.times.len())?;
         }
@@ -69,14 +71,14 @@ impl Trajectory {
         for (index, contact) in self.contacts.iter().enumerate() {
             let field = |name: &str| format!("contacts[{index}].{name}");
             if !(1..self.times.len()).contains(&contact.sample) {
-                let cure = format!("impulses belong to samples 1 to {}", self.times.len() - 1);
+                let cure = format!("use a sample from 1 to {}", self.times.len() - 1);
                 return Err(Error::invalid(field("sample"), format!("is {}", contact.sample), cure));
             }
             if let Some(name) = contact.bodies.iter().find(|name| *name != GROUND && self.body(name).is_none()) {
-                return Err(Error::invalid(field("bodies"), format!("`{name}` is no body of the scene"), "use its names, or `ground`"));
+                return Err(Error::invalid(field("bodies"), format!("names `{name}`"), "use a body of the scene, or `ground`"));
             }
             if contact.bodies[0] == contact.bodies[1] {
-                return Err(Error::invalid(field("bodies"), "names one body twice", "a contact has two bodies"));
+                return Err(Error::invalid(field("bodies"), "names one body twice", "name two different bodies"));
             }
             unit(&field("normal"), &contact.normal)?;
             finite(&field("impulse"), &contact.impulse)?;
@@ -100,7 +102,7 @@ impl BodyTrack {
 
 fn vectors<const N: usize>(field: &str, rows: &[[f64; N]], samples: usize) -> Result<()> {
     if rows.len() != samples {
-        return Err(Error::invalid(field, format!("has {} samples", rows.len()), format!("there are {samples} times")));
+        return Err(Error::invalid(field, format!("has {} samples", rows.len()), format!("give {samples}, one per time")));
     }
     rows.iter().enumerate().try_for_each(|(k, row)| finite(&format!("{field}[{k}]"), row))
 }

@@ -18,7 +18,7 @@ use crate::{Bench, Check, Expectation, Kind, Level, Measurement, Reply};
 const HALF: f64 = 0.1;
 /// Height of the centre at the start \[m\].
 const HEIGHT: f64 = 0.3;
-/// \[s\].
+/// Duration of the motion \[s\].
 const DURATION: f64 = 0.5;
 
 /// The checks of the family.
@@ -26,11 +26,10 @@ pub const CHECKS: &[Check] = &[Check {
     name: "energy/passive",
     level: Level::Simulate,
     question: "Does the energy of a cube that tumbles onto a rough floor ever rise?",
-    derivation: "Contacts without restitution do no positive work. E may rise by ½ m g h times the range of v_z where positions advance \
-        with \
-                 v⁺; by ½ m (g h)²/4 a step where a contact is found while the corner rises slower than g h; and by ½ P u where corners \
-                 that have turned below the floor by ½ ω²ρ h² are pushed out within a step at u = ½ ω²ρ h. A compliant contact stores \
-                 what it takes and starts unloaded: its energy is held against that of the start.",
+    derivation: "Contacts without restitution do no positive work. E may rise by ½ m g h times the range of v_z if positions advance \
+        with v⁺. It may rise by ½ m (g h)²/4 in a step that finds a contact while the corner rises slower than g h. It may rise by ½ P u \
+        if corners that have turned below the floor by ½ ω²ρ h² are pushed out within a step at u = ½ ω²ρ h. A compliant contact stores \
+        energy and starts unloaded, so that its energy is compared with that of the start.",
     source: "work of an impulse over its step; chapter §9",
     run: Run::EachStep(passive),
     control: Control { passes: "moreau-jean", fails: "energy/baumgarte" },

@@ -21,8 +21,8 @@ pub const CHECKS: &[Check] = &[
         name: "flight/projectile",
         level: Level::Simulate,
         question: "Does a thrown body follow its parabola?",
-        derivation: "v(t) = v₀ + g t is exact for every one-step method; a position update with θ v⁺ + (1−θ) v is off by (θ − ½) g h t: \
-                     ½ g h t for the Euler rules, 0 for the trapezoidal rule, and nothing across gravity.",
+        derivation: "v(t) = v₀ + g t is exact for every one-step method. A position update with θ v⁺ + (1−θ) v is off by (θ − ½) g h t: \
+            by ½ g h t for the Euler rules, and by 0 for the trapezoidal rule. Across gravity no update is off.",
         source: "elementary ballistics",
         run: Run::EachStep(projectile),
         control: Control { passes: "moreau-jean", fails: "flight/half-g-h-squared-twice" },
@@ -42,8 +42,8 @@ pub const CHECKS: &[Check] = &[
         name: "flight/spinning-box",
         level: Level::Simulate,
         question: "Does a box spun about its middle axis tumble as Euler's equations say?",
-        derivation: "The motion is integrated to high order. Beside it runs the bound of first order steps, e' = m e + ½h‖Ω̈‖ with the \
-                     logarithmic norm m of Euler's equations, which bounds the errors of ω, of R J Rᵀ ω and of ½ ωᵀ R J Rᵀ ω.",
+        derivation: "The motion is integrated to high order, together with a bound of the error of first-order steps: e' = m e + ½h‖Ω̈‖ \
+            with the logarithmic norm m of Euler's equations. It bounds the errors of ω, of R J Rᵀ ω and of ½ ωᵀ R J Rᵀ ω.",
         source: "Landau and Lifshitz, Mechanics, §36–37; Dahlquist's bound by the logarithmic norm",
         run: Run::EachStep(spinning_box),
         control: Control { passes: "moreau-jean", fails: "flight/no-gyroscopic-term" },

@@ -20,11 +20,10 @@ pub const CHECKS: &[Check] = &[
         name: "impact/two-spheres",
         level: Level::Simulate,
         question: "Do two spheres of different mass exchange momentum by Newton's law, head-on and obliquely?",
-        derivation: "Velocities are constant but for the impact, so v⁺ is exact whatever h. Without friction the impulse lies along the \
-            line of \
-                     centres; the spheres may be up to two steps' motion s from the place of contact, which turns it by at most δ = b s/(R \
-                     − s)². An approach speed taken along \
-                     the normal of the step before is off by δ tan φ + ½ δ² of itself, φ the angle of the normal to the line of flight.",
+        derivation: "Velocities are constant except for the impact, so that v⁺ is exact for every h. Without friction the impulse lies \
+            along the line of centres. The spheres may be up to the motion s of two steps away from the place of contact, which turns \
+            that line by at most δ = b s/(R − s)². If the approach speed is taken along the normal of the step before, it is off by the \
+            part δ tan φ + ½ δ² of itself, with the angle φ between the normal and the line of flight.",
         source: "closed form of the central impact; Newton's law",
         run: Run::EachStep(two_spheres),
         control: Control { passes: "moreau-jean", fails: "impact/one-sided-impulse" },
@@ -33,9 +32,9 @@ pub const CHECKS: &[Check] = &[
         name: "impact/cradle",
         level: Level::Simulate,
         question: "What do three equal elastic spheres do, two of them in contact?",
-        derivation: "One impact after another gives (0, 0, v), both at once by Newton's law (−v/3, 2v/3, 2v/3); both keep momentum and \
-            energy and \
-                     the theory of rigid bodies does not decide. The first sphere's velocity says which it is.",
+        derivation: "One impact after another gives (0, 0, v). Both impacts at once give (−v/3, 2v/3, 2v/3) by Newton's law. Both \
+            results keep momentum and energy, and the theory of rigid bodies does not decide between them. The first sphere's velocity \
+            shows which one the engine computes.",
         source: "Newton's cradle; non-uniqueness of multiple impacts",
         run: Run::EachStep(cradle),
         control: Control { passes: "moreau-jean", fails: "impact/one-sided-impulse" },
@@ -66,8 +65,8 @@ const SPEED: f64 = 2.5;
 /// Radii \[m\], their sum R = 1 m: large against the motion of a step.
 const RADII: [f64; 2] = [0.4, 0.6];
 const MASSES: [f64; 2] = [1.0, 3.0];
-/// Gap before the impact \[m\]: more than an engine's contact margin, and no whole number of steps away, where rounding would decide when
-/// it is.
+/// Gap before the impact \[m\]. It is larger than the contact margin of any engine. It is not closed in a whole number of steps, because
+/// rounding would then decide the step of the impact.
 const GAP: f64 = 0.0473;
 
 /// A sphere that flies along x at another at rest, `offset` \[m\] beside the line of flight.

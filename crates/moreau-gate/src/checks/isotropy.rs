@@ -51,9 +51,9 @@ pub const CHECKS: &[Check] = &[
         name: "isotropy/straight",
         level: Level::Simulate,
         question: "Does a pushed body move on a straight line, without turning about the vertical, in each of 16 directions?",
-        derivation: "The resultant of friction and pressure of a box acts at a point straight ahead of its centre, so there is no torque \
-                     about the vertical and no force across: sideways displacement and yaw are 0. With d directions the sideways \
-                     acceleration is at most μ g sin(π/d).",
+        derivation: "The resultant of friction and pressure on a box acts at a point straight ahead of its centre. So there is no torque \
+            about the vertical and no force across: sideways displacement and yaw are 0. With d directions the sideways acceleration is \
+            at most μ g sin(π/d).",
         source: "Coulomb's law and the balance of moments",
         run: Run::EachStep(straight),
         control: Control { passes: "moreau-jean", fails: "isotropy/boxed-friction" },

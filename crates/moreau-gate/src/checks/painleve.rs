@@ -32,10 +32,10 @@ pub const CHECKS: &[Check] = &[Check {
     name: "painleve/rod",
     level: Level::Simulate,
     question: "Is the slide of a steep rod, beyond Painlevé's critical friction, ended by a finite impulse that does not depend on h?",
-    derivation: "The edge touches the floor at the start and approaches it, so that no scheme may act before, and u⁺ = 0 gives \
-                 P = W⁻¹ (w, v), inside the cone because μ > μ_P. The change of velocity is taken after two steps, for those who see the \
-                 contact a step late: the reaction m (g + ω²ℓ) of those steps and an approach speed off by g h. For a compliant engine the \
-                 event lasts as long as its contact; what is asked of it is that it stays finite and gains no energy.",
+    derivation: "The edge touches the floor at the start and approaches it, so that no scheme can act earlier. u⁺ = 0 gives P = W⁻¹ (w, \
+        v), which is inside the cone because μ > μ_P. The change of velocity is measured after two steps, because an engine may see the \
+        contact a step late. In these steps the reaction m (g + ω²ℓ) acts, and the approach speed is off by g h. For a compliant engine \
+        the event lasts as long as its contact. Such an engine must stay finite and gain no energy.",
     source: "Painlevé 1895; chapter §4, impact without collision",
     run: Run::EachStep(rod),
     control: Control { passes: "moreau-jean", fails: "painleve/slip-fixed-in-advance" },

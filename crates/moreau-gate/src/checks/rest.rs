@@ -18,9 +18,8 @@ use moreau_dynamics::trajectory::{BodyTrack, Trajectory};
 use moreau_forms::soft_rigid_contact::inverse_mass_at;
 use nalgebra::{Matrix3, Vector3};
 
-const CARRIED: &str = "A body at rest stays at rest: each step's velocity is 0 up to rounding and to the solver, which may leave a part \
-    3.5e-4 of \
-                       the impulse m g h of each step, as everywhere in the gate.";
+const CARRIED: &str = "A body at rest stays at rest, so that the velocity after each step is 0 up to rounding and to the solver. The \
+    solver may leave a part 3.5e-4 of the impulse m g h of each step, as everywhere in the gate.";
 
 /// The checks of the family.
 pub const CHECKS: &[Check] = &[
@@ -46,9 +45,9 @@ pub const CHECKS: &[Check] = &[
         name: "rest/depth",
         level: Level::Simulate,
         question: "How deep do a sphere and a box rest in the floor?",
-        derivation: "Signorini: 0; event capturing may leave a step's fall, g h². A compliant law rests where its force carries the \
-            weight: \
-                     MuJoCo k d² δ = (1−d) Â m g/n_c, SAP δ = (h+τ) R_n h m g/n_c, springs δ = m g/(n_c k), with n_c = 4 for the box.",
+        derivation: "By Signorini the depth is 0. Event capturing may leave the fall of a step, g h². A compliant law rests where its \
+            force carries the weight: MuJoCo at k d² δ = (1−d) Â m g/n_c, SAP at δ = (h+τ) R_n h m g/n_c, springs at δ = m g/(n_c k), \
+            with n_c = 4 for the box.",
         source: "the engines' documented force laws",
         run: Run::EachStep(depth),
         control: Control { passes: "moreau-jean", fails: "rest/undeclared-slop" },

@@ -27,9 +27,9 @@ pub const CHECKS: &[Check] = &[
         level: Level::Simulate,
         question: "Does a rocking block keep Housner's part of its energy when it lands on its other edge, without sliding?",
         derivation: "Angular momentum about the edge that is hit gives ω⁺/ω⁻ = 1 − 3/2 sin²α = 0.46, and the block rises to 0.46² of its \
-                     energy. The impulses' ratio is 0.49 < μ = 1. A landing found 3/2 steps off, a lag of half a step and the edge's \
-                     departure from its circle cost h ω (4 sin α + angle/2)/E. A compliant floor may take more of the energy, and \
-                     gives none.",
+            energy. The ratio of the impulses is 0.49 < μ = 1. A landing that is found 3/2 steps off, a lag of half a step and the \
+            edge's departure from its circle cost h ω (4 sin α + angle/2)/E. A compliant floor may take more of the energy, but it gives \
+            none.",
         source: "Housner 1963",
         run: Run::EachStep(impact),
         control: Control { passes: "moreau-jean", fails: "rocking/contacts-glued" },
@@ -37,10 +37,11 @@ pub const CHECKS: &[Check] = &[
     Check {
         name: "rocking/fall-time",
         level: Level::Simulate,
-        question: "Does a block released tilted on its edge land after the time of its pendulum integral?",
-        derivation: "t = ∫ dθ/√(2p²(lift θ₀ − lift θ)), with the moment of inertia about the edge. A step until the edge carries, half a \
-                     step of lag, one in which the edge falls back, half a sample: 3.5 h. A compliant edge carries after its own time, \
-                     twice that besides.",
+        question: "Does a block that is released tilted on its edge land at the time that the pendulum equation gives?",
+        derivation: "t = ∫ dθ/√(2p²(lift θ₀ − lift θ)), with the moment of inertia about the edge. A step passes until the edge carries, \
+            and the speeds lag by half a step. In one more step the edge falls back onto its circle. The landing is read to one sample, \
+            which is one step: 3.5 h in all. The edge of a compliant engine carries after the time of its contact, and twice that time \
+            is allowed in addition.",
         source: "pendulum about the edge, I = 4/3 m R²",
         run: Run::EachStep(fall_time),
         control: Control { passes: "moreau-jean", fails: "rocking/full-edges" },

@@ -27,11 +27,9 @@ pub const CHECKS: &[Check] = &[
         name: "rolling/five-sevenths",
         level: Level::Simulate,
         question: "Does a sphere thrown along the floor end with 5/7 of its speed, rolling, and after the right time?",
-        derivation: "Angular momentum about a point of the floor is kept by any friction there: v = 5/7 v₀. Slip falls as v₀ − 7/2 μ (g t \
-            + v_n), \
-                     so rolling begins at 2 v₀/(7 μ g), earlier by v_n/g in a model that hops, within the step. No rolling resistance: \
-                     from \
-                     then on speed and spin do not change. A contact at a depth δ has the lever R − δ.",
+        derivation: "Friction at the floor does not change the angular momentum about a point of the floor: v = 5/7 v₀. Slip falls as v₀ \
+            − 7/2 μ (g t + v_n). So rolling begins at 2 v₀/(7 μ g), and by v_n/g earlier in a model that hops within the step. There is \
+            no rolling resistance, so that speed and spin do not change after that. A contact at a depth δ has the lever R − δ.",
         source: "Newton–Euler and Coulomb; Goldsmith, Impact (billiards)",
         run: Run::EachStep(throw),
         control: Control { passes: "moreau-jean", fails: "rolling/hollow-sphere" },

@@ -41,14 +41,12 @@ const GAP: f64 = 0.0005;
 /// Steps between samples.
 const EVERY: usize = 10;
 
-const RESTING: &str = "Once landed nothing moves. A solver that leaves a part s of its impulses leaves velocities of s Σm g h/m_min, which \
-    add up \
-                       over the steps. A landing at v is found up to a step late and acted on in the next, 3/2 h (v + g h) deep, level by \
-                       level, and may be corrected later. A compliant or slack contact sinks by at most twice its declared rest depth \
-                       under the whole load, level by level, at up to √(2 g · sink); springs may give the energy of \
-                       the falls to one box, which lifts all above it. Where a part of each depth is declared to be taken back in a step, \
-                       the levels rise by that part of the landings' depths. Boxes on declared springs of a frequency start at the depth \
-                       of each level, N/(m_p (2πf)²) at its corners, and stay there.";
+const RESTING: &str = "After landing nothing moves. A solver that leaves a part s of its impulses leaves velocities of s Σm g h/m_min, \
+    which add up over the steps. A landing at v is found up to a step late, and the next step acts on it, so that each level is 3/2 h (v \
+    + g h) deep. The engine may correct this depth later. A compliant or slack contact sinks by at most twice its declared rest depth \
+    under the whole load, level by level, at up to √(2 g · sink). Springs may give the energy of the falls to one box, which lifts all \
+    boxes above it. If an engine declares that a step takes back a part of each depth, the levels rise by that part of the landings' \
+    depths. Boxes on declared springs of a frequency start at the depth of each level, N/(m_p (2πf)²) at its corners, and stay there.";
 
 /// The checks of the family.
 pub const CHECKS: &[Check] = &[
@@ -119,7 +117,8 @@ enum Start {
     Apart,
     /// The declared depths \[m\].
     Sprung(Vec<f64>),
-    /// Gaps of δ, for declared springs that would let a box sink by half its height or more: then other faces touch, and no law says where.
+    /// Gaps of δ, for declared springs that would let a box sink by half its height or more. Other faces touch then, and no law gives the
+    /// depth.
     Swallowed,
 }
 

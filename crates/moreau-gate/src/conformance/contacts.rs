@@ -31,7 +31,7 @@ struct Balance {
 pub(super) fn probe_all(landed: Result<Trajectory, ProbeOutcome>, description: &Description, probes: &mut Vec<Probe>) {
     let with_contacts = landed.and_then(|trajectory| match () {
         () if !description.reports_contacts => Err(skipped("the engine does not report contacts")),
-        () if trajectory.times.len() != SAMPLES => Err(skipped("there are other samples than were asked for")),
+        () if trajectory.times.len() != SAMPLES => Err(skipped("the samples are not those that were asked for")),
         () => Ok(trajectory),
     });
     let on = |test: fn(&Trajectory) -> Seen| with_contacts.as_ref().map_err(Clone::clone).and_then(test);
@@ -50,7 +50,11 @@ fn normals(trajectory: &Trajectory) -> Seen {
     for (k, contact) in trajectory.contacts.iter().enumerate() {
         let up = sign(contact);
         let why = || format!("contacts[{k}] of {:?} has the normal {:?}", contact.bodies, contact.normal);
-        demand(up * contact.normal[2] > 0.5, why, "turn the normal round, or exchange the bodies: it points from the second to the first")?;
+        demand(
+            up * contact.normal[2] > 0.5,
+            why,
+            "turn the normal round, or exchange the bodies; a normal points from the second body to the first",
+        )?;
         let along = Vector3::from(contact.impulse).dot(&Vector3::from(contact.normal));
         let why = || format!("contacts[{k}] has the impulse {:?}, which pulls {} along its normal", contact.impulse, contact.bodies[0]);
         demand(along >= 0.0, why, "report the impulse that acts on the first body")?;
@@ -70,7 +74,7 @@ fn momentum(trajectory: &Trajectory) -> Seen {
         return Ok(());
     }
     let why = format!(
-        "in the interval that ends at sample {worst} the momentum needs {:.4} N·s and {:.4} N·s are reported",
+        "in the interval that ends at sample {worst} the momentum balance needs {:.4} N·s, but {:.4} N·s are reported",
         balance.needed[worst - 1][2],
         balance.reported[worst - 1][2],
     );
@@ -109,17 +113,17 @@ impl Balance {
     fn cure(&self) -> &'static str {
         let explains = |factor: f64, late: isize| self.worst(factor, late).1 <= MOMENTUM;
         if explains(STEP, 0) {
-            "these are forces: multiply each step's by time_step and add them up"
+            "the reported numbers are forces; multiply the force of each step by time_step and add the products up"
         } else if explains(-1.0, 0) {
-            "the sign is that of the impulse on the other body: turn it round, or exchange the bodies"
+            "the reported impulses act on the other body; change their sign, or exchange the bodies"
         } else if explains(INTERVAL, 0) {
-            "these are mean forces of the interval: multiply by its length"
+            "the reported numbers are mean forces of the interval; multiply them by its length"
         } else if explains(1.0, 1) {
-            "they come one sample late: the impulse belongs to the sample that ends its interval"
+            "the impulses come one sample late; report an impulse with the sample that ends its interval"
         } else if explains(1.0, -1) {
-            "they come one sample early: an engine that evaluates contacts before the step is shifted by its adapter"
+            "the impulses come one sample early; if the engine evaluates contacts before its step, report them one sample later"
         } else {
-            "add up the impulses of all steps and all points since the last sample: force times time_step for each step"
+            "add up the impulses of all steps and all points since the last sample; the impulse of a step is force times time_step"
         }
     }
 }

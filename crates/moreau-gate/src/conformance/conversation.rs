@@ -7,7 +7,7 @@ use crate::{Description, Refusal};
 use serde_json::{Value, json};
 use std::time::Duration;
 
-/// A request nobody has.
+/// A kind of request that no engine knows.
 const UNKNOWN: &str = "moreau-does-not-exist";
 
 /// How long the adapter is listened to after a reply.
@@ -91,16 +91,20 @@ pub(super) fn described(first: Result<Result<Told, String>, Fault>) -> Result<De
 
 /// Everything but the farewell.
 pub(super) fn probe_all(talk: &mut Talk, description: Option<&Description>, probes: &mut Vec<Probe>) {
-    probes.push(probe("line/same-twice", "the same question is answered the same again", same_twice(talk)));
+    probes.push(probe("line/same-twice", "the same request gets the same answer twice", same_twice(talk)));
     probes.push(probe("line/unknown-request", "an unknown request is answered `unsupported`", unknown_request(talk)));
     probes.push(probe(
         "line/garbage",
-        "a line that is not JSON is answered `error`, and the next one as if nothing had been",
+        "a line that is not JSON is answered `error`, and the next line is answered as usual",
         garbage(talk),
     ));
     probes.push(probe("line/version", "another version of the protocol is refused", other_version(talk)));
     probes.push(probe("describe/unknown-option", "an unknown option is an `error`", unknown_option(talk)));
-    probes.push(probe("describe/known-options", "the options and parameters in force may be stated", known_options(talk, description)));
+    probes.push(probe(
+        "describe/known-options",
+        "a request may state the options and parameters that the description gives, with their values",
+        known_options(talk, description),
+    ));
     probes.push(probe("line/nothing-else", "nothing but replies is written on standard output", silent(talk)));
 }
 
@@ -156,8 +160,13 @@ fn known_options(talk: &mut Talk, description: Option<&Description>) -> Seen {
     let text = talk.ask(json!({"request": "describe", "options": options}))?.map_err(|refusal| {
         problem(refusal, "accept in `options` every name that the description has in `options` and `contact_model.parameters`")
     })?;
-    let again = messages::description(&text).map_err(|error| problem(error, "describe the engine under options as without"))?;
-    demand(again == *description, || "stating them changes the description".into(), "let the values in force be those of the description")
+    let again =
+        messages::description(&text).map_err(|error| problem(error, "answer `describe` with these options as you do without options"))?;
+    demand(
+        again == *description,
+        || "the description changes when a request states its own values".into(),
+        "describe the values that the engine uses",
+    )
 }
 
 fn silent(talk: &mut Talk) -> Seen {
@@ -178,20 +187,20 @@ fn bye(talk: &mut Talk) -> Seen {
     const CURE: &str = "answer {\"id\": …, \"result\": {}} to `bye`, then leave the loop and the program";
     let told = talk.ask(json!({"request": "bye"}))?;
     demand(told.is_ok(), || shown(&told), CURE)?;
-    let session = talk.session.take().ok_or_else(|| skipped("it does not run"))?;
-    demand(session.ends().is_some(), || "it was answered, but the program goes on".into(), CURE)
+    let session = talk.session.take().ok_or_else(|| skipped("the program does not run"))?;
+    demand(session.ends().is_some(), || "`bye` was answered, but the program does not end".into(), CURE)
 }
 
 fn end_of_input(talk: &mut Talk) -> Seen {
     const CURE: &str = "leave the loop when reading a line fails or gives nothing";
     let _ = talk.ask(json!({"request": "describe"}))?;
     let session = talk.session().map_err(|fault| problem(fault, CURE))?;
-    demand(session.close().is_some(), || "the program goes on".into(), CURE)
+    demand(session.close().is_some(), || "the program does not end".into(), CURE)
 }
 
 fn shown(told: &Told) -> String {
     match told {
-        Ok(text) => format!("it was carried out: {}", text.chars().take(80).collect::<String>()),
-        Err(refusal) => format!("it was answered {refusal}"),
+        Ok(text) => format!("the request was carried out: {}", text.chars().take(80).collect::<String>()),
+        Err(refusal) => format!("the answer was {refusal}"),
     }
 }

@@ -1,4 +1,4 @@
-//! Probes of a description: whether what it says can be used.
+//! Probes of a description: whether its content can be used.
 
 use crate::conformance::{Probe, Seen, demand, probe, problem, skipped};
 use crate::description::{OneOrMany, Parameter};
@@ -43,19 +43,19 @@ pub(super) fn probe_all(description: &Description, probes: &mut Vec<Probe>) {
         "`contact_model.law` is a law of the specification with the numbers it needs, or null",
         law(description),
     ));
-    probes.push(probe("describe/units", "every parameter has a unit that can be read and fits", units(description)));
+    probes.push(probe("describe/units", "every parameter has a unit that can be read and that fits the law", units(description)));
 }
 
 fn names(description: &Description) -> Seen {
     let blank = description.name.trim().is_empty() || description.version.trim().is_empty();
-    demand(!blank, || "one of them is empty".into(), "ask the engine for its version, so that a report can be repeated")
+    demand(!blank, || "`name` or `version` is empty".into(), "ask the engine for its version, so that a report can be repeated")
 }
 
 fn levels(description: &Description) -> Seen {
     let levels = &description.levels;
-    demand(!levels.is_empty(), || "it is empty".into(), "name at least one of `simulate`, `solve` and `project`")?;
+    demand(!levels.is_empty(), || "`levels` is empty".into(), "name at least one of `simulate`, `solve` and `project`")?;
     let twice = levels.iter().enumerate().any(|(k, level)| levels[..k].contains(level));
-    demand(!twice, || format!("{levels:?} names one twice"), "name each once")
+    demand(!twice, || format!("`levels` names a level twice: {levels:?}"), "name each level once")
 }
 
 fn laws(description: &Description) -> Seen {
@@ -63,9 +63,9 @@ fn laws(description: &Description) -> Seen {
         return Err(skipped("the engine does not solve contact problems"));
     }
     let known = || format!("name those of {} that the solver takes", PROBLEM_LAWS.join(", "));
-    demand(!description.laws.is_empty(), || "it is empty".into(), &known())?;
+    demand(!description.laws.is_empty(), || "`laws` is empty".into(), &known())?;
     match description.laws.iter().find(|law| !PROBLEM_LAWS.contains(&law.as_str())) {
-        Some(law) => Err(problem(format!("`{law}` is none of them"), known())),
+        Some(law) => Err(problem(format!("`{law}` is not a law of contact-problem/1"), known())),
         None => Ok(()),
     }
 }
@@ -75,7 +75,7 @@ fn law(description: &Description) -> Seen {
     let Some(name) = &model.law else { return Ok(()) };
     let Some((_, kind, numbers)) = LAWS.iter().find(|(other, ..)| other == name) else {
         let names: Vec<_> = LAWS.iter().map(|(name, ..)| *name).collect();
-        return Err(problem(format!("`{name}` is not among them"), format!("use null, or one of {}", names.join(", "))));
+        return Err(problem(format!("`{name}` is not a law of the specification"), format!("use null, or one of {}", names.join(", "))));
     };
     demand(model.kind == *kind, || format!("`{name}` does not belong to kind {:?}", model.kind), "correct `kind` or `law`")?;
     for (number, _) in *numbers {

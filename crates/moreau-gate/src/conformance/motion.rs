@@ -42,11 +42,11 @@ pub(super) fn probe_all(engine: &mut dyn Engine, description: &Description, prob
     contacts::probe_all(simulate(engine, &landing_ball(), EVERY), description, probes);
     probes.push(probe(
         "simulate/restitution",
-        "restitution is honoured, or refused where the description says so",
+        "a scene with restitution is simulated with it, or refused if the description says that there is none",
         restitution(engine, description),
     ));
     let again = as_far(&thrown).and_then(|thrown| same_again(engine, thrown));
-    probes.push(probe("simulate/same-twice", "the same question has the same answer, bit by bit, whatever was asked between", again));
+    probes.push(probe("simulate/same-twice", "the same request gets the same answer, bit by bit, whatever requests come between", again));
 }
 
 fn probe_samples(engine: &mut dyn Engine, description: &Description, scene: &Scene, thrown: &Motion, probes: &mut Vec<Probe>) {
@@ -57,12 +57,12 @@ fn probe_samples(engine: &mut dyn Engine, description: &Description, scene: &Sce
     let falling = as_far(thrown).and_then(|thrown| free_fall(thrown, scene));
     probes.push(probe("simulate/gravity", "a body without contact falls with the scene's gravity", falling));
     let sparse = as_far(thrown).and_then(|thrown| sample_every(engine, thrown, scene, description));
-    probes.push(probe("simulate/sample-every", "every third state is asked for: the same motion, sampled less often", sparse));
+    probes.push(probe("simulate/sample-every", "a request for every third state gives the same motion, sampled less often", sparse));
 }
 
 fn samples(trajectory: &Trajectory, scene: &Scene, every: usize) -> Seen {
     let repeated = trajectory.scene.bodies.iter().map(|body| &body.name).eq(scene.bodies.iter().map(|body| &body.name));
-    demand(repeated, || "`scene` is another one".into(), "repeat the scene of the request in the trajectory")?;
+    demand(repeated, || "`scene` is not the scene of the request".into(), "repeat the scene of the request in the trajectory")?;
     let same_step = trajectory.time_step == STEP;
     demand(
         same_step,
@@ -120,7 +120,7 @@ fn orientation(body: &Body, track: &BodyTrack, tolerance: f64) -> Seen {
     let cure = if off(rotated) <= tolerance {
         "the components are in the order x, y, z, w: put w first"
     } else if off(conjugate) <= tolerance {
-        "it is the rotation from world to body: conjugate it"
+        "the quaternion is the rotation from world to body; conjugate it"
     } else {
         "set the scene's orientation, w first, and record it before the first step"
     };
@@ -144,7 +144,7 @@ fn sample_every(engine: &mut dyn Engine, dense: &Trajectory, scene: &Scene, desc
     for (k, position) in sparse.bodies[0].position.iter().enumerate() {
         let Some(expected) = dense.bodies[0].position.get(k * EVERY) else { return Ok(()) };
         let off = (Vector3::from(*position) - Vector3::from(*expected)).amax();
-        let why = || format!("sample {k} of every third is {position:?}, but state {} of all is {expected:?}", k * EVERY);
+        let why = || format!("sample {k} of every third state is {position:?}, but state {} of all states is {expected:?}", k * EVERY);
         demand(
             off <= same_state(description.precision.epsilon()) * scale,
             why,
@@ -158,8 +158,8 @@ fn unknown_option(engine: &mut dyn Engine, scene: &Scene) -> Seen {
     let options = [("moreau-does-not-exist".to_string(), 1.into())].into_iter().collect();
     match engine.simulate(scene, STEP, 1, &options) {
         Err(Refusal::Errored(_)) => Ok(()),
-        Err(Refusal::Unsupported(reason)) => Err(problem(format!("it was answered unsupported: {reason}"), "answer `error`")),
-        Ok(_) => Err(problem("it was carried out", "check the names in `options` of every request")),
+        Err(Refusal::Unsupported(reason)) => Err(problem(format!("the request was answered `unsupported`: {reason}"), "answer `error`")),
+        Ok(_) => Err(problem("the request was carried out", "check the names in `options` of every request")),
     }
 }
 
@@ -172,18 +172,21 @@ fn restitution(engine: &mut dyn Engine, description: &Description) -> Seen {
         Ok(trajectory) => trajectory,
     };
     let cure = "answer `unsupported` to a scene with restitution if the engine has none; never simulate something else";
-    demand(description.restitution, || "the description says no, but a scene with restitution was simulated".into(), cure)?;
+    demand(
+        description.restitution,
+        || "the description says that there is no restitution, but a scene with restitution was simulated".into(),
+        cure,
+    )?;
     let heights = trajectory.bodies[0].linear_velocity.iter().map(|v| v[2]);
     let (down, up) = heights.fold((0.0_f64, f64::NEG_INFINITY), |(down, up), v| (down.min(v), up.max(v)));
     let seen = -up / down;
     let why = || format!("restitution {ASKED} was asked for, and the ball leaves with {seen:.3} of its speed");
-    let cure =
-        "use the scene's pair value as it is, without the engine's mixing rule; a threshold speed belongs into the declared parameters";
+    let cure = "use the scene's pair value as it is, without the engine's mixing rule; declare a threshold speed as a parameter";
     demand((seen - ASKED).abs() <= RESTITUTION, why, cure)
 }
 
 fn same_again(engine: &mut dyn Engine, first: &Trajectory) -> Seen {
     let cure = "build the engine's world anew for every request, and seed what is random";
     let second = simulate(engine, &thrown_ball(), 1)?;
-    demand(second == *first, || "asked again, after other scenes, the motion is another one".into(), cure)
+    demand(second == *first, || "the same request, repeated after other scenes, gives another motion".into(), cure)
 }

@@ -1,4 +1,4 @@
-//! The probe of angular velocities: the rotation from sample to sample is what the reported angular velocity says.
+//! The probe of angular velocities: the rotation from sample to sample agrees with the reported angular velocity.
 //!
 //! ```text
 //! log(q_{k+1} q_k⁻¹) / Δt  =  ½ (ω_k + ω_{k+1}) + O(Δt ω²)     in the world frame

@@ -20,16 +20,16 @@ pub struct Probe {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(tag = "outcome", rename_all = "kebab-case")]
 pub enum ProbeOutcome {
-    /// As demanded.
+    /// The adapter behaves as demanded.
     Ok,
-    /// Not as demanded.
+    /// The adapter does not behave as demanded.
     Problem {
         /// What was seen.
         why: String,
         /// What to change.
         cure: String,
     },
-    /// Not asked.
+    /// The probe was not run.
     Skipped {
         /// Why not.
         why: String,

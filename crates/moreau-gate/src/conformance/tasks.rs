@@ -46,7 +46,7 @@ fn law(description: &Description) -> Option<Law> {
 }
 
 fn solve(engine: &mut dyn Engine, description: &Description) -> Seen {
-    let law = law(description).ok_or_else(|| skipped("`laws` names none that is known"))?;
+    let law = law(description).ok_or_else(|| skipped("`laws` names no known law"))?;
     let problem = problem_with(law);
     let mut ask = || engine.solve(&problem, &Options::new()).map_err(refused);
     let solution = ask()?;
@@ -64,7 +64,7 @@ fn solve(engine: &mut dyn Engine, description: &Description) -> Seen {
     let why = || format!("`velocity` differs from W r + u_free by {off:.3} m/s");
     demand(off <= SOLUTION * scale, why, "report u = W r + u_free: without `shift`, after the impulses")?;
     let again = ask()?;
-    demand(again == solution, || "asked again, the solution is another one".into(), "start every request from the same guess")
+    demand(again == solution, || "the same request, repeated, gives another solution".into(), "start every request from the same guess")
 }
 
 fn project(engine: &mut dyn Engine) -> Seen {

@@ -28,7 +28,7 @@ impl RigidLimits {
 }
 
 impl Model {
-    /// Declared depth at rest \[m\], where a rigid law with a spring says one: exact, not a bound.
+    /// Depth at rest \[m\] of a rigid law that declares a spring. It is the exact depth, not a bound.
     pub fn sprung_depth(&self, point: &LoadedPoint) -> Option<f64> {
         match self {
             Model::Coulomb(limits) => {

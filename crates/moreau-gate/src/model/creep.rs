@@ -83,7 +83,7 @@ pub fn creep(description: &Description, held: &HeldBox) -> Option<f64> {
     }
 }
 
-/// The friction curve of a regularised law: TAMSI's parabola where the description says so.
+/// The friction curve of a regularised law: TAMSI's parabola if the description names `tamsi`.
 pub fn friction_curve(description: &Description) -> FrictionCurve {
     let approximation = description.options.get("approximation").and_then(serde_json::Value::as_str);
     if approximation == Some("tamsi") { FrictionCurve::Parabola } else { FrictionCurve::Sigmoid }

@@ -1,6 +1,6 @@
 //! The contact law an engine declares, as the gate can predict with it.
 //!
-//! One file per quantity that a law predicts; each returns `None` where the law says nothing else than Coulomb–Signorini.
+//! One file per quantity that a law predicts; each returns `None` where the law predicts the same as Coulomb–Signorini.
 
 pub mod compression;
 pub mod creep;
@@ -76,9 +76,9 @@ pub struct RigidLimits {
     pub correction_speed: f64,
     /// c: a contact answers as if its own 1/m_p were (1 + c) times what it is.
     pub force_mixing: f64,
-    /// \[1/s\].
+    /// Damping rate of linear velocities \[1/s\].
     pub linear_damping: f64,
-    /// \[1/s\].
+    /// Damping rate of angular velocities \[1/s\].
     pub angular_damping: f64,
 }
 

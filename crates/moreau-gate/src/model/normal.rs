@@ -11,7 +11,7 @@ use moreau_forms::mujoco_normal::NormalContact;
 pub enum Arms {
     /// Radius r \[m\] and 1/J \[1/(kg·m²)\] of up to two spheres; (0, 0) for none.
     Spheres([(f64, f64); 2]),
-    /// ‖W_ii‖_F/3 \[1/kg\] of another contact, at any depth.
+    /// ‖W_ii‖_F/3 \[1/kg\] of a contact that is not between spheres. It does not depend on the depth.
     Fixed(f64),
 }
 
@@ -56,7 +56,7 @@ impl Normal {
         }
     }
 
-    /// r \[N·s\] of one step at a depth \[m\] and velocity \[m/s\], if the law says.
+    /// r \[N·s\] of one step at a depth \[m\] and velocity \[m/s\], if the law gives it.
     fn impulse(&self, model: &Model, depth: f64, velocity: f64) -> Option<f64> {
         let free = velocity + self.time_step * self.acceleration;
         match model {
@@ -92,7 +92,7 @@ impl Normal {
         })
     }
 
-    /// (gap, velocity) at the start and after each of `steps` steps v⁺ = v + h a₀ + r/m̄, gap⁺ = gap + h v⁺, if the law says.
+    /// (gap, velocity) at the start and after each of `steps` steps v⁺ = v + h a₀ + r/m̄, gap⁺ = gap + h v⁺, if the law gives r.
     pub fn replay(&self, model: &Model, gap: f64, velocity: f64, steps: usize) -> Option<Vec<(f64, f64)>> {
         let mut states = vec![(gap, velocity)];
         let (mut gap, mut velocity) = (gap, velocity);
@@ -104,7 +104,7 @@ impl Normal {
         Some(states)
     }
 
-    /// Depth \[m\] at rest under a normal force \[N\] on this contact, if the law says; `mass` is then that of the whole body.
+    /// Depth \[m\] at rest under a normal force \[N\] on this contact, if the law gives it. `mass` is the mass of the whole body here.
     pub fn rest_depth(&self, model: &Model, force: f64) -> Option<f64> {
         match model {
             Model::Mujoco(parameters) => parameters.rest_depth(self.time_step, self.mujoco(model)?.diagonal, force).ok(),

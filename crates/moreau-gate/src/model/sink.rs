@@ -11,7 +11,7 @@
 use crate::model::compression::LoadedPoint;
 use crate::model::{Model, RigidLimits};
 
-/// A bound on the sum of the depths \[m\] of all levels at any time; `None` if the law says nothing else than Coulomb–Signorini.
+/// A bound on the sum of the depths \[m\] of all levels at any time; `None` if the law predicts the same as Coulomb–Signorini.
 /// The load of a level is the weight above it, its inverse mass 1/m_a + 1/m_b of the two bodies that touch, the ground's being 0.
 pub fn sink(model: &Model, levels: &[LoadedPoint], h: f64) -> Option<f64> {
     let depths: Option<Vec<f64>> = levels.iter().map(|level| depth(model, *level, h)).collect();
@@ -23,7 +23,8 @@ fn depth(model: &Model, level: LoadedPoint, h: f64) -> Option<f64> {
     match *model {
         Model::Coulomb(limits) => {
             let RigidLimits { penetration_allowance, contact_margin, .. } = limits;
-            // The corner of a cube feels at most 4 (1/m_a + 1/m_b), and four corners share the load: as if the middle carried it.
+            // The inverse mass at the corner of a cube is at most 4 (1/m_a + 1/m_b), and four corners share the load.
+            // So the compression is at most that of a contact in the middle.
             let either = penetration_allowance.max(contact_margin) + 2.0 * limits.compression(&level);
             (either > 0.0).then_some(either)
         }

@@ -15,7 +15,7 @@ pub const PLANTED: &[Planted] = &[
     },
     Planted {
         name: "flight/undeclared-damping",
-        mistake: "multiplies every velocity by 0.96^h, a default nobody asked for (Bullet's), and declares no damping",
+        mistake: "multiplies every velocity by 0.96^h, which is Bullet's default, and declares no damping",
         engine: || Box::new(EachStep { after: damped, ..EachStep::NOTHING }),
         caught_by: &["flight/projectile", "flight/momentum"],
     },

@@ -32,7 +32,7 @@ pub const PLANTED: &[Planted] = &[
     },
     Planted {
         name: "ball/restitution-of-the-free-velocity",
-        mistake: "multiplies e with the velocity after gravity, so that a step of gravity is returned in every contact",
+        mistake: "multiplies e with the velocity after gravity, so that every contact also reverses one step of gravity",
         engine: || altered(|_| Ok(Box::new(Altered { base: MoreauJean::default(), mistake: Mistake::FreeVelocity }))),
         caught_by: &["ball/energy", "rest/jitter"],
     },

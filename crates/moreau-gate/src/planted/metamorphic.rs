@@ -18,7 +18,7 @@ pub const PLANTED: &[Planted] = &[
     },
     Planted {
         name: "metamorphic/direction-rounded-down",
-        mistake: "turns sliding friction to the next lower of sixteen directions, where the nearest is meant",
+        mistake: "turns sliding friction to the next lower of sixteen directions instead of the nearest",
         engine: || with_solver(|| Box::new(Answers(direction_rounded_down))),
         caught_by: &["metamorphic/mirror", "metamorphic/rotation"],
     },

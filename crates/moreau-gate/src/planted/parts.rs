@@ -46,7 +46,7 @@ impl ContactSolver for Answers {
         let start = warm_start.cloned().unwrap_or_else(|| DVector::zeros(problem.rows()));
         let solution = (self.0)(problem, &start)?;
         let finite = solution.impulse.iter().chain(&solution.velocity).all(|x| x.is_finite());
-        if finite { Ok(solution) } else { Err(Error::breakdown("auto", "left the numbers")) }
+        if finite { Ok(solution) } else { Err(Error::breakdown("auto", "ended with impulses that are not finite")) }
     }
 }
 

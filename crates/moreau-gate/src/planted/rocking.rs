@@ -18,7 +18,7 @@ pub const PLANTED: &[Planted] = &[
     },
     Planted {
         name: "rocking/full-edges",
-        mistake: "takes half edges for edges in the box's moments of inertia: a quarter of what they are",
+        mistake: "takes half edges for edges in the box's moments of inertia, which become a quarter of the right ones",
         engine: || with_mechanism(full_edges),
         caught_by: &["rocking/fall-time"],
     },

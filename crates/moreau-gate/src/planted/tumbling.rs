@@ -1,4 +1,4 @@
-//! Mistakes of solvers that show in the motion of thrown boxes: answers that nobody looked at before they were used.
+//! Mistakes of solvers that show in the motion of thrown boxes: answers that are used without being checked.
 
 use crate::Engine;
 use crate::planted::Planted;
@@ -23,7 +23,7 @@ pub const PLANTED: &[Planted] = &[
     },
     Planted {
         name: "tumbling/two-sweeps",
-        mistake: "stops at a limit of two sweeps from zero and answers what it has",
+        mistake: "starts from zero impulses, stops after two sweeps and answers the impulses of that moment",
         engine: || with_solver(|| Box::new(Answers(two_sweeps))),
         caught_by: &["tumbling/passive"],
     },
@@ -53,7 +53,7 @@ pub const PLANTED: &[Planted] = &[
     },
 ];
 
-/// An engine that declares springs of 60 Hz: what they excuse must not hide anything else.
+/// An engine that declares springs of 60 Hz. The allowance for these springs must not hide another mistake.
 fn sprung(engine: fn() -> Box<dyn Engine>) -> Box<dyn Engine> {
     Box::new(Misdeclare { engine, declare: |description| declare_springs(description, 60.0) })
 }

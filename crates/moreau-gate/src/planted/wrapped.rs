@@ -26,11 +26,11 @@ impl Engine for Misread {
     }
 }
 
-/// Declares what it is not.
+/// An engine with a wrong description.
 pub(super) struct Misdeclare {
     /// The engine that computes.
     pub engine: fn() -> Box<dyn Engine>,
-    /// Changes what it says of itself.
+    /// Changes the description.
     pub declare: fn(&mut Description),
 }
 
@@ -68,7 +68,7 @@ impl Engine for Misreport {
 
 /// One step, as its correction sees it.
 pub(super) struct Moment<'a> {
-    /// The scene with the states at the beginning of the step; what it changes before the step is [`EachStep::before`]'s.
+    /// The scene with the states at the beginning of the step, after the changes by [`EachStep::before`].
     pub start: &'a Scene,
     /// The impulses of the step.
     pub contacts: &'a [ContactRecord],

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-/// A point in time after which waiting ends.
+/// The end of a time limit that starts now. A limit beyond the range of the clock never ends.
 pub(super) struct Deadline(Option<Instant>);
 
 impl Deadline {

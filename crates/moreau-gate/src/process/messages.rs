@@ -36,13 +36,13 @@ pub struct Request {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 #[serde(tag = "request", rename_all = "kebab-case")]
 pub enum Question {
-    /// Who are you, under these options?
+    /// Asks for the name and the contact model of the engine, under these options.
     Describe {
-        /// Overrides.
+        /// Options that differ from the engine's own values.
         #[serde(skip_serializing_if = "Options::is_empty")]
         options: Options,
     },
-    /// How does this scene move?
+    /// Asks for the motion of a scene.
     Simulate {
         /// What is simulated.
         scene: Box<Scene>,
@@ -50,30 +50,30 @@ pub enum Question {
         time_step: f64,
         /// Steps from sample to sample.
         sample_every: usize,
-        /// Overrides.
+        /// Options that differ from the engine's own values.
         #[serde(skip_serializing_if = "Options::is_empty")]
         options: Options,
     },
-    /// Which impulses solve this contact problem?
+    /// Asks for the impulses that solve a contact problem.
     Solve {
         /// A `contact-problem/1`.
         #[schemars(with = "moreau_contact::problem::ProblemFile")]
         problem: Box<RawValue>,
-        /// Overrides.
+        /// Options that differ from the engine's own values.
         #[serde(skip_serializing_if = "Options::is_empty")]
         options: Options,
     },
-    /// Where do these points lie on the friction cone?
+    /// Asks for the projections of these points on the friction cone.
     Project {
         /// μ.
         friction: f64,
         /// Rows (n, t₁) or (n, t₁, t₂).
         points: Vec<Vec<f64>>,
-        /// Overrides.
+        /// Options that differ from the engine's own values.
         #[serde(skip_serializing_if = "Options::is_empty")]
         options: Options,
     },
-    /// Answer and end.
+    /// Asks the engine to answer and to end.
     Bye {},
 }
 
@@ -98,10 +98,10 @@ impl Request {
     }
 }
 
-/// A reply whose envelope is sound: the text of the result, or why there is none.
+/// A reply whose outer form is valid: the text of its result, or the reason why it has none.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Answer<'a> {
-    /// It was carried out; the JSON text of `result`.
+    /// The request was carried out; this is the JSON text of `result`.
     Result(&'a str),
     /// The engine cannot express the question.
     Unsupported(String),
@@ -117,7 +117,7 @@ pub enum Answer<'a> {
 pub struct ReplyForm {
     /// The number of the request; null only if it could not be read.
     id: Option<u64>,
-    /// It was carried out.
+    /// The request was carried out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Options")]
     result: Option<Options>,
@@ -227,7 +227,7 @@ pub fn points(text: &str, asked: &[Vec<f64>]) -> moreau_exact::Result<Vec<Vec<f6
         return Err(moreau_exact::Error::invalid(
             "points",
             format!("has {} rows", points.len()),
-            "answer every point with one of the same size",
+            "answer every point with a point of the same size",
         ));
     }
     Ok(points)

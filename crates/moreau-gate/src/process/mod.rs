@@ -99,7 +99,7 @@ impl Drop for ProcessEngine {
     }
 }
 
-/// Refuses a question that has no JSON form.
+/// Refuses numbers that JSON cannot express: infinity and not-a-number.
 fn finite(numbers: impl IntoIterator<Item = f64>) -> Reply<()> {
     if numbers.into_iter().all(f64::is_finite) { Ok(()) } else { Err(Refusal::errored("the question's numbers are not finite")) }
 }

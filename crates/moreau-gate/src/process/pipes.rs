@@ -35,7 +35,7 @@ pub(super) fn read_lines(pipe: impl Read + Send + 'static, limit: usize) -> (Syn
     let (sender, receiver) = sync_channel(WAITING);
     let begun = Begun::default();
     let (events, shared) = (sender.clone(), begun.clone());
-    // the loop ends early if nobody listens any more: then the pipe closes
+    // the loop ends early if the receiver is dropped, and the pipe closes
     thread::spawn(move || Lines { pipe, limit, line: Vec::new(), begun: shared, events }.run());
     (sender, receiver, begun)
 }
@@ -104,7 +104,7 @@ pub(super) fn write_lines(mut pipe: impl Write + Send + 'static, events: SyncSen
     thread::spawn(move || {
         for line in lines {
             if pipe.write_all(&line).and_then(|()| pipe.flush()).is_err() {
-                // nobody listens: the session is over
+                // the child does not read its input: the session is over
                 let _ = events.send(Event::NotRead);
                 return;
             }

@@ -38,19 +38,19 @@ pub struct Fault {
 pub enum Fate {
     /// The program is not there or may not be run.
     NotStarted(String),
-    /// No whole line within this many seconds, with the beginning of the one that was under way.
+    /// The child wrote no whole line within the time limit; the texts are the limit and the beginning of the unfinished line.
     TimedOut(String, String),
-    /// It ended, with its status, perhaps in the middle of a line.
+    /// The child ended with this status; the text is the beginning of an unfinished line, if there is one.
     Ended(ExitStatus, String),
-    /// It closed its standard output and went on, perhaps in the middle of a line.
+    /// The child closed its standard output but still runs; the text is the beginning of an unfinished line, if there is one.
     Closed(String),
-    /// It closed its standard input and went on.
+    /// The child closed its standard input but still runs.
     NotRead,
-    /// A line of more than this many bytes, with its beginning.
+    /// The child wrote a line of more than this many bytes; the text is the beginning of that line.
     TooLong(usize, String),
-    /// It wrote something that nobody asked for.
+    /// The child wrote this line without a request.
     Unsolicited(String),
-    /// It wrote something behind its reply, which begins so.
+    /// The child wrote more than one line in reply to one request; the text is the first line.
     Followed(String),
     /// The line is not the reply; the words say what is wrong with it.
     Malformed(String),
@@ -157,10 +157,10 @@ impl Session {
         Fault { cause, last_words: self.errors.last_lines(self.limits.farewell) }
     }
 
-    /// Listens for this long to what nobody asked for.
+    /// Waits this long for output that answers no request.
     ///
     /// # Errors
-    /// [`Fault`] if there is anything to hear; then the session is over.
+    /// [`Fault`] if the child writes something. The session is over after that.
     pub fn listen(&mut self, time: Duration) -> Result<(), Fault> {
         std::thread::sleep(time);
         self.quiet().map_err(|cause| self.fail(cause))
@@ -187,7 +187,7 @@ impl Session {
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.cause)?;
-        if self.last_words.is_empty() { Ok(()) } else { write!(f, "; its last words on standard error: {}", self.last_words) }
+        if self.last_words.is_empty() { Ok(()) } else { write!(f, "; its last lines on standard error: {}", self.last_words) }
     }
 }
 

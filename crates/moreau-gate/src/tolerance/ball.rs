@@ -1,35 +1,35 @@
-//! A bouncing ball: what sampling, event capturing and a compliant law's replay may be off.
+//! A bouncing ball: the errors of sampling, of event capturing and of the replay of a compliant law.
 
 pub use moreau_forms::tolerance::{OSCILLATOR_PARTS, oscillator_rebound};
 
-/// Error of a measured v⁺/v⁻ at an impact with speed v and restitution e: both velocities off by at most g (s + 2h), h the step and s the
-/// time between samples \[s\] (the flight to and from the floor is corrected for by at most g s; a step may count its gravity before or
-/// after the reversal, and an engine may need one more step for it).
+/// Error of a measured v⁺/v⁻ at an impact with speed v and restitution e. Both velocities are off by at most g (s + 2h), with the step h
+/// and the time s between samples \[s\]. The flight to and from the floor is corrected for by at most g s. A step may count its gravity
+/// before or after the reversal, and an engine may need one more step for the reversal.
 pub fn restitution(e: f64, speed: f64, gravity: f64, h: f64, spacing: f64) -> f64 {
     let off = gravity * (spacing + 2.0 * h);
     (1.0 + e) * off / (speed - off).max(off)
 }
 
-/// Error of v⁺/v⁻ of a plastic impact: g (s + 2h) over the speed.
+/// Error of v⁺/v⁻ of a plastic impact: g (s + 2h), divided by the speed.
 pub fn plastic(speed: f64, gravity: f64, h: f64, spacing: f64) -> f64 {
     restitution(0.0, speed, gravity, h, spacing)
 }
 
-/// How far a ball may get into the floor \[m\]: (v + g h) h before the impact is noticed, and, where the position moves on with the mean of
-/// both velocities, half of that again.
+/// How far a ball may get into the floor \[m\]. It moves (v + g h) h before the impact is noticed. It moves half of that again if the
+/// position is updated with the mean of both velocities.
 pub fn depth(speed: f64, gravity: f64, h: f64) -> f64 {
     1.5 * (speed + gravity * h) * h
 }
 
-/// Error of the apex after a bounce, over the height H of the drop: e²·½v² off by (v⁺ + ½δ) δ with δ = g (s + 2h) (1 + e), and it starts up
-/// to the depth away from the floor.
+/// Error of the apex after a bounce, divided by the height H of the drop. The energy e²·½v² is off by (v⁺ + ½δ) δ with δ = g (s + 2h) (1 +
+/// e). The flight starts up to [`depth`] away from the floor.
 pub fn apex(e: f64, speed: f64, height: f64, gravity: f64, h: f64, spacing: f64) -> f64 {
     let off = gravity * (spacing + 2.0 * h) * (1.0 + e);
     ((e * speed + 0.5 * off) * off / gravity + depth(speed, gravity, h)) / height
 }
 
-/// What an elastic ball may seem to gain at an apex, over the height H of the drop: a θ-scheme keeps E − (θ−½) g h v, and the slowest
-/// sample has |v| ≤ ½ g s, at both apexes: ½ g h s; and n roundings of the energy, which has condition number two.
+/// Height that an elastic ball may seem to gain at an apex, divided by the height H of the drop. A θ-scheme keeps E − (θ−½) g h v, and the
+/// slowest sample at each apex has |v| ≤ ½ g s, which makes ½ g h s. To this come n roundings of the energy, with condition number two.
 pub fn apex_gain(height: f64, gravity: f64, h: f64, spacing: f64, samples: usize, epsilon: f64) -> f64 {
     let steps = samples as f64 * spacing / h;
     0.5 * gravity * h * spacing / height + 16.0 * steps * epsilon
@@ -48,13 +48,13 @@ pub fn absorption(e: f64, impact_speed: f64) -> [f64; 2] {
     widest
 }
 
-/// Speed \[m/s\] below which a ball rests: less than a step of gravity is no flight.
+/// Speed \[m/s\] below which a ball counts as resting: the gravity of one step, g h.
 pub fn settled_speed(gravity: f64, h: f64) -> f64 {
     gravity * h
 }
 
-/// Where a ball may come to rest \[m\]: the places proved in [`moreau_checks::tolerance::zeno`], 7, lie between −2.875 and 1 times g h² at
-/// e = ½.
+/// Gap or depth \[m\] at which a ball may come to rest. Section 7 of [`moreau_checks::tolerance::zeno`] puts it between −2.875 and 1 times
+/// g h² at e = ½.
 pub fn resting_gap(gravity: f64, h: f64) -> f64 {
     3.0 * gravity * h * h
 }
@@ -70,9 +70,9 @@ pub const SETTLING_SAMPLE: f64 = 2e-3;
 /// Longest contact that is waited for \[s\]: half a period π√(m/k) of a spring of 1 kg softer than any engine's default, 1 kN/m.
 pub const LONGEST_CONTACT: f64 = 0.1;
 
-/// Relative error of a replayed impact: each step of the engine's solver ends within a relative 1e-6 of its answer (SAP's documented
-/// stopping rule, the loosest), or at √ε, and the map of a step does not spread differences; only the steps in contact count, and each
-/// sample stands for one of them or more, whose errors are independent of the step's size.
+/// Relative error of a replayed impact. Each step of the engine's solver ends within a relative 1e-6 of its answer (SAP's documented
+/// stopping rule, the loosest), or at √ε. The map of a step does not spread differences. Only the steps in contact count. Each sample
+/// stands for one of them or more, and their errors do not depend on the size of the step.
 pub fn replay(samples: usize, epsilon: f64) -> f64 {
     samples as f64 * moreau_forms::tolerance::SAP_RELATIVE.max(epsilon.sqrt())
 }

@@ -15,7 +15,7 @@ pub fn rise(gravity: f64, h: f64, height: f64, half: f64, time: f64) -> f64 {
     gravity * h * speed + gravity * gravity * h * time / 8.0 + 0.5 * (speed + gravity * time) * push
 }
 
-/// What solvers and rounding leave of an energy \[J\] over n steps.
+/// Error of an energy \[J\] by solvers and rounding over n steps.
 pub fn rounding(epsilon: f64, energy: f64, steps: usize) -> f64 {
     (SOLVED + epsilon * steps as f64) * energy
 }

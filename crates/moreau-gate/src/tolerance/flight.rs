@@ -40,9 +40,9 @@ pub fn damped_position(damping: f64, gravity: f64, speed: f64, time: f64, h: f64
 /// How far first order steps of a tumbling body may be off at the end of a path, per unit of h.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Tumbling {
-    /// Of Ω in the body frame, over h \[rad/s²\].
+    /// Error of Ω in the body frame, divided by h \[rad/s²\].
     pub body_rate: f64,
-    /// Of R as an angle, over h \[rad/s\].
+    /// Error of R as an angle, divided by h \[rad/s\].
     pub angle: f64,
 }
 

@@ -18,14 +18,14 @@ pub fn approach(tangent: f64, turned: f64) -> f64 {
     turned * tangent + 0.5 * turned * turned
 }
 
-/// What an elastic impact of three equal spheres, two of them in contact, may give under a declared law: velocities over the speed of the
-/// first, and the energy after it over that before.
+/// The results that a declared law may give for an elastic impact of three equal spheres, two of which touch. Velocities are divided by
+/// the speed of the first sphere, and the energy after the impact by the energy before it.
 pub struct SoftCradle {
-    /// Least and greatest energy.
+    /// Least and greatest energy after the impact.
     pub energy: [f64; 2],
-    /// Of the first sphere.
+    /// Least and greatest velocity of the first sphere.
     pub first: [f64; 2],
-    /// Of the last sphere.
+    /// Least and greatest velocity of the last sphere.
     pub last: [f64; 2],
 }
 

@@ -2,12 +2,12 @@
 
 use super::SOLVED;
 
-/// Friction over normal impulse: the solver leaves [`SOLVED`] of each. A contact that is found late has neither.
+/// Error of friction over normal impulse. The solver leaves [`SOLVED`] of each. A contact that is found late has neither impulse.
 pub fn coefficient() -> f64 {
     2.0 * SOLVED
 }
 
-/// Sideways displacement \[m\] that solvers leave of the momentum of a body with the speed v over a time T.
+/// Sideways displacement \[m\] over a time T by the errors of the solvers, for a body with the speed v.
 pub fn sideways(speed: f64, time: f64) -> f64 {
     SOLVED * speed * time
 }

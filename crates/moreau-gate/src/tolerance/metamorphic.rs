@@ -19,13 +19,13 @@ pub fn velocity(speed: f64, gravity: f64, duration: f64) -> f64 {
     SOLVED * 2.0 * (speed + gravity * duration)
 }
 
-/// What a distance L \[m\] from the origin adds to the velocity \[m/s\]: positions are spaced ε L apart, so a scheme that turns gaps into
-/// velocities is off by ε L/h in every of T/h steps, and one that does not by nothing.
+/// Error of a velocity \[m/s\] because of a distance L \[m\] from the origin. Positions are spaced ε L apart. A scheme that computes
+/// velocities from gaps is off by ε L/h in each of T/h steps. A scheme that does not is not off.
 pub fn far_velocity(epsilon: f64, distance: f64, duration: f64, h: f64) -> f64 {
     epsilon * distance / h * (duration / h)
 }
 
-/// What a distance L \[m\] from the origin adds to the position \[m\]: T/h roundings of ε L, and the velocities' part.
+/// Error of a position \[m\] because of a distance L \[m\] from the origin: T/h roundings of ε L, and the error of the velocity times T.
 pub fn far_position(epsilon: f64, distance: f64, duration: f64, h: f64) -> f64 {
     epsilon * distance * (duration / h) + duration * far_velocity(epsilon, distance, duration, h)
 }
@@ -51,15 +51,16 @@ pub fn damped_frame(speed: f64, damping: f64, duration: f64, h: f64) -> [(f64, f
     [(speed * lost, velocity_error), (position, duration * velocity_error + damping * h * duration * speed)]
 }
 
-/// Difference \[m/s\] of the horizontal velocity of a landed, sliding block at steps h and h/2: each gives friction μ per normal impulse,
-/// and both normal impulses bring the same body to rest, so that only a step of gravity may be counted late, once in each motion:
-/// μ g (h + h/2).
+/// Difference \[m/s\] of the horizontal velocity of a landed, sliding block at steps h and h/2: μ g (h + h/2). Both motions have friction μ
+/// per normal impulse, and both normal impulses bring the same body to rest. So only a step of gravity may be counted late, once in each
+/// motion.
 pub fn halved_velocity(friction: f64, gravity: f64, h: f64) -> f64 {
     1.5 * friction * gravity * h
 }
 
-/// Difference \[m\] of positions at steps h and h/2 of bodies that land without restitution at speeds up to v: each motion is off by at
-/// most 2 h v vertically (found up to a step late, acted on in the next) and h times the variation of its velocity along the floor.
+/// Difference \[m\] of positions at steps h and h/2 of bodies that land without restitution at speeds up to v. Each motion is off by at
+/// most 2 h v vertically, because the contact is found up to a step late and acts in the next step. Along the floor it is off by h times
+/// the variation of its velocity.
 pub fn halved_position(landing_speed: f64, friction: f64, normal_impulse: f64, h: f64) -> f64 {
     1.5 * h * (2.0 * landing_speed + 3.0 * friction * normal_impulse)
 }

@@ -39,18 +39,20 @@ pub mod tumbling;
 /// caught and one that leaves 1e-4 is not, is shown by [`crate::planted`].
 pub const SOLVED: f64 = 0.000_345_266_983_001_243_9;
 
-/// Relative to the duration, how far a sample's time may be from k h: the protocol's accuracy of "h divides the duration".
+/// How far the time of a sample may be from k h, relative to the duration. The protocol uses the same accuracy for "h divides the
+/// duration".
 pub const SAME_TIME: f64 = 1e-9;
 
-/// Relative change of gravity and velocities between repeated measurements, 2⁻³⁰ ≈ 1e-9: far below every allowance of the checks, far above
-/// the rounding of double precision, so that the spread shows how an engine amplifies what it cannot know.
+/// Relative change of gravity and velocities between repeated measurements, 2⁻³⁰ ≈ 1e-9. It is far below every allowance of the checks and
+/// far above the rounding of double precision. So the spread shows how much an engine amplifies a small change of its input.
 pub const PERTURBATION: f64 = 1.0 / (1u64 << 30) as f64;
 
-/// A value is worse than its baseline only beyond this many times its spread: of three values the half range covers the error of the
-/// mean with 95 % (Student, two degrees of freedom: 4.3).
+/// A value is worse than its baseline only if it is so by more than this many times its spread. With three values, this many half ranges
+/// cover the error of the mean with 95 % (Student, two degrees of freedom: 4.3).
 pub const SPREADS: f64 = 4.3;
 
-/// … and beyond this part of the ideal's allowance: less is rounding of another processor, not news.
+/// A value is worse than its baseline only if it is so by more than this part of the ideal's allowance, too. A smaller change is the
+/// rounding of another processor.
 pub const NEWS: f64 = 1.0 / 1024.0;
 
 /// Orders up to this are called constant: half the smallest order that a proven bound here has (½, the graph distance of a plastic impact).

@@ -11,15 +11,15 @@ pub fn regained(sine: f64, angle: f64, landing_speed: f64, h: f64, energy: f64) 
     h * landing_speed * (4.0 * sine + 0.5 * angle) / energy
 }
 
-/// How far \[m\] an edge that does not slide may travel: ½(hω)²R a step along its path, over the angle turned; and where the landing is
-/// found 3/2 steps late, the base is below the ground by 2b · 3/2 h ω and its edge R (3/2 h ω)² aside.
+/// How far \[m\] an edge that does not slide may travel. It travels ½(hω)²R per step while the block turns through the angle. If the
+/// landing is found 3/2 steps late, the base is below the ground by 2b · 3/2 h ω and its edge is R (3/2 h ω)² aside.
 pub fn travel(radius: f64, angle: f64, landing_speed: f64, h: f64) -> f64 {
     let turn = h * landing_speed;
     0.5 * turn * radius * angle + radius * (1.5 * turn).powi(2)
 }
 
-/// Time \[s\] by which a landing may be off: a step until the edge carries, half a step that explicit speeds lag, one step in which the
-/// edge that left its circle falls back, one sample.
+/// Error of the time of a landing \[s\]: one step until the edge carries, half a step by which explicit speeds lag, one step in which the
+/// edge falls back onto its circle, and one sample.
 pub fn fall_time(h: f64) -> f64 {
     3.5 * h
 }

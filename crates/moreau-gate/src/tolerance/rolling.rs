@@ -2,29 +2,30 @@
 
 use super::SOLVED;
 
-/// Velocity \[m/s\] that the solvers of a motion leave of the total change, at most the speed v₀.
+/// Error of a velocity \[m/s\] by the solvers of a motion: a part [`SOLVED`] of the total change, which is at most v₀.
 pub fn speed(initial: f64) -> f64 {
     SOLVED * initial
 }
 
-/// Acceleration \[m/s²\] that they leave of g sin α.
+/// Error of an acceleration \[m/s²\] by the solvers: a part [`SOLVED`] of g sin α.
 pub fn acceleration(pull: f64) -> f64 {
     SOLVED * pull
 }
 
-/// What a contact at a depth δ changes in a velocity or acceleration of size `size`: with the lever R − δ the ratio 1/(1 + I/m(R − δ)²) is
-/// off by at most δ/R of itself for a solid sphere (its logarithm's slope is 4/7), and v = ω(R − δ) differs from ω R by ω δ ≤ `size` δ/R.
+/// Change of a velocity or acceleration of size `size` by the depth δ of the contact, whose lever is R − δ. The ratio 1/(1 + I/m(R − δ)²)
+/// is off by at most δ/R of itself for a solid sphere, because the slope of its logarithm is 4/7. And v = ω(R − δ) differs from ω R by
+/// ω δ ≤ `size` δ/R.
 pub fn lever(size: f64, depth: f64, radius: f64) -> f64 {
     size * depth / radius
 }
 
-/// A slip \[m/s\] that counts as none: half of what friction takes off in a step, `rate` h.
+/// Slip \[m/s\] below which the sphere counts as rolling: half of the slip `rate` h that friction removes in a step.
 pub fn no_slip(rate: f64, h: f64) -> f64 {
     0.5 * rate * h
 }
 
-/// The time \[s\] at which slip is found gone: half a step early by the threshold, a step late by the samples, and a step late at
-/// the start where the contact may be found late.
+/// Error of the time \[s\] at which slip ends. The threshold finds it half a step early. The samples find it a step late. At the start the
+/// contact may be found a step late.
 pub fn transition(h: f64) -> f64 {
     2.0 * h
 }

@@ -2,8 +2,8 @@
 
 use moreau_contact::tolerance::solvers::agreement;
 
-/// Residuals relative to the scale of their unit, √ε: a solver that minimises an energy known to ε of itself knows impulses and velocities
-/// to √ε. For double precision 1.5e-8, next to the certificate's own default.
+/// Allowed residuals, relative to the scale of their unit: √ε. A solver that minimises an energy known to a part ε knows impulses and
+/// velocities to √ε. In double precision this is 1.5e-8, close to the certificate's own default.
 pub fn residual(epsilon: f64) -> f64 {
     epsilon.sqrt()
 }

@@ -5,9 +5,9 @@
 //!     −s = ē |u_n| − d/h        while d = φ + slop > 0 ,
 //!     −s = ē |u_n| − ERP d/h    afterwards ,          ē = e if u_n ≤ −v_t, and 0 below that threshold .
 //! ```
-//! Contacts take part up to the gap `margin`. Bullet solves the problem by at most 50 sweeps of
-//! [`SequentialImpulses`]; with that solver the scheme takes Bullet's steps, with another one those of the law,
-//! which the sweeps tend to with the two exceptions told there.
+//! Contacts take part up to the gap `margin`. Bullet solves the problem by at most 50 sweeps of [`SequentialImpulses`]. With that solver
+//! the scheme takes Bullet's steps; with another solver it takes the steps of the law. A fixed point of the sweeps solves the law, with two
+//! exceptions: D_t is not a multiple of the identity, or a boxed contact keeps friction after its normal impulse has come back to zero.
 //!
 //! **Two families of bodies**, and they step differently ([`Bodies`]). Multibodies, PyBullet's default: u_n = H v_free, the velocity after
 //! the forces, so that an elastic ball gains g h in every impact; w = 0, whatever `useSplitImpulse` says. Rigid bodies: u_n = H v, before
@@ -51,7 +51,7 @@ pub enum Friction {
     /// ‖r_t‖ ≤ μ r_n.
     #[default]
     Cone,
-    /// |r_t₁|, |r_t₂| ≤ μ r_n: along the diagonals √2 times as much.
+    /// |r_t₁|, |r_t₂| ≤ μ r_n. Along the diagonals this allows √2 times as much friction.
     Pyramid,
 }
 

@@ -65,16 +65,16 @@ struct Points {
     impulse: Vec<[f64; 3]>,
 }
 
-/// The largest differences of all steps.
+/// The largest differences between our steps and the stored ones, over all steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Deviation {
-    /// Of a component of v⁺ \[m/s\].
+    /// The largest difference of a component of v⁺ \[m/s\].
     pub velocity: f64,
-    /// Of a component of ω⁺ \[rad/s\].
+    /// The largest difference of a component of ω⁺ \[rad/s\].
     pub spin: f64,
-    /// Of a component of x⁺ \[m\].
+    /// The largest difference of a component of x⁺ \[m\].
     pub position: f64,
-    /// Of a component of a contact's impulse in the world \[N·s\].
+    /// The largest difference of a component of a contact's impulse, in world axes \[N·s\].
     pub impulse: f64,
 }
 

@@ -55,7 +55,7 @@ impl Touch {
         (spring * damper, -h * h * stiffness * damper - dissipation * spring)
     }
 
-    /// t(u) and √(‖u_t‖² + v_ε²) \[m/s\].
+    /// The regularised direction of slip t(u) = u_t/√(‖u_t‖² + v_ε²), and that root \[m/s\].
     pub fn direction(&self, velocity: &[f64]) -> (DVector<f64>, f64) {
         let tangential = DVector::from_row_slice(&velocity[1..]);
         let length = tangential.norm().hypot(self.slip_scale);

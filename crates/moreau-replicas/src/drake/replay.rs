@@ -52,7 +52,7 @@ impl<'a> Replay<'a> {
         Self::by(stored, |material| crate::drake::by_name(&scheme, material))
     }
 
-    /// The same with another scheme, made from the file's material.
+    /// A replay of the file by another scheme, which is made from the file's material.
     ///
     /// # Errors
     /// As [`Replay::new`].

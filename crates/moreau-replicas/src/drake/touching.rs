@@ -8,7 +8,7 @@ use moreau_dynamics::schemes::{OwnAnswer, Start, Step, StepContext, StepProblem,
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 
-/// w \[1/kg\] of the contact with these rows of H.
+/// w = ‖J diag(M)⁻¹ Jᵀ‖/3 \[1/kg\] of the contact whose rows of H are J.
 pub(super) fn response(mass: &DMatrix<f64>, rows: &DMatrix<f64>) -> f64 {
     let inverse = DMatrix::from_diagonal(&mass.diagonal().map(|m| 1.0 / m));
     (rows * inverse * rows.transpose()).norm() / 3.0

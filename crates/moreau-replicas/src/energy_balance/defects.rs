@@ -29,7 +29,7 @@ pub const DEFECTS: &[Defect] = &[
     },
     Defect {
         name: "energy-balance/reference-acceleration-against-the-velocity",
-        mistake: "MuJoCo's h a_ref is held against u⁺ instead of its change over the step",
+        mistake: "MuJoCo's h a_ref is compared with u⁺ instead of the change of u over the step",
         defective: || posed("mujoco", tumbling_box, free_velocity_twice),
         reference: || posed("mujoco", tumbling_box, as_it_is),
     },
@@ -47,7 +47,7 @@ pub const DEFECTS: &[Defect] = &[
     },
     Defect {
         name: "energy-balance/impulse-scaled",
-        mistake: "the solver's impulses are 1 % too large, and so is what they do",
+        mistake: "the solver's impulses are 1 % too large, and so is their effect",
         defective: || made("moreau-jean", ball, |_, step, _| scaled(step, 1.01)),
         reference: || made("moreau-jean", ball, |_, _, _| ()),
     },
@@ -79,7 +79,7 @@ pub const DEFECTS: &[Defect] = &[
     },
     Defect {
         name: "energy-balance/spring-contact-too-strong",
-        mistake: "Hunt and Crossley's impulse twice, with the velocity it makes",
+        mistake: "Hunt and Crossley's impulse acts twice",
         defective: || made("drake-lagged", sunken, |_, step, _| scaled(step, 2.0)),
         reference: || made("drake-lagged", sunken, |_, _, _| ()),
     },

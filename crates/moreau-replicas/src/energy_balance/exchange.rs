@@ -43,7 +43,7 @@ impl Exchange {
         );
         if impulse.len() != jacobian.nrows() {
             let problem = format!("has {} entries for {} contact rows", impulse.len(), jacobian.nrows());
-            return Err(Error::invalid("impulses", problem, "a step reports the impulses of all contacts it assembled"));
+            return Err(Error::invalid("impulses", problem, "report the impulses of all contacts that the step assembled"));
         }
         let State { velocity, .. } = &taken.step.state;
         let thrown = MassFactor::new(mass)?.solve(&jacobian.tr_mul(&impulse));

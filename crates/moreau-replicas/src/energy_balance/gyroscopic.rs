@@ -18,7 +18,7 @@ use moreau_contact::contact::delassus::MassFactor;
 use moreau_exact::Result;
 use nalgebra::DVector;
 
-/// v_g and what it costs.
+/// v_g, the kinetic energy that it gains, and its distance from v with a bound.
 pub(super) struct Turned {
     /// v_g.
     pub velocity: DVector<f64>,

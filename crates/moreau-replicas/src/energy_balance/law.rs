@@ -1,4 +1,4 @@
-//! What a contact law says of the work of its impulses.
+//! The work that a contact law allows its impulses.
 //!
 //! ```text
 //!     Σ_k max(0, r_k·y_k) = w ,      y = u + shift + R r ,      r·u ≤ −r·shift − rᵀR r + w .
@@ -51,7 +51,7 @@ pub(super) fn work(problem: &ContactProblem, solution: &Solution, impulse: &DVec
     let spread: f64 = impulse.iter().enumerate().map(|(row, r)| r.abs() * reach(row)).sum();
     let mut total = Work { residual: 0.0, limit: 0.0, softened: impulse.dot(&soft) + edges.iter().sum::<f64>(), size: spread * spread };
     let rows = problem.rows_per_contact();
-    // a polyhedral law is d + 2 complementary pairs a contact, each with the tolerance of its own
+    // a polyhedral law has d + 2 complementary pairs per contact, and the tolerance applies to each pair
     let pairs = problem.law().directions().map_or(1.0, |d| (d + 2) as f64);
     // the certificate's own scale: the largest impulse, or what the data of a contact alone ask of it
     let size = |(k, r): (usize, &[f64])| {

@@ -65,7 +65,7 @@ impl Balance {
     /// The balance of the scheme with this name and these parameters.
     ///
     /// # Errors
-    /// Those of [`crate::schemes::by_name`] for an unknown name or parameters that cannot be meant.
+    /// Those of [`crate::schemes::by_name`] for an unknown name or for parameters that are not valid.
     pub fn of(name: &str, parameters: &SchemeParameters) -> Result<Self> {
         crate::schemes::by_name(name, *parameters)?;
         let newton = Shift::Newton { full: false };

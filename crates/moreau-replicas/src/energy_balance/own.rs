@@ -19,7 +19,7 @@ use moreau_contact::contact::delassus::MassFactor;
 use moreau_exact::Result;
 use nalgebra::DVector;
 
-/// F at rest, if it and M are the same at both ends of the step.
+/// The force F at zero velocity, if F and M are the same at both ends of the step.
 fn constant_force(taken: &Taken) -> Option<DVector<f64>> {
     let (mechanism, from, to) = (taken.mechanism, &taken.before.position, &taken.step.state.position);
     let at_rest = DVector::zeros(taken.before.velocity.len());

@@ -90,9 +90,9 @@ impl Shift {
                 .or_else(|| candidate(&lists.end, index, place.as_ref(), &normal))
                 .or_else(|| same_bodies(&lists.start, place.as_ref()))
                 .or_else(|| same_bodies(&lists.end, place.as_ref()))
-                .ok_or_else(|| Error::Unsupported(format!("contact {index} of the step is none of the mechanism's candidates")))?;
+                .ok_or_else(|| Error::Unsupported(format!("contact {index} of the step is not a candidate of the mechanism")))?;
             if at_start.is_none() && !self.is_material_enough() {
-                return Err(Error::Unsupported(format!("contact {index} of the step is no candidate at its start")));
+                return Err(Error::Unsupported(format!("contact {index} of the step is not a candidate at the start of the step")));
             }
             let mut at = At { taken, contact: known, before: exchange.before.rows(first, rows).into_owned(), free: exchange.free[first] };
             if let (Shift::NewtonAtStart, Some(contact)) = (self, at_start) {

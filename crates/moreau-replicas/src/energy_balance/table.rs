@@ -16,7 +16,7 @@ pub struct Row {
 const NEWTON: &str = "T(v⁺) ≤ T(v_free) − Σ e r_n u_n⁻ − ½ rᵀW r";
 const GAPS: &str = "T(v⁺) ≤ T(v_free) − Σ r_n φ/h − ½ rᵀW r";
 const HUNT_CROSSLEY: &str = "T(v⁺) ≤ T(v_free) − Σ (r_n φ/h + r_n²/(h²k)) − ½ rᵀW r";
-const ONE_E: &str = "one e, without friction or with e = 0: ΔẼ ≤ (1−e)/(1+e) · h²FᵀM⁻¹F/8 + e/(1+e) r·(u_g − u⁻)";
+const ONE_E: &str = "for one common e, without friction or with e = 0: ΔẼ ≤ (1−e)/(1+e) · h²FᵀM⁻¹F/8 + e/(1+e) r·(u_g − u⁻)";
 const BY_WORK: &str = "ΔẼ ≤ −Σ r_n φ/h + h²FᵀM⁻¹F/8, θ = 1";
 
 /// Every scheme, in the order of [`crate::schemes::NAMES`].
@@ -24,41 +24,43 @@ pub const ROWS: [Row; 20] = [
     Row {
         scheme: "moreau-jean",
         kinetic: "T̂(v⁺) ≤ T̂(v_free) − r·(e u⁻) − ½ rᵀŴ r, u⁻ its normal part or the full vector",
-        total: "one e, and no friction, e = 0 or the full vector: ΔẼ ≤ (1−e)/(1+e) · h²FᵀM⁻¹F/8 + e/(1+e) r·(u_g − u⁻); linear forces: \
-            with M̂, v_free − v and κ = 1/(1+e) − θ",
-        open: "unequal e; normal-only e > 0 with friction: then only ΔẼ ≤ −r·(e u⁻) + h²FᵀM⁻¹F/8, which needs the impulses",
+        total: "for one common e, without friction, with e = 0 or with the full vector reversed: ΔẼ ≤ (1−e)/(1+e) · h²FᵀM⁻¹F/8 \
+            + e/(1+e) r·(u_g − u⁻); under linear forces the bound uses M̂, v_free − v and κ = 1/(1+e) − θ",
+        open: "unequal e, and normal-only e > 0 with friction: these satisfy only ΔẼ ≤ −r·(e u⁻) + h²FᵀM⁻¹F/8, a bound that needs the \
+            impulses",
     },
     Row {
         scheme: "moreau-jean-projection",
         kinetic: "T̂(v⁺) ≤ T̂(v_free) − Σ e r_n u_n⁻ − ½ rᵀŴ r, H at q⁺",
         total: "no theorem: the projection moves bodies along F or against it",
-        open: "V, and with it distances",
+        open: "V, and with it the distances of bodies",
     },
     Row {
         scheme: "schatzman-paoli",
         kinetic: "T(v⁺) ≤ T(v_free) − Σ r_n ((1+e) φ/h − e u_n⁻) − ½ rᵀW r",
         total: "ΔẼ ≤ −Σ r_n ((1+e) φ/h − e u_n⁻) + h²FᵀM⁻¹F/8, θ = 1",
-        open: "a depth is paid back as speed φ/h",
+        open: "a depth φ becomes a speed φ/h",
     },
     Row {
         scheme: "generalised-alpha",
         kinetic: "T̂(v⁺) ≤ T̂(v_free) − Σ e r_n u_n⁻ − ½ rᵀŴ r, H after the free step",
-        total: "one e, without friction or with e = 0, no linear force and no gyroscopic term: ΔE ≤ (1−e)/(1+e) · h²FᵀM⁻¹F/8",
-        open: "T(v_free) of bodies with three unequal axes, whose accelerations it remembers; unequal e",
+        total: "for one common e, without friction or with e = 0, without linear force and without gyroscopic term: \
+            ΔE ≤ (1−e)/(1+e) · h²FᵀM⁻¹F/8",
+        open: "T(v_free) of bodies with three unequal axes, because the scheme remembers their accelerations; unequal e",
     },
-    Row { scheme: "stewart-trinkle", kinetic: GAPS, total: BY_WORK, open: "a depth is paid back as speed φ/h" },
-    Row { scheme: "anitescu", kinetic: GAPS, total: BY_WORK, open: "a depth is paid back as speed φ/h" },
+    Row { scheme: "stewart-trinkle", kinetic: GAPS, total: BY_WORK, open: "a depth φ becomes a speed φ/h" },
+    Row { scheme: "anitescu", kinetic: GAPS, total: BY_WORK, open: "a depth φ becomes a speed φ/h" },
     Row {
         scheme: "chrono",
         kinetic: "T(v⁺) ≤ T(v_free) − Σ r_n s − ½ rᵀW r, s = e u_n⁻ or max(φ/h, −v_r)",
         total: "ΔẼ ≤ −Σ r_n s + h²FᵀM⁻¹F/8, θ = 1",
-        open: "a depth is paid back at up to v_r",
+        open: "a depth becomes a speed of up to v_r",
     },
     Row {
         scheme: "bullet",
         kinetic: "T(v⁺) ≤ T(v_free) − Σ r_n s − ½ rᵀW r, s = φ'/h or ERP φ'/h less the rebound, φ' = φ + slop",
         total: "multibodies: ΔẼ ≤ −Σ r_n s + h²FᵀM⁻¹F/8, θ = 1",
-        open: "e multiplies v_free: an elastic ball gains g h a bounce; split impulses of rigid bodies move V",
+        open: "e multiplies v_free, so that an elastic ball gains g h per bounce; split impulses of rigid bodies change V",
     },
     Row {
         scheme: "mujoco",
@@ -82,12 +84,12 @@ pub const ROWS: [Row; 20] = [
     Row {
         scheme: "runge-kutta-flip",
         kinetic: "T(v⁺) ≤ T(v_free) − Σ e r_n min(u_free,n, 0) − ½ rᵀW r, H at q⁺",
-        total: "no gyroscopic term: ΔE is what contact does to T",
+        total: "without gyroscopic term, ΔE is the change of T by contact",
         open: "the free flight of other forces, of order h⁵; a resting body sinks and loses V",
     },
     Row {
         scheme: "event-driven",
-        kinetic: "no single problem of a step",
+        kinetic: "a step poses several problems",
         total: "e = 0, or no friction and one contact: ΔE ≤ 0 up to the method's tolerances",
         open: "several contacts hit at once with e > 0, friction beside e > 0",
     },
@@ -99,39 +101,39 @@ pub const ROWS: [Row; 20] = [
     },
     Row {
         scheme: "xpbd",
-        kinetic: "no theorem: v = (q⁺ − q)/h takes position corrections for velocities, and H changes within a sweep",
+        kinetic: "no theorem: v = (q⁺ − q)/h turns position corrections into velocities, and H changes within a sweep",
         total: "no theorem",
-        open: "everything; a declared number of sweeps",
+        open: "everything, because the sweeps end after a declared number",
     },
     Row {
         scheme: "pbd",
-        kinetic: "no theorem: v = (q⁺ − q)/h takes position corrections for velocities, and H changes within a sweep",
+        kinetic: "no theorem: v = (q⁺ − q)/h turns position corrections into velocities, and H changes within a sweep",
         total: "no theorem",
-        open: "everything; a declared number of sweeps",
+        open: "everything, because the sweeps end after a declared number",
     },
     Row {
         scheme: "drake-sap",
         kinetic: "T(v⁺) ≤ T(v_free) − Σ r_n φ/(h+τ) − rᵀR r − ½ rᵀW r",
         total: "ΔẼ ≤ −Σ r_n φ/(h+τ) − rᵀR r + h²FᵀM⁻¹F/8, θ = 1",
-        open: "a depth is paid back, at most k φ²/4 for a spring that the step resolves",
+        open: "a depth φ returns energy, at most k φ²/4 for a spring that the step resolves",
     },
     Row {
         scheme: "drake-similar",
         kinetic: HUNT_CROSSLEY,
-        total: "the same + h²FᵀM⁻¹F/8 for Ẽ, θ = 1",
-        open: "a depth is paid back, at most k φ²/4",
+        total: "the bound on the left, for Ẽ, plus h²FᵀM⁻¹F/8, θ = 1",
+        open: "a depth φ returns energy, at most k φ²/4",
     },
     Row {
         scheme: "drake-lagged",
         kinetic: HUNT_CROSSLEY,
-        total: "the same + h²FᵀM⁻¹F/8 for Ẽ, θ = 1",
-        open: "a depth is paid back, at most k φ²/4",
+        total: "the bound on the left, for Ẽ, plus h²FᵀM⁻¹F/8, θ = 1",
+        open: "a depth φ returns energy, at most k φ²/4",
     },
     Row {
         scheme: "drake-tamsi",
         kinetic: HUNT_CROSSLEY,
-        total: "the same + h²FᵀM⁻¹F/8 for Ẽ, θ = 1",
-        open: "a depth is paid back, at most k φ²/4",
+        total: "the bound on the left, for Ẽ, plus h²FᵀM⁻¹F/8, θ = 1",
+        open: "a depth φ returns energy, at most k φ²/4",
     },
 ];
 

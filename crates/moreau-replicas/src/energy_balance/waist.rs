@@ -85,7 +85,7 @@ impl WaistLaw {
             (_, _, Some(law)) => law.work(taken, &exchange, &shift),
             (Some(problem), Some(solution), None) => law::work(problem, solution, &exchange.impulse),
             _ if exchange.impulse.is_empty() => Work { residual: 0.0, limit: 0.0, softened: 0.0, size: 0.0 },
-            _ => return Err(Error::Unsupported("a step with impulses and without the problem they answer".into())),
+            _ => return Err(Error::Unsupported("a step that has impulses but not the contact problem that they solve".into())),
         };
         let size = exchange.size + work.size + exchange.impulse.abs().dot(&shift.abs());
         let rounding = tolerance::energy(exchange.impulse.len(), taken.before.velocity.len(), size);

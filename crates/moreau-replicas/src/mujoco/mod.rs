@@ -62,7 +62,7 @@ impl Mujoco {
     /// Checks softness and lengths.
     ///
     /// # Errors
-    /// [`moreau_exact::Error::Invalid`] names the number that cannot be meant.
+    /// [`moreau_exact::Error::Invalid`] names the number that is not valid.
     pub fn validate(&self) -> Result<()> {
         self.softness.validate()?;
         self.rotational.validate()

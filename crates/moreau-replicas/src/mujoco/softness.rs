@@ -54,7 +54,7 @@ impl Softness {
     /// Checks signs and sizes.
     ///
     /// # Errors
-    /// [`Error::Invalid`] names the number that cannot be meant.
+    /// [`Error::Invalid`] names the number that is not valid.
     pub fn validate(&self) -> Result<()> {
         let invalid = |field: &str, given: String, cure: &str| Err(Error::invalid(field, given, cure));
         let [first, second] = self.reference;

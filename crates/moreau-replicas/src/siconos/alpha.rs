@@ -1,5 +1,5 @@
-//! Stored motion of Siconos's `NewMarkAlphaOSI`: generalised-α between events, which is what ours is between contacts; and what it does at
-//! an impact.
+//! Stored motion of Siconos's `NewMarkAlphaOSI`. Between events it is generalised-α, as our scheme is between contacts. The module also
+//! holds its behaviour at an impact.
 //!
 //! ```text
 //!     flight     (1−α_m) a⁺ + α_m a = (1−α_f) q̈⁺ + α_f q̈ ,   v⁺, q⁺ by Newmark's rules: a first step of `generalised-alpha`, w = 0
@@ -79,7 +79,7 @@ impl SiconosAlpha {
         if run.times.len() < 3 || rows.iter().any(|count| *count != run.times.len()) {
             return Err(Error::invalid(
                 "times",
-                format!("are {} for lists of {rows:?}", run.times.len()),
+                format!("has {} entries, but the other lists need {rows:?}", run.times.len()),
                 "store the start and one row per event",
             ));
         }
@@ -136,7 +136,7 @@ impl SiconosAlpha {
         Ok(worst)
     }
 
-    /// The largest |Δv| \[m/s\] of the whole flight of a scheme that remembers what it remembers.
+    /// The largest |Δv| \[m/s\] of the whole flight of a scheme that keeps its own memory from step to step.
     ///
     /// # Errors
     /// Those of the scheme.

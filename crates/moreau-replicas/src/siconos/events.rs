@@ -65,7 +65,7 @@ impl SiconosEvents {
         let run: SiconosEvents = serde_json::from_str(text)?;
         let rows = [run.impacts.len(), run.positions.len(), run.velocities.len(), run.impulses.len() + 1, run.integrator_steps.len() + 1];
         if run.times.len() < 2 || rows.iter().any(|count| *count != run.times.len()) {
-            let problem = format!("are {} for lists of {rows:?}", run.times.len());
+            let problem = format!("has {} entries, but the other lists need {rows:?}", run.times.len());
             return Err(Error::invalid("times", problem, "store the start and one row per event"));
         }
         Ok(run)
@@ -79,7 +79,7 @@ impl SiconosEvents {
     /// The mechanism itself.
     ///
     /// # Errors
-    /// If a stored parameter cannot be meant.
+    /// If a stored parameter is not valid.
     pub fn mechanism(&self) -> Result<Box<dyn Mechanism>> {
         self.system.mechanism()
     }

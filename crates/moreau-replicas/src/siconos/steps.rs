@@ -97,7 +97,7 @@ impl SiconosSteps {
         let run: SiconosSteps = serde_json::from_str(text)?;
         let states = run.impulses.len() + 1;
         if run.positions.len() != states || run.velocities.len() != states || states == 1 {
-            let problem = format!("are {} for {} steps", run.positions.len(), run.impulses.len());
+            let problem = format!("has {} rows for {} steps", run.positions.len(), run.impulses.len());
             return Err(Error::invalid("positions", problem, "store the start and one row per step"));
         }
         Ok(run)
@@ -135,7 +135,7 @@ impl SiconosSteps {
     /// The mechanism itself.
     ///
     /// # Errors
-    /// If a stored parameter cannot be meant.
+    /// If a stored parameter is not valid.
     pub fn mechanism(&self) -> Result<Box<dyn Mechanism>> {
         self.system.mechanism()
     }
@@ -188,7 +188,7 @@ impl SiconosSteps {
         self.compare(|state| self.seen_from(state), scheme)
     }
 
-    /// The same with H at q_k, where our schemes take it.
+    /// The largest differences as [`deviations`](Self::deviations) gives them, with H at q_k, where our schemes evaluate it.
     ///
     /// # Errors
     /// Those of the scheme.
@@ -240,8 +240,8 @@ impl SiconosSteps {
         siconos_step(largest)
     }
 
-    /// The same for position, velocity and impulse. A two-step scheme knows its velocity to the rounding of a position over h, and its
-    /// impulse to m times that.
+    /// How far position, velocity and impulse may be from the stored ones after one step. A two-step scheme knows its velocity to the
+    /// rounding of a position divided by h, and its impulse to m times that.
     pub fn tolerances(&self) -> [f64; 3] {
         let (one, h) = (self.tolerance(), self.time_step);
         if !self.is_two_step() {

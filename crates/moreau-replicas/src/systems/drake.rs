@@ -232,7 +232,7 @@ fn one_step(runs: &dyn StoredRuns, name: &str, scheme: Other) -> Result<Measured
     Ok(measured(replay(&stored(runs, name)?, scheme)?.intervals()?))
 }
 
-/// The same in a scene that is not the stored motion's.
+/// The velocity after the steps between two samples, in a scene that differs from the scene of the stored motion.
 fn altered(runs: &dyn StoredRuns, name: &str, alter: fn(&mut Trajectory)) -> Result<Measured> {
     let mut trajectory = stored(runs, name)?;
     alter(&mut trajectory);

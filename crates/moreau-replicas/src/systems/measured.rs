@@ -5,7 +5,7 @@
 pub struct Measured {
     /// The difference found.
     pub difference: f64,
-    /// What it may be, from the `tolerance` of the crate of what it bounds.
+    /// The largest difference allowed, from the module `tolerance` of the crate that the difference belongs to.
     pub tolerance: f64,
 }
 

@@ -1,4 +1,4 @@
-//! The simulators of the chapter, one file per system: where each stands on the four axes, and what it was held against.
+//! The simulators of the chapter, one file per system: where each stands on the four axes, and what it was compared with.
 //!
 //! ```text
 //!     u = W r + u_free ,   y = u + shift + R r ,   (r, y) in the contact law
@@ -6,7 +6,7 @@
 //!     level        what stands in y: u⁺ alone, u⁺ + φ/h, or (u⁺ − u)/h − a_ref
 //!     cone         the set of impulses: round, or with d edges
 //!     law          how r and y exclude each other: Coulomb, its convex relaxation, or either with R > 0
-//!     algorithm    who solves it
+//!     algorithm    what solves it
 //! ```
 //! An [`Agreement`] is measured when asked: nothing here quotes a number.
 

@@ -47,7 +47,7 @@ pub static SYSTEM: System = System {
     cone: Cone::Polyhedral,
     law: ContactLaw::Compliant,
     algorithm: "Newton, conjugate gradients, or Gauss–Seidel; the cone may be round, too",
-    restitution: "none: solref damps",
+    restitution: "none; solref sets the damping",
     position_update: "q + h v⁺; RK4: q + h/6 (v₁ + 2v₂ + 2v₃ + v₄)",
     schemes: &["mujoco"],
     held_against: &[

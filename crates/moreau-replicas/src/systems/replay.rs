@@ -9,19 +9,19 @@ use moreau_dynamics::trajectory::Trajectory;
 use moreau_exact::{Error, Result};
 use serde_json::Value;
 
-/// Largest differences from a stored motion, and what they may be.
+/// Largest differences from a stored motion, with their tolerances.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Replay {
-    /// \[m\].
+    /// Largest difference of a position \[m\].
     pub position: Measured,
-    /// \[m/s\].
+    /// Largest difference of a velocity \[m/s\].
     pub velocity: Measured,
 }
 
 /// Runs the scheme over the stored motion's scene with its step, and compares `samples` samples after the first.
 ///
 /// # Errors
-/// Those of the scheme; a motion without provenance, whose accuracy nobody knows.
+/// Those of the scheme. A motion without provenance is an error too, because its accuracy is unknown.
 pub fn replay(stored: &Trajectory, scheme: &dyn Scheme, samples: usize) -> Result<Replay> {
     let (mechanism, start) = stored.scene.spatial_mechanism()?;
     let h = stored.time_step;

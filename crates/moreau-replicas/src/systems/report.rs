@@ -1,4 +1,4 @@
-//! The table: every system with what its agreements measure now.
+//! The report of `moreau systems`: every system with its agreements, measured when the command runs.
 
 use super::{ALL, Agreement, Cone, ConstraintLevel, ContactLaw, System};
 use crate::stored::StoredRuns;
@@ -24,15 +24,15 @@ pub struct SystemReport {
     pub cone: Cone,
     /// How impulse and velocity exclude each other.
     pub law: ContactLaw,
-    /// Who solves the step.
+    /// The algorithm that solves the step.
     pub algorithm: String,
-    /// What becomes of the coefficient of restitution.
+    /// How the system treats the coefficient of restitution.
     pub restitution: String,
     /// How positions follow.
     pub position_update: String,
     /// Names for `moreau simulate --scheme`.
     pub schemes: Vec<String>,
-    /// What it was held against.
+    /// What the system was compared with.
     pub held_against: Vec<AgreementReport>,
 }
 

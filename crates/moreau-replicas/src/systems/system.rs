@@ -80,13 +80,13 @@ pub struct Agreement {
     /// Measures it.
     ///
     /// # Errors
-    /// Those of the scheme, and a stored run that is missing or not what it should be.
+    /// Those of the scheme, and a stored run that is missing or malformed.
     pub measure: fn(&dyn StoredRuns) -> Result<Measured>,
     /// Mistakes that it catches, at least one.
     pub planted: &'static [PlantedMistake],
 }
 
-/// A mistake in what is compared, which must put the agreement out of its tolerance.
+/// A planted mistake in the compared scheme or solver. With it the agreement must exceed its tolerance.
 #[derive(Clone, Copy, Debug)]
 pub struct PlantedMistake {
     /// What is wrong.

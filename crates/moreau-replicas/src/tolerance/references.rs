@@ -2,8 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// Relative natural map our solvers must reach on a stored step: what Clarabel is asked for, the weakest of their stopping rules
-/// ([`moreau_contact::tolerance::solvers`]); polishing is only kept where it improves on it.
+/// Relative natural map that our solvers must reach on a stored step. It is the tolerance asked of Clarabel, the weakest of the stopping
+/// rules in [`moreau_contact::tolerance::solvers`]. Polishing is only kept if it improves on it.
 pub const OUR_SOLVERS: f64 = 1e-10;
 
 /// Rounding of an engine's own formulas: at most some tens of operations on numbers of one size, 64 ε, and a cancellation of
@@ -25,11 +25,11 @@ pub const REPLAYED_STEP: f64 = 1.5e-8;
 /// where forces are 10 N, measured over all of them.
 pub const CONVERGED_MUJOCO: f64 = 1e-20;
 
-/// What docs/results.md promises of a step of MuJoCo's Newton run to the end, relative to accelerations and forces. Its steps end in a
-/// quadratic zone or close to it, where the last one leaves less than the 1e-10 of the line above.
+/// Error of a step of MuJoCo's Newton, run to the end, relative to accelerations and forces, as docs/results.md promises it. The steps end
+/// in a quadratic zone or close to it. The last step leaves less than the relative gradient 1e-10 of [`CONVERGED_MUJOCO`].
 pub const CONVERGED_STEP: f64 = 1e-9;
 
-/// What they promise of a motion of 500 steps \[m\], where the engine was run to the end.
+/// Error of a motion of 500 steps \[m\] of an engine that was run to the end, as docs/results.md promises it.
 pub const REPLAYED_MOTION: f64 = 1e-8;
 
 pub use moreau_forms::tolerance::SAP_RELATIVE;
@@ -74,35 +74,36 @@ pub fn last_improvement(tolerance: f64, rows: f64, mass_trace: f64) -> f64 {
     (2.0 * lipschitz * tolerance * mass_trace).sqrt()
 }
 
-/// Relative accuracy of the sliding gap read from a SAP step: the three terms that make the gap up are larger than it by at most 10,
-/// and each carries SAP's relative tolerance.
+/// Relative accuracy of the sliding gap that is read from a SAP step. The gap is a sum of three terms, each with SAP's relative tolerance.
+/// A term is at most 10 times as large as the gap.
 pub fn sap_sliding_gap() -> f64 {
     10.0 * SAP_RELATIVE
 }
 
-/// Relative error of a creep formula from the contact points' place: levers are those of the undeformed corners, and the depth
-/// (at most 5 mm here) displaces a contact point by at most half of it over a lever of 0.05 m or more; the creep depends on levers only
-/// through the rotational part of w and on depths through d.
+/// Relative error of a creep formula by the place of the contact points. The formula takes the levers of the undeformed corners. The depth,
+/// at most 5 mm here, displaces a contact point by at most half of it, over a lever of 0.05 m or more. The creep depends on levers only
+/// through the rotational part of w, and on depths through d.
 pub const CREEP_GEOMETRY: f64 = 1e-4;
 
-/// What docs/results.md promises of a step against Siconos's, in m, m/s and N·s: larger than rounding allows, [`siconos_step`].
+/// Difference of a step from Siconos's that docs/results.md promises, in m, m/s and N·s. It is larger than rounding allows, see
+/// [`siconos_step`].
 pub const SICONOS_PER_STEP: f64 = 1e-12;
 
-/// Distance of one step from Siconos's with direct solvers on both sides, for numbers of the given size: 64 operations, and the 1e-14 m at
-/// which its projection ends. That is also ten times the 1e-15 at which its iteration for spatial friction does, whose residual, the
+/// Distance of one step from Siconos's with direct solvers on both sides, for numbers of the given size. It covers 64 operations, and the
+/// 1e-14 m at which Siconos's projection ends. Siconos's iteration for spatial friction ends at 1e-15, a tenth of that. Its residual, the
 /// natural map with ρ = 1 kg, is at least 1 − μ ≥ ½ times the error of the impulse of a mass of 1 kg.
 pub fn siconos_step(size: f64) -> f64 {
     moreau_exact::tolerance::rounding(64, size) + 1e-14
 }
 
-/// Distance of a whole run \[m\]: steps add up, and none of the stored motions makes a deviation grow (elastic impacts keep it, others and
-/// friction shrink it; the bead swings in a bowl).
+/// Distance of a whole run \[m\]. The distances of single steps add up. None of the stored motions makes a deviation grow: elastic impacts
+/// keep it, other impacts and friction shrink it, and the bead swings in a bowl.
 pub fn siconos_run(steps: usize, step: f64) -> f64 {
     steps as f64 * step
 }
 
-/// The same \[m\] for a scheme that keeps two positions: an error δ of one step is an error δ/h of the velocity, and grows to at most k δ
-/// in the k steps after it.
+/// Distance of a whole run \[m\] for a scheme that keeps two positions. An error δ of one step is an error δ/h of the velocity. It grows
+/// to at most k δ in the k steps after it.
 pub fn siconos_double_sum(steps: usize, step: f64) -> f64 {
     (steps * steps) as f64 * step
 }

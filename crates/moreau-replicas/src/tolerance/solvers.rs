@@ -12,8 +12,8 @@ pub const LINE_STEPS: usize = 2 * 53;
 /// [`STOP`](moreau_contact::tolerance::solvers::STOP) in 14 √κ = 14 000.
 pub const CONJUGATE_STEPS: usize = 14_000;
 
-/// The same for conjugate gradients, whose gradient does not fall in every step: nv directions make one round, and nv is about 100 at
-/// most here.
+/// Steps in a row without progress after which conjugate gradients end. Their gradient does not fall in every step: nv directions make one
+/// round, and nv is about 100 at most here.
 pub const CONJUGATE_STALLED: usize = 100;
 
 /// PyBullet's default `solverResidualThreshold` \[m²/s²\].

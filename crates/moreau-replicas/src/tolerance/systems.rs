@@ -25,7 +25,7 @@ pub fn variational_speed(speed: f64, gained: f64) -> f64 {
     rounding(256, 2.0 * (speed + gained))
 }
 
-/// The same for q and v of a spring at its stop, relative to its speed, with hω < 1 and all positions below ⅛ of it.
+/// Rounding of q and v of a spring after an elastic impact at its stop, relative to its speed, with hω < 1 and all positions below ⅛ of it.
 pub fn variational_state() -> f64 {
     rounding(256, 2.0)
 }

@@ -1,4 +1,4 @@
-//! How a contact problem is made: piece by piece, and looked at as a whole before anyone sees it.
+//! How a contact problem is made: its pieces are set one by one, and `build` checks them together.
 
 use super::{Compliance, ContactProblem, Dynamics, Law};
 use crate::contact::Inertia;
@@ -6,8 +6,8 @@ use crate::contact::delassus::delassus;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
-/// The pieces of a [`ContactProblem`]. What is not said is: no name, Coulomb's law, three rows per contact, no shift, hard
-/// contacts, unknown mass, unknown bodies.
+/// The pieces of a [`ContactProblem`]. The defaults are: no name, Coulomb's law, three rows per contact, no shift, hard contacts,
+/// unknown mass, unknown bodies.
 #[derive(Debug)]
 #[must_use = "a problem is made by `build`"]
 pub struct ContactProblemBuilder {
@@ -43,7 +43,7 @@ impl ContactProblem {
     /// assert!(infinite.unwrap_err().to_string().contains("free_velocity[0]"));
     /// # Ok::<(), moreau_contact::Error>(())
     /// ```
-    #[expect(clippy::new_ret_no_self, reason = "what begins a problem is called `new`, and a problem is whole only when it is built")]
+    #[expect(clippy::new_ret_no_self, reason = "`new` begins a problem, and only `build` completes it")]
     pub fn new(delassus: DMatrix<f64>, free_velocity: DVector<f64>) -> ContactProblemBuilder {
         ContactProblemBuilder::of(Ok(delassus), Ok(free_velocity), None)
     }
@@ -68,7 +68,7 @@ impl ContactProblem {
         ContactProblemBuilder::of(delassus(&mass, &jacobian), free_velocity, Some(Dynamics { mass, jacobian }))
     }
 
-    /// The same from a mass that is factored already.
+    /// Does what [`ContactProblem::from_dynamics`] does, from a mass matrix that is factored already.
     pub fn from_inertia(inertia: &Inertia, jacobian: DMatrix<f64>, free_motion: &DVector<f64>) -> ContactProblemBuilder {
         let free_velocity = contact_velocity(&jacobian, free_motion);
         let mass = inertia.matrix().clone();
@@ -108,19 +108,19 @@ fn friction(given: Option<Vec<f64>>, law: Law, size: usize, rows: usize) -> Resu
     }
     let contacts = size / rows;
     if !size.is_multiple_of(rows) {
-        let cure = format!("it is a multiple of `rows_per_contact`, which is {rows}; say how many rows a contact has");
+        let cure = format!("give a multiple of `rows_per_contact`, which is {rows}, or correct `rows_per_contact`");
         return Err(Error::invalid("free_velocity", format!("has size {size}"), cure));
     }
     match given {
         Some(friction) if friction.len() != contacts => {
-            let cure = format!("{size} rows at {rows} per contact need {contacts}; check `rows_per_contact`, too");
+            let cure = format!("give {contacts}, one per contact of {rows} rows, or correct `rows_per_contact`");
             Err(Error::invalid("friction", format!("has {} entries", friction.len()), cure))
         }
         Some(friction) => Ok(friction),
         None if law == Law::Frictionless || rows < 2 || contacts == 0 => Ok(vec![0.0; contacts]),
         None => {
-            let problem = format!("is missing, and the law is `{}`", law.name());
-            Err(Error::invalid("friction", problem, format!("give {contacts} numbers μ ≥ 0, 0 for a contact without friction")))
+            let problem = format!("is missing, but the law `{}` needs it", law.name());
+            Err(Error::invalid("friction", problem, format!("give {contacts} numbers μ ≥ 0, with 0 for a contact without friction")))
         }
     }
 }
@@ -130,7 +130,7 @@ fn contact_velocity(jacobian: &DMatrix<f64>, free_motion: &DVector<f64>) -> Resu
     if free_motion.len() == jacobian.ncols() {
         return Ok(jacobian * free_motion);
     }
-    let cure = format!("this Jacobian needs {}", jacobian.ncols());
+    let cure = format!("give {} entries, one per column of the Jacobian", jacobian.ncols());
     Err(Error::invalid("free_motion", format!("has size {}", free_motion.len()), cure))
 }
 
@@ -211,7 +211,7 @@ impl ContactProblemBuilder {
         self
     }
 
-    /// The problem, if it can be meant.
+    /// The problem, if its pieces are valid together.
     ///
     /// # Errors
     /// [`Error::Invalid`] names the first field whose size, number or sign does not fit, with the cure.

@@ -40,9 +40,10 @@ pub struct Dynamics {
 
 /// One step's contact problem, valid since it was built.
 ///
-/// Find r with u = W r + u_free, y = u + shift + R r and (r, y) in the law, contact by contact. How W is stored is nobody's business but
-/// this module's: it is asked for its effect ([`apply`](Self::apply), [`add_column`](Self::add_column)), an [`entry`](Self::entry) or a
-/// [`diagonal_block`](Self::diagonal_block), and only by algorithms that need all of it as a [`dense`](Self::dense) matrix.
+/// Find r with u = W r + u_free, y = u + shift + R r and (r, y) in the law, contact by contact. How W is stored is
+/// private to this module. An algorithm asks for its effect ([`apply`](Self::apply), [`add_column`](Self::add_column)), for an
+/// [`entry`](Self::entry) or for a [`diagonal_block`](Self::diagonal_block). Only an algorithm that needs all of W asks for a
+/// [`dense`](Self::dense) matrix.
 ///
 /// [`ContactProblem::new`] or [`ContactProblem::from_dynamics`] begins one; [`ContactProblem::into_builder`] changes one.
 #[derive(Clone, Debug, PartialEq)]

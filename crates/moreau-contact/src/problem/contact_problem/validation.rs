@@ -1,4 +1,4 @@
-//! What a contact problem must be: the sizes fit, the numbers are finite, signs and law are meant.
+//! What a contact problem must satisfy: its sizes fit together, its numbers are finite, and its signs and its law are valid.
 
 use super::{ContactProblem, Coordinates, Dynamics, Law};
 use crate::memory;
@@ -9,7 +9,7 @@ impl ContactProblem {
     /// Checks sizes, finiteness and signs.
     ///
     /// # Errors
-    /// [`Error::Invalid`] names the first field that cannot be meant.
+    /// [`Error::Invalid`] names the first field that is not valid.
     pub(super) fn validate(&self) -> Result<()> {
         if !(1..=3).contains(&self.rows_per_contact) {
             return Err(Error::invalid("dimension", format!("is {}", self.rows_per_contact), "use 1 (normal rows only), 2 or 3"));
@@ -23,7 +23,7 @@ impl ContactProblem {
         ];
         for (field, size) in sizes {
             if size != rows {
-                let cure = format!("{} contacts with {} rows each need {rows}", self.contacts(), self.rows_per_contact);
+                let cure = format!("give size {rows} for {} contacts with {} rows each", self.contacts(), self.rows_per_contact);
                 return Err(Error::invalid(field, format!("has size {size}"), cure));
             }
         }
@@ -53,7 +53,7 @@ impl ContactProblem {
         match (self.law.directions(), self.rows_per_contact) {
             (Some(d), 3) if unknowns > POLYHEDRAL_UNKNOWNS => {
                 let problem = format!("is {d}, which makes {unknowns} unknowns with {} contacts", self.contacts());
-                Err(Error::invalid("directions", problem, format!("at most {POLYHEDRAL_UNKNOWNS} unknowns (2 + d) n are solved")))
+                Err(Error::invalid("directions", problem, format!("use at most {POLYHEDRAL_UNKNOWNS} unknowns (2 + d) n")))
             }
             (Some(2), 2) | (None, _) => Ok(()),
             (Some(_), 2) => Err(Error::invalid("directions", "is not 2 in a planar problem", "use 2 (both senses of tangent 1)")),
@@ -80,7 +80,7 @@ impl ContactProblem {
             return Err(Error::invalid(
                 "compliance.diagonal",
                 format!("has size {}", compliance.diagonal.len()),
-                format!("this problem needs {needed}"),
+                format!("give size {needed}"),
             ));
         }
         not_negative("compliance.diagonal", compliance.diagonal.as_slice())
@@ -103,10 +103,10 @@ impl ContactProblem {
     fn validate_dynamics(&self) -> Result<()> {
         let Some(Dynamics { mass, jacobian }) = &self.dynamics else { return Ok(()) };
         if !mass.is_square() {
-            return Err(Error::invalid("mass", format!("has shape {}×{}", mass.nrows(), mass.ncols()), "the mass matrix is square"));
+            return Err(Error::invalid("mass", format!("has shape {}×{}", mass.nrows(), mass.ncols()), "give a square mass matrix"));
         }
         if jacobian.nrows() != self.rows() || jacobian.ncols() != mass.nrows() {
-            let cure = format!("{}×{} fits these contacts and this mass", self.rows(), mass.nrows());
+            let cure = format!("use the shape {}×{}, which fits the contacts and the mass", self.rows(), mass.nrows());
             return Err(Error::invalid("jacobian", format!("has shape {}×{}", jacobian.nrows(), jacobian.ncols()), cure));
         }
         finite("mass", mass.as_slice())?;

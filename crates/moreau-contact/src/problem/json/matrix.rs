@@ -47,17 +47,17 @@ impl MatrixFile {
                     return Err(Error::invalid(
                         format!("{field}.rows"),
                         format!("has {} rows", rows.len()),
-                        format!("its shape says {nrows}"),
+                        format!("give {nrows} rows, as `shape` says"),
                     ));
                 }
                 if let Some(k) = rows.iter().position(|row| row.len() != ncols) {
                     let problem = format!("has {} entries", rows[k].len());
-                    return Err(Error::invalid(format!("{field}.rows[{k}]"), problem, format!("its shape says {ncols}")));
+                    return Err(Error::invalid(format!("{field}.rows[{k}]"), problem, format!("give {ncols} entries, as `shape` says")));
                 }
                 Ok(DMatrix::from_row_iterator(nrows, ncols, rows.into_iter().flatten()))
             }
             (None, Some(triplets)) => triplets.read(field, nrows, ncols),
-            _ => Err(Error::invalid(field, "has both or none of `rows` and `triplets`", "give one of them")),
+            _ => Err(Error::invalid(field, "has both or neither of `rows` and `triplets`", "give one of the two")),
         }
     }
 }
@@ -67,18 +67,18 @@ impl Triplets {
         let count = self.value.len();
         if self.row.len() != count || self.column.len() != count {
             let problem = format!("has {} rows, {} columns and {count} values", self.row.len(), self.column.len());
-            return Err(Error::invalid(format!("{field}.triplets"), problem, "give as many of each"));
+            return Err(Error::invalid(format!("{field}.triplets"), problem, "give three lists of one length"));
         }
         if nrows.saturating_mul(ncols) > DENSE_ENTRIES {
             let problem = format!("has shape {nrows}×{ncols}");
-            return Err(Error::invalid(field, problem, format!("matrices are stored dense, with at most {DENSE_ENTRIES} entries")));
+            return Err(Error::invalid(field, problem, format!("use at most {DENSE_ENTRIES} entries: a matrix is stored dense")));
         }
         let mut seen = std::collections::HashSet::with_capacity(count);
         let mut matrix = DMatrix::zeros(nrows, ncols);
         for (k, ((&i, &j), &value)) in self.row.iter().zip(&self.column).zip(&self.value).enumerate() {
             for (name, index, size) in [("row", i, nrows), ("column", j, ncols)] {
                 if index >= size {
-                    let cure = format!("indices count from 0 and its shape says {size}");
+                    let cure = format!("use an index below {size}, as `shape` says; indices count from 0");
                     return Err(Error::invalid(format!("{field}.triplets.{name}[{k}]"), format!("is {index}"), cure));
                 }
             }

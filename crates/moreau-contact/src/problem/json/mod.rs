@@ -243,7 +243,7 @@ impl SolutionFile {
     fn answers(&self, problem: &ContactProblem) -> Result<()> {
         match self.problem.as_deref() {
             Some(other) if !other.is_empty() && !problem.name().is_empty() && other != problem.name() => {
-                let cure = format!("the problem read is “{}”: give the files that belong together, or leave the name out", problem.name());
+                let cure = format!("give the solution of the problem “{}”, or leave this name out", problem.name());
                 Err(Error::invalid("problem", format!("is “{other}”"), cure))
             }
             _ => Ok(()),
@@ -271,7 +271,7 @@ fn read_law(name: &str, directions: Option<usize>) -> Result<Law> {
         "associated" => Law::Associated,
         "polyhedral-coulomb" | "polyhedral-associated" => {
             let directions =
-                directions.ok_or_else(|| Error::invalid("directions", "is missing", format!("the law `{name}` needs their number")))?;
+                directions.ok_or_else(|| Error::invalid("directions", "is missing", "give the number of friction directions"))?;
             return Ok(if name == "polyhedral-coulomb" {
                 Law::PolyhedralCoulomb { directions }
             } else {
@@ -298,13 +298,13 @@ fn read_operator(
     // sizes are compared before a matrix is made, so that a wrong shape cannot ask for all the memory
     let shape = |field: &str, matrix: &MatrixFile, wanted: [usize; 2]| {
         let problem = format!("has shape {}×{}", matrix.shape[0], matrix.shape[1]);
-        let cure = format!("{}×{} fits these contacts", wanted[0], wanted[1]);
+        let cure = format!("use the shape {}×{}, which fits the contacts", wanted[0], wanted[1]);
         if matrix.shape == wanted { Ok(()) } else { Err(Error::invalid(field, problem, cure)) }
     };
     let room = |velocities: usize| {
         let matrices = [(2, rows, rows), (1, velocities, velocities), (2, rows, velocities)]
             .map(|(times, n, m)| memory::matrix(n, m).saturating_mul(times));
-        memory::require("the matrices of this problem", matrices.into_iter().fold(0, u128::saturating_add))
+        memory::require("storing the matrices of this problem", matrices.into_iter().fold(0, u128::saturating_add))
     };
     match (operator, mass, jacobian) {
         (Some(operator), None, None) => {
@@ -315,7 +315,7 @@ fn read_operator(
         (None, Some(mass), Some(jacobian)) => {
             let velocities = mass.shape[0];
             if mass.triplets.as_ref().is_some_and(|triplets| triplets.value.len() < velocities) {
-                return Err(Error::invalid("mass", "has an empty row", "every velocity needs a positive inertia"));
+                return Err(Error::invalid("mass", "has an empty row", "give every velocity a positive inertia"));
             }
             shape("mass", &mass, [velocities, velocities])?;
             shape("jacobian", &jacobian, [rows, velocities])?;
@@ -323,7 +323,7 @@ fn read_operator(
             let dynamics = Dynamics { mass: mass.read("mass")?, jacobian: jacobian.read("jacobian")? };
             Ok((delassus(&dynamics.mass, &dynamics.jacobian)?, Some(dynamics)))
         }
-        _ => Err(Error::invalid("delassus", "must be given alone, or `mass` together with `jacobian`", "give one of the two")),
+        _ => Err(Error::invalid("delassus", "must stand alone, or `mass` and `jacobian` in its place", "give one of the two")),
     }
 }
 

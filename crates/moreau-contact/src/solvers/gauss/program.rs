@@ -30,16 +30,20 @@ impl GaussProgram {
     /// # Errors
     /// If M is not positive definite, the sizes do not fit or some R or μ is not positive.
     pub fn new(mass: DMatrix<f64>, jacobian: DMatrix<f64>, offset: DVector<f64>, pieces: Vec<SoftPiece>) -> Result<Self> {
-        let indefinite = || Error::invalid("mass", "is not positive definite", "every velocity needs a positive inertia");
+        let indefinite = || Error::invalid("mass", "is not positive definite", "give every velocity a positive inertia");
         let factor = mass.clone().cholesky().ok_or_else(indefinite)?;
         let rows: usize = pieces.iter().map(SoftPiece::rows).sum();
         if jacobian.ncols() != mass.ncols() || jacobian.nrows() != rows || offset.len() != rows {
             let problem = format!("is {}×{}", jacobian.nrows(), jacobian.ncols());
-            return Err(Error::invalid("jacobian", problem, format!("{rows}×{} fits these contacts and this mass", mass.ncols())));
+            return Err(Error::invalid(
+                "jacobian",
+                problem,
+                format!("use the shape {rows}×{}, which fits the contacts and the mass", mass.ncols()),
+            ));
         }
         let positive = |piece: &SoftPiece| piece.softness().iter().all(|softness| *softness > 0.0 && softness.is_finite());
         if !pieces.iter().all(positive) {
-            return Err(Error::invalid("compliance", "is not positive everywhere", "a soft contact has R > 0 in every row"));
+            return Err(Error::invalid("compliance", "is not positive everywhere", "give R > 0 in every row"));
         }
         Ok(GaussProgram { mass, factor, jacobian, offset, pieces })
     }

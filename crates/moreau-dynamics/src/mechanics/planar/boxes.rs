@@ -32,7 +32,7 @@ pub(super) fn box_box(half_extents: [f64; 2], first: &Pose, other: [f64; 2], sec
     manifold([half_extents, other], [first, second], Faces::new)
 }
 
-/// The candidates of a pair of boxes whose facing faces, given by their outward normals, share what `share` says.
+/// The candidates of a pair of boxes. `share` takes the outward normals of two faces that look at each other and gives their shared normal.
 pub(super) fn manifold(half_extents: [[f64; 2]; 2], poses: [&Pose; 2], share: impl Fn([f64; 2], [f64; 2]) -> Option<Faces>) -> [Touch; 2] {
     let [faces_first, faces_second] = [0, 1].map(|body| faces(half_extents[body], poses[body]));
     let (separation_first, best_first) = farthest(&faces_first, &faces_second);

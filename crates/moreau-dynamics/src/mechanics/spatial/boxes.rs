@@ -37,7 +37,7 @@ pub(super) fn box_box(half_extents: [f64; 3], first: &Pose, other: [f64; 3], sec
     manifold([half_extents, other], [first, second], Faces::new)
 }
 
-/// The candidates of a pair of boxes whose facing faces, given by their outward normals, share what `share` says.
+/// The candidates of a pair of boxes. `share` takes the outward normals of two faces that look at each other and gives their shared normal.
 pub(super) fn manifold(
     half_extents: [[f64; 3]; 2],
     poses: [&Pose; 2],

@@ -29,8 +29,8 @@ use sweeps::{Held, Positions};
 
 mod sweeps;
 
-/// Candidates farther away than this many times what the free motion can close in a step are not looked at, unless the pushes of a sweep
-/// come near that.
+/// The search for candidates reaches this many times the distance that the free motion can close in a step. It reaches farther if the
+/// pushes of a sweep come near that distance.
 const SPARE: f64 = 4.0;
 
 /// What makes a contact soft.

@@ -22,7 +22,7 @@ use moreau_contact::tolerance::certificate::CERTIFY;
 use moreau_exact::Result;
 use nalgebra::DVector;
 
-/// A contact that was met and what it has pushed.
+/// A contact that the sweeps have met, with its multipliers.
 #[derive(Clone, Debug)]
 pub(super) struct Held {
     /// Which one.

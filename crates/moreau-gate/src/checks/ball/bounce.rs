@@ -21,7 +21,7 @@ pub(super) struct Samples {
 }
 
 impl Samples {
-    /// Those of the first body of a trajectory, a ball over the floor z = 0.
+    /// The samples of the first body of a trajectory, which is a ball over the floor z = 0.
     pub(super) fn of(trajectory: &Trajectory, spacing: f64) -> Self {
         let track = &trajectory.bodies[0];
         let states = track.position.iter().zip(&track.linear_velocity).map(|(x, v)| (x[2] - RADIUS, v[2])).collect();

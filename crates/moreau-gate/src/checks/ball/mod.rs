@@ -29,7 +29,7 @@ pub const CHECKS: &[Check] = &[
     Check {
         name: "ball/energy",
         level: Level::Simulate,
-        question: "Is the apex after a bounce e² of the one before, and never higher if e = 1?",
+        question: "Is the apex after a bounce e² of the apex before, and never higher if e = 1?",
         derivation: "Apex heights are gap + v²/2g at the slowest sample. A bounce keeps e² of ½v² to first order. An elastic bounce has no \
                      energy to give: a θ-scheme keeps E − (θ−½) g h v through flight and impact, which at an apex is E to ¼ g² h s.",
         source: "closed form of the elastic ball; E − (θ−½) m g h v is invariant for every θ",
@@ -39,7 +39,7 @@ pub const CHECKS: &[Check] = &[
     Check {
         name: "ball/zeno",
         level: Level::Simulate,
-        question: "Does the ball come to rest after its infinitely many bounces, when the theory says?",
+        question: "Does the ball come to rest after infinitely many bounces, at the time that the theory gives?",
         derivation: "T∞ = t₁ (1+e)/(1−e). Event capturing may absorb the ball O(log 1/h) steps early and a bounded number of steps late, \
             both \
                      proved for the rules A, B and D and θ from ½ to 1; the widest of these is allowed.",
@@ -51,9 +51,9 @@ pub const CHECKS: &[Check] = &[
         name: "ball/penetration",
         level: Level::Simulate,
         question: "How deep does the ball get at its impact, and where does it rest?",
-        derivation: "An impact is noticed at most one step late, (v + g h) h deep, and a trapezoidal update goes on for half a step: 3/2 \
-            (v + g h) h. \
-                     It rests within 3 g h² of the floor. A compliant law's depth is that of its replayed discrete map.",
+        derivation: "An impact is noticed at most one step late, at a depth of (v + g h) h. A trapezoidal update goes on for half a \
+            step, which makes 3/2 (v + g h) h. The ball rests within 3 g h² of the floor. The depth of a compliant law is that of its \
+            replayed discrete map.",
         source: "the activation rules of Moreau–Jean; the engines' documented force laws",
         run: Run::EachStep(settling::penetration),
         control: Control { passes: "moreau-jean", fails: "ball/contacts-every-fourth-step" },
@@ -61,7 +61,7 @@ pub const CHECKS: &[Check] = &[
     Check {
         name: "ball/effective-restitution",
         level: Level::Simulate,
-        question: "How much of its speed does a ball keep that should keep nothing?",
+        question: "Which part of its speed does a ball without restitution keep?",
         derivation: "e = 0 leaves no velocity, up to the gravity of the steps around the impact. A compliant law rebounds with an \
             effective e, \
                      which is replayed step by step; as h → 0 a spring with damping ratio ζ gives exp(−ζ/√(1−ζ²)·acos(2ζ²−1)).",

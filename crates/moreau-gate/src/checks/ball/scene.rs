@@ -3,7 +3,7 @@
 use crate::checks::scenery::{over_floor, sphere};
 use moreau_dynamics::scenes::Scene;
 
-/// \[m\]
+/// Radius of the ball \[m\].
 pub(super) const RADIUS: f64 = 0.1;
 
 /// A 1 kg ball at rest, `height` \[m\] above the floor.

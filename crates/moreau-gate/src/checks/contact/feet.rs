@@ -11,7 +11,7 @@ use nalgebra::{Matrix3, Vector3};
 pub(super) struct Feet {
     /// Centres in the body frame \[m\].
     centres: Vec<Vector3<f64>>,
-    /// \[m\].
+    /// Radius of the spheres \[m\].
     radius: f64,
     mass: f64,
     /// Principal moments \[kg·m²\].
@@ -19,12 +19,12 @@ pub(super) struct Feet {
 }
 
 impl Feet {
-    /// Of a solid sphere.
+    /// The feet of a solid sphere.
     pub(super) fn of_sphere(mass: f64, radius: f64) -> Self {
         Feet { centres: vec![Vector3::zeros()], radius, mass, moments: Vector3::repeat(0.4 * mass * radius * radius) }
     }
 
-    /// Of a solid box, with the spheres that the engine declares at its corners.
+    /// The feet of a solid box, with the spheres that the engine declares at its corners.
     pub(super) fn of_box(bench: &Bench, mass: f64, half_extents: [f64; 3]) -> Self {
         let radius = bench.description().contact_model.number("corner_radius").unwrap_or(0.0);
         let half = Vector3::from(half_extents);

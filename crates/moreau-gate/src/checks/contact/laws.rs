@@ -11,7 +11,7 @@ use crate::{Bench, Expectation, Kind, Measurement, Reply};
 use moreau_contact::cones::polyhedral;
 use nalgebra::{Vector2, Vector3};
 
-/// Of the tumbling box \[m\].
+/// Half extents of the tumbling box \[m\].
 const HALF_EXTENTS: [f64; 3] = [0.1, 0.08, 0.06];
 
 pub(super) fn cone(bench: &mut Bench, h: f64) -> Reply<Vec<Measurement>> {

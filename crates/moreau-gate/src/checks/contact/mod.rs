@@ -21,11 +21,10 @@ pub const CHECKS: &[Check] = &[
         name: "contact/cone",
         level: Level::Simulate,
         question: "Is every reported impulse in the friction cone, with the normal of the floor?",
-        derivation: "‖p_t‖ ≤ μ p_n for every contact point, hence for their sum; landing and sliding of a sphere and of a tumbling box. \
-                     Relative to the largest normal impulse of the motion. Lagged friction takes its bound from n₀ = h k δ (1 − d v_n) \
-                     before the step, softened over max(v_s, σ w μ n₀), and leaves the cone by what that formula gives for the measured \
-                     states; a \
-                     pyramid around the cone by (√2 − 1) μ.",
+        derivation: "‖p_t‖ ≤ μ p_n for every contact point, hence for their sum. A sphere and a tumbling box land and slide. The excess \
+            is relative to the largest normal impulse of the motion. Lagged friction takes its bound from n₀ = h k δ (1 − d v_n) before \
+            the step, softened over max(v_s, σ w μ n₀). It leaves the cone by what that formula gives for the measured states. A pyramid \
+            around the cone leaves it by (√2 − 1) μ.",
         source: "Coulomb's law; protocol: normal from the second body to the first, impulse on the first",
         run: Run::EachStep(laws::cone),
         control: Control { passes: "moreau-jean", fails: "contact/lagged-normal" },
@@ -34,10 +33,9 @@ pub const CHECKS: &[Check] = &[
         name: "contact/complementarity",
         level: Level::Simulate,
         question: "Do impulses act only in contact, and does a sphere in contact stop approaching the floor?",
-        derivation: "Signorini: p_n > 0 only at φ = 0. A step may act on what it reaches: φ ≤ h (|v_n| + g h). Without restitution, after \
-            a \
-                     second step with impulse u_n ≥ −g h. The relaxation acts at φ ≤ μ h‖u_t‖ as well. Soft contacts approach while they \
-                     are compressed; only their impulses are asked for.",
+        derivation: "Signorini: p_n > 0 only at φ = 0. A step may act on a contact that it reaches: φ ≤ h (|v_n| + g h). The relaxation \
+            also acts at φ ≤ μ h‖u_t‖. Without restitution, u_n ≥ −g h after a second step with impulse. Soft contacts approach while \
+            they are compressed, so that only their impulses are checked.",
         source: "Signorini's condition; chapter §3–§5",
         run: Run::EachStep(laws::complementarity),
         control: Control { passes: "moreau-jean", fails: "contact/early" },
@@ -46,10 +44,9 @@ pub const CHECKS: &[Check] = &[
         name: "contact/dissipation",
         level: Level::Simulate,
         question: "While a sphere slides, is friction on the cone's boundary and opposed to the slip?",
-        derivation: "Maximal dissipation: p_t = −μ p_n u_t/‖u_t‖ at the slip after the step; steps that start or end near sticking are \
-            left \
-                     out. With d directions the force is off by at most 2 sin(π/2d); a regularised law by what its formula gives for the \
-                     measured states.",
+        derivation: "Maximal dissipation: p_t = −μ p_n u_t/‖u_t‖ at the slip after the step. Steps that start or end near sticking are \
+            left out. With d directions the force is off by at most 2 sin(π/2d). A regularised law is off by what its formula gives for \
+            the measured states.",
         source: "principle of maximal dissipation; cones::polyhedral",
         run: Run::EachStep(laws::dissipation),
         control: Control { passes: "moreau-jean", fails: "incline/kinetic-friction" },
@@ -58,9 +55,9 @@ pub const CHECKS: &[Check] = &[
         name: "contact/increment",
         level: Level::Simulate,
         question: "Does a contact without restitution ever do positive work on a sphere?",
-        derivation: "The work of an impulse over its step is ½ pᵀ(u⁻ + u⁺), not positive without restitution; a contact found while the \
-                     sphere still rises slower than g h may give ½ p_n g h. A compliant contact gives back what it has stored: its sum \
-                     since the start is asked for.",
+        derivation: "The work of an impulse over its step is ½ pᵀ(u⁻ + u⁺), which is not positive without restitution. A contact that is \
+            found while the sphere still rises slower than g h may give ½ p_n g h. A compliant contact gives back the energy that it has \
+            stored, so that its sum since the start is checked.",
         source: "ΔT = ½ pᵀ(u⁻ + u⁺), exact for one step",
         run: Run::EachStep(laws::increment),
         control: Control { passes: "moreau-jean", fails: "contact/friction-along-slip" },
@@ -69,12 +66,10 @@ pub const CHECKS: &[Check] = &[
         name: "contact/momentum",
         level: Level::Simulate,
         question: "Do the reported impulses account for every change of momentum and of angular momentum?",
-        derivation: "m Δv = m g Δt + p in every interval, and J Δω = ℓ × p with the lever of the contact point: for a sphere −(R + φ) n, \
-            with the \
-                     gap or depth φ at the start or the end of the step, wherever the engine looks for contacts; for a box that lands on \
-                     an \
-                     edge the middle of the edge. Relative to the impulses of the interval; the edge's lever is \
-                     known up to its turn in the step and its depth.",
+        derivation: "m Δv = m g Δt + p in every interval, and J Δω = ℓ × p with the lever ℓ of the contact point. For a sphere ℓ = −(R + \
+            φ) n. Its gap or depth φ is that at the start or at the end of the step, wherever the engine looks for contacts. For a box \
+            that lands on an edge, ℓ leads to the middle of the edge. It is known up to the depth and the turn of the box in the step. \
+            The differences are relative to the impulses of the interval.",
         source: "Newton–Euler; protocol: impulses summed over the interval that ends at the sample",
         run: Run::EachStep(momentum::momentum),
         control: Control { passes: "moreau-jean", fails: "contact/late" },

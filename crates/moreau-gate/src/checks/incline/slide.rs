@@ -8,7 +8,7 @@ use crate::tolerance::incline as tolerance;
 use crate::{Bench, Expectation, Measurement, Reply};
 use moreau_contact::cones::polyhedral;
 
-/// \[s\].
+/// Duration of the motion \[s\].
 const DURATION: f64 = 0.25;
 
 const FRICTION: f64 = 0.3;

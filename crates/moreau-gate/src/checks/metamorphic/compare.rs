@@ -7,11 +7,11 @@ use moreau_dynamics::trajectory::Trajectory;
 /// Largest differences over bodies and samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Differences {
-    /// \[m\].
+    /// Largest difference of a position \[m\].
     pub position: f64,
     /// \[m/s\], of the centres.
     pub velocity: f64,
-    /// \[rad\].
+    /// Largest difference of an orientation \[rad\].
     pub orientation: f64,
 }
 

@@ -25,9 +25,9 @@ use scenes::{ARM, DURATION, FRICTION, SPEED};
 use transform::Transform;
 
 /// Where the allowances come from, for every check of the family.
-const SOLVED: &str = "The exact motions correspond. A covariant scheme repeats the same arithmetic up to rounding; what its solver leaves \
-    is at \
-                      most a part 3.5e-4 of every change of velocity, 2 (speed + g T) in all, and is handed on without growth.";
+const SOLVED: &str = "The exact motions correspond. A covariant scheme repeats the same arithmetic up to rounding. Its solver leaves at \
+    most a part 3.5e-4 of every change of velocity, and these changes add up to 2 (speed + g T). The errors do not grow from step to \
+    step.";
 
 /// The checks of the family.
 pub const CHECKS: &[Check] = &[
@@ -71,9 +71,10 @@ pub const CHECKS: &[Check] = &[
     Check {
         name: "metamorphic/units",
         level: Level::Simulate,
-        question: "Does a scene written in millimetres and grams, and in milliseconds besides, move as the original does?",
-        derivation: "Every number of the scene, the step and the engine's declared parameters are converted by their units. As for a \
-                     rotation; a threshold that is not declared as a physical number is not converted and shows.",
+        question: "Does a scene move as the original does when it is written in millimetres and grams, and also in milliseconds?",
+        derivation: "Every number of the scene, the step and the engine's declared parameters are converted by their units. The \
+            allowance is that of a rotation. A threshold that is not declared as a physical number is not converted, and the difference \
+            shows it.",
         source: "dimensional homogeneity",
         run: Run::EachStep(units::run),
         control: Control { passes: "moreau-jean", fails: "metamorphic/absolute-speed-limit" },
@@ -90,7 +91,7 @@ pub const CHECKS: &[Check] = &[
     Check {
         name: "metamorphic/galilean",
         level: Level::Simulate,
-        question: "Do two spheres that collide do so in the same way in a frame that moves uniformly?",
+        question: "Do two spheres collide in the same way in a frame that moves uniformly?",
         derivation: "As for a rotation. A declared linear damping c acts in the world frame: the frame is left behind by V (1 − e^(−cT)) \
                      in velocity and V (T − (1 − e^(−cT))/c) in position.",
         source: "Galilean invariance",

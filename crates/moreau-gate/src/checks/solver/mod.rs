@@ -31,7 +31,8 @@ pub const CHECKS: &[Check] = &[
         name: "solver/certificate",
         level: Level::Solve,
         question: "Are small problems solved whose contacts stick, slide and open, with restitution in the shift?",
-        derivation: "As below, and the velocity is the only one: with one contact on a point mass, ‖Δu‖ ≤ b + √(2b) for residuals b = √ε.",
+        derivation: "As for the other problems, the velocities and the impulses are chosen first. Here the velocity is unique: with one \
+            contact on a point mass, ‖Δu‖ ≤ b + √(2b) for residuals b = √ε.",
         source: "chapter §4 and §5; residuals as in the certificate",
         run: Run::Once(|bench| certified(bench, posed::small, true)),
         control: Control { passes: "moreau-jean", fails: "solver/no-impulse" },
@@ -75,7 +76,7 @@ pub const CHECKS: &[Check] = &[
     Check {
         name: "solver/infeasible",
         level: Level::Solve,
-        question: "Is an answer to a problem without solution an honest one: a refusal, or a velocity that belongs to its impulses?",
+        question: "Is the answer to a problem without solution honest: either a refusal, or a velocity that belongs to the impulses?",
         derivation: "A point pressed by two opposite walls at once: y₁ + y₂ = u₁ + u₂ − 2 s = −2 s < 0 for every r, so no answer satisfies \
                      y ≥ 0. Whatever r is returned, u must be W r + u_free, up to √ε and the rounding of the product; then every \
                      reader sees the violation. An error or `unsupported` is honest.",

@@ -69,8 +69,8 @@ pub(super) fn jamming(law: Law) -> Result<Vec<Solved>> {
     Ok(problems)
 }
 
-/// A flat plate on four corners that sticks and that slides. It is flat enough for the friction coefficients: a c μ < I/m + a², so that
-/// friction never lifts the load (no Painlevé paradox).
+/// A flat plate on four corners, once sticking and once sliding. It is so flat that a c μ < I/m + a² for every friction coefficient. So
+/// friction never lifts the load, and there is no Painlevé paradox.
 pub(super) fn friction_range(law: Law) -> Result<Vec<Solved>> {
     let (a, b, c) = (1.0, 0.5, 1.0 / 16.0);
     let mut problems = Vec::new();

@@ -10,7 +10,7 @@ use crate::model::{Model, RigidLimits};
 use crate::tolerance::tumbling as tolerance;
 use crate::{Bench, Expectation, Measurement, Reply};
 
-/// \[s\].
+/// Duration of the motion \[s\].
 const DURATION: f64 = 0.8;
 
 /// `tumbling/depth`.
@@ -55,8 +55,8 @@ fn arrival(tumble: &Tumble, k: usize) -> f64 {
     fastest
 }
 
-/// The depth \[m\] at which the declared law stops a body that puts the whole energy of the motion into one contact, if it says; more
-/// contacts or a lighter corner stop it sooner.
+/// The depth \[m\] at which the declared law stops a body that puts the whole energy of the motion into one contact, if the law gives it.
+/// More contacts or a lighter corner stop the body sooner.
 fn declared(bench: &Bench, tumble: &Tumble, h: f64) -> Option<f64> {
     let model = Model::of(bench.description());
     let (lightest, total) = weights(tumble);
@@ -73,7 +73,7 @@ fn declared(bench: &Bench, tumble: &Tumble, h: f64) -> Option<f64> {
     Some(states.iter().map(|(gap, _)| -gap).fold(0.0, worst))
 }
 
-/// The depth \[m\] at which a declared spring carries what lies, if one is declared.
+/// The depth \[m\] at which a declared spring carries the lying bodies, if a spring is declared.
 pub(super) fn lying(bench: &Bench, tumble: &Tumble) -> Option<f64> {
     match Model::of(bench.description()) {
         Model::Coulomb(limits) => Some(carried(&limits, tumble)).filter(|depth| *depth > 0.0),

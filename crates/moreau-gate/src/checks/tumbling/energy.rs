@@ -21,7 +21,7 @@ use crate::model::{Model, RigidLimits};
 use crate::tolerance::tumbling as tolerance;
 use crate::{Bench, Expectation, Kind, Measurement, Reply};
 
-/// \[s\].
+/// Duration of the motion \[s\].
 const DURATION: f64 = 1.0;
 
 const fn throw(thrown: Thrown, seed: u64, restitution: f64) -> Throw {

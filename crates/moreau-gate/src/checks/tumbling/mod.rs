@@ -1,4 +1,4 @@
-//! Thrown boxes: what holds of a motion whose course nobody can predict.
+//! Thrown boxes: laws that hold although the motion itself cannot be predicted.
 //!
 //! ```text
 //!     e = 0 with friction, e > 0 without       the energy rises by no more than gravity and rotation within a step allow
@@ -25,15 +25,13 @@ pub const CHECKS: &[Check] = &[
         name: "tumbling/passive",
         level: Level::Simulate,
         question: "Does the energy of boxes that land on a rough floor and on each other ever rise, without restitution?",
-        derivation: "A step gains r·u⁺ − Σ(½ ‖p‖²/m − ½ h g p_z) with r·u⁺ ≤ 0, p the impulses on a body: at most m g² h²/8, nothing for a \
-            body \
-                     that is carried. For the σ that fits best the energy is E − σ g h Σ m v_z, |σ| ≤ ½, which a scheme keeps that moves \
-                     on \
-                     with (½ + σ) v⁺ + (½ − σ) v. Corners that turned below a surface by ½ ω²ρ h² are pushed out at ½ ω²ρ h. A first-order \
-                     step \
-                     of rotation adds ½ h² τᵀJ⁻¹τ + ½ h (J_max − J_min) ω²‖Δω‖, nothing for a cube. The allowances of an interval of steps \
-                     add up; the interval farthest above them is reported. A compliant contact stores what it takes: it is held against \
-                     the start. Where a rigid law declares that depth is taken back, the speed it declares is added.",
+        derivation: "A step gains r·u⁺ − Σ(½ ‖p‖²/m − ½ h g p_z) with r·u⁺ ≤ 0, where p are the impulses on a body. This is at most m g² \
+            h²/8, and zero for a body that is carried. The energy is E − σ g h Σ m v_z with |σ| ≤ ½, which a scheme keeps that updates \
+            positions with (½ + σ) v⁺ + (½ − σ) v. The σ that fits the flight best is taken. Corners that turned below a surface by ½ \
+            ω²ρ h² are pushed out at ½ ω²ρ h. A first-order step of rotation adds ½ h² τᵀJ⁻¹τ + ½ h (J_max − J_min) ω²‖Δω‖, which is \
+            zero for a cube. The allowances of an interval of steps add up, and the interval farthest above them is reported. A \
+            compliant contact stores energy, so that it is compared with the start. If a rigid law declares that it takes back a depth, \
+            the declared speed is added.",
         source: "T(v⁺) − T(v_free) = r·u⁺ − ½ rᵀWr; chapter §9",
         run: Run::EachStep(energy::passive),
         control: Control { passes: "moreau-jean", fails: "tumbling/two-sweeps" },
@@ -41,10 +39,10 @@ pub const CHECKS: &[Check] = &[
     Check {
         name: "tumbling/bouncing",
         level: Level::Simulate,
-        question: "Does the energy of boxes ever rise that bounce with one restitution and without friction?",
+        question: "Does the energy of boxes that bounce with one restitution and without friction ever rise?",
         derivation: "With y = u⁺ + e u⁻ and r·y = 0 the bound without restitution holds, times (1−e)/(1+e). Contacts below a declared \
-            threshold have \
-                     another e than the rest, and Newton's law with several e has no such theorem: then as with friction.",
+            threshold have another e than the others. Newton's law with several e has no such theorem, so that the bound with friction \
+            is used for them.",
         source: "Moreau's law with one e for all contacts dissipates; chapter §9",
         run: Run::EachStep(energy::bouncing),
         control: Control { passes: "moreau-jean", fails: "tumbling/stale-impulses" },
@@ -53,11 +51,9 @@ pub const CHECKS: &[Check] = &[
         name: "tumbling/rough",
         level: Level::Simulate,
         question: "Does the energy of boxes that bounce on a rough floor rise in a step by more than Newton's law can give?",
-        derivation: "Newton's e with friction has no energy theorem. But r·u⁺ ≤ −e Σ r_n u_n⁻ ≤ e U R, with U the greatest speed of two \
-            points \
-                     that may touch, and R = Σ r_n from the change of momentum: the floor's is S = Σ p_z, and of two bodies the upper \
-                     one's \
-                     ‖p‖ + S √(1+μ²) bounds what they do to each other. The rest as without restitution.",
+        derivation: "Newton's e with friction has no energy theorem. But r·u⁺ ≤ −e Σ r_n u_n⁻ ≤ e U R. U is the greatest relative speed \
+            of two points that may touch. R = Σ r_n follows from the change of momentum: the floor gives S = Σ p_z, and ‖p‖ + S √(1+μ²) \
+            of the upper of two bodies bounds their mutual impulses. All other terms are those without restitution.",
         source: "T(v⁺) − T(v_free) = r·u⁺ − ½ rᵀWr with y_n = u_n⁺ + e u_n⁻ and friction that opposes u_t⁺",
         run: Run::EachStep(energy::rough),
         control: Control { passes: "moreau-jean", fails: "tumbling/extrapolated-sweeps" },
@@ -65,11 +61,10 @@ pub const CHECKS: &[Check] = &[
     Check {
         name: "tumbling/depth",
         level: Level::Simulate,
-        question: "How deep do boxes get into a rough floor and into each other, with restitution where there is any?",
-        derivation: "A corner that arrives at u is noticed a step late and moves on for half a step: 3/2 h (u + g h), u the fastest \
-            arrival of the \
-                     motion. Two boxes overlap by the least of their overlaps along 15 axes. A compliant or sprung law stops the energy of \
-                     the whole motion in one contact at a depth that is replayed.",
+        question: "How deep do boxes get into a rough floor and into each other, with and without restitution?",
+        derivation: "A corner that arrives at u is noticed a step late and moves on for half a step: 3/2 h (u + g h), with the fastest \
+            arrival u of the motion. The overlap of two boxes is the least of their overlaps along 15 axes. A compliant or sprung law \
+            stops the energy of the whole motion in one contact, at a depth that is replayed.",
         source: "the activation rules of Moreau–Jean; separating axes",
         run: Run::EachStep(depth::depth),
         control: Control { passes: "moreau-jean", fails: "ball/contacts-every-fourth-step" },
@@ -78,7 +73,8 @@ pub const CHECKS: &[Check] = &[
         name: "tumbling/momentum",
         level: Level::Simulate,
         question: "Do the reported impulses account for every change of every body's momentum?",
-        derivation: "m Δv = m g h + Σ p in every step, p on the body named first and −p on the other; relative to Σ‖p‖ + m g h.",
+        derivation: "m Δv = m g h + Σ p in every step, with p on the body named first and −p on the other. The difference is relative to \
+            Σ‖p‖ + m g h.",
         source: "Newton's laws; protocol: impulses summed over the interval that ends at the sample",
         run: Run::EachStep(momentum::momentum),
         control: Control { passes: "moreau-jean", fails: "contact/late" },
@@ -86,11 +82,10 @@ pub const CHECKS: &[Check] = &[
     Check {
         name: "tumbling/rest",
         level: Level::Simulate,
-        question: "Do boxes come to rest that land without restitution, on the floor and outside each other?",
-        derivation: "Sliding ends after v/(μ g), a landing from edge to edge keeps at most (1 − 3/2 sin²α)² of the energy: both within a \
-            second. \
-                     After 2.5 s a corner is slower than a step of gravity, g h; the lowest body is within 3 g h² of the floor, and depths \
-                     are bounded as in flight.",
+        question: "Do boxes that land without restitution come to rest, on the floor and not inside each other?",
+        derivation: "Sliding ends after v/(μ g). A landing from edge to edge keeps at most (1 − 3/2 sin²α)² of the energy. Both end \
+            within a second. After 2.5 s a corner is slower than a step of gravity, g h. The lowest body is within 3 g h² of the floor, \
+            and depths are bounded as in flight.",
         source: "Housner 1963; the places where event capturing lets a ball rest",
         run: Run::EachStep(rest::rest),
         control: Control { passes: "moreau-jean", fails: "tumbling/stale-impulses" },

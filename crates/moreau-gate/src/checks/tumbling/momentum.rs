@@ -11,7 +11,7 @@ use crate::tolerance::tumbling as tolerance;
 use crate::{Bench, Expectation, Measurement, Refusal, Reply};
 use nalgebra::Vector3;
 
-/// \[s\].
+/// Duration of the motion \[s\].
 const DURATION: f64 = 0.5;
 
 const THROWS: [Throw; 3] = [

@@ -16,7 +16,7 @@ pub(super) struct Solid {
     pub mass: f64,
     /// Principal moments \[kg·m²\].
     pub moments: Vector3<f64>,
-    /// Half its edges \[m\].
+    /// Half extents \[m\].
     pub half: [f64; 3],
 }
 

@@ -15,7 +15,7 @@ use nalgebra::Vector3;
 pub(super) struct Placed {
     /// Its state.
     pub state: Sample,
-    /// Half its edges \[m\].
+    /// Half extents \[m\].
     pub half: [f64; 3],
 }
 

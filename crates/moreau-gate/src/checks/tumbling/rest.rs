@@ -7,7 +7,7 @@ use crate::checks::tumbling::scenes::{FRICTION, Throw, Thrown};
 use crate::tolerance::tumbling as tolerance;
 use crate::{Bench, Expectation, Measurement, Reply};
 
-/// \[s\].
+/// Duration of the motion \[s\].
 const DURATION: f64 = 2.5;
 /// The last part of it \[s\], in which they lie.
 const LYING: f64 = 0.25;

@@ -20,7 +20,7 @@ const HEAVY: f64 = 50.0;
 /// Which bodies are thrown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Thrown {
-    /// One cube: no gyroscopic torque.
+    /// One cube, which has no gyroscopic torque.
     Cube,
     /// One box with three different edges.
     Box,

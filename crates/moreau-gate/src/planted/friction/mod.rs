@@ -77,7 +77,7 @@ pub const PLANTED: &[Planted] = &[
     },
     Planted {
         name: "contact/inertia-of-full-extents",
-        mistake: "computes a box's inertia from its edges where half of them are meant: four times too much",
+        mistake: "computes a box's inertia from its edges instead of half of them, four times too much",
         engine: || misread(world::full_extents),
         caught_by: &["contact/momentum"],
     },
