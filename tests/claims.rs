@@ -1,18 +1,58 @@
 //! One named trial per claim of the registry; `cargo test --test claims S4` runs one section.
+//!
+//! A trial judges the claim and its control. Then it breaks the judgement on purpose: no other verdict may be supported by the same
+//! findings, and with what the sentence says in place of what was found the verdict must become "true".
 
-use libtest_mimic::{Arguments, Trial};
-use moreau::claims::{self, Status};
+use libtest_mimic::{Arguments, Failed, Trial};
+use moreau::checks::{Finding, Voice};
+use moreau::claims::{self, ClaimVerdict, JudgedClaim, Status};
+
+const VERDICTS: [ClaimVerdict; 5] =
+    [ClaimVerdict::True, ClaimVerdict::Conditional, ClaimVerdict::False, ClaimVerdict::Inconsistent, ClaimVerdict::Ambiguous];
+
+fn supported(outcome: &JudgedClaim) -> Result<(), Failed> {
+    if outcome.status == Status::Supported {
+        return Ok(());
+    }
+    let line = |finding: &Finding| format!("\n  [{}] {finding}", if finding.holds() { "holds" } else { "FAILS" });
+    let lines = |findings: &[Finding]| findings.iter().map(line).collect::<String>();
+    Err(format!("{:?}{}\n control:{}", outcome.status, lines(&outcome.findings), lines(&outcome.control)).into())
+}
+
+/// No other verdict is supported by these findings: recorded verdicts that differ cannot be exchanged.
+fn no_other_verdict(outcome: &JudgedClaim) -> Result<(), Failed> {
+    for other in VERDICTS.into_iter().filter(|other| *other != outcome.claim.verdict) {
+        if claims::conclude(other, true, &outcome.findings, &outcome.control) == Status::Supported {
+            return Err(format!("the findings support {other:?} as well").into());
+        }
+    }
+    Ok(())
+}
+
+/// With what the sentence says in place of what was found every finding supports it. Two passages that differ still do.
+fn as_stated(outcome: &JudgedClaim) -> Result<(), Failed> {
+    let opinion = outcome.findings.iter().any(|finding| matches!(finding.bearing.voice, Voice::Opinion(_)));
+    let stated: Vec<_> = outcome.findings.iter().map(Finding::as_stated).collect();
+    match claims::derive(&stated) {
+        Ok(ClaimVerdict::True) => Ok(()),
+        _ if opinion || outcome.claim.verdict == ClaimVerdict::Inconsistent => Ok(()),
+        other => Err(format!("with found := stated the verdict is {other:?}").into()),
+    }
+}
 
 fn main() {
     let trials = claims::all().map(|claim| {
         Trial::test(claim.id, move || {
             let outcome = claims::judge(claim);
-            if outcome.status == Status::Supported {
-                return Ok(());
+            supported(&outcome)?;
+            if !claims::is_derived(claim) {
+                return match claims::derive(&outcome.findings) {
+                    Ok(verdict) if verdict == claim.verdict => Err("the verdict follows: take the id out of UNDERIVED".into()),
+                    _ => Ok(()),
+                };
             }
-            let findings =
-                outcome.findings.iter().map(|finding| format!("\n  [{}] {finding}", if finding.holds() { "holds" } else { "FAILS" }));
-            Err(format!("{:?}{}", outcome.status, findings.collect::<String>()).into())
+            no_other_verdict(&outcome)?;
+            as_stated(&outcome)
         })
     });
     libtest_mimic::run(&Arguments::from_args(), trials.collect()).exit();

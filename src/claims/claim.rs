@@ -37,6 +37,70 @@ impl ClaimVerdict {
     }
 }
 
+/// What kind of sentence a claim is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// It says that something is so.
+    Assertion,
+    /// An exercise or a question, with the answer that it presumes.
+    Exercise,
+    /// It fixes the meaning of a word or a symbol.
+    Definition,
+    /// It says who wrote, proved or named something, and where.
+    Citation,
+    /// It names a file, a function, an option or a version of a package.
+    Path,
+    /// It says what to do.
+    Advice,
+    /// It values.
+    Opinion,
+}
+
+impl Kind {
+    /// The words used in reports.
+    pub fn words(self) -> &'static str {
+        match self {
+            Kind::Assertion => "assertion",
+            Kind::Exercise => "exercise or question",
+            Kind::Definition => "definition",
+            Kind::Citation => "citation",
+            Kind::Path => "path or version",
+            Kind::Advice => "advice",
+            Kind::Opinion => "opinion",
+        }
+    }
+}
+
+/// How much is wrong with a claim that does not hold as printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Severity {
+    /// A slip that a reader corrects at sight: a sign, an index, a number, a name.
+    Misprint,
+    /// What is said holds, for another reason than the one given.
+    WrongReason,
+    /// It holds under a condition that is not printed.
+    MissingHypothesis,
+    /// It does not hold.
+    WrongStatement,
+    /// It is offered as a theorem, or others rest on it as on one, and it does not hold.
+    BrokenTheorem,
+}
+
+impl Severity {
+    /// The words used in reports.
+    pub fn words(self) -> &'static str {
+        match self {
+            Severity::Misprint => "misprint",
+            Severity::WrongReason => "wrong reason",
+            Severity::MissingHypothesis => "missing hypothesis",
+            Severity::WrongStatement => "wrong statement",
+            Severity::BrokenTheorem => "broken theorem",
+        }
+    }
+}
+
 /// How strong the evidence is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -93,6 +157,10 @@ pub struct Claim {
     pub statement: &'static str,
     /// The verdict in force.
     pub verdict: ClaimVerdict,
+    /// What kind of sentence it is.
+    pub kind: Kind,
+    /// How much is wrong; absent where the claim is true or ambiguous.
+    pub severity: Option<Severity>,
     /// The grade of the evidence.
     pub evidence: Evidence,
     /// The statement as it should read; the claim itself where it is true.

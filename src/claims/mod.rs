@@ -20,9 +20,15 @@ pub mod s6;
 pub mod s7;
 pub mod s8;
 pub mod s9;
+mod repeats;
 mod section;
+mod underived;
 pub mod v;
+mod verdict;
 
-pub use claim::{Claim, ClaimVerdict, Evidence, Reading, group_of};
-pub use registry::{JudgedClaim, Status, all, find, judge, matches_group};
+pub use claim::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity, group_of};
+pub use repeats::REPEATS;
+pub use registry::{JudgedClaim, Status, all, conclude, find, is_derived, judge, matches_group};
 pub use section::{SECTIONS, Section, place};
+pub use underived::UNDERIVED;
+pub use verdict::derive;

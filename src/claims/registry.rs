@@ -1,7 +1,7 @@
 //! All claims in the chapter's order, and how one is judged.
 
-use super::{Claim, Reading, group_of};
-use crate::checks::Finding;
+use super::{Claim, ClaimVerdict, Reading, UNDERIVED, derive, group_of};
+use crate::checks::{Finding, Voice};
 use serde::Serialize;
 use std::time::Instant;
 
@@ -13,8 +13,10 @@ pub enum Status {
     Supported,
     /// A finding fails: the evidence speaks against the recorded verdict.
     Contradicted,
-    /// The control passed as well: the check cannot tell the verdict from its opposite.
+    /// The control passed as well, or leads to the same verdict: the check cannot tell the verdict from its opposite.
     ControlPassed,
+    /// What the findings say of the sentence is another verdict than the recorded one; in words.
+    OtherVerdict(String),
     /// The check could not be carried out.
     Failed(String),
 }
@@ -75,10 +77,7 @@ pub fn judge(claim: &'static Claim) -> JudgedClaim {
     let status = match (&recorded, &control) {
         (Err(error), _) => Status::Failed(error.to_string()),
         (_, Err(error)) => Status::Failed(format!("control: {error}")),
-        (Ok(findings), _) if findings.is_empty() => Status::Failed("the check found nothing".into()),
-        (Ok(findings), _) if !findings.iter().all(Finding::holds) => Status::Contradicted,
-        (_, Ok(control)) if control.iter().all(Finding::holds) => Status::ControlPassed,
-        _ => Status::Supported,
+        (Ok(findings), Ok(control)) => conclude(claim.verdict, is_derived(claim), findings, control),
     };
     JudgedClaim {
         claim,
@@ -89,10 +88,61 @@ pub fn judge(claim: &'static Claim) -> JudgedClaim {
     }
 }
 
+/// Whether the findings of a claim carry its verdict; the others stand in [`UNDERIVED`].
+pub fn is_derived(claim: &Claim) -> bool {
+    !UNDERIVED.contains(&claim.id)
+}
+
+/// What the findings of the claim and of its control say of the recorded verdict; `derived` is [`is_derived`].
+pub fn conclude(verdict: ClaimVerdict, derived: bool, findings: &[Finding], control: &[Finding]) -> Status {
+    if findings.is_empty() || control.is_empty() {
+        return Status::Failed("the check found nothing".into());
+    }
+    if !findings.iter().all(Finding::holds) {
+        return Status::Contradicted;
+    }
+    match derive(findings) {
+        Ok(found) if derived && found != verdict => return Status::OtherVerdict(found.words().into()),
+        Err(problem) if derived => return Status::OtherVerdict(problem.into()),
+        _ => {}
+    }
+    let opinion = findings.iter().any(|finding| matches!(finding.bearing.voice, Voice::Opinion(_)));
+    let same = derived && !opinion && derive(control) == Ok(verdict);
+    if same || control.iter().all(Finding::holds) { Status::ControlPassed } else { Status::Supported }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use std::collections::HashSet;
+
+    fn found(measured: usize) -> Finding {
+        Finding::count("k", measured, 1)
+    }
+
+    #[test]
+    fn a_verdict_that_does_not_follow_from_the_findings_is_not_supported() {
+        let (refuting, supporting) = ([found(1).says(2)], [found(1)]);
+        assert_eq!(conclude(ClaimVerdict::False, true, &refuting, &[found(2).says(2)]), Status::Supported);
+        assert!(matches!(conclude(ClaimVerdict::True, true, &refuting, &[found(2)]), Status::OtherVerdict(_)));
+        assert!(matches!(conclude(ClaimVerdict::False, true, &supporting, &[found(2)]), Status::OtherVerdict(_)));
+        assert!(matches!(conclude(ClaimVerdict::True, true, &[found(1).context()], &[found(2)]), Status::OtherVerdict(_)));
+    }
+
+    #[test]
+    fn a_control_that_passes_or_leads_to_the_same_verdict_is_reported() {
+        assert_eq!(conclude(ClaimVerdict::True, true, &[found(1)], &[found(1)]), Status::ControlPassed);
+        assert_eq!(conclude(ClaimVerdict::True, false, &[found(1)], &[found(1)]), Status::ControlPassed);
+        assert_eq!(conclude(ClaimVerdict::False, true, &[found(1).says(2)], &[found(3).says(2)]), Status::ControlPassed);
+        assert_eq!(conclude(ClaimVerdict::True, true, &[found(1)], &[found(1), found(2).context()]), Status::ControlPassed);
+    }
+
+    #[test]
+    fn nothing_found_and_a_finding_that_fails_are_reported() {
+        assert!(matches!(conclude(ClaimVerdict::True, true, &[], &[found(2)]), Status::Failed(_)));
+        assert!(matches!(conclude(ClaimVerdict::True, true, &[found(1)], &[]), Status::Failed(_)));
+        assert_eq!(conclude(ClaimVerdict::True, true, &[found(2)], &[found(2)]), Status::Contradicted);
+    }
 
     #[test]
     fn groups_match_whole_parts_only() {

@@ -2,8 +2,8 @@
 //!
 //! Numbers that are not finite become `null`, never `NaN`.
 
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, JudgedClaim, Status};
+use crate::checks::{Finding, Voice};
+use crate::claims::{Claim, ClaimVerdict, Evidence, JudgedClaim, Kind, Severity, Status, is_derived};
 use crate::{Error, Result};
 use serde::Serialize;
 
@@ -14,6 +14,11 @@ pub struct ClaimEntry {
     section: &'static str,
     statement: &'static str,
     verdict: ClaimVerdict,
+    kind: Kind,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    severity: Option<Severity>,
+    /// Whether the findings carry the verdict.
+    derived: bool,
     evidence: Evidence,
     correct_statement: &'static str,
 }
@@ -25,10 +30,45 @@ impl From<&Claim> for ClaimEntry {
             section: claim.section(),
             statement: claim.statement,
             verdict: claim.verdict,
+            kind: claim.kind,
+            severity: claim.severity,
+            derived: is_derived(claim),
             evidence: claim.evidence,
             correct_statement: claim.correct_statement,
         }
     }
+}
+
+/// A finding with what it says about the sentence.
+#[derive(Serialize)]
+pub struct FindingEntry<'a> {
+    #[serde(flatten)]
+    finding: &'a Finding,
+    role: &'static str,
+    stated: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    violated: Option<&'static str>,
+    #[serde(skip_serializing_if = "is_sentence")]
+    voice: Voice,
+}
+
+fn is_sentence(voice: &Voice) -> bool {
+    *voice == Voice::Sentence
+}
+
+impl<'a> From<&'a Finding> for FindingEntry<'a> {
+    fn from(finding: &'a Finding) -> Self {
+        let role = match (finding.bearing.context, finding.supports()) {
+            (true, _) => "context",
+            (false, true) => "supports",
+            (false, false) => "refutes",
+        };
+        FindingEntry { finding, role, stated: finding.stated(), violated: finding.bearing.violated, voice: finding.bearing.voice }
+    }
+}
+
+fn entries(findings: &[Finding]) -> Vec<FindingEntry<'_>> {
+    findings.iter().map(FindingEntry::from).collect()
 }
 
 /// A claim with what its check found.
@@ -36,7 +76,7 @@ impl From<&Claim> for ClaimEntry {
 pub struct OutcomeEntry<'a> {
     #[serde(flatten)]
     claim: ClaimEntry,
-    findings: &'a [Finding],
+    findings: Vec<FindingEntry<'a>>,
     status: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     failure: Option<&'a str>,
@@ -49,9 +89,10 @@ impl<'a> From<&'a JudgedClaim> for OutcomeEntry<'a> {
             Status::Supported => ("supported", None),
             Status::Contradicted => ("contradicted", None),
             Status::ControlPassed => ("control-passed", None),
+            Status::OtherVerdict(reason) => ("other-verdict", Some(reason.as_str())),
             Status::Failed(reason) => ("failed", Some(reason.as_str())),
         };
-        OutcomeEntry { claim: outcome.claim.into(), findings: &outcome.findings, status, failure, seconds: outcome.seconds }
+        OutcomeEntry { claim: outcome.claim.into(), findings: entries(&outcome.findings), status, failure, seconds: outcome.seconds }
     }
 }
 
@@ -62,7 +103,7 @@ pub struct ExplanationEntry<'a> {
     outcome: OutcomeEntry<'a>,
     argument: &'static str,
     control: &'static str,
-    control_findings: &'a [Finding],
+    control_findings: Vec<FindingEntry<'a>>,
     sources: &'static [&'static str],
 }
 
@@ -71,7 +112,7 @@ impl<'a> From<&'a JudgedClaim> for ExplanationEntry<'a> {
         ExplanationEntry {
             argument: outcome.claim.argument,
             control: outcome.claim.control,
-            control_findings: &outcome.control,
+            control_findings: entries(&outcome.control),
             sources: outcome.claim.sources,
             outcome: outcome.into(),
         }

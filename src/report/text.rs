@@ -1,8 +1,8 @@
 //! What `verify` prints: one line per claim grouped by section, a count at the end, and the explanation of one claim.
 
-use crate::checks::Finding;
+use crate::checks::{Finding, Voice};
 pub use crate::checks::text::Style;
-use crate::claims::{Claim, ClaimVerdict, JudgedClaim, SECTIONS, Section, Status, place};
+use crate::claims::{Claim, ClaimVerdict, JudgedClaim, SECTIONS, Section, Status, is_derived, place};
 use crate::number::{significant, with_unit};
 use std::fmt::Write;
 
@@ -46,14 +46,16 @@ pub fn explanation(outcome: &JudgedClaim, style: Style) -> String {
     let title = section_of(claim).map_or(claim.section(), |section| section.title);
     let mut text = String::new();
     line(&mut text, &style.heading(&format!("{} – {title}", claim.id)));
-    line(&mut text, &format!("verdict: {} (evidence: {})", claim.verdict.words(), claim.evidence.word()));
+    let severity = claim.severity.map(|severity| format!(", {}", severity.words())).unwrap_or_default();
+    line(&mut text, &format!("verdict: {}{severity} (evidence: {}; {})", claim.verdict.words(), claim.evidence.word(), claim.kind.words()));
     let mut part = |name: &str, body: &[String]| {
         line(&mut text, &format!("\n{}", style.heading(name)));
         body.iter().for_each(|paragraph| line(&mut text, paragraph));
     };
     part("The chapter says", &[wrap(claim.statement)]);
     part(if claim.verdict == ClaimVerdict::True { "Proof" } else { "Proof or counterexample" }, &[wrap(claim.argument)]);
-    part("What this run found", &outcome.findings.iter().map(judged).collect::<Vec<_>>());
+    let shown = if is_derived(claim) { told } else { judged };
+    part("What this run found", &outcome.findings.iter().map(shown).collect::<Vec<_>>());
     part("Correct statement", &[wrap(claim.correct_statement)]);
     let mut control = vec![wrap(claim.control)];
     control.extend(outcome.control.iter().map(judged));
@@ -123,6 +125,7 @@ fn alarm_word(status: &Status) -> Option<&'static str> {
         Status::Supported => None,
         Status::Contradicted => Some("CONTRADICTED"),
         Status::ControlPassed => Some("CONTROL PASSED"),
+        Status::OtherVerdict(_) => Some("OTHER VERDICT"),
         Status::Failed(_) => Some("FAILED"),
     }
 }
@@ -133,6 +136,7 @@ fn complain(text: &mut String, outcome: &JudgedClaim, style: Style) {
     let reason = match &outcome.status {
         Status::Failed(reason) => format!("the check could not be carried out: {reason}"),
         Status::ControlPassed => "the control passed too, so the check cannot tell the verdict from its opposite".into(),
+        Status::OtherVerdict(found) => format!("the findings say: {found}; recorded is: {}", outcome.claim.verdict.words()),
         Status::Contradicted | Status::Supported => "the evidence speaks against the recorded verdict".into(),
     };
     line(text, &format!("{} {}: {reason}", style.alarm(word), outcome.claim.id));
@@ -141,6 +145,26 @@ fn complain(text: &mut String, outcome: &JudgedClaim, style: Style) {
 
 fn judged(finding: &Finding) -> String {
     format!("  [{}] {finding}", if finding.holds() { "holds" } else { "FAILS" })
+}
+
+/// A finding with what it says about the sentence; as [`judged`], if it is not what was expected.
+fn told(finding: &Finding) -> String {
+    if !finding.holds() {
+        return judged(finding);
+    }
+    let found = decisive_number(finding);
+    if finding.bearing.context {
+        return format!("  [beside]   {found}");
+    }
+    let direction = if finding.supports() { "supports" } else { "refutes " };
+    let where_violated = finding.bearing.violated.map(|condition| format!("; violated here: {condition}")).unwrap_or_default();
+    let said = match finding.bearing.voice {
+        Voice::Sentence => format!("the sentence says {}", finding.stated()),
+        Voice::Passage(passage) => format!("{passage} says {}", finding.stated()),
+        Voice::Reading(reading) => format!("read as {reading}: {}", finding.stated()),
+        Voice::Opinion(point) => format!("an opinion: {point}"),
+    };
+    format!("  [{direction}] {found} ({said}{where_violated})")
 }
 
 fn line(text: &mut String, content: &str) {
@@ -169,12 +193,14 @@ fn wrap(prose: &str) -> String {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::claims::{Evidence, Reading};
+    use crate::claims::{Evidence, Kind, Reading, Severity};
 
     pub(crate) const CLAIM: Claim = Claim {
         id: "S4.example",
         statement: "one is two",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "one is one",
         argument: "1 ≠ 2",

@@ -1,20 +1,9 @@
 //! A finding: one measured number, compared with one expectation.
 
+use crate::bearing::Bearing;
+use crate::relation::Relation;
 use moreau_exact::scalar::Rational;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-/// How a measured number is compared with the expected one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Relation {
-    /// |measured − expected| ≤ tolerance.
-    Equal,
-    /// measured ≤ expected + tolerance.
-    AtMost,
-    /// measured ≥ expected − tolerance.
-    AtLeast,
-}
+use serde::Serialize;
 
 /// One measured number, what was expected of it and how far it may differ.
 #[derive(Clone, Debug, Serialize)]
@@ -34,20 +23,19 @@ pub struct Finding {
     /// Measured and expected value as exact rationals or decisions, where the comparison was exact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exact: Option<[String; 2]>,
+    /// What it has to do with the sentence that it belongs to.
+    #[serde(skip)]
+    pub bearing: Bearing,
+    #[serde(skip)]
+    pub(crate) rational: Option<Rational>,
     holds: bool,
 }
 
 impl Finding {
     fn compare(name: impl Into<String>, measured: f64, expected: f64, tolerance: f64, unit: &'static str, relation: Relation) -> Self {
-        let difference = measured - expected;
-        let holds = measured.is_finite()
-            && expected.is_finite()
-            && match relation {
-                Relation::Equal => difference.abs() <= tolerance,
-                Relation::AtMost => difference <= tolerance,
-                Relation::AtLeast => difference >= -tolerance,
-            };
-        Finding { name: name.into(), measured, expected, tolerance, unit, relation, exact: None, holds }
+        let holds = relation.holds(measured, expected, tolerance);
+        let (name, bearing) = (name.into(), Bearing::default());
+        Finding { name, measured, expected, tolerance, unit, relation, exact: None, bearing, rational: None, holds }
     }
 
     /// |measured − expected| ≤ tolerance.
@@ -75,6 +63,7 @@ impl Finding {
         let mut finding = Self::compare(name, measured.to_f64().value(), expected.to_f64().value(), 0.0, unit, Relation::Equal);
         finding.holds = measured == expected;
         finding.exact = Some([measured.to_string(), expected.to_string()]);
+        finding.rational = Some(measured.clone());
         finding
     }
 
@@ -94,15 +83,22 @@ impl Finding {
     pub fn holds(&self) -> bool {
         self.holds
     }
+
+    /// Whether the finding is a decision, true or false.
+    pub fn is_decision(&self) -> bool {
+        self.exact.as_ref().is_some_and(|[measured, _]| measured == "true" || measured == "false")
+    }
+
+    /// The finding with `holds` computed afresh from its numbers, which may have been changed.
+    pub(crate) fn judged_again(mut self) -> Self {
+        self.holds = self.relation.holds(self.measured, self.expected, self.tolerance);
+        self
+    }
 }
 
 impl std::fmt::Display for Finding {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let sign = match self.relation {
-            Relation::Equal => "=",
-            Relation::AtMost => "≤",
-            Relation::AtLeast => "≥",
-        };
+        let sign = self.relation.sign();
         let unit = if self.unit == "1" { String::new() } else { format!(" {}", self.unit) };
         match &self.exact {
             Some([measured, expected]) => write!(f, "{}: {measured}{unit} (expected {sign} {expected}, exact)", self.name),

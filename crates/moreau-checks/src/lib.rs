@@ -4,6 +4,7 @@
 //! planted
 //! [`defects`]: references with one textbook mistake each, which its checks must catch.
 
+mod bearing;
 pub mod cone_projection;
 pub mod convergence;
 pub mod defects;
@@ -11,9 +12,13 @@ pub mod delassus;
 pub mod energy;
 mod finding;
 pub mod plot;
+mod relation;
+mod says;
 pub mod stewart_trinkle;
 pub mod text;
 pub mod tolerance;
 pub mod zeno;
 
-pub use finding::{Finding, Relation};
+pub use bearing::{Bearing, Stated, Value, Voice};
+pub use finding::Finding;
+pub use relation::Relation;

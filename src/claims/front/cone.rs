@@ -4,7 +4,7 @@ use crate::Result;
 use crate::certificate::lcp::residuals;
 use crate::checks::Finding;
 use crate::claims::s4::polyhedral::order_findings;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::cones::polyhedral::strength_error;
 use crate::problem::{Lcp, PlanarProblem};
 use crate::scalar::{Rational, ratio};
@@ -19,6 +19,8 @@ pub const PREFACE: &[Claim] = &[Claim {
     statement: "A solution of 0 ≤ z ⟂ w = Mz + q ≥ 0 has z_i = 0 or w_i = 0 for each i; N_C(x) = {g : ⟨g, y − x⟩ ≤ 0 for all y in C}; \
         prox_f(v) = argmin f(x) + ½‖x − v‖².",
     verdict: ClaimVerdict::True,
+    kind: Kind::Assertion,
+    severity: None,
     evidence: Evidence::Exact,
     correct_statement: "As stated, for C closed and convex and x in C; the prox of an indicator is the projection, and v − prox(v) lies in \
         the normal cone.",
@@ -35,6 +37,8 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     id: "M.cone-error",
     statement: "The polyhedral cone changes the cone's shape: an error O(1/d), its LCP exact.",
     verdict: ClaimVerdict::Conditional,
+    kind: Kind::Assertion,
+    severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Certified,
     correct_statement: "O(1/d) is the order of the direction (π/d) and of the force vector; the radius is short by 1 − cos(π/d) = O(1/d²): \
         0.2929, 0.0761, 0.0192, 0.0048 for d = 4, 8, 16, 32. The LCP of that cone is solved exactly.",

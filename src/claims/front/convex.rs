@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::s5::planar_step::Block;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::bouncing_ball::BouncingBall;
 use crate::mechanics::{PointMass, State};
 use crate::problem::{Compliance, Coordinates, Law, Lcp};
@@ -21,6 +21,8 @@ pub(super) const PREFACE: &[Claim] = &[
         statement: "Module B: implement Anitescu's convex step with APGD and a second-order cone; measure and verify the O(h) gliding, the \
             speed of a block at rest on an incline being proportional to h.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Measured,
         correct_statement: "The hard convex step keeps a block with tan α < μ at rest for every h. What is proportional to h is the gap \
             μh|v_t| of a sliding block. (A regularised convex step, as Drake's SAP, does creep proportionally to h.) One mistake, counted \
@@ -36,6 +38,8 @@ pub(super) const PREFACE: &[Claim] = &[
         statement: "Reference scenes: (a) the bouncing ball shows robustness to Zeno, (b) a stack shows stability, penetration and jitter, \
             (c) a block on an incline verifies the gliding.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "(a) and (b) do what they are for. (c) shows the artefact of the hard relaxation only if the block slides, tan \
             α > μ; a block that sticks shows nothing.",
@@ -54,6 +58,8 @@ pub(super) const MISCONCEPTIONS: &[Claim] = &[Claim {
     statement: "Misconception: the convex relaxation loses physics. Correct: its error is O(h) and vanishes with the step (convergence to \
         the MDI).",
     verdict: ClaimVerdict::Conditional,
+    kind: Kind::Assertion,
+    severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Exact,
     correct_statement: "The error is O(h) for motions that meet the contact compatibly; a tangential shock in closed contact leaves an \
         O(1) hop (S5.Oh-vanish).",

@@ -5,7 +5,7 @@ use crate::checks::Finding;
 use crate::claims::s3::elastic::{chain_energies, distinct, oscillator_energy_ratio};
 use crate::claims::s3::smooth_energy::{linear_energy_change, pendulum_energy_change};
 use crate::claims::s3::theta_step::{LinearSystem, phase};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::ElasticBall;
 use crate::exact_particle::{Ball, BallState};
 use crate::scalar::{Rational, Scalar, ratio};
@@ -16,6 +16,8 @@ pub const PREFACE: &[Claim] = &[Claim {
     id: "P.modA",
     statement: "Project, module A: θ = 0.5 conserves the energy of an elastic collision chain, θ = 1 dissipates.",
     verdict: ClaimVerdict::False,
+    kind: Kind::Assertion,
+    severity: Some(Severity::WrongStatement),
     evidence: Evidence::Exact,
     correct_statement: "For elastic collisions under constant forces no θ drifts: without force the kinetic energy is constant, under \
         gravity E − (θ−½) m g h v is. θ = 1 dissipates when springs (or other position-dependent forces) act. The half about θ = 0.5 is \
@@ -33,6 +35,8 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     statement: "A lasting contact force is a finite function, an impact is an atom of impulse; the unknown of time-stepping is the impulse \
         P throughout.",
     verdict: ClaimVerdict::True,
+    kind: Kind::Assertion,
+    severity: None,
     evidence: Evidence::Exact,
     correct_statement: "As stated.",
     argument: "m = 2 kg, g = 981/100 m/s². Resting: P = m g h, so P/h = m g at every h. Impact at −3 m/s with e = 1/2 and no force: P = \
@@ -46,6 +50,8 @@ pub const TABLES: &[Claim] = &[Claim {
     id: "T.energy",
     statement: "Table of theorems: θ = 1/2 is energy neutral, θ = 1 dissipates O(h²).",
     verdict: ClaimVerdict::Conditional,
+    kind: Kind::Assertion,
+    severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Exact,
     correct_statement: "θ = 1/2 is neutral exactly for constant and linear forces, O(h³) per step otherwise. θ = 1 loses ½h²FᵀM⁻¹F per \
         step for a constant force – O(h²) per step, O(h) over a fixed time.",

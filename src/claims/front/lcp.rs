@@ -4,7 +4,7 @@ use crate::Result;
 use crate::certificate::copositivity::copositive_plus;
 use crate::certificate::definiteness::positive_semidefinite;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::contact::delassus::delassus;
 use crate::problem::{ContactProblem, Law, Lcp};
 use crate::scalar::{Rational, ratio};
@@ -19,6 +19,8 @@ pub const PREFACE: &[Claim] = &[Claim {
     id: "P.pgs",
     statement: "Module A of the project: PGS solves the Delassus LCP 0 ≤ U = WP + U_free ⟂ P ≥ 0 of every step.",
     verdict: ClaimVerdict::Conditional,
+    kind: Kind::Assertion,
+    severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Certified,
     correct_statement: "PGS converges for W ⪰ 0 with positive diagonal; with redundant contacts the impulses depend on the start and only \
         the velocity U is unique.",
@@ -35,6 +37,8 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     statement: "Misconception “solvable means uniquely solvable”: copositive-plus guarantees existence only; where several bodies collide \
         at once the LCP may have several solutions, and changing the solver changes the result.",
     verdict: ClaimVerdict::True,
+    kind: Kind::Assertion,
+    severity: None,
     evidence: Evidence::Exact,
     correct_statement: "Copositive-plus and feasible gives existence, not uniqueness. (The Stewart–Trinkle matrix itself is not \
         copositive-plus with friction, see S4.copos-plus.)",
@@ -49,6 +53,8 @@ pub const TABLES: &[Claim] = &[Claim {
     id: "T.delassus-psd",
     statement: "W = HM⁻¹Hᵀ ⪰ 0 because M ≻ 0, hence the normal LCP is solvable.",
     verdict: ClaimVerdict::True,
+    kind: Kind::Assertion,
+    severity: None,
     evidence: Evidence::Exact,
     correct_statement: "True for the LCP of a step with one restitution coefficient, q = H(v_free + e v): it is always feasible, and \
         feasible with W ⪰ 0 is solvable.",

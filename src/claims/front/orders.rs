@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::s0::runge_kutta::{Impacts, Norm, order};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::tolerance::claims::ORDER_GAP;
 
 /// Claims of the preface.
@@ -12,6 +12,8 @@ pub const PREFACE: &[Claim] = &[Claim {
     statement: "Where the velocity jumps, the order of any high-order integrator (Runge–Kutta, Adams, Verlet) that rests on a smooth \
                 right-hand side collapses to zero.",
     verdict: ClaimVerdict::Conditional,
+    kind: Kind::Assertion,
+    severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Measured,
     correct_statement: "Order 0 in the maximum norm of the velocity, order 1 in the position, and only for integrators that do not locate \
                         the impact. (§0 says \"at most O(h), first order\", which fits both.)",
@@ -29,6 +31,8 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     statement: "\"A high-order integrator (RK4) suits contact better\" is a misconception: at impacts all integrators collapse to O(h); \
                 convergence, energy and penetration are the criteria, not the order.",
     verdict: ClaimVerdict::Conditional,
+    kind: Kind::Assertion,
+    severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Measured,
     correct_statement: "True of integrators that step over the impact, whatever their order in smooth phases. With the impact located \
                         RK4 keeps order 4 until impacts accumulate (S0.all-Oh, the same mistake).",

@@ -5,7 +5,7 @@ use crate::Result;
 use crate::checks::Finding;
 use crate::checks::energy::{worked_ball, worked_step};
 use crate::checks::zeno::{DroppedBall, settle};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::bouncing_ball::{BouncingBall, impact_time_ratio};
 use crate::contact::delassus::delassus;
 use crate::defects::energy::{Misassembled, restitution_forgotten};
@@ -22,6 +22,8 @@ pub const PREFACE: &[Claim] = &[
         id: "P.zeno-quiz",
         statement: "A ball bouncing with e = 0.8: infinitely many bounces in a finite total time (Zeno).",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; the total time is 9 times that of the first fall.",
         argument: "t_k/t₁ = 1 + 2(e + … + e^{k−1}) increases strictly and stays below (1+e)/(1−e) = 9: t_60 and t_240 in rationals. \
@@ -35,6 +37,8 @@ pub const PREFACE: &[Claim] = &[
         statement: "Project: run the same three scenes in MuJoCo or PyBullet and compare penetration, energy curves and gliding with \
                     one's own implementation.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "Meaningful once the restitution is matched: a spring–damper contact that can only push has the \
                             restitution of its damping ratio, e^{-2} = 0.135 if critically damped, whatever e the rigid \
@@ -56,6 +60,8 @@ pub const MISCONCEPTIONS: &[Claim] = &[
         statement: "Contact simulation is not a smooth ODE with collision detection patched on: contact and dynamics are solved \
                     simultaneously.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated of time-stepping: one (v⁺, P) satisfies the balance of momentum and the contact law together.",
         argument: "The worked step of §12: m(v⁺ − v) + m g h − P = 0 and P·(v⁺ + e v) = 0 with P = 317/200. Predicting v_free and then \
@@ -69,6 +75,8 @@ pub const MISCONCEPTIONS: &[Claim] = &[
         id: "M.zeno",
         statement: "Time-stepping is robust against Zeno: many micro-bounces are absorbed by one step.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "It never stalls and needs a bounded number of steps, but not one: after the last real bounce the \
                             velocity decays by the factor e per step. One step suffices if e = 0.",
@@ -88,6 +96,8 @@ pub const TABLES: &[Claim] = &[
         statement: "Moreau–Jean converges weakly for prox-regular constraints and θ ∈ [½, 1]: q_h → q uniformly, v_h ⇀* v \
                     (attributed to Moreau and Jean, CMAME 177, 1999).",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "As an entry of a table it lacks the hypotheses (which impact law, friction, several contacts, which \
                             activation rule) on which its truth depends, and its attribution has not been verified here. What can be \
@@ -104,6 +114,8 @@ pub const TABLES: &[Claim] = &[
         statement: "The table of symbols gives D = [d₁, …, d_d] the tangential directions, N = DᵀM⁻¹D the Hessian of \
                     Anitescu's QP (equal to the Delassus operator), N_K(x) the normal cone, E the coupling vector, e the restitution.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Consistent if D is read as the tangential directions in §4 and as the generators of all contact directions, \
                             normals included, in §5, N as a matrix there but as a cone in §2, and E as a vector in §4 but as an energy in \

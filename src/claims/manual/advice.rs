@@ -3,13 +3,15 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::drake::{MATERIAL, lift, predicted_lift};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
 use crate::tolerance::claims::drake as tolerance;
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "Pr.sap-gliding",
     statement: "Drake SAP's O(h) gliding is visible at h of 5 to 10 ms and buys steps five to ten times as long.",
     verdict: ClaimVerdict::Ambiguous,
+    kind: Kind::Assertion,
+    severity: None,
     evidence: Evidence::NotDecidable,
     correct_statement: "Of kSap and kSimilar, not of Drake's default, kLagged. What is visible and what five times is compared with are \
         not said. The lift itself is (h + τ) μ v: millimetres at these steps for a slide of 1 m/s.",

@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::s5::planar_step::{Block, painleve_rod};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::problem::{Law, Lcp};
 use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
@@ -15,6 +15,8 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
         different cones or relaxations, (c) gliding at large steps. Check whether there are simultaneous impacts (non-uniqueness is \
         normal), compare the schemes (§10); to reproduce, fix simulator, version, solver and step.",
     verdict: ClaimVerdict::Conditional,
+    kind: Kind::Assertion,
+    severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Exact,
     correct_statement: "Without friction the impulses of a simultaneous impact may not be unique, but the velocities are: M is positive \
         definite. Two solvers of the same impact law agree in the motion; what differs is the law (simultaneous or one after another). \

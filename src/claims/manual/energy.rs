@@ -8,7 +8,7 @@ use crate::claims::experiments::soft::{GRAVITY, land, rebound, unlimited_contact
 use crate::claims::experiments::spring::energy_ratio;
 use crate::claims::experiments::tower::{Sweeps, Tower, energy_of_stale_impulses};
 use crate::claims::s9::energy::{elastic_invariant, first_impact};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::mujoco_normal::spring_damper_restitution;
 use crate::exact_particle::{Ball, BallState};
 use crate::scalar::{Rational, ratio};
@@ -23,6 +23,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Energy grows, the system runs ever faster: (a) explicit Euler, (b) Baumgarte, (c) an unconverged solver. Check the \
             integrator (semi-implicit or better), drop Baumgarte for coordinate projection or GGL, raise the iterations, look for e > 1.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The listed causes are causes; missing are Newton's e with friction, the recommended projection itself, and a \
             contact too stiff for its step. An unconverged solver injects only from a warm start or through restitution: cold sweeps with \
@@ -40,6 +42,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Energy is lost, motion is viscous: (a) θ = 1 or large numerical damping, (b) over-damped Baumgarte. Take θ = 1/2 \
             (energy neutral), reduce numerical damping or solref's damping ratio, check whether e is too small.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "A smaller damping ratio helps: e(ζ) = exp(−ζ/√(1−ζ²)·acos(2ζ²−1)). θ helps where forces depend on the state; a \
             body under gravity bounces with the same loss for every θ.",

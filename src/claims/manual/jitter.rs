@@ -6,7 +6,7 @@ use crate::claims::experiments::creep::Creeping;
 use crate::claims::experiments::soft::{GRAVITY, land, unlimited_contact};
 use crate::claims::experiments::tower::{Sweeps, Tower, approach_left};
 use crate::claims::s9::jitter::effect_of_theta_on_a_tower;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::tolerance::claims::pathology as tolerance;
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -16,6 +16,8 @@ pub(super) const CLAIMS: &[Claim] = &[
             converged, (d) forces switch. Raise the solver's iterations (the commonest cause), reduce the step or the stiffness, increase \
             numerical damping (θ → 1) moderately, warm-start the contact forces.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "More iterations, a smaller step or stiffness and a warm start work, as predicted; θ → 1 has no effect on rigid \
             contacts under a constant load (S9.theta-damps-jitter).",
@@ -33,6 +35,8 @@ pub(super) const CLAIMS: &[Claim] = &[
             wrong parameter. Check that the scheme is convex (SAP, MuJoCo, Chrono); halve h and see the slip shrink linearly; accept it or \
             reduce h; do not mend it with a larger friction coefficient.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "True of SAP: v = R_t h g_t. In MuJoCo the creep v = R_t g_t/b does not depend on h and is a matter of \
             parameters (impratio, solimp, solref); under Drake's Similar and Lagged it is proportional to their stiction speed; the hard \

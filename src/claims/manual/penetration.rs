@@ -5,7 +5,7 @@ use crate::checks::Finding;
 use crate::checks::zeno::{DroppedBall, absorption, events_predicted, events_until};
 use crate::claims::experiments::curve::{Side, drift, slide};
 use crate::claims::experiments::soft::{default_contact, land};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::bouncing_ball::impact_time_ratio;
 use crate::exact_particle::{Ball, BallState};
 use crate::scalar::{Rational, ratio};
@@ -20,6 +20,8 @@ pub(super) const CLAIMS: &[Claim] = &[
             discretisation error; is the simulator soft (penetration is normal) or rigid (project)? project the position in velocity-level \
             schemes; check the collision margin.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "The exponent p of penetration ∝ hᵖ tells the causes apart: 0 is the depth of a soft law, 1 the drift of a \
             velocity-level scheme along a curve or the overshoot of an impact, 2 the linearised gap of Stewart–Trinkle. So discretisation \
@@ -37,6 +39,8 @@ pub(super) const CLAIMS: &[Claim] = &[
             coming to rest). Confirm that events are detected, change to time stepping (fixed step, no events), which absorbs the many \
             small bounces.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated, with an activation rule that absorbs (S0.zeno-absorb).",
         argument: "q₀ = 1/20 m, g = 10 m/s², e = 1/2: t₁ = 1/10 s, T∞ = 3/10 s. Event 200 still lies before T∞, in rationals; in double \

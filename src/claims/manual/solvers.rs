@@ -8,7 +8,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::problem::{ContactProblem, Law};
 use crate::solvers::{ContactSolver, LemkePivoting, ProjectedGaussSeidel};
 use crate::tolerance::claims::pathology as tolerance;
@@ -21,6 +21,8 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
         operator, (c) friction so large that it makes the problem ill-conditioned. Use a convex solver (SAP, ADMM) for global convergence; \
         ADMM with a proximal term against ill-conditioning; check mass matrix and contacts.",
     verdict: ClaimVerdict::Conditional,
+    kind: Kind::Assertion,
+    severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Certified,
     correct_statement: "For Gauss–Seidel the sweeps follow the coupling q = W₁₂²/(W₁₁W₂₂), not cond(W): a heavy body on a light one needs \
         20 to 26 m₂/m₁ sweeps, a light one on a heavy one a dozen at most, with condition numbers of the same order. Pivoting is \

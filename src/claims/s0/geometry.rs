@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::mechanics::planar::{PlanarBody, Shape};
 use crate::mechanics::{Mechanism, PlanarBodies};
 use crate::scalar::{Rational, ratio};
@@ -15,6 +15,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S0.moving-convex",
         statement: "Table of difficulties, (c): C(q) = {q : φ(q) ≥ 0} is a moving convex set.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "C is a fixed subset of configuration space, in general not convex (prox-regular if φ is smooth with ∇φ ≠ 0). \
             What moves with q and is convex is the tangent cone T_C(q). (The chapter names the extension to prox-regular sets in §2.)",
@@ -29,6 +31,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S0.gjk",
         statement: "For convex bodies φ can be computed by GJK (signed distance, negative in penetration).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "GJK computes the distance, which is φ only while the bodies are disjoint. In penetration the distance is 0 for \
             every depth; the negative branch needs another algorithm (EPA, or a closed form).",

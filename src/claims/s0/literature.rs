@@ -4,7 +4,7 @@ use super::runge_kutta::{Impacts, Norm, order};
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::identifiers::issn_agrees;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::integrators::Phase;
 use crate::integrators::jacobian::jacobian;
 use crate::integrators::symplectic::{defect, volume};
@@ -18,6 +18,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S0.siamrev",
         statement: "Stewart's survey of the branch is SIAM Review 42:3 (2000).",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Cited,
         correct_statement: "Volume 42 (issue 1), pages 3–39, 2000; 3 is the first page, not an issue.",
         argument: "The record in HAL and the DOI 10.1137/S0036144599360110, whose letters S0036-1445 are the journal's ISSN: its check \
@@ -31,6 +33,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Hairer, Lubich and Wanner's book of 644 pages assumes smooth Hamiltonian systems throughout; on solutions of bounded \
             variation its error estimates say nothing.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Measured,
         correct_statement: "Neither the number of pages nor the contents were checked. What can be decided is that an estimate for smooth \
             systems carries over exactly where the motion is smooth: the order of a method is kept by locating the impact, and lost by \
@@ -47,6 +51,8 @@ pub const CLAIMS: &[Claim] = &[
             collisions that keeps the symplectic form), but are used less, because symplecticity and the correction of penetration exclude \
             each other.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "To elastic impacts without friction (Fetecau, Marsden, Ortiz and West): there the step through the impact is \
             symplectic. With e < 1 no integrator that follows the motion can be, since the motion is not: its determinant is e². Why the \

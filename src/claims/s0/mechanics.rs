@@ -1,7 +1,7 @@
 //! Gap, contact Jacobian, generalised contact force, Delassus operator, impulses.
 
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
 use crate::contact::delassus::delassus;
 use crate::elimination::solve;
 use crate::exact_particle::{Ball, BallState};
@@ -20,6 +20,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S0.signorini",
         statement: "0 ≤ φ ⟂ λ_n ≥ 0: a positive distance means no force, a force means zero distance.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated. Of the discretisations, Stewart–Trinkle imposes it on the linearised gap at the end of a step; \
             Moreau–Jean imposes a velocity-level law instead.",
@@ -33,6 +35,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S0.phidot",
         statement: "φ̇ = J v with J = ∇φ; J v > 0 means separation, J v < 0 approach.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated where v = q̇. With quaternions q̇ = N(q)v and J = ∇φ N(q).",
         argument: "Chain rule. For the corner of a tilted box over the ground the central difference of the gap along the motion agrees \
@@ -45,6 +49,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S0.JT",
         statement: "By virtual work a contact force λ acts as the generalised force Jᵀλ.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated.",
         argument: "λ·(Jv) = (Jᵀλ)·v for all v. For a force at the corner of a tilted box, Jᵀλ is the force and its moment about the centre \
@@ -57,6 +63,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S0.delassus-ij",
         statement: "W = J M⁻¹Jᵀ: entry ij is the velocity change at contact j caused by a unit impulse at contact i.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; W is symmetric, so the order of the indices does not matter.",
         argument: "Three balls of 1, 2 and 4 kg in line: a unit impulse at the first contact changes u by (3/2, −1/2), one at the second \
@@ -69,6 +77,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S0.impulse-unit",
         statement: "The unknowns of Moreau–Jean and of Stewart–Trinkle are impulses (N·s); in lasting contact P ≈ λ h.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated; for a body at rest P = m g h exactly.",
         argument: "A 2 kg ball at rest under both schemes: P/(m g h) = 1, and halving h halves P.",

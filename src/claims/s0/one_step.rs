@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::exact_particle::{Ball, BallState};
 use crate::scalar::{Rational, ratio};
 
@@ -12,6 +12,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S0.rk4-local",
         statement: "If the impact lies within a step, the local truncation error of RK4 collapses from O(h⁵) to O(h) or even O(1).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "With the velocity reversed at the end of the step, position and velocity are wrong by O(h); with the \
                             impact ignored in the step, the position by O(h) and the velocity by O(1).",
@@ -27,6 +29,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Checking each step for penetration and flipping the velocity is a bad version of event detection: it fails \
                     completely when the ball settles, and every flip breaks the consistency of momentum and energy.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "For e < 1 every flip costs (1−e²) m g |q| of energy too much, which is O(h) and vanishes with the step; for \
                             e = 1 it costs nothing. The failure at the accumulation point is qualitative: the ball sinks through \

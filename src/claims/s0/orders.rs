@@ -4,7 +4,7 @@ use super::runge_kutta::{Impacts, Norm, order, step};
 use crate::Result;
 use crate::checks::Finding;
 use crate::checks::convergence::{Horizon, Stop, bouncing_ball, plastic_ball, study};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::BouncingBall;
 use crate::defects::convergence::{Altered, Mistake};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StewartTrinkle};
@@ -18,6 +18,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "At an impact the solution is of bounded variation, so all integrators degrade to at most O(h); high-order methods \
                     have no advantage there, they are even worse because their stages straddle the jump.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Measured,
         correct_statement: "Integrators that do not locate the impact degrade to O(h). One that locates it keeps its order up to any \
                             time before the accumulation point: RK4 with root finding is of order 4 through impacts.",
@@ -36,6 +38,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S0.order-meaningless",
         statement: "On solutions of bounded variation the notion of an order of accuracy loses its meaning.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Measured,
         correct_statement: "Only the maximum norm of the velocity has no positive order. sup|q|, ∫|v| and the distance of filled-in \
                             graphs have order 1 through isolated impacts. (The same section itself calls the error O(h).)",
@@ -51,6 +55,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S0.orders",
         statement: "(Implicit in §0.) Time-stepping converges through impacts without locating them, and is robust.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Measured,
         correct_statement: "sup|q| and ∫|v| are O(h) for Moreau–Jean with the activation rules A, B, D (A: φ ≤ 0, B: φ + ½hu ≤ 0, D: φ + h \
             u_free ≤ 0) and, for e = 0, for Stewart–Trinkle and Anitescu; \
@@ -68,6 +74,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "(Thought experiment.) Suppose contact forces were always finite smooth functions, every contact a stiff spring λ = \
             −kφ.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Measured,
         correct_statement: "λ = −kφ is smooth but also pulls. The force of a contact that only pushes, max(0, −kφ), is Lipschitz with a \
                             kink at φ = 0: RK4 across the moment of contact is of order 2, not 4.",

@@ -6,7 +6,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::tolerance::claims::INTEGER_ORDER;
 use crate::trajectory::order::{Refinement, fit_order};
 use nalgebra::{Vector2, Vector4};
@@ -15,6 +15,8 @@ pub const CLAIMS: &[Claim] = &[Claim {
     id: "S0.rattle-high",
     statement: "Purely equality-constrained DAEs have mature high-order integrators, for example SHAKE/RATTLE.",
     verdict: ClaimVerdict::False,
+    kind: Kind::Assertion,
+    severity: Some(Severity::WrongStatement),
     evidence: Evidence::Measured,
     correct_statement: "The statement is right, the example is not: SHAKE and RATTLE have order 2 (the chapter itself calls orders 1–2 \
         low). High order comes from compositions of RATTLE or from Radau-type methods.",

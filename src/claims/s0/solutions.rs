@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::BouncingBall;
 use crate::closed_forms::bouncing_ball::{accumulation_time_ratio, impact_time_ratio};
 use crate::defects::zeno::{Altered, Mistake};
@@ -20,6 +20,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S0.height-e2",
         statement: "For e < 1 the bouncing ball's heights shrink by e² and its flight times by e per bounce.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated.",
         argument: "A launch at w lands after 2w/g (q = ws − ½gs² vanishes there), at the speed w, with apex w²/(2g) at w/g; the next \
@@ -33,6 +35,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "With t₀ the duration of the first flight after the first impact, the flights last e t₀, e² t₀, … and the total time \
                     T∞ is finite.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "T∞ = t₁ + t₀/(1−e) with t₀ = 2e t₁, that is t₁(1+e)/(1−e); 4.063712768872 s for e = 0.8, q₀ = 1 m, g = 9.81.",
         argument: "t_k/t₁ = 1 + 2(e + … + e^{k−1}); the remainder T∞ − t_k = 2 t₁ e^k/(1−e) holds exactly for k = 1 … 60 and falls below \
@@ -45,6 +49,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S0.bv-regularity",
         statement: "With contact the velocity is only of bounded variation and the position only Lipschitz.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Measured,
         correct_statement: "As stated; the bouncing ball's velocity has total variation 2 g t₁ (1+e)/(1−e) over [0, T∞], 79.730 m/s for \
                             e = 0.8 and 1 m, and its position the Lipschitz constant g t₁.",
@@ -61,6 +67,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S0.measure-split",
         statement: "The contact measure dR splits into a Lebesgue-continuous part (lasting contact, λ dt) plus atoms (impacts, ΣP_i δ).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "It splits into a density, atoms and a singular continuous part; the last is absent if the velocity is a \
             special \

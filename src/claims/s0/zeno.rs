@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::checks::zeno::{DroppedBall, absorption};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::bouncing_ball::BouncingBall;
 use crate::defects::zeno::{Altered, Mistake, sinking};
 use crate::scalar::{Rational, Scalar, ratio};
@@ -17,6 +17,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "An event-driven method must detect and process every bounce; near T∞ the intervals tend to zero, the root \
                     finding never stops and the simulation is stuck before T∞.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "True of exact arithmetic. In floating point the loop ends: once a flight is shorter than half the \
                             spacing of floats at T∞ the clock stands still, and a minimum interval ends it after \
@@ -33,6 +35,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "In practice one patches the event-driven method (“slower than a threshold counts as at rest”), which is ad hoc \
                     and destroys physical consistency.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "Whether a patch is ad hoc is a judgement. Its error is bounded and vanishes with the threshold: stopping \
                             at take-off speeds below v_thr skips less than 2 v_thr/(g(1−e)) of time, v_thr²/(2g) of height and \
@@ -48,6 +52,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Time-stepping does not detect events: when the steps pass T∞ the ball has long been at rest, the micro-bounces \
                     are absorbed automatically, without any special treatment.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "True of Moreau–Jean with the activation rules φ ≤ 0, φ + ½hv ≤ 0 and φ + h v_free ≤ 0 (0 < e < 1, \
                             θ ∈ {½, 1}): the ball is absorbed at a time that differs from T∞ by O(h log 1/h), early or late, rests \
@@ -68,6 +74,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Exercise: derive t_k, show t_k → T∞ < ∞, compute T∞ for e = 0.8, q₀ = 1 m, g = 9.81 m/s²; near which time does \
                     an event-driven method with step 10⁻³ s get stuck?",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "T∞ = 9 √(2/9.81) s = 4.0637 s; a method that cannot resolve flights shorter than 10⁻³ s makes 31 landings \
                             and stops 4.47·10⁻³ s before T∞.",

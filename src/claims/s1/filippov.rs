@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::{BeltOscillator, DryFrictionOscillator};
 use crate::event_driven::EventDriven;
 use crate::event_driven::filippov::{DryFriction, Mode, Side, Switch, advance, share_above};
@@ -18,6 +18,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "On the switching surface the sliding mode is the convex combination ẋ = α f₊ + (1−α) f₋, and α is fixed uniquely by ṡ \
             = 0.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "For one surface that both fields point at, ∇s·f₊ < 0 < ∇s·f₋: α = ∇s·f₋/(∇s·f₋ − ∇s·f₊) ∈ (0, 1). Where both \
             point away the same α exists, but the motion may leave; where one crosses there is none in [0, 1]. \
@@ -33,6 +35,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S1.stick-sliding",
         statement: "Sticking under Coulomb friction is a sliding mode on v_t = 0, slipping is regular motion.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated.",
         argument: "The dry-friction oscillator (δ = 0.15, q₀ = 1) integrated as a Filippov system enters the sliding mode after 3 \
@@ -47,6 +51,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The event-driven method of Piiroinen and Kuznetsov (ACM TOMS, 2008) detects entering and leaving the sliding mode \
             exactly and integrates it accurately, more finely than time-stepping.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Cited,
         correct_statement: "As stated, “exactly” meaning to the accuracy of the integrator and the root finder. The paper was not read; \
             what its kind of method can do is measured on one of our own.",

@@ -3,12 +3,14 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::mujoco::facts;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S1.mujoco-euler",
     statement: "MuJoCo uses the semi-implicit Euler rule, of first order.",
     verdict: ClaimVerdict::Conditional,
+    kind: Kind::Assertion,
+    severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Cited,
     correct_statement: "By default. It also has implicit, implicitfast, RK4 and, in newer versions, discrete; §6 of the chapter names two \
         of them.",

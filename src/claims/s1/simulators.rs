@@ -3,12 +3,14 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::{drake, siconos};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S1.all-ts",
     statement: "The engines of ROS, MuJoCo, Drake, Bullet, Pinocchio and Isaac are all time-stepping; only Siconos has both routes.",
     verdict: ClaimVerdict::False,
+    kind: Kind::Assertion,
+    severity: Some(Severity::WrongStatement),
     evidence: Evidence::Cited,
     correct_statement: "Siconos has both. Drake has more than time-stepping, too: a plant with time step 0 is a continuous system whose \
         integrator controls its error, with compliant contact and no located impact, and a system of one's own may have witness functions, \

@@ -6,7 +6,7 @@ use crate::checks::convergence::{Stop, plastic_ball};
 use crate::claims::experiments::wall::{Stepping, approach};
 use crate::claims::s4::painleve::answers;
 use crate::claims::s11::compactness::{mass_apart, weakly};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::defects::convergence::{Altered, Mistake};
 use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{OscillatorWithStop, State};
@@ -23,6 +23,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "In Zeno and Painlevé situations, where event-driven methods are undefined, time-stepping gives the unique correct \
             limit.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "A limit of a subsequence. For the ball that falls under gravity the limit is unique; where two sliding forces \
             exist a step itself has three answers at every h, which tend to two different motions, \
@@ -38,6 +40,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S1.stewart98",
         statement: "Stewart (1998) proves that the limit h → 0 of the scheme is a solution of the measure differential inclusion.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Measured,
         correct_statement: "A limit of a subsequence, of plastic impacts (e = 0), under conditions on the friction cone that the chapter \
             does not name. The paper was not read; what it concludes is checked on one motion, and why a subsequence is needed is shown.",
@@ -56,6 +60,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "At impacts time-stepping is accurate in a robust sense: it converges weakly* to the solution of the measure \
             differential inclusion.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "For subsequences, where the limit is a solution (S1.stewart98). Weakly* is said of the impulses; velocities \
             converge in the mean and, away from the impacts, pointwise. Neither converges in a stronger sense: not the mass of the \
@@ -71,6 +77,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Not detecting events does not mean ignoring impacts: the impact is the atom in the impulse of a step's complementarity \
             problem, with no event detection.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated. P = m(1+e)|v| + m g h in the step of the impact, m g h in a step at rest, 0 in flight: the first \
             stays as h → 0, the second is the weight times h.",
@@ -84,6 +92,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S1.order12",
         statement: "Between impacts time-stepping is of order 1 to 2 (θ method, semi-implicit Euler).",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Measured,
         correct_statement: "As stated: order 2 for θ = ½ and linear forces, 1 for other θ and for Stewart–Trinkle.",
         argument: "q̈ = −4q, stop out of reach, error of q at 2 s for h = 2⁻⁶ … 2⁻⁹ s.",

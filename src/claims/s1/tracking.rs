@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::s4::painleve::rod;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::BouncingBall;
 use crate::event_driven::EventDriven;
 use crate::mechanics::planar::{PlanarBody, Shape};
@@ -20,6 +20,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S1.ed-undefined",
         statement: "Event-driven methods are mathematically undefined at Zeno accumulations and at Painlevé's paradox.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Before an accumulation of impacts every time is reached after finitely many events; beyond it the method is \
             defined by a continuation rule, or not at all. \
@@ -37,6 +39,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S1.scale",
         statement: "Event-driven methods are acceptable for up to about ten contacts, time-stepping scales well to 10⁶.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "“Acceptable” and “well” are judgements, and no number is a limit. What can be said: the work of an \
             event-driven method grows with the number of events, which contacts add up; \

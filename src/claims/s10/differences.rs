@@ -4,7 +4,7 @@ use crate::checks::Finding;
 use crate::claims::experiments::creep::Creeping;
 use crate::claims::experiments::soft::{default_contact, land, rebound};
 use crate::claims::s5::planar_step::Block;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::mujoco_normal::spring_damper_restitution;
 use crate::elimination::solve;
 use crate::exact_particle::{Ball, BallState};
@@ -22,6 +22,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "All six simulators are built on the Delassus operator W = JM⁻¹Jᵀ; they differ in four things only: position or \
             velocity level, polyhedral or second-order cone, relaxed or softened or not, numerical algorithm.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "All solve a problem whose dual has W as its operator; a primal method (SAP's and MuJoCo's Newton) solves it \
             without ever forming W. And the four things do not determine the motion: restitution, the amount of compliance and the \
@@ -38,6 +40,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Different simulators use different discretisations, cones, relaxations and solvers, so their results differ \
             systematically; that is normal, not a bug.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated. The differences are those of the declared models and can be predicted from them.",
         argument: "1 kg at rest on the floor: 0 m deep under an LCP scheme, 3.6718e-4 m in MuJoCo. Rebound of the default contact: e⁻² = \
@@ -55,6 +59,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Exercise 3, one stack of cubes: of Bullet, Drake SAP and MuJoCo, which penetrates least, which trembles most easily, \
             which shows O(h) gliding, which has gradients?",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "Of gliding: SAP creeps by O(h) at rest, MuJoCo at a speed that does not depend on h (set by impratio, solimp \
             and solref), a scheme with hard friction such as Bullet's model not at all.",

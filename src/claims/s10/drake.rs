@@ -3,7 +3,7 @@
 use crate::checks::Finding;
 use crate::claims::experiments::drake::{MATERIAL, facts, lift, predicted_lift};
 use crate::claims::experiments::stored::{Faller, update_residuals};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::cones::projection_jacobian;
 use crate::mechanics::{PointMass, State};
 use crate::schemes::drake::{Material, Touch, tamsi_law};
@@ -23,6 +23,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Drake TAMSI: semi-implicit Euler, non-convex complementarity with a line search that limits the angle of slip, \
             compliant Hunt–Crossley contact; mature, but may fail.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "As stated for releases that have it: Drake 1.51.1 does, and announces its removal from 2026-09-01 on. There is \
             no complementarity left in it: friction is regularised, and the step is a nonlinear equation that no function has as its \
@@ -38,6 +40,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Drake SAP: semi-implicit Euler or midpoint of second order, Newton with exact line search on a convex potential, \
             compliant Kelvin–Voigt contact with a rigid limit; globally convergent; glides by O(δt).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "Kelvin–Voigt contact and its rigid limit belong to the approximation kSap, which is not the default; the \
             default, kLagged, has Hunt–Crossley contact and does not glide. A discrete plant steps by semi-implicit Euler only: the \
@@ -53,6 +57,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S10.drake-default-sap",
         statement: "SAP, the convex primal, is Drake's current default.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Cited,
         correct_statement: "As a solver. The default contact model that it solves is not kSap but kLagged.",
         argument: "A plant of 1.51.1 answers kSap when asked for its solver and kLagged when asked for its approximation; kSap, kSimilar \
@@ -66,6 +72,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "SAP: a strictly convex objective with a Lipschitz Hessian makes Newton's method with exact line search converge \
             globally, linearly at first and quadratically at the end.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "It converges globally because the objective is strongly convex with a Lipschitz gradient, and quadratically \
             once it is in the region of one mode per contact. The Hessian itself is not Lipschitz: it jumps where a contact opens or \
@@ -80,6 +88,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S10.path-drake",
         statement: "Drake's two contact solvers are in tamsi_solver.cc and contact_solvers/sap/sap_solver.cc.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Cited,
         correct_statement: "Both below multibody/, the first in plant/, in releases up to the removal of TAMSI, announced for 2026-09-01 \
             and later. The Python package holds neither file; it offers both solvers.",

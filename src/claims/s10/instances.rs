@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
 use crate::scenes::named;
 use crate::schemes::{Anitescu, Scheme, StewartTrinkle, simulate};
 use crate::solvers::Auto;
@@ -15,6 +15,8 @@ pub const CLAIMS: &[Claim] = &[Claim {
     statement: "Who uses what: Moreau–Jean in Siconos, Pinocchio 3 and RaiSim; Stewart–Trinkle in early Drake, Bullet's MLCP and ODE; \
         Anitescu for rolling contact in Chrono; sequential impulses in Bullet, PhysX, Havok and ODE.",
     verdict: ClaimVerdict::Ambiguous,
+    kind: Kind::Assertion,
+    severity: None,
     evidence: Evidence::Measured,
     correct_statement: "Which release of which software runs what was not checked here for RaiSim, early Drake, PhysX, Havok and ODE, \
         which stands in two rows. Of the use that is named, rolling contact, Anitescu's relaxation is right about the end and wrong on the \

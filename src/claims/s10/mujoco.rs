@@ -4,7 +4,7 @@ use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::mujoco::facts;
 use crate::claims::experiments::soft_stack;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::problem::Law;
 use crate::schemes::mujoco::Cone;
 
@@ -15,6 +15,8 @@ const PATH: Claim = Claim {
     statement: "MuJoCo: src/engine/engine_solver.c with mj_solPGS, mj_solCG and mj_solNewton, engine_core_constraint.c; MJX: \
         mujoco/mjx/_src/solver.py.",
     verdict: ClaimVerdict::Conditional,
+    kind: Kind::Assertion,
+    severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Cited,
     correct_statement: "The two C files are right. In the repository MJX's file is mjx/mujoco/mjx/_src/solver.py; what the chapter gives \
         is its path in the package.",
@@ -30,6 +32,8 @@ const ROW: Claim = Claim {
     statement: "MuJoCo: semi-implicit Euler, implicitfast, RK4; PGS, CG, Newton; a quadratic or second-order cone program; no explicit \
         impact law; h from 1 to 10 ms; differentiable.",
     verdict: ClaimVerdict::Conditional,
+    kind: Kind::Assertion,
+    severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Measured,
     correct_statement: "As stated, with implicit and discrete added to the integrators and without “differentiable” (S6.mjx-gradients).",
     argument: "Integrators, solvers and the default h = 2 ms are the pinned release's. A step with pyramids has one-sided rows only, a \

@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::siconos::{Facts, slide};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::tolerance::references::SICONOS_PER_STEP;
 
 pub const CLAIMS: &[Claim] = &[
@@ -12,6 +12,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Siconos: Moreau–Jean θ, Schatzman–Paoli, event-driven, nonsmooth generalised-α; NSGS, AC/FB/NM nonsmooth Newton, \
             proximal, VI extragradient, interior point; Newton, Moreau and Frémond laws built in.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Cited,
         correct_statement: "In release 4.4.0 all but two: there is no Frémond law (FremondImpactFrictionNSL is in the development version \
             only), and its generalised-α, NewMarkAlphaOSI, is a Newmark-α integrator for constrained smooth motion, used with event \
@@ -28,6 +30,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Siconos is the school that faces the NCP or SOCCP: it does not evade nonsmoothness, and is mathematically the most \
             rigorous, with the most complete set of solvers.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "Rigour and completeness are matters of taste. What can be checked: its steps solve Coulomb's law, not the \
             convex relaxation; a sliding block does not lift off.",
@@ -42,6 +46,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "In Siconos look at numerics/src/FrictionContact/fc3d_nsgs.c, fc3d_nonsmooth_Newton_AlartCurnier.c and gfc3d_ipm.c, and \
             at kernel/src/simulationTools/MoreauJeanOSI.cpp.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Cited,
         correct_statement: "All four for the releases up to 4.4.0. In the development version of August 2026 two have moved: \
             MoreauJeanOSI.cpp to kernel/src/simulation/, and the Alart–Curnier file to FrictionContact/nsn_formulation/.",

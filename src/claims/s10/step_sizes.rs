@@ -1,7 +1,7 @@
 //! §10, the step sizes of the table.
 
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
 use crate::gate::scoreboard::Standing;
 use crate::tolerance::claims::SAME_CREEP;
 use crate::{Error, Result};
@@ -11,6 +11,8 @@ pub const CLAIMS: &[Claim] = &[Claim {
     statement: "Typical step sizes: Siconos 1e-5 to 1e-3 s, TAMSI 1e-3, SAP and MuJoCo 1e-3 to 1e-2, Chrono 1e-3, Bullet 1e-3 to 1/60, \
         Pinocchio 1e-4 to 5e-3.",
     verdict: ClaimVerdict::Ambiguous,
+    kind: Kind::Assertion,
+    severity: None,
     evidence: Evidence::Measured,
     correct_statement: "What is typical is usage and not decidable. The defaults that can be read are MuJoCo 2e-3, Drake's plant 1e-3, \
         Bullet's stepping 1/60 (PyBullet 1/240), all within. One end of a range means something in the code: beyond 1e-2 s MuJoCo's \

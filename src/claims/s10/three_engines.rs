@@ -1,7 +1,7 @@
 //! The rows of Chrono, Bullet and Pinocchio: their steps and solvers rebuilt, their packages and stored motions read.
 
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::mechanics::{PointMass, State};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::schemes::{Bullet, Chrono, step};
@@ -29,6 +29,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Chrono NSC: Anitescu's semi-implicit step, or HHT; solvers APGD (Nesterov), PSOR, BB, ADMM; a convex cone \
             complementarity problem.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "NSC is Anitescu's step, with a maximal recovery speed for penetrations and with rebounds, and the four \
             algorithms solve its convex problem. HHT integrates smooth forces: it belongs to Chrono's other system, of penalty contacts \
@@ -48,6 +50,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S10.chrono-granular",
         statement: "Chrono NSC handles granular flow of more than a million bodies and extends to GPUs.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "Not decided here: no run of that size can be made or checked. What can be said is that its solvers need no \
             matrix W, without which such a size would be out of reach.",
@@ -62,6 +66,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Bullet: semi-implicit Euler with sequential impulses (projected Gauss–Seidel), MLCP by Lemke or Dantzig; Newton's e \
             through a bias velocity, Baumgarte's ERP; h from 1 ms to 1/60 s.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Measured,
         correct_statement: "As stated. The bias is e|u_n| + ERP d/h for a depth d, and e|u_n| − d/h for a gap d, u_n after gravity \
             (multibodies) or before (rigid bodies): a rebound equals e only up to these terms. ERP of contacts is 0.2 in Bullet and 0.08 \
@@ -78,6 +84,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Pinocchio 3 / Simple: an NCP or SOCCP per step, rigid and compliant alike, by ADMM with automatic ρ and a proximal \
             term, PGS, or as CCP.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "So it is in the release 4.1.0, where Coulomb's law is the default and the convex problem a switch of ADMM \
             (`solve_ncp` = false), which PGS does not heed. And Pinocchio is no simulator: a step, its contacts and their stabilisation \
@@ -93,6 +101,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S10.route-pinocchio",
         statement: "Drake's SAP and Pinocchio's ADMM are the convex primal school, the industrial form of Anitescu's relaxation.",
         verdict: ClaimVerdict::Inconsistent,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Certified,
         correct_statement: "Of SAP it holds. Pinocchio's ADMM solves Coulomb's law unless told otherwise, as the chapter's own table says \
             (NCP); with `solve_ncp` = false it solves the relaxation.",
@@ -106,6 +116,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S10.path-chrono",
         statement: "Chrono: src/chrono/solver/ChSolverAPGD.cpp, ChSolverADMM.cpp, ChSolverPSOR.cpp.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Cited,
         correct_statement: "As stated, at commit 7689fbc of 2026-08-18.",
         argument: "The three files are in the folder; the one of Barzilai and Borwein, which the chapter does not list, is ChSolverBB.cpp.",
@@ -117,6 +129,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S10.path-bullet",
         statement: "Bullet: src/BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Cited,
         correct_statement: "As stated. PyBullet's bodies are multibodies by default, and these are solved in \
             src/BulletDynamics/Featherstone/btMultiBodyConstraintSolver.cpp.",
@@ -129,6 +143,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S10.path-pinocchio",
         statement: "Pinocchio: include/pinocchio/algorithm/admm-solver.hxx, contact-cholesky.hpp.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Cited,
         correct_statement: "So in Pinocchio 3. In 4.1.0 the solver is algorithm/solvers/admm-solver.hpp with \
             src/algorithm/solvers/admm-solver.hxx, and contact-cholesky.hpp stands under deprecated/.",

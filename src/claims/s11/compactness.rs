@@ -5,7 +5,7 @@ use crate::certificate::copositivity::copositive_plus;
 use crate::checks::Finding;
 use crate::claims::experiments::wall::{Approach, Stepping, approach};
 use crate::claims::s4::stepping::trapezoidal_rebound;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::exact_particle::{Ball, BallState};
 use crate::problem::Lcp;
 use crate::scalar::{Rational, Scalar, ratio};
@@ -19,6 +19,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Step 1: the velocities of all steps have uniformly bounded variation. Copositive-plus bounds the impulse of every \
             step's complementarity problem, the energy the dissipation.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "With a pointed friction cone (no impulses that cancel) and starts that do not penetrate. Copositive-plus \
             yields a solution, not a bound on it; and the Stewart–Trinkle matrix has it only without friction (S4.copos-plus).",
@@ -32,6 +34,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S11.impulse-infinite",
         statement: "Impulses cannot be unbounded, because energy would then grow without bound.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "If Hᵀ P = 0 with P in the cone implies P = 0. Otherwise impulses that cancel each other do no work, and energy \
             says nothing of them.",
@@ -46,6 +50,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Step 2, Helly: of functions that are uniformly bounded with uniformly bounded variation a subsequence converges \
             pointwise, to a function of bounded variation.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Cited,
         correct_statement: "As stated; a standard theorem, not proved here. That its hypothesis on the variation is needed, and that the \
             velocities of a scheme satisfy it, is checked.",
@@ -59,6 +65,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S11.subseq",
         statement: "Hence a subsequence of the velocities converges pointwise, and the positions uniformly.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated. A subsequence is meant: at the time of an impact the whole sequence need not converge.",
         argument: "Stewart–Trinkle on a wall that is hit at ⅓ s: ∫|v_h − v| = 4h/9, which bounds the error of the position. v_h = −1 and 0 \
@@ -71,6 +79,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S11.weakstar",
         statement: "Step 3, Banach–Alaoglu: of impulse measures with bounded mass a subsequence converges weakly*.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; C([0, T]) is separable. Weakly*, and in no stronger sense: not in mass.",
         argument: "The same wall: P_h has mass 1 in two steps next to ⅓ s, ∫g dP_h → g(⅓) for g = t, t², |t − ⅓| with errors of at most 2h \
@@ -83,6 +93,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S11.atom",
         statement: "The limit of the impulses is a measure that may contain atoms; they are the impacts.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated: (1 + e) m |v| in every window around the impact, however narrow.",
         argument: "Moreau–Jean on the wall, e = ½: the impulse within 2h of ⅓ s is 3/2 N s for h = 2⁻⁴ … 2⁻⁸, that within 2h of ¾ s is 0.",
@@ -95,6 +107,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Step 4: complementarity and the normal-cone relation carry over to the limit because the graph of the normal cone is \
             closed.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The conclusion is the theorem's; the closed graph alone does not give it. v_h converges pointwise and P_h \
             weakly*, and ∫v_h dP_h need not converge to ∫v dP: a further argument is needed where both jump, such as the energy balance.",
@@ -109,6 +123,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The four steps are a template: whoever wants to prove a new scheme convergent goes through them, with compactness in \
             place of Taylor expansions.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "A plan, not a theorem. Steps 1 to 3 can succeed with a limit that is no solution: step 4 has to be proved for \
             each scheme.",
@@ -122,6 +138,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S11.ex1",
         statement: "Exercise: for a mass that hits a wall the energy estimate bounds the variation of v_h uniformly.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated: impulses push one way only, so Σ P/m = v_N − v_0 + g T and the variation is at most 2 g T + v_N − \
             v_0 ≤ 2 g T + √(2 g q₀) + g h for a drop from q₀ with e ≤ 1.",

@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
 use crate::closed_forms::ElasticBar;
 use crate::elastic_bar::{FiniteElementBar, Method};
 use crate::tolerance::claims::ORDER_GAP;
@@ -15,6 +15,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The convergence proof of rigid-body time-stepping does not carry over to flexible bodies and finite elements: discrete \
             elastic waves with contact easily bring a numerical drift of energy, which needs integrators of its own.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Measured,
         correct_statement: "As stated, seen on a bar that hits a wall. The solution is of another kind (a finite force ρcAV over 2L/c, e = \
             1, no atom), refining the mesh changes the finite-dimensional problem, and what is proved for each mesh says nothing of the \
@@ -36,6 +38,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Laursen and Chawla (1997) and Laursen and Love (2002) construct energy–momentum conserving finite-element integrators \
             for impact; Hauret and Le Tallec (2006) estimate the dissipation; Hesch and Betsch treat contact in the same spirit.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Cited,
         correct_statement: "Citations without a statement to decide; the papers were not read. What the first two names stand for is \
             checked: the persistency condition keeps the energy, at the price of a penetration of a step and of a force that oscillates.",

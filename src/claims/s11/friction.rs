@@ -4,7 +4,7 @@ use crate::Result;
 use crate::checks::Finding;
 use crate::claims::s4::literature::scheme_year;
 use crate::claims::s4::painleve::{answers, sliding_forces};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::scalar::{Rational, ratio};
 
 pub const CLAIMS: &[Claim] = &[
@@ -13,6 +13,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Stewart (1998) constructs the solution with an atom; so a solution exists in Painlevé's configurations, as a measure, \
             and the paradox of a hundred years is dissolved for good.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Existence is; uniqueness is not. Where no sliding force exists the step has one answer, an impulse that stays \
             finite as h → 0. Where two exist it has three, of which the construction takes one.",
@@ -27,6 +29,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The proof above (Stewart's, whose by-product is the solution of Painlevé's paradox) is the case without friction; with \
             friction convergence was first shown in 2007.",
         verdict: ClaimVerdict::Inconsistent,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "Painlevé's paradox needs friction, μ > μ_P > 0, and so does the Stewart–Trinkle scheme whose limit the proof \
             takes. A proof that resolves it is one with friction.",
@@ -40,6 +44,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Dzonou and Monteiro Marques (Nonlinear Anal. TMA 2007) give the first rigorous result with friction, by de Saxcé's \
             bipotential, for small μ and Lipschitz M.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Cited,
         correct_statement: "Not the first: by the chapter's own account Stewart's proof of 1998 has friction, enough of it for Painlevé, \
             and Monteiro Marques's book of 1993 has “Shocks and Dry Friction” in its title. No such paper of 2007 was found; what was \
@@ -60,6 +66,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "With friction step 4 fails because Coulomb's law is not semicontinuous: the force's direction jumps between sliding \
             and sticking, so that the closed graph is lost.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "As a set-valued law Coulomb's has a closed graph, which is what step 4 uses; only the single-valued sign jumps \
             (and the set is not lower semicontinuous). What friction takes away is monotonicity: the law is not the normal-cone relation \
@@ -75,6 +83,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S11.ten-years",
         statement: "With friction, which is not semicontinuous, the proof took ten years.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "History, told from two dates the chapter gives, 1998 and 2007. Counted from the scheme to the proof that \
             covers Painlevé's configurations, and so friction, it took two.",

@@ -6,7 +6,7 @@ use crate::claims::s8::impact::{ball_flow, loaded};
 use crate::claims::s8::spring::{SEMI_IMPLICIT, theta};
 use crate::claims::s8::symplectic::{kept_step, vanishes};
 use crate::claims::s8::systems::{Coupled, Floor, across, entries, identity, mirror_step, projected_step};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::integrators::impact_flow::{ImpactFlow, Tangent};
 use crate::integrators::jacobian::jacobian;
 use crate::integrators::symplectic::{defect, form, volume};
@@ -20,6 +20,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Projecting the velocity onto what the contact allows has a singular Jacobian; a map with a singular Jacobian is not \
             symplectic.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated: v ↦ v − M⁻¹n (nᵀM⁻¹n)⁻¹ nᵀv has the eigenvalue 0, and DᵀJD = J gives (det D)² = 1.",
         argument: "Two coupled masses, M = (2, 1; 1, 3), n = (0, 1), in rationals: det D = 0, and DᵀJD ≠ J. In one dimension D = diag(1, \
@@ -32,6 +34,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S11.any-projection",
         statement: "So every contact correction that contains a projection destroys symplecticity.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated, where it acts on an open set of states: one that is put back on the wall has lost the depth it had.",
         argument: "A semi-implicit step of two coupled masses in a cubic potential, put back on the wall where it ends below: det D = 0 \
@@ -45,6 +49,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The exception: for e = 1 without correction the collision is a reflection v → −v, which keeps the energy and is \
             symplectic.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The flow across the collision is. The reflection by itself, (q, v) ↦ (q, −v) at fixed q, keeps the energy too, \
             with determinant −1 and DᵀJD = −J: it reverses the form. That the time of the impact moves with the start makes the \
@@ -60,6 +66,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "That is why no improved symplectic contact integrator can succeed completely: the obstacle is geometric, not \
             technical.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "For e < 1 the motion itself does not keep the form, so no method should; and no projection can. For e = 1 such \
             integrators exist: variational ones, and those whose correction is a mirror image.",
@@ -73,6 +81,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S11.explicit-or-implicit",
         statement: "Every operation that corrects penetration destroys symplecticity, whether explicit or implicit.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Of a projection that is so, whatever method made the step. A mirror image leaves it to the method: symplectic \
             after a symplectic step, not after another.",
@@ -87,6 +97,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Exercise: the Jacobian of the projection v < 0 ↦ 0 is singular, so it cannot be symplectic; and the elastic reflection \
             is an exception – what is its Jacobian?",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The projection: diag(1, 0). The reflection: diag(1, −1), determinant −1, which is not symplectic. The \
             exception is the flow across the impact: over a time T without forces −(1, T; 0, 1), determinant 1.",

@@ -4,7 +4,7 @@ use super::motion::before_contact;
 use crate::Result;
 use crate::checks::Finding;
 use crate::checks::energy::{worked_ball, worked_step};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::defects::zeno::{Altered, Mistake};
 use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{PointMass, State};
@@ -23,6 +23,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "From q = 0.005, v = −0.99 with h = 0.01: v_free = −1.09, forecast −0.0059 < 0, U = P − 1.585, hence \
                     P = 1.585 N·s and v⁺ = 0.495 m/s.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated.",
         argument: "v_free = −99/100 − 1/10 = −109/100; forecast 1/200 − 109/10000 = −59/10000; U = v_free + P + ½v = \
@@ -35,6 +37,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S12.vplus",
         statement: "The step satisfies the impact law: v⁺ = −e v⁻ = −0.5 · (−0.99) = 0.495 m/s.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated, with v⁻ the velocity v_ℓ at the start of the step (not v_free, the velocity just before \
                             the discrete impact).",
@@ -47,6 +51,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S12.impulse-split",
         statement: "The impulse splits as P = 1.585 = 1.09 + 0.495: first it cancels m|v_free|, then it produces m v⁺.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; it holds for every mass, P = m|v_free| + m v⁺.",
         argument: "m(v⁺ − v_free) = P with v_free < 0 < v⁺: 109/100 + 99/200 = 317/200 for m = 1 and three times each for m = 3.",
@@ -58,6 +64,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S12.qplus",
         statement: "The new position is q⁺ = 0.005 + 0.01 · 0.495 = 0.005 + 0.00495 = 0.0099 m > 0.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "q⁺ = 0.00995 m (199/20000); the summands are right, their sum was truncated.",
         argument: "1/200 + 99/20000 = 199/20000 = 0.00995. The conclusion drawn from it, that the ball has left the floor, stands.",
@@ -69,6 +77,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S12.unified",
         statement: "One and the same LCP cancels the incoming velocity and produces the rebound; lasting contact and impact are unified.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated.",
         argument: "0 ≤ W P + v_free + e v ⟂ P ≥ 0, solved by Lemke's method in rationals: the impact of the example gives \

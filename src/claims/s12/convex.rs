@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::s5::planar_step::Block;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::problem::{Law, Lcp};
 use crate::scalar::{Rational, ratio};
 use crate::solvers::lemke::solution;
@@ -15,6 +15,8 @@ pub const CLAIMS: &[Claim] = &[Claim {
     statement: "In one dimension without friction the convex QP of Anitescu is equivalent to the LCP; with a tangential direction \
         (friction, horizontal initial velocity) LCP and relaxation begin to differ by an O(h) gliding.",
     verdict: ClaimVerdict::Conditional,
+    kind: Kind::Assertion,
+    severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Exact,
     correct_statement: "The one-dimensional QP and LCP have the same solution. With friction they differ only while the contact slides, by \
         the gap μh|v_t|; they agree where it sticks.",

@@ -5,7 +5,7 @@ use crate::Result;
 use crate::checks::Finding;
 use crate::checks::energy::{ENERGY_OF_BOUNCE, impact, worked_ball, worked_step};
 use crate::checks::zeno::DroppedBall;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::defects::energy::{Misassembled, restitution_on_the_wrong_side};
 use crate::scalar::{Rational, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme};
@@ -16,6 +16,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S12.energy",
         statement: "E⁻ = ½ · 0.99² = 0.490 J, E⁺ = ½ · 0.495² = 0.1225 J, E⁺/E⁻ = 0.25 = e²: 75 % are lost.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The kinetic energy ratio is exactly e² for every h and θ if E⁻ is taken with v_ℓ. Against other \
                             natural references it is not: 0.2062 with v_free, 0.2269 with the speed √(v_ℓ² + 2 g q_ℓ) of the \
@@ -31,6 +33,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S12.energy-limit",
         statement: "The energy ratio of the bounce is e² (as h → 0, against the energy of the fall).",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated, to first order: |v⁺²/(2 g q₀) − e²| ≤ e²(2η + η²) with η = δ₀ g h/√(2 g q₀); the constant \
                             is a sawtooth in h.",
@@ -46,6 +50,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Continue by hand for two steps; at the second landing the speed should be close to the 0.495 m/s of the \
                     first rebound, because free flight conserves energy.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated: after two steps (0.0139, 0.395) and (0.01685, 0.295); the second contact is the eleventh \
                             step, from v = −0.505 m/s, 1.0202 times the rebound, and leaves with 0.2525 m/s.",
@@ -59,6 +65,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S12.ex2",
         statement: "Recompute the contact step with θ = ½: which θ comes closer to the theoretical energy ratio e² = 0.25, and why?",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "Neither for the kinetic energy: P, v⁺ and the ratio 1/4 do not depend on θ, which enters only the \
                             position (0.00995 m or 0.002525 m). For the total energy θ = ½ comes closer: 0.2736 against 0.4111.",

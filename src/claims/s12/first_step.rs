@@ -4,7 +4,7 @@ use super::motion::{before_contact, start};
 use crate::Result;
 use crate::checks::Finding;
 use crate::checks::energy::worked_ball;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::contact::delassus::delassus;
 use crate::exact_particle::{BallState, BallStep};
 use crate::mechanics::{PointMass, State};
@@ -19,6 +19,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "A point mass m = 1 kg under g = 10 m/s² above the floor q = 0 with gap φ(q) = q has H = ∇φ = 1 and \
                     the Delassus operator W = H M⁻¹ Hᵀ = 1.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; W has the unit 1/kg.",
         argument: "H is the derivative of q by q, 1, and W = 1 · (1/1 kg) · 1 = 1/kg: once in rationals, once as the \
@@ -32,6 +34,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "With h = 0.1 the first step forecasts q₀ + h v_free = −0.05 < 0, so the contact is active and \
                     P₁ = 1 N·s, v₁ = 0, although the ball is still at 0.05 m; the chapter itself calls this a degenerate case.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; moreover the state repeats: the ball hovers at 0.05 m with P = 1 N·s in every step.",
         argument: "v_free = 0 − 10 · 1/10 = −1, forecast 1/20 − 1/10 = −1/20 < 0, U = P − 1 + ½ · 0 = 0 gives P = 1 and \
@@ -45,6 +49,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The early activation exposes a problem of purely velocity-level schemes with a large step: they judge by \
                     extrapolated penetration; use a smaller h, or the position level (Stewart–Trinkle's φ/h judges better).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The cause is the forecast φ + h v_free of the activation rule, not the velocity level: under \
                             φ + ½ h v ≤ 0 the same velocity-level step does not activate. A smaller h does not remove \
@@ -62,6 +68,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S12.h001",
         statement: "With h = 0.01 the forecast is 0.049 > 0, the contact is not active, P₁ = 0, v₁ = −0.1 m/s, q₁ = 0.049 m.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated.",
         argument: "v_free = −1/10, forecast 1/20 − 1/1000 = 49/1000 > 0, hence P₁ = 0, v₁ = −1/10, q₁ = 49/1000.",
@@ -73,6 +81,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S12.state",
         statement: "Jump to a step just before landing: q = 0.005 m, v = −0.99 m/s (the speed accumulated by free fall), h = 0.01.",
         verdict: ClaimVerdict::Inconsistent,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "Free fall from 0.05 m reaches 0.005 m with v = −0.9 m/s after nine such steps (−0.9487 m/s in \
                             continuous time). The contact step from there has P = 1.45 N·s, v⁺ = 0.45 m/s, q⁺ = 0.0095 m.",

@@ -3,7 +3,7 @@
 use super::half_space::{pairs, whole};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::scalar::{Rational, ratio};
 
 /// Claims on the bipotential.
@@ -12,6 +12,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S2.bipotential",
         statement: "De Saxcé's bipotential is b(v, r) = μ‖v_t‖ r_n + ⟨v, r⟩.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "b(−u, r) = μ r_n‖u_t‖ plus the indicators of u_n ≥ 0 and r ∈ K_μ. The printed expression is its residual b(−u, \
             r) + ⟨u, r⟩ without the indicators, zero exactly on the contact law.",
@@ -28,6 +30,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "With the bipotential, contact with friction becomes one implicit inclusion that unites normal complementarity and \
             maximal dissipation.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "K_μ ∋ r ⟂ u + μ‖u_t‖ n ∈ K_μ*.",
         argument: "û_n = u_n + μ‖u_t‖, so û ∈ K* iff u_n ≥ 0, and r·û = r_n u_n + (μ r_n‖u_t‖ + r_t·u_t) is a sum of two terms that are ≥ \

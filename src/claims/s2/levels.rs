@@ -3,7 +3,7 @@
 use super::half_space::TangentCone;
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::bouncing_ball::BouncingBall;
 use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{BeadInCircle, Mechanism, PointMass, State};
@@ -20,6 +20,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Replacing N_C(q) by the velocity-level N_{T_C(q)}(v⁺) removes the 0/1 switch of the position level: it suffices to \
             impose ∇φ·v⁺ ≥ 0 at the contacts with φ ≤ 0 (or about to be), so the scheme is naturally robust to activation.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "No event time is needed, but T_C(q) jumps from the whole space to a half-space at φ = 0 just as N_C does, and \
             the discrete result depends on the activation rule.",
@@ -35,6 +37,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Position and velocity level are equivalent in persistent contact (φ ≡ 0); they differ when contact is about to be \
             made.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated, in continuous time; for a linear gap it holds step by step.",
         argument: "φ ≡ 0 on an interval gives φ̇ = 0; conversely ∇φ·v⁺ ≥ 0 with complementarity from φ = 0 keeps φ ≥ 0. For linear φ = 0 \
@@ -48,6 +52,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S2.pos-strict",
         statement: "The position level guarantees strict non-penetration (at the price of expanding a nonlinear gap).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "Exact for linear φ. With φ linearised in each step there remains −½h² v·∇²φ v, which does not accumulate.",
         argument: "A bead of unit speed on the inside of a unit circle: the linearised condition puts q⁺ on the tangent line, |q⁺|² = 1 + \
@@ -61,6 +67,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S2.vel-drift",
         statement: "The velocity level makes velocities admissible, but positions may drift.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "On curved constraints: the depth grows like h v² T/(2R). For linear φ in persistent contact there is none.",
         argument: "The bead on the unit circle moves along the tangent, so |q⁺|² = |q|² + h²w², and |q| w is conserved: |q|² ≤ 1 + hT. The \
@@ -74,6 +82,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S2.penetration-zero",
         statement: "In the sweeping process penetration is strictly zero (or corrected as drift), in the penalty method it is intended.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "The continuous motion satisfies φ ≥ 0 at all times by definition; discrete ones need the drift corrected.",
         argument: "q(t) ∈ C is part of the problem. The exact bouncing ball (e = 1/2) is not below the floor at any of 4000 instants up to \

@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
 use crate::scalar::{Rational, Scalar, ratio};
 
 pub const CLAIMS: &[Claim] = &[Claim {
@@ -10,6 +10,8 @@ pub const CLAIMS: &[Claim] = &[Claim {
     statement: "De Saxcé's bipotential is the key of the convergence proof by Dzonou and Monteiro Marques (Nonlinear Analysis, 2007), \
         which gets over the lack of semicontinuity of Coulomb's law.",
     verdict: ClaimVerdict::Ambiguous,
+    kind: Kind::Assertion,
+    severity: None,
     evidence: Evidence::Cited,
     correct_statement: "The paper was not read. Those found under these names treat one perfect constraint without friction (with Paoli, \
         Nonlinear Dynamics 58 (2009) 361). What can be decided: as a set-valued law, with or without a bipotential, Coulomb's law has a \

@@ -3,7 +3,7 @@
 use super::half_space::whole;
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::bouncing_ball::{accumulation_time_ratio, impact_time_ratio};
 use crate::problem::PlanarProblem;
 use crate::scalar::{Rational, ratio};
@@ -18,6 +18,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The base measure is dμ = dt + Σᵢ δ_{tᵢ}, the Lebesgue measure and an atom at each impact; v is of bounded variation \
             and dv splits into v̇ dt and jumps.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "True for finitely many impacts in bounded time and without a Cantor part of dv. Past a Zeno point the atoms \
             need summable weights, for instance the jumps: dμ = dt + |dv|.",
@@ -35,6 +37,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Sweeping processes are rigorous, with a complete theory of existence and uniqueness (Moreau 1977 for convex C(t), \
             later prox-regular sets), in first order or their second-order dynamic version.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Existence and uniqueness hold for the first-order process with convex or prox-regular C(t). For the \
             second-order process of this chapter uniqueness fails in general.",

@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::CompliantImpact;
 use crate::scalar::{Rational, ratio};
 use crate::tolerance::claims::{SOFT_STEP, soft_restitution};
@@ -14,6 +14,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Penalty or soft contact is a smooth function, differentiable everywhere, whereas hard contact is not differentiable \
             where the active set changes.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "The clamped spring max(0, −kφ) is continuous with a kink at φ = 0; with damping the force jumps at touchdown. \
             It is differentiable away from the change of the active set – as hard contact is.",
@@ -28,6 +30,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S2.soft-limit",
         statement: "Soft and hard contact are united for k → ∞: the stiff limit of soft contact is hard contact.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "Penetration vanishes like v√(m/k), and the limit is hard contact with the restitution that the damping ratio ζ \
             fixes, independent of k: e = 1 without damping, \

@@ -3,7 +3,7 @@
 use super::half_space::{Impact, TangentCone, grid, line_normal_cone_contains, pairs, whole};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::problem::PlanarProblem;
 use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
@@ -16,6 +16,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Case two of the example: from −M dv ∈ N_{T_C(0)}(v⁺), with v⁻ < 0, the impulse makes v⁺ = 0 (plastic, e = 0) or v⁺ = \
             −e v⁻ = e|v⁻| > 0 (rebound).",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "−M dv ∈ N_{T_C(0)}(v⁺) has the one solution v⁺ = 0. A rebound needs the argument v⁺ + e v⁻ of §3, whose one \
             solution is v⁺ = −e v⁻.",
@@ -30,6 +32,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S2.cone-direction",
         statement: "In case two the normal cone N_{T_C(0)}(0) = {g ≤ 0} is the normal pointing into the set.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "The set {g ≤ 0} is right; for C = {q ≥ 0} it points out of C. The force −g is what points in.",
         argument: "0 + t g = −t ∉ C for g = −1 and every t > 0. Only the words in parentheses are wrong; three lines on, the text has the \
@@ -43,6 +47,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Cases one and three: inside (q > 0), or at the wall and leaving (q = 0, v > 0), there is no force and v does not \
             change.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated: the normal cone is {0}.",
         argument: "Inside T_C = ℝ, at the wall with v > 0 the velocity is interior to T_C = {u ≥ 0}; in both N = {0}, hence P = m(v⁺ − v⁻) \
@@ -55,6 +61,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S2.branches",
         statement: "The three cases are the three branches of 0 ≤ φ ⟂ λ ≥ 0: (φ > 0, λ = 0), (φ = 0, λ > 0), (φ = 0, λ = 0).",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; these are all branches.",
         argument: "Of the nine pairs of signs of φ and λ, 0 ≤ φ, 0 ≤ λ and φλ = 0 leave exactly these three.",
@@ -66,6 +74,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S2.ex1",
         statement: "Exercise 1: with Newton's law the impulse at the wall is P = −2 m v⁻ for e = 1 and P = −m v⁻ for e = 0.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "P = m(v⁺ − v⁻) = −(1 + e) m v⁻.",
         argument: "Integrating the inclusion over the atom gives P = m(v⁺ − v⁻); v⁺ = −e v⁻ is the only solution with argument v⁺ + e v⁻. \
@@ -79,6 +89,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Exercise 3: on a smooth phase the inclusion is equivalent to 0 ≤ λ ⟂ ∇φ·v⁺ ≥ 0; with the friction cone this becomes a \
             nonlinear complementarity problem instead of an LCP.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The equivalence holds on φ = 0. Friction leaves an LCP in the plane and for polyhedral cones; the nonlinear \
             problem comes with the circular cone of a spatial contact.",

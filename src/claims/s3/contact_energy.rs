@@ -7,7 +7,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::problem::{PlanarProblem, Response};
 use crate::scalar::{Rational, ratio};
 use crate::solvers::lemke::solution;
@@ -19,6 +19,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.contact-work-sign",
         statement: "ΔE_contact = −½Pᵀ(U⁺ + U⁻) (the chapter adds: the sign depends on the convention).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "With P ≥ 0 and M(v⁺ − v⁻) = HᵀP, the convention of the scheme in §3, ΔT = +½Pᵀ(U⁺ + U⁻). The minus sign \
             belongs to P = ∫dR with M(v⁺ − v⁻) = −HᵀP, the convention of §0.",
@@ -33,6 +35,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "In the Moreau–Jean frame Pᵀ(v⁺ + e v⁻)/2 ≥ 0 guarantees that the contact dissipates in addition (e < 1 loses energy, e \
             = 1 keeps it).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "For one common e, a pure impact, and the law on every component if there is friction: ΔT ≤ −½(1−e)/(1+e) PᵀWP \
             ≤ 0, with equality without friction.",
@@ -48,6 +52,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.moreau-diss",
         statement: "Moreau's impact law: e < 1 dissipates, e = 1 conserves (and friction dissipates by itself).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "For one common e without friction, and with friction if v⁺ + e v⁻ is taken in normal and tangential \
             components. Newton's law on the normal component alone, combined with Coulomb friction, can gain energy.",

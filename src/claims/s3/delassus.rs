@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::certificate::definiteness::{Definiteness, definiteness};
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
 use crate::contact::delassus::delassus;
 use crate::elimination::{rank, solve};
 use crate::scalar::{Rational, ratio};
@@ -14,6 +14,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.delassus-psd",
         statement: "M ≻ 0, hence W = H M⁻¹Hᵀ ⪰ 0.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "W is positive semidefinite, and positive definite iff the rows of H are independent.",
         argument: "xᵀWx = (Hᵀx)ᵀM⁻¹(Hᵀx) ≥ 0, zero iff Hᵀx = 0. Decided exactly here for H with independent and dependent rows, and on a \
@@ -27,6 +29,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "W is the contact's effective compliance: ΔU = W P; one contact and one velocity: 1/m; off-diagonal entries couple \
             contacts; nearly parallel contact directions or extreme masses make W ill-conditioned.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated. Two contacts of a point at the angle α have condition number cot²(α/2); two contacts of a chain of \
             masses 1, 1/ρ, 1 have 1 + 2ρ.",

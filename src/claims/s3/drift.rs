@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{BeadInCircle, Mechanism, State};
 use crate::scalar::{Rational, Scalar, ratio};
@@ -15,6 +15,8 @@ pub const CLAIMS: &[Claim] = &[Claim {
     id: "S3.drift",
     statement: "Without projection, pure Moreau–Jean lets a body sink slowly into the table over long runs.",
     verdict: ClaimVerdict::Conditional,
+    kind: Kind::Assertion,
+    severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Certified,
     correct_statement: "A body on a plane does not drift under the activation rules A, B or D (A: φ ≤ 0, B: φ + ½hu ≤ 0, D: φ + h u_free ≤ \
         0): only the offset of the landing remains. It sinks under rule C (φ + h u ≤ 0 and u ≤ 0) with 0 < e < 1, at g h (1−e)/(2(1+e)); \

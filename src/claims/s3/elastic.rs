@@ -2,7 +2,7 @@
 
 use super::theta_step::{LinearSystem, phase};
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{BallChain, Mechanism, State};
 use crate::scalar::{Rational, Scalar, ratio};
@@ -17,6 +17,8 @@ pub const CLAIMS: &[Claim] = &[Claim {
     statement: "θ = 1 draws energy off artificially; where long-term conservation matters (satellite, pendulum, chains of elastic \
         collisions) the simulation runs ever slower until it stands still.",
     verdict: ClaimVerdict::False,
+    kind: Kind::Assertion,
+    severity: Some(Severity::WrongStatement),
     evidence: Evidence::Exact,
     correct_statement: "True for the pendulum and other oscillators. Elastic collisions do not run down: without forces θ has no effect on \
         the energy, and under gravity E − (θ−½) m g h v is conserved exactly across flights and impacts, so E only oscillates by O(h). A \

@@ -6,7 +6,7 @@ use crate::certificate::feasibility::nonnegative_solution;
 use crate::certificate::lcp::residuals;
 use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{chapter_example, reference, wedge};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::contact::delassus::delassus;
 use crate::problem::Lcp;
 use crate::scalar::{Rational, ratio};
@@ -19,6 +19,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The LCP of a positive semidefinite matrix has a solution if it is feasible, and Lemke's algorithm (or PGS, see \
             S3.pgs-ok) finds one.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "True, for symmetric and asymmetric semidefinite matrices; Lemke's method ends on a ray exactly when the LCP is \
             infeasible.",
@@ -33,6 +35,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.normal-solvable",
         statement: "W ⪰ 0 guarantees that the normal LCP of every Moreau–Jean step is solvable.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Semidefinite is half of it, feasibility the other half. With one coefficient e for all contacts, as the \
             chapter writes it, the LCP is always feasible, with any redundancy; with different eᵢ it need not be.",
@@ -47,6 +51,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.friction-block",
         statement: "With friction the block structure is more complicated; solvability then needs the copositive-plus argument of §4.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "With friction the matrix is not copositive-plus; solvability follows from copositivity together with bᵀλ ≥ 0 \
             on the homogeneous solutions (see S4.copos-plus, on which this depends).",
@@ -60,6 +66,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.qp-equiv",
         statement: "The LCP 0 ≤ P ⟂ WP + U_free ≥ 0 is the optimality condition of min ½PᵀWP + U_freeᵀP, P ≥ 0.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "True because W is symmetric and positive semidefinite.",
         argument: "The gradient of the objective is ½(W + Wᵀ)P + U_free, which is WP + U_free only for symmetric W. For W = [[2, 1], [1, \
@@ -73,6 +81,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.projection",
         statement: "The solution is the projection of the unconstrained solution onto the cone.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "It is the projection in the metric of W, and only for positive definite W (otherwise there may be no \
             unconstrained solution). The Euclidean projection is wrong as soon as W couples contacts.",

@@ -4,7 +4,7 @@ use super::pendulum::Swing;
 use super::theta_step::{LinearSystem, phase};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::bouncing_ball::BouncingBall;
 use crate::mechanics::{OscillatorWithStop, PointMass, State};
 use crate::scalar::{Rational, Scalar, ratio};
@@ -20,6 +20,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.theta-order",
         statement: "θ = 1/2 is the second-order trapezoidal rule, θ = 1 is backward Euler.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Measured,
         correct_statement: "Orders 2 and 1 while the motion is smooth; through an impact every θ has order 1 in the position.",
         argument: "q̈ = −q to t = 2: the one-step factor is R = (1 + (1−θ)z)/(1 − θz) = 1 + z + θz² + …, z = ±ih, so the order is 2 iff θ \
@@ -33,6 +35,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Table, overall behaviour of θ = 1/2: second order and energy neutral; for elastic collisions and long conservative \
             motions.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Certified,
         correct_statement: "θ = 1/2 is energy neutral for constant and linear forces; its order is 2 on smooth pieces and 1 through \
             impacts, like that of every θ.",
@@ -47,6 +51,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.symplectic-like",
         statement: "θ = 1/2 behaves like a symplectic integrator: no long-term drift of the energy.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "For smooth motions: on linear systems the θ = 1/2 step preserves area, on nonlinear ones it does not but is \
             conjugate to the midpoint rule, which does. No such statement holds across impacts.",

@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::siconos::Facts;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -11,6 +11,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Siconos's MoreauJeanOSI implements the θ-scheme in kernel/src/simulationTools/MoreauJeanOSI.cpp; for positions it has \
             CombinedProjectedMoreauJeanOSI.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Cited,
         correct_statement: "The class with projection is MoreauJeanCombinedProjectionOSI. The path is right for release 4.4.0; the \
             development version has since moved it to kernel/src/simulation/ (commit ee174c26f, February 2026).",
@@ -29,6 +31,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Moreau (CMAME 177, 1999, 329–349) and Jean (CMAME 177, 1999, 235–257) are the founding analyses of convergence of \
             these schemes.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Cited,
         correct_statement: "The two papers stand at these pages, as “Numerical aspects of the sweeping process” and “The non smooth \
             contact dynamics method”. Neither was read here; by their titles they present methods, and proofs of convergence are usually \
@@ -43,6 +47,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Acary and Brogliato 2008 (Springer LNACM 35), chapters 9–10, is the encyclopaedia of nonsmooth time-stepping for \
             engineers.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Cited,
         correct_statement: "The book exists, as volume 35 of that series, and Siconos refers to it for review. Which chapters: the text \
             itself says 9–10 here and 7–11 in its reading list; the one range lies within the other. The book's table of contents was not \

@@ -10,7 +10,7 @@ use super::pendulum::Swing;
 use super::theta_step::{LinearSystem, Phase, coupled_pair, phase};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::tolerance::claims::theta_scheme::pendulum_energy;
 use num_traits::Zero;
@@ -20,6 +20,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.energy-half",
         statement: "θ = 1/2, no contact: ΔE_kin = h v_{1/2}ᵀF, exactly the work of the force.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; with the mean velocity ½(v⁺ + v) and the scheme's own force F_θ the identity holds for every θ.",
         argument: "ΔT = ½(v⁺ + v)ᵀM(v⁺ − v) = ½(v⁺ + v)ᵀ h F_θ, and v_{1/2} = ½(v⁺ + v). Residual zero in rationals for two coupled masses \
@@ -32,6 +34,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.energy-neutral",
         statement: "θ = 1/2 is energy neutral: no numerical dissipation and no injection.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Kinetic plus potential energy is conserved exactly for constant and linear forces. For a nonlinear force the \
             error per step is O(h³), of either sign.",
@@ -46,6 +50,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.energy-one",
         statement: "θ = 1 adds −(h²/2)‖F‖²_{M⁻¹} < 0: numerical dissipation O(h²).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The term is a loss of total energy, −(θ − ½)h²FᵀM⁻¹F, for a constant force; it is per step, so O(h) over a \
             fixed time. A linear spring has E⁺/E = (1 + (1−θ)²h²ω²)/(1 + θ²h²ω²) instead; θ < 1/2 injects.",
@@ -59,6 +65,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.theta-mid",
         statement: "θ in (1/2, 1): intermediate dissipation.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "The loss carries the factor 2θ − 1 between 0 at θ = 1/2 and 1 at θ = 1, for a constant force; a spring loses a \
             fraction that grows with θ.",

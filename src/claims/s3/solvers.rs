@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::problem::{ContactProblem, Law};
 use crate::scalar::{Rational, ratio};
 use crate::solvers::{ContactSolver, ProjectedGaussSeidel};
@@ -15,6 +15,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "S3.pgs-ok",
         statement: "The normal LCP with positive semidefinite W is solved by Lemke's method or by projected Gauss–Seidel.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "Projected Gauss–Seidel needs W_ii > 0. For singular W it converges to a solution that depends on the start; WP \
             is the same for all of them.",
@@ -30,6 +32,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "The Moreau envelope smooths the non-differentiable indicator of the feasible cone with a smooth quadratic lower bound \
             whose minimiser is the projection.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "e_λ(x) = min over y ∈ C of ‖x − y‖²/(2λ) = dist(x, C)²/(2λ) ≤ ι_C(x); it is C¹ with gradient (x − P_C(x))/λ, \
             piecewise quadratic, and the minimising y is P_C(x).",
@@ -45,6 +49,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "The proximal term ½ρ‖P − Pᵏ‖² adds ρI to W and so improves the condition number of an ill-conditioned Delassus \
             operator.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "cond(W + ρI) = (λ_max + ρ)/(λ_min + ρ), which decreases with ρ ≥ 0 (strictly unless all eigenvalues are \
             equal).",
@@ -58,6 +64,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "S3.R-is-MY",
         statement: "MuJoCo's regularisation R is in essence a Moreau–Yosida smoothing of fixed strength, as the proximal term of ADMM is.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "R is a quadratic term centred at zero (Tikhonov): it changes the answer for good. A proximal term is centred \
             at the previous iterate: it vanishes at the fixed point, which is the unregularised answer. Both are Moreau–Yosida smoothings \

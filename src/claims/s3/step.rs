@@ -1,7 +1,7 @@
 //! One step: which velocity moves the body, where restitution enters, and what the unknown is.
 
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::contact::delassus::{MassFactor, delassus};
 use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{Mechanism, OscillatorWithStop, PointMass, State};
@@ -21,6 +21,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Naive explicit Euler: with q⁺ = q + h v and the old velocity v, the contact force acts too late and the body has \
             already penetrated.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "With θ = 0 the impulse of a step cannot change the position at its end; penetration follows whenever q + h v < \
             0.",
@@ -34,6 +36,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.mj-condition",
         statement: "At every active contact 0 ≤ U = H(v⁺ + e v) ⟂ P ≥ 0.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "This is the definition of the scheme's contact law; U⁺ = H v⁺ itself need not be complementary to P.",
         argument: "Three balls of 1, 2 and 4 kg in line at velocities 3, 0, −1 m/s, both contacts closed, e = 1/2: Lemke in rationals \
@@ -46,6 +50,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.newton-embedded",
         statement: "The argument v⁺ + e v embeds Newton's impact law v⁺ = −e v⁻.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "U_n⁺ = −e U_n holds exactly at contacts with P > 0, and U_n is the velocity at the start of the step, which \
             differs from the velocity at the impact by at most g h in free fall. A closed contact with P = 0 separates by its own \
@@ -62,6 +68,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "With v_free = v + h M⁻¹F: U = W P + U_free, U_free = H(v_free + e v) = (1+e) H v + h H M⁻¹F, W = H M⁻¹Hᵀ (F explicit \
             or linearised).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Exact for an explicit force. For a linearised implicit force −Kq − Cv, M is replaced by M̂ = M + hθC + h²θ²K, \
             in W and in v_free alike.",
@@ -75,6 +83,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.P-force",
         statement: "The unknown P is an impulse in N·s; taking it for a force is off by the factor 1/h.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "A resting body has P = m g h; P/h = m g is the force.",
         argument: "Resting 2 kg block at h = 1/64 and 1/128 s: P halves with h while P/h stays m g = 19.62 N.",

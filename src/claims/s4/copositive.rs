@@ -7,7 +7,7 @@ use crate::certificate::definiteness::quadratic_form;
 use crate::certificate::feasibility::nonnegative_solution;
 use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{RationalStep, chapter_example, reference, wedge};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::problem::Lcp;
 use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
@@ -18,6 +18,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.cp-def",
         statement: "N is copositive-plus if (i) x ≥ 0 implies xᵀNx ≥ 0 and (ii) x ≥ 0 with xᵀNx = 0 implies (N + Nᵀ)x = 0.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "This is the standard definition.",
         argument: "[[0, 1], [0, 0]] is copositive (form x₁x₂) but x = (1, 0) has form 0 and (N + Nᵀ)x = (0, 1): part (ii) excludes it. \
@@ -30,6 +32,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.copos",
         statement: "M_LCP is copositive (part (i) of the theorem).",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "M_LCP is copositive for every μ ≥ 0, any number of contacts and any redundancy.",
         argument: "xᵀM x = x₁ᵀW̃x₁ + Σμᵢλᵢσᵢ is a sum of two terms that are ≥ 0 for x ≥ 0 (x₁ = (λ, β)). Decided exactly here for the \
@@ -42,6 +46,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.copos-plus",
         statement: "Theorem (the chapter attributes it to Anitescu and Potra 1997): the Stewart–Trinkle matrix M_LCP is copositive-plus.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "M_LCP is copositive; it is copositive-plus if and only if every μ is 0. Solvability rests on something else: \
             with q = (nᵀv + b, Dᵀv, 0), v the free velocity and b = φ/h, if bᵀλ ≥ 0 for all λ, β ≥ 0 with nλ + Dβ = 0 and Eᵀβ ≤ μλ – true \
@@ -62,6 +68,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Proof and exercise 2: xᵀM_LCP x = x₁ᵀW̃x₁, because the friction row and the tangential column cancel; and xᵀMx = 0 \
             implies (M + Mᵀ)x = 0.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "xᵀM_LCP x = x₁ᵀW̃x₁ + Σμᵢλᵢσᵢ: only +E against −Eᵀ cancels, μ has no partner. Copositivity follows all the \
             same; the second implication does not, and falls with S4.copos-plus.",
@@ -75,6 +83,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.cps-thm",
         statement: "By a theorem of Cottle, Pang and Stone, an LCP with a copositive-plus matrix that is feasible has a solution.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "True; but it does not apply to the Stewart–Trinkle LCP with friction, whose matrix is not copositive-plus.",
         argument: "A secondary ray of Lemke's method would give x ≥ 0 with xᵀMx = 0, Mx ≥ 0 and xᵀq < 0; (ii) turns Mx ≥ 0 into Mᵀx ≤ 0, \

@@ -8,7 +8,7 @@ use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{chapter_example, reference};
 use crate::claims::experiments::drake::facts;
 use crate::claims::experiments::identifiers::{issn_agrees, sici_agrees, volume_and_page};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::scalar::ratio;
 use crate::solvers::lemke::{LemkeOutcome, lemke};
 use nalgebra::DVector;
@@ -19,6 +19,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Stewart and Trinkle, IJNME 39:2673 (1996); Anitescu and Potra, Nonlinear Dynamics 14:231 (1997); Stewart, ARMA 145:215 \
             (1998).",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Cited,
         correct_statement: "As stated, volume and first page: 39 (15), 2673–2691; 14 (3), 231–247; 145 (3), 215–260.",
         argument: "The first paper's DOI contains its SICI, which names volume 39 and page 2673 and ends in a check character that agrees \
@@ -36,6 +38,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.drake-name",
         statement: "Early Drake (TimeSteppingRigidBodyPlant) derives from Stewart and Trinkle.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Cited,
         correct_statement: "A class of that name existed from September 2017 to April 2018, in multibody/dev, with a polygonal friction \
             cone; whether it derives from the paper was not checked. The pinned release does not know it any more.",
@@ -50,6 +54,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Anitescu and Potra's is the first proof of solvability that does not need the matrix of the complementarity problem to \
             be positive definite.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "Who was first is not decided here; Pang and Trinkle had existence results for several bodies with Coulomb \
             friction in print a year before. What the sentence says of the matrix is so: it is not even semidefinite, it is copositive, \

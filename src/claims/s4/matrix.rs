@@ -4,7 +4,7 @@ use super::matrices::{chapter_matrix, integers};
 use crate::certificate::definiteness::{Definiteness, definiteness, positive_semidefinite, quadratic_form};
 use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{chapter_example, reference};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::contact::delassus::delassus;
 use crate::problem::stewart_trinkle::generators;
 use crate::scalar::{Rational, ratio};
@@ -18,6 +18,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The LCP has three complementarity groups: 0 ≤ λ_n ⟂ normal separation velocity ≥ 0; 0 ≤ β ⟂ λE + Dᵀv⁺ ≥ 0, “where σ is \
             the slip rate”; 0 ≤ σ ⟂ μλ_n − Eᵀβ ≥ 0.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The three groups hold with σE in the second: 0 ≤ β ⟂ σE + Dᵀv⁺ ≥ 0. The printed λ is undefined there; the \
             clause about σ shows what is meant.",
@@ -31,6 +33,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.Wtilde",
         statement: "The upper left block over (λ, β) is symmetric positive semidefinite.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "W̃ = CᵀM⁻¹C with C = (n D) is symmetric positive semidefinite because M ≻ 0; with opposite directions in D it \
             is singular.",
@@ -44,6 +48,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Example: a block with m = 1, I = 1 touches the ground with a corner straight below its centre of mass; for simplicity \
             the contact Jacobian then has no rotational coupling.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "A contact point at distance r straight below the centre of mass has the tangential row (1, 0, r): W_nt = 0, \
             but W_tt = 1/m + r²/I. The matrix of the example is that of a point mass (r = 0), a declared simplification.",
@@ -57,6 +63,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.ex-W",
         statement: "Example: W = [[1, 0, 0], [0, 1, −1], [0, −1, 1]]; the tangential block has rank 1 because d₁ = −d₂.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "With rows n = (0, 1, 0), ±t = (±1, 0, 0) and m = 1, W is as printed and its tangential block has rank 1.",
         argument: "W = H M⁻¹Hᵀ entry by entry; the tangential block has the kernel (1, 1) and the entry 1.",
@@ -68,6 +76,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.ex-asym",
         statement: "The 4×4 matrix is not symmetric: M₁₄ = 0 but M₄₁ = 0.5, M₂₄ = 1 but M₄₂ = −1.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "M₁₄ = 0, M₄₁ = 1/2, M₂₄ = 1, M₄₂ = −1.",
         argument: "Read off M = [[W̃, (0; E)], [(μ, −Eᵀ), 0]] with μ = 1/2.",
@@ -79,6 +89,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.ex-quadratic",
         statement: "Example: the cross terms with σ cancel and xᵀMx = λ² + (β₁ − β₂)² ≥ 0 remains.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "xᵀMx = λ² + (β₁ − β₂)² + ½λσ: the terms σ(β₁ + β₂) cancel, μλσ remains. It is ≥ 0 for x ≥ 0, so the conclusion \
             drawn there survives, but M is not positive semidefinite. (The dropped term is that of S4.quadratic-general.)",
@@ -91,6 +103,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.block-form",
         statement: "Proof: partition M_LCP as [[W̃, b], [bᵀ, 0]], where the last row and column hold [μ, −Eᵀ] and [0; E].",
         verdict: ClaimVerdict::Inconsistent,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "M_LCP = [[W̃, b], [cᵀ, 0]] with b = (0; E) and c = (μ; −E) ≠ b; the same sentence names both correctly, so \
             this is a slip of notation.",
@@ -104,6 +118,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.ex1-size",
         statement: "Exercise: for one planar contact with d₁ = −d₂, write down the 3×3 Stewart–Trinkle matrix entry by entry.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "The matrix is 3×3 in blocks (λ, β, σ) and 4×4 in scalars (λ, β₁, β₂, σ), as in the section's own example.",
         argument: "Unknowns: 1 normal impulse, 2 direction impulses, 1 slip speed – four scalars in three blocks. The text does not say \

@@ -7,7 +7,7 @@ use super::matrices::integers;
 use crate::Result;
 use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{RationalStep, rational_directions, reference};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::contact::delassus::delassus;
 use crate::mechanics::{PainleveRod, State};
 use crate::problem::Lcp;
@@ -24,6 +24,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Painlevé 1895: for some rigid bodies with Coulomb friction (a rod sliding on the ground with large μ) the equations of \
             motion have no solution or several.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "For the uniform rod this happens for μ > μ_P = W_nn/|W_nt| = (4 + tan²)/(3 tan) ≥ 4/3 when it slides towards \
             the side it leans to.",
@@ -38,6 +40,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The limit h → 0 of Stewart–Trinkle solutions exists and contains an impulsive atom, “impact without collision”; time \
             stepping delivers it automatically.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Where no sliding force exists the step has one solution, whose impulse does not vanish with h: P_n = \
             |W_nt||v_t|/det W, P_t = W_nn|v_t|/det W, and the end sticks. Where two forces exist the step has three solutions, and the \
@@ -52,6 +56,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.ex3-energy",
         statement: "Exercise 3: is the impulse of Painlevé's rod dissipative in energy, or does it inject energy?",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "It dissipates: ΔT = ½Pᵀ(u⁺ + u⁻) = −½ W_nn v_t²/det W = −(1 + 3cos²)/8 · m v_t².",
         argument: "u⁻ = (0, −1), P = (9/25, 13/25), u⁺ = 0: ΔT = ½·(13/25)·(−1) = −13/50 with m = 1, cos = 3/5; the same from ½vᵀMv before \

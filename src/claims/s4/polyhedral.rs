@@ -3,7 +3,7 @@
 use super::matrices::integers;
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::cones::polyhedral::{direction, direction_error, force_error, strength_error};
 use crate::mechanics::{Mechanism, Plane, PointMass, State};
 use crate::problem::PlanarProblem;
@@ -23,6 +23,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The polyhedral cone has an error O(1/d) in its shape (§4, its summary, §5's insight); it has an error O(1/d²) in the \
             radius (§4's pitfall) and in its shape (§5's table).",
         verdict: ClaimVerdict::Inconsistent,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Certified,
         correct_statement: "Shape and strength: 1 − cos(π/d) ≈ π²/(2d²). Direction of the force: π/d; force vector: 2 sin(π/2d) ≈ π/d. In \
             the plane d = 2 has no error.",
@@ -40,6 +42,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The error of the polyhedral cone is O(1/d²) (for the radius); d = 8 is already quite accurate. What changes in kind is \
             a slight anisotropy.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Measured,
         correct_statement: "d = 8 is 7.6 % weak in the worst direction and up to 22.5° off in the direction of the force; a free slide \
             drifts sideways by up to 10.6 % of its stopping distance.",
@@ -57,6 +61,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The friction force is restricted to d discrete directions, which makes sliding along the basis directions slightly \
             easier or harder than along the diagonals.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "Basis directions are the harder ones (full μ), bisectors the easier ones (μ cos(π/d)), so stopping distances \
             differ by sec(π/d): 1.414, 1.082, 1.020 for d = 4, 8, 16. \
@@ -73,6 +79,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The slip-rate multiplier σ with μλ − Eᵀβ ≥ 0 ⟂ σ ≥ 0 reproduces the principle of maximal dissipation: σ = 0 while \
             sticking, σ > 0 and full friction while sliding.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "β maximises −u_t·Dβ over β ≥ 0, Eᵀβ ≤ μλ – on the polyhedral cone – and σ is the multiplier of that linear \
             programme, σ = max_j(−D_j·u_t).",

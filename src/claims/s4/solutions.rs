@@ -6,7 +6,7 @@ use crate::Result;
 use crate::certificate::p_matrix::p_matrix;
 use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{chapter_example, reference};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::contact::delassus::delassus;
 use crate::problem::Lcp;
 use crate::scalar::{Rational, ratio};
@@ -19,6 +19,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "σ is the slip rate: σ = 0 when sticking (inside the friction cone), σ > 0 when sliding (on its boundary, friction at \
             its maximum).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Where λ_n > 0, σ ≥ max(−dⱼ·v⁺) with equality as soon as a βⱼ > 0; sticking has σ = 0 also on the boundary of \
             the cone. At an open contact every σ ≥ max(−dⱼ·v⁺) is a solution, and σ says nothing.",
@@ -34,6 +36,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Existence is not uniqueness: in simultaneous contacts (three balls at once, the four corners of a block) the LCP may \
             have several solutions, and solvers may differ.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Several solutions arise with friction or redundant contacts: σ at an open contact, β when sticking, impulses \
             (not velocities) of a block on four frictionless corners, and even velocities for Painlevé's rod. The frictionless three-ball \
@@ -49,6 +53,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.pmatrix",
         statement: "Uniqueness needs a stronger condition, for instance that M_LCP is a P-matrix.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "A P-matrix makes the LCP uniquely solvable for every q, but a Stewart–Trinkle matrix is never one: its \
             diagonal entry at σ is 0.",
@@ -61,6 +67,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.lcp-kink",
         statement: "LCP solutions are not differentiable where the active set changes.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As a function of q the solution is piecewise linear; its one-sided derivatives differ where the active set \
             changes.",

@@ -6,7 +6,7 @@ use crate::Result;
 use crate::certificate::existence;
 use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{RationalStep, chapter_example, rational_directions, reduced, reference, wedge};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::problem::Lcp;
 use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
@@ -19,6 +19,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The Stewart–Trinkle LCP is always feasible: β = 0, λ_n = 0, σ = 0 with free motion gives a feasible point (“the \
             degenerate case can be constructed”).",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "Zero is infeasible at every closing contact, and the LCP itself can be infeasible. If every gap is ≥ 0 it is \
             feasible, indeed solvable.",
@@ -33,6 +35,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.solvable",
         statement: "Every step of the Stewart–Trinkle scheme has a solution, because its matrix is copositive-plus and the LCP feasible.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "A step is solvable if bᵀλ ≥ 0 for all λ, β ≥ 0 with nλ + Dβ = 0 and Eᵀβ ≤ μλ (b = φ/h); in particular if all \
             gaps are ≥ 0 (any μ, redundancy, jamming) or the friction cone is pointed (any gap). Otherwise it may be feasible and \

@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::exact_particle::{Ball, BallState, BallStep};
 use crate::mechanics::{BeadInCircle, Mechanism, PointMass, State};
 use crate::scalar::{Rational, ratio};
@@ -17,6 +17,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "In practice the non-linear gap is linearised: φ + h∇φᵀv⁺ ≥ 0; against the velocity level of Moreau–Jean this adds the \
             term φ/h.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "φ/h + ∇φᵀv⁺ ≥ 0, with a residual of O(h²) per step, −½h²v²/R on a circle of radius R.",
         argument: "A bead on the unit circle with unit tangential speed: the linearised constraint is met with 0 and the gap after the \
@@ -29,6 +31,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.nonpen",
         statement: "Stewart–Trinkle is strictly non-penetrating (after linearisation approximately) and does not drift.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "The gap stays ≥ −½h²·max v²/R and does not accumulate, provided the position update is the one of the \
             constraint, q⁺ = q + hv⁺. With a trapezoidal update the plastic ball rebounds at (1 − c)/2 of its speed for every h, where c = \
@@ -44,6 +48,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.brake",
         statement: "Because of φ/h Stewart–Trinkle can brake before contact; Moreau–Jean waits until φ = 0.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "A ball that would pass the floor within the step gets v⁺ = −φ/h; the impact is spread over two steps, with the \
             total impulse m|v|.",
@@ -56,6 +62,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.pushout",
         statement: "For φ < 0 the term φ/h actively pushes the body out, so Stewart–Trinkle needs no Baumgarte stabilisation.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "It corrects penetration within one step, v⁺ = |φ|/h, but injects the kinetic energy ½m(φ/h)², unbounded as h → \
             0 for a given penetration; and with penetration the LCP may lose its solution. Penetrations must be O(h²), as the scheme's own \
@@ -69,6 +77,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.mj-vs-st",
         statement: "Stewart–Trinkle and Moreau–Jean are equivalent in persistent contact.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "They produce the same iterates in persistent contact if φ is linear, e·u_n = 0, and both update q⁺ = q + hv⁺. \
             On a curved constraint Moreau–Jean drifts and Stewart–Trinkle does not.",
@@ -84,6 +94,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Convergence proof: a uniform bound on the variation of v_h, Helly's selection theorem, weak* compactness of the \
             impulses, and the limit satisfies the measure differential inclusion.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "The chain is sound; its first link needs starting positions that do not penetrate (or only by O(h)).",
         argument: "Plastic ball from height 1, T = 1: impulses are ≥ 0 and v ≤ 0, so TV(v_h) ≤ gT + Σr/m = 2gT + v_N − v_0 ≤ 2gT = 19.62 \

@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::checks::cone_projection::{Projection, moreau_decomposition};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::cones::second_order::project;
 use crate::cones::{Case, decide};
 use crate::scalar::{Rational, ratio};
@@ -15,6 +15,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The relaxed friction constraint is μ(n·v) + ‖Dᵀv‖ ≤ 0 (so printed in the section on creep; the display of step 3 is \
             not legible in the source).",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "n·v + φ/h ≥ μ‖Dᵀv‖: the law velocity lies in the dual cone K_μ*.",
         argument: "The printed set is −K_μ. It demands n·v ≤ 0, so it excludes separation, and steady sliding: with μ = 1/2 and n·v = \
@@ -33,6 +35,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The projection on K has three cases: inside, unchanged; the force points along the negative normal (it would pull), \
             zero; outside, the cone's surface. (The formula is not legible in the source; these are its words.)",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "Zero iff z is in the polar cone, μ‖z_t‖ ≤ −z_n; on the surface r_n = (z_n + μ‖z_t‖)/(1 + μ²), r_t = μ r_n \
             z_t/‖z_t‖.",
@@ -47,6 +51,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S5.proj-states",
         statement: "The three cases of the projection are the three states stick, separation and slip.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "At a fixed point r = P_K(r − η y) of the cone complementarity problem, with y ≠ 0 unless it sticks; for an \
             arbitrary iterate the case says nothing about the state.",
@@ -62,6 +68,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The analytic projection on the cone is the inner operation of every iteration of the convex primal methods, Chrono's \
             APGD and Drake's SAP.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Of APGD, yes. SAP projects in the norm of the regularisation R, with μ̂ = μ R_t/R_n in the case conditions, \
             inside a Newton method on velocities; the two projections agree for R_t = R_n only.",
@@ -80,6 +88,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The solution of the convex QP is, if strictly convex and unique, continuously differentiable in its parameters, with \
             gradients from the implicit function theorem on the KKT conditions.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "It is Lipschitz and piecewise smooth. It is continuously differentiable where strict complementarity and \
             nondegeneracy hold, not across a change of the active set.",

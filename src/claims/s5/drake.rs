@@ -4,7 +4,7 @@ use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::creep::Creeping;
 use crate::claims::experiments::drake::{MATERIAL, facts, lift, predicted_lift};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::tolerance::claims::drake as tolerance;
 use crate::tolerance::claims::pathology::{AT_REST, creep};
 
@@ -12,6 +12,8 @@ pub const CLAIMS: &[Claim] = &[Claim {
     id: "S5.sap-doc",
     statement: "Drake's documentation of SAP calls the slow slip of a block that friction should hold on a slope “O(δt) gliding”.",
     verdict: ClaimVerdict::False,
+    kind: Kind::Assertion,
+    severity: Some(Severity::WrongStatement),
     evidence: Evidence::Certified,
     correct_statement: "Drake calls gliding what happens in sliding contact, under kSap and kSimilar: the block is lifted by (δt + τ) μ v. \
         Under kSap that vanishes with δt only without relaxation time. A block at rest does creep by O(δt) under kSap, but by its \

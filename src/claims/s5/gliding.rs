@@ -3,7 +3,7 @@
 use super::planar_step::Block;
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::problem::Law;
 use crate::scalar::{Rational, ratio};
 
@@ -15,6 +15,8 @@ pub(super) const CLAIMS: &[Claim] = &[
             incline, \
                     slips slowly with a speed of order h (the chapter quotes Drake's SAP documentation for it).",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "The hard relaxation sticks exactly: from rest at φ = 0 with tan α ≤ μ its step keeps v = 0. Its artefact \
             belongs to sliding contacts, which \
@@ -36,6 +38,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "S5.gliding-normal",
         statement: "When the normal force is large the body slips with a speed proportional to the normal force, although it should stick.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "The hard relaxation does not creep at all (S5.gliding-creep). With a tangential softness R_t the creep is v = \
             R_t r_t, proportional to the \
@@ -55,6 +59,8 @@ pub(super) const CLAIMS: &[Claim] = &[
             softening a small \
                     penetration velocity along the normal leaks into tangential slip.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "The constraint is n·v + φ/h ≥ μ|v_t|. It lets tangential motion force normal lift, u_n = μ|u_t|; a normal \
             approach or a penetration forces no \
@@ -77,6 +83,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "The slip is inherent to the scheme and proportional to h, not to the friction coefficient; raising μ only treats the \
             symptom.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "True of the creep of a block at rest under a regularised convex scheme (R_t independent of h, as in Drake's \
             SAP): v = R_t r_t is proportional to h and \

@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::cones::second_order;
 use crate::problem::{ContactProblem, Law};
 use crate::scalar::{Rational, ratio};
@@ -16,6 +16,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "S5.step",
         statement: "The projected gradient iteration uses a step η ≤ 1/‖N‖, the spectral norm of the Delassus operator.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "η ≤ 1/‖N‖ suffices (and Nesterov's bound needs it); the plain iteration converges for every η < 2/‖N‖ and not \
             beyond.",
@@ -30,6 +32,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "S5.rates",
         statement: "Nesterov's acceleration improves the convergence rate of projected gradient from O(1/k) to O(1/k²).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "f(r_k) − f* ≤ L R²/(2k) for the plain and ≤ 2 L R²/(k+1)² for the accelerated iteration, R = ‖r₀ − r*‖. These \
             are upper bounds for step 1/L, not rates to be measured: a well-conditioned problem converges far faster.",
@@ -48,6 +52,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Each iteration needs one product N y (possibly without forming N) and one projection, so that its cost is linear in \
             the number of contacts.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "One product and one projection per iteration suffice for the iteration with a fixed step; a backtracking step \
             or a residual test needs more. The cost is linear in the contacts if N is applied as Dᵀ(M⁻¹(Dγ)): assembled, N has k² blocks \

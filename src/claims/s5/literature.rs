@@ -4,7 +4,7 @@ use super::gradient::{grown, pressed_row};
 use crate::checks::Finding;
 use crate::claims::experiments::identifiers::issn_agrees;
 use crate::claims::experiments::siconos::Facts;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::mechanics::{Plane, PointMass, State};
 use crate::problem::Law;
 use crate::schemes::{SchemeParameters, assembled, by_name};
@@ -17,6 +17,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "S5.cite",
         statement: "Anitescu, Math. Program. 105:113 (2006).",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Cited,
         correct_statement: "As stated: Optimization-based simulation of nonsmooth rigid multibody dynamics, 105 (1), 113–143.",
         argument: "Volume and page as other papers' lists of references have them; the DOI carries neither. The journal's ISSN, 0025-5610, \
@@ -29,6 +31,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "S5.apgd-credit",
         statement: "APGD, Nesterov's accelerated projected gradient, is of Tasora and Anitescu (2011), and Chrono's main solver.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Cited,
         correct_statement: "The paper of 2011 has an iterated fixed point with separable projections, which its abstract calls a \
             contractive mapping. Accelerated gradients for these problems came with Mazhar, Heyn, Negrut and Tasora (2015). That they are \
@@ -48,6 +52,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "S5.who-uses",
         statement: "Drake's SAP and Chrono use the convex relaxation with second-order cones; Siconos offers both kinds of cone.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Cited,
         correct_statement: "As stated; SAP with regularisation R > 0.",
         argument: "The schemes that reproduce SAP's stored motions and Chrono's closed forms pose the associated law over round cones. The \
@@ -61,6 +67,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "S5.pivot-scale",
         statement: "Pivoting is less scalable than first-order methods at 10⁵ contacts.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "Scalable with respect to what is not said: a pivoting method ends with an exact answer, a first-order one with \
             an error. What can be said is memory: a dense tableau does not fit.",

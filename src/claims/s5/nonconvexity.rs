@@ -4,7 +4,7 @@ use super::planar_step::{PlanarStep, box_on_two_corners, painleve_rod};
 use crate::Result;
 use crate::certificate::residuals;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::problem::{ContactProblem, Law, Lcp};
 use crate::scalar::{Rational, exact, ratio};
 use crate::solvers::enumeration::all_solutions;
@@ -19,6 +19,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "S5.nonconvex",
         statement: "The exact step problem with Coulomb friction has solutions, but their set may be non-convex (after Anitescu and Hart).",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "Coulomb's step problem may have a non-convex solution set, for instance three isolated solutions.",
         argument: "Painlevé's rod (W = (73, −36; −36, 52)/25, μ = 3 > 73/36, free velocity (1/10, −1)): enumeration of all complementary \
@@ -32,6 +34,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "S5.unique-vs-lcp",
         statement: "Against the LCP, whose solution may be non-unique, the convex step buys uniqueness, differentiability and stability.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The convex step makes v⁺ and Nγ unique also where the LCP has several solutions; γ is unique only if N is \
             definite, and uniqueness does not make the relaxed answer the right one.",
@@ -46,6 +50,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Polyhedral and relaxed are different things: polyhedral friction leaves an LCP that may be non-convex, the relaxation \
             makes the solution set convex.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "The polyhedral step is an LCP whose solution set may be non-convex; the solution set of the relaxed step is \
             convex.",
@@ -60,6 +66,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "The polyhedral cone (shape of the cone) and the convex relaxation (structure of the constraint) are two independent \
             approximations that can be combined freely.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "All four combinations exist. The relaxation decides whether a sliding contact lifts off, u_n = μ|u_t|-like or \
             0; the shape decides how strong friction is in which direction.",
@@ -77,6 +85,8 @@ pub(super) const CLAIMS: &[Claim] = &[
             set changes, solutions of a strictly convex QP are; back-propagation through KKT conditions is well defined only in the convex \
             case.",
         verdict: ClaimVerdict::Inconsistent,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "Convexity buys uniqueness and Lipschitz continuity, not derivatives. At a change of the active set both the \
             LCP and the QP have a kink; away from it both are differentiable by the implicit function theorem. (That the QP's solution is \

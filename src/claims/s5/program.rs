@@ -4,7 +4,7 @@ use super::planar_step::{PlanarStep, box_on_two_corners};
 use crate::Result;
 use crate::certificate::definiteness::{Definiteness, definiteness};
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::problem::Law;
 use crate::scalar::{Rational, ratio};
 use nalgebra::{DMatrix, DVector};
@@ -16,6 +16,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Every step solves a strictly convex quadratic program in the contact impulses γ, whose Hessian is the Delassus \
             operator N = DᵀM⁻¹D.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The program is strictly convex in the velocity, so v⁺ and Nγ are unique. In γ it is convex, and strictly \
             convex only if D has full column rank.",
@@ -31,6 +33,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "D_i = [d_1, …, d_d] collects tangential direction vectors (§4 takes them in pairs ±d); when D has full column rank (no \
             redundant contact) N is positive definite, so the solution is unique.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The implication holds, but its hypothesis needs columns (n, t₁, t₂) per contact and independent contacts. With \
             direction pairs ±d the columns are \
@@ -47,6 +51,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Even if N is only positive semidefinite, the solution is usually still unique once the friction cone is added; or a \
             proximal regularisation guarantees it.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "If N is singular, v⁺ and Nγ stay unique, but the impulses are in general not: a box that sticks on two corners \
             has a segment of optimal impulses for every load inside the cones. The alternative the text names does hold: a regularised \
@@ -64,6 +70,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "S5.gap-term",
         statement: "The relaxed non-penetration constraint is written on velocities with a gap term, n·v + φ/h ≥ 0.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "n·v⁺ + φ/h ≥ 0: for a gap that is linear in q the gap after the step, φ + h n·v⁺, is non-negative, and zero \
             where the contact pushes without sliding.",
@@ -78,6 +86,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Eliminating the velocity, each step is min ½γᵀNγ + rᵀγ over the friction cones, where r contains the free velocity and \
             the gap term φ/h.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "With v⁺ = v_free + M⁻¹Dγ: ½‖v⁺‖²_M − ½‖v_free‖²_M + (φ/h)·γ_n = ½γᵀNγ + rᵀγ, r = Dᵀv_free + φ/h on the normal \
             rows.",
@@ -92,6 +102,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "The optimality conditions of the program are the cone complementarity problem K ∋ γ ⟂ Nγ + r ∈ K*, K* the dual of the \
             friction cone.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "γ minimises ½γᵀNγ + rᵀγ over K if and only if K ∋ γ ⟂ Nγ + r ∈ K*, with K* = {u_n ≥ μ‖u_t‖}.",
         argument: "f is convex with gradient y = Nγ + r, so γ is optimal iff y·(x − γ) ≥ 0 for all x ∈ K; x = 0 and x = 2γ give y·γ = 0, \
@@ -106,6 +118,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "S5.continuous",
         statement: "The global optimum is unique and depends continuously on the parameters.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "v⁺ is unique and depends on v_free with Lipschitz constant 1 in the M-norm. Continuity in the geometry and in \
             μ needs a pointed cone of generalised impulses (Slater's condition); γ need not be unique.",

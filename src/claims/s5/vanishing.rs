@@ -3,7 +3,7 @@
 use super::planar_step::Block;
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::problem::Law;
 use crate::scalar::{Rational, ratio};
 use nalgebra::DVector;
@@ -14,6 +14,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "S5.Oh-vanish",
         statement: "The price of the relaxation is an artefact of order h that vanishes with h; it is not a permanent deviation.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "For motions that meet the contact compatibly (free landing, sliding that grows from stick, a slide started at \
             φ = μh|v_t|) the error is O(h). A tangential velocity imposed in closed contact (φ = 0, v_t = V: a shock, a moving belt) makes \
@@ -32,6 +34,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "Convergence theorem (Anitescu 2006): as h → 0, and the relaxation parameter with it, the solutions of the convex step \
             converge to solutions of the differential variational inequality, that is of the MDI.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The limit satisfies the weak measure differential inclusion: no penetration, impulses in the friction cone. It \
             need not satisfy Signorini–Coulomb with e = 0: where a tangential velocity meets a closed contact, the limit separates with \

@@ -5,7 +5,7 @@ use crate::certificate::residuals;
 use crate::checks::Finding;
 use crate::claims::experiments::mujoco::{facts, sliding_block};
 use crate::claims::experiments::soft_stack::{self, STEP};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::problem::{Compliance, ContactProblem};
 use crate::schemes::mujoco::Cone;
 use crate::solvers::gauss::{GaussProgram, Minimiser, SoftPiece};
@@ -20,6 +20,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.delassus-unifies",
         statement: "All four formats of constrained dynamics meet in W = J M⁻¹Jᵀ.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "In their dual form. The primal solvers, Newton and CG here and SAP's in Drake, minimise over velocities and \
             never form W.",
@@ -33,6 +35,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.cg-prp",
         statement: "CG is the nonlinear method of Polak and Ribière (plus).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Measured,
         correct_statement: "True of MuJoCo up to 3.9; from 3.10 on the direction is Hager and Zhang's. With an exact line search the two \
             are one formula while β ≥ 0: pᵀg⁺ = 0 turns one into the other.",
@@ -46,6 +50,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.cg-linesearch",
         statement: "CG's line search is exact, with analytic second derivatives of a piecewise quadratic cost, and needs no preparation.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "The cost is piecewise quadratic over pyramids. On a round cone that slips it is not: its curvature turns with \
             the direction of slip. The derivatives are analytic in both cases.",
@@ -60,6 +66,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "With elliptic cones PGS alternates a step along the ray of the current force and a small problem with a quadratic \
             constraint for friction.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Cited,
         correct_statement: "As stated.",
         argument: "That MuJoCo does it is read from its source (engine_solver.c, solPGS). That the two substeps suffice is shown by ours: \
@@ -72,6 +80,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.newton-few",
         statement: "On typical robot models Newton reaches the global optimum in a few iterations.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Measured,
         correct_statement: "As stated, of the models measured here.",
         argument: "Our own Newton from free motion on stacks of 3 and 10 boxes, mass ratios 1 and 2, both cones: five to nine steps to a \
@@ -84,6 +94,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.pgs-10",
         statement: "Ten sweeps of PGS are usually indistinguishable from the global optimum on typical models.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Measured,
         correct_statement: "It depends on the model: with a few bodies on the ground and a good start it is near; the bottom of a stack \
             learns of its top through the boxes between, and ten sweeps from zero leave a visible part of the forces missing.",
@@ -97,6 +109,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.pgs-fastest",
         statement: "PGS is the fastest of the three (with low accuracy), CG in the middle, Newton the most accurate.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Measured,
         correct_statement: "No order holds for all models. For a given accuracy PGS needs most on stacks; on one contact it needs least.",
         argument: "Multiplications until the impulses are right to 1e-6, counted from iterations, rows n and velocities n_v: n² per sweep \
@@ -109,6 +123,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.solver-dependence",
         statement: "If results change with the solver, that is lack of convergence, not physics.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated, for one step's problem: it is strictly convex. (The post-processing `noslip` is not part of it.)",
         argument: "Newton, conjugate gradients and sweeps on a stack of three: the same impulses once each is at rest, different ones \

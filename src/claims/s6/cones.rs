@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::scalar::{Rational, Scalar, ratio};
 
 const MODEL: &str = "MuJoCo documentation, Computation: friction cones (3.17)";
@@ -13,6 +13,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The elliptic cone {f₁ ≥ 0, f₁² ≥ Σ fᵢ²/μᵢ₋₁²} is the exact second-order cone, with sliding, torsional and rolling \
             friction, and isotropic.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "It is the second-order cone of the scaled forces fᵢ/μᵢ₋₁. Isotropic in the tangent plane only if the two \
             sliding coefficients are equal, as by default; torsion and rolling need condim 4 and 6.",
@@ -27,6 +29,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The pyramidal cone {f ∈ ℝ^{2(n−1)}, f ≥ 0} is a polyhedral approximation in edge forces, as of Stewart and Trinkle; \
             faster to compute, but anisotropic.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "As a set of forces it is the four-sided cone of Stewart and Trinkle at condim 3, 1/√2 as strong along the \
             diagonals as along the axes. That it is faster is not decided here.",

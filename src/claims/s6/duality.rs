@@ -4,7 +4,7 @@ use super::program::{Program, Row};
 use crate::Result;
 use crate::certificate::definiteness::{Definiteness, definiteness};
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::soft_row::SoftRow;
 use crate::elimination::solve;
 use crate::scalar::{Rational, ratio};
@@ -21,6 +21,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Gauss' principle: the true acceleration is the one that deviates least, in the norm of the mass matrix, from the \
             unconstrained one, among those the constraints allow.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated, for constraints J x = b that do no work.",
         argument: "Three coupled coordinates, one constraint: the minimiser by Newton's equations M x = M a₀ + Jᵀf with J x = b. Every \
@@ -34,6 +36,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The primal problem adds to Gauss' term a penalty on J x − a_ref in the norm of R⁻¹, with a Huber function for friction \
             loss.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; at the minimiser M(x − a₀) = Jᵀf with the forces f = −s′(J x − a_ref).",
         argument: "Two-sided row, friction loss at its bound and two contacts, one of them open, on three coordinates: the accelerations \
@@ -47,6 +51,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.dual",
         statement: "The Lagrange dual is min ½ fᵀ(A+R)f + fᵀ(a_u − a_ref) over f ∈ Ω, with A = J M⁻¹Jᵀ.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; the minima of the primal and the dual problem add up to zero.",
         argument: "The same problem: P(x) + D(f) = 0 exactly at the enumerated optimum, and positive at every other of 81 admissible \
@@ -59,6 +65,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.huber-box",
         statement: "The Huber function of friction loss is quadratic and then linear, smooth and bounded.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated of its force, which is bounded by η; the function itself grows without bound and is continuously \
             differentiable once. Its dual is the box |f| ≤ η.",
@@ -72,6 +80,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.omega-dot",
         statement: "The deformation dynamics of the constraint is ω̇ = a_ref − R f.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated for the rows that are inside their bounds, where J x = a_ref − R f. On a row at its bound J x \
             differs, and ω̇ with it.",
@@ -86,6 +96,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Adding R makes the dual Hessian strictly positive definite, so that the force is unique even if A is singular through \
             redundant contacts.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated.",
         argument: "Four corners of a box, normal rows: A has rank 3, and two different sets of forces give the same accelerations. A + R \
@@ -98,6 +110,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.inverse-closed-form",
         statement: "Inverse dynamics, from known accelerations to forces, has a closed form.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated: with R diagonal f = −s′(J x − a_ref) row by row, and M x − Jᵀf is the applied force.",
         argument: "The mixed problem forwards by enumeration and back by the formula: forces and M a₀ come out exactly.",
@@ -109,6 +123,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.todorov2014-invertible",
         statement: "Todorov (2014) proves that the dynamics is analytically invertible.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "From accelerations to forces, for R > 0 and a forward problem that was solved: the inverse multiplies an error \
             of the acceleration by 1/R on each row, so that it is lost as R → 0. It is not the inverse of a time step, nor time reversal.",

@@ -4,7 +4,7 @@ use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::mujoco::facts;
 use crate::claims::experiments::stored::{Faller, update_residuals};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::integrators::stability::invariants;
 use crate::scalar::{Rational, ratio};
 use crate::tolerance::claims::integrators::FALL;
@@ -18,6 +18,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.soft-convex-step",
         statement: "MuJoCo gives up rigid contact: it uses a soft model in continuous time and writes each step as a convex optimisation.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Measured,
         correct_statement: "As stated for the integrators Euler, implicit, implicitfast and RK4, whose accelerations do not know the step. \
             The integrator `discrete` of newer versions solves for the step itself.",
@@ -31,6 +33,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.au",
         statement: "The unconstrained acceleration of the contact rows is a_u = J M⁻¹(τ − c) + J̇v.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Measured,
         correct_statement: "That is the acceleration of material points. MuJoCo leaves J̇v out for contacts: its problem has J M⁻¹(τ − c) \
             − a_ref.",
@@ -44,6 +48,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.newton-desc",
         statement: "Newton: exact second-order method with a factored Hessian, updated incrementally, quadratic convergence; the default.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Cited,
         correct_statement: "As stated. That updates are incremental is a matter of the source code and does not show in results.",
         argument: "opt.solver of an empty model is Newton. On a stack of three that slides and turns, elliptic, our own Newton goes from a \
@@ -56,6 +62,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.all-cones",
         statement: "All three solvers take pyramidal and elliptic cones, dense and sparse.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Measured,
         correct_statement: "As stated.",
         argument: "One state of a sliding block under 3 solvers, 2 cones and 2 Jacobians, run to the end: accelerations agree within a \
@@ -68,6 +76,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.euler-default",
         statement: "The main integrator is semi-implicit Euler; there are implicitfast and RK4 as well.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Measured,
         correct_statement: "Euler is the default, and with damping at joints it is not the textbook's rule: dampers are implicit. There \
             are also implicit and, in newer versions, discrete.",
@@ -81,6 +91,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.semi-implicit-update",
         statement: "The velocity is advanced first, then the position with the new velocity; that is more stable than the explicit rule.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; for the undamped spring up to hω = 2.",
         argument: "Stored fall: q⁺ − q − h v⁺ = 0 to rounding, with the old velocity it is g h². One step on a spring, hω = 1/2: |det| = 1 \
@@ -93,6 +105,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.implicitfast",
         statement: "implicitfast treats velocity-dependent forces implicitly and is more stable at large steps.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Measured,
         correct_statement: "It does for passive forces and actuators. It leaves out Coriolis and gyroscopic terms (but for bodies that \
             float freely, in newer versions), and contact forces are not among them either.",

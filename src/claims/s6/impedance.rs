@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::soft::{GRAVITY, default_contact, land};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::closed_forms::soft_impedance::SoftImpedance;
 use crate::closed_forms::soft_reference::SoftReference;
@@ -24,6 +24,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.impedance-range",
         statement: "The impedance d lies in [0, 1], is small without contact and tends to 1 as the violation grows.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "d goes from d₀ at the surface to d_w beyond the width, by default from 0.9 to 0.95 and no further; both are \
             kept in [0.0001, 0.9999]. It falls with depth if d₀ > d_w. Without contact there is no row and no d.",
@@ -38,6 +40,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "d passes smoothly from d₀ = 0.9 to d_w = 0.95 over a width of 1 mm, its shape given by power 2 (quadratic) and \
             midpoint 0.5.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated: y = 2x² up to the midpoint and 1 − 2(1−x)² beyond, x the depth over the width. It is continuously \
             differentiable, not twice.",
@@ -52,6 +56,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.solimp-default",
         statement: "The default is solimp = (0.9, 0.95, 0.001, 0.5, 2).",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Cited,
         correct_statement: "As stated, read back from MuJoCo 3.17.0 in the stored step problems.",
         argument: "What a ball at rest in MuJoCo 3.17.0 with its defaults shows, 3.671818e-4 m, is the depth that these five numbers give \
@@ -64,6 +70,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.R-formula",
         statement: "The impedance sets the regularisation, R ∝ (1−d)/d.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "R = (1−d)/d · Â for a normal row, with MuJoCo's approximation Â of the diagonal of A, which for one body is \
             1/m for every contact point. Only where Â is the true diagonal does a single row move with d a_ref + (1−d) a_u. Friction rows \
@@ -78,6 +86,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.d-to-1",
         statement: "As d → 1, R → 0: the constraint becomes hard, without regularisation.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "In the formula. MuJoCo keeps d ≤ 0.9999, hence R ≥ Â/9999: there is always regularisation.",
         argument: "R/A = (1−d)/d is 1/9, 1/99, 1/999 at d = 0.9, 0.99, 0.999; with solimp = (1, 1, …) it is 1/9999 and not 0.",
@@ -89,6 +99,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.layered-contact",
         statement: "solimp can model a soft layer over a hard core: soft at small penetration, hard at large.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated, with d₀ far below d_w: the force that holds a depth δ is k d² δ/((1−d)Â), a spring whose stiffness \
             rises with d.",
@@ -102,6 +114,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.rest-penetration",
         statement: "Hard objects penetrate a little, like a sponge; most tasks accept penetration of the order of a millimetre.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated; a ball on the floor rests 0.367 mm deep with default parameters, whatever its mass. It is not g/k_p \
             = 3.9 mm: the load acts with 1−d. What a task accepts is not decided here.",
@@ -115,6 +129,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.R-softness",
         statement: "R is the regulariser that makes a constraint soft; the larger R, the softer.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated: a = (A a_ref + R a_u)/(A + R) moves from a_ref at R = 0 monotonically towards the free \
             acceleration.",
@@ -128,6 +144,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.push-harder",
         statement: "Pushing harder against a constraint results in larger acceleration.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated: ∂a/∂τ = (1−d)/m > 0 for a single contact whose Â is exact; 1/10 of the free value at d = 0.9.",
         argument: "a = d a_ref + (1−d) a_u by dual numbers: ∂τ/∂a = 10, 100, 1000, 10000 kg at m = 1 kg and d = 0.9, 0.99, 0.999, 0.9999.",
@@ -139,6 +157,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.solref-solimp-roles",
         statement: "solref is what the constraint wants, the target dynamics; solimp what it is able to do. The two roles are separate.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "In the motion without load beyond the width: there d_w cancels and solref alone decides. Before it, a_ref \
             itself contains d(δ) and d_w from solimp, and under load the depth at rest depends on both.",

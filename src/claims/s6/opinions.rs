@@ -4,7 +4,7 @@ use crate::Result;
 use crate::certificate::residuals;
 use crate::checks::Finding;
 use crate::claims::experiments::soft_stack::{self, STEP};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::drake_sap::{SapContact, TANGENTIAL_RATIO};
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::mechanics::{PointMass, State};
@@ -25,6 +25,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.mjx-gradients",
         statement: "Gradients are well defined everywhere, so MJX is differentiable.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Certified,
         correct_statement: "The optimum is a Lipschitz function of the step's data while the set of contacts stays the same. The step as a \
             function of the state jumps where a moving contact enters that set, so it has no gradient there.",
@@ -38,6 +40,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.time-reversible",
         statement: "Soft, convex and continuous in time means reversible in time: the inverse dynamics have a closed form.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "Forces follow from accelerations in closed form, f = −∇s(Ja − a_ref). That is invertibility; the motion itself \
             is not reversible, since contact dissipates.",
@@ -53,6 +57,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Hard constraints need exact collision detection and the solution of complementarity problems, and are hard to run in \
             parallel on GPUs.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "Speed on a machine is no mathematical statement. What can be decided: hard contact alone does not make a step \
             a complementarity problem that needs more than convex minimisation; Coulomb's law does. Soft contact reads the same gaps.",
@@ -66,6 +72,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.pyr-faster",
         statement: "Pyramidal cones are faster to compute.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "It depends on the model, as MuJoCo's documentation says. A pyramid has four rows for three but a piecewise \
             quadratic cost.",
@@ -78,6 +86,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.less-rigid-than-sap",
         statement: "Contact is less rigid than in Drake's SAP or in Siconos.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "Against Siconos, whose contact is rigid, always. SAP and MuJoCo are both soft, by parameters: either can be \
             made the softer one.",
@@ -91,6 +101,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.gpu-scale",
         statement: "It is made for reinforcement learning in a million parallel environments.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "No mathematical statement. What a step needs for it holds: environments do not couple, so that each can be \
             stepped alone.",

@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::soft::rebound;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::closed_forms::mujoco_normal::spring_damper_restitution;
 use crate::closed_forms::soft_impedance::SoftImpedance;
@@ -19,6 +19,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.aref-form",
         statement: "The reference acceleration is that of a virtual spring and damper, with stiffness k_p and damping k_d.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated: a_ref = −b φ̇ − k d φ. The stiffness k d depends on the depth through the impedance d, so that the \
             spring is linear only where d is constant.",
@@ -34,6 +36,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "solref = (timeconst, dampratio) fixes the natural frequency and the damping ratio of the spring and damper, with ω₀ = \
             1/timeconst.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "ω₀ = 1/(timeconst · dampratio), so 1/timeconst only at dampratio 1; the frequency and the ratio are those of \
             an unloaded row where d = d_w. A negative solref means (−stiffness, −damping) per mass.",
@@ -47,6 +51,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.kp-kd",
         statement: "The default solref = (0.02, 1) means k_p = ω₀² = 2500 and k_d = 2ζω₀ = 100 per unit of effective mass.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "They are d² k and d b, the coefficients of the motion of a row that carries no load, from a depth of 1 mm on, \
             where d = d_w. At the surface, d = 9/10, they are 810000/361 = 2243.77 1/s² and 1800/19 = 94.74 1/s.",
@@ -59,6 +65,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.aref-2500-100",
         statement: "With the default parameters a_ref = −2500 φ − 100 φ̇.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "a_ref = −k d φ − b φ̇ with b = 2000/19 = 105.26 1/s and k d from 900000/361 = 2493.07 1/s² at the surface to \
             50000/19 = 2631.58 from 1 mm on: MuJoCo divides by d_w so that the motion, which is d a_ref, gets 2500 and 100 there.",
@@ -73,6 +81,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Critical damping, ζ = 1, pushes the violation back to zero without overshoot; it is the default because it returns \
             fastest and does not oscillate.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "Without overshoot from rest, for a two-sided row without load. An impact leaves the surface at e⁻² = 13.5 % of \
             its speed. Fastest holds for a given ω₀; for a given timeconst, which is what solref holds fixed, every ζ ≤ 1 decays at the \
@@ -91,6 +101,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.zeta-bounce",
         statement: "ζ < 1 is underdamped and bounces; ζ > 1 returns more slowly.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated. The bounce of a contact falls with ζ without vanishing at 1: e(ζ) = exp(−ζ/√(1−ζ²) · acos(2ζ²−1)), \
             e⁻² at 1, and smaller beyond.",

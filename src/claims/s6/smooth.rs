@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::soft::default_contact;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::soft_impedance::SoftImpedance;
 use crate::closed_forms::soft_planar_contact::SoftPlanarContact;
 use crate::closed_forms::soft_reference::SoftReference;
@@ -19,6 +19,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Hard contact is not differentiable: the solution of an LCP is not where the active set switches, and even the convex \
             cone problem is only subdifferentiable at the boundary of the cone, between stick and slip.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated, where subdifferentiable means Lipschitz with one-sided derivatives in every direction. R > 0 \
             changes the size of the kinks and does not remove them (S6.smooth-everywhere).",
@@ -33,6 +35,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "In MuJoCo the contact force is a smooth function of the gap without on/off switch, and the problem is differentiable \
             everywhere.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "The force jumps at touch, for there is no row above the surface and d₀ > 0 below it: by d₀ m (b|v| + g) at \
             approach speed |v|. As a function of the control it is Lipschitz, with kinks where a contact begins to press and where it \
@@ -49,6 +53,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "MuJoCo adds R and softens the friction cone, which makes it differentiable everywhere, where Anitescu has the hard \
             cone.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "The set of forces is the hard cone; R is added to the Hessian only. A slipping contact has |f_t| = μ f_n \
             exactly, and the penalty that eliminating the force leaves is continuously differentiable once, not twice.",

@@ -4,7 +4,7 @@ use super::duality::{box_on_corners, contacts_alone};
 use super::program::Program;
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::closed_forms::soft_impedance::SoftImpedance;
 use crate::closed_forms::soft_reference::SoftReference;
@@ -20,6 +20,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.same-optimum",
         statement: "PGS, CG and Newton solve the same convex problem; changing the solver changes speed and accuracy, not the physics.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated, once converged: the problem is strictly convex (S6.R-uniqueness).",
         argument: "Two coupled soft contacts, by projected Gauss–Seidel, accelerated projected gradients, Clarabel, and enumeration in \
@@ -34,6 +36,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Convexity gives one global optimum per step, so that the last step's solution can start the next one and convergence \
             is fast.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; it is R > 0, strict convexity, that makes the optimum unique.",
         argument: "Box on four corners, R = 1/9: enumeration finds one optimum; with R = 0, which is convex too, at least two. \
@@ -46,6 +50,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.pgs-sublinear",
         statement: "PGS converges at first order, sublinearly.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "It converges linearly: the problem is strictly convex, and over a polyhedron Gauss–Seidel contracts the error \
             by a constant factor from some sweep on. The factor may be close to one.",
@@ -60,6 +66,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "MuJoCo's dual problem and Anitescu's convex problem are the same thing; MuJoCo is the special case of Anitescu's with \
             a regularisation.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "They coincide for R = 0, b = 1/h, k d = 1/h² and equal cones, with γ = h f. MuJoCo's parameters do not reach \
             that: R ≥ Â/9999, and timeconst ≥ 2h gives k d h² ≤ 1/(4d) at ζ = 1, a quarter, while b h is at most 1/d.",
@@ -76,6 +84,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.impratio",
         statement: "impratio sets the ratio of normal to tangential impedance; a larger one makes friction harder.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "Larger is harder, as stated; but it is the ratio of frictional to normal impedance: R_t = R_n/impratio.",
         argument: "Creep of one elliptic contact under a tangential load, v_t = R_t f_t/b: ten times smaller with impratio 10, at an \

@@ -4,7 +4,7 @@ use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::soft::{GRAVITY, land, limited_contact, unlimited_contact};
 use crate::claims::s8::spring::{SEMI_IMPLICIT, both_sides, is_stable, matrix, powers_at};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::soft_impedance::SoftImpedance;
 use crate::closed_forms::soft_reference::SoftReference;
 use crate::closed_forms::spring_damper as closed;
@@ -22,6 +22,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.timeconst-2h-doc",
         statement: "timeconst ≥ 2h is a hard recommendation of MuJoCo's documentation; behind it stands numerical stability.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "MuJoCo enforces it: with refsafe, the default, a smaller timeconst counts as 2h. The direct form (−stiffness, \
             −damping) is not limited. It keeps contacts with dampratio > 1/(2√2) = 0.354 stable, and no others.",
@@ -38,6 +40,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "If timeconst < 2h, the discrete spring and damper oscillates unstably: the contact force switches between pressing and \
             releasing at high frequency.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "At the default ζ = 1 it is stable for timeconst > (1+√2)h/2 = 1.2071 h. Below 2h one eigenvalue is negative: a \
             component that changes its sign every step and decays. Between 1.25h and 1.5h a contact, which cannot pull, starts to chatter.",
@@ -52,6 +56,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.omega-gt-1-over-2h",
         statement: "timeconst < 2h means ω₀ > 1/(2h): the constraint is faster than the step.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "For dampratio 1. Since ω₀ = 1/(timeconst · dampratio), timeconst < 2h means ω₀ > 1/(2h · dampratio).",
         argument: "h = 1: timeconst = 3, dampratio 1/2: ω₀ = 2/3 > 1/2 although timeconst ≥ 2h; timeconst = 1, dampratio 4: ω₀ = 1/4 < 1/2 \
@@ -64,6 +70,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.steps-per-period",
         statement: "timeconst ≥ 2h guarantees that each period of the constraint is resolved by at least a few steps.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The undamped period 2π/ω₀ has 2π ζ timeconst/h ≥ 4πζ steps: 12.6 at ζ = 1, 1.26 at ζ = 1/10, where the rule \
             does not prevent divergence (S6.timeconst-2h-doc).",
@@ -77,6 +85,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.2h-example",
         statement: "At h = 2 ms timeconst must be at least 4 ms; the default 20 ms is far above that, so it is safe.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated, at dampratio 1: the default has w = h/timeconst = 1/10 against the bound 0.828.",
         argument: "Powers of the step matrix at w = 1/10 and at w = 1/2 decay; 20 ms is not moved by the limit, 3 ms is.",
@@ -89,6 +99,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Setting timeconst extremely small against penetration makes the simulation explode or jitter violently unless the step \
             shrinks too.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "Without the limit of refsafe, or in the direct form. By default MuJoCo raises timeconst to 2h: a smaller one \
             changes nothing, neither stability nor depth.",
@@ -102,6 +114,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.ex2-tc-eq-h",
         statement: "Exercise: what happens numerically when timeconst is reduced to 2 ms, equal to the step?",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "By default nothing, for it counts as 4 ms. Without refsafe a two-sided row oscillates with alternating sign \
             and grows by the golden ratio, 1.618, every step; a contact is thrown up.",

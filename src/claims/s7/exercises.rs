@@ -4,7 +4,7 @@ use super::impacts::{impact, pushed_rod, rod, rod_path};
 use super::simultaneous::rod_above_supports;
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::rough_impact::{Regime, RoughImpact};
 use crate::closed_forms::two_body_impact::TwoBodyImpact;
 use crate::impact_laws::routh::Path;
@@ -19,6 +19,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Exercise 1: two balls in central impact under Newton's law and conservation of momentum have ΔE = −½(1 − e²) μ₁₂ (v₁ − \
             v₂)², μ₁₂ = m₁m₂/(m₁ + m₂).",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; v₁⁺ = (m₁v₁ + m₂v₂ − e m₂(v₁ − v₂))/(m₁ + m₂) and v₂⁺ = (m₁v₁ + m₂v₂ + e m₁(v₁ − v₂))/(m₁ + m₂).",
         argument: "W = 1/μ₁₂ and U⁻ = v₂ − v₁ in Moreau's law give the impulse and the energy of the formula, in rationals, for masses \
@@ -32,6 +34,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Exercise 2: find a counterexample like Kane's, for instance a rod that hits two fixed points at once; why may Newton's \
             law with e = 1 at each point increase the total kinetic energy?",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "It cannot in this example: without friction U⁺ = −U⁻ at both points conserves energy, whatever the coupling. A \
             gain needs unequal coefficients with a separating end, friction, or impulses computed as if each point were alone.",
@@ -46,6 +50,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Exercise 3: expand −P ∈ N_{T_C}(v⁺ + e v⁻) for v⁻ ≈ 0 and for v⁻ < 0; it becomes v⁺ ≥ 0 with resting contact, and v⁺ = \
             −e v⁻.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated, for one contact and a velocity change by P alone: 0 ≤ v⁺ + e v⁻ ⟂ P ≥ 0.",
         argument: "W = 2. v⁻ = 0: v⁺ = 0 and P = 0. v⁻ = −1, e = 1/2: P = 3/4, v⁺ = 1/2. For small v⁻ = −1/1000 the same formula gives \
@@ -59,6 +65,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "With friction the compression impulse couples through W into the tangential direction, so that the end of compression \
             is not tied to the velocity ratio.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated, and solvable in closed form for one planar contact: the slip stops at P_s = |U_t|/(μW_tt − sW_nt), \
             then sticks if μ ≥ |W_nt|/W_tt and turns round otherwise; Newton, Poisson and Stronge end at different points of one path of \

@@ -2,7 +2,7 @@
 
 use super::impacts::{ends, frictionless_grid, gain, middle, rod_path};
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::double_pendulum_impact::DoublePendulum;
 use crate::impact_laws::routh::Path;
 use crate::impact_laws::{moreau, newton, poisson, stronge};
@@ -18,6 +18,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Kane's counterexample: in some collisions of several bodies, Newton's law applied independently at every contact \
             increases the total kinetic energy.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Yes with friction, with unequal coefficients, or if each impulse is computed as if its contact were alone. Not \
             without friction for one e and the coupled problem: ΔT = −½(1 − e²)U⁻ᵀW⁻¹U⁻ ≤ 0, and e = 1 conserves exactly.",
@@ -32,6 +34,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.kane-friction",
         statement: "With friction, Newton's law gets into trouble: some impact laws create energy.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated, and one contact is enough. The rod at 45° with μ = 1, U⁻ = (−1, 3/5) has ΔT(e) = (e² − \
             16/25)/(16/5): a gain for e > 4/5.",
@@ -47,6 +51,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Kane's counterexample is a real mechanism: a double pendulum whose tip hits the ground gains energy under Newton's law \
             with friction.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated, for uniform rods of equal mass and length at 20° and 30° and ω = (−0.1, −0.2) rad/s (masses and \
             lengths are a choice made here): ΔT/T = +0.298 with μ = 0.5, e = 0.9, and +2.11 with μ = e = 0.7. Poisson's and Stronge's laws \
@@ -63,6 +69,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The cause: Newton's law prescribes velocity ratios, and since rigid bodies couple the contact velocities, prescribing \
             them independently over-constrains the motion or injects energy.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Coupling alone does neither: a singular W over-constrains, and unequal coefficients inject energy if a \
             separating contact receives an impulse or an impulse pulls. With P ≥ 0 and every contact approaching, ΔT = ½Σ(1 − e_i)P_iU_i⁻ \

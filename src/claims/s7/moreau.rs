@@ -3,7 +3,7 @@
 use super::impacts::{ends, middle, pushed_rod, rod, rough_grid};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::exact_particle::{Ball, BallState, BallStep as Step};
 use crate::impact_laws::{moreau, newton};
 use crate::problem::Response;
@@ -15,6 +15,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.moreau-def",
         statement: "Moreau: −P ∈ N_{T_C}(v⁺ + e v⁻); its normal component gives v_n⁺ = −e v_n⁻, as Newton.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "v_n⁺ = −e v_n⁻ where P > 0, v_n⁺ ≥ −e v_n⁻ elsewhere. A contact that separated before may so leave into the \
             ground.",
@@ -29,6 +31,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Moreau's law, restitution on the normal component and Coulomb friction in the same inclusion, dissipates friction \
             automatically.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "With e on the normal component it can gain energy, as Newton's law: it is Newton's law wherever the slip does \
             not turn round. With the whole vector v⁺ + e v⁻, and for e = 0, it never gains: ΔT = PᵀŪ/(1+e) − ½(1−e)/(1+e) PᵀWP with PᵀŪ ≤ \
@@ -45,6 +49,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "One formula covers collision and resting contact: for v⁻ ≈ 0 the argument v⁺ + e v⁻ demands v⁺ ≥ 0, for v⁻ < 0 it \
             enforces v⁺ = −e v⁻; no case distinction.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "For v⁻ ≤ 0. A contact that is active and separates, v⁻ > 0, may be left with v⁺ down to −e v⁻: into the \
             ground.",
@@ -59,6 +65,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "In a collision P takes the value of an atom of the impulse measure; in resting contact it is the ordinary force times \
             the step.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated: P/h → ∞ in one case and P/h = m g in the other.",
         argument: "Ball of 1 kg, g = 10, e = 1/2. Resting: P/h = 10 N for h = 1/10, 1/100, 1/1000 s. Arriving at −1 m/s: P = 3/2 + 10 h, \
@@ -72,6 +80,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Tangential motion belongs to friction; forcing a tangential coefficient of restitution on it conflicts with the \
             friction cone and may gain energy.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "It may gain energy for e_t < e_n, and most at e_t = 0, which is what the chapter recommends; e_t = e_n never \
             gains. There is no conflict with the cone: the law is posed with it.",
@@ -86,6 +96,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "In a collision the tangential impulse is bounded by the normal one, ‖β‖ ≤ μP_n, and its direction is set by the \
             sliding.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The bound holds. The direction is that against the sliding at every instant, not against the sliding before \
             the collision: once the end sticks, coupling sets it.",

@@ -3,7 +3,7 @@
 use super::impacts::{cradle, frictionless_grid, impact, rod, rod_path};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::impact_laws::energy_projection::energy;
 use crate::impact_laws::{moreau, newton, poisson, stronge};
 use crate::problem::PlanarProblem;
@@ -15,6 +15,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The naive law v_n⁺ = −e v_n⁻ is fine for one contact point; it goes wrong when several points collide at once or when \
             there is friction.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Fine for one contact without friction: ΔT = −½(1 − e²)(U⁻)²/W. With friction one contact is enough to gain \
             energy.",
@@ -28,6 +30,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Four generations, Newton (17th century), Poisson (19th), Stronge (1990s, mending Kane's counterexample), Moreau \
             (1980s), are not replacements of one another but corrections of different defects.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Cited,
         correct_statement: "The four laws are different laws. As a chronology Moreau stands before Stronge, and energetic restitution was \
             published in 1990 for friction that turns round or stops.",
@@ -41,6 +45,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.table-newton",
         statement: "Newton: e = 1 conserves energy, e < 1 dissipates; with several bodies it may gain energy (Kane).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Without friction and with one e for all contacts, solved together: ΔT = −½(1 − e²)U⁻ᵀW⁻¹U⁻, for any number of \
             bodies. A gain needs friction, unequal coefficients, or impulses computed contact by contact.",
@@ -54,6 +60,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.e0-max-dissipation",
         statement: "e = 0 is completely plastic and dissipates the most.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Without friction. With friction a rebound lengthens the rubbing, and e = 1 may take most.",
         argument: "Without friction ΔT ∝ −(1 − e²). A particle of 1 kg with U⁻ = (−1, 10), μ = 1/2: ΔT = −43/8, −243/32, −19/2 for e = 0, \
@@ -66,6 +74,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.newton-pointwise-best",
         statement: "Newton's law is the most intuitive, and the most accurate for single points.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "Intuition cannot be checked, and accuracy would be a matter of measured collisions. What can be decided: for \
             one contact without friction all four laws are the same law, so none is more accurate.",

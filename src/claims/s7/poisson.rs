@@ -3,7 +3,7 @@
 use super::impacts::{cradle, ends, frictionless_grid, gain, impact, middle, rod_path, rough_grid};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::impact_laws::routh::Path;
 use crate::impact_laws::{moreau, newton, poisson};
 use crate::problem::{PlanarProblem, Response};
@@ -15,6 +15,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Poisson: a compression phase from v⁻ to zero relative velocity with the impulse P_c, then a restitution phase with P_r \
             = e P_c.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Well defined for one contact: with a positive definite W compression always ends, even if the contact is \
             driven down at first. With several contacts both phases are complementarity problems, and a contact may take more than e P_c.",
@@ -30,6 +32,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Poisson's law constrains the impulse, a conserved quantity, instead of the velocity; that is why it is more consistent \
             in energy.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "A contact impulse is not conserved: it is what the contact hands over, and total momentum is kept under every \
             law. Prescribing impulse ratios does not by itself prevent a gain: Newton's outcome is also one of a prescribed ratio. The \
@@ -44,6 +48,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.poisson-better",
         statement: "With friction and several bodies Poisson's law is more consistent in energy than Newton's.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "One contact with friction never gains for e ≤ 1, nor do any number of frictionless contacts with any \
             coefficients. Two contacts with friction and unequal coefficients may gain; for equal ones this is not decided here.",
@@ -61,6 +67,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.newton-eq-poisson-single",
         statement: "For one contact without friction Newton's and Poisson's laws agree: P_c = m_eff|v⁻| and v⁺ = e|v⁻|.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated, m_eff = 1/W.",
         argument: "P_c = −U⁻/W, P_c + P_r = −(1 + e)U⁻/W, U⁺ = −eU⁻. W = 2, 1/3, 7 and e = 0, 2/5, 1 in rationals.",
@@ -73,6 +81,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "With several bodies or friction the off-diagonal entries of W couple the contacts, and prescribing impulse ratios \
             gives another result than prescribing velocity ratios.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "With friction, unequal coefficients or a separating contact. Without friction, for one e and U⁻ ≤ 0, Poisson's \
             law is Moreau's, P = (1 + e)P_c, however large the off-diagonal entries; Newton's law for all contacts together differs from \
@@ -88,6 +98,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.compression-end",
         statement: "Compression ends at the instant at which all normal velocities are zero.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Zero at the contacts that carry a compression impulse; the others may already separate: 0 ≤ U_c ⟂ P_c ≥ 0.",
         argument: "Three balls: U_c = (0, 0). W = (2, 1; 1, 2), U⁻ = (−1, −1/4): P_c = (1/2, 0) and U_c = (0, 1/4), although both contacts \

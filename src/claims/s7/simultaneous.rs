@@ -3,7 +3,7 @@
 use super::impacts::{cradle, ends, frictionless_grid, impact, middle, rod};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::newtons_cradle::{after_two_impacts, at_once};
 use crate::closed_forms::rocking_block::landing;
 use crate::contact::delassus::delassus;
@@ -23,6 +23,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Three balls colliding at once, or a block landing on four corners: there is no unique Newton solution; the velocities \
             after it depend on the microscopic order of the contacts.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "Posed at once without friction, the velocities are unique: v⁺ solves a strictly convex program; for three \
             balls even the impulses are, for four corners not. What is not unique is whether it happens at once: another order is another \
@@ -37,6 +39,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.four-corners",
         statement: "A block landing flat on four corners is a pathological case.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "For the impulses only: W has rank 3 with null vector (1, −1, 1, −1), so that any multiple of it may be added \
             while P stays ≥ 0. The velocities are unique.",
@@ -51,6 +55,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Simulators return some solution of such an impact, which depends on the solver's order of pivots; one more reason for \
             “another solver, another result”.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The impulses depend on it, the velocities do not as long as there is no friction. With friction the velocities \
             may (S4.painleve-atom: three solutions).",
@@ -65,6 +71,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "A solution: Frémond's law for several bodies (Acary and others, 2024), a global energy functional that constrains all \
             contacts.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Cited,
         correct_statement: "The paper was not found. Siconos has a law of that name: Newton's e on the normal components and Coulomb \
             friction on θU_t⁺ + (1−θ)U_t⁻. At θ = 1/2 it cannot gain energy from approaching contacts, at any number of them. It does not \
@@ -83,6 +91,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "A solution: an energy-consistent Pfeiffer–Glocker projection, which projects the velocities after the impact on the \
             feasible set of no energy gain.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "Such a projection exists and is explicit: on the cone U ≥ 0, then scaled, in the metric W⁻¹, which keeps \
             momentum. But it may leave an impulse that pulls. Under this name no source was found; Pfeiffer and Glocker's two \
@@ -97,6 +107,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.rocking",
         statement: "Velocity jumps with several contacts are not determined by a pointwise e alone (the block that lands on its base).",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated: with e = 0 at both edges the outcome depends on friction. If the edge that is hit holds, ω⁺/ω⁻ = 1 \
             − 3/2 sin²α (Housner); on a smooth floor (c² − 2b²)/(c² + 4b²).",

@@ -3,7 +3,7 @@
 use super::impacts::{cradle, frictionless_grid, rod_path, rough_grid, rounded};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::impact_laws::routh::Path;
 use crate::impact_laws::{energy_projection, moreau, newton, poisson, stronge};
 use crate::problem::{PlanarProblem, Response};
@@ -17,6 +17,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Stronge: the energetic coefficient e_*² = E⁺/E⁻, the energy released in restitution over the energy stored in \
             compression.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "Right if E means the work of the normal impulse in each phase; wrong if it is read as the kinetic energies \
             after and before, which friction lowers as well.",
@@ -30,6 +32,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.stronge-no-gain",
         statement: "Stronge's law avoids the gain of energy in Kane's counterexample at the root, because it bounds an energy ratio by 1.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated, for one contact: ΔT = −(1 − e_*²)|W_c| + W_friction with W_friction ≤ 0.",
         argument: "The normal work of both phases is −(1 − e_*²)|W_c|, and ∫U_t dq ≤ 0 along Routh's path, exactly, in 150 planar impacts; \
@@ -42,6 +46,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.stronge-conserves",
         statement: "To conserve energy with several bodies one needs Stronge's law or an energy-consistent projection.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Certified,
         correct_statement: "Without friction they are not needed: Newton's and Moreau's laws conserve at e = 1. With friction they do not \
             conserve: e_* = 1 still loses the work of friction, and a projection only takes energy away.",
@@ -55,6 +61,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.definitions-differ",
         statement: "Newton's, Poisson's and Stronge's e are different numbers for the same collision (velocity, impulse, energy).",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated, with friction that stops or turns round. Without friction, or while the slip goes on, the three \
             agree.",
@@ -69,6 +77,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "e is not a material constant: it depends on speed, geometry and temperature, and is usually smaller at high speed; \
             used as a constant across speeds it makes a simulation inaccurate.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "Speed and temperature are physics that no scheme decides. What can be decided: the velocity ratio depends on \
             geometry and friction even if the energetic coefficient is fixed, and none of these laws with a constant e can express a \
@@ -84,6 +94,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "e = 1 conserves energy for a single contact only; with several bodies colliding at once, Newton's law with e = 1 at \
             every point may change the energy.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "Without friction, the setting of the sentence, Newton's law with e = 1 conserves energy for any number of \
             contacts, solved together: ΔT = ½Pᵀ(U⁺ + U⁻) = 0 because U⁺ = −U⁻. What changes it is friction (already with one contact) or \

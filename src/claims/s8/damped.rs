@@ -4,7 +4,7 @@ use super::spring::{SEMI_IMPLICIT, both_sides, is_stable, matrix, powers_at};
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::soft::unlimited_contact;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::spring_damper as closed;
 use crate::integrators::stability::{Powers, invariants, spectral_radius};
 use crate::integrators::{Damping, ExplicitEuler, SemiImplicitEuler, SpringDamper};
@@ -18,6 +18,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.spring-damper-model",
         statement: "A contact as in MuJoCo is modelled as a spring and a damper, m φ̈ = −k φ − c φ̇, with ω₀ = √(k/m).",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated; MuJoCo's contact of constant impedance at depth δ > 0 is that oscillator under semi-implicit Euler, \
             with ω₀ = 1/(t_c ζ) and c/m = 2/t_c. So t_c = 1/ω₀, as the chapter has it, at ζ = 1 only.",
@@ -33,6 +35,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The stability bound h ≤ 2/ω₀ of the spring-damper contact links the time constant of §6, the integrator of §8 and the \
             jitter of §9.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "h ≤ 2/ω₀ is derived, rightly, without damping, and does not carry over to the damped contact: with damping at \
             the old velocity the bound is s = hω₀ < 2(√(1+ζ²) − ζ), 0.828 at MuJoCo's default ζ = 1. With damping at the new velocity it \
@@ -49,6 +53,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.semi-much-better",
         statement: "The stability of semi-implicit Euler is far better than that of explicit Euler.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Up to ζ = 1/√3: beyond it explicit Euler, with bound 2ζ (ζ ≤ 1), bears the larger step. At ζ = 1 the bounds \
             are 2 for explicit and 0.828 for semi-implicit Euler with explicit damping.",
@@ -63,6 +69,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The bound is where MuJoCo's rule timeconst ≥ 2h comes from: with timeconst = 1/ω₀, h ≤ 2 timeconst means timeconst ≥ \
             h/2, and MuJoCo takes 2h to leave a margin.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "The default contact is critically damped, so its limit is t_c > (1 + √2)h/2 = 1.2071 h, not h/2. t_c ≥ 2h does \
             leave a margin to that, of 1.66; what it marks is h·2/t_c = 1, the largest step whose matrix has no negative eigenvalue.",

@@ -5,7 +5,7 @@ use super::systems::disk_flow;
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::stored::{Faller, Thrower, projectile_error, update_residuals};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::integrators::impact_flow::Tangent;
 use crate::integrators::stability::invariants;
 use crate::integrators::symplectic::volume;
@@ -20,6 +20,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.nobody-explicit",
         statement: "No serious simulator uses pure explicit Euler for contact.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "A survey without a list, and “serious” is a judgement. The engines stored here whose falls are kept step by \
             step, MuJoCo and Drake, do not.",
@@ -33,6 +35,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.semi-sim-list",
         statement: "Semi-implicit Euler is the main integrator of MuJoCo, Bullet and Drake.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Measured,
         correct_statement: "Of the position update: all three move with the velocity at the end of the step. The contact forces are not \
             evaluated at the old state, as forces are in semi-implicit Euler, but solved for the velocity at its end; MuJoCo offers other \
@@ -48,6 +52,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Implicit end of the range: Drake's SAP midpoint, and implicitfast, stand for the fully implicit level with O(h²) \
             dissipation.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "Midpoint is θ = 1/2: it neither dissipates nor is L-stable. A step that is implicit in the velocity alone, as \
             implicitfast is, is semi-implicit Euler on an undamped spring, with its bound hω < 2. Drake's discrete stepper, as stored \
@@ -67,6 +73,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.all-sims-semi",
         statement: "That is why all simulators use semi-implicit Euler and not the explicit one.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Measured,
         correct_statement: "Not explicit: true of the engines stored here. All semi-implicit: not so. Siconos uses its θ scheme, as the \
             chapter says elsewhere.",
@@ -80,6 +88,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.plastic-common",
         statement: "Contact of robots mostly has e ≈ 0, so that symplectic integrators fail there altogether.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "How common plastic contact is, is a statement about models, and “fail” a judgement. At the impact nothing is \
             left to preserve; between impacts a symplectic step stays one.",
@@ -95,6 +105,8 @@ pub const CLAIMS: &[Claim] = &[
             semi-implicit Euler with a soft convex solver: not symplectic, but differentiable and time-reversible, which matters more for \
             MPC and learning.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "A statement of motives. MuJoCo's documentation names the cost of variational integrators, which are implicit \
             where the inertia depends on the configuration, and that continuous-time dynamics are defined backward in time; it names \

@@ -3,7 +3,7 @@
 use super::spring::{SEMI_IMPLICIT, both_sides, energy, is_stable, matrix, undamped};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::spring_damper::theta as bound;
 use crate::exact_particle::{Ball, BallState};
 use crate::integrators::stability::{invariants, spectral_radius};
@@ -18,6 +18,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.explicit-injects",
         statement: "Explicit Euler adds energy to oscillating systems (it is unstable).",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated for an undamped oscillator: E⁺ = (1 + h²ω²) E from every state. A damper that takes more than that, \
             2ζ > hω, makes the same step decay (S8.explicit-G).",
@@ -31,6 +33,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.explicit-bound",
         statement: "Explicit Euler is stable only for h < 2/√(k/m), a bound that shrinks with the stiffness.",
         verdict: ClaimVerdict::Inconsistent,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "Without damping no step is stable, as the same section derives a few lines later. 2/ω is the bound of \
             semi-implicit Euler. With damping the bound of explicit Euler is s = hω < 2ζ for ζ ≤ 1 and s < 2/(ζ + √(ζ²−1)) beyond; it \
@@ -45,6 +49,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.explicit-lag",
         statement: "With the old velocity in the position update the contact force comes too late to stop the penetration.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated: the step in which the contact acts still moves by h v, so that a ball that touches the floor at \
             speed |v| ends the step h|v| below it, whatever e.",
@@ -58,6 +64,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.explicit-G",
         statement: "On an undamped spring the amplification factor of explicit Euler is |G| = √(1 + ω²h²) > 1: unstable for every step.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated, for the undamped spring that it names.",
         argument: "Eigenvalues 1 ± i s: trace 2 and determinant 1 + s² exactly. At ζ = 3/10 steps below s = 6/10 are stable: |G|² = 0.9941 \
@@ -71,6 +79,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Exercise: under explicit Euler E = ½(v² + ω²x²) grows by (1 + ω²h²) a step; under semi-implicit Euler a conserved \
             quantity bounds it.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; the conserved quantity is v² + ω²x² − hω²xv, which bounds E if and only if hω < 2. With the \
             position updated first the sign of the last term is reversed.",

@@ -5,7 +5,7 @@ use super::symplectic::vanishes;
 use super::systems::{Coupled, Disk, Floor, across, disk_flow, entries, identity, projected_step};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::elimination::rank;
 use crate::exact_particle::{Ball, BallState};
 use crate::integrators::impact_flow::{ImpactFlow, Tangent};
@@ -22,6 +22,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The switching of the active set is not a diffeomorphism: at activation the phase space is folded, and the fold does \
             not keep the symplectic form.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "At e = 0, where the flow is singular, and at a grazing impact, where its derivative grows without bound. \
             Across an impact with e > 0 and a normal speed the flow is smooth with a smooth inverse: its determinant is e².",
@@ -39,6 +41,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.e-lt-1",
         statement: "As soon as e < 1 the symplectic form is lost.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated: det D = e² for every number of coordinates, curved walls and constant forces. J⁻¹DᵀJD has the \
             eigenvalues e², e², 1, 1, …: with one coordinate the form is scaled by e², with more it is not.",
@@ -52,6 +56,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.e0",
         statement: "A plastic impact (e = 0) and symplecticity contradict each other.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated: the flow is not even invertible. On a flat wall it loses two dimensions, the gap and its rate; a \
             curved one, which the body leaves along the tangent, keeps one of them, the time of the impact.",
@@ -64,6 +70,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.e1-only",
         statement: "Symplecticity is kept only for e = 1, purely elastic, and without correction of the penetration.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The flow with exact impacts keeps it iff e = 1. A time-stepping scheme without correction need not: a \
             Moreau–Jean step in which the contact acts has determinant −e, that is −1 for e = 1, for every θ. And a correction need not \
@@ -78,6 +86,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.friction-det",
         statement: "(Beside the text, which speaks of dissipation by e alone.) What friction does to phase volume in an impact.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "An impact in which the body slides throughout has det D = e², as without friction, and is not symplectic even \
             at e = 1: conserved volume does not show a conserved form. An impact that sticks has det D = 0.",
@@ -91,6 +101,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Exercise: pushing a penetrating body back squashes or folds phase space; the purely elastic impact without correction \
             is an exception.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Projection squashes, determinant 0. The exception is the flow with the impact at its time, determinant 1; \
             reversing the velocity at the end of a step is not, determinant −1.",
@@ -105,6 +117,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Exercise: which integrator for (a) planets over a million years, (b) ten seconds of a trotting quadruped, (c) a \
             million elastic bounces without friction, (d) training by reinforcement.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "A judgement. For (c) it can be said what holds its energy: located impacts do, and so does Moreau–Jean, up to \
             an oscillation of O(h) and with no symplecticity at its impacts; e = 0.9999 instead of 1 leaves nothing.",

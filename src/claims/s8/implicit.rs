@@ -5,7 +5,7 @@ use crate::Result;
 use crate::checks::Finding;
 use crate::claims::s3::theta_step::{LinearSystem, phase};
 use crate::claims::s9::energy::elastic_invariant;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::spring_damper::theta_energy_ratio;
 use crate::exact_particle::{Ball, BallState};
 use crate::integrators::stability::{Powers, invariants, spectral_radius};
@@ -21,6 +21,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Fully implicit integration (θ = 1) is the most stable, A-stable and L-stable; it allows large steps and needs a \
             nonlinear system solved per step.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; a system that is nonlinear where the forces are, with contact in it in any case. θ = 1/2 is \
             A-stable, not L-stable.",
@@ -36,6 +38,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Implicit Euler is unconditionally stable on the spring, |G| < 1 for every h; the price is an O(h²) dissipation that \
             wipes out the contact's oscillation at large steps.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; |G|² = 1/(1 + s²), per step (over a fixed time the loss is O(h), S8.implicit-diss).",
         argument: "Determinant 1/(1 + s²) and decay at s = 1/1000, 1, 2, 10⁶ in rationals, without damping; |G| = 1/√(1 + s²) in floating \
@@ -48,6 +52,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.implicit-diss",
         statement: "The price of θ = 1 is numerical dissipation O(h²).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Per step: E⁺/E = 1/(1 + h²ω²). Over a fixed time t it is O(h), E(t) = E₀ (1 + h²ω²)^(−t/h) ≈ E₀ e^(−ω²ht).",
         argument: "ω = 1, t = 1, in rationals: the energy lost with h = 1/32 over that with h = 1/64 lies within 1/16 of 2, not of 4; the \
@@ -61,6 +67,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Fully implicit integration is not always best: each step is dearer, and its dissipation takes the motion away where \
             details or energy matter.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated.",
         argument: "Undamped spring, 20 steps of s = 1: θ = 1 leaves 2⁻²⁰ of the energy, θ = 1/2 all of it, and semi-implicit Euler returns \
@@ -74,6 +82,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The θ scheme parametrises the spectrum: θ = 0 explicit, θ = 1 fully implicit, θ = 1/2 trapezoidal, close to a \
             symplectic method's neutrality in energy.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; on linear forces θ = 1/2 is symplectic and keeps the energy exactly: E⁺/E = (1 + (1−θ)²s²)/(1 + \
             θ²s²), determinant the same number.",
@@ -88,6 +98,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Semi-implicit Euler is a particular splitting (velocity implicit, position semi-implicit); it, the θ scheme of Siconos \
             and Drake's are points of the same spectrum.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Of the spectrum from explicit to implicit, yes; no value of θ gives it unless the force is constant. It takes \
             the force at the old position, θ_v = 0, and the velocity at the new one, θ_q = 1.",
@@ -101,6 +113,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.backwards-theta-energy",
         statement: "θ = 1/2 is neutral in energy, θ = 1 dissipates.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "On forces that depend on the state. Under gravity alone θ = 1 loses ½ m g²h² per step of free flight, and an \
             elastic impact gives it back: E − (θ − ½) m g h v is conserved through flights and impacts, for every θ.",

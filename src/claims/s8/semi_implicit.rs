@@ -3,7 +3,7 @@
 use super::spring::{SEMI_IMPLICIT, energy, is_stable, matrix, powers_at, undamped};
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::spring_damper as closed;
 use crate::integrators::stability::{Powers, powers};
 use crate::integrators::{Damping, ExplicitEuler, Method, Phase, SemiImplicitEuler, SmoothSystem, SpringDamper};
@@ -17,6 +17,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.one-change",
         statement: "Semi-implicit Euler changes explicit Euler in one place: the position is updated with the new velocity.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated: the velocities agree and the positions differ by h² a(q, v).",
         argument: "One step of h = 1/5 of v̇ = −q − q³ − v/2 from (1/2, −3) in rationals.",
@@ -28,6 +30,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.semi-G-iff",
         statement: "On an undamped spring semi-implicit Euler has |G| = 1 if and only if ω h ≤ 2.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated, of the moduli of the eigenvalues: the step matrix has trace 2 − s² and determinant 1. At s = 2 the \
             powers grow all the same (S8.semi-bound).",
@@ -40,6 +44,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.semi-bound",
         statement: "The stability bound of semi-implicit Euler is h ≤ 2/ω₀.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "h < 2/ω₀, strictly: at s = 2 the step is −(I + N) with N² = 0, and the motion grows by the same amount every \
             step. Below, the amplitude is at most q₀/√(1 − s²/4) from rest.",
@@ -53,6 +59,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.semi-diverges-beyond",
         statement: "Beyond the bound semi-implicit Euler diverges too.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated, exponentially: one eigenvalue is below −1.",
         argument: "|2 − s²| > 2: decided in rationals at s = 2 + 10⁻⁹, 5/2 and 100.",
@@ -64,6 +72,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.one-over-pi",
         statement: "The step may not exceed about 1/π of the contact's period; a harder contact allows smaller steps only.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated without damping, and exactly: 2/ω = T/π. With damping the share is smaller, 0.132 at ζ = 1 \
             (S8.damped-bound).",
@@ -77,6 +87,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "k = 10⁶ N/m, m = 1 kg: ω₀ = 1000 rad/s and h ≤ 2·10⁻³ s; k = 10⁸: h ≤ 2·10⁻⁴ s. A hundred times the stiffness needs a \
             tenth of the step.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated, without damping.",
         argument: "Largest stable steps by bisection in rationals: 2·10⁻³ s and 2·10⁻⁴ s to 10⁻⁹ of them.",
@@ -89,6 +101,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Merely exchanging the order of the updates makes the difference between exponential growth and an amplitude that stays \
             bounded for ever.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "On the undamped oscillator, for hω < 2. Bounded is not conserved: the largest over the smallest energy is up \
             to (1 + s/2)/(1 − s/2), that is 21/19 at s = 1/10, 7 at 3/2 and 399 at 199/100; from s = 2 on both orders grow. With strong \

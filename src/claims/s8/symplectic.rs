@@ -6,7 +6,7 @@ use super::systems::{
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::s8::spring::{SEMI_IMPLICIT, is_stable};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::integrators::jacobian::jacobian;
 use crate::integrators::root::root;
 use crate::integrators::symplectic::{defect, volume};
@@ -21,6 +21,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.semi-symplectic",
         statement: "For smooth Hamiltonian systems semi-implicit Euler is symplectic, and its energy stays bounded for ever without drift.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "With a constant mass matrix, forces that have a potential, and hω < 2 for the fastest vibration. With M(q), as \
             in joint coordinates, the step that updates v and then q is not symplectic and its energy can drift; the variant with the \
@@ -42,6 +44,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Theorem (Cirak and West 2005): an explicit symplectic scheme necessarily loses symplecticity at the moment a contact \
             becomes active, and every operation that corrects penetration destroys it.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "Projecting a penetrating state back does (its Jacobian is singular). Neither every correction nor every \
             activation does: the mirror image of a penetrating state in the wall, position and velocity together, is symplectic for a flat \
@@ -58,6 +62,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Kane, Marsden, Ortiz and West 2000 prove that variational integrators can preserve the symplectic form in elastic \
             contact (e = 1).",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "The statement on elastic contact holds, for the variational integrator that makes the time of impact a \
             variable. It is in Fetecau, Marsden, Ortiz and West 2003; the abstract of the paper of 2000 speaks of the Newmark family and \

@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::baumgarte_decay::time_constant;
 use crate::closed_forms::stabilised_circle::{biased_energy, biased_offset, projected_energy};
 use crate::integrators::{Method, Phase, RungeKutta, SpringDamper};
@@ -21,6 +21,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S9.baumgarte-eq",
         statement: "Baumgarte stabilisation φ̈ + 2αφ̇ + β²φ = 0 forces the violation φ to decay to zero as a damped oscillation.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "φ decays if α > 0 and β > 0, with oscillation only if α < β. The semi-implicit step of it decays if and only \
             if, besides, 4αh + β²h² < 4: above that the violation grows.",
@@ -34,6 +36,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S9.baumgarte-tuning",
         statement: "Critical damping α = β is hard to hit exactly in practice, and that is why Baumgarte is hard to tune.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Both numbers are chosen, and φ obeys the equation whatever the masses are, so α = β can be hit exactly. But it \
             is not critical for the step: α = β(1 − βh/2) is, and 2αh = βh = 1 ends any violation in two steps. Near α = β the rate is \
@@ -49,6 +53,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Bullet's ERP of 0.2 artificially flattens the oscillations of a robot's joints, which causes a gap between simulation \
             and reality.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "How large a gap to a real robot is cannot be decided here. The bias acts on the violation of a joint, which it \
             lets decay by 4/5 a step without oscillation; the motion that the joint allows is not flattened: on a circle it keeps the \
@@ -63,6 +69,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S9.ggl",
         statement: "GGL stabilisation imposes position and velocity constraint at the same time; no damping to tune, but a larger system.",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated: two multipliers per constraint in place of one. It is not free of numerical damping: with the \
             implicit Euler rule a point on a circle keeps 1/(1 + n h²v²/R²) of its energy, exactly what coordinate projection leaves.",
@@ -76,6 +84,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S9.poststab-def",
         statement: "Post-stabilisation projects only the position after each step, coordinate projection position and velocity together.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Cited,
         correct_statement: "Usage differs: Ascher and Petzold's post-stabilisation corrects position and velocity as well. And for a step \
             that imposes G v⁺ = 0 at its start the two make the same motion: the positions agree, and the velocities differ by the \
@@ -93,6 +103,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S9.ex2",
         statement: "Exercise 2: find the time constant of φ̈ + 2αφ̇ + β²φ = 0; how does the violation evolve for α < β and for α > β?",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "α ≤ β: τ = 1/α, for α < β oscillating at √(β² − α²). α > β: two decays without oscillation, the slower with τ \
             = 1/(α − √(α² − β²)) ≈ 2α/β²: beyond critical, more damping is slower.",

@@ -3,13 +3,15 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::drake::{facts, rest_depth};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::tolerance::claims::drake::rest;
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S9.drake-projection",
     statement: "Drake has coordinate projection built in.",
     verdict: ClaimVerdict::False,
+    kind: Kind::Assertion,
+    severity: Some(Severity::WrongStatement),
     evidence: Evidence::Cited,
     correct_statement: "Not found: the documentation of its plant does not know the term, and its contacts are left with the depth that \
         carries the load. Discrete constraints are compliant, near rigid where they should be hard.",

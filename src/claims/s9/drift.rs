@@ -4,7 +4,7 @@ use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::curve::{Side, drift, slide};
 use crate::claims::experiments::tower::{Sweeps, Tower};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::exact_particle::{Ball, BallState};
 use crate::scalar::{Rational, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StewartTrinkle};
@@ -17,6 +17,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "The velocity constraint ∇φᵀv⁺ ≥ 0 only guarantees that the velocity of this step is admissible; the position \
             constraint drifts.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "Moreau–Jean constrains v⁺ + e v, so its new velocity is admissible, ∇φᵀv⁺ ≥ 0, if e = 0; with e > 0 a body \
             that is moving away may \
@@ -35,6 +37,8 @@ pub const CLAIMS: &[Claim] = &[
             position leave the \
                     constraint slowly – the body gradually sinks into the ground.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "On a flat floor with a converged solver a resting body does not move at all. It drifts along curved \
             constraints, by h v²κ/2 per second, and if the \
@@ -54,6 +58,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Even Stewart–Trinkle's linearised position constraint φ + h∇φᵀv⁺ ≥ 0 holds only up to the linearisation: a residual \
             penetration of O(h²).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "A residual of at most ½h²v²/R where φ is concave along the motion (inside a circle), without accumulation; \
             none where φ is convex (outside one) or linear.",

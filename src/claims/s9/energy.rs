@@ -6,7 +6,7 @@ use crate::claims::experiments::push_out::{ball, biased_gain, elastic_drop};
 use crate::claims::experiments::rod::energy_gained;
 use crate::claims::experiments::spring::energy_ratio;
 use crate::claims::experiments::tower::energy_of_stale_impulses;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::exact_particle::BallState;
 use crate::scalar::{Rational, ratio};
 use crate::schemes::{Activation, RestitutionRule};
@@ -18,6 +18,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Energy that grows usually comes from explicit components or from Baumgarte's injection: use a (semi-)implicit scheme, \
             and projection instead of Baumgarte.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "These two inject, and so do: Newton's e on the normal component with Coulomb friction, projection itself (m g \
             δ), impulses of the step before that too few sweeps have not corrected, and a contact too stiff for its step (S9.jitter).",
@@ -33,6 +35,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S9.energy-down",
         statement: "Too much loss of energy comes from θ = 1 or large numerical damping: use θ = 1/2, reduce the damping.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "True of forces that depend on the state (springs): E⁺/E = 1/(1 + h²ω²) at θ = 1 and 1 at θ = 1/2. Under \
             gravity θ has no effect in the long run: E − (θ−½) m g h v is conserved, and an impact keeps e² of the kinetic energy, for \

@@ -6,7 +6,7 @@ use crate::checks::Finding;
 use crate::claims::experiments::soft::{GRAVITY, default_contact, land, unlimited_contact};
 use crate::claims::experiments::spring::{energy_ratio, semi_implicit_peak};
 use crate::claims::experiments::tower::{Sweeps, Tower, approach_left};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::scalar::{Scalar, ratio};
 use crate::solvers::ProjectedGaussSeidel;
 use crate::tolerance::{claims::pathology as tolerance, rounding};
@@ -17,6 +17,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Exercise 1: stacked blocks slowly melt into each other. Is it constraint drift, soft penetration or energy? Give the \
             likeliest cause and the cure for Moreau–Jean, MuJoCo and Stewart–Trinkle.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "On a flat table none of the three keeps sinking if the step is solved: Moreau–Jean stands still, MuJoCo stays \
             at its static depth, Stewart–Trinkle has no residual. Continued sinking means a solver stopped early under a velocity-level \
@@ -34,6 +36,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Exercise 3: a gripper trembles. Check in this order: (a) is the integrator at least semi-implicit, (b) is θ or the \
             numerical damping large enough, (c) has the solver converged, (d) do step and stiffness match; say which indicator shows each.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "Four switches with four indicators: (a) energy per step, (b) energy of springs – nothing on rigid contacts \
             under a constant load –, (c) the approach velocity left, (d) speed at rest against h/t_c.",

@@ -6,7 +6,7 @@ use crate::claims::experiments::curve::{Side, slide};
 use crate::claims::experiments::soft::{GRAVITY, default_contact, land, limited_contact, stiffest_contact, unlimited_contact};
 use crate::claims::experiments::spring::energy_ratio;
 use crate::claims::experiments::tower::{Sweeps, Tower};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::scalar::{Scalar, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule};
 use crate::tolerance::claims::pathology as tolerance;
@@ -17,6 +17,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Not every penetration is a bug: that of soft contact (MuJoCo) is by design, set by solref and solimp; to reduce it, \
             stiffen and take smaller steps. That of velocity-level schemes is drift and needs projection.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "The depth at rest is that of the soft law, independent of h: a smaller step alone changes nothing. It helps \
             only by allowing a stiffer contact, because MuJoCo keeps t_c ≥ 2h; above h = t_c/2 the depth grows with h².",
@@ -36,6 +38,8 @@ pub const CLAIMS: &[Claim] = &[
             because the step is too large, the stiffness too high or the solver not converged. Cure: more iterations, more numerical \
             damping, smaller steps, warm start.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "Step and stiffness are one cause, h/t_c: a critically damped contact of constant impedance cannot rest for \
             h/t_c > 2√2 − 2 = 0.83 (a little more with MuJoCo's default impedance, which is lower at small depths), and MuJoCo's limit t_c \
@@ -52,6 +56,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S9.theta-damps-jitter",
         statement: "Against jitter: increase the numerical damping moderately, θ → 1.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "It damps what a spring stores: E⁺/E = 1/(1 + h²ω²) at θ = 1. On rigid contacts under a constant load it does \
             nothing: θ multiplies state-dependent forces and the position update, and neither enters the contact problem.",

@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::siconos::{Facts, projected_energy, projected_moves};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::scalar::{Rational, ratio};
 use crate::tolerance::claims::pathology::elastic_drop;
 use crate::tolerance::rounding;
@@ -15,6 +15,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Siconos's CombinedProjectedMoreauJeanOSI is a coordinate projection of this kind: it injects no artificial energy and \
             is geometrically clean.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Measured,
         correct_statement: "The class is MoreauJeanCombinedProjectionOSI. It takes energy: the step of an impact ends on φ = 0 from \
             whatever height q it started, and an elastic ball loses m g q each time. And it moves bodies along H_nᵀ, not along M⁻¹H_nᵀ: \
@@ -35,6 +37,8 @@ pub const CLAIMS: &[Claim] = &[
             HHT; Acary 2013 (CMAME 256:224): projected event-capturing Runge–Kutta with adaptive steps; Brüls, Acary, Cardona 2014: \
             Lie-group generalised-α.",
         verdict: ClaimVerdict::Ambiguous,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Cited,
         correct_statement: "The three papers exist; two are described as others are titled. CMAME 256:224–250 is on projected \
             event-capturing schemes with contact and friction; the higher-order event-capturing schemes are Acary, Appl. Numer. Math. 62 \

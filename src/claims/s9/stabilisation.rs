@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::push_out::{ball, biased_gain, biased_step, elastic_drop, elastic_throw, projected_gain, sunk};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::exact_particle::{Ball, BallState};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
@@ -15,6 +15,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Baumgarte stabilisation: (α, β) are very hard to tune; too small, the drift is corrected slowly, too large, artificial \
             energy is injected into the system (or it is overdamped).",
         verdict: ClaimVerdict::True,
+        kind: Kind::Assertion,
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated: as a velocity bias v⁺ = −ERP φ/h it injects T = ½m(ERP δ/h)², at every ERP and growing with its \
             square.",
@@ -28,6 +30,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S9.bullet-erp",
         statement: "Bullet's default ERP (error reduction parameter) = 0.2 is in essence Baumgarte stabilisation.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "It is the semi-implicit Baumgarte step with 2αh = 1 and β²h² = ERP, constants that follow the step: under load \
             φ⁺ = (1 − ERP)φ, a first-order decay by 4/5 per step whatever h is (time constant 4.48 steps). With given (α, β) it is not.",
@@ -45,6 +49,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "S9.projection-energy",
         statement: "Coordinate projection is preferable to Baumgarte: it injects no artificial energy and is geometrically clean.",
         verdict: ClaimVerdict::False,
+        kind: Kind::Assertion,
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "Projection leaves the kinetic energy alone but lifts the body, ΔE = m g δ. How often depends on the activation \
             rule (with the forecast φ + h v_free ≤ 0 never), \
@@ -64,6 +70,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Stabilisations differ in whether they disturb the physics while pulling the constraint back: Baumgarte injects energy \
             (dirty), projection does not (clean).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "As a comparison: both pay the lift m g δ, Baumgarte pays ½m(ERP δ/h)² of kinetic energy on top. That \
             projection adds nothing at all is S9.projection-energy.",

@@ -3,12 +3,14 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::drake::facts;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "V.drake",
     statement: "Drake: SAP is the current default.",
     verdict: ClaimVerdict::True,
+    kind: Kind::Assertion,
+    severity: None,
     evidence: Evidence::Cited,
     correct_statement: "As stated of the solver, in the release checked here, 1.51.1, the last for Python 3.11; on the contact model that \
         it solves see S10.drake-default-sap.",

@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::mujoco::facts;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::scalar::{Rational, ratio};
 
@@ -14,6 +14,8 @@ pub const CLAIMS: &[Claim] = &[
         id: "V.mujoco",
         statement: "MuJoCo 3.x, open source; MJX is differentiable.",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Cited,
         correct_statement: "The version is a matter of date: 3.x is what this repository pins (3.17.0), 4.0.0 appeared in November 2026. \
             On MJX see S6.mjx-gradients.",
@@ -27,6 +29,8 @@ pub const CLAIMS: &[Claim] = &[
         statement: "MuJoCo's defaults: solref (0.02, 1), solimp (0.9, 0.95, 0.001, 0.5, 2), Newton, semi-implicit Euler; timeconst ≥ 2h; a \
             spring needs h ≤ 2√(m/k).",
         verdict: ClaimVerdict::Conditional,
+        kind: Kind::Assertion,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The defaults are right. The bound on h is that of the undamped spring; with an explicit damper c it is h²k + \
             2hc ≤ 4m, and smaller.",

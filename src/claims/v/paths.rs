@@ -3,13 +3,15 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::s10::{mujoco, siconos, three_engines};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "V.paths",
     statement: "The paths of source files that the chapter gives exist on the main branches, though files may move from version to \
         version.",
     verdict: ClaimVerdict::Conditional,
+    kind: Kind::Assertion,
+    severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Cited,
     correct_statement: "They existed. Siconos's are those of 4.4.0 and have moved since, Pinocchio's are those of release 3 and are \
         elsewhere in 4.1.0; those of MuJoCo, Bullet and Chrono are in place. See S10.path-*.",

@@ -3,13 +3,15 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::s10::three_engines::{PINOCCHIO, json};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "V.pinocchio",
     statement: "Pinocchio 3 / Simple: ADMM with a proximal term; admm-solver.hxx, contact-cholesky.hpp; rigid and compliant contact as NCP \
         or SOCCP.",
     verdict: ClaimVerdict::Conditional,
+    kind: Kind::Assertion,
+    severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Cited,
     correct_statement: "So it began. The release checked here is 4.1.0: same solver and default law, other paths (S10.path-pinocchio).",
     argument: "The pinned package is 4.1.0; its ADMM has `solve_ncp` = true, a proximal term of 10⁻⁶ and finds ρ by the rule of OSQP.",
