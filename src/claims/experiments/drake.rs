@@ -6,6 +6,7 @@
 //!     Lagged     φ = −m g cos α/k
 //! ```
 
+use super::facts::Document;
 use crate::mechanics::{PointMass, State};
 use crate::schemes::drake::Material;
 use crate::schemes::{Parameters, by_name, simulate};
@@ -58,7 +59,8 @@ pub struct Integrator {
 /// # Errors
 /// [`Error::Json`] if the stored file is not what the script writes.
 pub fn facts() -> Result<Facts> {
-    Ok(serde_json::from_str(include_str!("../../../references/facts/drake.json"))?)
+    let document: Document<Facts> = serde_json::from_str(include_str!("../../../references/facts/drake.json"))?;
+    Ok(document.stated)
 }
 
 /// Material of the sliding block: k = 2000 N/m, τ = 5 ms, d = 10 s/m, and a slip scale of 1 µm/s.

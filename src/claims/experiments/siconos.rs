@@ -1,5 +1,6 @@
 //! What is stored of Siconos: facts about its release, read from the Debian packages by a script, and its own steps.
 
+use super::facts::Document;
 use crate::checks::siconos_steps::SiconosSteps;
 use crate::{Error, Result};
 use serde::Deserialize;
@@ -12,8 +13,6 @@ const SLIDE: &str = include_str!("../../../references/siconos/block_slide__morea
 /// What the Debian packages of Siconos hold.
 #[derive(Debug, Deserialize)]
 pub struct Facts {
-    /// Version of the packages.
-    pub version: String,
     /// Headers of integrators, laws and simulations, without extension.
     pub headers: Vec<String>,
     /// Of these, the classes that Python shows.
@@ -28,13 +27,25 @@ pub struct Facts {
     pub cited: Vec<String>,
 }
 
+fn document() -> Result<Document<Facts>> {
+    Ok(serde_json::from_str(FACTS)?)
+}
+
+/// Version of the packages that the facts are of.
+///
+/// # Errors
+/// If the stored file is not what it should be.
+pub fn version() -> Result<String> {
+    Ok(document()?.version)
+}
+
 impl Facts {
     /// The stored facts.
     ///
     /// # Errors
     /// If the stored file is not what it should be.
     pub fn stored() -> Result<Self> {
-        Ok(serde_json::from_str(FACTS)?)
+        Ok(document()?.stated)
     }
 
     /// Whether one of the headers cites a text that contains these words.
