@@ -1,6 +1,7 @@
 //! Facts about an engine, format `facts/1`: what the pinned release says of itself, or what the files of its package do.
 
 use crate::Result;
+use crate::stored::{RUNS, read};
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -50,7 +51,7 @@ impl Package {
 /// # Errors
 /// If the stored file is not what the script writes.
 pub fn bullet() -> Result<Document<Package>> {
-    Ok(serde_json::from_str(include_str!("../../../references/bullet/package.json"))?)
+    read(&RUNS, "bullet/package.json")
 }
 
 /// The stored facts about Pinocchio, from the wheel libpinocchio 4.1.0.
@@ -58,5 +59,5 @@ pub fn bullet() -> Result<Document<Package>> {
 /// # Errors
 /// If the stored file is not what the script writes.
 pub fn pinocchio() -> Result<Document<Package>> {
-    Ok(serde_json::from_str(include_str!("../../../references/pinocchio/package.json"))?)
+    read(&RUNS, "pinocchio/package.json")
 }

@@ -7,17 +7,18 @@ use crate::mechanics::{PointMass, State};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::schemes::{Bullet, Chrono, step};
 use crate::solvers::{self, AlternatingDirections, ClarabelPolished, ContactSolver};
+use crate::stored::{RUNS, problem_and_answer, read_by};
 use crate::tolerance::claims::engines as tolerance;
 use crate::trajectory::Trajectory;
 use crate::{Error, Result};
 use nalgebra::dvector;
 use serde_json::Value;
 
-const BOX_SLIDE: &str = include_str!("../../../references/pinocchio/box-slide.json");
-const BOX_SLIDE_RELAXED: &str = include_str!("../../../references/pinocchio/box-slide-associated.json");
-const BOX_SOFT: &str = include_str!("../../../references/pinocchio/box-soft.json");
-const BOUNCE: &str = include_str!("../../../references/bullet/ball_bounce__multi__h0.01.json");
-const SUNK: &str = include_str!("../../../references/bullet/ball_sunk__multi__h0.01.json");
+const BOX_SLIDE: &str = "pinocchio/box-slide.json";
+const BOX_SLIDE_RELAXED: &str = "pinocchio/box-slide-associated.json";
+const BOX_SOFT: &str = "pinocchio/box-soft.json";
+const BOUNCE: &str = "bullet/ball_bounce__multi__h0.01.json";
+const SUNK: &str = "bullet/ball_sunk__multi__h0.01.json";
 
 /// The solvers of Chrono's repository at commit 7689fbc of 2026-08-18, `src/chrono/solver/`; Chrono is in no package registry.
 const CHRONO_SOLVERS: [&str; 5] = ["ChSolverADMM.cpp", "ChSolverAPGD.cpp", "ChSolverBB.cpp", "ChSolverPJacobi.cpp", "ChSolverPSOR.cpp"];
@@ -138,14 +139,9 @@ pub const CLAIMS: &[Claim] = &[
     },
 ];
 
-fn json(text: &str) -> Result<Value> {
-    serde_json::from_str(text).map_err(|error| Error::invalid("reference", error.to_string(), "regenerate the stored file"))
-}
-
 /// Problem and answer of a stored `answer/1`.
-fn stored(text: &str) -> Result<(ContactProblem, Solution)> {
-    let document = json(text)?;
-    Ok((ContactProblem::from_json(&document["problem"].to_string())?, Solution::from_json(&document["answer"].to_string())?))
+fn stored(path: &str) -> Result<(ContactProblem, Solution)> {
+    problem_and_answer(&RUNS, path)
 }
 
 fn chrono_row(reading: Reading) -> Result<Vec<Finding>> {
@@ -185,8 +181,8 @@ fn granular(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 /// Height above the ground and vertical velocity of a stored ball, sample by sample.
-fn ball(text: &str) -> Result<(f64, Vec<[f64; 2]>)> {
-    let run = Trajectory::from_json(text)?;
+fn ball(path: &str) -> Result<(f64, Vec<[f64; 2]>)> {
+    let run = read_by(&RUNS, path, Trajectory::from_json)?;
     let radius = run.scene.bodies[0].sphere.as_ref().map_or(0.0, |sphere| sphere.radius);
     let track = &run.bodies[0];
     Ok((run.time_step, track.position.iter().zip(&track.linear_velocity).map(|(x, v)| [x[2] - radius, v[2]]).collect()))
@@ -219,8 +215,8 @@ fn bullet_row(reading: Reading) -> Result<Vec<Finding>> {
 fn pinocchio_row(reading: Reading) -> Result<Vec<Finding>> {
     let mut findings = Vec::new();
     let other = stored(BOX_SLIDE_RELAXED)?.1;
-    for (name, text) in [("hard", BOX_SLIDE), ("with compliance", BOX_SOFT), ("relaxed", BOX_SLIDE_RELAXED)] {
-        let (problem, answer) = stored(text)?;
+    for (name, path) in [("hard", BOX_SLIDE), ("with compliance", BOX_SOFT), ("relaxed", BOX_SLIDE_RELAXED)] {
+        let (problem, answer) = stored(path)?;
         let theirs = reading.pick(answer.velocity, other.velocity.clone());
         let ours = AlternatingDirections::default().solve(&problem, None)?;
         let difference = (&ours.velocity - &theirs).amax();
