@@ -3,8 +3,8 @@
 
 For every engine this makes a virtual environment from scripts/requirements-<engine>.txt, starts
 scripts/engines/<engine>.py in it (Rapier's adapter is built with cargo), and asks it through the protocol moreau-engine/1 for the
-motions and single steps listed in scripts/reference/plan.py, and for what it says of itself,
-of Drake by scripts/engines/_drake_facts.py.  Siconos, a Debian package, is run
+motions and single steps listed in scripts/reference/plan.py, and for the facts that
+scripts/reference/facts.py describes.  Siconos, a Debian package, is run
 by scripts/reference/siconos.py, some of it by a C++ program that needs g++ and libsiconos-kernel-dev.  The result does not depend on the date, the machine's name or
 the order of the runs.
 """
@@ -17,7 +17,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from reference import build, documents, environment, facts, package_facts, siconos  # noqa: E402
+from reference import build, documents, environment, facts, packages, siconos  # noqa: E402
 from reference.client import Engine, EngineError  # noqa: E402
 from reference.compare import check, comparable, numbers_by_kind, tolerances_of  # noqa: E402
 from reference.plan import all_jobs  # noqa: E402
@@ -28,7 +28,6 @@ SCRIPTS = Path(__file__).resolve().parent
 DEFAULT = ("mujoco", "drake", "siconos")
 OPTIONAL = ("bullet", "pinocchio", "dart", "rapier")  # run without being named only where they are installed already
 ENGINES = DEFAULT + OPTIONAL
-FACTS = ("mujoco",)
 EPILOG = """
 examples:
   scripts/generate_references.py                      write all files (some minutes)
@@ -136,40 +135,39 @@ class Run:
             documents.write(path, fresh)
         self.done += 1
 
-    def facts(self, engine, name, description):
-        """What the engine says of itself; store it, or compare it."""
-        path, place = self.options.references / "facts" / f"{name}.json", f"facts/{name}.json"
+    def facts(self, place, make):
+        """Store the facts that `make` finds out, or compare them; files that do not match are passed over."""
+        path = self.options.references / place
+        if self.options.match not in place:
+            return
         if self.options.check and not path.exists():
             return self.fail(place, ["missing"])
-        fresh = facts.document(engine, json.loads(json.dumps(self.scenes[facts.SCENE])), description)
-        if self.options.check:
-            messages = facts.differences_of(documents.read(path), fresh)
-            if messages:
-                self.fail(place, messages)
-        else:
-            documents.write(path, fresh)
+        fresh = make()
+        if not self.options.check:
+            facts.write(path, fresh)
+        elif messages := facts.differences_of(facts.read(path), fresh):
+            self.fail(place, messages)
         self.done += 1
 
-    def package_facts(self, name, python):
-        """Store what the engine says of itself, or compare it."""
-        path = self.options.references / "facts" / f"{name}.json"
-        fresh = package_facts.ask(name, python, SCRIPTS)
-        if not self.options.check:
-            documents.write(path, fresh)
-        elif not path.exists():
-            self.fail(f"facts/{name}.json", ["missing"])
-        elif messages := package_facts.differences(documents.read(path), fresh):
-            self.fail(f"facts/{name}.json", messages)
-        self.done += 1
+    def facts_of(self, name, engine, description):
+        """The facts about an engine: what it says of itself, and what its package holds."""
+        askers = {}
+        if name in facts.ADAPTERS:
+            askers[f"facts/{name}.json"] = lambda: facts.ask(engine, self.scenes, description)
+        if name in packages.SUBJECTS:
+            askers[packages.place(name)] = lambda: packages.package(name, engine.command)
+        for place, make in askers.items():
+            try:
+                self.facts(place, make)
+            except (EngineError, ValueError) as problem:
+                self.fail(place, [str(problem)])
 
     def engine(self, name, jobs):
         """All jobs of one engine; raises NotInstalled when it cannot run at all."""
         named = name in DEFAULT or name in self.options.only or name in self.options.require
         if not (named or environment.is_installed(name, SCRIPTS, self.options.environments)):
             raise environment.NotInstalled(f"not installed; --only {name} installs it")
-        command = environment.command_of(name, SCRIPTS, self.options.environments, report)
-        if name in package_facts.ENGINES and self.options.match in f"facts/{name}.json":
-            self.package_facts(name, command[0])
+        command, before = environment.command_of(name, SCRIPTS, self.options.environments, report), self.done
         with open(os.devnull, "wb") as log:
             with Engine(command, log) as engine:
                 description = engine.ask("describe")
@@ -179,17 +177,14 @@ class Run:
                         self.job(engine, job, description)
                     except (EngineError, ValueError) as problem:
                         self.fail(job.path, [str(problem)])
-                if name in FACTS and self.options.match in f"facts/{name}.json":
-                    try:
-                        self.facts(engine, name, description)
-                    except (EngineError, ValueError) as problem:
-                        self.fail(f"facts/{name}.json", [str(problem)])
+                self.facts_of(name, engine, description)
         progress("")
-        report(f"{name} {description['version']}: {len(jobs)} files")
+        report(f"{name} {description['version']}: {self.done - before} files")
 
     def stray_files(self, engine, jobs):
         """Files below references/<engine>/ that no job makes."""
         expected = {job.path for job in jobs}
+        expected |= {packages.place(engine)} if engine in packages.SUBJECTS else set()
         folder = self.options.references / engine
         for path in sorted(folder.glob("*")) if folder.exists() else []:
             relative = f"{engine}/{path.name}"

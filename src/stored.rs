@@ -1,13 +1,13 @@
-//! Stored runs of real engines that the agreements of [`crate::systems`] ask for, embedded so that the program needs no files.
+//! Stored runs of real engines that the agreements of [`crate::systems`] and the claims ask for, embedded: the program needs no files.
 
 use moreau_replicas::stored::Embedded;
-pub use moreau_replicas::stored::{Folder, StoredRuns};
+pub use moreau_replicas::stored::{Folder, StoredRuns, problem_and_answer, read, read_by};
 
 macro_rules! embedded {
     ($($path:literal,)*) => { &[$(($path, include_str!(concat!("../references/", $path)))),*] };
 }
 
-/// Every stored run that an agreement asks for.
+/// Every stored run that an agreement or a claim asks for.
 pub static RUNS: Embedded = Embedded(embedded![
     "bullet/ball_bounce__multi__h0.01.json",
     "bullet/ball_bounce__rigid__h0.01.json",
@@ -18,6 +18,9 @@ pub static RUNS: Embedded = Embedded(embedded![
     "bullet/block_slide__box-default__h0.01.steps.json",
     "bullet/block_slide__box__h0.005.json",
     "bullet/block_stick__rigid-warm__h0.01.steps.json",
+    "bullet/package.json",
+    "drake/ball_drop__sap__h0.01.json",
+    "drake/ball_rest__sap__h0.001.json",
     "drake/block_impact__lagged__h0.001.json",
     "drake/block_impact__sap__h0.001.json",
     "drake/block_impact__similar__h0.001.json",
@@ -35,8 +38,13 @@ pub static RUNS: Embedded = Embedded(embedded![
     "drake/stack_landing__sap__h0.005.json",
     "drake/stack_landing__similar__h0.005.json",
     "drake/stack_landing__tamsi__h0.005.json",
+    "facts/drake.json",
+    "facts/mujoco.json",
+    "facts/siconos.json",
     "mujoco/ball_drop__newton-elliptic__h0.01.json",
     "mujoco/ball_roll__newton-elliptic-rolling__h0.002.json",
+    "mujoco/block_slide__cg-elliptic__h0.002__step100.dump.json",
+    "mujoco/block_slide__cg-pyramidal__h0.002__step100.dump.json",
     "mujoco/block_slide__newton-elliptic-converged__h0.002.json",
     "mujoco/block_slide__newton-elliptic-converged__h0.002__step100.dump.json",
     "mujoco/block_slide__newton-pyramidal__h0.01.json",
@@ -51,11 +59,15 @@ pub static RUNS: Embedded = Embedded(embedded![
     "pinocchio/box-soft.json",
     "pinocchio/box-spin-associated.json",
     "pinocchio/box-stick.json",
+    "pinocchio/package.json",
     "pinocchio/scattered-soft.json",
     "pinocchio/scattered.json",
     "pinocchio/tower-associated.json",
     "pinocchio/tower-heavy.json",
     "pinocchio/tower.json",
+    "scoreboard/bullet.json",
+    "scoreboard/mujoco-elliptic.json",
+    "scoreboard/siconos.json",
     "siconos/ball__event-driven__h0.1.json",
     "siconos/ball__moreau-jean__h0.001.json",
     "siconos/ball__moreau-jean__h0.005.json",

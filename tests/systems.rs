@@ -8,7 +8,7 @@ use moreau::systems::{ALL, Agreement, Cone, ConstraintLevel, ContactLaw, Measure
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::{LazyLock, Mutex};
 
 /// The embedded runs, and the paths that were asked for.
@@ -40,12 +40,29 @@ fn every_agreement_holds_and_the_page_shows_it() {
     assert_eq!(section.trim(), markdown(report).trim(), "run `moreau systems --readme docs/systems.md`");
 }
 
+/// The stored files that the claims' sources name by their whole path, below a folder of theirs. What a claim reads by such a name it finds
+/// embedded or not at all, and a name that nothing reads is dead code to the compiler.
+fn named_by_claims(folder: &Path, references: &Path) -> BTreeSet<String> {
+    let entries = std::fs::read_dir(folder).expect("a folder of sources").map(|entry| entry.expect("readable").path());
+    let named = |path: PathBuf| {
+        if path.is_dir() {
+            return named_by_claims(&path, references);
+        }
+        let source = std::fs::read_to_string(path).expect("a source file");
+        source.split('"').filter(|part| part.ends_with(".json") && references.join(part).is_file()).map(String::from).collect()
+    };
+    entries.flat_map(named).collect()
+}
+
 #[test]
-fn what_is_embedded_is_what_the_agreements_ask_for_as_it_is_stored() {
-    let (_, asked) = &*MEASURED;
+fn what_is_embedded_is_what_agreements_and_claims_ask_for_as_it_is_stored() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = Folder(root.join("references"));
+    let claimed = named_by_claims(&root.join("src/claims"), &folder.0);
+    assert!(claimed.contains("facts/drake.json") && !claimed.contains("drake/ball_rest__tamsi__h0.001.json"), "{claimed:?}");
+    let asked: BTreeSet<_> = MEASURED.1.union(&claimed).cloned().collect();
     let embedded: BTreeSet<_> = RUNS.0.iter().map(|(path, _)| path.to_string()).collect();
-    assert_eq!((&embedded, embedded.len()), (asked, RUNS.0.len()), "src/stored.rs embeds others, or one twice");
-    let folder = Folder(Path::new(env!("CARGO_MANIFEST_DIR")).join("references"));
+    assert_eq!((&embedded, embedded.len()), (&asked, RUNS.0.len()), "src/stored.rs embeds others, or one twice");
     for (path, text) in RUNS.0 {
         assert_eq!(folder.text(path).expect("stored"), *text, "{path}");
     }

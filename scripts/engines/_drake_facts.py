@@ -1,21 +1,17 @@
-"""What the installed Drake says of itself: `python scripts/engines/_drake_facts.py` prints JSON.
+"""What the installed Drake says of itself.
 
 Names and defaults are read from the module, statements from its own documentation, and nothing is
 taken from anywhere else.
 """
 
 import inspect
-import json
 import re
-import sys
-from importlib.metadata import version
 
-sys.path.pop(0)  # not to look for the engine's own modules in this folder
-import pydrake.multibody.plant as plant  # noqa: E402
-from pydrake.multibody.plant import (DiscreteContactApproximation,  # noqa: E402
-                                     MultibodyPlant, MultibodyPlantConfig)
-from pydrake.systems.analysis import Simulator  # noqa: E402
-from pydrake.systems.framework import LeafSystem  # noqa: E402
+import pydrake.multibody.plant as plant
+from pydrake.multibody.plant import (DiscreteContactApproximation, MultibodyPlant,
+                                     MultibodyPlantConfig)
+from pydrake.systems.analysis import Simulator
+from pydrake.systems.framework import LeafSystem
 
 
 def solver_of(approximation):
@@ -53,12 +49,12 @@ def found(pattern, text):
     return match.group(1) if match else None
 
 
-def main():
+def stated():
+    """Names, defaults and sentences, none of which may change."""
     told = words(inspect.getdoc(DiscreteContactApproximation))
     everything = words(" ".join(documentation(plant))).lower()
     default = MultibodyPlant(1e-3)
-    print(json.dumps({
-        "engine": "drake", "version": version("drake"),
+    return {
         "approximations": sorted(DiscreteContactApproximation.__members__),
         "config_approximation": MultibodyPlantConfig().discrete_contact_approximation,
         "default_approximation": default.get_discrete_contact_approximation().name,
@@ -78,8 +74,4 @@ def main():
         "mentions": {name: everything.count(name) for name in
                      ("coordinate projection", "midpoint", "contact",
                       "timesteppingrigidbodyplant", "multibodyplant")},
-    }, ensure_ascii=False, indent=1))
-
-
-if __name__ == "__main__":
-    main()
+    }

@@ -28,6 +28,7 @@ from pydrake.systems.framework import DiagramBuilder  # noqa: E402
 sys.path.insert(0, _here)
 
 import _drake_dump  # noqa: E402
+import _drake_facts  # noqa: E402
 from _protocol import Unsupported, serve  # noqa: E402
 from _scene import GROUND, initial_state, record, solid_inertia  # noqa: E402
 from _settings import (contact_model, in_force, options_of,  # noqa: E402
@@ -191,5 +192,10 @@ def dump(request):
     return _drake_dump.dump_of(model, request["step"], VERSION)
 
 
+def facts(_request):
+    """{} → names, defaults and sentences; a request of our own scripts alone."""
+    return {"stated": _drake_facts.stated()}
+
+
 if __name__ == "__main__":
-    serve({"describe": describe, "simulate": simulate, "dump": dump})
+    serve({"describe": describe, "simulate": simulate, "dump": dump, "facts": facts})

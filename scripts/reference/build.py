@@ -3,8 +3,7 @@
 import copy
 
 from reference.compare import comparable, largest_changes
-from reference.packages import package
-from reference.plan import Package, Solve
+from reference.plan import Solve
 from reference.tolerance import PERTURBATION
 
 SCRIPT_VERSION = 1
@@ -72,8 +71,6 @@ def document(engine, job, scene, description):
     """The document without its sensitivity: the engine's answer and where it comes from."""
     if isinstance(job, Solve):
         return answer(engine, job, description)
-    if isinstance(job, Package):
-        return package(job.engine, engine.command)
     result = ask(engine, job, scene, job.options)
     result["provenance"] = {
         "script": "scripts/generate_references.py", "script_version": SCRIPT_VERSION,
@@ -103,8 +100,6 @@ def sensitivity(engine, job, scene, base):
     """{kind: [A, D]} of `reference.tolerance`."""
     if isinstance(job, Solve):
         return answer_sensitivity(engine, job, base)
-    if isinstance(job, Package):
-        return {}
 
     def measure(other_scene, options):
         other = ask(engine, job, other_scene, options)

@@ -3,6 +3,7 @@
 Of Pinocchio the wheel in its environment is asked, whose files include the headers, and of DART its
 wheel, which has no sources but tells its defaults.  Bullet's wheel has no sources either, so its
 source distribution is downloaded with pip, once, and read unpacked.  Cargo keeps Rapier's sources.
+All of it is `stated` in the sense of reference.facts.
 """
 
 import json
@@ -10,6 +11,8 @@ import re
 import subprocess
 import tarfile
 from pathlib import Path
+
+from reference import facts
 
 # engine → (package, what is read, names of files, expressions whose lines are kept)
 SUBJECTS = {
@@ -115,8 +118,13 @@ def _lines(texts, patterns):
             for part in text.splitlines() if re.search(line, part)]
 
 
+def place(engine):
+    """Path of the document below `references/`."""
+    return f"{engine}/package.json"
+
+
 def package(engine, command):
-    """The document `package/1` of an engine whose adapter is started by the command."""
+    """The document of an engine whose adapter is started by the command, see reference.facts."""
     name, kind, names, patterns = SUBJECTS[engine]
     settings, texts = {}, {}
     if kind == "wheel":
@@ -128,6 +136,5 @@ def package(engine, command):
         version, archive = _source(command[0], name, Path(command[0]).parents[2])
         files, texts = _archive(archive, patterns)
     kept = sorted(file for file in files if any(re.search(pattern, file) for pattern in names))
-    return {"schema": "package/1", "package": name, "version": version, "read": kind,
-            "files": kept, "lines": _lines(texts, patterns), "settings": settings,
-            "provenance": {"script": "scripts/generate_references.py", "engine": engine}}
+    stated = {"files": kept, "lines": _lines(texts, patterns), "settings": settings}
+    return facts.document(engine, version, {"package": name, "read": kind}, stated)

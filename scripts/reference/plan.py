@@ -9,7 +9,6 @@ is called `<problem>.json`.
 
 from dataclasses import dataclass, field
 
-from reference.packages import SUBJECTS
 from reference.problems import all_problems
 
 STEPS = (1e-2, 5e-3, 2e-3, 1e-3)
@@ -59,18 +58,6 @@ class Solve:
     def path(self):
         """Path below `references/`."""
         return f"{self.engine}/{self.problem['name']}.json"
-
-
-@dataclass(frozen=True)
-class Package:
-    """One reference file with what an engine's pinned package holds, see `reference.packages`."""
-
-    engine: str
-
-    @property
-    def path(self):
-        """Path below `references/`."""
-        return f"{self.engine}/package.json"
 
 
 MUJOCO_SOLVERS = {
@@ -277,9 +264,8 @@ NOT_REPRODUCIBLE = {
 
 
 def all_jobs():
-    """Every reference file, engine by engine."""
+    """Every motion, step and answer, engine by engine; on facts see `reference.facts`."""
     engines = (*_mujoco(), *_mujoco_converged(), *_drake(), *_dart(), *_rapier())
     motions = [job for job in engines if job.is_dump or
                (job.engine, job.scene, job.config, job.time_step) not in NOT_REPRODUCIBLE]
-    packages = [Package(engine) for engine in SUBJECTS]
-    return [*motions, *_bullet(), *_bullet_steps(), *_pinocchio(), *packages]
+    return [*motions, *_bullet(), *_bullet_steps(), *_pinocchio()]

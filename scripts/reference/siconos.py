@@ -1,4 +1,4 @@
-"""Siconos's own steps on small systems, and facts about its release: references/siconos, references/facts.
+"""Siconos's own steps on small systems: references/siconos.  Facts about its release: reference.siconos_package.
 
 Siconos is a Debian package for the system's own Python, so it has no environment below `.venv/`
 and no scene: scripts/engines/_siconos_steps.py drives it directly, and the program of
@@ -15,13 +15,12 @@ error of the gap over the speed.
 import json
 import re
 import subprocess
-from pathlib import Path
 
-from reference import documents, siconos_driver
+from reference import documents, siconos_driver, siconos_package
+from reference.siconos_package import PYTHON
 
-PYTHON = "/usr/bin/python3"
 EPSILON = 2.0 ** -52
-FOLDER, FACTS = "siconos", "facts/siconos.json"
+FOLDER = "siconos"
 
 SINE, COSINE = 0.34202014332566871, 0.93969262078590843  # of 20 degrees
 GRAVITY = 9.81
@@ -168,8 +167,8 @@ def _answers(scripts, asked):
 
 
 def make(scripts):
-    """({path: document} of every run and of the facts, {path: why it was not run}); OSError if
-    Siconos is not there."""
+    """({path: document} of every run, {path: why it was not run}, version); OSError if Siconos is not
+    there."""
     asked, result = runs(), {}
     answers, version, not_run = _answers(scripts, asked)
     for path, answer in answers.items():
@@ -179,52 +178,15 @@ def make(scripts):
                         **asked[path], **answer, "provenance": {
                             "script": "scripts/generate_references.py", "engine": "siconos",
                             "version": version}}
-    result[FACTS] = _facts(version)
-    return result, not_run
+    return result, not_run, version
 
 
 def _lsodar_tolerances():
     """What LSODAR is started with, from the header that says so."""
-    header = next((path for path in _installed("libsiconos-kernel-dev") if path.name == "LsodarOSI.hpp"), None)
+    files = siconos_package.installed("libsiconos-kernel-dev")
+    header = next((path for path in files if path.name == "LsodarOSI.hpp"), None)
     stated = dict(re.findall(r"#define ([AR])TOL_DEFAULT (\d+) \* MACHINE_PREC", header.read_text(encoding="utf-8")))
     return {"relative_tolerance": int(stated["R"]) * EPSILON, "absolute_tolerance": int(stated["A"]) * EPSILON}
-
-
-HEADERS = re.compile(r"(\w*(?:OSI|NSL)|TimeStepping\w*|EventDriven)\.hpp$")
-CLASSES = re.compile(r"\w*(?:OSI|NSL)|TimeStepping\w*|EventDriven")
-SOURCES = re.compile(rb"(?:kernel/src/simulationTools/MoreauJean|numerics/src/FrictionContact/fc3d_n)\w*\.c(?:pp)?")
-SOLVERS = re.compile(r"SICONOS_((?:GLOBAL_)?FRICTION_3D_(?!ONECONTACT)\w+)_STR")
-ENTRIES = (b"gfc3d_IPM", b"gfc3d_ipm_set_default")  # gfc3d_ipm.c leaves its functions, but not its name
-CITED = re.compile(r"\* (.*(?:Computer Methods|Lecture Notes|Projected event|sweeping process\.|contact dynamics method).*)")
-
-
-def _installed(package):
-    listed = subprocess.run(["dpkg", "-L", package], capture_output=True, text=True)
-    if listed.returncode != 0:
-        raise OSError(f"the Debian package {package} is not installed")
-    return [Path(line) for line in listed.stdout.splitlines()]
-
-
-def _facts(version):
-    """What the Debian packages hold: headers, classes that Python shows, sources by the names that
-    the compiler left in the libraries, solvers, and what the headers cite."""
-    headers = [path for path in _installed("libsiconos-kernel-dev") if HEADERS.search(path.name)]
-    library = b"".join(path.read_bytes() for package in ("libsiconos-kernel7", "libsiconos-numerics7")
-                       for path in _installed(package) if ".so." in path.name and not path.is_symlink())
-    shown = json.loads(subprocess.run(
-        [PYTHON, "-c", "import json, siconos.kernel as k, siconos.numerics as n;"
-         "print(json.dumps([dir(k), dir(n)]))"], capture_output=True, text=True).stdout)
-    cited = {line.strip() for path in headers
-             for line in CITED.findall(path.read_text(encoding="utf-8"))}
-    return {
-        "schema": "facts/1", "program": "siconos", "version": version,
-        "headers": sorted({path.stem for path in headers}),
-        "python": sorted(name for name in shown[0] if CLASSES.fullmatch(name)),
-        "sources": sorted({name.decode() for name in SOURCES.findall(library)}),
-        "functions": [name.decode() for name in ENTRIES if b"\0" + name + b"\0" in library],
-        "solvers": sorted({match[1] for name in shown[1] if (match := SOLVERS.fullmatch(name))}),
-        "cited": sorted(cited),
-    }
 
 
 ROWS = ("positions", "velocities", "impulses", "forces", "times")
@@ -277,7 +239,7 @@ def write_or_check(run, scripts):
 
     ({path: why it was not run}, how many were made.)
     """
-    (made, not_run), root = make(scripts), run.options.references
+    (made, not_run, version), root = make(scripts), run.options.references
     stored = {f"{FOLDER}/{path.name}" for path in (root / FOLDER).glob("*")}
     for path in sorted(stored - set(made) - set(not_run)):
         run.fail(path, ["not in the plan; delete it or add it to the plan"])
@@ -292,4 +254,5 @@ def write_or_check(run, scripts):
         elif messages := check(documents.read(root / path), fresh):
             run.fail(path, messages)
         run.done += 1
-    return not_run, len(made)
+    run.facts(siconos_package.PLACE, lambda: siconos_package.document(version))
+    return not_run, len(made) + 1

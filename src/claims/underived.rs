@@ -274,8 +274,6 @@ pub const UNDERIVED: &[&str] = &[
     "S12.ex3",
     "S12.energy",
     "S12.ex2",
-    "S12.cause",
-    "S12.state",
     // manual
     "Pr.sap-gliding",
     "R7",

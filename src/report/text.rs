@@ -1,7 +1,7 @@
 //! What `verify` prints: one line per claim grouped by section, a count at the end, and the explanation of one claim.
 
-use crate::checks::{Finding, Voice};
 pub use crate::checks::text::Style;
+use crate::checks::{Finding, Voice};
 use crate::claims::{Claim, ClaimVerdict, JudgedClaim, SECTIONS, Section, Status, is_derived, place};
 use crate::number::{significant, with_unit};
 use std::fmt::Write;

@@ -59,13 +59,13 @@ fn the_softness_of_mujoco_is_that_of_its_options() {
     assert!(soft > 0.0 && depth(&["--cone", "elliptic", "--solref=-1000,-50"]) > soft, "2500 and 100 by default");
     assert!(depth(&["--cone", "elliptic", "--solimp", "0.99,0.99,0.001,0.5,2"]) < soft);
     let refused = |options: &[&str], words: &[&str]| moreau(&[&["simulate", "--scene", "ball-drop"], options].concat()).is_refused(words);
-    refused(&["--cone", "elliptic"], &["--cone", "belongs to mujoco, bullet"]);
+    refused(&["--cone", "elliptic"], &["--cone", "use it with mujoco, bullet"]);
     refused(&["--scheme", "mujoco", "--cone", "round"], &["--cone", "pyramidal or elliptic"]);
     refused(&["--scheme", "mujoco", "--solref", "0.02"], &["--solref", "give 2"]);
     refused(&["--scheme", "mujoco", "--solref", "0.02,0"], &["solref", "positive"]);
     refused(&["--scheme", "mujoco", "--solimp", "2,0.9,0.001,0.5,2"], &["solimp"]);
     refused(&["--scheme", "mujoco", "--impratio", "0"], &["impratio"]);
-    refused(&["--integrator", "rk4"], &["--integrator", "belongs to mujoco"]);
+    refused(&["--integrator", "rk4"], &["--integrator", "use it with mujoco"]);
     refused(&["--scheme", "mujoco", "--integrator", "heun"], &["--integrator", "implicitfast"]);
     refused(&["--scheme", "mujoco", "--rolling", "0.01"], &["--rolling", "both"]);
 }
@@ -163,13 +163,13 @@ fn bad_options_are_refused_by_name_and_nothing_is_written() {
     let folder = Folder::new("simulate-bad");
     let cases: [(&[&str], &[&str]); 27] = [
         (&["--scheme", "generalised-alpha", "--spectral-radius", "2"], &["--spectral-radius", "2"]),
-        (&["--spectral-radius", "0.5"], &["--spectral-radius", "belongs to generalised-alpha"]),
+        (&["--spectral-radius", "0.5"], &["--spectral-radius", "use it with generalised-alpha"]),
         (&["--scheme", "xpbd", "--compliance", "-1"], &["--compliance", "-1"]),
         (&["--scheme", "pbd", "--share", "1.5"], &["--share", "1.5"]),
         (&["--scheme", "pbd", "--sweeps", "0"], &["--sweeps", "from 1 to"]),
-        (&["--scheme", "pbd", "--compliance", "0.1"], &["--compliance", "belongs to xpbd"]),
+        (&["--scheme", "pbd", "--compliance", "0.1"], &["--compliance", "use it with xpbd"]),
         (&["--scheme", "event-driven", "--shortest-flight", "-1"], &["--shortest-flight", "-1"]),
-        (&["--scheme", "mujoco", "--restitution", "0.5"], &["--restitution", "belongs to moreau-jean, ", "event-driven"]),
+        (&["--scheme", "mujoco", "--restitution", "0.5"], &["--restitution", "use it with moreau-jean, ", "event-driven"]),
         (&["--step", "0"], &["--step", "0"]),
         (&["--step", "-0.01"], &["--step", "-0.01"]),
         (&["--step", "NaN"], &["--step", "NaN"]),
@@ -187,7 +187,7 @@ fn bad_options_are_refused_by_name_and_nothing_is_written() {
         (&["--solver", "magic"], &["--solver", "magic"]),
         (&["--activation", "C"], &["--activation", "sinks"]),
         (&["--restitution-rule", "poisson"], &["--restitution-rule", "normal-only"]),
-        (&["--scheme", "anitescu", "--theta", "0.5"], &["--theta", "belongs to moreau-jean"]),
+        (&["--scheme", "anitescu", "--theta", "0.5"], &["--theta", "use it with moreau-jean"]),
         (&["--scheme", "stewart-trinkle", "--friction-directions", "1"], &["--friction-directions"]),
     ];
     for (options, words) in cases {

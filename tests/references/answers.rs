@@ -61,16 +61,6 @@ fn provenance(document: &Document, problem: &ContactProblem) -> Vec<Finding> {
     ]
 }
 
-/// What an engine's package holds (`package/1`) was read from the pinned version; what it says is judged by the claims of §10.
-pub fn package(document: &Document) -> Result<Vec<Finding>, Failed> {
-    let version = document.value["version"].as_str().ok_or("a package has a version")?;
-    let files = document.value["files"].as_array().ok_or("a package has files")?;
-    Ok(vec![
-        Finding::decision("the package's version is the pinned one", VERSIONS.contains(&(document.engine(), version)), true),
-        Finding::decision("the package has files", files.is_empty(), false),
-    ])
-}
-
 /// The engine's answer with a tenth more normal impulse at its first loaded contact is none.
 fn control(problem: &ContactProblem, answer: &Solution) -> Result<Finding, Failed> {
     let rows = problem.rows_per_contact();

@@ -4,6 +4,7 @@
 //! A pyramid's edges are n ± μ_j times row j, with one R for all; an elliptic cone is Σ(f_j/μ_j)² ≤ f_n² with R_j μ_j² the same for every
 //! j. The minimiser is that of ½‖a − a₀‖²_M + s(Ja − a_ref), written for velocities with h = 1 s.
 
+use crate::top::facts;
 use libtest_mimic::Failed;
 use moreau::checks::Finding;
 use moreau::schemes::mujoco::Softness;
@@ -19,7 +20,7 @@ const TIME_STEP: f64 = 0.002;
 
 /// Findings about the stored experiment of this name, for instance `elliptic 6`.
 pub fn check(root: &Path, name: &str) -> Result<Vec<Finding>, Failed> {
-    let facts: Value = serde_json::from_str(&std::fs::read_to_string(root.join("facts/mujoco.json"))?)?;
+    let facts = facts(root)?;
     let stored = &facts["computed"]["one_contact"][name];
     let list = |key: &str| -> Result<Vec<f64>, Failed> {
         let numbers: Option<Vec<f64>> = stored[key].as_array().and_then(|values| values.iter().map(Value::as_f64).collect());

@@ -15,6 +15,7 @@ mod dart;
 mod document;
 mod dumps;
 mod dumps_native;
+mod facts;
 mod inverse;
 mod momentum;
 mod planted;
@@ -47,6 +48,10 @@ fn main() {
         let stem = file.file_name().map(|name| name.to_string_lossy().replace(".json", "")).unwrap_or_default();
         trials.push(Trial::test(format!("siconos/{stem}"), move || conclude(siconos::check(&file)?)));
     }
+    for file in stored(&root.join("facts")) {
+        let stem = file.file_name().map(|name| name.to_string_lossy().replace(".json", "")).unwrap_or_default();
+        trials.push(Trial::test(format!("facts/{stem}"), move || judge(&file)));
+    }
     assert!(!trials.is_empty(), "no stored reference under {}", root.display());
     let folder = root.join("mujoco");
     for solver in ["pgs", "cg"] {
@@ -76,7 +81,7 @@ fn judge(file: &Path) -> Result<(), Failed> {
     let document = Document::read(file)?;
     let findings = match document.schema() {
         "answer/1" => answers::check(&document)?,
-        "package/1" => answers::package(&document)?,
+        "facts/1" => facts::check(&document)?,
         "bullet-steps/1" => [document.provenance()?, bullet_steps::check(&document)?].concat(),
         "dump/1" => [document.provenance()?, dumps::check(&document)?].concat(),
         "contact-geometry/1" => [document.provenance()?, replayed_contacts::check(&document)?].concat(),

@@ -15,7 +15,7 @@ use nalgebra::{DVector, dvector};
 use std::path::Path;
 
 /// The Debian package that made the files.
-const VERSION: &str = "4.4.0+dfsg-2";
+pub const VERSION: &str = "4.4.0+dfsg-2";
 
 /// Every finding about one stored run.
 pub fn check(file: &Path) -> Result<Vec<Finding>, Failed> {

@@ -8,6 +8,7 @@ use moreau::schemes::Mujoco;
 use moreau::schemes::mujoco::Integrator;
 use moreau::schemes::run;
 use moreau::solvers::GaussNewton;
+use moreau::stored::{Folder, read};
 use moreau::tolerance::references::ENGINE_ROUNDING;
 use nalgebra::dvector;
 use serde_json::Value;
@@ -15,7 +16,7 @@ use std::path::Path;
 
 /// What MuJoCo says of itself, and its small experiments.
 pub fn facts(root: &Path) -> Result<Value, Failed> {
-    Ok(serde_json::from_str(&std::fs::read_to_string(root.join("facts/mujoco.json"))?)?)
+    Ok(read(&Folder(root.into()), "facts/mujoco.json")?)
 }
 
 /// The share of its energy that the top of the stored experiment keeps; and that Euler keeps another one.

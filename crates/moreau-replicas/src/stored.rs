@@ -1,6 +1,11 @@
-//! Stored runs of real engines: a folder like `references/`, or what a program embeds. Nothing in this crate knows where they are.
+//! Stored runs of real engines: a folder like `references/`, or what a program embeds, and the one way to read them. Nothing in this crate
+//! knows where they are.
 
+use moreau_contact::problem::{ContactProblem, Solution};
 use moreau_exact::{Error, Result};
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use serde_json::value::RawValue;
 use std::borrow::Cow;
 use std::path::PathBuf;
 
@@ -24,7 +29,7 @@ pub struct Embedded(pub &'static [(&'static str, &'static str)]);
 impl StoredRuns for Folder {
     fn text(&self, path: &str) -> Result<Cow<'_, str>> {
         let file = self.0.join(path);
-        let missing = |error| missing(path, format!("cannot be read in {}: {error}", self.0.display()), "name the folder that has it");
+        let missing = |error| unusable(path, format!("cannot be read in {}: {error}", self.0.display()), "name the folder that has it");
         std::fs::read_to_string(&file).map(Cow::Owned).map_err(missing)
     }
 }
@@ -32,13 +37,46 @@ impl StoredRuns for Folder {
 impl StoredRuns for Embedded {
     fn text(&self, path: &str) -> Result<Cow<'_, str>> {
         let found = self.0.iter().find(|(name, _)| *name == path);
-        let missing = || missing(path, "is not embedded in this program".into(), "add it to the program's table of stored runs");
+        let missing = || unusable(path, "is not embedded in this program".into(), "add it to the program's table of stored runs");
         found.map(|(_, text)| Cow::Borrowed(*text)).ok_or_else(missing)
     }
 }
 
-fn missing(path: &str, problem: String, cure: &str) -> Error {
+fn unusable(path: &str, problem: String, cure: &str) -> Error {
     Error::invalid("stored run", format!("`{path}` {problem}"), cure)
+}
+
+/// What is stored at a path.
+///
+/// # Errors
+/// If nothing is, or not what is asked for; the message names the path and what cures it.
+pub fn read<T: DeserializeOwned>(runs: &dyn StoredRuns, path: &str) -> Result<T> {
+    read_by(runs, path, |text| Ok(serde_json::from_str(text)?))
+}
+
+/// What is stored at a path, by the reader of its format, which sees more than the shape.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_by<T>(runs: &dyn StoredRuns, path: &str, reader: impl FnOnce(&str) -> Result<T>) -> Result<T> {
+    let spoilt = |error| unusable(path, format!("is not what it should be: {error}"), "make it again, as references/README.md says");
+    reader(&runs.text(path)?).map_err(spoilt)
+}
+
+/// The contact problem and the engine's answer that are stored at a path: of a solver, or of one step.
+///
+/// # Errors
+/// As [`read`].
+pub fn problem_and_answer(runs: &dyn StoredRuns, path: &str) -> Result<(ContactProblem, Solution)> {
+    #[derive(Deserialize)]
+    struct Answered {
+        problem: Box<RawValue>,
+        answer: Box<RawValue>,
+    }
+    read_by(runs, path, |text| {
+        let Answered { problem, answer } = serde_json::from_str(text)?;
+        Ok((ContactProblem::from_json(problem.get())?, Solution::from_json(answer.get())?))
+    })
 }
 
 #[cfg(test)]
@@ -62,6 +100,11 @@ mod tests {
         let sources: [&dyn StoredRuns; 2] = [&Folder(folder.0.clone()), &Embedded(&[("other.json", "[]"), ("engine/run.json", "{}")])];
         for runs in sources {
             assert_eq!(runs.text("engine/run.json").expect("stored"), "{}");
+            assert!(read::<serde_json::Value>(runs, "engine/run.json").expect("an object").is_object());
+            for spoilt in [read::<Vec<f64>>(runs, "engine/run.json").map(drop), problem_and_answer(runs, "engine/run.json").map(drop)] {
+                let message = spoilt.expect_err("neither numbers nor an answer").to_string();
+                assert!(message.contains("`engine/run.json`") && message.contains("make it again"), "{message}");
+            }
             let message = runs.text("engine/lost.json").expect_err("not stored").to_string();
             assert!(
                 message.contains("`engine/lost.json`") && (message.contains("name the folder") || message.contains("table")),

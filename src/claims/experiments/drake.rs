@@ -6,10 +6,12 @@
 //!     Lagged     φ = −m g cos α/k
 //! ```
 
+use super::facts::Document;
 use crate::mechanics::{PointMass, State};
 use crate::schemes::drake::Material;
 use crate::schemes::{SchemeParameters, by_name, simulate};
 use crate::solvers::SemiAnalyticPrimal;
+use crate::stored::{RUNS, read, read_by};
 use crate::tolerance::claims::drake::SETTLING_TIME;
 use crate::trajectory::Trajectory;
 use crate::{Error, Result};
@@ -56,9 +58,9 @@ pub struct Integrator {
 /// The facts of the pinned release, Drake 1.51.1.
 ///
 /// # Errors
-/// [`Error::Json`] if the stored file is not what the script writes.
+/// If the stored file is not what the script writes.
 pub fn facts() -> Result<Facts> {
-    Ok(serde_json::from_str(include_str!("../../../references/facts/drake.json"))?)
+    Ok(read::<Document<Facts>>(&RUNS, "facts/drake.json")?.stated)
 }
 
 /// Material of the sliding block: k = 2000 N/m, τ = 5 ms, d = 10 s/m, and a slip scale of 1 µm/s.
@@ -99,7 +101,7 @@ pub fn predicted_lift(h: f64) -> f64 {
 /// # Errors
 /// If the stored file is not what it should be.
 pub fn rest_depth() -> Result<f64> {
-    let run = Trajectory::from_json(include_str!("../../../references/drake/ball_rest__sap__h0.001.json"))?;
+    let run = read_by(&RUNS, "drake/ball_rest__sap__h0.001.json", Trajectory::from_json)?;
     let radius = run.scene.bodies[0].sphere.map_or(0.0, |sphere| sphere.radius);
     let last = run.bodies[0].position.last().ok_or_else(|| Error::Unsupported("the run has samples".into()))?;
     Ok(radius - last[2])

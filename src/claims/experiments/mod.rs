@@ -4,6 +4,7 @@
 pub(super) mod creep;
 pub(super) mod curve;
 pub(super) mod drake;
+pub(super) mod facts;
 pub(super) mod identifiers;
 pub(super) mod mujoco;
 pub(super) mod push_out;

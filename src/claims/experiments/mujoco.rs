@@ -2,13 +2,14 @@
 
 use crate::problem::ContactProblem;
 use crate::schemes::mujoco::Cone;
+use crate::stored::{RUNS, problem_and_answer, read};
 use crate::{Error, Result};
 use nalgebra::DVector;
 use serde_json::Value;
 
-const FACTS: &str = include_str!("../../../references/facts/mujoco.json");
-const ELLIPTIC: &str = include_str!("../../../references/mujoco/block_slide__cg-elliptic__h0.002__step100.dump.json");
-const PYRAMIDAL: &str = include_str!("../../../references/mujoco/block_slide__cg-pyramidal__h0.002__step100.dump.json");
+const FACTS: &str = "facts/mujoco.json";
+const ELLIPTIC: &str = "mujoco/block_slide__cg-elliptic__h0.002__step100.dump.json";
+const PYRAMIDAL: &str = "mujoco/block_slide__cg-pyramidal__h0.002__step100.dump.json";
 
 /// A stored JSON document.
 pub struct Stored(Value);
@@ -18,7 +19,7 @@ pub struct Stored(Value);
 /// # Errors
 /// If the file is not JSON.
 pub fn facts() -> Result<Stored> {
-    Ok(Stored(serde_json::from_str(FACTS)?))
+    read(&RUNS, FACTS).map(Stored)
 }
 
 /// The stored step with this cone: its problem, and the document.
@@ -26,12 +27,11 @@ pub fn facts() -> Result<Stored> {
 /// # Errors
 /// If the stored file is not what it should be.
 pub fn sliding_block(cone: Cone) -> Result<(ContactProblem, Stored)> {
-    let text = match cone {
+    let path = match cone {
         Cone::Elliptic => ELLIPTIC,
         Cone::Pyramidal => PYRAMIDAL,
     };
-    let stored = Stored(serde_json::from_str(text)?);
-    Ok((ContactProblem::from_json(&stored.0["problem"].to_string())?, stored))
+    Ok((problem_and_answer(&RUNS, path)?.0, Stored(read(&RUNS, path)?)))
 }
 
 impl Stored {

@@ -1,19 +1,19 @@
 //! What is stored of Siconos: facts about its release, read from the Debian packages by a script, and its own steps.
 
+use super::facts::Document;
 use crate::checks::siconos_steps::SiconosSteps;
+use crate::stored::{RUNS, read, read_by};
 use crate::{Error, Result};
 use serde::Deserialize;
 
-const FACTS: &str = include_str!("../../../references/facts/siconos.json");
-const ELASTIC_PROJECTED: &str = include_str!("../../../references/siconos/ball_elastic__projection__h0.01.json");
-const CHAIN_PROJECTED: &str = include_str!("../../../references/siconos/chain__projection__h0.01.json");
-const SLIDE: &str = include_str!("../../../references/siconos/block_slide__moreau-jean__h0.01.json");
+const FACTS: &str = "facts/siconos.json";
+const ELASTIC_PROJECTED: &str = "siconos/ball_elastic__projection__h0.01.json";
+const CHAIN_PROJECTED: &str = "siconos/chain__projection__h0.01.json";
+const SLIDE: &str = "siconos/block_slide__moreau-jean__h0.01.json";
 
 /// What the Debian packages of Siconos hold.
 #[derive(Debug, Deserialize)]
 pub struct Facts {
-    /// Version of the packages.
-    pub version: String,
     /// Headers of integrators, laws and simulations, without extension.
     pub headers: Vec<String>,
     /// Of these, the classes that Python shows.
@@ -28,13 +28,25 @@ pub struct Facts {
     pub cited: Vec<String>,
 }
 
+fn document() -> Result<Document<Facts>> {
+    read(&RUNS, FACTS)
+}
+
+/// Version of the packages that the facts are of.
+///
+/// # Errors
+/// If the stored file is not what it should be.
+pub fn version() -> Result<String> {
+    Ok(document()?.version)
+}
+
 impl Facts {
     /// The stored facts.
     ///
     /// # Errors
     /// If the stored file is not what it should be.
     pub fn stored() -> Result<Self> {
-        Ok(serde_json::from_str(FACTS)?)
+        Ok(document()?.stated)
     }
 
     /// Whether one of the headers cites a text that contains these words.
@@ -63,7 +75,7 @@ impl Facts {
 /// # Errors
 /// If the stored file is not what it should be.
 pub fn projected_energy() -> Result<[f64; 2]> {
-    let run = SiconosSteps::from_json(ELASTIC_PROJECTED)?;
+    let run = read_by(&RUNS, ELASTIC_PROJECTED, SiconosSteps::from_json)?;
     let mechanism = run.mechanism()?;
     let start = mechanism.energy(&run.state(0));
     let last = run.impulses.len();
@@ -78,7 +90,7 @@ pub fn projected_energy() -> Result<[f64; 2]> {
 /// # Errors
 /// If the stored file is not what it should be.
 pub fn projected_moves() -> Result<[Vec<f64>; 2]> {
-    let run = SiconosSteps::from_json(CHAIN_PROJECTED)?;
+    let run = read_by(&RUNS, CHAIN_PROJECTED, SiconosSteps::from_json)?;
     let hit = run.impulses.iter().position(|r| r[0] > 0.0).ok_or_else(|| Error::Unsupported("the chain collides".into()))?;
     let (before, after) = (run.state(hit), run.state(hit + 1));
     let moved = &after.position - &before.position - (&before.velocity + &after.velocity) * (0.5 * run.time_step);
@@ -92,7 +104,7 @@ pub fn projected_moves() -> Result<[Vec<f64>; 2]> {
 /// # Errors
 /// If the stored file is not what it should be.
 pub fn slide() -> Result<[f64; 3]> {
-    let run = SiconosSteps::from_json(SLIDE)?;
+    let run = read_by(&RUNS, SLIDE, SiconosSteps::from_json)?;
     let contact = run.mechanism()?.contacts(&run.state(0).position).swap_remove(0);
     let mut found = [0.0f64, f64::INFINITY, 0.0];
     // from the second half on the bounces are over

@@ -1,17 +1,18 @@
-//! Stored runs of engines that claims read, compiled in: `verify` needs no files.
+//! Stored runs of engines that several claims read.
 //!
 //! In free fall q⁺ − q − h v⁺ tells how positions are updated: 0 with the new velocity, g h² with the old one, ½ g h² with θ = ½.
 
 use crate::gate::scoreboard::Standing;
+use crate::stored::{RUNS, read, read_by};
 use crate::trajectory::Trajectory;
 use crate::{Error, Result};
 
 /// MuJoCo 3.17.0, Euler integrator, a ball dropped from 1 m, h = 1/100 s.
-const MUJOCO_BALL: &str = include_str!("../../../references/mujoco/ball_drop__newton-elliptic__h0.01.json");
+const MUJOCO_BALL: &str = "mujoco/ball_drop__newton-elliptic__h0.01.json";
 /// Drake 1.51.1, SAP, the same.
-const DRAKE_BALL: &str = include_str!("../../../references/drake/ball_drop__sap__h0.01.json");
-const SICONOS: &str = include_str!("../../../references/scoreboard/siconos.json");
-const BULLET: &str = include_str!("../../../references/scoreboard/bullet.json");
+const DRAKE_BALL: &str = "drake/ball_drop__sap__h0.01.json";
+const SICONOS: &str = "scoreboard/siconos.json";
+const BULLET: &str = "scoreboard/bullet.json";
 
 /// An engine whose fall is stored step by step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,10 +37,11 @@ pub enum Thrower {
 /// # Errors
 /// If the stored file is not what it should be.
 pub fn update_residuals(engine: Faller) -> Result<[f64; 2]> {
-    let run = Trajectory::from_json(match engine {
+    let path = match engine {
         Faller::MuJoCo => MUJOCO_BALL,
         Faller::Drake => DRAKE_BALL,
-    })?;
+    };
+    let run = read_by(&RUNS, path, Trajectory::from_json)?;
     let ball = &run.bodies[0];
     let steps = run.times.iter().take_while(|time| **time < 0.3).count();
     let mut largest = [0.0f64; 2];
@@ -57,15 +59,22 @@ pub fn update_residuals(engine: Faller) -> Result<[f64; 2]> {
 /// # Errors
 /// If the stored file is not what it should be.
 pub fn projectile_error(engine: Thrower) -> Result<f64> {
-    let text = match engine {
+    let path = match engine {
         Thrower::Siconos => SICONOS,
         Thrower::Bullet => BULLET,
     };
-    let standing: Standing = serde_json::from_str(text)?;
-    let missing = || Error::invalid("references/scoreboard", "holds no flight/projectile", "run `moreau scoreboard`");
+    standing(path, "flight/projectile", 1.0 / 60.0, "position error")
+}
+
+/// What the scoreboard's file has for a check, a time step \[s\] and a quantity.
+///
+/// # Errors
+/// If the stored file is not what it should be.
+pub fn standing(path: &str, check: &str, time_step: f64, quantity: &str) -> Result<f64> {
+    let standing: Standing = read(&RUNS, path)?;
+    let missing = || Error::invalid("references/scoreboard", format!("holds no {check}"), "run `moreau scoreboard`");
     let report = standing.report.ok_or_else(missing)?;
-    let check = report.checks.iter().find(|check| check.check == "flight/projectile").ok_or_else(missing)?;
-    let step = check.steps.iter().find(|step| step.time_step == Some(1.0 / 60.0)).ok_or_else(missing)?;
-    let error = step.measurements.iter().find(|one| one.quantity == "position error").ok_or_else(missing)?;
-    Ok(error.value)
+    let check = report.checks.iter().find(|one| one.check == check).ok_or_else(missing)?;
+    let step = check.steps.iter().find(|step| step.time_step == Some(time_step)).ok_or_else(missing)?;
+    Ok(step.measurements.iter().find(|one| one.quantity == quantity).ok_or_else(missing)?.value)
 }

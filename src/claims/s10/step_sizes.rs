@@ -1,10 +1,10 @@
 //! §10, the step sizes of the table.
 
+use crate::Result;
 use crate::checks::Finding;
+use crate::claims::experiments::stored::standing;
 use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
-use crate::gate::scoreboard::Standing;
 use crate::tolerance::claims::SAME_CREEP;
-use crate::{Error, Result};
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S10.h-ranges",
@@ -24,16 +24,11 @@ pub const CLAIMS: &[Claim] = &[Claim {
     check: stretched,
 }];
 
-const MUJOCO: &str = include_str!("../../../references/scoreboard/mujoco-elliptic.json");
+const MUJOCO: &str = "scoreboard/mujoco-elliptic.json";
 
 /// Creep speed of MuJoCo's block at the step of this many per second \[m/s\].
 fn creep(steps_per_second: f64) -> Result<f64> {
-    let standing: Standing = serde_json::from_str(MUJOCO)?;
-    let missing = || Error::invalid("references/scoreboard", "holds no incline/stick", "run `moreau scoreboard`");
-    let report = standing.report.ok_or_else(missing)?;
-    let check = report.checks.iter().find(|check| check.check == "incline/stick").ok_or_else(missing)?;
-    let step = check.steps.iter().find(|step| step.time_step == Some(1.0 / steps_per_second)).ok_or_else(missing)?;
-    Ok(step.measurements.iter().find(|one| one.quantity == "creep speed").ok_or_else(missing)?.value)
+    standing(MUJOCO, "incline/stick", 1.0 / steps_per_second, "creep speed")
 }
 
 fn stretched(reading: Reading) -> Result<Vec<Finding>> {

@@ -1,24 +1,24 @@
 //! The rows of Chrono, Bullet and Pinocchio: their steps and solvers rebuilt, their packages and stored motions read.
 
 use crate::checks::Finding;
+use crate::claims::experiments::facts;
 use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::mechanics::{PointMass, State};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::schemes::{Bullet, Chrono, step};
 use crate::solvers::{self, AlternatingDirections, ClarabelPolished, ContactSolver};
+use crate::stored::{RUNS, problem_and_answer, read_by};
 use crate::tolerance::claims::engines as tolerance;
 use crate::trajectory::Trajectory;
 use crate::{Error, Result};
 use nalgebra::dvector;
 use serde_json::Value;
 
-const BOX_SLIDE: &str = include_str!("../../../references/pinocchio/box-slide.json");
-const BOX_SLIDE_RELAXED: &str = include_str!("../../../references/pinocchio/box-slide-associated.json");
-const BOX_SOFT: &str = include_str!("../../../references/pinocchio/box-soft.json");
-pub(in crate::claims) const PINOCCHIO: &str = include_str!("../../../references/pinocchio/package.json");
-const BULLET: &str = include_str!("../../../references/bullet/package.json");
-const BOUNCE: &str = include_str!("../../../references/bullet/ball_bounce__multi__h0.01.json");
-const SUNK: &str = include_str!("../../../references/bullet/ball_sunk__multi__h0.01.json");
+const BOX_SLIDE: &str = "pinocchio/box-slide.json";
+const BOX_SLIDE_RELAXED: &str = "pinocchio/box-slide-associated.json";
+const BOX_SOFT: &str = "pinocchio/box-soft.json";
+const BOUNCE: &str = "bullet/ball_bounce__multi__h0.01.json";
+const SUNK: &str = "bullet/ball_sunk__multi__h0.01.json";
 
 /// The solvers of Chrono's repository at commit 7689fbc of 2026-08-18, `src/chrono/solver/`; Chrono is in no package registry.
 const CHRONO_SOLVERS: [&str; 5] = ["ChSolverADMM.cpp", "ChSolverAPGD.cpp", "ChSolverBB.cpp", "ChSolverPJacobi.cpp", "ChSolverPSOR.cpp"];
@@ -155,28 +155,9 @@ pub const CLAIMS: &[Claim] = &[
     },
 ];
 
-pub(in crate::claims) fn json(text: &str) -> Result<Value> {
-    serde_json::from_str(text).map_err(|error| Error::invalid("reference", error.to_string(), "regenerate the stored file"))
-}
-
 /// Problem and answer of a stored `answer/1`.
-fn stored(text: &str) -> Result<(ContactProblem, Solution)> {
-    let document = json(text)?;
-    Ok((ContactProblem::from_json(&document["problem"].to_string())?, Solution::from_json(&document["answer"].to_string())?))
-}
-
-/// Whether a stored package has a file whose path ends like this.
-fn has(package: &str, end: &str) -> Result<bool> {
-    let document = json(package)?;
-    Ok(document["files"].as_array().is_some_and(|files| files.iter().any(|file| file.as_str().is_some_and(|path| path.ends_with(end)))))
-}
-
-/// Whether a stored package has a line of source like this in a file whose path ends so.
-fn says(package: &str, end: &str, text: &str) -> Result<bool> {
-    let document = json(package)?;
-    let lines = document["lines"].as_array().map_or(&[] as &[Value], Vec::as_slice);
-    let is = |value: &Value, wanted: &dyn Fn(&str) -> bool| value.as_str().is_some_and(wanted);
-    Ok(lines.iter().any(|line| is(&line["file"], &|path| path.ends_with(end)) && is(&line["text"], &|source| source == text)))
+fn stored(path: &str) -> Result<(ContactProblem, Solution)> {
+    problem_and_answer(&RUNS, path)
 }
 
 fn chrono_row(reading: Reading) -> Result<Vec<Finding>> {
@@ -216,8 +197,8 @@ fn granular(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 /// Height above the ground and vertical velocity of a stored ball, sample by sample.
-fn ball(text: &str) -> Result<(f64, Vec<[f64; 2]>)> {
-    let run = Trajectory::from_json(text)?;
+fn ball(path: &str) -> Result<(f64, Vec<[f64; 2]>)> {
+    let run = read_by(&RUNS, path, Trajectory::from_json)?;
     let radius = run.scene.bodies[0].sphere.as_ref().map_or(0.0, |sphere| sphere.radius);
     let track = &run.bodies[0];
     Ok((run.time_step, track.position.iter().zip(&track.linear_velocity).map(|(x, v)| [x[2] - radius, v[2]]).collect()))
@@ -231,6 +212,7 @@ fn bullet_row(reading: Reading) -> Result<Vec<Finding>> {
     let distance = gap + scheme.slop;
     let bias = 0.5 * (before - 9.81 * h).abs() - if distance > 0.0 { distance } else { scheme.error_reduction * distance } / h;
     let (_, sunk) = ball(SUNK)?;
+    let package = facts::bullet()?.stated;
     let ratio = (sunk[1][0] + scheme.slop) / (sunk[0][0] + scheme.slop);
     Ok(vec![
         Finding::equal("first rebound less e(|v| + g h) less the term of the depth", after - bias, 0.0, tolerance::stored(1.0 / h), "m/s"),
@@ -241,16 +223,16 @@ fn bullet_row(reading: Reading) -> Result<Vec<Finding>> {
             tolerance::stored(1.0 / sunk[0][0].abs()),
             "1",
         ),
-        Finding::decision("the solvers' files", has(BULLET, "/btLemkeSolver.h")? && has(BULLET, "/btDantzigSolver.h")?, true),
-        Finding::decision("h = 1/60 s unless set", says(BULLET, "/btContactSolverInfo.h", "m_timeStep = btScalar(1.f / 60.f);")?, true),
+        Finding::decision("the solvers' files", package.has("/btLemkeSolver.h") && package.has("/btDantzigSolver.h"), true),
+        Finding::decision("h = 1/60 s unless set", package.says("/btContactSolverInfo.h", "m_timeStep = btScalar(1.f / 60.f);"), true),
     ])
 }
 
 fn pinocchio_row(reading: Reading) -> Result<Vec<Finding>> {
     let mut findings = Vec::new();
     let other = stored(BOX_SLIDE_RELAXED)?.1;
-    for (name, text) in [("hard", BOX_SLIDE), ("with compliance", BOX_SOFT), ("relaxed", BOX_SLIDE_RELAXED)] {
-        let (problem, answer) = stored(text)?;
+    for (name, path) in [("hard", BOX_SLIDE), ("with compliance", BOX_SOFT), ("relaxed", BOX_SLIDE_RELAXED)] {
+        let (problem, answer) = stored(path)?;
         let theirs = reading.pick(answer.velocity, other.velocity.clone());
         let ours = AlternatingDirections::default().solve(&problem, None)?;
         let difference = (&ours.velocity - &theirs).amax();
@@ -261,6 +243,7 @@ fn pinocchio_row(reading: Reading) -> Result<Vec<Finding>> {
 
 fn route(reading: Reading) -> Result<Vec<Finding>> {
     let relaxed = stored(BOX_SLIDE_RELAXED)?;
+    let settings = facts::pinocchio()?.stated.settings;
     let default = reading.pick(stored(BOX_SLIDE)?, relaxed.clone());
     let lift = |(problem, answer): &(ContactProblem, Solution), share: f64| {
         let loaded = (0..problem.contacts()).filter(|k| answer.impulse[3 * k] > tolerance::SAME_VELOCITY);
@@ -274,7 +257,7 @@ fn route(reading: Reading) -> Result<Vec<Finding>> {
     Ok(vec![
         Finding::at_most("u_n at the loaded corners, by default", lift(&default, 0.0), tolerance::SAME_VELOCITY, "m/s"),
         Finding::at_most("u_n − μ‖u_t‖ there, relaxed", lift(&relaxed, 1.0), tolerance::SAME_VELOCITY, "m/s"),
-        Finding::decision("`solve_ncp` is true unless set", json(PINOCCHIO)?["settings"]["solve_ncp"] == Value::Bool(true), true),
+        Finding::decision("`solve_ncp` is true unless set", settings["solve_ncp"] == Value::Bool(true), true),
     ])
 }
 
@@ -287,17 +270,18 @@ pub(in crate::claims) fn path_bullet(reading: Reading) -> Result<Vec<Finding>> {
     let folder = reading.pick("ConstraintSolver", "MLCPSolvers");
     let path = format!("src/BulletDynamics/{folder}/btSequentialImpulseConstraintSolver.cpp");
     let multibody = "src/BulletDynamics/Featherstone/btMultiBodyConstraintSolver.cpp";
-    Ok(vec![Finding::decision(&*path, has(BULLET, &path)?, true), Finding::decision(multibody, has(BULLET, multibody)?, true)])
+    let package = facts::bullet()?.stated;
+    Ok(vec![Finding::decision(&*path, package.has(&path), true), Finding::decision(multibody, package.has(multibody), true)])
 }
 
 pub(in crate::claims) fn path_pinocchio(reading: Reading) -> Result<Vec<Finding>> {
-    let printed = reading.pick(false, true);
+    let (package, printed) = (facts::pinocchio()?.stated, reading.pick(false, true));
     Ok(vec![
-        Finding::decision("the printed path in 4.1.0", has(PINOCCHIO, "include/pinocchio/algorithm/admm-solver.hxx")?, printed),
-        Finding::decision("its new path", has(PINOCCHIO, "include/pinocchio/algorithm/solvers/admm-solver.hpp")?, true),
+        Finding::decision("the printed path in 4.1.0", package.has("include/pinocchio/algorithm/admm-solver.hxx"), printed),
+        Finding::decision("its new path", package.has("include/pinocchio/algorithm/solvers/admm-solver.hpp"), true),
         Finding::decision(
             "contact-cholesky.hpp under deprecated/",
-            has(PINOCCHIO, "deprecated/pinocchio/algorithm/contact-cholesky.hpp")?,
+            package.has("deprecated/pinocchio/algorithm/contact-cholesky.hpp"),
             true,
         ),
     ])

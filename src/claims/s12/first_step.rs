@@ -136,7 +136,9 @@ fn cause(reading: Reading) -> Result<Vec<Finding>> {
     let landed = worked_ball().stewart_trinkle(&start(), &h);
     let mut findings = vec![
         Finding::decision("the blamed rule activates at 0.05 m with h = 0.1", step(&start(), blamed, &h).active, true),
-        Finding::decision("the half-step forecast activates", step(&start(), Activation::HalfStepForecast, &h).active, false),
+        Finding::decision("the half-step forecast activates", step(&start(), Activation::HalfStepForecast, &h).active, false)
+            .says(true)
+            .violating("activation by the forecast φ + h v_free"),
         Finding::exact("Stewart–Trinkle: v₁", &landed.motion.velocity, &ratio(-1, 2), "m/s"),
         Finding::exact("Stewart–Trinkle: q₁", &landed.motion.position, &ratio(0, 1), "m"),
     ];
@@ -174,9 +176,9 @@ fn state_before_contact(reading: Reading) -> Result<Vec<Finding>> {
     let contact = step(&now, Activation::FreeVelocityForecast, &h);
     let energy = |motion: &BallState<Rational>| ball.scheme_energy(motion, &ratio(1, 1), &h);
     Ok(vec![
-        Finding::decision("the state is reached by free fall from the start", now == claimed, false),
-        Finding::exact("Ẽ of the state", &energy(&claimed), &ratio(11791, 20000), "J"),
-        Finding::exact("Ẽ of the start", &energy(&start()), &ratio(1, 2), "J"),
+        Finding::decision("the state is reached by free fall from the start", now == claimed, false).says(true),
+        Finding::exact("Ẽ where free fall passes 0.005 m", &energy(&now), &ratio(1, 2), "J").says(energy(&start())).passage("the setting"),
+        Finding::exact("Ẽ where free fall passes 0.005 m", &energy(&now), &ratio(1, 2), "J").says(energy(&claimed)).passage("the jump"),
         Finding::count("steps of free fall to 0.005 m", steps, 9),
         Finding::exact("v there", &now.velocity, &ratio(-9, 10), "m/s"),
         Finding::exact("P of the contact step from there", &contact.impulse, &ratio(29, 20), "N·s"),

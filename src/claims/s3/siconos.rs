@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::experiments::siconos::Facts;
+use crate::claims::experiments::siconos::{Facts, version};
 use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 
 pub const CLAIMS: &[Claim] = &[
@@ -67,7 +67,7 @@ fn path(reading: Reading) -> Result<Vec<Finding>> {
         Finding::decision("4.4.0 has the class with projection", facts.has(class), true),
         Finding::decision("a class of the printed name", facts.has("CombinedProjectedMoreauJeanOSI"), false),
         Finding::decision("compiled from the printed path", facts.compiled("kernel/src/simulationTools/MoreauJeanOSI.cpp"), true),
-        Finding::decision("the facts are those of 4.4.0", facts.version.starts_with("4.4.0"), true),
+        Finding::decision("the facts are those of 4.4.0", version()?.starts_with("4.4.0"), true),
     ])
 }
 

@@ -43,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
 ];
 
 fn version(reading: Reading) -> Result<Vec<Finding>> {
-    let version = facts()?.text(&["provenance", "version"]);
+    let version = facts()?.text(&["version"]);
     Ok(vec![Finding::decision("the pinned release is of this major version", version.starts_with(reading.pick("3.", "4.")), true)])
 }
 

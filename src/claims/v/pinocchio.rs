@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::s10::three_engines::{PINOCCHIO, json};
+use crate::claims::experiments::facts;
 use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 
 pub const CLAIMS: &[Claim] = &[Claim {
@@ -21,10 +21,10 @@ pub const CLAIMS: &[Claim] = &[Claim {
 }];
 
 fn version_pinocchio(reading: Reading) -> Result<Vec<Finding>> {
-    let package = json(PINOCCHIO)?;
-    let major = package["version"].as_str().and_then(|version| version.split('.').next()).unwrap_or("");
+    let package = facts::pinocchio()?;
+    let major = package.version.split('.').next().unwrap_or("");
     Ok(vec![
         Finding::decision("the pinned release begins with", major == reading.pick("4", "3"), true),
-        Finding::decision("ρ by the rule of OSQP", package["settings"]["admm_update_rule"] == "osqp", true),
+        Finding::decision("ρ by the rule of OSQP", package.stated.settings["admm_update_rule"] == "osqp", true),
     ])
 }

@@ -10,7 +10,7 @@ use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMista
 use crate::bullet::SequentialImpulses;
 use crate::bullet::steps::BulletSteps;
 use crate::bullet::{Bodies, Bullet, Friction};
-use crate::stored::StoredRuns;
+use crate::stored::{StoredRuns, read_by};
 use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::{ContactSolver, ProjectedGaussSeidel};
 use moreau_dynamics::schemes::Scheme;
@@ -175,7 +175,7 @@ fn position(runs: &dyn StoredRuns, path: &str, scheme: &dyn Scheme) -> Result<Me
 }
 
 fn replayed(runs: &dyn StoredRuns, path: &str, scheme: &dyn Scheme) -> Result<Replay> {
-    let stored = Trajectory::from_json(&runs.text(path)?)?;
+    let stored = read_by(runs, path, Trajectory::from_json)?;
     replay::replay(&stored, scheme, stored.times.len() - 1)
 }
 
@@ -190,7 +190,7 @@ fn swept(
     scheme: impl Fn(Bullet) -> Bullet,
     solver: impl Fn(SequentialImpulses) -> Box<dyn ContactSolver>,
 ) -> Result<Measured> {
-    let run = BulletSteps::from_json(&runs.text(path)?)?;
+    let run = read_by(runs, path, BulletSteps::from_json)?;
     let deviation = run.deviation(&scheme(run.scheme()?), solver(run.solver()?).as_ref())?;
     Ok(Measured { difference: deviation.impulse, tolerance: run.tolerance() })
 }

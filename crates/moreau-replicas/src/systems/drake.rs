@@ -8,7 +8,7 @@
 use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System};
 use crate::drake::replay::Replay;
 use crate::drake::{Material, by_name};
-use crate::stored::StoredRuns;
+use crate::stored::{StoredRuns, read_by};
 use moreau_checks::Finding;
 use moreau_dynamics::schemes::Scheme;
 use moreau_dynamics::trajectory::Trajectory;
@@ -253,7 +253,7 @@ fn narrower(trajectory: &mut Trajectory) {
 }
 
 fn stored(runs: &dyn StoredRuns, name: &str) -> Result<Trajectory> {
-    Trajectory::from_json(&runs.text(&format!("drake/{name}.json"))?)
+    read_by(runs, &format!("drake/{name}.json"), Trajectory::from_json)
 }
 
 fn replay(stored: &Trajectory, scheme: Other) -> Result<Replay<'_>> {

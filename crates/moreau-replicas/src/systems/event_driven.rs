@@ -6,7 +6,7 @@
 
 use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System};
 use crate::siconos::events::SiconosEvents;
-use crate::stored::StoredRuns;
+use crate::stored::{StoredRuns, read_by};
 use moreau_contact::solvers::Auto;
 use moreau_dynamics::event_driven::EventDriven;
 use moreau_dynamics::event_driven::filippov::{DryFriction, advance};
@@ -118,7 +118,7 @@ const SICONOS: &[&str] = &[
 /// |Δt| |v⁻| of every stored impact of Siconos, from its own state after the event before.
 pub(super) fn siconos(runs: &dyn StoredRuns, method: &EventDriven) -> Result<Measured> {
     let found = SICONOS.iter().map(|path| {
-        let run = SiconosEvents::from_json(&runs.text(path)?)?;
+        let run = read_by(runs, path, SiconosEvents::from_json)?;
         Ok(Measured { difference: run.apart(method)?.instant, tolerance: run.tolerance() })
     });
     found.collect::<Result<Vec<_>>>().map(worst)

@@ -10,7 +10,7 @@
 use super::planted::{Mistake, planted};
 use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, on_a_ball, on_a_spring};
 use crate::siconos::alpha::SiconosAlpha;
-use crate::stored::StoredRuns;
+use crate::stored::{StoredRuns, read_by};
 use moreau_dynamics::schemes::{GeneralisedAlpha, Scheme};
 use moreau_exact::{Error, Result};
 
@@ -72,7 +72,7 @@ const SICONOS: &[&str] = &[
 
 fn siconos(runs: &dyn StoredRuns, scheme: impl Fn(&SiconosAlpha) -> Result<GeneralisedAlpha>) -> Result<Measured> {
     let found = SICONOS.iter().map(|path| {
-        let run = SiconosAlpha::from_json(&runs.text(path)?)?;
+        let run = read_by(runs, path, SiconosAlpha::from_json)?;
         Ok(Measured { difference: run.deviations(&scheme(&run)?)?[1], tolerance: run.tolerances()[1] })
     });
     Measured::worst(found.collect::<Result<Vec<_>>>()?).ok_or_else(|| Error::Unsupported("no run is stored".into()))

@@ -9,9 +9,8 @@ use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMista
 use crate::mujoco::GaussSweeps;
 use crate::mujoco::Mujoco;
 use crate::mujoco::{Cone as Shape, Integrator, Rotational};
-use crate::stored::StoredRuns;
+use crate::stored::{StoredRuns, problem_and_answer, read_by};
 use crate::tolerance::references::{self as tolerance, REPLAYED_STEP, stored_number};
-use moreau_contact::problem::{ContactProblem, Solution};
 use moreau_contact::solvers::{ContactSolver, GaussNewton};
 use moreau_dynamics::mechanics::{PointMass, State};
 use moreau_dynamics::schemes::{Scheme, Step, run};
@@ -176,7 +175,7 @@ pub static SYSTEM: System = System {
 
 /// Positions of a stored motion against the scheme's, with what the engine itself determines of them as tolerance.
 fn replay(runs: &dyn StoredRuns, path: &str, scheme: &dyn Scheme) -> Result<Measured> {
-    let stored = Trajectory::from_json(&runs.text(path)?)?;
+    let stored = read_by(runs, path, Trajectory::from_json)?;
     let missing = || Error::invalid("provenance", "lacks the sensitivity", "run scripts/generate_references.py");
     let provenance = stored.provenance.as_ref().ok_or_else(missing)?;
     let sensitivity = &provenance["sensitivity"]["bodies/position"];
@@ -202,9 +201,7 @@ fn replay(runs: &dyn StoredRuns, path: &str, scheme: &dyn Scheme) -> Result<Meas
 
 /// ‖r − r_engine‖/‖r_engine‖ of a stored step.
 fn stored_step(runs: &dyn StoredRuns, path: &str, solver: &dyn ContactSolver, tolerance: f64) -> Result<Measured> {
-    let document: Value = serde_json::from_str(&runs.text(path)?)?;
-    let problem = ContactProblem::from_json(&document["problem"].to_string())?;
-    let engine = Solution::from_json(&document["answer"].to_string())?;
+    let (problem, engine) = problem_and_answer(runs, path)?;
     let ours = solver.solve(&problem, None)?;
     Ok(Measured { difference: (ours.impulse - &engine.impulse).norm() / engine.impulse.norm(), tolerance })
 }

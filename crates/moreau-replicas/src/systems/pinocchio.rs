@@ -6,13 +6,12 @@
 //! Its step here is Moreau–Jean's with θ = 1, activation A and e = 0: `--theta 1 --activation A --solver admm`.
 
 use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System};
-use crate::stored::StoredRuns;
+use crate::stored::{StoredRuns, problem_and_answer};
 use crate::tolerance::references as tolerance;
 use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::{AlternatingDirections, ContactSolver};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
-use serde_json::Value;
 
 const HARD: [&str; 6] = [
     "pinocchio/box-stick.json",
@@ -64,10 +63,7 @@ pub static SYSTEM: System = System {
 /// The largest difference of the contact velocities from the stored ones, over the stored problems \[m/s\].
 fn compare(runs: &dyn StoredRuns, stored: &[&str], solver: &dyn ContactSolver) -> Result<Measured> {
     let found = stored.iter().map(|path| {
-        let document: Value =
-            serde_json::from_str(&runs.text(path)?).map_err(|error| Error::invalid("reference", error.to_string(), "regenerate it"))?;
-        let problem = ContactProblem::from_json(&document["problem"].to_string())?;
-        let theirs = Solution::from_json(&document["answer"].to_string())?;
+        let (problem, theirs) = problem_and_answer(runs, path)?;
         Ok(Measured { difference: (solver.solve(&problem, None)?.velocity - &theirs.velocity).amax(), tolerance: tolerance::SAME_VELOCITY })
     });
     Measured::worst(found.collect::<Result<Vec<_>>>()?).ok_or_else(|| Error::Unsupported("no problem is stored".into()))

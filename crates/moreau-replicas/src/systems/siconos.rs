@@ -11,7 +11,7 @@ use super::event_driven::{late, siconos};
 use super::planted::{Mistake, Mistaken, planted};
 use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, on_a_ball};
 use crate::siconos::steps::SiconosSteps;
-use crate::stored::StoredRuns;
+use crate::stored::{StoredRuns, read_by};
 use moreau_dynamics::event_driven::EventDriven;
 use moreau_dynamics::schemes::{MoreauJean, MoreauJeanProjection, SchatzmanPaoli, Scheme, StewartTrinkle};
 use moreau_exact::{Error, Result};
@@ -143,7 +143,7 @@ fn steps(
     scheme: impl Fn(&SiconosSteps) -> Result<Box<dyn Scheme>>,
 ) -> Result<Measured> {
     let comparisons = paths.iter().map(|path| {
-        let run = SiconosSteps::from_json(&runs.text(path)?)?;
+        let run = read_by(runs, path, SiconosSteps::from_json)?;
         Ok(Measured { difference: run.deviations(scheme(&run)?.as_ref())?[which], tolerance: run.tolerances()[which] })
     });
     let comparisons = comparisons.collect::<Result<Vec<_>>>()?;
