@@ -4,6 +4,7 @@
 
 mod claim;
 pub(crate) mod experiments;
+mod figures;
 pub mod front;
 pub mod manual;
 mod registry;
@@ -27,7 +28,8 @@ pub mod v;
 mod verdict;
 
 pub use claim::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity, group_of};
-pub use registry::{JudgedClaim, Status, all, conclude, find, is_derived, judge, matches_group};
+pub use figures::Figures;
+pub use registry::{JudgedClaim, Status, all, conclude, find, is_derived, judge, matches_group, witnesses};
 pub use repeats::REPEATS;
 pub use section::{SECTIONS, Section, place};
 pub use underived::UNDERIVED;

@@ -2,6 +2,7 @@
 
 use super::{Claim, ClaimVerdict, Reading, UNDERIVED, derive, group_of};
 use crate::checks::{Finding, Voice};
+use moreau_exact::witness::{Witness, collect};
 use serde::Serialize;
 use std::time::Instant;
 
@@ -88,6 +89,21 @@ pub fn judge(claim: &'static Claim) -> JudgedClaim {
     }
 }
 
+/// The findings of a claim, and the witnesses of the exact decisions that its check made, each once.
+///
+/// # Errors
+/// That of a check that cannot be carried out.
+pub fn witnesses(claim: &Claim) -> crate::Result<(Vec<Finding>, Vec<Witness>)> {
+    let (findings, all) = collect(|| (claim.check)(Reading::Recorded));
+    let mut told: Vec<Witness> = Vec::new();
+    for witness in all {
+        if !told.contains(&witness) {
+            told.push(witness);
+        }
+    }
+    Ok((findings?, told))
+}
+
 /// Whether the findings of a claim carry its verdict; the others stand in [`UNDERIVED`].
 pub fn is_derived(claim: &Claim) -> bool {
     !UNDERIVED.contains(&claim.id)
@@ -114,6 +130,7 @@ pub fn conclude(verdict: ClaimVerdict, derived: bool, findings: &[Finding], cont
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::claims::REPEATS;
     use std::collections::HashSet;
 
     fn found(measured: usize) -> Finding {
@@ -159,6 +176,24 @@ mod tests {
         assert!(!matches_group("R16", "R1") && !matches_group("R1", "R16"));
         assert!(!matches_group("S12.step", "S"));
         assert_eq!([group_of("R6"), group_of("S12.step")], ["R", "S12"]);
+    }
+
+    #[test]
+    fn a_severity_is_given_for_what_does_not_hold_and_for_nothing_else() {
+        for claim in all() {
+            let fails = matches!(claim.verdict, ClaimVerdict::Conditional | ClaimVerdict::False | ClaimVerdict::Inconsistent);
+            assert_eq!(claim.severity.is_some(), fails, "{}", claim.id);
+        }
+    }
+
+    #[test]
+    fn a_repetition_has_the_verdict_of_its_original_which_repeats_nothing() {
+        for (repetition, original) in REPEATS {
+            let verdict = |id: &str| find(id).unwrap_or_else(|| panic!("no claim {id}")).verdict;
+            assert_eq!(verdict(repetition), verdict(original), "{repetition} repeats {original}");
+            assert!(REPEATS.iter().all(|(other, _)| other != original), "{original} is a repetition itself");
+            assert_eq!(REPEATS.iter().filter(|(other, _)| other == repetition).count(), 1, "{repetition}");
+        }
     }
 
     #[test]

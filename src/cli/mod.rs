@@ -6,6 +6,7 @@
 mod answer;
 mod certificate_options;
 mod certify;
+mod claim_filters;
 mod compare;
 mod defects;
 mod drake_options;

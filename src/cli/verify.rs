@@ -1,33 +1,38 @@
 //! `moreau verify`: runs the checks of the registered claims and reports what they found.
 
+use super::claim_filters::Filters;
 use super::near::suggestion;
 use super::output::{print, style};
 use super::{Answer, Format};
 use crate::claims::{self, Claim, JudgedClaim, Status, matches_group};
+use crate::files::write_atomically;
 use crate::report::json::{ClaimEntry, ExplanationEntry, OutcomeEntry, pretty};
-use crate::report::text;
+use crate::report::{text, witnesses};
 use crate::{Error, Result};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 use std::panic::catch_unwind;
+use std::path::{Path, PathBuf};
 
 /// Verify the claims of the chapter: verdict, evidence and the decisive number of each.
 ///
-/// Every claim carries a check that computes: the findings must support the recorded verdict, and a control (the
-/// rejected verdict or a perturbed statement, fed through the same check) must come out contradicted. Exit code 0
+/// Every claim carries a check that computes: the recorded verdict must follow from the findings, and a control (another
+/// subject, fed through the same check) must come out otherwise. Exit code 0
 /// means that both hold for every claim that was run.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// Run only this group or claim; groups are whole parts of the id, so S1 is not S12, and R is R1 to R8.
-    #[arg(long, value_name = "GROUP")]
-    filter: Option<String>,
+    #[command(flatten)]
+    filters: Filters,
     /// Explain one claim: proof or counterexample, findings, corrected statement, control, sources.
-    #[arg(long, value_name = "ID", conflicts_with = "filter")]
+    #[arg(long, value_name = "ID", conflicts_with_all = ["filter", "section", "verdict", "severity", "kind"])]
     explain: Option<String>,
     /// List the claims without running them.
     #[arg(long, conflicts_with = "explain")]
     list: bool,
+    /// Also write what the claims were decided from, in fractions, for scripts/check_witnesses.py or any other program.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["explain", "list"])]
+    export: Option<PathBuf>,
     /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -39,8 +44,14 @@ Examples:
   moreau verify --filter S4               only the claims of section 4
   moreau verify --explain S4.copos-plus   one claim in full
   moreau verify --list                    the claims, without running them
-  moreau verify --format json             an array of {id, section, statement, verdict, evidence,
-                                          correct_statement, findings, status, seconds}
+  moreau verify --list --verdict false --severity theorem --section 4
+  moreau verify --format json             an array of {id, section, statement, verdict, kind, severity,
+                                          derived, evidence, correct_statement, findings, figures,
+                                          status, seconds}
+
+A verdict is derived from the findings: each says what the sentence says of its instance, and supports
+the sentence or refutes it. `derived` is false where that is still to be written; the recorded verdict
+counts there. The figures count deciding findings, those that the control finds otherwise, and context.
 
 Verdicts: true, conditional (holds under conditions the text omits), false as stated, inconsistent
 (the text says two things that exclude each other), ambiguous (readings differ in truth).
@@ -52,13 +63,16 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     if let Some(id) = &arguments.explain {
         return explain(id, arguments.format);
     }
-    let claims = select(arguments.filter.as_deref())?;
+    let claims = arguments.filters.select()?;
     if arguments.list {
         print(&match arguments.format {
             Format::Text => text::list(&claims, style()),
             Format::Json => pretty(&claims.iter().map(|&claim| ClaimEntry::from(claim)).collect::<Vec<_>>())?,
         })?;
         return Ok(Answer::Yes);
+    }
+    if let Some(file) = &arguments.export {
+        export(&claims, file)?;
     }
     let outcomes = judge_all(&claims);
     print(&match arguments.format {
@@ -86,16 +100,11 @@ fn explain(id: &str, format: Format) -> Result<Answer> {
     Ok(conclusion(&[outcome]))
 }
 
-/// The claims of a group in the registry's order.
-fn select(group: Option<&str>) -> Result<Vec<&'static Claim>> {
-    let Some(group) = group else { return Ok(claims::all().collect()) };
-    let claims: Vec<_> = claims::all().filter(|claim| matches_group(claim.id, group)).collect();
-    if claims.is_empty() {
-        let names = claims::all().flat_map(|claim| [claim.section(), claim.id]);
-        let cure = suggestion(group, names, "`moreau verify --list` shows every id");
-        return Err(Error::Unsupported(format!("--filter {group}: no claim in this group; {cure}")));
-    }
-    Ok(claims)
+/// Writes the witnesses of the claims.
+fn export(claims: &[&'static Claim], file: &Path) -> Result<()> {
+    let witnessed = claims.par_iter().map(|&claim| claims::witnesses(claim).map(|(findings, witnesses)| (claim, findings, witnesses)));
+    let document = witnesses::document(&witnessed.collect::<Result<Vec<_>>>()?);
+    write_atomically(file, pretty(&document)?.as_bytes())
 }
 
 /// Judges claims in parallel; the answer is in the order of the question.

@@ -3,7 +3,7 @@
 //! Numbers that are not finite become `null`, never `NaN`.
 
 use crate::checks::{Finding, Voice};
-use crate::claims::{Claim, ClaimVerdict, Evidence, JudgedClaim, Kind, Severity, Status, is_derived};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Figures, JudgedClaim, Kind, Severity, Status, is_derived};
 use crate::{Error, Result};
 use serde::Serialize;
 
@@ -77,6 +77,7 @@ pub struct OutcomeEntry<'a> {
     #[serde(flatten)]
     claim: ClaimEntry,
     findings: Vec<FindingEntry<'a>>,
+    figures: Figures,
     status: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     failure: Option<&'a str>,
@@ -92,7 +93,15 @@ impl<'a> From<&'a JudgedClaim> for OutcomeEntry<'a> {
             Status::OtherVerdict(reason) => ("other-verdict", Some(reason.as_str())),
             Status::Failed(reason) => ("failed", Some(reason.as_str())),
         };
-        OutcomeEntry { claim: outcome.claim.into(), findings: entries(&outcome.findings), status, failure, seconds: outcome.seconds }
+        let figures = Figures::of(outcome);
+        OutcomeEntry {
+            claim: outcome.claim.into(),
+            findings: entries(&outcome.findings),
+            figures,
+            status,
+            failure,
+            seconds: outcome.seconds,
+        }
     }
 }
 

@@ -9,6 +9,7 @@ pub mod schemas;
 pub mod steps;
 pub mod systems;
 pub mod text;
+pub mod witnesses;
 
 pub use moreau_checks::plot;
 pub use moreau_gate::report as gate;

@@ -2,7 +2,7 @@
 
 pub use crate::checks::text::Style;
 use crate::checks::{Finding, Voice};
-use crate::claims::{Claim, ClaimVerdict, JudgedClaim, SECTIONS, Section, Status, is_derived, place};
+use crate::claims::{Claim, ClaimVerdict, Figures, JudgedClaim, SECTIONS, Section, Status, is_derived, place};
 use crate::number::{significant, with_unit};
 use std::fmt::Write;
 
@@ -24,6 +24,7 @@ pub fn outcomes(outcomes: &[JudgedClaim], style: Style) -> String {
     for outcome in outcomes {
         complain(&mut text, outcome, style);
     }
+    line(&mut text, &hardness(outcomes));
     line(&mut text, &count(outcomes));
     text
 }
@@ -72,6 +73,15 @@ pub fn explanation(outcome: &JudgedClaim, style: Style) -> String {
         line(&mut text, "the evidence supports the verdict");
     }
     text
+}
+
+/// The line before the last one of `verify`.
+fn hardness(outcomes: &[JudgedClaim]) -> String {
+    let figures = Figures::sum(outcomes);
+    format!(
+        "{} of {} verdicts follow from their findings ({} claims are assertions); of {} deciding findings the controls move {}; {} are context",
+        figures.derived, figures.claims, figures.assertions, figures.deciding, figures.moved, figures.context
+    )
 }
 
 /// The last line of `verify`.

@@ -48,6 +48,42 @@ fn json_is_an_array_in_the_order_of_the_registry() {
 }
 
 #[test]
+fn findings_say_what_they_decide_and_the_figures_count_them() {
+    for outcome in moreau(&["verify", "--format", "json", "--section", "12"]).json().as_array().expect("an array") {
+        let findings = outcome["findings"].as_array().expect("an array");
+        let count = |role: &str| findings.iter().filter(|finding| finding["role"] == role).count();
+        assert!(findings.iter().all(|finding| finding["stated"].is_string()), "{outcome}");
+        assert_eq!(outcome["figures"]["deciding"], count("supports") + count("refutes"), "{}", outcome["id"]);
+        assert_eq!(outcome["figures"]["context"], count("context"));
+        assert!(outcome["figures"]["moved"].as_u64() > Some(0), "{}: no finding is moved by the control", outcome["id"]);
+        assert!(outcome["verdict"] != "TRUE" || count("refutes") == 0, "{}", outcome["id"]);
+    }
+}
+
+fn listed(filters: &[&str]) -> Vec<serde_json::Value> {
+    let list = moreau(&[&["verify", "--list", "--format", "json"], filters].concat()).json();
+    list.as_array().expect("an array").clone()
+}
+
+#[test]
+fn claims_are_found_by_section_verdict_severity_and_kind() {
+    let found = listed(&["--verdict", "false", "--severity", "statement", "--kind", "assertion", "--section", "4"]);
+    let meets = |claim: &serde_json::Value| {
+        claim["verdict"] == "FALSE AS STATED"
+            && claim["severity"] == "wrong-statement"
+            && claim["kind"] == "assertion"
+            && claim["section"] == "S4"
+    };
+    assert_eq!(found, listed(&[]).into_iter().filter(meets).collect::<Vec<_>>());
+    let sum = |option: &str, names: &[&str]| names.iter().map(|name| listed(&[option, name]).len()).sum::<usize>();
+    assert_eq!(sum("--verdict", &["true", "conditional", "false", "inconsistent", "ambiguous"]), claims::all().count());
+    moreau(&["verify", "--list", "--section", "44"]).is_refused(&["--section 44", "did you mean"]);
+    moreau(&["verify", "--list", "--verdict", "true", "--severity", "theorem"]).is_refused(&["no claim meets all of the filters"]);
+    moreau(&["verify", "--verdict", "right"]).is_refused(&["--verdict", "conditional"]);
+    moreau(&["verify", "--explain", CLAIM, "--kind", "advice"]).is_refused(&["--explain", "--kind"]);
+}
+
+#[test]
 fn a_filter_takes_whole_parts_of_the_id() {
     let ids = |filter: &str| {
         let list = moreau(&["verify", "--list", "--format", "json", "--filter", filter]).json();

@@ -8,7 +8,8 @@
 //! the schemes they are the reference of.
 
 use crate::schemes::Activation;
-use moreau_exact::scalar::Scalar;
+use moreau_exact::scalar::{Rational, Scalar};
+use moreau_exact::witness::{Part, Witness, decided, rational};
 
 /// A ball of mass m under gravity g above the floor q ≥ 0.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,15 +57,17 @@ impl<T: Scalar> Ball<T> {
         };
         let active = now.position.clone() + h.clone() * forecast_speed <= T::zero();
         let reversed = self.restitution.clone() * now.velocity.clone();
-        let impulse = if active { self.impulse(&free_velocity, reversed) } else { T::zero() };
-        self.outcome(now, theta, h, free_velocity, impulse, active)
+        let scheme = match activation {
+            Activation::Gap => "moreau-jean A",
+            Activation::HalfStepForecast => "moreau-jean B",
+            Activation::FreeVelocityForecast => "moreau-jean D",
+        };
+        self.step(scheme, now, theta, h, active.then_some(reversed))
     }
 
     /// One step of Stewart–Trinkle: 0 ≤ r ⟂ q + h v⁺ ≥ 0, position update q + h v⁺, no restitution.
     pub fn stewart_trinkle(&self, now: &BallState<T>, h: &T) -> BallStep<T> {
-        let free_velocity = now.velocity.clone() - self.gravity.clone() * h.clone();
-        let impulse = self.impulse(&free_velocity, now.position.clone() / h.clone());
-        self.outcome(now, &T::one(), h, free_velocity, impulse, true)
+        self.step("stewart-trinkle", now, &T::one(), h, Some(now.position.clone() / h.clone()))
     }
 
     /// One step of nonsmooth generalised-α, which under a constant force is the same for every spectral radius: active if the free step
@@ -74,16 +77,14 @@ impl<T: Scalar> Ball<T> {
         let half = T::ratio(1, 2);
         let reached = now.position.clone() + h.clone() * half.clone() * (now.velocity.clone() + free_velocity.clone());
         let active = reached <= T::zero();
-        let impulse = if active { self.impulse(&free_velocity, self.restitution.clone() * now.velocity.clone()) } else { T::zero() };
-        self.outcome(now, &half, h, free_velocity, impulse, active)
+        self.step("generalised-alpha", now, &half, h, active.then(|| self.restitution.clone() * now.velocity.clone()))
     }
 
     /// One step of Schatzman–Paoli: 0 ≤ r ⟂ v⁺ − e v + (1+e) q/h ≥ 0, position update q + h v⁺.
     pub fn schatzman_paoli(&self, now: &BallState<T>, h: &T) -> BallStep<T> {
-        let free_velocity = now.velocity.clone() - self.gravity.clone() * h.clone();
         let ahead = (T::one() + self.restitution.clone()) * now.position.clone() / h.clone();
-        let impulse = self.impulse(&free_velocity, ahead - self.restitution.clone() * now.velocity.clone());
-        self.outcome(now, &T::one(), h, free_velocity, impulse, true)
+        let shift = ahead - self.restitution.clone() * now.velocity.clone();
+        self.step("schatzman-paoli", now, &T::one(), h, Some(shift))
     }
 
     /// E − (θ−½) m g h v with E = ½ m v² + m g q \[J\]: free flight conserves it exactly for every θ, and so does the
@@ -115,12 +116,25 @@ impl<T: Scalar> Ball<T> {
         if wanted > T::zero() { wanted } else { T::zero() }
     }
 
-    fn outcome(&self, now: &BallState<T>, theta: &T, h: &T, free_velocity: T, impulse: T, active: bool) -> BallStep<T> {
-        let velocity = free_velocity.clone() + impulse.clone() / self.mass.clone();
-        let mean = theta.clone() * velocity.clone() + (T::one() - theta.clone()) * now.velocity.clone();
-        let position = now.position.clone() + h.clone() * mean;
-        let forecast = now.position.clone() + h.clone() * free_velocity.clone();
-        BallStep { motion: BallState { position, velocity }, impulse, free_velocity, forecast, active }
+    /// The step with the shift s of an active contact.
+    fn step(&self, scheme: &'static str, now: &BallState<T>, theta: &T, h: &T, shift: Option<T>) -> BallStep<T> {
+        let decide = || {
+            let free_velocity = now.velocity.clone() - self.gravity.clone() * h.clone();
+            let impulse = shift.as_ref().map_or_else(T::zero, |shift| self.impulse(&free_velocity, shift.clone()));
+            let velocity = free_velocity.clone() + impulse.clone() / self.mass.clone();
+            let mean = theta.clone() * velocity.clone() + (T::one() - theta.clone()) * now.velocity.clone();
+            let position = now.position.clone() + h.clone() * mean;
+            let forecast = now.position.clone() + h.clone() * free_velocity.clone();
+            BallStep { motion: BallState { position, velocity }, impulse, free_velocity, forecast, active: shift.is_some() }
+        };
+        let data = [&self.mass, &self.gravity, &self.restitution, &now.position, &now.velocity, theta, h];
+        decided(decide, |found| {
+            let data = data.iter().map(|number| rational::<T, Rational>(number).cloned()).collect::<Option<Vec<_>>>()?;
+            let answer = [&found.impulse, &found.motion.position, &found.motion.velocity];
+            let answer = answer.iter().map(|number| rational::<T, Rational>(number).cloned()).collect::<Option<Vec<_>>>()?;
+            let parts = vec![("scheme", Part::Word(scheme)), ("data", Part::Vector(data)), ("answer", Part::Vector(answer))];
+            Some(Witness { kind: "ball-step", parts })
+        })
     }
 }
 

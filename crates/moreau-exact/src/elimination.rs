@@ -1,6 +1,7 @@
 //! Gaussian elimination A x = b over an ordered field, exact over rationals.
 
-use crate::scalar::Scalar;
+use crate::scalar::{Rational, Scalar};
+use crate::witness::{Part, Witness, decided, rational};
 use nalgebra::{DMatrix, DVector};
 
 /// The x with A x = b, or `None` if A is singular (for `f64`: if a pivot is exactly zero or not a number).
@@ -9,7 +10,16 @@ use nalgebra::{DMatrix, DVector};
 /// If A is not square or b has another size.
 pub fn solve<T: Scalar>(matrix: &DMatrix<T>, right_side: &DVector<T>) -> Option<DVector<T>> {
     let columns = DMatrix::from_column_slice(right_side.len(), 1, right_side.as_slice());
-    solve_columns(matrix, &columns).map(|solution| solution.column(0).into_owned())
+    let decide = || solve_columns(matrix, &columns).map(|solution| solution.column(0).into_owned());
+    decided(decide, |found| {
+        let (matrix, right_side): (&DMatrix<Rational>, &DVector<Rational>) = (rational(matrix)?, rational(right_side)?);
+        let mut parts = vec![("matrix", Part::from(matrix)), ("right_side", Part::from(right_side))];
+        match found {
+            Some(x) => parts.push(("x", rational::<_, DVector<Rational>>(x)?.into())),
+            None => parts.push(("x", Part::Word("singular"))),
+        }
+        Some(Witness { kind: "linear-system", parts })
+    })
 }
 
 /// The X with A X = B, column by column; `None` as for [`solve`].
@@ -65,6 +75,16 @@ fn substitute_back<T: Scalar>(transposed: &DMatrix<T>, x: &mut [T]) {
 
 /// The rank of A, exact over rationals (for `f64`: the number of pivots that are not exactly zero).
 pub fn rank<T: Scalar>(matrix: &DMatrix<T>) -> usize {
+    decided(
+        || count_pivots(matrix),
+        |rank| {
+            let matrix: &DMatrix<Rational> = rational(matrix)?;
+            Some(Witness { kind: "rank", parts: vec![("matrix", matrix.into()), ("rank", Part::Counts(vec![*rank]))] })
+        },
+    )
+}
+
+fn count_pivots<T: Scalar>(matrix: &DMatrix<T>) -> usize {
     let mut a = matrix.clone();
     let mut rank = 0;
     for column in 0..a.ncols() {

@@ -8,5 +8,6 @@ pub mod error;
 pub mod number;
 pub mod scalar;
 pub mod tolerance;
+pub mod witness;
 
 pub use error::{Error, Result};

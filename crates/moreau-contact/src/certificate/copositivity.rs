@@ -15,6 +15,7 @@ use super::feasibility::nonnegative_solution;
 use dashu_ratio::RBig;
 use moreau_exact::elimination::{principal, solve};
 use moreau_exact::scalar::{Rational, ratio};
+use moreau_exact::witness::{Part, Witness, decided};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -46,6 +47,20 @@ pub enum NotPlus {
 /// # Ok::<(), moreau_contact::Error>(())
 /// ```
 pub fn copositive(matrix: &DMatrix<Rational>) -> Result<Decision<DVector<Rational>>> {
+    decided(
+        || decide(matrix),
+        |found| {
+            let mut parts = vec![("matrix", Part::from(matrix))];
+            match found.as_ref().ok()? {
+                Decision::Holds => parts.push(("answer", Part::Word("holds"))),
+                Decision::Fails(x) => parts.extend([("answer", Part::Word("fails")), ("x", x.into())]),
+            }
+            Some(Witness { kind: "copositive", parts })
+        },
+    )
+}
+
+fn decide(matrix: &DMatrix<Rational>) -> Result<Decision<DVector<Rational>>> {
     let symmetric = checked_symmetric_part(matrix)?;
     let relevant = without_nonnegative_rows(&symmetric);
     for support in subsets_by_size(&relevant) {
@@ -71,6 +86,21 @@ pub fn copositive(matrix: &DMatrix<Rational>) -> Result<Decision<DVector<Rationa
 /// # Ok::<(), moreau_contact::Error>(())
 /// ```
 pub fn copositive_plus(matrix: &DMatrix<Rational>) -> Result<Decision<NotPlus>> {
+    decided(
+        || decide_plus(matrix),
+        |found| {
+            let mut parts = vec![("matrix", Part::from(matrix))];
+            match found.as_ref().ok()? {
+                Decision::Holds => parts.push(("answer", Part::Word("holds"))),
+                Decision::Fails(NotPlus::Negative(x)) => parts.extend([("answer", Part::Word("negative")), ("x", x.into())]),
+                Decision::Fails(NotPlus::Zero(x)) => parts.extend([("answer", Part::Word("zero")), ("x", x.into())]),
+            }
+            Some(Witness { kind: "copositive-plus", parts })
+        },
+    )
+}
+
+fn decide_plus(matrix: &DMatrix<Rational>) -> Result<Decision<NotPlus>> {
     let symmetric = checked_symmetric_part(matrix)?;
     // xᵀS x = ‖S^½ x‖², so a semidefinite form vanishes only where S x does.
     if positive_semidefinite(&symmetric).holds() {

@@ -6,6 +6,7 @@
 use super::Decision;
 use dashu_ratio::RBig;
 use moreau_exact::scalar::{Rational, ratio};
+use moreau_exact::witness::{Part, Witness, decided};
 use nalgebra::{DMatrix, DVector};
 
 /// Inertia of a quadratic form as far as it decides definiteness.
@@ -32,6 +33,23 @@ pub enum Definiteness {
 /// # Panics
 /// If A is not square.
 pub fn definiteness(matrix: &DMatrix<Rational>) -> Definiteness {
+    decided(
+        || decide(matrix),
+        |found| {
+            let mut parts = vec![("matrix", Part::from(matrix))];
+            match found {
+                Definiteness::Definite => parts.push(("answer", Part::Word("definite"))),
+                Definiteness::Semidefinite { kernel, rank } => {
+                    parts.extend([("answer", Part::Word("semidefinite")), ("kernel", kernel.into()), ("rank", Part::Counts(vec![*rank]))]);
+                }
+                Definiteness::Indefinite { witness } => parts.extend([("answer", Part::Word("indefinite")), ("x", witness.into())]),
+            }
+            Some(Witness { kind: "definiteness", parts })
+        },
+    )
+}
+
+fn decide(matrix: &DMatrix<Rational>) -> Definiteness {
     let size = matrix.nrows();
     let mut a = symmetric_part(matrix);
     let mut transform = DMatrix::<Rational>::identity(size, size);

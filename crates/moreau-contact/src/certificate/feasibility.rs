@@ -7,6 +7,7 @@
 
 use dashu_ratio::RBig;
 use moreau_exact::scalar::Rational;
+use moreau_exact::witness::{Part, Witness, decided};
 use nalgebra::{DMatrix, DVector};
 
 /// The answer, with its witness.
@@ -43,6 +44,21 @@ impl Feasibility {
 /// ```
 pub fn nonnegative_solution(matrix: &DMatrix<Rational>, right_side: &DVector<Rational>) -> Feasibility {
     assert_eq!(matrix.nrows(), right_side.len(), "A x = b needs one entry of b per row");
+    decided(
+        || decide(matrix, right_side),
+        |found| {
+            let (answer, vector) = match found {
+                Feasibility::Point(x) => ("point", x),
+                Feasibility::Farkas(y) => ("farkas", y),
+            };
+            let data = [("matrix", matrix.into()), ("right_side", right_side.into())];
+            let parts = data.into_iter().chain([("answer", Part::Word(answer)), ("vector", vector.into())]).collect();
+            Some(Witness { kind: "nonnegative-solution", parts })
+        },
+    )
+}
+
+fn decide(matrix: &DMatrix<Rational>, right_side: &DVector<Rational>) -> Feasibility {
     let mut phase = PhaseOne::new(matrix, right_side);
     while let Some(entering) = phase.entering() {
         let row = phase.leaving(entering);

@@ -7,6 +7,7 @@ use super::Decision;
 use super::copositivity::LARGEST;
 use dashu_ratio::RBig;
 use moreau_exact::scalar::Rational;
+use moreau_exact::witness::{Part, Witness, decided};
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
 
@@ -39,10 +40,21 @@ pub fn p_matrix(matrix: &DMatrix<Rational>) -> Result<Decision<Minor>> {
         return Err(Error::Unsupported(message));
     }
     let pivots = Minor { indices: Vec::new(), value: RBig::ONE };
-    Ok(match first_bad_minor(matrix, 0, &pivots) {
-        None => Decision::Holds,
-        Some(minor) => Decision::Fails(minor),
-    })
+    let bad = decided(
+        || first_bad_minor(matrix, 0, &pivots),
+        |found| {
+            let mut parts = vec![("matrix", Part::from(matrix))];
+            match found {
+                None => parts.push(("answer", Part::Word("holds"))),
+                Some(minor) => {
+                    let value = Part::Number(minor.value.clone());
+                    parts.extend([("answer", Part::Word("fails")), ("indices", Part::Counts(minor.indices.clone())), ("value", value)]);
+                }
+            }
+            Some(Witness { kind: "p-matrix", parts })
+        },
+    );
+    Ok(bad.map_or(Decision::Holds, Decision::Fails))
 }
 
 /// Searches the minors that contain the `pivots`, none of the other indices below `next`, and any from there on; the

@@ -8,7 +8,8 @@
 //! that problem is Coulomb's law itself.
 
 use super::{Lcp, stewart_trinkle};
-use moreau_exact::scalar::Scalar;
+use moreau_exact::scalar::{Rational, Scalar};
+use moreau_exact::witness::{Part, Witness, decided, rational};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -68,7 +69,13 @@ impl<T: Scalar> PlanarProblem<T> {
 
     /// u = u_free + W r.
     pub fn response(&self, impulse: DVector<T>) -> Response<T> {
-        Response { after: &self.velocity + &self.delassus * &impulse, impulse }
+        let response = || Response { after: &self.velocity + &self.delassus * &impulse, impulse: impulse.clone() };
+        decided(response, |found| {
+            let (problem, found): (&PlanarProblem<Rational>, &Response<Rational>) = (rational(self)?, rational(found)?);
+            let data = [("delassus", Part::from(&problem.delassus)), ("velocity", Part::from(&problem.velocity))];
+            let answer = [("impulse", Part::from(&found.impulse)), ("after", Part::from(&found.after))];
+            Some(Witness { kind: "response", parts: data.into_iter().chain(answer).collect() })
+        })
     }
 
     /// The work of the impulses, ½ rᵀ(u + u_free) \[J\].

@@ -13,6 +13,7 @@ use crate::problem::Lcp;
 use dashu_ratio::RBig;
 use moreau_exact::elimination::{principal, solve};
 use moreau_exact::scalar::{Rational, ratio};
+use moreau_exact::witness::{Part, Witness, decided};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -69,6 +70,24 @@ pub fn all_solutions(lcp: &Lcp<Rational>) -> Result<SolutionSet> {
     if size > LARGEST {
         return Err(Error::Unsupported(format!("all solutions are enumerated up to size {LARGEST}, this LCP has {size}")));
     }
+    let list =
+        |vectors: &mut dyn Iterator<Item = &DVector<Rational>>| Part::Vectors(vectors.map(|z| z.iter().cloned().collect()).collect());
+    Ok(decided(
+        || enumerate(lcp),
+        |set| {
+            let data = [("matrix", Part::from(&lcp.matrix)), ("vector", Part::from(&lcp.vector))];
+            let families = [
+                ("family_points", list(&mut set.families.iter().map(|family| &family.point))),
+                ("family_directions", list(&mut set.families.iter().map(|family| &family.direction))),
+            ];
+            let parts = data.into_iter().chain([("points", list(&mut set.points.iter()))]).chain(families).collect();
+            Some(Witness { kind: "all-solutions", parts })
+        },
+    ))
+}
+
+fn enumerate(lcp: &Lcp<Rational>) -> SolutionSet {
+    let size = lcp.size();
     let mut set = SolutionSet { points: Vec::new(), families: Vec::new() };
     for mask in 0..1usize << size {
         let support: Vec<usize> = (0..size).filter(|j| mask >> j & 1 == 1).collect();
@@ -78,7 +97,7 @@ pub fn all_solutions(lcp: &Lcp<Rational>) -> Result<SolutionSet> {
             None => set.add_piece(lcp, &support),
         }
     }
-    Ok(set)
+    set
 }
 
 /// z with these values on its support, if it is a solution.

@@ -9,7 +9,8 @@
 
 use crate::problem::{ImpulseLcp, Lcp};
 use crate::tolerance::solvers::{cancellation, lemke_pivot_limit, smallest_pivot, tableau_zero};
-use moreau_exact::scalar::Scalar;
+use moreau_exact::scalar::{Rational, Scalar};
+use moreau_exact::witness::{Part, Witness, decided, rational};
 use moreau_exact::{Error, Result, elimination};
 use nalgebra::{DMatrix, DVector};
 use std::cmp::Ordering;
@@ -61,6 +62,10 @@ pub enum LemkeOutcome<T: Scalar> {
 /// ```
 pub fn lemke<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>) -> Result<LemkeOutcome<T>> {
     check(lcp, covering)?;
+    decided(|| follow(lcp, covering), |found| witness(lcp, covering, found.as_ref().ok()?))
+}
+
+fn follow<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>) -> Result<LemkeOutcome<T>> {
     let size = lcp.size();
     if lcp.vector.iter().all(|q| *q >= T::zero()) {
         return Ok(LemkeOutcome::Solution { z: DVector::from_element(size, T::zero()), pivots: 0 });
@@ -80,6 +85,24 @@ pub fn lemke<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>) -> Result<LemkeOutc
         }
     }
     Err(Error::limit("lemke", "rounding makes the pivots cycle; scale the problem or use exact rationals"))
+}
+
+/// The witness of an outcome in rationals.
+fn witness<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>, outcome: &LemkeOutcome<T>) -> Option<Witness> {
+    let (lcp, covering): (&Lcp<Rational>, &DVector<Rational>) = (rational(lcp)?, rational(covering)?);
+    let mut parts = vec![("matrix", Part::from(&lcp.matrix)), ("vector", Part::from(&lcp.vector))];
+    let kind = match rational::<_, LemkeOutcome<Rational>>(outcome)? {
+        LemkeOutcome::Solution { z, .. } => {
+            parts.push(("z", z.into()));
+            "lcp-solution"
+        }
+        LemkeOutcome::Ray { point, artificial, direction, artificial_direction, .. } => {
+            parts.extend([("covering", covering.into()), ("point", point.into()), ("direction", direction.into())]);
+            parts.push(("artificial", Part::Vector(vec![artificial.clone(), artificial_direction.clone()])));
+            "lcp-ray"
+        }
+    };
+    Some(Witness { kind, parts })
 }
 
 /// The solution that Lemke's method reaches with the covering vector of ones.

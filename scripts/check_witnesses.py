@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+"""Decides again what `moreau verify --export FILE` wrote: every exact decision, in fractions, and every verdict from its findings.
+
+    moreau verify --export witnesses.json
+    python3 scripts/check_witnesses.py witnesses.json
+
+Shares nothing with the crate but the file; needs Python's standard library only. Exit code 0: every witness shows what it says, and every verdict follows; 1: one does not; 2: the file cannot be read.
+"""
+
+import argparse
+import collections
+import json
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+
+from witnesses.decisions import DECISIONS, Wrong  # noqa: E402
+from witnesses.verdicts import decide  # noqa: E402
+
+
+def wrong_in(claim: dict, counts: collections.Counter) -> list[str]:
+    """What is wrong with a claim."""
+    wrong = []
+    for witness in claim["witnesses"]:
+        counts[witness["kind"]] += 1
+        try:
+            DECISIONS[witness["kind"]](witness)
+        except (Wrong, KeyError, ValueError, TypeError) as problem:
+            wrong.append(f"{claim['id']}: {witness.get('kind')}: {type(problem).__name__}: {problem}")
+    try:
+        decide(claim)
+        counts["verdict" if claim["derived"] else "verdict as recorded"] += 1
+    except Wrong as problem:
+        wrong.append(f"{claim['id']}: {problem}")
+    return wrong
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Reads, decides, prints."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("file", type=pathlib.Path, help="what `moreau verify --export` wrote")
+    file = parser.parse_args(arguments).file
+    try:
+        document = json.loads(file.read_text())
+        if document["schema"] != "witnesses/1":
+            raise ValueError(f"its schema is {document['schema']}, not witnesses/1")
+        claims = document["claims"]
+    except (OSError, ValueError, KeyError, TypeError) as problem:
+        print(f"{file}: {problem}; write it with `moreau verify --export {file}`", file=sys.stderr)
+        return 2
+    counts: collections.Counter = collections.Counter()
+    wrong = [line for claim in claims for line in wrong_in(claim, counts)]
+    for line in wrong:
+        print(line)
+    for kind, count in sorted(counts.items()):
+        print(f"{count:6} {kind}")
+    print(f"{len(claims)} claims; {len(wrong)} wrong")
+    return 1 if wrong or not claims else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

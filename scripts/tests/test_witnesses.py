@@ -1,0 +1,160 @@
+"""Every kind of witness is accepted where it shows what it says, and refused with one planted mistake."""
+
+import contextlib
+import copy
+import io
+import json
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+
+import check_witnesses  # noqa: E402
+from witnesses.decisions import DECISIONS, Wrong  # noqa: E402
+from witnesses.verdicts import decide, verdict  # noqa: E402
+
+PENDULUM = [["2", "-1"], ["-1", "2"]]
+JAMMING = [["0", "1"], ["1", "0"]]
+
+RIGHT = {
+    "linear-system": [
+        {"matrix": PENDULUM, "right_side": ["1", "0"], "x": ["2/3", "1/3"]},
+        {"matrix": [["1", "1"], ["1", "1"]], "right_side": ["1", "1"], "x": "singular"},
+    ],
+    "rank": [{"matrix": [["1", "2"], ["2", "4"]], "rank": [1]}],
+    "lcp-solution": [{"matrix": PENDULUM, "vector": ["-1", "3"], "z": ["1/2", "0"]}],
+    "lcp-ray": [{"matrix": [["0"]], "vector": ["-1"], "covering": ["1"], "point": ["0"], "direction": ["1"], "artificial": ["1", "0"]}],
+    "all-solutions": [
+        {"matrix": [["-1"]], "vector": ["1"], "points": [["0"], ["1"]], "family_points": [], "family_directions": []},
+        {"matrix": [["0"]], "vector": ["0"], "points": [["0"]], "family_points": [["0"]], "family_directions": [["1"]]},
+    ],
+    "copositive": [{"matrix": [["1", "5"], ["5", "1"]], "answer": "holds"}, {"matrix": [["1", "-2"], ["-2", "1"]], "answer": "fails", "x": ["1", "1"]}],
+    "copositive-plus": [
+        {"matrix": PENDULUM, "answer": "holds"},
+        {"matrix": [["1", "1"], ["1", "1/2"]], "answer": "holds"},
+        {"matrix": JAMMING, "answer": "zero", "x": ["1", "0"]},
+        {"matrix": [["1", "-2"], ["-2", "1"]], "answer": "negative", "x": ["1", "1"]},
+    ],
+    "definiteness": [
+        {"matrix": PENDULUM, "answer": "definite"},
+        {"matrix": [["1", "1"], ["1", "1"]], "answer": "semidefinite", "kernel": ["1", "-1"], "rank": [1]},
+        {"matrix": JAMMING, "answer": "indefinite", "x": ["1", "-1"]},
+    ],
+    "p-matrix": [{"matrix": PENDULUM, "answer": "holds"}, {"matrix": [["1", "1"], ["1", "1"]], "answer": "fails", "indices": [0, 1], "value": "0"}],
+    "nonnegative-solution": [
+        {"matrix": [["2", "3"]], "right_side": ["6"], "answer": "point", "vector": ["3", "0"]},
+        {"matrix": [["2", "3"]], "right_side": ["-1"], "answer": "farkas", "vector": ["-1"]},
+    ],
+    "response": [{"delassus": PENDULUM, "velocity": ["-1", "0"], "impulse": ["1/2", "1/2"], "after": ["-1/2", "1/2"]}],
+    "ball-step": [
+        {"scheme": "moreau-jean A", "data": ["1", "10", "1/2", "0", "-1", "1", "1/10"], "answer": ["5/2", "1/20", "1/2"]},
+        {"scheme": "moreau-jean D", "data": ["1", "10", "1/2", "1", "0", "1", "1/10"], "answer": ["0", "9/10", "-1"]},
+        {"scheme": "stewart-trinkle", "data": ["1", "10", "0", "1/20", "0", "1", "1/10"], "answer": ["1/2", "0", "-1/2"]},
+    ],
+}
+
+
+def mistakes(witness: dict):
+    """Copies of a witness with one answer changed."""
+    for key, value in witness.items():
+        if key in ("x", "z", "point", "direction", "kernel", "vector", "after", "answer") and isinstance(value, list):
+            changed = copy.deepcopy(witness)
+            changed[key][0] = "7" if witness.get("answer") == "farkas" else "-7"
+            yield changed
+    swaps = {"holds": "fails", "definite": "semidefinite", "semidefinite": "definite", "point": "farkas", "farkas": "point", "zero": "negative"}
+    if "value" in witness:
+        yield {**witness, "value": "1"}
+    if isinstance(witness.get("answer"), str) and witness["answer"] in swaps:
+        yield {"x": ["1", "0"], "indices": [0], "value": "1", "kernel": ["1", "0"], "rank": [1], **witness, "answer": swaps[witness["answer"]]}
+    if "rank" in witness:
+        yield {**witness, "rank": [witness["rank"][0] + 1]}
+    if "points" in witness:
+        yield {**witness, "points": witness["points"][1:]}
+    if witness.get("x") == "singular":
+        yield {**witness, "matrix": PENDULUM}
+
+
+class TestWitnesses(unittest.TestCase):
+    """Right and wrong witnesses of every kind."""
+
+    def test_every_kind_is_accepted_where_it_is_right_and_refused_with_a_mistake(self):
+        self.assertEqual(RIGHT.keys(), DECISIONS.keys())
+        for kind, witnesses in RIGHT.items():
+            for witness in witnesses:
+                with self.subTest(kind, witness=witness):
+                    DECISIONS[kind](witness)
+                    wrong = list(mistakes(witness))
+                    self.assertTrue(wrong, "no mistake is planted")
+                    for changed in wrong:
+                        with self.assertRaises((Wrong, ValueError), msg=str(changed)):
+                            DECISIONS[kind](changed)
+
+    def test_a_matrix_that_is_copositive_but_not_plus_is_no_plus(self):
+        with self.assertRaises(Wrong):
+            DECISIONS["copositive-plus"]({"matrix": JAMMING, "answer": "holds"})
+        with self.assertRaises(Wrong):
+            DECISIONS["copositive"]({"matrix": [["1", "-2"], ["-2", "1"]], "answer": "holds"})
+        with self.assertRaises(Wrong):
+            DECISIONS["p-matrix"]({"matrix": JAMMING, "answer": "holds"})
+
+
+def finding(found: str, stated: str | None = None, **more) -> dict:
+    """A finding that holds."""
+    said = None if stated is None else {"relation": "equal", "value": stated}
+    base = {"name": "x", "found": found, "expected": found, "relation": "equal", "tolerance": 0.0, "stated": said, "violated": None, "voice": None, "context": False}
+    return {**base, **more}
+
+
+class TestVerdicts(unittest.TestCase):
+    """The verdict from the findings."""
+
+    def test_the_five_verdicts(self):
+        self.assertEqual(verdict([finding("1"), finding("2", "3", context=True)]), "TRUE")
+        self.assertEqual(verdict([finding("1"), finding("2", "3")]), "FALSE AS STATED")
+        self.assertEqual(verdict([finding("1"), finding("2", "3", violated="c")]), "TRUE WITH CONDITIONS")
+        passages = [finding("1", "1", voice={"passage": "a"}), finding("1", "2", voice={"passage": "b"})]
+        self.assertEqual(verdict(passages), "INTERNALLY INCONSISTENT")
+        self.assertEqual(verdict([finding("1", "1", voice={"reading": "a"}), finding("1", "2", voice={"reading": "b"})]), "AMBIGUOUS")
+        self.assertEqual(verdict([finding("1", voice={"opinion": "taste"})]), "AMBIGUOUS")
+
+    def test_a_recorded_verdict_that_differs_and_a_finding_that_fails_are_wrong(self):
+        claim = {"findings": [finding("1", "2")], "derived": True, "verdict": "FALSE AS STATED"}
+        decide(claim)
+        with self.assertRaises(Wrong):
+            decide({**claim, "verdict": "TRUE"})
+        with self.assertRaises(Wrong):
+            decide({**claim, "findings": [finding("1", expected="2")]})
+        with self.assertRaises(Wrong):
+            decide({**claim, "findings": [finding("1", context=True)]})
+
+
+class TestCommand(unittest.TestCase):
+    """The script as a command."""
+
+    def run_on(self, text: str) -> tuple[int, str]:
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "w.json")
+            file.write_text(text)
+            out = io.StringIO()
+            with contextlib.redirect_stdout(out), contextlib.redirect_stderr(out):
+                return check_witnesses.main([str(file)]), out.getvalue()
+
+    def test_exit_codes(self):
+        claim = {"id": "S0.x", "verdict": "TRUE", "derived": True, "findings": [finding("1")], "witnesses": [{"kind": "rank", **RIGHT["rank"][0]}]}
+        document = {"schema": "witnesses/1", "claims": [claim]}
+        self.assertEqual(self.run_on(json.dumps(document))[0], 0)
+        claim["witnesses"][0]["rank"] = [2]
+        code, out = self.run_on(json.dumps(document))
+        self.assertEqual(code, 1)
+        self.assertIn("S0.x: rank", out)
+        claim["witnesses"][0]["kind"] = "unknown"
+        self.assertEqual(self.run_on(json.dumps(document))[0], 1)
+        for text in ("{", "{}", json.dumps({"schema": "witnesses/2", "claims": []})):
+            self.assertEqual(self.run_on(text)[0], 2)
+        self.assertEqual(self.run_on(json.dumps({"schema": "witnesses/1", "claims": []}))[0], 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

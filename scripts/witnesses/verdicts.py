@@ -1,0 +1,75 @@
+"""The verdict that follows from the findings of a claim, worked out once more."""
+
+from fractions import Fraction
+
+from .decisions import Wrong, demand
+
+
+def number(value: object) -> Fraction:
+    """A fraction, or the exact value of a floating-point number."""
+    if value is None:
+        raise Wrong("a finding is not a number")
+    return Fraction(value)
+
+
+def agrees(found: object, other: object, relation: str, tolerance: float) -> bool:
+    """Whether two numbers are as the relation demands; a tolerance counts where one of them is rounded."""
+    exact = isinstance(found, str) and isinstance(other, str)
+    slack = Fraction(0) if exact else Fraction(tolerance)
+    if exact:
+        difference = number(found) - number(other)
+    else:
+        # floating point, as the finding was judged: the difference is rounded once
+        difference = Fraction(float(number(found)) - float(number(other)))
+    return {"equal": abs(difference) <= slack, "at-most": difference <= slack, "at-least": difference >= -slack}[relation]
+
+
+def holds(finding: dict) -> bool:
+    """Whether what was found is what was expected."""
+    return agrees(finding["found"], finding["expected"], finding["relation"], finding["tolerance"])
+
+
+def supports(finding: dict) -> bool:
+    """Whether what was found is what the sentence says."""
+    stated = finding["stated"]
+    return holds(finding) if stated is None else agrees(finding["found"], stated["value"], stated["relation"], finding["tolerance"])
+
+
+def said(finding: dict) -> tuple:
+    """What the sentence says, to be compared."""
+    stated = finding["stated"]
+    return (finding["relation"], finding["expected"]) if stated is None else (stated["relation"], stated["value"])
+
+
+def verdict(findings: list) -> str:
+    """The verdict in words of the file."""
+    deciding = [one for one in findings if not one["context"]]
+    demand(bool(deciding), "no finding decides")
+    passages: dict[str, set] = {}
+    readings: dict[str, bool] = {}
+    for one in deciding:
+        voice = one["voice"] or {}
+        if "passage" in voice:
+            passages.setdefault(one["name"], set()).add(said(one))
+        if "reading" in voice:
+            readings[voice["reading"]] = readings.get(voice["reading"], True) and supports(one)
+    if any(len(different) > 1 for different in passages.values()):
+        return "INTERNALLY INCONSISTENT"
+    if len(set(readings.values())) > 1 or any("opinion" in (one["voice"] or {}) for one in deciding):
+        return "AMBIGUOUS"
+    refuted = {bool(one["violated"]) for one in deciding if not supports(one)}
+    if False in refuted:
+        return "FALSE AS STATED"
+    if True in refuted:
+        demand(any(supports(one) and not one["violated"] for one in deciding), "refuted where a condition is violated, and supported nowhere")
+        return "TRUE WITH CONDITIONS"
+    return "TRUE"
+
+
+def decide(claim: dict) -> None:
+    """Raises unless the findings hold and lead to the recorded verdict."""
+    for one in claim["findings"]:
+        demand(holds(one), f"{one['name']}: found {one['found']}, expected {one['expected']}")
+    if claim["derived"]:
+        found = verdict(claim["findings"])
+        demand(found == claim["verdict"], f"the findings say {found}, recorded is {claim['verdict']}")

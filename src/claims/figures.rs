@@ -1,0 +1,92 @@
+//! How hard the evidence is, in numbers: verdicts that follow from their findings, findings that decide, findings that a control moves.
+
+use super::{Evidence, JudgedClaim, Kind, is_derived};
+use crate::checks::Finding;
+use serde::Serialize;
+
+/// The figures of some claims.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Figures {
+    /// Claims.
+    pub claims: usize,
+    /// Claims that assert something; the others ask, define, cite, name a path, advise or value.
+    pub assertions: usize,
+    /// Claims whose verdict follows from their findings.
+    pub derived: usize,
+    /// Findings that decide.
+    pub deciding: usize,
+    /// Those of them that the control finds otherwise.
+    pub moved: usize,
+    /// Findings told beside the sentence.
+    pub context: usize,
+    /// Claims graded exact of which a deciding finding is not in rationals.
+    pub exact_in_floating_point: usize,
+}
+
+impl Figures {
+    /// The figures of one judged claim.
+    pub fn of(outcome: &JudgedClaim) -> Self {
+        let deciding: Vec<_> = outcome.findings.iter().filter(|finding| !finding.bearing.context).collect();
+        let rounded = outcome.claim.evidence == Evidence::Exact && deciding.iter().any(|finding| finding.exact.is_none());
+        Figures {
+            claims: 1,
+            assertions: usize::from(outcome.claim.kind == Kind::Assertion),
+            derived: usize::from(is_derived(outcome.claim)),
+            deciding: deciding.len(),
+            moved: deciding.iter().filter(|finding| is_moved(finding, &outcome.findings, &outcome.control)).count(),
+            context: outcome.findings.len() - deciding.len(),
+            exact_in_floating_point: usize::from(rounded),
+        }
+    }
+
+    /// The figures of all these claims together.
+    pub fn sum(outcomes: &[JudgedClaim]) -> Self {
+        outcomes.iter().map(Figures::of).fold(Figures::default(), |sum, one| Figures {
+            claims: sum.claims + one.claims,
+            assertions: sum.assertions + one.assertions,
+            derived: sum.derived + one.derived,
+            deciding: sum.deciding + one.deciding,
+            moved: sum.moved + one.moved,
+            context: sum.context + one.context,
+            exact_in_floating_point: sum.exact_in_floating_point + one.exact_in_floating_point,
+        })
+    }
+}
+
+/// Whether the control has another finding in the place of this one: the one of its name, and of its turn among those of that name.
+fn is_moved(finding: &Finding, findings: &[Finding], control: &[Finding]) -> bool {
+    let namesakes = |all: &[Finding]| all.iter().filter(|other| other.name == finding.name).cloned().collect::<Vec<_>>();
+    let turn = findings.iter().filter(|other| other.name == finding.name).position(|other| std::ptr::eq(other, finding));
+    let counterpart = turn.and_then(|turn| namesakes(control).into_iter().nth(turn));
+    counterpart.is_none_or(|other| other.supports() != finding.supports() || !other.holds())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::Status;
+    use crate::report::text::tests::outcome;
+
+    fn found(name: &str, value: usize) -> Finding {
+        Finding::count(name, value, 1)
+    }
+
+    #[test]
+    fn a_finding_is_moved_if_its_counterpart_in_the_control_comes_out_otherwise() {
+        let mut judged = outcome(Status::Supported);
+        judged.findings = vec![found("a", 1), found("a", 1), found("b", 1), found("c", 1), found("d", 7).context()];
+        judged.control = vec![found("a", 1), found("a", 2), found("b", 1)];
+        let figures = Figures::of(&judged);
+        assert_eq!((figures.deciding, figures.moved, figures.context), (4, 2, 1));
+    }
+
+    #[test]
+    fn an_exact_claim_with_a_rounded_number_is_counted() {
+        let mut judged = outcome(Status::Supported);
+        judged.findings = vec![found("a", 1)];
+        assert_eq!(Figures::of(&judged).exact_in_floating_point, 0);
+        judged.findings.push(Finding::equal("b", 1.0, 1.0, 0.0, "m"));
+        assert_eq!(Figures::of(&judged).exact_in_floating_point, 1);
+        assert_eq!(Figures::sum(&[outcome(Status::Supported), judged]).claims, 2);
+    }
+}
