@@ -71,7 +71,7 @@ impl<T: Scalar> PlanarProblem<T> {
         Response { after: &self.velocity + &self.delassus * &impulse, impulse }
     }
 
-    /// The work of the impulses, ½ rᵀ(u + u_free) \[J\].
+    /// The work of the impulses, ½ rᵀ(u + u_free) \[J\], if `velocity` is u_free alone, without a shift.
     pub fn energy_change(&self, response: &Response<T>) -> T {
         response.impulse.dot(&(&response.after + &self.velocity)) * T::ratio(1, 2)
     }
