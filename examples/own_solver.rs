@@ -4,7 +4,7 @@
 //!     r ← P_K(r − y/L) ,    y = u_free + shift + (W + R) r ,    L ≥ ‖W + R‖ .
 //! What every solver needs stands in `moreau::solvers::parts`. It takes a place in the table beside the others, and a scheme takes it too.
 
-use moreau::nalgebra::{DVector, dmatrix, dvector};
+use moreau::nalgebra::{self, DVector, dmatrix, dvector};
 use moreau::prelude::*;
 use moreau::solvers::{self, SolverEntry, parts};
 

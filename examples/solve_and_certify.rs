@@ -3,7 +3,7 @@
 //! A cube of 1 kg and edge 2 m comes down on its four lower corners while it slides and turns, μ = ½. Its twelve rows have rank six: there
 //! are many impulses and one motion. The certificate judges every answer alike and knows no solver.
 
-use moreau::nalgebra::{DMatrix, DVector, dmatrix, dvector};
+use moreau::nalgebra::{self, DMatrix, DVector, dmatrix, dvector};
 use moreau::prelude::*;
 use moreau::report::certificate::Certificate;
 use moreau::solvers::ALL;

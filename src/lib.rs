@@ -16,7 +16,7 @@
 //! Mechanism ──► Scheme ──► ContactProblem ──► Solver ──► Solution + Certificate ──► Recording ──► Check ──► Verdict
 //! M, F, φ, H    one step    W, u_free, μ, law   impulses r      residuals with units    metrics
 //! ```
-//! One step of every scheme solves, for the impulses `r` \[N·s\] and the contact velocities `u` \[m/s\],
+//! One step of most schemes (`docs/waist.md` names the others) solves, for the impulses `r` \[N·s\] and the contact velocities `u` \[m/s\],
 //! ```text
 //!     u = W r + u_free ,    y = u + shift + R r ,    (r, y) in the contact law .
 //! ```
@@ -31,7 +31,7 @@
 //! # Three ways in
 //! Solve a contact problem and certify the answer: a block of 1 kg arrives at 1 m/s, slides at 2 m/s, μ = ½.
 //! ```
-//! use moreau::nalgebra::{DMatrix, dvector};
+//! use moreau::nalgebra::{self, DMatrix, dvector}; // the macro writes `nalgebra::`
 //! use moreau::prelude::*;
 //!
 //! let problem = ContactProblem::new(DMatrix::identity(2, 2), dvector![-1.0, 2.0])

@@ -44,7 +44,7 @@ fn exit_codes() {
     assert!(text(&sound.stdout).starts_with("one body 0.1\n") && text(&sound.stdout).contains(" 0 problems, 0 skipped"));
     let faulty = outcome(&[], &this_program(&["--adapter", "forces"]));
     assert_eq!(faulty.status.code(), Some(1));
-    assert!(text(&faulty.stdout).contains("cure: are forces: multiply"));
+    assert!(text(&faulty.stdout).contains("cure: the reported numbers are forces; multiply"));
 }
 
 fn cannot_be_started() {

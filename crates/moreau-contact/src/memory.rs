@@ -32,7 +32,11 @@ fn require_within(limit: u64, what: &str, bytes: u128) -> Result<()> {
         return Ok(());
     }
     let problem = format!("is {}, but {what} needs about {}", size(u128::from(limit)), size(bytes));
-    Err(Error::invalid("--max-memory", problem, format!("take fewer bodies or contacts, or pass {}", allowance(bytes))))
+    Err(Error::invalid(
+        "--max-memory",
+        problem,
+        format!("take fewer bodies or contacts, pass {} or call `memory::set_limit`", allowance(bytes)),
+    ))
 }
 
 /// Bytes of a dense matrix, without overflow.

@@ -122,6 +122,6 @@ fn another_version_and_other_options_are_told_and_compared_all_the_same() {
     now.engine.version = "2".into();
     now.engine.options.insert("iterations".into(), 50.into());
     let notes = Baseline::of(&then).notes(&now);
-    assert_eq!(notes, ["the baseline is of toy 1, the run of 2", "the option iterations was absent in the baseline and is 50 now"]);
+    assert_eq!(notes, ["the baseline is of toy 1, but the run is of 2", "the option iterations was absent in the baseline and is 50 now"]);
     assert_eq!(kinds(&then, &now), []);
 }

@@ -78,7 +78,7 @@ impl<T: Scalar> PlanarProblem<T> {
         })
     }
 
-    /// The work of the impulses, ½ rᵀ(u + u_free) \[J\].
+    /// The work of the impulses, ½ rᵀ(u + u_free) \[J\], if `velocity` is u_free alone, without a shift.
     pub fn energy_change(&self, response: &Response<T>) -> T {
         response.impulse.dot(&(&response.after + &self.velocity)) * T::ratio(1, 2)
     }

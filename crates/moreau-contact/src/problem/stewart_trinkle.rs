@@ -33,7 +33,7 @@ pub fn generators<T: Scalar>(contacts: usize, rows_per_contact: usize, direction
 /// M of the LCP from W̃ (k(1 + d) square) and one friction coefficient per contact.
 ///
 /// # Panics
-/// If the size of W̃ is not a multiple of the number of contacts.
+/// If W̃ is not square, if there is no contact, or if its size is not a multiple of their number.
 ///
 /// # Source
 /// Chapter §4, step 4 of the construction of the Stewart–Trinkle LCP.
@@ -60,6 +60,7 @@ pub fn matrix<T: Scalar>(reduced: &DMatrix<T>, friction: &[T]) -> DMatrix<T> {
 /// # Panics
 /// If the sizes do not fit.
 pub fn lcp<T: Scalar>(reduced: &DMatrix<T>, friction: &[T], velocity: &DVector<T>) -> Lcp<T> {
+    assert!(velocity.len() == reduced.nrows(), "one velocity per row of W̃");
     let matrix = matrix(reduced, friction);
     let vector = DVector::from_fn(matrix.nrows(), |i, _| if i < velocity.len() { velocity[i].clone() } else { T::zero() });
     Lcp::new(matrix, vector)

@@ -84,7 +84,11 @@ fn follow<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>) -> Result<LemkeOutcome
             None => return Ok(tableau.ray(entering, pivots)),
         }
     }
-    Err(Error::limit("lemke", "rounding makes the pivots cycle; scale the problem or use exact rationals"))
+    let limit = lemke_pivot_limit::<T>(size);
+    Err(Error::limit(
+        "lemke",
+        format!("made {limit} pivots: rounding cycles, or the path is long; scale the problem or use exact rationals"),
+    ))
 }
 
 /// The witness of an outcome in rationals.
@@ -105,7 +109,8 @@ fn witness<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>, outcome: &LemkeOutcom
     Some(Witness { kind, parts })
 }
 
-/// The solution that Lemke's method reaches with the covering vector of ones.
+/// The solution that Lemke's method reaches with the covering vector of ones. The problem is taken as it is: one in floating point should
+/// have entries of order one.
 ///
 /// # Errors
 /// As [`lemke`]; [`Error::Solver`] if the path ends on a ray.

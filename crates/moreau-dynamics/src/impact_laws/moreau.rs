@@ -16,7 +16,8 @@ use nalgebra::DVector;
 /// The impact of frictionless contacts, any number of them, each with its own coefficient.
 ///
 /// # Errors
-/// [`moreau_exact::Error::Invalid`] for e outside \[0, 1\]; [`moreau_exact::Error::Solver`] if the complementarity problem is not solved.
+/// [`moreau_exact::Error::Invalid`] for e outside \[0, 1\]; [`moreau_exact::Error::Solver`] if the complementarity problem has no solution,
+/// which dependent contacts with different coefficients may bring about.
 pub fn frictionless<T: Scalar>(impact: &PlanarProblem<T>, restitution: &[T]) -> Result<Response<T>> {
     check_restitution(restitution, impact.velocity.len())?;
     let shift = impact.velocity.map_with_location(|i, _, u| u * restitution[i].clone());

@@ -5,7 +5,7 @@
 //!     restitution    0 ≤ U⁺ ⟂ P_r − E P_c ≥ 0 ,     U⁺ = U_c + W P_r
 //!     along a path   P_n = (1 + e) p_c ,  U_n(p_c) = 0
 //! ```
-//! Without friction P_c + P_r minimises the kinetic energy ½PᵀWP + PᵀU⁻ among P ≥ (1 + E)P_c; see [`two_problems`].
+//! Without friction P_c + P_r minimises the change of kinetic energy ½PᵀWP + PᵀU⁻ among P ≥ (1 + E)P_c; see [`two_problems`].
 
 use super::impact::{check_restitution, coulomb, unilateral};
 use super::routh::Path;
@@ -27,7 +27,7 @@ pub struct TwoPhases<T: Scalar> {
 ///
 /// A contact may take more than e P_c in restitution, if its neighbours would otherwise drive it into the ground. No energy is
 /// gained. P_r minimises f(P) = ½PᵀWP + PᵀU_c over P ≥ E P_c, which is the change of energy since compression. P = P_c is one of
-/// the candidates. Because of U_cᵀP_c = 0, f(P_c) is minus the energy that compression took.
+/// the candidates. Because of U_cᵀP_c = 0, f(P_c) = ½P_cᵀWP_c is the energy that compression took.
 ///
 /// # Errors
 /// [`moreau_exact::Error::Invalid`] for e outside \[0, 1\]; [`moreau_exact::Error::Solver`] if a complementarity problem is not solved.

@@ -182,7 +182,7 @@ fn check<T: Scalar>(impact: &PlanarProblem<T>, friction: &T) -> Result<()> {
         ));
     }
     if impact.velocity[0] >= T::zero() {
-        return Err(Error::invalid("before", "does not approach", "give U_n < 0"));
+        return Err(Error::invalid("velocity", "does not approach", "give U_n < 0"));
     }
     Ok(())
 }

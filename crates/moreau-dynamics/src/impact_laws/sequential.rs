@@ -1,4 +1,4 @@
-//! One impact after the other: Newton's law at a single approaching contact at a time, until none approaches.
+//! One impact after the other: Newton's law at a single approaching contact at a time, until none of the order approaches.
 //!
 //! ```text
 //!     P_i += −(1 + e) U_i/W_ii ,   U += W_·i P_i     for the contacts in the given order, again and again
@@ -11,10 +11,11 @@ use moreau_exact::scalar::Scalar;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
-/// The impacts of frictionless contacts one after the other, visited cyclically in this order.
+/// The impacts of frictionless contacts one after the other, visited cyclically in this order. A contact that is not in the order takes no
+/// impulse and may still approach in the end.
 ///
 /// # Errors
-/// [`Error::Invalid`] for e outside \[0, 1\] or an order that names no contact; [`Error::Solver`] if contacts still approach after
+/// [`Error::Invalid`] for e outside \[0, 1\] or an order that names a contact that does not exist; [`Error::Solver`] if contacts still approach after
 /// [`SEQUENCE_LIMIT`] rounds: the sequence may be infinite.
 pub fn sequential<T: Scalar>(impact: &PlanarProblem<T>, restitution: &T, order: &[usize]) -> Result<Response<T>> {
     check_restitution(std::slice::from_ref(restitution), 1)?;

@@ -15,7 +15,7 @@ use moreau_exact::scalar::Scalar;
 /// The end of restitution: a piece of the path, and the squared normal velocity there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct End<T: Scalar> {
-    /// The state at the start of the last piece.
+    /// The end of compression, or the start of a later piece: where the last stretch begins.
     pub start: PathState<T>,
     /// dU_n/dp on it \[1/kg\].
     pub slope: T,

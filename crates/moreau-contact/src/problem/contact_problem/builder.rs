@@ -28,7 +28,7 @@ impl ContactProblem {
     ///
     /// A block of 1 kg arrives at 1 m/s and slides at 2 m/s, μ = ½:
     /// ```
-    /// use moreau_contact::nalgebra::{DMatrix, dvector};
+    /// use moreau_contact::nalgebra::{self, DMatrix, dvector};
     /// use moreau_contact::{ContactProblem, Law};
     ///
     /// let block = ContactProblem::new(DMatrix::identity(2, 2), dvector![-1.0, 2.0])
@@ -53,7 +53,7 @@ impl ContactProblem {
     ///
     /// A ball of 2 kg on a line falls at 3 m/s:
     /// ```
-    /// use moreau_contact::nalgebra::{dmatrix, dvector};
+    /// use moreau_contact::nalgebra::{self, dmatrix, dvector};
     /// use moreau_contact::ContactProblem;
     ///
     /// let ball = ContactProblem::from_dynamics(dmatrix![2.0], dmatrix![1.0], &dvector![-3.0]).rows_per_contact(1).build()?;
@@ -77,7 +77,7 @@ impl ContactProblem {
 
     /// The pieces of this problem, to make another one that differs in some.
     /// ```
-    /// use moreau_contact::nalgebra::{DMatrix, dvector};
+    /// use moreau_contact::nalgebra::{self, DMatrix, dvector};
     /// use moreau_contact::{ContactProblem, Law};
     ///
     /// let round = ContactProblem::new(DMatrix::identity(3, 3), dvector![-1.0, 2.0, 0.0]).friction(vec![0.5]).build()?;
@@ -108,12 +108,16 @@ fn friction(given: Option<Vec<f64>>, law: Law, size: usize, rows: usize) -> Resu
     }
     let contacts = size / rows;
     if !size.is_multiple_of(rows) {
-        let cure = format!("give a multiple of `rows_per_contact`, which is {rows}, or correct `rows_per_contact`");
+        let cure = format!(
+            "give a multiple of the rows per contact, which are {rows}, or correct their number (`rows_per_contact`, in files `dimension`)"
+        );
         return Err(Error::invalid("free_velocity", format!("has size {size}"), cure));
     }
     match given {
         Some(friction) if friction.len() != contacts => {
-            let cure = format!("give {contacts}, one per contact of {rows} rows, or correct `rows_per_contact`");
+            let cure = format!(
+                "give {contacts}, one per contact of {rows} rows, or correct the number of rows (`rows_per_contact`, in files `dimension`)"
+            );
             Err(Error::invalid("friction", format!("has {} entries", friction.len()), cure))
         }
         Some(friction) => Ok(friction),

@@ -162,8 +162,7 @@ impl ContactProblem {
         sums.iter_mut().zip(self.delassus.column(j).iter()).for_each(|(sum, w)| *sum += w.abs() * impulse);
     }
 
-    /// W = H M̂⁻¹ Hᵀ \[1/kg\] as a square matrix, for algorithms that factor it. Files may hold an asymmetric one. Where W is not stored
-    /// dense this forms it, with a square of memory: ask for less where less is enough.
+    /// W = H M̂⁻¹ Hᵀ \[1/kg\] as a square matrix, for algorithms that factor it. Files may hold an asymmetric one.
     pub fn dense(&self) -> &DMatrix<f64> {
         &self.delassus
     }

@@ -33,7 +33,7 @@ fn mass_and_jacobian_make_the_delassus_operator_and_are_kept() {
     refused(&text.replace(r#""row":[0,1],"column":[0,1],"value":[2,4]"#, r#""row":[0,1,0],"column":[0,1,1],"value":[2,4,1]"#), &["mass"]);
     refused(&text.replace("\"shape\":[2,2],\"trip", "\"shape\":[9999999999,9999999999],\"trip"), &["mass"]);
     refused(&text.replace("\"row\":[0,1],", "\"row\":[0,2],"), &["mass.triplets.row[1]", "is 2"]);
-    refused(&text.replace("\"column\":[0,1],", "\"column\":[0],"), &["mass.triplets", "as many"]);
+    refused(&text.replace("\"column\":[0,1],", "\"column\":[0],"), &["mass.triplets", "three lists of one length"]);
     refused(&text.replace("\"row\":[0,1],\"column\":[0,1]", "\"row\":[0,0],\"column\":[1,1]"), &["mass.triplets", "(0, 1)"]);
 }
 
@@ -69,7 +69,7 @@ fn every_mistake_is_named() {
     refused(&BLOCK.replace("\"name\"", "\"nome\""), &["nome"]);
     refused(&BLOCK.replace("[0.25,3]", "[0.25]"), &["delassus.rows[1]", "1 entries"]);
     refused(&BLOCK.replace("\"shape\":[2,2]", "\"shape\":[2,3]"), &["delassus", "2×3"]);
-    refused(&BLOCK.replace("[0.125,0]", "[0.125]"), &["compliance.diagonal", "needs 2"]);
+    refused(&BLOCK.replace("[0.125,0]", "[0.125]"), &["compliance.diagonal", "give size 2"]);
     refused(&BLOCK.replace("[0.125,0]", "[-1,0]"), &["compliance.diagonal[0]"]);
     refused(&BLOCK.replace("\"contact\"", "\"edge\""), &["compliance.coordinates"]);
     refused(&BLOCK.replace("contact-problem/1", "contact-problem/2"), &["schema", "contact-problem/1"]);
