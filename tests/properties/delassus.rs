@@ -2,7 +2,7 @@
 
 use crate::cases;
 use moreau::checks::Finding;
-use moreau::checks::delassus::{Library, check, semidefinite_up_to_rounding};
+use moreau::checks::delassus::{Library, check, smallest_rayleigh_quotient};
 use moreau::contact::delassus::{MassFactor, delassus};
 use moreau::mechanics::planar::{PlanarBody, Shape};
 use moreau::mechanics::{Mechanism, PlanarBodies, Plane};
@@ -65,7 +65,7 @@ proptest! {
         let mass = mechanism.mass_matrix(&position);
         let w = delassus(&mass, &jacobian).unwrap();
         prop_assert_eq!(&w, &w.transpose());
-        let finding = semidefinite_up_to_rounding(&w, position.len());
+        let finding = smallest_rayleigh_quotient(&w, position.len());
         prop_assert!(finding.holds(), "{}", finding);
         let factor = MassFactor::new(&mass).unwrap();
         for j in 0..w.ncols() {
