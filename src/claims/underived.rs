@@ -5,20 +5,6 @@
 
 /// Their ids.
 pub const UNDERIVED: &[&str] = &[
-    // front
-    "M.cone-error",
-    "P.modB",
-    "P.scenes",
-    "M.convex-Oh",
-    "P.modA",
-    "T.energy",
-    "P.pgs",
-    "P.order-zero",
-    "M.high-order",
-    "P.compare",
-    "M.zeno",
-    "T.moreau-convergence",
-    "T.symbols",
     // s0
     "S0.moving-convex",
     "S0.gjk",
