@@ -5,21 +5,6 @@
 
 /// Their ids.
 pub const UNDERIVED: &[&str] = &[
-    // s0
-    "S0.moving-convex",
-    "S0.gjk",
-    "S0.hlw",
-    "S0.fetecau",
-    "S0.rk4-local",
-    "S0.flip-inconsistent",
-    "S0.all-Oh",
-    "S0.order-meaningless",
-    "S0.soft-smooth",
-    "S0.rattle-high",
-    "S0.measure-split",
-    "S0.event-stuck",
-    "S0.adhoc",
-    "S0.zeno-absorb",
     // s1
     "S1.filippov",
     "S1.mujoco-euler",
