@@ -5,15 +5,6 @@
 
 /// Their ids.
 pub const UNDERIVED: &[&str] = &[
-    // s1
-    "S1.filippov",
-    "S1.mujoco-euler",
-    "S1.all-ts",
-    "S1.ts-unique",
-    "S1.stewart98",
-    "S1.weakstar",
-    "S1.ed-undefined",
-    "S1.scale",
     // s2
     "S2.bipotential",
     "S2.tangent",
