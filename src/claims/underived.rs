@@ -236,15 +236,6 @@ pub const UNDERIVED: &[&str] = &[
     "S12.ex3",
     "S12.energy",
     "S12.ex2",
-    // manual
-    "Pr.sap-gliding",
-    "R7",
-    "R3",
-    "R4",
-    "R5",
-    "R6",
-    "R1",
-    "R8",
     // v
     "V.mujoco",
     "V.defaults",
