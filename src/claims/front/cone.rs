@@ -3,8 +3,8 @@
 use crate::Result;
 use crate::certificate::lcp::residuals;
 use crate::checks::Finding;
-use crate::claims::s4::polyhedral::order_findings;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::s4::polyhedral::scaled_errors;
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
 use crate::cones::polyhedral::strength_error;
 use crate::problem::{Lcp, PlanarProblem};
 use crate::scalar::{Rational, ratio};
@@ -19,7 +19,7 @@ pub const PREFACE: &[Claim] = &[Claim {
     statement: "A solution of 0 ≤ z ⟂ w = Mz + q ≥ 0 has z_i = 0 or w_i = 0 for each i; N_C(x) = {g : ⟨g, y − x⟩ ≤ 0 for all y in C}; \
         prox_f(v) = argmin f(x) + ½‖x − v‖².",
     verdict: ClaimVerdict::True,
-    kind: Kind::Assertion,
+    kind: Kind::Definition,
     severity: None,
     evidence: Evidence::Exact,
     correct_statement: "As stated, for C closed and convex and x in C; the prox of an indicator is the projection, and v − prox(v) lies in \
@@ -36,16 +36,18 @@ pub const PREFACE: &[Claim] = &[Claim {
 pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     id: "M.cone-error",
     statement: "The polyhedral cone changes the cone's shape: an error O(1/d), its LCP exact.",
-    verdict: ClaimVerdict::Conditional,
+    verdict: ClaimVerdict::Ambiguous,
     kind: Kind::Assertion,
-    severity: Some(Severity::MissingHypothesis),
+    severity: None,
     evidence: Evidence::Certified,
-    correct_statement: "O(1/d) is the order of the direction (π/d) and of the force vector; the radius is short by 1 − cos(π/d) = O(1/d²): \
-        0.2929, 0.0761, 0.0192, 0.0048 for d = 4, 8, 16, 32. The LCP of that cone is solved exactly.",
-    argument: "d²(1 − cos(π/d)) lies in [π²/2 − π⁴/(24 d²), π²/2] and d·(π/d) = π. Lemke's method in rational arithmetic solves the LCP of \
-        a sliding contact with four directions with all residuals zero; \
-        its friction has half the squared strength of the circular cone's along the bisector, which is the error of the shape.",
-    control: "First order as the order of the radius.",
+    correct_statement: "As an upper bound it holds of all errors. The order of the shape is 1/d²: the radius is short by 1 − cos(π/d), \
+        0.2929, 0.0761, 0.0192, 0.0048 for d = 4, 8, 16, 32. O(1/d) is the order of the direction of the force, π/d. The LCP of that \
+        cone is solved exactly.",
+    argument: "From d to 2d the missing strength falls by 1/(4 cos²(π/4d)), nearly 1/4 and below 1/2, the largest error of the \
+        direction by 1/2. Lemke's method in rational arithmetic solves the LCP of a sliding contact with four directions with all \
+        residuals zero; its friction has half the squared strength of the circular cone's along the bisector, which is the error of the \
+        shape.",
+    control: "The error of the direction in the place of that of the radius: it is of order 1/d in either reading.",
     sources: &["chapter, table of misconceptions, polyhedral cone and convex relaxation"],
     check: cone_error,
 }];
@@ -97,7 +99,25 @@ fn proximal_point_is_normal(v: &Rational) -> Finding {
 }
 
 fn cone_error(reading: Reading) -> Result<Vec<Finding>> {
-    let mut findings: Vec<Finding> = [8, 16, 32].into_iter().flat_map(|d| order_findings(reading.pick(2, 1), d)).collect();
+    let mut findings = Vec::new();
+    for d in [4, 8, 16] {
+        let errors = |d: usize| {
+            let [strength, direction, _] = scaled_errors(0, d);
+            [strength, direction / d as f64]
+        };
+        let ([strength, direction], [finer_strength, finer_direction]) = (errors(d), errors(2 * d));
+        let (coarse, fine) = reading.pick((strength, finer_strength), (direction, finer_direction));
+        // the strength is the smallest of the four and a difference of numbers of size 1, known to 8 roundings
+        let bound = 2.0 * rounding(8, 1.0) / finer_strength;
+        let expected = 0.25 / (std::f64::consts::PI / (4 * d) as f64).cos().powi(2);
+        let shape = || {
+            Finding::equal(format!("error of the radius with 2d directions over that with d = {d}"), fine / coarse, expected, bound, "1")
+        };
+        findings.push(shape().says_at_most(0.5).reading("O(1/d) as an upper bound"));
+        findings.push(shape().says(0.5).reading("1/d as the order of the shape"));
+        let ratio = finer_direction / direction;
+        findings.push(Finding::equal(format!("error of the direction with 2d directions over that with d = {d}"), ratio, 0.5, bound, "1"));
+    }
     // cos(π/4) = 1/√2 and the half-angle formula, twice
     let half_angle = |cosine: f64| ((1.0 + cosine) / 2.0).sqrt();
     let quarter = 0.5f64.sqrt();

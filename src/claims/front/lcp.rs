@@ -18,15 +18,15 @@ use nalgebra::{DMatrix, DVector, dvector};
 pub const PREFACE: &[Claim] = &[Claim {
     id: "P.pgs",
     statement: "Module A of the project: PGS solves the Delassus LCP 0 ≤ U = WP + U_free ⟂ P ≥ 0 of every step.",
-    verdict: ClaimVerdict::Conditional,
-    kind: Kind::Assertion,
-    severity: Some(Severity::MissingHypothesis),
+    verdict: ClaimVerdict::True,
+    kind: Kind::Exercise,
+    severity: None,
     evidence: Evidence::Certified,
-    correct_statement: "PGS converges for W ⪰ 0 with positive diagonal; with redundant contacts the impulses depend on the start and only \
-        the velocity U is unique.",
-    argument: "Block on four frictionless corners (1, ±1, ±1), W of rank 3, U_free = −1: from P = 0 and from P = (1, 0, 0, 1) PGS reaches \
-        the same velocity U = 0 with different impulses.",
-    control: "Impulses compared in place of velocities.",
+    correct_statement: "As stated, since W ⪰ 0 with a positive diagonal; with redundant contacts the impulses depend on the start, and \
+        only the velocity U is unique.",
+    argument: "Block on four frictionless corners (1, ±1, ±1), W of rank 3, U_free = −1: from P = 0 and from P = (1, 0, 0, 1) PGS \
+        reaches a solution, min(P, U) = 0 entry by entry, with the same velocity U = 0 and different impulses.",
+    control: "A single sweep.",
     sources: &["chapter, cumulative project, module A"],
     check: gauss_seidel,
 }];
@@ -36,14 +36,16 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     id: "M.lcp-nonunique",
     statement: "Misconception “solvable means uniquely solvable”: copositive-plus guarantees existence only; where several bodies collide \
         at once the LCP may have several solutions, and changing the solver changes the result.",
-    verdict: ClaimVerdict::True,
+    verdict: ClaimVerdict::Conditional,
     kind: Kind::Assertion,
-    severity: None,
+    severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Exact,
-    correct_statement: "Copositive-plus and feasible gives existence, not uniqueness. (The Stewart–Trinkle matrix itself is not \
-        copositive-plus with friction, see S4.copos-plus.)",
-    argument: "W = [[1, 1], [1, 1]] is semidefinite, hence copositive-plus; with q = (−1, −1) every z ≥ 0 with z₁ + z₂ = 1 is a solution.",
-    control: "The definite matrix [[2, −1], [−1, 2]], whose solution is unique.",
+    correct_statement: "Copositive-plus and feasible gives existence, not uniqueness. Without friction several solutions have different \
+        impulses and one velocity; the motion changes with the solver only where friction acts (S4.nonunique). (The Stewart–Trinkle \
+        matrix itself is not copositive-plus with friction, see S4.copos-plus.)",
+    argument: "Unit mass on two equal contacts: W = [[1, 1], [1, 1]] is semidefinite, hence copositive-plus; with q = (−1, −1) every z \
+        ≥ 0 with z₁ + z₂ = 1 is a solution, and all have v⁺ = −1 + z₁ + z₂ = 0.",
+    control: "Three balls in a row, W = [[2, −1], [−1, 2]], where the solution is unique.",
     sources: &["chapter, table of misconceptions"],
     check: existence_only,
 }];
@@ -67,14 +69,25 @@ pub const TABLES: &[Claim] = &[Claim {
 }];
 
 fn existence_only(reading: Reading) -> Result<Vec<Finding>> {
-    let entries = reading.pick([1, 1, 1, 1], [2, -1, -1, 2]);
-    let matrix = DMatrix::from_row_slice(2, 2, &entries.map(|x| ratio(x, 1)));
+    let integers = |rows, columns, entries: &[i64]| DMatrix::from_row_iterator(rows, columns, entries.iter().map(|&x| ratio(x, 1)));
+    let jacobian = reading.pick(integers(2, 1, &[1, 1]), integers(2, 3, &[-1, 1, 0, 0, -1, 1]));
+    let matrix = &jacobian * jacobian.transpose();
     let plus = copositive_plus(&matrix)?.holds();
     let set = all_solutions(&Lcp::new(matrix, DVector::from_element(2, ratio(-1, 1))))?;
+    let mut changes: Vec<DVector<Rational>> = Vec::new();
+    for impulse in &set.points {
+        let change = jacobian.transpose() * impulse;
+        if !changes.contains(&change) {
+            changes.push(change);
+        }
+    }
     Ok(vec![
         Finding::decision("the solution is unique", set.is_unique(), false),
         Finding::decision("the matrix is copositive-plus", plus, true),
         Finding::decision("a solution exists", !set.is_empty(), true),
+        Finding::count("different velocities among the solutions", changes.len(), 1)
+            .says_at_least(2usize)
+            .violating("friction acts at the contacts"),
     ])
 }
 
@@ -116,14 +129,19 @@ fn gauss_seidel(reading: Reading) -> Result<Vec<Finding>> {
         .law(Law::Frictionless)
         .rows_per_contact(1)
         .build()?;
-    let solve = |start: DVector<f64>| ProjectedGaussSeidel::default().solve(&problem, Some(&start));
-    let (zero, diagonal) = (solve(DVector::zeros(4))?, solve(dvector![1.0, 0.0, 0.0, 1.0])?);
-    let velocities = (&zero.velocity - &diagonal.velocity).amax();
-    let impulses = (&zero.impulse - &diagonal.impulse).amax();
-    let compared = reading.pick(velocities, impulses);
-    Ok(vec![
-        Finding::equal("difference of the answers from two starts", compared, 0.0, SWEEP_VELOCITY, "m/s"),
-        Finding::equal("largest |U|, all corners pressed", zero.velocity.amax(), 0.0, SWEEP_VELOCITY, "m/s"),
-        Finding::decision("the impulses differ", impulses > SWEEP_VELOCITY, true),
-    ])
+    let converged = ProjectedGaussSeidel::default();
+    let solver = reading.pick(converged, ProjectedGaussSeidel { sweeps: 1, ..converged });
+    let mut findings = Vec::new();
+    let mut impulses = Vec::new();
+    for (name, start) in [("P = 0", DVector::zeros(4)), ("P = (1, 0, 0, 1)", dvector![1.0, 0.0, 0.0, 1.0])] {
+        let answer = solver.solve(&problem, Some(&start))?;
+        // 0 ≤ U ⟂ P ≥ 0 is min(P, U) = 0; one unit of each is taken as equal
+        let residual = answer.impulse.zip_map(&answer.velocity, f64::min).amax();
+        findings.push(Finding::equal(format!("largest |min(P, U)| from {name}"), residual, 0.0, SWEEP_VELOCITY, "N·s, m/s"));
+        findings.push(Finding::equal(format!("largest |U| from {name}"), answer.velocity.amax(), 0.0, SWEEP_VELOCITY, "m/s"));
+        impulses.push(answer.impulse);
+    }
+    let apart = (&impulses[0] - &impulses[1]).amax();
+    findings.push(Finding::decision("the impulses differ", apart > SWEEP_VELOCITY, true).context());
+    Ok(findings)
 }

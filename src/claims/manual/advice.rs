@@ -10,7 +10,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
     id: "Pr.sap-gliding",
     statement: "Drake SAP's O(h) gliding is visible at h of 5 to 10 ms and buys steps five to ten times as long.",
     verdict: ClaimVerdict::Ambiguous,
-    kind: Kind::Assertion,
+    kind: Kind::Opinion,
     severity: None,
     evidence: Evidence::NotDecidable,
     correct_statement: "Of kSap and kSimilar, not of Drake's default, kLagged. What is visible and what five times is compared with are \
@@ -27,7 +27,10 @@ fn gliding(reading: Reading) -> Result<Vec<Finding>> {
     let mut findings = Vec::new();
     for h in [0.005, 0.01] {
         let lifted = lift(reading.pick("drake-sap", "drake-lagged"), h)?;
-        findings.push(Finding::equal(format!("lift of a faster slide at h = {h} s, SAP"), lifted, predicted_lift(h), settled(h), "m"));
+        findings.push(
+            Finding::equal(format!("lift of a faster slide at h = {h} s, SAP"), lifted, predicted_lift(h), settled(h), "m")
+                .opinion("what is visible"),
+        );
         findings.push(Finding::equal(format!("the same at h = {h} s, Lagged"), lift("drake-lagged", h)?, 0.0, settled(h), "m"));
     }
     Ok(findings)

@@ -39,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "GJK and its ancestor, Gilbert's algorithm, find the point of the Minkowski difference nearest to the origin, with a \
             lower bound from its support function. Disk of radius 0.2 m and a box of half extents 0.4 and 0.3 m: with the centre at (0.7, \
             0.7) the enclosure closes on φ = 0.3 m; at depths 0.05 and 0.1 m below the upper face it closes on 0 both times.",
-        control: "A penetrating pair, as if the distance were φ.",
+        control: "Disks beside a corner of the box in the place of those inside it.",
         sources: &["chapter §0, gap function", "Gilbert, Johnson, Keerthi, IEEE J. Robotics and Automation 4 (1988)"],
         check: distance_is_not_depth,
     },
@@ -52,13 +52,12 @@ fn convexity(reading: Reading) -> Result<Vec<Finding>> {
     let (right, left) = ([edge.clone(), ratio(0, 1)], [-edge, ratio(0, 1)]);
     let middle = [(&right[0] + &left[0]) / ratio(2, 1), Rational::zero()];
     let admissible = |q: &[Rational; 2]| gap(q) >= Rational::zero();
-    // T_C(q) = {v : ∇φ·v ≥ 0} with ∇φ = 2q on the boundary
-    let tangent = |q: [i64; 2], v: [i64; 2]| q[0] * v[0] + q[1] * v[1] >= 0;
+    // T_C(q) = {v : ∇φ·v ≥ 0} on the boundary, ∇φ = ±2q and v = (0, −1)
+    let tangent = |q: [i64; 2]| &sign * ratio(-2 * q[1], 1) >= Rational::zero();
     Ok(vec![
-        Finding::exact("φ at the midpoint of two admissible points", &gap(&middle), &ratio(-1, 1), "m²"),
+        Finding::exact("φ at the midpoint of two admissible points", &gap(&middle), &ratio(-1, 1), "m²").says_at_least(ratio(0, 1)),
         Finding::decision("both points are admissible", admissible(&right) && admissible(&left), true),
-        Finding::decision("(0, −1) is a tangent at (1, 0)", tangent([1, 0], [0, -1]), true),
-        Finding::decision("(0, −1) is a tangent at (0, 1)", tangent([0, 1], [0, -1]), false),
+        Finding::decision("(0, −1) is a tangent at (1, 0) and not at (0, 1)", tangent([1, 0]) && !tangent([0, 1]), true).context(),
     ])
 }
 
@@ -98,17 +97,23 @@ fn gap(centre: Vector2<f64>) -> Result<f64> {
 }
 
 fn distance_is_not_depth(reading: Reading) -> Result<Vec<Finding>> {
-    let centre = reading.pick(Vector2::new(0.7, 0.7), Vector2::new(0.05, 0.45));
+    let centre = Vector2::new(0.7, 0.7);
     let [lower, upper] = distance_bounds(centre);
     let phi = gap(centre)?;
     let mut findings = vec![
         Finding::equal("φ against the enclosed distance", 0.5 * (lower + upper), phi, GILBERT_WIDTH, "m"),
         Finding::at_most("width of the enclosure", upper - lower, GILBERT_WIDTH, "m"),
     ];
-    for depth in [0.05, 0.1] {
-        let centre = Vector2::new(0.05, RADIUS + HALF_EXTENTS[1] - depth);
+    for depth in reading.pick([0.05, 0.1], [-0.05, -0.1]) {
+        let below_the_face = Vector2::new(0.05, RADIUS + HALF_EXTENTS[1] - depth);
+        let beside_a_corner = Vector2::from(HALF_EXTENTS) + Vector2::new(0.6, 0.8) * (RADIUS - depth);
+        let centre = reading.pick(below_the_face, beside_a_corner);
         let [lower, upper] = distance_bounds(centre);
-        findings.push(Finding::equal(format!("distance at depth {depth}"), 0.5 * (lower + upper), 0.0, GILBERT_WIDTH, "m"));
+        findings.push(
+            Finding::equal(format!("distance at depth {depth}"), 0.5 * (lower + upper), 0.0, GILBERT_WIDTH, "m")
+                .says(-depth)
+                .violating("the bodies are disjoint"),
+        );
         findings.push(Finding::equal(format!("φ at depth {depth}"), gap(centre)?, -depth, GILBERT_WIDTH, "m"));
     }
     Ok(findings)

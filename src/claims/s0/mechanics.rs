@@ -82,7 +82,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Certified,
         correct_statement: "As stated; for a body at rest P = m g h exactly.",
         argument: "A 2 kg ball at rest under both schemes: P/(m g h) = 1, and halving h halves P.",
-        control: "The force P/h, which does not halve.",
+        control: "A ball that arrives at 1 m/s, whose impulse does not halve with h.",
         sources: &["chapter §0 and §3"],
         check: impulses,
     },
@@ -180,18 +180,18 @@ fn impulses(reading: Reading) -> Result<Vec<Finding>> {
     let bound = rounding(8, 2.0);
     let mut findings = Vec::new();
     for (name, scheme) in schemes {
-        let unknown = |h: f64| Ok::<f64, Error>(resting_impulse(scheme, h)? * reading.pick(1.0, 1.0 / h));
+        let unknown = |h: f64| impulse_on_the_floor(scheme, reading.pick(0.0, -1.0), h);
         findings.push(Finding::equal(format!("{name}: unknown at h over that at h/2"), unknown(coarse)? / unknown(fine)?, 2.0, bound, "1"));
-        let scaled = resting_impulse(scheme, coarse)? / (2.0 * 9.81 * coarse);
+        let scaled = unknown(coarse)? / (2.0 * 9.81 * coarse);
         findings.push(Finding::equal(format!("{name}: P/(m g h) at rest"), scaled, 1.0, bound, "1"));
     }
     Ok(findings)
 }
 
-/// The impulse of one step of a 2 kg ball at rest on the floor.
-fn resting_impulse(scheme: &dyn Scheme, h: f64) -> Result<f64> {
+/// The impulse of one step of a 2 kg ball on the floor, which it has reached at this velocity.
+fn impulse_on_the_floor(scheme: &dyn Scheme, velocity: f64, h: f64) -> Result<f64> {
     let ball = PointMass::ball_on_floor(2.0, 9.81, 0.5);
-    let rest = State { time: 0.0, position: dvector![0.0], velocity: dvector![0.0] };
-    let taken = step(scheme, &LemkePivoting, &ball, &rest, h)?;
+    let now = State { time: 0.0, position: dvector![0.0], velocity: dvector![velocity] };
+    let taken = step(scheme, &LemkePivoting, &ball, &now, h)?;
     taken.impulses.first().map(|impulse| impulse.impulse[0]).ok_or_else(|| Error::Unsupported("the ball touches the floor".into()))
 }

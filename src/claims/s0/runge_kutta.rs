@@ -1,4 +1,5 @@
-//! The classical Runge–Kutta method on q̈ = a(q) with impacts at q = 0: located, flipped at the end of a step, or ignored.
+//! The classical Runge–Kutta method on q̈ = a(q) with impacts at q = 0: located, flipped at the end of a step, or ignored; and the
+//! semi-implicit Euler rule on the same motion.
 //!
 //! The ball hangs on a spring, a(q) = −g − ω² q, so that the method is not exact in flight and the solution has a closed
 //! form: with c = g/ω², q + c = R cos(ωs − δ) between impacts, which lie where R cos = c.
@@ -35,6 +36,18 @@ pub(crate) fn step(acceleration: &impl Fn(f64) -> f64, [q, v]: [f64; 2], h: f64)
     [q + h * mean(0), v + h * mean(1)]
 }
 
+/// One step of a method for the ball on its spring.
+type Method = fn([f64; 2], f64) -> [f64; 2];
+
+fn runge_kutta(state: [f64; 2], h: f64) -> [f64; 2] {
+    step(&spring, state, h)
+}
+
+fn semi_implicit_euler([q, v]: [f64; 2], h: f64) -> [f64; 2] {
+    let velocity = v + h * spring(q);
+    [q + h * velocity, velocity]
+}
+
 fn spring(q: f64) -> f64 {
     -GRAVITY - FREQUENCY * FREQUENCY * q
 }
@@ -60,11 +73,11 @@ fn exact(time: f64) -> [f64; 2] {
 }
 
 /// (q, v) at `end` with steps h, and the largest velocity error where the motion on either side of a node may be compared.
-fn integrate(impacts: Impacts, h: f64, end: f64) -> ([f64; 2], f64) {
+fn integrate(method: Method, impacts: Impacts, h: f64, end: f64) -> ([f64; 2], f64) {
     let (mut state, mut time, mut worst) = ([HEIGHT, 0.0], 0.0, 0.0f64);
     while time < end {
         let (before, length) = (time, h.min(end - time));
-        let mut next = step(&spring, state, length);
+        let mut next = method(state, length);
         time = if length < h { end } else { time + h };
         if impacts == Impacts::Located && next[0] < 0.0 {
             let (mut low, mut high) = (0.0, length);
@@ -73,10 +86,10 @@ fn integrate(impacts: Impacts, h: f64, end: f64) -> ([f64; 2], f64) {
                 if middle <= low || middle >= high {
                     break;
                 }
-                if step(&spring, state, middle)[0] < 0.0 { high = middle } else { low = middle }
+                if method(state, middle)[0] < 0.0 { high = middle } else { low = middle }
             }
-            let [_, speed] = step(&spring, state, low);
-            next = step(&spring, [0.0, -RESTITUTION * speed], length - low);
+            let [_, speed] = method(state, low);
+            next = method([0.0, -RESTITUTION * speed], length - low);
         } else if impacts == Impacts::Flipped && next[0] < 0.0 && next[1] < 0.0 {
             next[1] *= -RESTITUTION;
         }
@@ -100,14 +113,26 @@ pub(crate) enum Norm {
 ///
 /// Not to its apex: there v = 0 and an error of time, the method's leading one on a spring, does not show in q.
 pub(crate) fn order(impacts: Impacts, norm: Norm, count: usize) -> Result<OrderEstimate> {
+    order_of(runge_kutta, impacts, norm, count, 1)
+}
+
+/// The largest error of q of the Runge–Kutta method after one flip over that of the semi-implicit Euler rule, level by level; the Euler
+/// rule takes `finer` steps to each of the Runge–Kutta method's.
+pub(crate) fn errors_over_those_of_first_order(finer: usize) -> Result<Vec<f64>> {
+    let errors = |method: Method, finer: usize| order_of(method, Impacts::Flipped, Norm::EndPosition, 1, finer);
+    let (fourth, first) = (errors(runge_kutta, 1)?, errors(semi_implicit_euler, finer)?);
+    Ok(fourth.levels.iter().zip(&first.levels).map(|(a, b)| a.error / b.error).collect())
+}
+
+fn order_of(method: Method, impacts: Impacts, norm: Norm, count: usize, finer: usize) -> Result<OrderEstimate> {
     let fall = first_impact_time();
     let mut end = fall;
     for k in 1..=count {
         let flight = flight_time(k);
         end += if k == count { 0.25 * flight } else { flight };
     }
-    estimate_order(fall, &[32, 64, 128, 256], 4, |h| {
-        let (state, worst) = integrate(impacts, h, end);
+    estimate_order(fall, &[32, 64, 128, 256].map(|steps| finer * steps), 4, |h| {
+        let (state, worst) = integrate(method, impacts, h, end);
         Ok(match norm {
             Norm::EndPosition => (state[0] - exact(end)[0]).abs(),
             Norm::VelocitySup => worst,

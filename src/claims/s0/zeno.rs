@@ -16,17 +16,18 @@ pub const CLAIMS: &[Claim] = &[
         id: "S0.event-stuck",
         statement: "An event-driven method must detect and process every bounce; near T∞ the intervals tend to zero, the root \
                     finding never stops and the simulation is stuck before T∞.",
-        verdict: ClaimVerdict::Conditional,
+        verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
-        severity: Some(Severity::MissingHypothesis),
+        severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "True of exact arithmetic. In floating point the loop ends: once a flight is shorter than half the \
-                            spacing of floats at T∞ the clock stands still, and a minimum interval ends it after \
-                            ⌈ln(δ/2t₁)/ln e⌉ landings. The infinitely many bounces can also be summed in closed form.",
+        correct_statement: "As stated, without a rule of continuation. In exact arithmetic every landing advances the clock and none \
+            reaches T∞; in floating point the clock stands still, at T∞ to rounding, once a flight is shorter than half the spacing of \
+            floats there. A minimum interval ends the loop after ⌈ln(δ/2t₁)/ln e⌉ landings, and the infinitely many bounces can also be \
+            summed in closed form.",
         argument: "With t₁ = 1 the k-th flight lasts 2eᵏ and T∞ = (1+e)/(1−e). For e = 4/5, rationals: after 400 flights \
                    T∞ − t = 10·(4/5)⁴⁰¹ > 0 and every landing advanced the clock. Floats: 2·0.8ᵏ falls below half the spacing \
                    2⁻⁴⁹ of the floats near 9 at k = 159, and the clock stops.",
-        control: "Exact rationals instead of floats in the loop that is expected to end.",
+        control: "An elastic ball, whose flights do not shrink.",
         sources: &["chapter §0, Zeno phenomenon"],
         check: event_loop,
     },
@@ -35,7 +36,7 @@ pub const CLAIMS: &[Claim] = &[
         statement: "In practice one patches the event-driven method (“slower than a threshold counts as at rest”), which is ad hoc \
                     and destroys physical consistency.",
         verdict: ClaimVerdict::Ambiguous,
-        kind: Kind::Assertion,
+        kind: Kind::Opinion,
         severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "Whether a patch is ad hoc is a judgement. Its error is bounded and vanishes with the threshold: stopping \
@@ -74,7 +75,7 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Exercise: derive t_k, show t_k → T∞ < ∞, compute T∞ for e = 0.8, q₀ = 1 m, g = 9.81 m/s²; near which time does \
                     an event-driven method with step 10⁻³ s get stuck?",
         verdict: ClaimVerdict::True,
-        kind: Kind::Assertion,
+        kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::Certified,
         correct_statement: "T∞ = 9 √(2/9.81) s = 4.0637 s; a method that cannot resolve flights shorter than 10⁻³ s makes 31 landings \
@@ -103,16 +104,15 @@ fn landings<T: Scalar>(restitution: &T, budget: usize) -> (Option<usize>, T) {
 
 fn event_loop(reading: Reading) -> Result<Vec<Finding>> {
     const BUDGET: usize = 400;
-    let (in_floats, stopped) = landings(&0.8, BUDGET);
-    let (in_rationals, reached) = landings(&ratio(4, 5), BUDGET);
-    let ended = reading.pick(in_floats, in_rationals);
+    let (in_floats, stopped) = landings(&reading.pick(0.8, 1.0), BUDGET);
+    let (in_rationals, reached) = landings(&reading.pick(ratio(4, 5), ratio(1, 1)), BUDGET);
     // 2eᵏ at most half the spacing of floats at T∞ = 9; one landing more for the rounding of eᵏ.
     let spacing = 9f64.next_up() - 9.0;
     let longest = ((spacing / 4.0).ln() / 0.8f64.ln()).ceil() + 1.0;
     let remaining = ratio(9, 1) - reached;
     let expected = (0..=BUDGET).fold(ratio(10, 1), |product, _| product * ratio(4, 5));
     Ok(vec![
-        Finding::at_most("landings until the clock stands still", ended.map_or(f64::INFINITY, |count| count as f64), longest, "1"),
+        Finding::at_most("landings until the clock stands still", in_floats.map_or(f64::INFINITY, |count| count as f64), longest, "1"),
         Finding::at_most("clock short of T∞ (in t₁)", (9.0 - stopped).abs(), rounding(2 * BUDGET, 9.0), "1"),
         Finding::decision("the exact loop has not ended after 400 flights", in_rationals.is_none(), true),
         Finding::decision("the exact clock is still before T∞", remaining > ratio(0, 1), true),
@@ -137,15 +137,13 @@ fn threshold(reading: Reading) -> Result<Vec<Finding>> {
         let total = ratio(2, 1) * e.clone() / (ratio(1, 1) - e.clone());
         let time = total - skipped_before;
         let bound = ratio(2, 1) * limit.clone() * flights.clone();
-        findings.push(Finding::at_most(format!("time skipped, v_thr = V/{inverse}"), Scalar::to_f64(&time), Scalar::to_f64(&bound), "V/g"));
+        let point = "what is ad hoc and destroys consistency";
+        let name = format!("time skipped, v_thr = V/{inverse}");
+        findings.push(Finding::at_most(name, Scalar::to_f64(&time), Scalar::to_f64(&bound), "V/g").opinion(point));
         let height = speed.clone() * speed / ratio(2, 1);
         let bound: Rational = limit.clone() * limit / ratio(2, 1);
-        findings.push(Finding::at_most(
-            format!("height skipped, v_thr = V/{inverse}"),
-            Scalar::to_f64(&height),
-            Scalar::to_f64(&bound),
-            "V²/g",
-        ));
+        let name = format!("height skipped, v_thr = V/{inverse}");
+        findings.push(Finding::at_most(name, Scalar::to_f64(&height), Scalar::to_f64(&bound), "V²/g").opinion(point));
     }
     Ok(findings)
 }
@@ -154,7 +152,7 @@ fn absorbs(reading: Reading) -> Result<Vec<Finding>> {
     let ball = DroppedBall { mass: 1.0, gravity: 9.81, height: 1.0, restitution: 0.8 };
     let scheme = |activation, theta| MoreauJean { theta, activation, restitution: RestitutionRule::NormalOnly };
     let low = DroppedBall { height: 0.1, restitution: 0.5, ..ball };
-    let mut findings = vec![sinking(&low, 0.01)?];
+    let mut findings = vec![sinking(&low, 0.01)?.says(0.0).violating("active wherever the forecast is, whatever the sign of v")];
     for activation in Activation::ALL {
         for theta in [0.5, 1.0] {
             let proved = scheme(activation, theta);
@@ -162,7 +160,11 @@ fn absorbs(reading: Reading) -> Result<Vec<Finding>> {
             let subject: &dyn Scheme = reading.pick(&proved, &unconditional);
             for mut finding in absorption(subject, &proved, &ball, 0.01, 50)? {
                 finding.name = format!("{}, {}, θ = {theta}", finding.name, activation.name());
-                findings.push(finding);
+                findings.push(if finding.name.starts_with("settling time after") {
+                    finding.says_at_most(0.0).violating("a rule under which the ball settles before T∞")
+                } else {
+                    finding
+                });
             }
         }
     }

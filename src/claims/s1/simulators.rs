@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::experiments::{drake, siconos};
+use crate::claims::experiments::{drake, mujoco, siconos};
 use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 
 pub const CLAIMS: &[Claim] = &[Claim {
@@ -17,18 +17,23 @@ pub const CLAIMS: &[Claim] = &[Claim {
         whose zeros the simulator locates. \
         ROS and Pinocchio are not simulators.",
     argument: "Asked of the packages: Siconos 4.4.0 has the classes TimeStepping and EventDriven; Drake 1.51.1 integrates a plant with \
-        time step 0 by RungeKutta3Integrator under error control, and LeafSystem has MakeWitnessFunction. Bullet and Isaac were not asked.",
-    control: "Drake without witness functions.",
+        time step 0 by RungeKutta3Integrator under error control, and LeafSystem has MakeWitnessFunction. Bullet and Isaac were not \
+        asked.",
+    control: "MuJoCo in the place of Drake: its stored facts name neither located events nor a continuous integrator.",
     sources: &["chapter §1, table of the two routes", "references/facts/siconos.json", "references/facts/drake.json"],
     check: routes,
 }];
 
 fn routes(reading: Reading) -> Result<Vec<Finding>> {
-    let (siconos, drake) = (siconos::Facts::stored()?, drake::facts()?);
+    let (siconos, drake, mujoco) = (siconos::Facts::stored()?, drake::facts()?, mujoco::facts()?);
+    let integrator = drake.continuous_integrator;
+    let (locates, controls) = match reading {
+        Reading::Recorded => (drake.locates_events, integrator.controls_error && integrator.name == "RungeKutta3Integrator"),
+        Reading::Control => (mujoco.has(&["stated"], "locates_events"), mujoco.has(&["stated"], "continuous_integrator")),
+    };
     Ok(vec![
-        Finding::decision("Drake locates zeros of witness functions", drake.locates_events, reading.pick(true, false)),
-        Finding::decision("Drake's continuous plant is integrated under error control", drake.continuous_integrator.controls_error, true),
-        Finding::decision("by a Runge–Kutta method", drake.continuous_integrator.name == "RungeKutta3Integrator", true),
+        Finding::decision("Drake locates zeros of witness functions", locates, true).says(false),
+        Finding::decision("Drake's continuous plant is integrated by a Runge–Kutta method under error control", controls, true).says(false),
         Finding::decision("Siconos has both", siconos.has("TimeStepping") && siconos.has("EventDriven"), true),
     ])
 }
