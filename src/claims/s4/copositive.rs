@@ -18,7 +18,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.cp-def",
         statement: "N is copositive-plus if (i) x ≥ 0 implies xᵀNx ≥ 0 and (ii) x ≥ 0 with xᵀNx = 0 implies (N + Nᵀ)x = 0.",
         verdict: ClaimVerdict::True,
-        kind: Kind::Assertion,
+        kind: Kind::Definition,
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "This is the standard definition.",
@@ -47,7 +47,7 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Theorem (the chapter attributes it to Anitescu and Potra 1997): the Stewart–Trinkle matrix M_LCP is copositive-plus.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
-        severity: Some(Severity::WrongStatement),
+        severity: Some(Severity::BrokenTheorem),
         evidence: Evidence::Exact,
         correct_statement: "M_LCP is copositive; it is copositive-plus if and only if every μ is 0. Solvability rests on something else: \
             with q = (nᵀv + b, Dᵀv, 0), v the free velocity and b = φ/h, if bᵀλ ≥ 0 for all λ, β ≥ 0 with nλ + Dβ = 0 and Eᵀβ ≤ μλ – true \
@@ -142,9 +142,9 @@ fn not_plus(reading: Reading) -> Result<Vec<Finding>> {
     let witness = integers(&[0, 0, 0, 1]);
     let image = (&matrix + matrix.transpose()) * &witness;
     Ok(vec![
-        Finding::exact("first entry of (M + Mᵀ)x at x = (0, 0, 0, 1)", &image[0], &ratio(1, 2), "1"),
+        Finding::exact("first entry of (M + Mᵀ)x at x = (0, 0, 0, 1)", &image[0], &ratio(1, 2), "1").says(ratio(0, 1)),
         Finding::exact("xᵀMx there", &quadratic_form(&matrix, &witness), &ratio(0, 1), "J"),
-        Finding::decision("copositive-plus, μ = 1/2", copositive_plus(&matrix)?.holds(), false),
+        Finding::decision("copositive-plus, μ = 1/2", copositive_plus(&matrix)?.holds(), false).says(true),
         Finding::decision("copositive, μ = 1/2", copositive(&matrix)?.holds(), true),
         Finding::decision("copositive-plus, μ = 0", copositive_plus(&without_friction)?.holds(), true),
     ])
@@ -164,12 +164,12 @@ fn general_form(reading: Reading) -> Result<Vec<Finding>> {
         {
             let cross = (0..system.contacts()).fold(ratio(0, 1), |sum, i| sum + &system.friction[i] * &x[i] * &x[system.sigma(i)]);
             let rest = quadratic_form(&matrix, &x) - quadratic_form(&block, &x.rows(0, impulses).into_owned());
-            findings.push(Finding::exact("xᵀMx − x₁ᵀW̃x₁", &rest, &cross, "J"));
+            findings.push(Finding::exact("xᵀMx − x₁ᵀW̃x₁", &rest, &cross, "J").says(ratio(0, 1)));
         }
         let slip = DVector::from_fn(system.unknowns(), |i, _| ratio(i64::from(i == impulses), 1));
         let image = (&matrix + matrix.transpose()) * &slip;
         findings.push(Finding::exact("xᵀMx at x = (0, 0, σ)", &quadratic_form(&matrix, &slip), &ratio(0, 1), "J"));
-        findings.push(Finding::exact("first entry of (M + Mᵀ)x there", &image[0], &system.friction[0], "m/s"));
+        findings.push(Finding::exact("first entry of (M + Mᵀ)x there", &image[0], &system.friction[0], "m/s").says(ratio(0, 1)));
     }
     Ok(findings)
 }

@@ -5,13 +5,13 @@ use crate::Result;
 use crate::certificate::copositivity::copositive;
 use crate::certificate::definiteness::quadratic_form;
 use crate::checks::Finding;
-use crate::checks::stewart_trinkle::{chapter_example, reference};
+use crate::checks::stewart_trinkle::{RationalStep, chapter_example, reference, wedge};
 use crate::claims::experiments::drake::facts;
 use crate::claims::experiments::identifiers::{issn_agrees, sici_agrees, volume_and_page};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
-use crate::scalar::ratio;
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
+use crate::scalar::{Rational, ratio};
 use crate::solvers::lemke::{LemkeOutcome, lemke};
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -19,7 +19,7 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Stewart and Trinkle, IJNME 39:2673 (1996); Anitescu and Potra, Nonlinear Dynamics 14:231 (1997); Stewart, ARMA 145:215 \
             (1998).",
         verdict: ClaimVerdict::True,
-        kind: Kind::Assertion,
+        kind: Kind::Citation,
         severity: None,
         evidence: Evidence::Cited,
         correct_statement: "As stated, volume and first page: 39 (15), 2673–2691; 14 (3), 231–247; 145 (3), 215–260.",
@@ -37,16 +37,18 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.drake-name",
         statement: "Early Drake (TimeSteppingRigidBodyPlant) derives from Stewart and Trinkle.",
-        verdict: ClaimVerdict::Conditional,
-        kind: Kind::Assertion,
-        severity: Some(Severity::MissingHypothesis),
+        verdict: ClaimVerdict::True,
+        kind: Kind::Citation,
+        severity: None,
         evidence: Evidence::Cited,
-        correct_statement: "A class of that name existed from September 2017 to April 2018, in multibody/dev, with a polygonal friction \
-            cone; whether it derives from the paper was not checked. The pinned release does not know it any more.",
-        argument: "Drake's repository: added by commit 0e218d926b, removed by fc428c0fa2. The documentation of the plant's module in \
-            1.51.1 does not have the name, but the MultibodyPlant that took its place.",
-        control: "The name of the present plant.",
-        sources: &["chapter §4, motivation", "Drake 1.51.1 (references/facts/drake.json); its repository's history"],
+        correct_statement: "As stated of the form: a class of that name existed from September 2017 to April 2018, in multibody/dev; its \
+            solver's documentation displays the matrix of Stewart and Trinkle, block by block, over a polygonal cone, with Lemke's \
+            method. That documentation does not name their paper. The pinned release does not know the class any more.",
+        argument: "Drake's repository: added by commit 0e218d926b, removed by fc428c0fa2. multibody/constraint/constraint_solver.h (commit \
+            03b888e8ed), which the class calls, has the blocks (N C Nᵀ, N C Dᵀ, 0; D C Nᵀ, D C Dᵀ, E; μ, −Eᵀ, 0), C = M⁻¹: for a wedge \
+            of two contacts every entry is that of the LCP here. The documentation of the plant's module in 1.51.1 does not have the name.",
+        control: "The name of the present plant, which is not early Drake's.",
+        sources: &["chapter §4, motivation", "Drake 1.51.1 (references/facts/drake.json); its repository and its history"],
         check: early_drake,
     },
     Claim {
@@ -54,7 +56,7 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Anitescu and Potra's is the first proof of solvability that does not need the matrix of the complementarity problem to \
             be positive definite.",
         verdict: ClaimVerdict::Ambiguous,
-        kind: Kind::Assertion,
+        kind: Kind::Citation,
         severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "Who was first is not decided here; Pang and Trinkle had existence results for several bodies with Coulomb \
@@ -93,10 +95,39 @@ fn places(reading: Reading) -> Result<Vec<Finding>> {
 fn early_drake(reading: Reading) -> Result<Vec<Finding>> {
     let facts = facts()?;
     let mentions = |name: &str| facts.mentions.get(name).copied().unwrap_or_default();
+    let name = reading.pick("timesteppingrigidbodyplant", "multibodyplant");
+    let system = wedge(ratio(1, 2));
+    let ours = reference(&system)?.matrix;
+    let theirs = matrix_of_early_drake(&system);
+    let differing = ours.iter().zip(theirs.iter()).filter(|(ours, theirs)| ours != theirs).count();
     Ok(vec![
-        Finding::count("mentions of the name", mentions(reading.pick("timesteppingrigidbodyplant", "multibodyplant")), 0),
-        Finding::decision("mentions of MultibodyPlant", mentions("multibodyplant") > 0, true),
+        Finding::count("mentions of the name in the present documentation", mentions(name), 0),
+        Finding::count("entries of its documented LCP that differ from Stewart and Trinkle's", differing, 0),
     ])
+}
+
+/// The matrix in the documentation of the solver of that class, with C = M⁻¹:
+/// (N C Nᵀ, N C Dᵀ, 0; D C Nᵀ, D C Dᵀ, E; μ, −Eᵀ, 0).
+fn matrix_of_early_drake(system: &RationalStep) -> DMatrix<Rational> {
+    let (contacts, d) = (system.contacts(), system.directions.len());
+    let normals = (0..contacts).map(|i| system.normal(i));
+    let tangents = (0..contacts).flat_map(|i| (0..d).map(move |j| system.direction(i, j)));
+    let rows: Vec<DVector<Rational>> = normals.chain(tangents).collect();
+    let impulses = rows.len();
+    let contact_of = |beta: usize| (beta - contacts) / d;
+    DMatrix::from_fn(system.unknowns(), system.unknowns(), |i, j| match (i < impulses, j < impulses) {
+        (true, true) => rows[i].component_div(&system.mass).dot(&rows[j]),
+        (true, false) => ratio(i64::from(i >= contacts && contact_of(i) == j - impulses), 1),
+        (false, true) if j < contacts => {
+            if i - impulses == j {
+                system.friction[j].clone()
+            } else {
+                ratio(0, 1)
+            }
+        }
+        (false, true) => ratio(-i64::from(contact_of(j) == i - impulses), 1),
+        (false, false) => ratio(0, 1),
+    })
 }
 
 fn not_definite(reading: Reading) -> Result<Vec<Finding>> {
@@ -108,7 +139,8 @@ fn not_definite(reading: Reading) -> Result<Vec<Finding>> {
     let covering = DVector::from_element(closing.size(), ratio(1, 1));
     let solved = matches!(lemke(&closing, &covering)?, LemkeOutcome::Solution { .. });
     Ok(vec![
-        Finding::exact("xᵀMx at x = (1, 0, 0, −4)", &quadratic_form(&matrix, &integers(&[1, 0, 0, -4])), &ratio(-1, 1), "J"),
+        Finding::exact("xᵀMx at x = (1, 0, 0, −4)", &quadratic_form(&matrix, &integers(&[1, 0, 0, -4])), &ratio(-1, 1), "J")
+            .opinion("who was first"),
         Finding::decision("copositive", copositive(&matrix)?.holds(), true),
         Finding::decision("Lemke solves a closing contact", solved, true),
     ])

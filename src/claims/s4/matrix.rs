@@ -1,6 +1,7 @@
 //! The Stewart–Trinkle matrix of the chapter and its 4×4 example.
 
 use super::matrices::{chapter_matrix, integers};
+use crate::certificate::copositivity::copositive;
 use crate::certificate::definiteness::{Definiteness, definiteness, positive_semidefinite, quadratic_form};
 use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{chapter_example, reference};
@@ -17,15 +18,15 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.groups",
         statement: "The LCP has three complementarity groups: 0 ≤ λ_n ⟂ normal separation velocity ≥ 0; 0 ≤ β ⟂ λE + Dᵀv⁺ ≥ 0, “where σ is \
             the slip rate”; 0 ≤ σ ⟂ μλ_n − Eᵀβ ≥ 0.",
-        verdict: ClaimVerdict::Conditional,
+        verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
-        severity: Some(Severity::MissingHypothesis),
+        severity: Some(Severity::Misprint),
         evidence: Evidence::Exact,
         correct_statement: "The three groups hold with σE in the second: 0 ≤ β ⟂ σE + Dᵀv⁺ ≥ 0. The printed λ is undefined there; the \
             clause about σ shows what is meant.",
         argument: "Unit point mass, μ = 1/2, φ = 0, free velocity (2, −1): λ = 1, β = (0, 1/2), v⁺ = (3/2, 0), σ = 3/2. The second group \
             with σ is (3, 0) ≥ 0 and complementary to β; with λ in its place it is (5/2, −1/2).",
-        control: "The second group as printed, with λ in place of σ.",
+        control: "The second group with σ in place of the printed λ: all three groups hold.",
         sources: &["chapter §4, step 3 of the construction"],
         check: groups,
     },
@@ -104,13 +105,13 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Proof: partition M_LCP as [[W̃, b], [bᵀ, 0]], where the last row and column hold [μ, −Eᵀ] and [0; E].",
         verdict: ClaimVerdict::Inconsistent,
         kind: Kind::Assertion,
-        severity: Some(Severity::WrongStatement),
+        severity: Some(Severity::Misprint),
         evidence: Evidence::Exact,
         correct_statement: "M_LCP = [[W̃, b], [cᵀ, 0]] with b = (0; E) and c = (μ; −E) ≠ b; the same sentence names both correctly, so \
             this is a slip of notation.",
-        argument: "With cᵀ in the last row every entry of the example's row [1/2, −1, −1, 0] and column (0, 1, 1, 0) is met; with bᵀ the \
-            three entries 0, 1, 1 replace 1/2, −1, −1.",
-        control: "bᵀ in the last row, as displayed.",
+        argument: "In the example's matrix the last row (1/2, −1, −1) and the last column (0, 1, 1) differ in three entries: so they do \
+            in the words of the sentence, μ against 0 and −Eᵀ against E, while the display with b and bᵀ says that they do not differ.",
+        control: "A contact without friction, μ = 0 and no directions: its last row and column are zero in the display and in the words.",
         sources: &["chapter §4, proof of the theorem on M_LCP"],
         check: block_form,
     },
@@ -118,7 +119,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.ex1-size",
         statement: "Exercise: for one planar contact with d₁ = −d₂, write down the 3×3 Stewart–Trinkle matrix entry by entry.",
         verdict: ClaimVerdict::Ambiguous,
-        kind: Kind::Assertion,
+        kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "The matrix is 3×3 in blocks (λ, β, σ) and 4×4 in scalars (λ, β₁, β₂, σ), as in the section's own example.",
@@ -137,13 +138,17 @@ fn groups(reading: Reading) -> Result<Vec<Finding>> {
     let set = all_solutions(&reference(&system)?)?;
     let z = &set.points[0];
     let velocity = &system.free_velocity + system.impulse(z).component_div(&system.mass);
-    let slip = reading.pick(&z[3], &z[0]);
-    let second = [0, 1].map(|j| slip + system.direction(0, j).dot(&velocity));
+    // λE, as printed, or σE
+    let added = reading.pick(&z[0], &z[3]);
+    let second = [0, 1].map(|j| added + system.direction(0, j).dot(&velocity));
+    let normal = system.normal(0).dot(&velocity);
+    let left = &system.friction[0] * &z[0] - &z[1] - &z[2];
     Ok(vec![
-        Finding::exact("slack of the second group where friction acts", &second[1], &ratio(0, 1), "m/s"),
-        Finding::exact("slack of the second group at the other direction", &second[0], &ratio(3, 1), "m/s"),
-        Finding::exact("sliding speed after the step", &velocity[0], &ratio(3, 2), "m/s"),
-        Finding::decision("the step has one solution", set.is_unique(), true),
+        Finding::exact("slack of the second group where friction acts", &second[1], &ratio(-1, 2), "m/s").says(ratio(0, 1)),
+        Finding::exact("slack of the second group at the other direction", &second[0], &ratio(5, 2), "m/s").says_at_least(ratio(0, 1)),
+        Finding::exact("λ_n times the normal velocity", &(&z[0] * normal), &ratio(0, 1), "J"),
+        Finding::exact("σ times μλ_n − Eᵀβ", &(&z[3] * left), &ratio(0, 1), "J"),
+        Finding::exact("σ less the sliding speed", &(&z[3] - &velocity[0]), &ratio(0, 1), "m/s"),
     ])
 }
 
@@ -158,7 +163,7 @@ fn reduced_block(reading: Reading) -> Result<Vec<Finding>> {
     Ok(vec![
         Finding::decision("W̃ is positive semidefinite", positive_semidefinite(&block).holds(), true),
         Finding::decision("symmetric", block == block.transpose(), true),
-        Finding::count("rank", rank, 2),
+        Finding::count("rank", rank, 2).context(),
     ])
 }
 
@@ -170,7 +175,7 @@ fn lever_arm(reading: Reading) -> Result<Vec<Finding>> {
     };
     let block = delassus_at(reading.pick(ratio(1, 1), ratio(0, 1)))?;
     Ok(vec![
-        Finding::exact("W_tt at r = 1, m = I = 1", &block[(1, 1)], &ratio(2, 1), "1/kg"),
+        Finding::exact("W_tt at r = 1, m = I = 1", &block[(1, 1)], &ratio(2, 1), "1/kg").says(ratio(1, 1)),
         Finding::exact("W_nt", &block[(0, 1)], &ratio(0, 1), "1/kg"),
     ])
 }
@@ -190,23 +195,17 @@ fn example_delassus(reading: Reading) -> Result<Vec<Finding>> {
     ])
 }
 
-/// M assembled from the blocks W̃, b and c of the example.
-fn from_blocks(column: &[i64; 3], row: &[Rational; 3]) -> Result<DMatrix<Rational>> {
+/// [[W̃, b], [bᵀ, 0]] with b = (0; E) of the example.
+fn symmetric_matrix() -> Result<DMatrix<Rational>> {
     let mut matrix = chapter_matrix()?;
     for k in 0..3 {
-        matrix[(k, 3)] = ratio(column[k], 1);
-        matrix[(3, k)] = row[k].clone();
+        matrix[(3, k)] = matrix[(k, 3)].clone();
     }
     Ok(matrix)
 }
 
-/// The last row: (μ, −Eᵀ), or bᵀ as the display of the proof has it.
-fn last_row(reading: Reading) -> [Rational; 3] {
-    reading.pick([ratio(1, 2), ratio(-1, 1), ratio(-1, 1)], [0, 1, 1].map(|x| ratio(x, 1)))
-}
-
 fn asymmetry(reading: Reading) -> Result<Vec<Finding>> {
-    let matrix = reading.pick(chapter_matrix()?, from_blocks(&[0, 1, 1], &last_row(Reading::Control))?);
+    let matrix = reading.pick(chapter_matrix()?, symmetric_matrix()?);
     let entry = |i: usize, j: usize, expected| Finding::exact(format!("M_{i}{j}"), &matrix[(i - 1, j - 1)], &expected, "1");
     Ok(vec![entry(4, 1, ratio(1, 2)), entry(1, 4, ratio(0, 1)), entry(2, 4, ratio(1, 1)), entry(4, 2, ratio(-1, 1))])
 }
@@ -216,45 +215,60 @@ fn example_form(reading: Reading) -> Result<Vec<Finding>> {
     if reading == Reading::Control {
         matrix[(3, 0)] = ratio(0, 1);
     }
-    let formula = |x: &DVector<Rational>| {
+    let printed = |x: &DVector<Rational>| {
         let difference = &x[1] - &x[2];
-        &x[0] * &x[0] + &difference * &difference + ratio(1, 2) * &x[0] * &x[3]
+        &x[0] * &x[0] + &difference * &difference
     };
+    let formula = |x: &DVector<Rational>| printed(x) + ratio(1, 2) * &x[0] * &x[3];
     let negative = DVector::from_vec(vec![ratio(-1, 10), ratio(0, 1), ratio(0, 1), ratio(1, 1)]);
     let points = [integers(&[1, 0, 0, 1]), negative, integers(&[2, 3, 1, 5]), integers(&[0, 1, 4, 2]), integers(&[-3, 1, 1, 7])];
     let compare = |x: &DVector<Rational>| {
         let name = format!("xᵀMx at ({}, {}, {}, {})", x[0], x[1], x[2], x[3]);
-        Finding::exact(name, &quadratic_form(&matrix, x), &formula(x), "J")
+        Finding::exact(name, &quadratic_form(&matrix, x), &formula(x), "J").says(printed(x))
     };
     let mut findings: Vec<Finding> = points.iter().map(compare).collect();
-    findings.push(Finding::decision("positive semidefinite", positive_semidefinite(&matrix).holds(), false));
+    findings.push(Finding::decision("≥ 0 for every x ≥ 0", copositive(&matrix)?.holds(), true));
+    findings.push(Finding::decision("positive semidefinite", positive_semidefinite(&matrix).holds(), false).context());
     Ok(findings)
 }
 
 fn block_form(reading: Reading) -> Result<Vec<Finding>> {
-    let matrix = from_blocks(&[0, 1, 1], &last_row(reading))?;
-    // The numbers the chapter itself lists: row 4 and column 4 of the example.
-    let row = [ratio(1, 2), ratio(-1, 1), ratio(-1, 1), ratio(0, 1)];
-    let column = integers(&[0, 1, 1, 0]);
-    let differing = (0..4).filter(|&k| matrix[(3, k)] != row[k]).count() + (0..4).filter(|&k| matrix[(k, 3)] != column[k]).count();
+    let mut system = chapter_example(ratio(0, 1), [ratio(0, 1), ratio(0, 1)]);
+    if reading == Reading::Control {
+        system.friction[0] = ratio(0, 1);
+        system.directions.clear();
+    }
+    let matrix = reference(&system)?.matrix;
+    let last = matrix.nrows() - 1;
+    let differing = (0..last).filter(|&k| matrix[(last, k)] != matrix[(k, last)]).count();
+    // μ against 0, −1 against 1 for every direction
+    let named = usize::from(!system.friction[0].is_zero()) + system.directions.len();
+    let finding = || Finding::count("entries in which the last row is not the last column", differing, 3);
     Ok(vec![
-        Finding::count("entries that differ from the chapter's own row and column", differing, 0),
-        Finding::decision("the matrix is symmetric", matrix == matrix.transpose(), false),
+        finding().says(0usize).passage("the display [[W̃, b], [bᵀ, 0]]"),
+        finding().says(named).passage("the row [μ, −Eᵀ] and the column [0; E]"),
     ])
 }
 
 fn example_size(reading: Reading) -> Result<Vec<Finding>> {
-    let slide = |speed: i64| -> Result<(usize, Rational)> {
+    let posed = |speed: i64| {
         let mut system = chapter_example(ratio(0, 1), [ratio(speed, 1), ratio(-1, 1)]);
         system.directions.truncate(reading.pick(2, 1));
+        system
+    };
+    let slide = |speed: i64| -> Result<(usize, Rational)> {
+        let system = posed(speed);
         let lcp = reference(&system)?;
         let set = all_solutions(&lcp)?;
         let z = set.points.first().ok_or_else(|| Error::breakdown("enumeration", "one point over a floor has a solution"))?;
         Ok((lcp.size(), &system.free_velocity[0] + &system.impulse(z)[0] / &system.mass[0]))
     };
     let ((unknowns, forward), (_, backward)) = (slide(2)?, slide(-2)?);
+    let of_a_group = [1, posed(2).directions.len(), 1];
+    let groups = of_a_group.iter().filter(|scalars| **scalars > 0).count();
     Ok(vec![
-        Finding::count("scalar unknowns of the LCP", unknowns, 4),
+        Finding::count("rows of the matrix in blocks λ, β, σ", groups, 3).reading("3×3 in blocks"),
+        Finding::count("rows of the matrix in scalars", unknowns, 4).says(3usize).reading("3×3 in scalars"),
         Finding::exact("velocity after the step of a slide at 2 m/s", &forward, &ratio(3, 2), "m/s"),
         Finding::exact("velocity after the step of a slide at −2 m/s", &backward, &ratio(-3, 2), "m/s"),
     ])

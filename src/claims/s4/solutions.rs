@@ -45,7 +45,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Painlevé's rod (cos = 3/5, μ = 2, free normal velocity 1/10) has 3 solutions with 3 different velocities after the \
             step. Four corners (1, ±1, ±1): W has rank 3, the impulses form a family, W·P is the same for all. Three equal balls in a row: \
             W = [[2, −1], [−1, 2]] has minors 2, 2, 3 > 0, so one solution for every q.",
-        control: "The three-ball chain in place of the four corners.",
+        control: "The four corners in place of the three-ball row: not a P-matrix.",
         sources: &["chapter §4, pitfall “solvable means unique”"],
         check: several_solutions,
     },
@@ -81,14 +81,21 @@ pub const CLAIMS: &[Claim] = &[
 ];
 
 fn slip_speed(reading: Reading) -> Result<Vec<Finding>> {
-    let step = |gap: Rational, velocity: [Rational; 2]| all_solutions(&reference(&chapter_example(gap, velocity))?);
-    let sliding = step(ratio(0, 1), [ratio(2, 1), ratio(-1, 1)])?;
-    let sticking = step(ratio(0, 1), [ratio(1, 4), ratio(-1, 1)])?;
-    let boundary = step(ratio(0, 1), [ratio(1, 2), ratio(-1, 1)])?;
-    let open = reading.pick(step(ratio(1, 1), [ratio(2, 1), ratio(0, 1)])?, sliding.clone());
+    // all solutions and the sliding speed after the step
+    let step = |gap: Rational, velocity: [Rational; 2]| -> Result<(SolutionSet, Rational)> {
+        let system = chapter_example(gap, velocity);
+        let set = all_solutions(&reference(&system)?)?;
+        let after = velocities(&system, &set).remove(0);
+        Ok((set, after[0].clone()))
+    };
+    let closing = |speed: Rational| step(ratio(0, 1), [speed, ratio(-1, 1)]);
+    let (sliding, _) = closing(ratio(2, 1))?;
+    let (sticking, _) = closing(ratio(1, 4))?;
+    let (boundary, _) = closing(ratio(1, 2))?;
+    let (open, speed) = reading.pick(step(ratio(1, 1), [ratio(2, 1), ratio(0, 1)])?, closing(ratio(2, 1))?);
     Ok(vec![
-        Finding::decision("σ varies at the open contact", moves(&open, 3), true),
-        Finding::exact("its least σ", &least_sigma(&open), &ratio(2, 1), "m/s"),
+        Finding::decision("σ varies at the open contact", moves(&open, 3), true).says(false).violating("a closed contact"),
+        Finding::exact("its least σ", &least_sigma(&open), &ratio(2, 1), "m/s").says(speed),
         Finding::exact("σ when sliding at 3/2 m/s", &least_sigma(&sliding), &ratio(3, 2), "m/s"),
         Finding::decision("σ varies when sliding", moves(&sliding, 3), false),
         Finding::decision("σ = 0 in every solution when sticking", vanishes(&sticking, 3), true),
@@ -123,15 +130,18 @@ fn four_corners() -> Result<DMatrix<Rational>> {
 fn several_solutions(reading: Reading) -> Result<Vec<Finding>> {
     let system = rod(ratio(2, 1), ratio(1, 10));
     let velocities = velocities(&system, &all_solutions(&reference(&system)?)?);
-    let redundant = reading.pick(four_corners()?, three_balls()?);
+    let redundant = four_corners()?;
+    let row = reading.pick(three_balls()?, redundant.clone());
     let closing = DVector::from_element(redundant.nrows(), ratio(-1, 1));
     let set = all_solutions(&Lcp::new(redundant.clone(), closing))?;
     let same = set.points.windows(2).all(|pair| &redundant * &pair[0] == &redundant * &pair[1]);
     Ok(vec![
         Finding::count("different velocities of Painlevé's rod after the step", velocities.len(), 3),
         Finding::decision("impulses of a block on four corners form a family", !set.families.is_empty(), true),
-        Finding::decision("their velocity W P is the same", same, true),
-        Finding::decision("three balls in a row: P-matrix, so unique for every q", p_matrix(&three_balls()?)?.holds(), true),
+        Finding::decision("their velocity W P is the same", same, true).context(),
+        Finding::decision("three balls in a row: P-matrix, so unique for every q", p_matrix(&row)?.holds(), true)
+            .says(false)
+            .violating("friction, or redundant contacts"),
     ])
 }
 
@@ -139,9 +149,16 @@ fn never_p(reading: Reading) -> Result<Vec<Finding>> {
     let matrix = reading.pick(chapter_matrix()?, three_balls()?);
     let minor = p_matrix(&matrix)?.witness();
     let at_sigma = &matrix[(matrix.nrows() - 1, matrix.nrows() - 1)];
+    let row = three_balls()?;
+    let mut not_unique = 0;
+    for q in (-2..=2).flat_map(|a| (-2..=2).map(move |b| integers(&[a, b]))) {
+        not_unique += usize::from(!all_solutions(&Lcp::new(row.clone(), q))?.is_unique());
+    }
     Ok(vec![
-        Finding::exact("diagonal entry at σ", at_sigma, &ratio(0, 1), "1"),
-        Finding::decision("M_LCP is a P-matrix", minor.is_none(), false),
+        Finding::decision("M_LCP is a P-matrix", minor.is_none(), false).says(true).violating("no friction, and so no σ"),
+        Finding::exact("diagonal entry at σ", at_sigma, &ratio(0, 1), "1").context(),
+        Finding::decision("the matrix of three balls in a row, without friction, is a P-matrix", p_matrix(&row)?.holds(), true),
+        Finding::count("vectors q, of 25, for which it has not exactly one solution", not_unique, 0),
     ])
 }
 

@@ -27,7 +27,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "At zero the normal slack is φ/h + n·v_free, negative whenever the free motion would penetrate. A point between two \
             walls that both penetrate it (normals ±y, φ₁ = φ₂ = −1, h = 1): the two normal rows demand v_y ≥ 1 and −v_y ≥ 1; their sum is \
             a Farkas certificate against any v_y, with any λ, β, σ. With φ₁ = φ₂ = 0 the same walls are feasible.",
-        control: "The same two walls with gaps 0.",
+        control: "The same two walls with gaps 0, and a contact that opens in place of the closing one.",
         sources: &["chapter §4, corollary “every step is solvable”"],
         check: feasible,
     },
@@ -47,7 +47,7 @@ pub const CLAIMS: &[Claim] = &[
             back 4/5 of every 3/5 that λ gives. A point in a wedge with normals (±4/5, 3/5) and φ = −h on both sides is solvable for μ = \
             7/10 and not for μ = 3/4. Newton's law on the normal alone (φ = 0, e = 1/2, v = −1, so q = (−9/10, −4/5, 4/5, 0)) is \
             unsolvable with the same matrix; with e on the full vector it is solvable.",
-        control: "The frictionless matrix (μ = 0) in place of the jamming one: it is copositive-plus and the step has a solution.",
+        control: "No friction, μ = 0 in the jamming matrix and in the wedge: copositive-plus, and every step has a solution.",
         sources: &["chapter §4, corollary “every step is solvable”", "proof: module certificate::existence"],
         check: solvable,
     },
@@ -69,16 +69,17 @@ fn between_walls(gap: i64) -> RationalStep {
 
 fn feasible(reading: Reading) -> Result<Vec<Finding>> {
     let walls = reference(&between_walls(reading.pick(-1, 0)))?;
-    let closing = reference(&chapter_example(ratio(0, 1), [ratio(0, 1), ratio(-1, 1)]))?;
+    let touching = reference(&chapter_example(ratio(0, 1), [ratio(0, 1), ratio(reading.pick(-1, 1), 1)]))?;
     Ok(vec![
-        Finding::decision("the step between two penetrating walls is feasible", is_feasible(&walls), false),
-        Finding::decision("zero is feasible at a closing contact", closing.vector.iter().all(|q| *q >= ratio(0, 1)), false),
-        Finding::decision("the closing contact is feasible", is_feasible(&closing), true),
+        Finding::decision("the step between two penetrating walls is feasible", is_feasible(&walls), false).says(true),
+        Finding::decision("zero is feasible at a closing contact", touching.vector.iter().all(|q| *q >= ratio(0, 1)), false).says(true),
+        Finding::decision("the closing contact is feasible", is_feasible(&touching), true),
         Finding::decision("the same walls with gaps 0 are solvable", solves(&reference(&between_walls(0))?)?, true),
     ])
 }
 
 fn solvable(reading: Reading) -> Result<Vec<Finding>> {
+    const CONDITION: &str = "no gap is negative, or the friction cone is pointed";
     let mut matrix = jamming_matrix();
     if reading == Reading::Control {
         matrix[(3, 0)] = ratio(0, 1);
@@ -87,21 +88,24 @@ fn solvable(reading: Reading) -> Result<Vec<Finding>> {
     let jammed = with(integers(&[-1, 0, 0, 0]));
     let newton = with(DVector::from_vec([-9, -8, 8, 0].map(|x| ratio(x, 10)).to_vec()));
     let moreau = with(DVector::from_vec([-9, -12, 12, 0].map(|x| ratio(x, 10)).to_vec()));
+    let solved = !all_solutions(&jammed)?.is_empty();
+    let by_newton = all_solutions(&newton)?.points.len();
     let mut findings = vec![
-        Finding::count("solutions of the jammed step, all 16 cones", all_solutions(&jammed)?.points.len(), 0),
+        Finding::decision("the jammed step has a solution in one of the 16 cones", solved, false).says(true).violating(CONDITION),
         Finding::decision("it is feasible", is_feasible(&jammed), true),
-        Finding::decision("Lemke solves it", solves(&jammed)?, false),
-        Finding::count("solutions with Newton's law on the normal alone", all_solutions(&newton)?.points.len(), 0),
+        Finding::decision("Lemke solves it", solves(&jammed)?, false).says(true).violating(CONDITION),
+        Finding::count("solutions with Newton's law on the normal alone", by_newton, 0).context(),
         Finding::decision("Lemke solves it with restitution on the full vector", solves(&moreau)?, true),
     ];
-    for (friction, expected) in [(ratio(7, 10), true), (ratio(3, 4), false)] {
-        let name = format!("wedge with μ = {friction}");
-        let system = wedge(friction);
-        let has_solution = !all_solutions(&reference(&system)?)?.is_empty();
-        findings.push(Finding::decision(format!("{name}: solvable"), has_solution, expected));
-        let pointed = existence::pointed(&reduced(&system)?.0, &system.friction).holds();
-        findings.push(Finding::decision(format!("{name}: pointed"), pointed, expected));
-    }
+    let friction = |mu: Rational| reading.pick(mu, ratio(0, 1));
+    let (pointed, flat) = (wedge(friction(ratio(7, 10))), wedge(friction(ratio(3, 4))));
+    let is_pointed = |system: &RationalStep| -> Result<bool> { Ok(existence::pointed(&reduced(system)?.0, &system.friction).holds()) };
+    let is_solvable = |system: &RationalStep| -> Result<bool> { Ok(!all_solutions(&reference(system)?)?.is_empty()) };
+    findings.extend([
+        Finding::decision("wedge with μ = 7/10: solvable", is_solvable(&pointed)?, true),
+        Finding::decision("wedge with μ = 3/4: solvable", is_solvable(&flat)?, false).says(true).violating(CONDITION),
+        Finding::decision("the wedge is pointed with μ = 7/10 only", is_pointed(&pointed)? && !is_pointed(&flat)?, true).context(),
+    ]);
     let mut open = wedge(ratio(1, 1));
     open.gap = vec![ratio(0, 1), ratio(1, 100)];
     open.free_velocity = integers(&[1, -2]);

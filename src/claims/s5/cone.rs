@@ -1,12 +1,16 @@
 //! The projection on the friction cone, its dual, and derivatives of solutions – in the plane, where all of it is rational.
 
+use super::planar_step::PlanarStep;
 use crate::Result;
 use crate::checks::Finding;
 use crate::checks::cone_projection::{Projection, moreau_decomposition};
 use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::cones::second_order::project;
 use crate::cones::{Case, decide};
+use crate::problem::Law;
 use crate::scalar::{Rational, ratio};
+use crate::tolerance::rounding;
+use nalgebra::DVector;
 
 /// Claims on the cone and its projection.
 pub const CLAIMS: &[Claim] = &[
@@ -23,7 +27,7 @@ pub const CLAIMS: &[Claim] = &[
             μ‖v_t‖ = 1/2, which is in K_μ* and orthogonal to r = (1, −1/2), it reads 1/4 + 1 ≤ 0. \
             Reversing n gives K_μ, not K_μ*: μ stands on the wrong factor unless μ = 1. As the polar cone it fails too: (−1, 19/10) is in \
             K_μ° but not in the printed set.",
-        control: "The printed set as the constraint.",
+        control: "The dual cone K_μ* as the constraint: both velocities meet it.",
         sources: &[
             "chapter §5, section on creep",
             "Anitescu, Optimization-based simulation of nonsmooth rigid multibody dynamics (2006, not read)",
@@ -59,7 +63,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "At solutions: y = 0 gives z = r ∈ K; y ∈ int K* gives r = 0 and z = −η y ∈ K°; y ≠ 0 on ∂K* orthogonal to r ≠ 0 gives z \
             outside both. Away from them: W = I, u_free = (−1, −2), μ = 1/2 slips, r = (8/5, 4/5), \
             but the iterate r = (4, 0) with η = 1/2 has z = (5/2, 1), inside the cone – \"stick\".",
-        control: "That iterate as if it were a fixed point.",
+        control: "The fixed point of a block that sticks in place of the iterate.",
         sources: &["chapter §5, physical meaning of the three cases"],
         check: projection_states,
     },
@@ -76,7 +80,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "argmin over K of ½(γ − y)ᵀR(γ − y), R = diag(R_n, R_t), is characterised by γ ∈ K, R(y − γ) ∈ K°, γ·R(y − γ) = 0; in \
             the third case γ_n = (y_n + μ̂‖y_t‖)/(1 + μ μ̂). With R_t/R_n = 1/1000, μ = 1/2, y = (1, 2): \
             γ_n = 1.00075 against 8/5 of the Euclidean projection, which violates the characterisation.",
-        control: "The Euclidean projection as the minimiser in the R-norm.",
+        control: "R_t = R_n: the projection in the R-norm is the Euclidean one.",
         sources: &[
             "chapter §5, analytic cone projection",
             "Castro, Permenter and Han, An unconstrained convex formulation of compliant contact (2022)",
@@ -154,17 +158,30 @@ fn euclidean(z: &Plane, mu: &Rational) -> Plane {
 fn relaxed_constraint(reading: Reading) -> Result<Vec<Finding>> {
     let mu = ratio(1, 2);
     let printed = |u: &Plane| mu.clone() * u[0].clone() + magnitude(&u[1]) <= ratio(0, 1);
-    let allowed = |u: &Plane| reading.pick(in_dual(u, &mu), printed(u));
-    let (sliding, impulse) = (plane([1, 2], [1, 1]), plane([1, 1], [-1, 2]));
+    let meets = |u: &Plane| match reading {
+        Reading::Recorded => printed(u),
+        Reading::Control => in_dual(u, &mu),
+    };
+    // velocity and impulse of a relaxed step of a unit point at φ = 0
+    let step = |free: Plane| -> Result<(Plane, Plane)> {
+        let answer = PlanarStep::point(free, ratio(0, 1), mu.clone()).solve(Law::Associated)?;
+        let both = |vector: &DVector<Rational>| [vector[0].clone(), vector[1].clone()];
+        Ok((both(&answer.velocity), both(&answer.impulse)))
+    };
+    let (sliding, impulse) = step(plane([-1, 2], [3, 2]))?;
+    let (separating, _) = step(plane([1, 1], [0, 1]))?;
     let beside = plane([-1, 1], [19, 10]);
+    let as_polar = printed(&beside) == in_polar(&beside, &mu);
     Ok(vec![
-        Finding::decision("the constraint allows steady sliding, u = (1/2, 1)", allowed(&sliding), true),
-        Finding::exact("power of r = (1, −1/2) on it", &dot(&impulse, &sliding), &ratio(0, 1), "J"),
-        Finding::decision("separation, u = (1, 0), is allowed", allowed(&plane([1, 1], [0, 1])), true),
-        Finding::decision("approach, u = (−1, 0), is excluded", !allowed(&plane([-1, 1], [0, 1])), true),
-        Finding::decision("(−1, 19/10) is in the polar cone", in_polar(&beside, &mu), true),
-        Finding::decision("(−1, 19/10) is in the printed set", printed(&beside), false),
+        Finding::decision("the velocity of a relaxed step that slides, (1/2, 1), meets the constraint", meets(&sliding), false).says(true),
+        Finding::exact("power of its impulse (1, −1/2) on it", &dot(&impulse, &sliding), &ratio(0, 1), "J"),
+        Finding::decision("the velocity of one that separates, (1, 0), meets it", meets(&separating), false).says(true),
+        Finding::decision("printed set and polar cone agree on (−1, 19/10)", as_polar, false).context(),
     ])
+}
+
+fn negative_normal_to_zero(z: &Plane, mu: &Rational) -> Plane {
+    if z[0] < ratio(0, 1) { plane([0, 1], [0, 1]) } else { euclidean(z, mu) }
 }
 
 fn negative_normal_is_open(z: &mut [f64], mu: f64) {
@@ -174,10 +191,16 @@ fn negative_normal_is_open(z: &mut [f64], mu: f64) {
 fn projection(reading: Reading) -> Result<Vec<Finding>> {
     let rule: Projection = reading.pick(project, negative_normal_is_open);
     let (z, mu) = (plane([-1, 10], [1, 1]), ratio(1, 1));
-    let nearest = reading.pick(euclidean(&z, &mu), plane([0, 1], [0, 1]));
+    let onto: fn(&Plane, &Rational) -> Plane = reading.pick(euclidean, negative_normal_to_zero);
+    let nearest = onto(&z, &mu);
+    let grid = (-4..=4).flat_map(|n| (-4..=4).map(move |t| plane([n, 2], [t, 2])));
+    let pulled = grid.filter(|z| onto(z, &mu) == plane([0, 1], [0, 1]) && z[0] > ratio(0, 1)).count();
     let rest = [z[0].clone() - nearest[0].clone(), z[1].clone() - nearest[1].clone()];
     let mut findings = vec![
-        Finding::exact("r_n of the projection of (−1/10, 1), μ = 1", &nearest[0], &ratio(9, 20), "N·s"),
+        Finding::exact("r_n of the projection of (−1/10, 1), μ = 1", &nearest[0], &ratio(9, 20), "N·s")
+            .says(ratio(0, 1))
+            .reading("the rule: every z with z_n < 0 goes to zero"),
+        Finding::count("points of a grid that go to zero with z_n > 0", pulled, 0).reading("a gloss on the standard projection"),
         Finding::decision("the projection lies in the cone", in_cone(&nearest, &mu), true),
         Finding::decision("the remainder lies in the polar cone", in_polar(&rest, &mu), true),
         Finding::exact("projection orthogonal to remainder", &dot(&nearest, &rest), &ratio(0, 1), "N²·s²"),
@@ -198,9 +221,8 @@ fn argument(impulse: &Plane, free: &Plane, step: &Rational) -> (Plane, Plane) {
 fn projection_states(reading: Reading) -> Result<Vec<Finding>> {
     let (mu, step) = (ratio(1, 2), ratio(1, 2));
     let slipping = plane([-1, 1], [-2, 1]);
-    let slip = reading.pick(plane([8, 5], [4, 5]), plane([4, 1], [0, 1]));
     let points = [
-        ("slip", slip, slipping.clone(), Case::Boundary),
+        ("slip", plane([8, 5], [4, 5]), slipping.clone(), Case::Boundary),
         ("stick", plane([2, 1], [1, 2]), plane([-2, 1], [-1, 2]), Case::Stays),
         ("separation", plane([0, 1], [0, 1]), plane([2, 1], [1, 1]), Case::Apex),
     ];
@@ -210,24 +232,40 @@ fn projection_states(reading: Reading) -> Result<Vec<Finding>> {
         findings.push(Finding::decision(format!("{state}: r = P_K(r − ηy)"), euclidean(&z, &mu) == impulse, true));
         findings.push(Finding::decision(format!("{state}: the projection is in the case {case:?}"), decide(&z, &mu) == case, true));
     }
-    let (z, velocity) = argument(&plane([4, 1], [0, 1]), &slipping, &step);
+    // an iterate that is no fixed point, or the fixed point of a block that sticks
+    let (iterate, load) = reading.pick((plane([4, 1], [0, 1]), slipping), (plane([2, 1], [1, 2]), plane([-2, 1], [-1, 2])));
+    let (z, velocity) = argument(&iterate, &load, &step);
     findings.push(Finding::decision("the iterate (4, 0) is in the case Stays", decide(&z, &mu) == Case::Stays, true));
-    findings.push(Finding::decision("its tangential velocity vanishes", velocity[1] == ratio(0, 1), false));
+    findings.push(
+        Finding::decision("its tangential velocity vanishes", velocity[1] == ratio(0, 1), false)
+            .says(true)
+            .violating("a fixed point r = P_K(r − ηy)"),
+    );
     Ok(findings)
 }
 
 fn weighted_projection(reading: Reading) -> Result<Vec<Finding>> {
-    let (mu, weight) = (ratio(1, 2), ratio(1, 1000));
+    let (mu, weight) = (ratio(1, 2), reading.pick(ratio(1, 1000), ratio(1, 1)));
     let mut findings = Vec::new();
     for y in [plane([1, 1], [2, 1]), plane([-1, 10_000], [1, 1]), plane([0, 1], [-3, 1])] {
-        let gamma = project_weighted(&y, &mu, &reading.pick(weight.clone(), ratio(1, 1)));
+        let gamma = project_weighted(&y, &mu, &weight);
         let rest = [y[0].clone() - gamma[0].clone(), weight.clone() * (y[1].clone() - gamma[1].clone())];
         let name = format!("y = ({}, {})", y[0], y[1]);
         findings.push(Finding::exact(format!("γ·R(y − γ), {name}"), &dot(&gamma, &rest), &ratio(0, 1), "J"));
         findings.push(Finding::decision(format!("γ ∈ K, {name}"), in_cone(&gamma, &mu), true));
         findings.push(Finding::decision(format!("R(y − γ) ∈ K°, {name}"), in_polar(&rest, &mu), true));
-        let differs = project_weighted(&y, &mu, &weight) != euclidean(&y, &mu);
-        findings.push(Finding::decision(format!("it differs from the Euclidean projection, {name}"), differs, true));
+        let [normal, tangent] = euclidean(&y, &mu);
+        let differs = gamma != [normal.clone(), tangent.clone()];
+        findings.push(
+            Finding::decision(format!("it differs from the Euclidean projection, {name}"), differs, true)
+                .says(false)
+                .violating("R_t = R_n"),
+        );
+        let mut of_apgd = [y[0].to_f64().value(), y[1].to_f64().value()];
+        let bound = rounding(16, of_apgd[0].hypot(of_apgd[1]));
+        project(&mut of_apgd, 0.5);
+        let apart = (of_apgd[0] - normal.to_f64().value()).hypot(of_apgd[1] - tangent.to_f64().value());
+        findings.push(Finding::equal(format!("APGD's projection less the Euclidean one, {name}"), apart, 0.0, bound, "N·s"));
     }
     Ok(findings)
 }
@@ -249,11 +287,11 @@ fn differentiability(reading: Reading) -> Result<Vec<Finding>> {
     let contact = |tangent: Rational| euclidean(&[ratio(2, 1), -tangent], &mu);
     let [stick, slip] = one_sided(contact, &reading.pick(ratio(1, 1), ratio(1, 2)));
     Ok(vec![
-        Finding::exact("left derivative of max(0, θ)", &left, &ratio(0, 1), "1"),
-        Finding::exact("right derivative of max(0, θ)", &right, &ratio(1, 1), "1"),
-        Finding::exact("∂γ_n/∂r_t on the side of stick", &stick[0], &ratio(0, 1), "1"),
-        Finding::exact("∂γ_t/∂r_t on the side of stick", &stick[1], &ratio(-1, 1), "1"),
-        Finding::exact("∂γ_n/∂r_t on the side of slip", &slip[0], &ratio(2, 5), "1"),
-        Finding::exact("∂γ_t/∂r_t on the side of slip", &slip[1], &ratio(-1, 5), "1"),
+        Finding::exact("left derivative of max(0, θ)", &left, &ratio(0, 1), "1").says(&right),
+        Finding::exact("right derivative of max(0, θ)", &right, &ratio(1, 1), "1").says(&left),
+        Finding::exact("∂γ_n/∂r_t on the side of stick", &stick[0], &ratio(0, 1), "1").says(&slip[0]),
+        Finding::exact("∂γ_t/∂r_t on the side of stick", &stick[1], &ratio(-1, 1), "1").says(&slip[1]),
+        Finding::exact("∂γ_n/∂r_t on the side of slip", &slip[0], &ratio(2, 5), "1").says(&stick[0]),
+        Finding::exact("∂γ_t/∂r_t on the side of slip", &slip[1], &ratio(-1, 5), "1").says(&stick[1]),
     ])
 }
