@@ -58,8 +58,8 @@ pub const CLAIMS: &[Claim] = &[
             NSC of Chrono::Multicore is parallel on processors. No run of a million bodies was made or checked here; memory does not forbid \
             it.",
         argument: "At commit 7689fbc the sources for GPUs (.cu) of contacts are all below src/chrono_dem/, and none is below src/chrono/ or \
-            src/chrono_multicore/. A million bodies with three contacts each have 9·10⁶ rows. H of a stack of boxes has at most 12 entries \
-            per row, W at most 36: 0.9 and 2.6 GB. Only W with all its zeros, 6.5·10¹⁴ bytes, would be out of reach.",
+            src/chrono_multicore/. A million bodies with three contacts each have 9·10⁶ rows. H of a stack of boxes has at most 6 entries other \
+            than zero per row, W at most 36: 0.4 and 2.6 GB. Only W with all its zeros, 6.5·10¹⁴ bytes, would be out of reach.",
         control: "The folder of Chrono::DEM in place of those with NSC.",
         sources: &["chapter §10, table of simulators", "Project Chrono, commit 7689fbc, and the documentation of Chrono::DEM in it"],
         check: granular,
