@@ -155,24 +155,6 @@ pub const UNDERIVED: &[&str] = &[
     "S9.projection-energy",
     "S9.clean-dirty",
     // s10
-    "S10.all-delassus",
-    "S10.mujoco-gliding",
-    "S10.drake-tamsi-row",
-    "S10.drake-sap-row",
-    "S10.sap-theorem",
-    "S10.path-drake",
-    "S10.table-instances",
-    "S10.path-mujoco",
-    "S10.mujoco-row",
-    "S10.siconos-row",
-    "S10.siconos-not-avoid",
-    "S10.path-siconos",
-    "S10.h-ranges",
-    "S10.chrono-row",
-    "S10.chrono-granular",
-    "S10.pinocchio-row",
-    "S10.route-pinocchio",
-    "S10.path-pinocchio",
     // s11
     "S11.bv",
     "S11.impulse-infinite",
@@ -194,8 +176,4 @@ pub const UNDERIVED: &[&str] = &[
     "S12.energy",
     "S12.ex2",
     // v
-    "V.mujoco",
-    "V.defaults",
-    "V.paths",
-    "V.pinocchio",
 ];

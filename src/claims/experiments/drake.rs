@@ -70,12 +70,13 @@ pub const MATERIAL: Material =
 pub const FRICTION: f64 = 0.3;
 const GRAVITY: f64 = 9.81;
 
-/// φ \[m\] of a block of 1 kg that slides at `speed` down the slope tan α = μ, once it has settled.
+/// φ \[m\] of a block of 1 kg on a contact with this τ that slides at `speed` down the slope tan α = μ, once it has settled.
 ///
 /// # Errors
 /// Those of the scheme, and if the block leaves the ground.
-pub fn sliding_gap(scheme: &str, h: f64, speed: f64) -> Result<f64> {
-    let scheme = by_name(scheme, SchemeParameters { drake: MATERIAL, ..SchemeParameters::default() })?;
+pub fn sliding_gap(scheme: &str, relaxation_time: f64, h: f64, speed: f64) -> Result<f64> {
+    let material = Material { relaxation_time, ..MATERIAL };
+    let scheme = by_name(scheme, SchemeParameters { drake: material, ..SchemeParameters::default() })?;
     let slope = PointMass::block_on_incline(1.0, GRAVITY, FRICTION.atan(), FRICTION, 0.0);
     let start = State { time: 0.0, position: dvector![0.0, -GRAVITY / MATERIAL.stiffness], velocity: dvector![speed, 0.0] };
     let recording = simulate(scheme.as_ref(), &SemiAnalyticPrimal, &slope, start, h, (SETTLING_TIME / h).round() as usize)?;
@@ -88,12 +89,25 @@ pub fn sliding_gap(scheme: &str, h: f64, speed: f64) -> Result<f64> {
 /// # Errors
 /// As [`sliding_gap`].
 pub fn lift(scheme: &str, h: f64) -> Result<f64> {
-    Ok(sliding_gap(scheme, h, 0.7)? - sliding_gap(scheme, h, 0.2)?)
+    damped_lift(scheme, MATERIAL.relaxation_time, h)
+}
+
+/// [`lift`] on a contact with another τ.
+///
+/// # Errors
+/// As [`sliding_gap`].
+pub fn damped_lift(scheme: &str, relaxation_time: f64, h: f64) -> Result<f64> {
+    Ok(sliding_gap(scheme, relaxation_time, h, 0.7)? - sliding_gap(scheme, relaxation_time, h, 0.2)?)
 }
 
 /// [`lift`] under SAP in closed form, (h + τ) μ Δv \[m\].
 pub fn predicted_lift(h: f64) -> f64 {
-    (h + MATERIAL.relaxation_time) * FRICTION * (0.7 - 0.2)
+    predicted_damped_lift(MATERIAL.relaxation_time, h)
+}
+
+/// [`damped_lift`] under SAP in closed form \[m\].
+pub fn predicted_damped_lift(relaxation_time: f64, h: f64) -> f64 {
+    (h + relaxation_time) * FRICTION * (0.7 - 0.2)
 }
 
 /// Depth \[m\] at which a ball of 1 kg on k = 1e5 N/m lies at the end of the stored run, SAP, h = 1 ms.

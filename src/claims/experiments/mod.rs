@@ -8,6 +8,7 @@ pub(super) mod facts;
 pub(super) mod identifiers;
 pub(super) mod mujoco;
 pub(super) mod push_out;
+pub(super) mod repositories;
 pub(super) mod rod;
 pub(super) mod siconos;
 pub(super) mod soft;

@@ -1,7 +1,11 @@
 //! What is stored of Siconos: facts about its release, read from the Debian packages by a script, and its own steps.
 
 use super::facts::Document;
+use crate::checks::siconos_alpha::{FirstImpact, SiconosAlpha};
 use crate::checks::siconos_steps::SiconosSteps;
+use crate::problem::Law;
+use crate::schemes::step;
+use crate::solvers::{Auto, ContactSolver};
 use crate::stored::{RUNS, read, read_by};
 use crate::{Error, Result};
 use serde::Deserialize;
@@ -9,6 +13,7 @@ use serde::Deserialize;
 const FACTS: &str = "facts/siconos.json";
 const ELASTIC_PROJECTED: &str = "siconos/ball_elastic__projection__h0.01.json";
 const CHAIN_PROJECTED: &str = "siconos/chain__projection__h0.01.json";
+const ALPHA_FALL: &str = "siconos/fall__generalised-alpha__h0.05.json";
 const SLIDE: &str = "siconos/block_slide__moreau-jean__h0.01.json";
 
 /// What the Debian packages of Siconos hold.
@@ -98,23 +103,49 @@ pub fn projected_moves() -> Result<[Vec<f64>; 2]> {
     Ok([moved.component_mul(&masses).as_slice().to_vec(), moved.as_slice().to_vec()])
 }
 
-/// Largest |u_n⁺ + e u_n| \[m/s\] in the steps of Siconos's block that slide in contact, the smallest |u_t⁺| in them, and the largest
-/// |r_t/r_n + μ|.
+/// How Siconos's block slides in contact.
+pub struct Slide {
+    /// Largest |u_n⁺ + e u_n| \[m/s\].
+    pub normal: f64,
+    /// Smallest |u_t⁺| \[m/s\], and that of the start.
+    pub tangential: [f64; 2],
+    /// Largest |r_t/r_n + μ|.
+    pub cone: f64,
+}
+
+/// The stored steps of the block from the second half on, where its bounces are over: as Siconos made them, or made again by our scheme
+/// from Siconos's states under this law.
+///
+/// # Errors
+/// If the stored file is not what it should be, and those of the step.
+pub fn slide(again: Option<Law>) -> Result<Slide> {
+    let run = read_by(&RUNS, SLIDE, SiconosSteps::from_json)?;
+    let (mechanism, scheme) = (run.mechanism()?, run.scheme(0.0)?);
+    let contact = mechanism.contacts(&run.state(0).position).swap_remove(0);
+    let mut found = Slide { normal: 0.0, tangential: [f64::INFINITY, run.state(0).velocity[0].abs()], cone: 0.0 };
+    for k in (run.impulses.len() / 2..run.impulses.len()).filter(|k| run.impulses[*k][0] > 0.0) {
+        let (before, stored) = (run.state(k), run.state(k + 1).velocity);
+        let ([normal, tangential], [press, drag]) = match again {
+            None => ([stored[1], stored[0]], [run.impulses[k][0], run.impulses[k][1]]),
+            Some(law) => {
+                let problem = step(scheme.as_ref(), &Auto, mechanism.as_ref(), &before, run.time_step)?.assembled.problem;
+                let problem = problem.ok_or_else(|| Error::Unsupported("the block touches".into()))?.into_builder().law(law).build()?;
+                let answer = Auto.solve(&problem, None)?;
+                ([answer.velocity[0], answer.velocity[1]], [answer.impulse[0], answer.impulse[1]])
+            }
+        };
+        found.normal = found.normal.max((normal + contact.restitution * before.velocity[1]).abs());
+        found.tangential[0] = found.tangential[0].min(tangential.abs());
+        found.cone = found.cone.max((drag / press + contact.friction).abs());
+    }
+    Ok(found)
+}
+
+/// The impact that ends a run of `NewMarkAlphaOSI`.
 ///
 /// # Errors
 /// If the stored file is not what it should be.
-pub fn slide() -> Result<[f64; 3]> {
-    let run = read_by(&RUNS, SLIDE, SiconosSteps::from_json)?;
-    let contact = run.mechanism()?.contacts(&run.state(0).position).swap_remove(0);
-    let mut found = [0.0f64, f64::INFINITY, 0.0];
-    // from the second half on the bounces are over
-    for k in run.impulses.len() / 2..run.impulses.len() {
-        let (before, velocity, impulse) = (run.state(k).velocity, run.state(k + 1).velocity, &run.impulses[k]);
-        if impulse[0] > 0.0 {
-            found[0] = found[0].max((velocity[1] + contact.restitution * before[1]).abs());
-            found[1] = found[1].min(velocity[0].abs());
-            found[2] = found[2].max((impulse[1] / impulse[0] + contact.friction).abs());
-        }
-    }
-    Ok(found)
+pub fn alpha_impact() -> Result<FirstImpact> {
+    let run = read_by(&RUNS, ALPHA_FALL, SiconosAlpha::from_json)?;
+    run.first_impact().ok_or_else(|| Error::Unsupported("the run ends with an impact".into()))
 }

@@ -3,7 +3,7 @@
 use super::Claim;
 
 mod differences;
-mod drake;
+pub(super) mod drake;
 mod instances;
 pub(super) mod mujoco;
 pub(super) mod siconos;

@@ -2,27 +2,37 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::experiments::siconos::{Facts, slide};
+use crate::claims::experiments::repositories::{SICONOS_440, SICONOS_450, SICONOS_2026, Tree};
+use crate::claims::experiments::siconos::{Facts, alpha_impact, slide};
 use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::mechanics::{PointMass, State};
+use crate::problem::Law;
+use crate::schemes::{GeneralisedAlpha, step};
+use crate::solvers::LemkePivoting;
 use crate::tolerance::references::SICONOS_PER_STEP;
+use nalgebra::dvector;
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S10.siconos-row",
         statement: "Siconos: Moreau–Jean θ, Schatzman–Paoli, event-driven, nonsmooth generalised-α; NSGS, AC/FB/NM nonsmooth Newton, \
             proximal, VI extragradient, interior point; Newton, Moreau and Frémond laws built in.",
-        verdict: ClaimVerdict::Conditional,
+        verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
-        severity: Some(Severity::MissingHypothesis),
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Cited,
-        correct_statement: "In release 4.4.0 all but two: there is no Frémond law (FremondImpactFrictionNSL is in the development version \
-            only), and its generalised-α, NewMarkAlphaOSI, is a Newmark-α integrator for constrained smooth motion, used with event \
-            handling, not the nonsmooth scheme of Chen, Acary and Brüls. From Python neither NewMarkAlphaOSI nor SchatzmanPaoliOSI can be \
-            reached.",
-        argument: "Headers and solver identifiers of Debian's packages 4.4.0+dfsg-2. MoreauJeanOSI activates φ + ½h u_n ≤ 0 with the \
-            present velocity: our scheme with that rule reproduces its stored steps to 1e-12, the other two rules do not.",
-        control: "A Frémond law in 4.4.0.",
-        sources: &["chapter §10, table of simulators", "Siconos 4.4.0 in Debian; github.com/siconos/siconos at 6070f0f6"],
+        correct_statement: "All but the nonsmooth generalised-α: NewMarkAlphaOSI is the smooth method within the event-driven strategy, not \
+            the scheme of Chen, Acary, Virlez and Brüls, and in 4.4.0 its impact is no impact law; no later release has another class for \
+            it. Frémond's law, FremondImpactFrictionNSL, came with 4.5.0 of March 2024. From the Python of 4.4.0 neither NewMarkAlphaOSI \
+            nor SchatzmanPaoliOSI can be reached.",
+        argument: "Headers and solver identifiers of Debian's packages 4.4.0+dfsg-2; the trees of 4.4.0 and 4.5.0. A stored fall under \
+            NewMarkAlphaOSI, e = ½: the ball arrives at −4.5 m/s and leaves at +95.8 m/s, by the factor 1 − (1−α_m)/((1−α_f)γ) h'/h² of \
+            4.4.0's formula; under the nonsmooth scheme v⁺ = −e v⁻.",
+        control: "Our nonsmooth generalised-α in place of NewMarkAlphaOSI, and the tree of 4.5.0 in place of that of 4.4.0.",
+        sources: &[
+            "chapter §10, table of simulators",
+            "Siconos 4.4.0 in Debian; github.com/siconos/siconos, tags 4.4.0 and 4.5.0, and 6070f0f6",
+        ],
         check: row,
     },
     Claim {
@@ -30,14 +40,14 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Siconos is the school that faces the NCP or SOCCP: it does not evade nonsmoothness, and is mathematically the most \
             rigorous, with the most complete set of solvers.",
         verdict: ClaimVerdict::Ambiguous,
-        kind: Kind::Assertion,
+        kind: Kind::Opinion,
         severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "Rigour and completeness are matters of taste. What can be checked: its steps solve Coulomb's law, not the \
             convex relaxation; a sliding block does not lift off.",
         argument: "Stored steps of a block that slides under Siconos's Moreau–Jean, e = 1/2: u_n⁺ + e u_n = 0 and r_t = −μ r_n to rounding \
-            while u_t⁺ ≥ 0.33 m/s. The relaxation would have u_n⁺ + e u_n = μ u_t⁺ ≥ 0.1 m/s.",
-        control: "The relaxation's u_n⁺ + e u_n = μ|u_t⁺|.",
+            while u_t⁺ is above the 0.3 m/s of the start. The relaxation would have u_n⁺ + e u_n = μ u_t⁺.",
+        control: "The same steps made again under the relaxed law.",
         sources: &["chapter §10, three schools"],
         check: school,
     },
@@ -46,25 +56,42 @@ pub const CLAIMS: &[Claim] = &[
         statement: "In Siconos look at numerics/src/FrictionContact/fc3d_nsgs.c, fc3d_nonsmooth_Newton_AlartCurnier.c and gfc3d_ipm.c, and \
             at kernel/src/simulationTools/MoreauJeanOSI.cpp.",
         verdict: ClaimVerdict::Conditional,
-        kind: Kind::Assertion,
+        kind: Kind::Path,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Cited,
-        correct_statement: "All four for the releases up to 4.4.0. In the development version of August 2026 two have moved: \
+        correct_statement: "All four for the releases up to 4.5.0 of March 2024. On the main branch of August 2026 two have moved: \
             MoreauJeanOSI.cpp to kernel/src/simulation/, and the Alart–Curnier file to FrictionContact/nsn_formulation/.",
         argument: "The names of three are in Debian's libraries 4.4.0+dfsg-2 as the compiler left them, the fourth by its functions; all \
-            four are in the tag 4.4.0, and two at commit 6070f0f6.",
-        control: "The path of the development version, looked for in 4.4.0.",
+            four are in the tree of the tag 4.5.0, and two in that of commit 6070f0f6.",
+        control: "The tree of 4.5.0 in place of that of August 2026.",
         sources: &[
             "chapter §10, where to look in the sources",
-            "Siconos 4.4.0 in Debian; github.com/siconos/siconos, tag 4.4.0 and 6070f0f6",
+            "Siconos 4.4.0 in Debian; github.com/siconos/siconos, tag 4.5.0 and 6070f0f6",
         ],
         check: paths,
     },
 ];
 
+/// |v⁺ + e v⁻| \[m/s\] of a ball that falls on the floor, in the step of our nonsmooth generalised-α in which it arrives.
+fn nonsmooth_impact() -> Result<f64> {
+    let (scheme, ball) = (GeneralisedAlpha::default(), PointMass::ball_on_floor(2.0, 9.81, 0.5));
+    let arriving = State { time: 0.0, position: dvector![-0.001], velocity: dvector![-4.5] };
+    let taken = step(&scheme, &LemkePivoting, &ball, &arriving, 0.05)?;
+    Ok((taken.state.velocity[0] + 0.5 * arriving.velocity[0]).abs())
+}
+
 fn row(reading: Reading) -> Result<Vec<Finding>> {
     let facts = Facts::stored()?;
-    let mut findings = vec![Finding::decision("a Frémond law in 4.4.0", facts.has("FremondImpactFrictionNSL"), reading.pick(false, true))];
+    let impact = alpha_impact()?;
+    let gap = |leaving: f64| (leaving - impact.newton).abs();
+    let alpha = reading.pick(gap(impact.leaving), nonsmooth_impact()?);
+    let release = reading.pick(SICONOS_440, SICONOS_450);
+    let fremond = |tree: Tree| tree.count_named(&["FremondImpactFrictionNSL.cpp"]) == 1;
+    let mut findings = vec![
+        Finding::equal("|v⁺ + e v⁻| in an impact under its generalised-α", alpha, gap(impact.predicted), impact.rounding, "m/s").says(0.0),
+        Finding::decision("a Frémond law in 4.5.0", fremond(SICONOS_450), true),
+        Finding::decision("a Frémond law in 4.4.0", fremond(release), false).says(true).violating("release 4.5.0 or later"),
+    ];
     for class in
         ["MoreauJeanOSI", "SchatzmanPaoliOSI", "LsodarOSI", "EventDriven", "NewMarkAlphaOSI", "NewtonImpactNSL", "NewtonImpactFrictionNSL"]
     {
@@ -75,29 +102,41 @@ fn row(reading: Reading) -> Result<Vec<Finding>> {
     }
     findings.push(Finding::decision("has an interior-point solver", facts.solves_with("GLOBAL_FRICTION_3D_IPM"), true));
     for class in ["SchatzmanPaoliOSI", "NewMarkAlphaOSI"] {
-        findings.push(Finding::decision(format!("Python shows {class}"), facts.python.iter().any(|name| name == class), false));
+        let shown = facts.python.iter().any(|name| name == class);
+        findings.push(Finding::decision(format!("Python shows {class}"), shown, false).context());
     }
     Ok(findings)
 }
 
 fn school(reading: Reading) -> Result<Vec<Finding>> {
-    let [normal, tangential, cone] = slide()?;
-    let lift = reading.pick(0.0, 0.3 * tangential);
+    let found = slide(reading.pick(None, Some(Law::Associated)))?;
+    let [slip, start] = found.tangential;
+    let rigour = "rigour and completeness";
     Ok(vec![
-        Finding::equal("largest |u_n⁺ + e u_n| of a sliding block", normal, lift, SICONOS_PER_STEP, "m/s"),
-        Finding::at_least("smallest u_t⁺", tangential, 0.33, "m/s"),
-        Finding::equal("largest |r_t/r_n + μ|", cone, 0.0, SICONOS_PER_STEP, "1"),
+        Finding::equal("largest |u_n⁺ + e u_n| of a sliding block", found.normal, 0.0, SICONOS_PER_STEP, "m/s").opinion(rigour),
+        Finding::at_least("smallest u_t⁺ of the steps, that of the start being 0.3 m/s", slip, start, "m/s"),
+        Finding::equal("largest |r_t/r_n + μ|", found.cone, 0.0, SICONOS_PER_STEP, "1"),
     ])
 }
 
+/// The files that the chapter names.
+const PRINTED: [&str; 4] = [
+    "numerics/src/FrictionContact/fc3d_nsgs.c",
+    "numerics/src/FrictionContact/fc3d_nonsmooth_Newton_AlartCurnier.c",
+    "numerics/src/FrictionContact/gfc3d_ipm.c",
+    "kernel/src/simulationTools/MoreauJeanOSI.cpp",
+];
+
 pub(in crate::claims) fn paths(reading: Reading) -> Result<Vec<Finding>> {
     let facts = Facts::stored()?;
-    let folder = reading.pick("simulationTools", "simulation");
-    let contact = "numerics/src/FrictionContact";
+    let [nsgs, newton, _, integrator] = PRINTED;
+    let later = reading.pick(SICONOS_2026, SICONOS_450);
     Ok(vec![
-        Finding::decision("MoreauJeanOSI.cpp", facts.compiled(&format!("kernel/src/{folder}/MoreauJeanOSI.cpp")), true),
-        Finding::decision("fc3d_nsgs.c", facts.compiled(&format!("{contact}/fc3d_nsgs.c")), true),
-        Finding::decision("the Alart–Curnier file", facts.compiled(&format!("{contact}/fc3d_nonsmooth_Newton_AlartCurnier.c")), true),
-        Finding::decision("functions of gfc3d_ipm.c", facts.functions.iter().any(|name| name == "gfc3d_ipm_set_default"), true),
+        Finding::decision("4.4.0: MoreauJeanOSI.cpp", facts.compiled(integrator), true),
+        Finding::decision("4.4.0: fc3d_nsgs.c", facts.compiled(nsgs), true),
+        Finding::decision("4.4.0: the Alart–Curnier file", facts.compiled(newton), true),
+        Finding::decision("4.4.0: functions of gfc3d_ipm.c", facts.functions.iter().any(|name| name == "gfc3d_ipm_set_default"), true),
+        Finding::count("Siconos 4.5.0: printed paths", SICONOS_450.count(&PRINTED), 4),
+        Finding::count("Siconos at 6070f0f6: printed paths", later.count(&PRINTED), 2).says(4).violating("a release up to 4.5.0"),
     ])
 }

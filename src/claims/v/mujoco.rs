@@ -3,6 +3,7 @@
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::experiments::mujoco::facts;
+use crate::claims::s10::mujoco::differentiable;
 use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::scalar::{Rational, ratio};
@@ -14,13 +15,14 @@ pub const CLAIMS: &[Claim] = &[
         id: "V.mujoco",
         statement: "MuJoCo 3.x, open source; MJX is differentiable.",
         verdict: ClaimVerdict::Conditional,
-        kind: Kind::Assertion,
+        kind: Kind::Path,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Cited,
+        evidence: Evidence::Certified,
         correct_statement: "The version is a matter of date: 3.x is what this repository pins (3.17.0), 4.0.0 appeared in November 2026. \
-            On MJX see S6.mjx-gradients.",
-        argument: "The pinned package calls itself 3.17.0. Of 4.0.0 only the package index was consulted, on 2026-11-21.",
-        control: "Version 4.",
+            The step that MJX differentiates has a derivative where no contact touches or lets go within it (S6.mjx-gradients).",
+        argument: "The pinned package calls itself 3.17.0. Of 4.0.0 only the package index was consulted, on 2026-11-21. Of the step: \
+            S10.mujoco-row; MJX itself was not run.",
+        control: "A ball without weight that rests at touch, where nothing jumps.",
         sources: &["chapter, table of versions", STORED],
         check: version,
     },
@@ -43,8 +45,9 @@ pub const CLAIMS: &[Claim] = &[
 ];
 
 fn version(reading: Reading) -> Result<Vec<Finding>> {
-    let version = facts()?.text(&["version"]);
-    Ok(vec![Finding::decision("the pinned release is of this major version", version.starts_with(reading.pick("3.", "4.")), true)])
+    let mut findings = vec![Finding::decision("the pinned release is 3.x", facts()?.text(&["version"]).starts_with("3."), true)];
+    findings.extend(differentiable(reading));
+    Ok(findings)
 }
 
 /// 1 + trace + det of the semi-implicit step with an explicit damper, k = m = 1: negative where an eigenvalue is below −1.
@@ -64,7 +67,11 @@ fn defaults(reading: Reading) -> Result<Vec<Finding>> {
     let two_steps = ContactParameters { reference: [0.02, 1.0], ..ours }.stiffness_and_damping(0.01);
     let damping = reading.pick(ratio(1, 1), ratio(0, 1));
     Ok(vec![
-        Finding::exact("1 + trace + det at h = 3/2", &below(&ratio(3, 2), &damping), &ratio(-5, 4), "1"),
+        Finding::exact("1 + trace + det at h = 3/2 without damper", &below(&ratio(3, 2), &ratio(0, 1)), &ratio(7, 4), "1")
+            .says_at_least(ratio(0, 1)),
+        Finding::exact("1 + trace + det at h = 3/2", &below(&ratio(3, 2), &damping), &ratio(-5, 4), "1")
+            .says_at_least(ratio(0, 1))
+            .violating("no damper"),
         Finding::decision(
             "solref and solimp",
             list("solref")?.as_slice() == ours.reference && list("solimp")?.as_slice() == ours.impedance,

@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::s10::{mujoco, siconos, three_engines};
+use crate::claims::s10::{drake, mujoco, siconos, three_engines};
 use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 
 pub const CLAIMS: &[Claim] = &[Claim {
@@ -10,19 +10,30 @@ pub const CLAIMS: &[Claim] = &[Claim {
     statement: "The paths of source files that the chapter gives exist on the main branches, though files may move from version to \
         version.",
     verdict: ClaimVerdict::Conditional,
-    kind: Kind::Assertion,
+    kind: Kind::Path,
     severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Cited,
-    correct_statement: "They existed. Siconos's are those of 4.4.0 and have moved since, Pinocchio's are those of release 3 and are \
-        elsewhere in 4.1.0; those of MuJoCo, Bullet and Chrono are in place. See S10.path-*.",
-    argument: "Libraries and source distributions of the pinned releases, read by scripts. Those of Bullet, MuJoCo and Siconos 4.4.0 are \
-        there, Pinocchio's printed path is not.",
-    control: "Each of these packages with the path that its own claim takes for its control.",
-    sources: &["chapter, table of versions", "references/facts, references/bullet, references/pinocchio"],
+    correct_statement: "They existed. Siconos's are those of the releases up to 4.5.0, and two have moved since; Pinocchio's are those of \
+        release 3 and are elsewhere in 4.1.0; MJX's starts at the Python package; tamsi_solver.cc was to go after August 2026. The others of \
+        MuJoCo and Drake, and those of Bullet and Chrono, are in place. See S10.path-*.",
+    argument: "Libraries and source distributions of the pinned releases, read by scripts, and trees of the repositories in August 2026: \
+        Chrono, Drake, MuJoCo and Bullet have the files, Siconos has two of four at the printed paths, Pinocchio 4.1.0 none of two.",
+    control: "The releases that the paths are of: Siconos 4.5.0, Pinocchio 3.7.0, Drake before the announced removal, MJX's package.",
+    sources: &[
+        "chapter, table of versions",
+        "references/facts, references/bullet, references/pinocchio",
+        "the repositories, see S10.path-*",
+    ],
     check: paths,
 }];
 
 fn paths(reading: Reading) -> Result<Vec<Finding>> {
-    let checks = [siconos::paths, mujoco::paths, three_engines::path_bullet, three_engines::path_pinocchio];
-    Ok(checks.into_iter().map(|check| check(reading)).collect::<Result<Vec<_>>>()?.concat())
+    let mut findings = Vec::new();
+    for moved in [siconos::paths, mujoco::paths, drake::paths, three_engines::path_pinocchio] {
+        findings.extend(moved(reading)?);
+    }
+    for kept in [three_engines::path_bullet, three_engines::path_chrono] {
+        findings.extend(kept(Reading::Recorded)?);
+    }
+    Ok(findings)
 }

@@ -2,29 +2,32 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::experiments::facts;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::experiments::repositories::{PINOCCHIO_2, PINOCCHIO_3, PINOCCHIO_3_TAKES};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "V.pinocchio",
     statement: "Pinocchio 3 / Simple: ADMM with a proximal term; admm-solver.hxx, contact-cholesky.hpp; rigid and compliant contact as NCP \
         or SOCCP.",
-    verdict: ClaimVerdict::Conditional,
-    kind: Kind::Assertion,
-    severity: Some(Severity::MissingHypothesis),
+    verdict: ClaimVerdict::True,
+    kind: Kind::Path,
+    severity: None,
     evidence: Evidence::Cited,
-    correct_statement: "So it began. The release checked here is 4.1.0: same solver and default law, other paths (S10.path-pinocchio).",
-    argument: "The pinned package is 4.1.0; its ADMM has `solve_ncp` = true, a proximal term of 10⁻⁶ and finds ρ by the rule of OSQP.",
-    control: "A package of version 3.",
-    sources: &["chapter, table of software", "libpinocchio 4.1.0: references/pinocchio/package.json"],
-    check: version_pinocchio,
+    correct_statement: "As stated of release 3, in which admm-solver.hxx came. The package checked elsewhere is 4.1.0: same solver and default \
+        law, other folders (S10.path-pinocchio).",
+    argument: "The tree of the tag v3.7.0 has both files, and its ADMM takes a proximal term and a compliance; it adds De Saxcé's shift in \
+        every iteration, which makes the cone problem Coulomb's.",
+    control: "Release 2.7.0.",
+    sources: &["chapter, table of software", "Pinocchio, tags v2.7.0 and v3.7.0: admm-solver.hpp and .hxx"],
+    check: release,
 }];
 
-fn version_pinocchio(reading: Reading) -> Result<Vec<Finding>> {
-    let package = facts::pinocchio()?;
-    let major = package.version.split('.').next().unwrap_or("");
+fn release(reading: Reading) -> Result<Vec<Finding>> {
+    let tree = reading.pick(PINOCCHIO_3, PINOCCHIO_2);
+    let takes = |name: &str| Finding::decision(format!("ADMM takes {name}"), PINOCCHIO_3_TAKES.contains(&name), true);
     Ok(vec![
-        Finding::decision("the pinned release begins with", major == reading.pick("4", "3"), true),
-        Finding::decision("ρ by the rule of OSQP", package.stated.settings["admm_update_rule"] == "osqp", true),
+        Finding::count("files of the printed names", tree.count_named(&["admm-solver.hxx", "contact-cholesky.hpp"]), 2),
+        takes("mu_prox"),
+        takes("R"),
     ])
 }
