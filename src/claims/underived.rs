@@ -270,10 +270,6 @@ pub const UNDERIVED: &[&str] = &[
     "S11.explicit-or-implicit",
     "S11.ex3",
     // s12
-    "S12.qplus",
-    "S12.ex3",
-    "S12.energy",
-    "S12.ex2",
     // manual
     "Pr.sap-gliding",
     "R7",
