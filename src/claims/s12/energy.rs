@@ -5,7 +5,7 @@ use crate::Result;
 use crate::checks::Finding;
 use crate::checks::energy::{ENERGY_OF_BOUNCE, impact, worked_ball, worked_step};
 use crate::checks::zeno::DroppedBall;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
 use crate::defects::energy::{Misassembled, restitution_on_the_wrong_side};
 use crate::exact_particle::Ball;
 use crate::scalar::{Rational, Scalar, ratio};
