@@ -6,42 +6,7 @@
 /// Their ids.
 pub const UNDERIVED: &[&str] = &[
     // s2
-    "S2.bipotential",
-    "S2.tangent",
-    "S2.force-in-cone",
-    "S2.must-vplus",
-    "S2.NTC-robust",
-    "S2.pos-strict",
-    "S2.vel-drift",
-    "S2.dzonou",
-    "S2.base-measure",
-    "S2.sweep-theory",
-    "S2.soft-diff",
-    "S2.soft-limit",
-    "S2.case2",
-    "S2.cone-direction",
-    "S2.ex3",
     // s3
-    "S3.contact-work-sign",
-    "S3.contact-diss",
-    "S3.moreau-diss",
-    "S3.drift",
-    "S3.energy-runs-down",
-    "S3.normal-solvable",
-    "S3.friction-block",
-    "S3.projection",
-    "S3.theta-order",
-    "S3.table-2nd-order",
-    "S3.symplectic-like",
-    "S3.siconos-path",
-    "S3.cmame",
-    "S3.ab-chapters",
-    "S3.energy-neutral",
-    "S3.energy-one",
-    "S3.pgs-ok",
-    "S3.R-is-MY",
-    "S3.newton-embedded",
-    "S3.ufree",
     // s4
     // s5
     // s6
@@ -171,9 +136,5 @@ pub const UNDERIVED: &[&str] = &[
     "S11.explicit-or-implicit",
     "S11.ex3",
     // s12
-    "S12.qplus",
-    "S12.ex3",
-    "S12.energy",
-    "S12.ex2",
     // v
 ];

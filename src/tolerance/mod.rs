@@ -132,6 +132,32 @@ pub mod claims {
         pub fn bead_sagitta(growth: f64) -> f64 {
             growth * growth
         }
+
+        /// Largest speed of an elastic ball dropped from rest at q₀ under θ = 1, on the floor or one step below it: E − ½ m g h v is
+        /// conserved and q ≥ −h|v|, so v² − g h|v| ≤ 2 g q₀.
+        fn fastest(gravity: f64, height: f64, h: f64) -> f64 {
+            (2.0 * gravity * height).sqrt() + gravity * h
+        }
+
+        /// How far the energy of such a ball may be from its start, over its start m g q₀: ½ m g h|v| for the largest |v|.
+        pub fn elastic_energy_swing(gravity: f64, height: f64, h: f64) -> f64 {
+            0.5 * h * fastest(gravity, height, h) / height
+        }
+
+        /// Bounces that such a ball makes at least: it lands √(2q₀/g) after the start, two steps late at most. It leaves with a speed v
+        /// from at most 2 h v + g h² above the floor, and by the conserved E − ½ m g h v it is down again when it falls with v + g h, so
+        /// a flight and its bounce last at most 2v/g + 3h.
+        pub fn fewest_bounces(gravity: f64, height: f64, h: f64, duration: f64) -> f64 {
+            let landing = (2.0 * height / gravity).sqrt() + 2.0 * h;
+            let flight = 2.0 * fastest(gravity, height, h) / gravity + 3.0 * h;
+            ((duration - landing) / flight).floor() + 1.0
+        }
+
+        /// By how much the largest |E − E₀| of one window of a swing may exceed that of another: E − E₀ goes through two cycles in a
+        /// swing, of frequency at most 1, so between samples h apart its peak is missed by at most ½ (2 · h/2)² = h²/2 of it, in either.
+        pub fn sampled_peak(h: f64) -> f64 {
+            h * h
+        }
     }
 
     /// Claims on the Stewart–Trinkle LCP and the normal LCP.

@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::s5::planar_step::Block;
+use crate::claims::s5::planar_step::{Block, PlanarStep};
 use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::problem::{Law, Lcp};
 use crate::scalar::{Rational, ratio};
@@ -15,18 +15,27 @@ pub const CLAIMS: &[Claim] = &[Claim {
     statement: "In one dimension without friction the convex QP of Anitescu is equivalent to the LCP; with a tangential direction \
         (friction, horizontal initial velocity) LCP and relaxation begin to differ by an O(h) gliding.",
     verdict: ClaimVerdict::Conditional,
-    kind: Kind::Assertion,
+    kind: Kind::Exercise,
     severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Exact,
     correct_statement: "The one-dimensional QP and LCP have the same solution. With friction they differ only while the contact slides, by \
-        the gap μh|v_t|; they agree where it sticks.",
+        the gap μh|v_t|; they agree where it sticks, with a horizontal velocity too.",
     argument: "QP: min ½P² − 1.585 P over P ≥ 0 has the minimiser max(0, 1.585) = 317/200, which is the solution of the LCP 0 ≤ P ⟂ P − \
-        317/200 ≥ 0 of the chapter's contact step. On the 3-4-5 slope, h = 1/200: with μ = 1 both laws give v = 0; with μ = 1/2 \
-               Coulomb slides at φ = 0 and the relaxed step at φ = μ h v_t exactly.",
-    control: "Coulomb's step in place of the relaxed one: it has no gap.",
+        317/200 ≥ 0 of the chapter’s contact step. With 1 m/s along the ground and μ = ½ the ball slides, and the relaxed step lifts it \
+        by μ h v_t more, for h = 1/100 and 1/200; with ½ m/s the impact stops it and both laws give the same velocity. On the 3-4-5 slope, \
+        h = 1/200, μ = ½: Coulomb slides at φ = 0 and the relaxed step at φ = μ h v_t exactly.",
+    control: "A landing at 1 m/s, which slides, in place of the one that sticks.",
     sources: &["chapter §12, exercise 3"],
     check: exercise,
 }];
+
+/// v⁺ of the example's contact step with a velocity along the ground, (normal, tangential), g h = 10 h, μ = ½.
+fn landing(law: Law, sideways: &Rational, h: &Rational) -> Result<DVector<Rational>> {
+    let incoming = ratio(-99, 100);
+    let restitution = ratio(1, 2) * &incoming;
+    let free = [incoming - ratio(10, 1) * h, sideways.clone()];
+    Ok(PlanarStep::point(free, restitution, ratio(1, 2)).solve(law)?.velocity)
+}
 
 fn exercise(reading: Reading) -> Result<Vec<Finding>> {
     let free = ratio(-317, 200);
@@ -35,21 +44,26 @@ fn exercise(reading: Reading) -> Result<Vec<Finding>> {
     // ½P² + fP = ½(P + f)² − ½f²: smaller nowhere on P ≥ 0 than at the LCP's solution
     let objective = |p: &Rational| ratio(1, 2) * p.clone() * p.clone() + free.clone() * p.clone();
     let better = (0..400).filter(|&k| objective(&ratio(k, 100)) < objective(&by_lcp)).count();
-    let h = ratio(1, 200);
-    let slope = |law: Law, friction: Rational| -> Result<Block> {
-        let mut block = Block { law, ..Block::at_rest(friction) };
-        block.steps(25, &h)?;
-        Ok(block)
-    };
-    let relaxed = slope(reading.pick(Law::Associated, Law::Coulomb), ratio(1, 2))?;
-    let exact = slope(Law::Coulomb, ratio(1, 2))?;
-    let sticking = [slope(Law::Associated, ratio(1, 1))?, slope(Law::Coulomb, ratio(1, 1))?];
-    let own_gap = ratio(1, 2) * h.clone() * relaxed.velocity[1].clone();
-    Ok(vec![
+    let mut findings = vec![
         Finding::exact("P of the LCP", &by_lcp, &ratio(317, 200), "N·s"),
         Finding::count("points of a grid on P ≥ 0 with a smaller objective", better, 0),
-        Finding::exact("φ/(μ h v_t) of the relaxed slide", &(relaxed.gap / own_gap), &ratio(1, 1), "1"),
-        Finding::exact("φ of Coulomb's slide", &exact.gap, &ratio(0, 1), "m"),
-        Finding::decision("both stick with μ = 1", sticking.iter().all(|block| block.velocity == [ratio(0, 1), ratio(0, 1)]), true),
-    ])
+    ];
+    for inverse in [100, 200] {
+        let h = ratio(1, inverse);
+        let (relaxed, exact) = (landing(Law::Associated, &ratio(1, 1), &h)?, landing(Law::Coulomb, &ratio(1, 1), &h)?);
+        let lift = &h * (&relaxed[0] - &exact[0]) / (ratio(1, 2) * &h * &relaxed[1]);
+        findings.push(Finding::exact(format!("gap over μ h v_t after a landing that slides, h = 1/{inverse}"), &lift, &ratio(1, 1), "1"));
+    }
+    let (h, speed) = (ratio(1, 100), reading.pick(ratio(1, 2), ratio(1, 1)));
+    let differ = landing(Law::Associated, &speed, &h)? != landing(Law::Coulomb, &speed, &h)?;
+    findings.push(Finding::decision("the two differ at a landing with ½ m/s", differ, false).says(true).violating("the contact slides"));
+    let slope = |law: Law| -> Result<Block> {
+        let mut block = Block { law, ..Block::at_rest(ratio(1, 2)) };
+        block.steps(25, &ratio(1, 200))?;
+        Ok(block)
+    };
+    let (relaxed, exact) = (slope(Law::Associated)?, slope(Law::Coulomb)?);
+    let own_gap = ratio(1, 400) * &relaxed.velocity[1];
+    findings.push(Finding::exact("φ/(μ h v_t) of the relaxed slide on a slope", &((relaxed.gap - exact.gap) / own_gap), &ratio(1, 1), "1"));
+    Ok(findings)
 }

@@ -59,8 +59,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "h = 1/10, q = 1/20, v = 0: φ + h v_free = −1/20 ≤ 0 is active, φ + ½ h v = 1/20 is not. \
                    Stewart–Trinkle: φ/h + v⁺ ≥ 0 gives v⁺ = −1/2 and q⁺ = 0. With h = 1/100, 1/200, 1/400 the ball has \
                    come to rest after the 3 V/(g h) steps to T∞ and as many again, at heights in [0, g h²].",
-        control: "The reading that blames the velocity level: the velocity-level step with the half-step forecast is \
-                  expected to activate as well.",
+        control: "The half-step forecast as the rule of the scheme: it does not activate.",
         sources: &["chapter §12, step 1 and the lesson after it"],
         check: cause,
     },

@@ -12,16 +12,16 @@ pub const CLAIMS: &[Claim] = &[
         id: "S2.bipotential",
         statement: "De Saxcé's bipotential is b(v, r) = μ‖v_t‖ r_n + ⟨v, r⟩.",
         verdict: ClaimVerdict::False,
-        kind: Kind::Assertion,
+        kind: Kind::Definition,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "b(−u, r) = μ r_n‖u_t‖ plus the indicators of u_n ≥ 0 and r ∈ K_μ. The printed expression is its residual b(−u, \
             r) + ⟨u, r⟩ without the indicators, zero exactly on the contact law.",
-        argument: "A bipotential satisfies b(−u, r) ≥ −⟨u, r⟩ with equality on the law. Sliding with u = (0, 1, 0), r = (1, −μ, 0), μ = \
-            7/10: −⟨u, r⟩ = 7/10 = μ r_n‖u_t‖, but the printed expression is 0 with v = u (against ⟨u, r⟩ = −7/10) and 7/5 with v = −u. \
-            The formula is right under another name: as the residual it is ≥ 0 for r ∈ K_μ, u_n ≥ 0, and it vanishes on all stick, slip \
-            and open pairs of the grid and on no other.",
-        control: "The printed expression, with v = −u, as the bipotential.",
+        argument: "A bipotential satisfies b(−u, r) ≥ −⟨u, r⟩ with equality exactly on the law. Sliding with u = (0, 1, 0), r = (1, −μ, 0), μ = 7/10: −⟨u, \
+            r⟩ = 7/10 = μ r_n‖u_t‖, but the printed expression is 7/5 with v = −u, and 0 with v = u. With v = u it is right under another \
+            name: as the residual it is ≥ 0 for r ∈ K_μ, u_n ≥ 0, and it vanishes on all stick, slip and open pairs of the grid and on no \
+            other.",
+        control: "μ‖v_t‖ r_n without the term ⟨v, r⟩.",
         sources: &["chapter §2, friction by the bipotential", "de Saxcé and Feng, The bipotential method (1998)"],
         check: bipotential,
     },
@@ -107,25 +107,26 @@ fn law_holds(u: &Vector, r: &Vector) -> bool {
 }
 
 fn bipotential(reading: Reading) -> Result<Vec<Finding>> {
+    let weight = reading.pick(whole(1), whole(0));
     let dissipation = |u: &Vector, r: &Vector| mu() * r.normal.clone() * u.size.clone();
-    // b(−u, r): the printed expression with v = −u adds ⟨v, r⟩.
-    let potential = |u: &Vector, r: &Vector| dissipation(u, r) - reading.pick(whole(0), u.dot(r));
+    // b(−u, r): the printed expression with v = −u has ⟨v, r⟩ = −⟨u, r⟩
+    let potential = |u: &Vector, r: &Vector| dissipation(u, r) - &weight * u.dot(r);
+    let excess = |u: &Vector, r: &Vector| potential(u, r) + u.dot(r);
     let slip = Vector { normal: whole(0), size: whole(1), unit: [whole(1), whole(0)] };
     let opposed = Vector { normal: whole(1), size: mu(), unit: [whole(-1), whole(0)] };
     let (velocities, impulses) = pairs_of_the_grid();
     let admissible = |u: &Vector, r: &Vector| u.normal >= whole(0) && in_cone(r);
-    let residual = |u: &Vector, r: &Vector| potential(u, r) + u.dot(r);
-    let (mut negative, mut mismatches) = (0, 0);
+    let (mut negative, mut mismatches, mut as_residual) = (0, 0, 0);
     for (u, r) in pairs(&velocities, &impulses).filter(|(u, r)| admissible(u, r)) {
-        negative += usize::from(residual(u, r) < whole(0));
-        mismatches += usize::from((residual(u, r) == whole(0)) != law_holds(u, r));
+        negative += usize::from(excess(u, r) < whole(0));
+        mismatches += usize::from((excess(u, r) == whole(0)) != law_holds(u, r));
+        as_residual += usize::from((dissipation(u, r) + u.dot(r) == whole(0)) != law_holds(u, r));
     }
-    let printed = dissipation(&slip, &opposed) + slip.dot(&opposed);
     Ok(vec![
-        Finding::exact("b(−u, r) of a sliding pair", &potential(&slip, &opposed), &-slip.dot(&opposed), "J"),
-        Finding::exact("printed expression minus ⟨u, r⟩ on that pair", &(printed - slip.dot(&opposed)), &mu(), "J"),
+        Finding::exact("b(−u, r) + ⟨u, r⟩ of a sliding pair", &excess(&slip, &opposed), &mu(), "J").says(ratio(0, 1)),
+        Finding::decision("b(−u, r) = −⟨u, r⟩ exactly on the law", mismatches == 0, false).says(true),
         Finding::count("admissible pairs with b(−u, r) < −⟨u, r⟩", negative, 0),
-        Finding::count("admissible pairs where equality and the law differ", mismatches, 0),
+        Finding::count("admissible pairs where μ r_n‖u_t‖ + ⟨u, r⟩ = 0 and the law differ", as_residual, 0).context(),
     ])
 }
 

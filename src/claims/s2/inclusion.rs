@@ -12,7 +12,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S2.tangent",
         statement: "On φ(q) = 0 the tangent cone is T_C(q) = {v : ∇φ·v ≥ 0}; for φ > 0 it is the whole space.",
         verdict: ClaimVerdict::Conditional,
-        kind: Kind::Assertion,
+        kind: Kind::Definition,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "True where ∇φ ≠ 0; with several active constraints their gradients must be positively linearly independent \
@@ -40,7 +40,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "At φ = 0 and ∇φ·v⁺ = 0 the definition ⟨g, w − v⁺⟩ ≤ 0 for all w with ∇φ·w ≥ 0 holds for g = −λ∇φ; for g = +λ∇φ the \
             choice w = v⁺ + ∇φ gives λ‖∇φ‖² > 0. \
             The prose read literally (force in the cone) is false; read as the inclusion −M dv + F dt ∈ N of the next step it is true.",
-        control: "The force itself, with its sign, as the member of the cone.",
+        control: "A velocity v⁺ that leaves the contact: the cone is {0}, and neither the force nor its negative is in it.",
         sources: &["chapter §2, steps 3 and 4"],
         check: force_in_cone,
     },
@@ -96,16 +96,29 @@ pub const CLAIMS: &[Claim] = &[
     },
 ];
 
-/// φ ≥ 0 with φ(0) = 0, and ∇φ(0).
+/// φ ≥ 0 with φ(0) ≥ 0, and ∇φ(0).
 #[derive(Clone, Copy)]
 struct Constraint {
     value: fn(&[Rational; 2]) -> Rational,
     gradient: [i64; 2],
 }
 
+impl Constraint {
+    /// φ at 0.
+    fn at_zero(&self) -> Rational {
+        (self.value)(&[whole(0), whole(0)])
+    }
+
+    /// The cone that the formula gives at 0.
+    fn tangent_cone(&self) -> TangentCone {
+        TangentCone::new(self.gradient, self.at_zero() == whole(0))
+    }
+}
+
 const PARABOLA: Constraint = Constraint { value: |[x, y]| y.clone() - x.clone() * x, gradient: [0, 1] };
 const LINE: Constraint = Constraint { value: |[x, _]| x.clone(), gradient: [1, 0] };
 const CUBED: Constraint = Constraint { value: |[x, _]| x.clone() * x * x, gradient: [0, 0] };
+const INSIDE: Constraint = Constraint { value: |[x, y]| y.clone() + whole(1) - x.clone() * x, gradient: [0, 1] };
 const ABOVE: Constraint = Constraint { value: |[_, y]| y.clone(), gradient: [0, 1] };
 const BELOW: Constraint = Constraint { value: |[x, y]| -y.clone() - x.clone() * x, gradient: [0, -1] };
 
@@ -123,42 +136,49 @@ fn distance_quotient(set: &[Constraint], direction: &[Rational; 2], t: &Rational
 /// Whether "∇φ·v ≥ 0 for all constraints" accepts v exactly if v is tangent to C at 0, that is within the grid's width of C.
 fn formula_is_right(set: &[Constraint], direction: [i64; 2]) -> bool {
     let (direction, t) = (direction.map(whole), ratio(1, 64));
-    let accepted = set.iter().all(|constraint| TangentCone::new(constraint.gradient, true).contains(&direction));
+    let accepted = set.iter().all(|constraint| constraint.tangent_cone().contains(&direction));
     accepted == (distance_quotient(set, &direction, &t) <= ratio(1, 8))
 }
 
-/// Whether |φ(w) − ∇φ·w| ≤ ‖w‖² on the axes near 0, so that the stated gradient is φ's.
+/// Whether |φ(w) − φ(0) − ∇φ·w| ≤ ‖w‖² on the axes near 0, so that the stated gradient is φ's.
 fn gradient_is_right(constraint: &Constraint) -> bool {
     let reach = ratio(1, 1 << 20);
     [[1, 0], [-1, 0], [0, 1], [0, -1]].iter().all(|w| {
         let point = w.map(|entry| whole(entry) * &reach);
         let linear = whole(constraint.gradient[0]) * &point[0] + whole(constraint.gradient[1]) * &point[1];
-        ((constraint.value)(&point) - linear).magnitude() <= reach.clone() * &reach
+        ((constraint.value)(&point) - constraint.at_zero() - linear).magnitude() <= reach.clone() * &reach
     })
 }
 
 fn tangent(reading: Reading) -> Result<Vec<Finding>> {
     let cubed = reading.pick(CUBED, LINE);
     let opposed = reading.pick(vec![ABOVE, BELOW], vec![ABOVE]);
-    let gradients = [PARABOLA, LINE, CUBED, ABOVE, BELOW].iter().all(gradient_is_right);
+    let gradients = [PARABOLA, LINE, CUBED, INSIDE, ABOVE, BELOW].iter().all(gradient_is_right);
     let decide = |name: &str, set: &[Constraint], direction, expected| {
         Finding::decision(format!("the formula gives the tangent cone: {name}"), formula_is_right(set, direction), expected)
     };
     Ok(vec![
-        decide("φ = q³ into the wall", &[cubed], [-1, 0], false),
-        decide("opposed gradients", &opposed, [1, 0], false),
+        decide("φ = q³ into the wall", &[cubed], [-1, 0], false).says(true).violating("∇φ ≠ 0"),
+        decide("opposed gradients", &opposed, [1, 0], false).says(true).violating("positively linearly independent gradients"),
         decide("along the parabola", &[PARABOLA], [1, 0], true),
         decide("below the parabola", &[PARABOLA], [0, -1], true),
-        Finding::decision("the gradients are those of the constraints", gradients, true),
+        decide("inside, at φ = 1", &[INSIDE], [0, -1], true),
+        Finding::decision("the gradients are those of the constraints", gradients, true).context(),
     ])
 }
 
 fn force_in_cone(reading: Reading) -> Result<Vec<Finding>> {
     let cone = TangentCone::new([3, 4], true);
-    let sliding = [whole(-4), whole(3)];
-    let sign = reading.pick(-1, 1);
-    let member = |size: i64| cone.normal_cone_contains(&sliding, &[whole(3 * size * sign), whole(4 * size * sign)]);
-    Ok([1, 2, 5].map(|size| Finding::decision(format!("{sign} × force of size {size} in the cone"), member(size), true)).to_vec())
+    let after = reading.pick([whole(-4), whole(3)], [whole(3), whole(4)]);
+    let member = |size: i64| cone.normal_cone_contains(&after, &[whole(3 * size), whole(4 * size)]);
+    let mut findings = Vec::new();
+    for size in [1, 2, 5] {
+        let force = Finding::decision(format!("a force of size {size} is in the cone"), member(size), false);
+        findings.push(force.says(true).reading("the force itself"));
+        let negative = Finding::decision(format!("its negative is in the cone, size {size}"), member(-size), true);
+        findings.push(negative.reading("its negative, as in −M dv + F dt ∈ N"));
+    }
+    Ok(findings)
 }
 
 fn three_in_one(reading: Reading) -> Result<Vec<Finding>> {
@@ -208,12 +228,17 @@ fn must_v_plus(reading: Reading) -> Result<Vec<Finding>> {
     let weighted = only(whole(1), e.clone());
     let scaled = only(whole(1) / (whole(1) + e.clone()), e.clone() / (whole(1) + e.clone()));
     let average = only(ratio(1, 2), ratio(1, 2));
+    let by_newton = -(&e * &from);
+    let rebound = |argument: &Option<Rational>, passage| {
+        let stated = argument.clone().unwrap_or_else(|| from.clone());
+        Finding::exact("v⁺ of an impact from v⁻ = −1 by v⁺ = −e v⁻", &by_newton, &e, "m/s").says(stated).passage(passage)
+    };
     Ok(vec![
+        rebound(&plus, "§2, the argument must be v⁺"),
+        rebound(&weighted, "§2 and §3, the argument v⁺ + e v⁻"),
         Finding::decision("arguments v⁺ and v⁺ + e v⁻ give different rebounds", plus != weighted, true),
-        Finding::decision("argument v⁺ gives v⁺ = 0", plus == Some(whole(0)), true),
-        Finding::decision("argument v⁺ + e v⁻ gives v⁺ = −e v⁻", weighted == Some(e), true),
-        Finding::decision("the weighted average gives the same", scaled == weighted, true),
-        Finding::decision("the plain average gives the elastic rebound", average == Some(whole(1)), true),
+        Finding::decision("the weighted average gives that of v⁺ + e v⁻", scaled == weighted, true),
+        Finding::decision("the plain average gives another rebound", average != weighted, true),
         Finding::count(
             "solutions with v⁻ as the argument",
             Impact { mass: whole(1), after: whole(0), before: whole(1) }.solutions(&from).len(),

@@ -1,5 +1,6 @@
 //! Penalty contact: its force at touchdown, and the hard contact it tends to.
 
+use super::half_space::Impact;
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
@@ -21,8 +22,8 @@ pub const CLAIMS: &[Claim] = &[
             It is differentiable away from the change of the active set – as hard contact is.",
         argument: "The difference quotients of max(0, −kφ) at 0 are −k from the left and 0 from the right, at every step size. With a \
             dashpot, −kφ − c φ̇ for φ < 0, the force at touchdown with 2 m/s and c = 30 N·s/m is 60 N an instant after contact and 0 \
-            before it.",
-        control: "The spring without the clamp, −kφ, which is differentiable but holds the bodies together.",
+            before it. The hard impact v⁺(v⁻) with e = 1/2 has the slopes −1/2 and 1 at v⁻ = 0.",
+        control: "Spring and dashpot that never let go, −kφ − c φ̇ at every φ: differentiable, but they hold the bodies together.",
         sources: &["chapter §2, sweeping process and penalty compared"],
         check: differentiability,
     },
@@ -38,8 +39,9 @@ pub const CLAIMS: &[Claim] = &[
             exp(−πζ/√(1−ζ²)) if the dashpot acts until φ = 0, and a larger one if the force may not pull.",
         argument: "In the time √(m/k) the impact is m x″ + 2ζ x′ + x = 0, without k. Integrated for k = 1e4 and 1e8 N/m: e = 0.5266 (ζ = \
             0.2) and 0.1630 (ζ = 0.5) for the dashpot until φ = 0; 0.5717 and 0.2984 when contact ends with the force; 1 for ζ = 0. \
-            So k → ∞ at fixed damping c instead of fixed ζ tends to the elastic law, whatever c was meant to model.",
-        control: "Fixed damping c while k grows.",
+            With the dashpots that give 0.5266 and 0.1630 at k = 1e4 left as they are, k = 1e8 has ζ/100 and e = 0.994 and 0.984: k → ∞ at fixed \
+            damping tends to the elastic law, whatever c was meant to model.",
+        control: "The dashpot that grows with √k in place of the one that is left as it is.",
         sources: &[
             "chapter §2, sweeping process and penalty compared",
             "Schwager and Pöschel, Coefficient of restitution and linear–dashpot model revisited (2007)",
@@ -50,26 +52,33 @@ pub const CLAIMS: &[Claim] = &[
 
 fn differentiability(reading: Reading) -> Result<Vec<Finding>> {
     let (stiffness, zero) = (ratio(1000, 1), ratio(0, 1));
-    let spring = |gap: &Rational| {
-        let force = -(stiffness.clone() * gap.clone());
-        reading.pick(force.clone().max(zero.clone()), force)
+    let lets_go = reading.pick(true, false);
+    let force = |gap: &Rational, damping: Rational| {
+        if lets_go && *gap >= zero { zero.clone() } else { damping - stiffness.clone() * gap.clone() }
     };
+    let spring = |gap: &Rational| force(gap, zero.clone());
     let mut findings = Vec::new();
     for step in [ratio(1, 1000), ratio(1, 1 << 40)] {
         let left = (spring(&zero) - spring(&-step.clone())) / step.clone();
         let right = (spring(&step) - spring(&zero)) / step.clone();
-        findings.push(Finding::exact(format!("kink of the force at φ = 0, quotients over {step}"), &(right - left), &stiffness, "N/m"));
+        let name = format!("kink of the force at φ = 0, quotients over {step}");
+        findings.push(Finding::exact(name, &(right - left), &stiffness, "N/m").says(ratio(0, 1)));
     }
-    let damped = |gap: &Rational| if *gap < zero { ratio(30, 1) * ratio(2, 1) - stiffness.clone() * gap.clone() } else { zero.clone() };
+    let damped = |gap: &Rational| force(gap, ratio(30, 1) * ratio(2, 1));
     let hair = ratio(1, 1 << 60);
-    let jump = damped(&-hair.clone()) - damped(&hair) - stiffness * hair;
-    findings.push(Finding::exact("jump of the damped force at touchdown with 2 m/s", &jump, &ratio(60, 1), "N"));
+    let spring_alone = spring(&-hair.clone()) - spring(&hair);
+    let jump = damped(&-hair.clone()) - damped(&hair) - spring_alone;
+    findings.push(Finding::exact("jump of the damped force at touchdown with 2 m/s", &jump, &ratio(60, 1), "N").says(ratio(0, 1)));
+    let hard = Impact::moreau(ratio(1, 1), ratio(1, 2));
+    let slope = |before: Rational| hard.solutions(&before).into_iter().map(|after| after / &before).next();
+    let differentiable = slope(ratio(-1, 1000)) == slope(ratio(1, 1000));
+    findings.push(Finding::decision("the hard impact is differentiable at v⁻ = 0", differentiable, false));
     Ok(findings)
 }
 
 /// When contact ends.
 #[derive(Clone, Copy, Debug)]
-enum End {
+pub(super) enum End {
     /// When the gap opens: the dashpot may pull.
     Gap,
     /// When the force vanishes: it may not.
@@ -78,7 +87,7 @@ enum End {
 
 /// Speed after an impact at 1 m/s of a unit mass on a spring and a dashpot, and the deepest penetration, by the
 /// classical Runge–Kutta method; the last step is shortened by bisection to end with the contact.
-fn impact(stiffness: f64, damping: f64, end: End) -> (f64, f64) {
+pub(super) fn impact(stiffness: f64, damping: f64, end: End) -> (f64, f64) {
     let slope = |[x, v]: [f64; 2]| [v, -stiffness * x - damping * v];
     let along = |[x, v]: [f64; 2], [a, b]: [f64; 2], h: f64| [x + h * a, v + h * b];
     let step = |state: [f64; 2], h: f64| {
@@ -109,12 +118,11 @@ fn impact(stiffness: f64, damping: f64, end: End) -> (f64, f64) {
 }
 
 fn stiff_limit(reading: Reading) -> Result<Vec<Finding>> {
-    let soft = 1e4f64;
+    let (soft, stiff) = (1e4f64, 1e8f64);
     let mut findings = Vec::new();
-    for stiffness in [1e8, soft] {
+    for stiffness in [stiff, soft] {
         for (zeta, end) in [(0.2, End::Gap), (0.2, End::Force), (0.5, End::Gap), (0.5, End::Force), (0.0, End::Gap)] {
-            let damping = 2.0 * zeta * reading.pick(stiffness, soft).sqrt();
-            let (speed, depth) = impact(stiffness, damping, end);
+            let (speed, depth) = impact(stiffness, 2.0 * zeta * stiffness.sqrt(), end);
             let exact = CompliantImpact::new(1.0, 1.0, 2.0 * zeta)?;
             let expected = match end {
                 End::Gap => exact.restitution_with_adhesion(),
@@ -127,6 +135,15 @@ fn stiff_limit(reading: Reading) -> Result<Vec<Finding>> {
             findings.push(Finding::equal(format!("restitution, {name}"), speed, expected, soft_restitution(), "1"));
             findings.push(Finding::at_most(format!("depth × √k, {name}"), depth * stiffness.sqrt(), 1.0 + soft_restitution(), "m/s"));
         }
+    }
+    for zeta in [0.2, 0.5] {
+        let damping = 2.0 * zeta * reading.pick(soft, stiff).sqrt();
+        let (speed, _) = impact(stiff, damping, End::Gap);
+        let of_the_law = CompliantImpact::new(1.0, 1.0, 2.0 * zeta)?.restitution_with_adhesion();
+        let left = CompliantImpact::new(1.0, stiff, 2.0 * zeta * soft.sqrt())?.restitution_with_adhesion();
+        let name = format!("restitution at k = 1e8 with the dashpot of ζ = {zeta} at 1e4");
+        let found = Finding::equal(name, speed, left, soft_restitution(), "1");
+        findings.push(found.says(of_the_law).violating("damping that grows with √k"));
     }
     Ok(findings)
 }

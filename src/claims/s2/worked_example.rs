@@ -8,6 +8,8 @@ use crate::problem::PlanarProblem;
 use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
 use nalgebra::{DMatrix, DVector};
+use std::cmp::Ordering::{self, Equal, Greater, Less};
+use std::collections::BTreeSet;
 
 /// Claims of the worked example and the exercises.
 pub const CLAIMS: &[Claim] = &[
@@ -24,7 +26,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "If v⁺ > 0, then v⁺ is interior to T_C(0) = {u ≥ 0}, N = {0}, and v⁺ = v⁻ < 0: a contradiction. From v⁻ = −1 the \
             solutions of the printed inclusion are {0}; v⁺ = 1/2 is none of them. \
             The text means the two impact laws and labels them by e; only the replacement of the argument is missing.",
-        control: "The inclusion with the argument v⁺ + v⁻/2, as if the printed one had the rebound among its solutions.",
+        control: "The inclusion with the argument v⁺ + e v⁻, whose solution is −e v⁻ for either e.",
         sources: &["chapter §2, worked example, case two"],
         check: case_two,
     },
@@ -33,12 +35,12 @@ pub const CLAIMS: &[Claim] = &[
         statement: "In case two the normal cone N_{T_C(0)}(0) = {g ≤ 0} is the normal pointing into the set.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
-        severity: Some(Severity::WrongStatement),
+        severity: Some(Severity::Misprint),
         evidence: Evidence::Exact,
         correct_statement: "The set {g ≤ 0} is right; for C = {q ≥ 0} it points out of C. The force −g is what points in.",
         argument: "0 + t g = −t ∉ C for g = −1 and every t > 0. Only the words in parentheses are wrong; three lines on, the text has the \
             wall push along the inward normal, which is right.",
-        control: "The inward normal g = +1 as the member of the cone.",
+        control: "The force −g in place of the members g of the cone.",
         sources: &["chapter §2, worked example, case two"],
         check: cone_direction,
     },
@@ -65,8 +67,9 @@ pub const CLAIMS: &[Claim] = &[
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; these are all branches.",
-        argument: "Of the nine pairs of signs of φ and λ, 0 ≤ φ, 0 ≤ λ and φλ = 0 leave exactly these three.",
-        control: "The two inequalities without φλ = 0.",
+        argument: "At q = 0, 1/2, 2 and v⁻ = −2 … 2 the inclusion gives λ = v⁺ − v⁻: it is 0 inside, positive against the wall, 0 where the point leaves it. \
+            These are three of the nine pairs of signs of φ and λ, and the only ones with 0 ≤ φ, 0 ≤ λ and φλ = 0.",
+        control: "A wall that holds the point fast: leaving has λ < 0.",
         sources: &["chapter §2, insight after the worked example"],
         check: branches,
     },
@@ -74,7 +77,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S2.ex1",
         statement: "Exercise 1: with Newton's law the impulse at the wall is P = −2 m v⁻ for e = 1 and P = −m v⁻ for e = 0.",
         verdict: ClaimVerdict::True,
-        kind: Kind::Assertion,
+        kind: Kind::Exercise,
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "P = m(v⁺ − v⁻) = −(1 + e) m v⁻.",
@@ -86,10 +89,10 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S2.ex3",
-        statement: "Exercise 3: on a smooth phase the inclusion is equivalent to 0 ≤ λ ⟂ ∇φ·v⁺ ≥ 0; with the friction cone this becomes a \
-            nonlinear complementarity problem instead of an LCP.",
+        statement: "Exercise 3: in persistent contact on a smooth phase the inclusion is equivalent to 0 ≤ λ ⟂ ∇φ·v⁺ (or φ) ≥ 0; with the friction cone \
+            this becomes a nonlinear complementarity problem instead of an LCP.",
         verdict: ClaimVerdict::Conditional,
-        kind: Kind::Assertion,
+        kind: Kind::Exercise,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The equivalence holds on φ = 0. Friction leaves an LCP in the plane and for polyhedral cones; the nonlinear \
@@ -99,29 +102,34 @@ pub const CLAIMS: &[Claim] = &[
             on the cone and opposed to u = (0, 1/2): Coulomb's law, exactly. In space, four directions and u_free = (−1, 1, 1), the same \
             LCP gives ‖r_t‖²/(μ r_n)² = 1/2 instead of 1. \
             No rational LCP with one solution can do better there: Coulomb's r_t = −(1,1)/(2√2) is irrational.",
-        control: "The spatial contact with four directions as if its LCP were Coulomb's law.",
+        control: "The spatial contact in place of the planar one.",
         sources: &["chapter §2, exercise 3"],
         check: exercise_three,
     },
 ];
 
 fn case_two(reading: Reading) -> Result<Vec<Finding>> {
-    let inclusion = Impact::moreau(whole(1), reading.pick(whole(0), ratio(1, 2)));
     let pre = whole(-1);
-    Ok(vec![
-        Finding::decision("the rebound v⁺ = 1/2 is a solution", inclusion.admits(&pre, &ratio(1, 2)), false),
-        Finding::decision("v⁺ = 0 is a solution", inclusion.admits(&pre, &whole(0)), true),
-        Finding::count("solutions of the inclusion from v⁻ = −1", inclusion.solutions(&pre).len(), 1),
-    ])
+    let mut findings = Vec::new();
+    for (e, admitted) in [(whole(0), true), (ratio(1, 2), false)] {
+        let inclusion = Impact::moreau(whole(1), reading.pick(whole(0), e.clone()));
+        let post = -(&e * &pre);
+        findings.push(Finding::decision(format!("v⁺ = −e v⁻ = {post} is a solution"), inclusion.admits(&pre, &post), admitted).says(true));
+        findings.push(Finding::count(format!("solutions from v⁻ = −1, e = {e}"), inclusion.solutions(&pre).len(), 1));
+    }
+    Ok(findings)
 }
 
 fn cone_direction(reading: Reading) -> Result<Vec<Finding>> {
-    let g = reading.pick(whole(-1), whole(1));
+    let members: Vec<i64> = (-2..=2).filter(|g| line_normal_cone_contains(true, &whole(0), &whole(*g))).collect();
+    let side = reading.pick(1, -1);
     let inside = |q: Rational| q >= whole(0);
-    Ok(vec![
-        Finding::decision(format!("g = {g} is in N(0)"), line_normal_cone_contains(true, &whole(0), &g), true),
-        Finding::decision(format!("a small step along g = {g} stays in C"), inside(g * ratio(1, 1000)), false),
-    ])
+    let mut findings = vec![Finding::decision("of −2 … 2 the members of N(0) are those with g ≤ 0", members == [-2, -1, 0], true)];
+    for g in members.into_iter().filter(|g| *g != 0) {
+        let stays = inside(whole(side * g) * ratio(1, 1000));
+        findings.push(Finding::decision(format!("g = {g} points into C"), stays, false).says(true));
+    }
+    Ok(findings)
 }
 
 fn cases_one_and_three(reading: Reading) -> Result<Vec<Finding>> {
@@ -140,13 +148,28 @@ fn cases_one_and_three(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 fn branches(reading: Reading) -> Result<Vec<Finding>> {
-    let signs = [-1, 0, 1];
-    let solves = |gap: i64, force: i64| gap >= 0 && force >= 0 && reading.pick(gap * force == 0, true);
-    let found: Vec<(i64, i64)> = pairs(&signs, &signs).map(|(a, b)| (*a, *b)).filter(|(gap, force)| solves(*gap, *force)).collect();
-    let named = [(1, 0), (0, 1), (0, 0)];
+    let impulse = |q: &Rational, pre: &Rational| {
+        let after =
+            if *q > whole(0) { pre.clone() } else { reading.pick(Impact::moreau(whole(1), whole(0)).solutions(pre)[0].clone(), whole(0)) };
+        let free = line_normal_cone_contains(*q == whole(0), &after, &(pre.clone() - &after));
+        (free, after - pre)
+    };
+    let (places, velocities) = ([whole(0), ratio(1, 2), whole(2)], [-2, -1, 0, 1, 2].map(whole));
+    let sign = |x: &Rational| x.cmp(&whole(0));
+    let met = |case: fn(&Rational, &Rational) -> bool| {
+        let of_case = pairs(&places, &velocities).filter(|(q, v)| case(q, v));
+        of_case.map(|(q, v)| (sign(q), sign(&impulse(q, v).1))).collect::<BTreeSet<_>>()
+    };
+    let (inside, pressing, leaving) =
+        (met(|q, _| *q > whole(0)), met(|q, v| *q == whole(0) && *v < whole(0)), met(|q, v| *q == whole(0) && *v >= whole(0)));
+    let signs = [Less, Equal, Greater];
+    let solves = |gap: Ordering, force: Ordering| gap != Less && force != Less && (gap == Equal || force == Equal);
+    let all: BTreeSet<_> = pairs(&signs, &signs).map(|(a, b)| (*a, *b)).filter(|(gap, force)| solves(*gap, *force)).collect();
     Ok(vec![
-        Finding::count("branches of the complementarity", found.len(), 3),
-        Finding::decision("they are the three named ones", named.iter().all(|branch| found.contains(branch)), true),
+        Finding::decision("inside: φ > 0, λ = 0", inside == BTreeSet::from([(Greater, Equal)]), true),
+        Finding::decision("against the wall: φ = 0, λ > 0", pressing == BTreeSet::from([(Equal, Greater)]), true),
+        Finding::decision("leaving: φ = 0, λ = 0", leaving == BTreeSet::from([(Equal, Equal)]), true),
+        Finding::decision("together they are the branches of 0 ≤ φ ⟂ λ ≥ 0", met(|_, _| true) == all, true),
     ])
 }
 
@@ -192,14 +215,20 @@ fn strength_of_lcp_solution(rows: usize) -> Result<(Rational, usize)> {
     Ok((tangential / (bound.clone() * bound), set.points.len()))
 }
 
+/// Whether the LCP has one solution, and that is Coulomb's: on the cone, ‖r_t‖ = μ r_n.
+fn lcp_is_coulombs(rows: usize) -> Result<bool> {
+    Ok(strength_of_lcp_solution(rows)? == (whole(1), 1))
+}
+
 fn exercise_three(reading: Reading) -> Result<Vec<Finding>> {
-    let (ratio_squared, solutions) = strength_of_lcp_solution(reading.pick(2, 3))?;
     let (spatial, _) = strength_of_lcp_solution(3)?;
     Ok(vec![
-        Finding::exact("(‖r_t‖/(μ r_n))² of the sliding LCP solution", &ratio_squared, &whole(1), "1"),
-        Finding::count("solutions of the LCP", solutions, 1),
-        Finding::exact("the same in space with four directions", &spatial, &ratio(1, 2), "1"),
         Finding::count("differences of inclusion and complementarity in contact", disagreements(true), 0),
-        Finding::decision("they differ out of contact", disagreements(false) > 0, true),
+        Finding::decision("an LCP gives Coulomb's law in the plane", lcp_is_coulombs(reading.pick(2, 3))?, true)
+            .says(false)
+            .violating("a spatial contact"),
+        Finding::decision("the LCP with four directions gives it in space", lcp_is_coulombs(3)?, false),
+        Finding::exact("(‖r_t‖/(μ r_n))² in space with four directions", &spatial, &ratio(1, 2), "1"),
+        Finding::decision("inclusion and λ ⟂ ∇φ·v⁺ differ out of contact", disagreements(false) > 0, true).context(),
     ])
 }

@@ -18,11 +18,11 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.contact-work-sign",
         statement: "ΔE_contact = −½Pᵀ(U⁺ + U⁻) (the chapter adds: the sign depends on the convention).",
-        verdict: ClaimVerdict::Conditional,
+        verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
-        severity: Some(Severity::MissingHypothesis),
+        severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "With P ≥ 0 and M(v⁺ − v⁻) = HᵀP, the convention of the scheme in §3, ΔT = +½Pᵀ(U⁺ + U⁻). The minus sign \
+        correct_statement: "As stated, with its warning: with P ≥ 0 and M(v⁺ − v⁻) = HᵀP, the convention of the scheme in §3, ΔT = +½Pᵀ(U⁺ + U⁻); the minus sign \
             belongs to P = ∫dR with M(v⁺ − v⁻) = −HᵀP, the convention of §0.",
         argument: "ΔT = ½(v⁺ + v⁻)ᵀM(v⁺ − v⁻) = ±½Pᵀ(U⁺ + U⁻). Two unit masses in line at 1 and 0 m/s, e = 0: P = 1/2, U⁻ = −1, U⁺ = 0, ΔT \
             = −1/4 = +½·½·(−1).",
@@ -44,7 +44,7 @@ pub const CLAIMS: &[Claim] = &[
             P ≥ 0 (and the sign of the chapter's inequality is right in the convention P = ∫dR). Checked in rationals on a chain of balls \
             for e = 0, 1/3, 1. With e = (1, 0) at the two ends of a rod, W = [[1, −1/2], [−1/2, 1]], U⁻ = (−1, 1/2), the kinetic energy \
             grows by 1/6.",
-        control: "The rod with two different coefficients of restitution.",
+        control: "The rod with e = 1/2 at both ends.",
         sources: &["chapter §3, energy change in the contact phase"],
         check: dissipation,
     },
@@ -59,7 +59,7 @@ pub const CLAIMS: &[Claim] = &[
             components. Newton's law on the normal component alone, combined with Coulomb friction, can gain energy.",
         argument: "W = [[2, 4], [4, 9]], μ = 7/4, e = 1, U⁻ = (−1, −2): with the full vector P = (1, 0) lies in the cone, U⁺ = −U⁻ and the \
             energy is kept; with the normal component alone ½UᵀW⁻¹U grows from 1/4 J to 9/4 J.",
-        control: "Restitution of the normal component alone.",
+        control: "Restitution of the full vector in place of the normal component alone.",
         sources: &["chapter §3 and §7", "Kane and Levinson, Dynamics: Theory and Applications, 1985, for energy gain with friction"],
         check: moreau_law,
     },
@@ -110,20 +110,23 @@ fn work_sign(reading: Reading) -> Result<Vec<Finding>> {
     let in_convention = reading.pick(-push, impact.end.impulse[0].clone());
     let printed = -(in_convention * (&impact.end.after[0] + &impact.problem.velocity[0])) * ratio(1, 2);
     Ok(vec![
-        Finding::exact("−½P(U⁺ + U⁻) against the change of kinetic energy", &printed, &change, "J"),
-        Finding::exact("+½P(U⁺ + U⁻) with P ≥ 0 on the bodies", &impact.work(), &change, "J"),
+        Finding::exact("−½P(U⁺ + U⁻) in the convention of P", &printed, &change, "J"),
+        Finding::exact("+½P(U⁺ + U⁻) in the other convention, P ≥ 0 on the bodies", &impact.work(), &change, "J"),
     ])
 }
 
 fn dissipation(reading: Reading) -> Result<Vec<Finding>> {
     let rod = DMatrix::from_row_slice(2, 2, &[ratio(1, 1), ratio(-1, 2), ratio(-1, 2), ratio(1, 1)]);
     let ends = vector(&[ratio(-1, 1), ratio(1, 2)]);
-    let different = Impact::frictionless(rod.clone(), ends.clone(), &[ratio(1, 1), ratio(0, 1)])?;
-    let uniform = Impact::frictionless(rod, ends, &[ratio(1, 2), ratio(1, 2)])?;
-    let subject = reading.pick(&uniform, &different);
+    let restitution = reading.pick([ratio(1, 1), ratio(0, 1)], [ratio(1, 2), ratio(1, 2)]);
+    let struck = Impact::frictionless(rod, ends.clone(), &restitution)?;
+    let shift = DVector::from_fn(2, |i, _| &ends[i] * &restitution[i]);
+    let premise = struck.end.impulse.dot(&(&struck.end.after + shift)) >= Rational::zero();
     let mut findings = vec![
-        Finding::decision("the impact does not gain energy", subject.work() <= Rational::zero(), true),
-        Finding::exact("gain of the rod with e = (1, 0)", &different.work(), &ratio(1, 6), "J"),
+        Finding::exact("ΔT of the rod with e = (1, 0)", &struck.work(), &ratio(1, 6), "J")
+            .says_at_most(ratio(0, 1))
+            .violating("one e for all contacts"),
+        Finding::decision("Pᵀ(v⁺ + e v⁻) ≥ 0 there", premise, true),
     ];
     // chain of balls of 1, 1/2 and 1/3 kg: W has 1/m sums on the diagonal and −1/m between neighbours
     let chain = integers(2, 2, &[3, -2, -2, 5]);
@@ -145,16 +148,21 @@ fn moreau_law(reading: Reading) -> Result<Vec<Finding>> {
     let delassus = integers(2, 2, &[2, 4, 4, 9]);
     let (before, mu) = (vector(&[ratio(-1, 1), ratio(-2, 1)]), ratio(7, 4));
     let normal_only = vector(&[before[0].clone(), Rational::zero()]);
-    let gaining = frictional(&delassus, &before, &mu, &normal_only)?;
     let full = frictional(&delassus, &before, &mu, &before)?;
-    let subject = reading.pick(&full, &gaining);
+    let partly = frictional(&delassus, &before, &mu, &(&before * ratio(1, 2)))?;
+    let subject = frictional(&delassus, &before, &mu, &reading.pick(normal_only, before.clone()))?;
     // T in contact coordinates: ½UᵀW⁻¹U with W⁻¹ = [[9, −4], [−4, 2]]/2
     let inverse = integers(2, 2, &[9, -4, -4, 2]) * ratio(1, 2);
     let energy = |u: &DVector<Rational>| u.dot(&(&inverse * u)) * ratio(1, 2);
+    let components = "v⁺ + e v⁻ in normal and tangential components";
     Ok(vec![
-        Finding::exact("energy gained in the frictional impact with e = 1", &subject.work(), &Rational::zero(), "J"),
-        Finding::exact("kinetic energy before the impact", &energy(&before), &ratio(1, 4), "J"),
-        Finding::exact("after it, restitution of the normal component alone", &energy(&gaining.end.after), &ratio(9, 4), "J"),
-        Finding::exact("½Pᵀ(U⁺ + U⁻) of that impact", &gaining.work(), &ratio(2, 1), "J"),
+        Finding::exact("energy gained in the frictional impact with e = 1", &full.work(), &Rational::zero(), "J"),
+        Finding::decision("energy is lost with e = 1/2", partly.work() < Rational::zero(), true),
+        Finding::exact("½Pᵀ(U⁺ + U⁻), e = 1 of the normal component alone", &subject.work(), &ratio(2, 1), "J")
+            .says_at_most(ratio(0, 1))
+            .violating(components),
+        Finding::exact("kinetic energy after that impact", &energy(&subject.end.after), &ratio(9, 4), "J")
+            .says_at_most(energy(&before))
+            .violating(components),
     ])
 }

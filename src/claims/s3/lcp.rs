@@ -52,13 +52,13 @@ pub const CLAIMS: &[Claim] = &[
         statement: "With friction the block structure is more complicated; solvability then needs the copositive-plus argument of §4.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
-        severity: Some(Severity::WrongStatement),
+        severity: Some(Severity::WrongReason),
         evidence: Evidence::Exact,
         correct_statement: "With friction the matrix is not copositive-plus; solvability follows from copositivity together with bᵀλ ≥ 0 \
             on the homogeneous solutions (see S4.copos-plus, on which this depends).",
         argument: "Neither the chapter's contact with μ = 1/2 (witness x = (0, 0, 0, 1)) nor the wedge of two contacts with μ = 1 is \
             copositive-plus; yet Lemke solves both with gaps 0.",
-        control: "The contact without friction, whose matrix is copositive-plus.",
+        control: "Both without friction: their matrices are copositive-plus.",
         sources: &["chapter §3, step 5, parenthesis", "chapter §4, theorem on M_LCP"],
         check: friction_block,
     },
@@ -88,7 +88,7 @@ pub const CLAIMS: &[Claim] = &[
             unconstrained solution). The Euclidean projection is wrong as soon as W couples contacts.",
         argument: "W = [[2, 1], [1, 2]], unconstrained P₀ = (1, −1), so U_free = (−1, 1). Minimising (P − P₀)ᵀW(P − P₀) over P ≥ 0 gives \
             (1/2, 0), the solution of the LCP; clipping gives (1, 0), where WP + U_free = (1, 2) is not complementary.",
-        control: "The Euclidean projection (1, 0).",
+        control: "Uncoupled contacts, W = 2I, where the metric is a multiple of the Euclidean one.",
         sources: &["chapter §3, the LCP as a quadratic program"],
         check: projection,
     },
@@ -152,7 +152,12 @@ fn normal_lcp(reading: Reading) -> Result<Vec<Finding>> {
     let uniform = [ratio(1, 2), ratio(1, 2)];
     let different = reading.pick([ratio(1, 1), ratio(0, 1)], uniform.clone());
     Ok(vec![
-        Finding::decision("the normal LCP is feasible with e = (1, 0)", is_feasible(&step(different)), false),
+        Finding::decision("the normal LCP is feasible with e = (1, 0)", is_feasible(&step(different.clone())), false)
+            .says(true)
+            .violating("one e for all contacts"),
+        Finding::decision("it is solved with e = (1, 0)", solve(&step(different))?.is_some(), false)
+            .says(true)
+            .violating("one e for all contacts"),
         Finding::decision("solvable with e = (1/2, 1/2)", solve(&step(uniform))?.is_some(), true),
     ])
 }
@@ -160,13 +165,14 @@ fn normal_lcp(reading: Reading) -> Result<Vec<Finding>> {
 fn friction_block(reading: Reading) -> Result<Vec<Finding>> {
     let mut contact = chapter_example(ratio(0, 1), [ratio(2, 1), ratio(-1, 1)]);
     contact.friction = vec![reading.pick(ratio(1, 2), ratio(0, 1))];
-    let mut jammed = wedge(ratio(1, 1));
+    let mut jammed = wedge(reading.pick(ratio(1, 1), ratio(0, 1)));
     jammed.gap = vec![ratio(0, 1), ratio(0, 1)];
     jammed.free_velocity = vector([1, -2]);
     let mut findings = Vec::new();
     for (name, system) in [("one contact", &contact), ("a wedge", &jammed)] {
         let lcp = reference(system)?;
-        findings.push(Finding::decision(format!("M_LCP is copositive-plus: {name}"), copositive_plus(&lcp.matrix)?.holds(), false));
+        findings
+            .push(Finding::decision(format!("M_LCP is copositive-plus: {name}"), copositive_plus(&lcp.matrix)?.holds(), false).says(true));
         findings.push(Finding::decision(format!("solved by Lemke: {name}"), solve(&lcp)?.is_some(), true));
     }
     Ok(findings)
@@ -188,18 +194,28 @@ fn quadratic_program(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 fn projection(reading: Reading) -> Result<Vec<Finding>> {
-    let matrix = square([2, 1, 1, 2]);
+    let matrix = reading.pick(square([2, 1, 1, 2]), square([2, 0, 0, 2]));
     let unconstrained = vector([1, -1]);
     let lcp = Lcp::new(matrix.clone(), -(&matrix * &unconstrained));
+    let solved = solve(&lcp)?.ok_or_else(|| crate::Error::breakdown("lemke", "a positive definite problem has a solution"))?;
     // Along the face P₂ = 0 the W-distance (P − P₀)ᵀW(P − P₀) has its minimum where the first row of W(P − P₀) vanishes.
     let face = &unconstrained[0] + &matrix[(0, 1)] * &unconstrained[1] / &matrix[(0, 0)];
     let metric = DVector::from_vec(vec![face, ratio(0, 1)]);
     let euclidean = unconstrained.map(|x| x.max(ratio(0, 1)));
-    let projected = reading.pick(metric, euclidean);
-    let residual = residuals(&lcp, &projected);
+    let from_solution = |projected: &DVector<Rational>| (projected - &solved).dot(&(projected - &solved));
+    let by_law = residuals(&lcp, &euclidean);
     Ok(vec![
-        Finding::exact("complementarity of the projected point", &residual.complementarity, &ratio(0, 1), "J"),
-        Finding::exact("its dual violation", &residual.dual, &ratio(0, 1), "m/s"),
-        Finding::exact("its first entry", &projected[0], &ratio(1, 2), "N·s"),
+        Finding::exact(
+            "squared distance of the projection in the metric of W from the solution",
+            &from_solution(&metric),
+            &ratio(0, 1),
+            "N²·s²",
+        ),
+        Finding::exact("squared distance of the Euclidean projection from it", &from_solution(&euclidean), &ratio(1, 4), "N²·s²")
+            .says(ratio(0, 1))
+            .violating("projection in the metric of W"),
+        Finding::exact("complementarity of the Euclidean projection", &by_law.complementarity, &ratio(1, 1), "J")
+            .says(ratio(0, 1))
+            .violating("projection in the metric of W"),
     ])
 }

@@ -21,12 +21,17 @@ impl Swing {
         0.5 * self.rate * self.rate - self.angle.cos()
     }
 
-    /// One step; the fixed-point iteration contracts with h²/4 and runs until it no longer moves.
+    /// One step of the trapezoidal rule.
     pub fn step(self, h: f64) -> Swing {
+        self.theta_step(h, 0.5)
+    }
+
+    /// One θ step; the fixed-point iteration contracts with θ²h² and runs until it no longer moves.
+    pub fn theta_step(self, h: f64, theta: f64) -> Swing {
         let mut next = self;
         loop {
-            let rate = self.rate - 0.5 * h * (self.angle.sin() + next.angle.sin());
-            let angle = self.angle + 0.5 * h * (self.rate + rate);
+            let rate = self.rate - h * ((1.0 - theta) * self.angle.sin() + theta * next.angle.sin());
+            let angle = self.angle + h * ((1.0 - theta) * self.rate + theta * rate);
             let moved = (angle - next.angle).abs();
             let improved = moved > f64::EPSILON * (1.0 + angle.abs());
             next = Swing { angle, rate };

@@ -11,15 +11,15 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Siconos's MoreauJeanOSI implements the θ-scheme in kernel/src/simulationTools/MoreauJeanOSI.cpp; for positions it has \
             CombinedProjectedMoreauJeanOSI.",
         verdict: ClaimVerdict::False,
-        kind: Kind::Assertion,
-        severity: Some(Severity::WrongStatement),
+        kind: Kind::Path,
+        severity: Some(Severity::Misprint),
         evidence: Evidence::Cited,
         correct_statement: "The class with projection is MoreauJeanCombinedProjectionOSI. The path is right for release 4.4.0; the \
             development version has since moved it to kernel/src/simulation/ (commit ee174c26f, February 2026).",
         argument: "Debian's packages 4.4.0+dfsg-2: the library was compiled from the path named; there is a header \
             MoreauJeanCombinedProjectionOSI.hpp and none of the other name. What the scheme does is held against ours step by step \
             (tests/references, siconos).",
-        control: "The printed name of the class.",
+        control: "The name of the class in the release.",
         sources: &[
             "chapter §3, Moreau–Jean in engineering, and pitfall on drift",
             "Siconos 4.4.0 in Debian; github.com/siconos/siconos at 6070f0f6",
@@ -31,7 +31,7 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Moreau (CMAME 177, 1999, 329–349) and Jean (CMAME 177, 1999, 235–257) are the founding analyses of convergence of \
             these schemes.",
         verdict: ClaimVerdict::Ambiguous,
-        kind: Kind::Assertion,
+        kind: Kind::Citation,
         severity: None,
         evidence: Evidence::Cited,
         correct_statement: "The two papers stand at these pages, as “Numerical aspects of the sweeping process” and “The non smooth \
@@ -47,7 +47,7 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Acary and Brogliato 2008 (Springer LNACM 35), chapters 9–10, is the encyclopaedia of nonsmooth time-stepping for \
             engineers.",
         verdict: ClaimVerdict::Ambiguous,
-        kind: Kind::Assertion,
+        kind: Kind::Opinion,
         severity: None,
         evidence: Evidence::Cited,
         correct_statement: "The book exists, as volume 35 of that series, and Siconos refers to it for review. Which chapters: the text \
@@ -62,12 +62,13 @@ pub const CLAIMS: &[Claim] = &[
 
 fn path(reading: Reading) -> Result<Vec<Finding>> {
     let facts = Facts::stored()?;
-    let class = reading.pick("MoreauJeanCombinedProjectionOSI", "CombinedProjectedMoreauJeanOSI");
+    let class = reading.pick("CombinedProjectedMoreauJeanOSI", "MoreauJeanCombinedProjectionOSI");
+    let other = "MoreauJeanCombinedProjectionOSI";
     Ok(vec![
-        Finding::decision("4.4.0 has the class with projection", facts.has(class), true),
-        Finding::decision("a class of the printed name", facts.has("CombinedProjectedMoreauJeanOSI"), false),
+        Finding::decision("4.4.0 has a class of the printed name", facts.has(class), false).says(true),
         Finding::decision("compiled from the printed path", facts.compiled("kernel/src/simulationTools/MoreauJeanOSI.cpp"), true),
         Finding::decision("the facts are those of 4.4.0", version()?.starts_with("4.4.0"), true),
+        Finding::decision("4.4.0 has MoreauJeanCombinedProjectionOSI", facts.has(other), true).context(),
     ])
 }
 
@@ -79,14 +80,17 @@ fn founding_papers(reading: Reading) -> Result<Vec<Finding>> {
         Finding::decision("Jean's pages are cited", facts.cites("177:235–257, 1999"), true),
         Finding::decision("Moreau's title", facts.cites("Numerical aspects of the sweeping process"), true),
         Finding::decision("Jean's title", facts.cites("The non smooth contact dynamics method"), true),
-        Finding::decision("a title that names convergence", facts.cites("onvergence"), false),
+        Finding::decision("a title that names convergence", facts.cites("onvergence"), false)
+            .says(true)
+            .opinion("which papers found the analysis of convergence"),
     ])
 }
 
 fn chapters(reading: Reading) -> Result<Vec<Finding>> {
     let list = 7..=reading.pick(11, 9);
     Ok(vec![
-        Finding::decision("chapters 9–10 lie in the reading list's range", (9..=10).all(|chapter| list.contains(&chapter)), true),
+        Finding::decision("chapters 9–10 lie in the reading list's range", (9..=10).all(|chapter| list.contains(&chapter)), true)
+            .opinion("what is an encyclopaedia"),
         Finding::decision("Siconos cites volume 35 of the series", Facts::stored()?.cites("volume 35 of Lecture Notes"), true),
     ])
 }
