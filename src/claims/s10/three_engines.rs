@@ -216,7 +216,7 @@ fn granular(reading: Reading) -> Result<Vec<Finding>> {
         Finding::count("sources for GPUs in the package", for_gpus(&["src/"]), 2).says_at_least(1).reading("of Chrono"),
         Finding::count("sources for GPUs where NSC is", for_gpus(folders), 0).says_at_least(1).reading("of NSC"),
         Finding::at_most("H of a million bodies", bytes(entries_per_row(jacobian)), terabyte, "B"),
-        Finding::at_most("W of a million bodies, without its zeros", bytes(entries_per_row(&problem.dense())), terabyte, "B"),
+        Finding::at_most("W of a million bodies, without its zeros", bytes(entries_per_row(problem.dense())), terabyte, "B"),
     ])
 }
 

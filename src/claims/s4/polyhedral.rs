@@ -105,21 +105,6 @@ pub(in crate::claims) fn scaled_errors(order: i32, d: usize) -> [f64; 3] {
     [count.powi(order) * (1.0 - reach), count * reach.acos(), count * (x - a).hypot(y - b)]
 }
 
-/// Findings that d^order·strength, d·direction and d·force lie in the brackets of their Taylor series.
-pub(in crate::claims) fn order_findings(order: i32, d: usize) -> Vec<Finding> {
-    let [strength, angle, force] = scaled_errors(order, d);
-    let count = d as f64;
-    let roundoff = rounding(8, count * count);
-    let shrink = PI * PI / (24.0 * count * count);
-    vec![
-        Finding::at_least(format!("d^{order} × strength error, d = {d}"), strength, PI * PI / 2.0 * (1.0 - 2.0 * shrink) - roundoff, "1"),
-        Finding::at_most(format!("d^{order} × strength error, d = {d}"), strength, PI * PI / 2.0 + roundoff, "1"),
-        Finding::equal(format!("d × direction error, d = {d}"), angle, PI, roundoff, "rad"),
-        Finding::at_least(format!("d × force-vector error, d = {d}"), force, PI * (1.0 - shrink) - roundoff, "1"),
-        Finding::at_most(format!("d × force-vector error, d = {d}"), force, PI + roundoff, "1"),
-    ]
-}
-
 fn order(reading: Reading) -> Result<Vec<Finding>> {
     // of the shape, or of the direction of the force
     let error = |d: usize| {
