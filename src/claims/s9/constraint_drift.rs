@@ -239,8 +239,8 @@ fn index_two(reading: Reading) -> Result<Vec<Finding>> {
         Finding::at_most("|φ| after 1000 steps", circle.violation(&subject.position)[0].abs(), on_constraint(1.0), "m"),
         Finding::at_most("|Gv|", rate.abs(), on_constraint(1.0), "m/s"),
         Finding::equal("E/E₀", left, projected_energy(STEP, steps), bound, "1"),
-        Finding::equal("φ of the bias", circled(&bias, steps)?.0.position.norm() - 1.0, biased_offset(STEP, share), bound, "m"),
-        Finding::equal("|q|/R of no stabilisation", circled(&VelocityLevel, steps)?.0.position.norm(), radius, bound, "1"),
+        Finding::equal("φ of the bias", circled(&bias, steps)?.0.position.norm() - 1.0, biased_offset(STEP, share), bound, "m").context(),
+        Finding::equal("|q|/R of no stabilisation", circled(&VelocityLevel, steps)?.0.position.norm(), radius, bound, "1").context(),
     ])
 }
 
