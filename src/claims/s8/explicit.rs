@@ -10,7 +10,7 @@ use crate::integrators::stability::{invariants, spectral_radius};
 use crate::integrators::{ExplicitEuler, Method, Phase, SpringDamper};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
-use crate::tolerance::rounding;
+use crate::tolerance::{claims::integrators::BESIDE, rounding};
 use nalgebra::DMatrix;
 
 pub const CLAIMS: &[Claim] = &[
@@ -41,7 +41,7 @@ pub const CLAIMS: &[Claim] = &[
             equals 2 at ζ = 1 only.",
         argument: "Trace 2 − 2ζs, determinant 1 − 2ζs + s². ζ = 0: the determinant is 1 + s² > 1 for every s. Decided in rationals at s = \
             1/1000, 1, 199/100, all below 2: powers grow. Both sides of the bound at ζ = 0.3, 1, 1.25 and 2.",
-        control: "Semi-implicit Euler, whose bound 2/ω is.",
+        control: "Semi-implicit Euler without damping, of which the example, too, says that it is stable below 2/ω.",
         sources: &["chapter §8, why explicit Euler fails, against the example on stability bounds"],
         check: bound_of_explicit,
     },
@@ -78,15 +78,15 @@ pub const CLAIMS: &[Claim] = &[
         id: "S8.ex1",
         statement: "Exercise: under explicit Euler E = ½(v² + ω²x²) grows by (1 + ω²h²) a step; under semi-implicit Euler a conserved \
             quantity bounds it.",
-        verdict: ClaimVerdict::True,
-        kind: Kind::Assertion,
-        severity: None,
+        verdict: ClaimVerdict::Conditional,
+        kind: Kind::Exercise,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "As stated; the conserved quantity is v² + ω²x² − hω²xv, which bounds E if and only if hω < 2. With the \
-            position updated first the sign of the last term is reversed.",
+        correct_statement: "The conserved quantity is v² + ω²x² − hω²xv, which bounds E if and only if hω < 2. With the position updated \
+            first the sign of the last term is reversed.",
         argument: "200 steps with ω = 2, h = 1/10 in rationals from (1, 1/3): one value. The form has determinant ω²(1 − s²/4), positive \
-            iff s < 2.",
-        control: "The invariant without its last term, which is twice the energy.",
+            iff s < 2: the powers of the step are bounded at hω = 199/100 and grow at 2.",
+        control: "hω = 199/100 in place of 2.",
         sources: &["chapter §8, exercise 1"],
         check: exercise,
     },
@@ -113,14 +113,20 @@ fn injects(reading: Reading) -> Result<Vec<Finding>> {
 fn bound_of_explicit(reading: Reading) -> Result<Vec<Finding>> {
     let mut findings = Vec::new();
     for s in [ratio(1, 1000), ratio(1, 1), ratio(199, 100)] {
-        let stable = match reading {
-            Reading::Recorded => is_stable(&ExplicitEuler, &ratio(0, 1), &s),
-            Reading::Control => is_stable(&SEMI_IMPLICIT, &ratio(0, 1), &s),
+        // the example: |G|² = 1 + s² for explicit Euler, |G| = 1 iff s ≤ 2 for semi-implicit Euler
+        let (stable, example) = match reading {
+            Reading::Recorded => (is_stable(&ExplicitEuler, &ratio(0, 1), &s), ratio(1, 1) + &s * &s <= ratio(1, 1)),
+            Reading::Control => (is_stable(&SEMI_IMPLICIT, &ratio(0, 1), &s), s <= ratio(2, 1)),
         };
-        findings.push(Finding::decision(format!("stable without damping at s = {s} < 2"), stable, false));
+        let found = Finding::decision(format!("stable without damping at s = {s}"), stable, false);
+        findings.push(found.clone().says(s < ratio(2, 1)).passage("the limit by stiffness"));
+        findings.push(found.says(example).passage("the example on stability bounds"));
     }
     for zeta in [0.3, 1.0, 1.25, 2.0] {
-        findings.extend(both_sides("explicit Euler", &ExplicitEuler, zeta, bound(0.0, zeta)));
+        let bound = bound(0.0, zeta);
+        let [below, above] = both_sides("explicit Euler", &ExplicitEuler, zeta, bound);
+        let sides = [below.says(bound * (1.0 - BESIDE) < 2.0), above.says(bound * (1.0 + BESIDE) < 2.0)];
+        findings.extend(sides.map(|side| if zeta == 1.0 { side } else { side.violating("critical damping") }));
     }
     Ok(findings)
 }
@@ -158,7 +164,7 @@ fn amplification(reading: Reading) -> Result<Vec<Finding>> {
     }
     for (s, square) in [(ratio(59, 100), ratio(9941, 10_000)), (ratio(61, 100), ratio(10_061, 10_000))] {
         let [_, determinant] = invariants(&matrix(&ExplicitEuler, &SpringDamper::of_ratio(ratio(3, 10)), &s));
-        findings.push(Finding::exact(format!("|G|² with ζ = 3/10 at s = {s}"), &determinant, &square, "1"));
+        findings.push(Finding::exact(format!("|G|² with ζ = 3/10 at s = {s}"), &determinant, &square, "1").context());
     }
     Ok(findings)
 }
@@ -167,16 +173,16 @@ fn exercise(reading: Reading) -> Result<Vec<Finding>> {
     let (spring, start) = undamped();
     let h = ratio(1, 10);
     let grown = energy(&spring, &ExplicitEuler.step(&spring, &start, &h)) / energy(&spring, &start);
-    let share = reading.pick(ratio(1, 1), ratio(0, 1));
     let invariant = |at: &Phase<Rational>| {
         let (x, v) = (&at.position[0], &at.velocity[0]);
-        v * v + ratio(4, 1) * x * x - &share * &h * ratio(4, 1) * x * v
+        v * v + ratio(4, 1) * x * x - &h * ratio(4, 1) * x * v
     };
     let end = (0..200).fold(start.clone(), |now, _| SEMI_IMPLICIT.step(&spring, &now, &h));
+    let step = reading.pick(ratio(2, 1), ratio(199, 100));
     Ok(vec![
         Finding::exact("conserved quantity after 200 semi-implicit steps", &invariant(&end), &invariant(&start), "m²/s²"),
         Finding::exact("E⁺/E of explicit Euler, hω = 1/5", &grown, &ratio(26, 25), "1"),
         Finding::decision("semi-implicit Euler at hω = 199/100 is stable", is_stable(&SEMI_IMPLICIT, &ratio(0, 1), &ratio(199, 100)), true),
-        Finding::decision("and at hω = 2", is_stable(&SEMI_IMPLICIT, &ratio(0, 1), &ratio(2, 1)), false),
+        Finding::decision("and at hω = 2", is_stable(&SEMI_IMPLICIT, &ratio(0, 1), &step), false).says(true).violating("hω < 2"),
     ])
 }

@@ -39,6 +39,12 @@ pub fn both_sides(name: &str, method: &impl Method, damping_ratio: f64, bound: f
     ]
 }
 
+/// [`both_sides`] against the printed bound, s ≤ 2 whatever the damping.
+pub fn against_two(name: &str, method: &impl Method, damping_ratio: f64, bound: f64) -> [Finding; 2] {
+    let [below, above] = both_sides(name, method, damping_ratio, bound);
+    [below.says(bound * (1.0 - BESIDE) <= 2.0), above.says(bound * (1.0 + BESIDE) <= 2.0)]
+}
+
 /// E of a phase point with unit mass: ½ v² + ½ ω² q².
 pub fn energy(spring: &SpringDamper, at: &Phase<Rational>) -> Rational {
     let (q, v) = (&at.position[0], &at.velocity[0]);

@@ -49,13 +49,14 @@ impl SmoothSystem for MassOfPlace {
     }
 }
 
-/// A free particle in polar coordinates: r̈ = r ω², r ω̇ = −2 ṙ ω.
-pub struct FreeInPolar;
+/// A mass on a spring about the origin, k/m = 1, in polar coordinates: r̈ = r ω² − r, r ω̇ = −2 ṙ ω.
+pub struct SpringInPolar;
 
-impl SmoothSystem for FreeInPolar {
+impl SmoothSystem for SpringInPolar {
     fn acceleration<T: Scalar>(&self, position: &DVector<T>, velocity: &DVector<T>) -> DVector<T> {
         let (r, rate, turn) = (position[0].clone(), velocity[0].clone(), velocity[1].clone());
-        DVector::from_vec(vec![r.clone() * turn.clone() * turn.clone(), -(T::ratio(2, 1) * rate * turn / r)])
+        let outwards = r.clone() * turn.clone() * turn.clone() - r.clone();
+        DVector::from_vec(vec![outwards, -(T::ratio(2, 1) * rate * turn / r)])
     }
 }
 
