@@ -1,23 +1,32 @@
 //! `solimp`: the impedance curve, the regularisation it sets, and what a loaded contact does with it.
 
-use crate::Result;
 use crate::checks::Finding;
-use crate::claims::experiments::soft::{GRAVITY, default_contact, land};
+use crate::claims::experiments::mujoco::facts;
+use crate::claims::experiments::soft::{GRAVITY, default_contact, land, limited_contact};
 use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::closed_forms::soft_impedance::SoftImpedance;
 use crate::closed_forms::soft_reference::SoftReference;
 use crate::closed_forms::soft_row::SoftRow;
 use crate::scalar::{Dual, Rational, ratio};
+use crate::stored::{RUNS, read};
 use crate::tolerance::claims::pathology::AT_REST;
 use crate::tolerance::closed_forms::PRINTED_DIGITS;
 use crate::tolerance::rounding;
+use crate::{Error, Result};
+use serde_json::Value;
 
 const CURVE: &str = "chapter §6, numerical example of solimp";
 const MODEL: &str = "MuJoCo documentation, Computation: constraint model (3.17)";
 const PARAMETERS: &str = "MuJoCo documentation, Modeling: solver parameters (3.17)";
 /// Depth \[m\] of a ball of 1 kg after 900 steps of 1 ms, stored from MuJoCo 3.17.0 with its default parameters.
 const STORED_DEPTH: f64 = 0.000_367_181_842_5;
+/// Steps of MuJoCo 3.17.0 with its default parameters: blocks that slide and stick over round cones, and one over pyramids.
+const STEPS: [(&str, &str); 3] = [
+    ("sliding block", "mujoco/block_slide__cg-elliptic__h0.002__step100.dump.json"),
+    ("sticking block", "mujoco/block_stick__newton-elliptic__h0.002__step400.dump.json"),
+    ("block over pyramids", "mujoco/block_slide__cg-pyramidal__h0.002__step100.dump.json"),
+];
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -29,9 +38,10 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "d goes from d₀ at the surface to d_w beyond the width, by default from 0.9 to 0.95 and no further; both are \
             kept in [0.0001, 0.9999]. It falls with depth if d₀ > d_w. Without contact there is no row and no d.",
-        argument: "The default curve at 0, 1 mm and 1 m; solimp = (0, 1, …) gives 1/10000 and 9999/10000; (95/100, 9/10, …) falls. In \
-            rationals.",
-        control: "d = 1 at a depth of 1 m.",
+        argument: "The default curve rises from 9/10 to 19/20 and is 19/20 at 1 m too; solimp = (0, 1, …) gives 1/10000 and 9999/10000; \
+            (95/100, 9/10, …) falls. In rationals. A d of [0, 1] counts as small below 1/2; tending to 1 counts as 999/1000 at a thousand \
+            widths.",
+        control: "solimp = (0, 1, …) in place of the others.",
         sources: &["chapter §6, step 3", PARAMETERS],
         check: range,
     },
@@ -56,12 +66,12 @@ pub const CLAIMS: &[Claim] = &[
         id: "S6.solimp-default",
         statement: "The default is solimp = (0.9, 0.95, 0.001, 0.5, 2).",
         verdict: ClaimVerdict::True,
-        kind: Kind::Assertion,
+        kind: Kind::Path,
         severity: None,
         evidence: Evidence::Cited,
         correct_statement: "As stated, read back from MuJoCo 3.17.0 in the stored step problems.",
-        argument: "What a ball at rest in MuJoCo 3.17.0 with its defaults shows, 3.671818e-4 m, is the depth that these five numbers give \
-            with solref = (0.02, 1); power 1 would give another.",
+        argument: "The five numbers are read from the stored answers of MuJoCo 3.17.0. What a ball at rest there shows, 3.671818e-4 m, is \
+            the depth that they give with solref = (0.02, 1); power 1 would give another.",
         control: "power 1.",
         sources: &[CURVE, "stored step problem ball_rest, newton-elliptic, h = 1 ms (MuJoCo 3.17.0)"],
         check: default_parameters,
@@ -69,17 +79,18 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S6.R-formula",
         statement: "The impedance sets the regularisation, R ∝ (1−d)/d.",
-        verdict: ClaimVerdict::Conditional,
+        verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
-        severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
-        correct_statement: "R = (1−d)/d · Â for a normal row, with MuJoCo's approximation Â of the diagonal of A, which for one body is \
-            1/m for every contact point. Only where Â is the true diagonal does a single row move with d a_ref + (1−d) a_u. Friction rows \
-            have R/impratio.",
-        argument: "1 kg: R = 1/9 1/kg at the surface, 1/19 from 1 mm on. At the corner of a cube A = 4/m, so that with R = 1/9 the weight \
+        severity: None,
+        evidence: Evidence::Measured,
+        correct_statement: "As stated: R = (1−d)/d · Â, with MuJoCo's approximation Â of the diagonal of A, which for one body is 1/m for \
+            every contact point. Only where Â is the true diagonal does a single row move with d a_ref + (1−d) a_u. Friction rows have \
+            R/impratio.",
+        argument: "R d/((1−d) Â) = 1 on stored rows of MuJoCo 3.17.0: a ball 1 mm deep, d = 0.95, blocks that slide, d = 0.9002, and \
+            stick, d = 0.9007, and one over pyramids; R itself differs. At the corner of a cube A = 4/m, so that with R = 1/9 the weight \
             of a_ref is 36/37, not 9/10.",
-        control: "The weight 9/10 at the corner.",
-        sources: &[CURVE, MODEL],
+        control: "The d of the surface, 9/10, in place of the d of the row.",
+        sources: &[CURVE, MODEL, "stored step problems of MuJoCo 3.17.0"],
         check: regularisation,
     },
     Claim {
@@ -91,7 +102,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "In the formula. MuJoCo keeps d ≤ 0.9999, hence R ≥ Â/9999: there is always regularisation.",
         argument: "R/A = (1−d)/d is 1/9, 1/99, 1/999 at d = 0.9, 0.99, 0.999; with solimp = (1, 1, …) it is 1/9999 and not 0.",
-        control: "R = 0 for solimp = (1, 1, …).",
+        control: "The formula at d = 1, without MuJoCo's limit.",
         sources: &[CURVE, PARAMETERS],
         check: hard_limit,
     },
@@ -112,7 +123,7 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S6.rest-penetration",
-        statement: "Hard objects penetrate a little, like a sponge; most tasks accept penetration of the order of a millimetre.",
+        statement: "Hard objects penetrate a little, like a sponge, of the order of a millimetre (which most tasks accept).",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
@@ -121,7 +132,7 @@ pub const CLAIMS: &[Claim] = &[
             = 3.9 mm: the load acts with 1−d. What a task accepts is not decided here.",
         argument: "k d² δ = (1−d) g with d = d(δ) has the root δ = 3.671818e-4 m; the replay of 3000 steps of 1 ms and the stored run of \
             MuJoCo 3.17.0 end there. With constant d = 9/10, δ = g/k_p/10 in rationals.",
-        control: "g/k_p.",
+        control: "A contact with constant impedance 0.95.",
         sources: &["chapter §6, pitfalls on stiffness and on hard contact", MODEL],
         check: rest,
     },
@@ -174,13 +185,19 @@ fn range(reading: Reading) -> Result<Vec<Finding>> {
     let standard = SoftImpedance::<Rational>::standard();
     let extreme = SoftImpedance { start: ratio(0, 1), end: ratio(1, 1), ..standard.clone() };
     let falling = SoftImpedance { start: ratio(19, 20), end: ratio(9, 10), ..standard.clone() };
+    let (printed, falling) = reading.pick((&standard, &falling), (&extreme, &extreme));
     let (surface, metre) = (ratio(0, 1), ratio(1, 1));
+    let (small, near_one) = (ratio(1, 2), ratio(999, 1000));
+    let rises = |curve: &SoftImpedance<Rational>| curve.at(&metre) > curve.at(&surface);
     Ok(vec![
-        Finding::exact("d at a depth of 1 m", &standard.at(&metre), &reading.pick(ratio(19, 20), ratio(1, 1)), "1"),
-        Finding::exact("d at the surface", &standard.at(&surface), &ratio(9, 10), "1"),
-        Finding::exact("d at the surface for d₀ = 0", &extreme.at(&surface), &ratio(1, 10_000), "1"),
-        Finding::exact("d at 1 m for d_w = 1", &extreme.at(&metre), &ratio(9999, 10_000), "1"),
-        Finding::decision("d falls with depth for d₀ > d_w", falling.at(&metre) < falling.at(&surface), true),
+        Finding::decision("d rises with depth, default", rises(&standard), true),
+        Finding::exact("d at the surface for d₀ = 0", &extreme.at(&surface), &ratio(1, 10_000), "1").says_at_most(&small),
+        Finding::exact("d at 1 m for d_w = 1", &extreme.at(&metre), &ratio(9999, 10_000), "1").says_at_least(&near_one),
+        Finding::exact("d at the surface, default", &printed.at(&surface), &ratio(9, 10), "1").says_at_most(&small).violating("d₀ = 0"),
+        Finding::exact("d at a depth of 1 m, default", &printed.at(&metre), &ratio(19, 20), "1")
+            .says_at_least(&near_one)
+            .violating("d_w = 1"),
+        Finding::decision("d rises with depth, d₀ > d_w", rises(falling), false).says(true).violating("d₀ < d_w"),
     ])
 }
 
@@ -211,41 +228,72 @@ fn curve(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 fn default_parameters(reading: Reading) -> Result<Vec<Finding>> {
-    let power = reading.pick(2.0, 1.0);
-    let parameters = ContactParameters { impedance: [0.9, 0.95, 0.001, 0.5, power], ..ContactParameters::default() };
+    let printed = [0.9, 0.95, 0.001, 0.5, reading.pick(2.0, 1.0)];
+    let stored = facts()?.numbers(&["stated", "defaults", "solimp"])?;
+    let parameters = ContactParameters { impedance: printed, ..ContactParameters::default() };
     let depth = parameters.rest_depth(0.001, 1.0, GRAVITY)?;
-    Ok(vec![Finding::equal("depth at rest of these parameters", depth, STORED_DEPTH, PRINTED_DIGITS * STORED_DEPTH, "m")])
-}
-
-fn regularisation(reading: Reading) -> Result<Vec<Finding>> {
-    let standard = SoftImpedance::<Rational>::standard();
-    let of = |depth: &Rational| SoftRow::of_impedance(ratio(1, 1), &standard.at(depth));
-    // corner (a, a, −a)/2 of a cube with inertia m a²/6: 1/m + (a²/4 + a²/4)/(m a²/6)
-    let corner = SoftRow { inverse_inertia: ratio(4, 1), ..of(&ratio(0, 1)) };
-    // a_u = 0, a_ref = 1: the acceleration is the weight of a_ref
-    let weight = |row: &SoftRow<Rational>| row.acceleration(&row.force(&ratio(1, 1), &ratio(0, 1)), &ratio(0, 1));
     Ok(vec![
-        Finding::exact("weight of a_ref at a corner", &weight(&corner), &reading.pick(ratio(36, 37), ratio(9, 10)), "1"),
-        Finding::exact("weight of a_ref below the centre", &weight(&of(&ratio(0, 1))), &ratio(9, 10), "1"),
-        Finding::exact("R at the surface", &of(&ratio(0, 1)).regularisation, &ratio(1, 9), "1/kg"),
-        Finding::exact("R at 1 mm", &of(&ratio(1, 1000)).regularisation, &ratio(1, 19), "1/kg"),
+        Finding::decision("the five numbers are those of MuJoCo 3.17.0", stored.as_slice() == printed, true),
+        Finding::equal("depth at rest of these parameters", depth, STORED_DEPTH, PRINTED_DIGITS * STORED_DEPTH, "m"),
     ])
 }
 
-fn hard_limit(reading: Reading) -> Result<Vec<Finding>> {
-    let hardest = SoftImpedance::constant(ratio(1, 1)).at(&ratio(1, 1000));
-    let softness = |d: &Rational| SoftRow::of_impedance(ratio(1, 1), d).regularisation;
-    let mut findings =
-        vec![Finding::exact("R/A for solimp = (1, 1, …)", &softness(&hardest), &reading.pick(ratio(1, 9999), ratio(0, 1)), "1")];
-    for nines in [9, 99, 999] {
-        findings.push(Finding::exact(
-            format!("R/A at d = {nines}/{}", nines + 1),
-            &softness(&ratio(nines, nines + 1)),
-            &ratio(1, nines),
-            "1",
-        ));
+/// A row of a stored step of MuJoCo 3.17.0.
+struct StoredRow {
+    /// d.
+    impedance: f64,
+    /// R [1/kg].
+    softness: f64,
+    /// Â [1/kg].
+    diagonal: f64,
+}
+
+/// The first row of a stored step.
+fn stored_row(path: &str) -> Result<StoredRow> {
+    let step: Value = read(&RUNS, path)?;
+    let missing = || Error::invalid(path.to_string(), "is not a step of MuJoCo", "run scripts/generate_references.py");
+    let number = |value: &Value| value.as_f64().ok_or_else(missing);
+    let native = &step["native"];
+    Ok(StoredRow {
+        impedance: number(&native["efc_KBIP"]["rows"][0][2])?,
+        softness: number(&native["efc_R"][0])?,
+        diagonal: number(&native["efc_diagA"][0])?,
+    })
+}
+
+fn regularisation(reading: Reading) -> Result<Vec<Finding>> {
+    let mut findings = Vec::new();
+    let deep = facts()?.numbers(&["computed", "one_contact", "elliptic 1", "efc_R"])?[0];
+    let mut rows = vec![("ball of 1 kg 1 mm deep", StoredRow { impedance: 0.95, softness: deep, diagonal: 1.0 })];
+    for (name, path) in STEPS {
+        rows.push((name, stored_row(path)?));
     }
-    findings.push(Finding::exact("R/A at d = 1", &softness(&ratio(1, 1)), &ratio(0, 1), "1"));
+    for (name, row) in rows {
+        let d = reading.pick(row.impedance, 0.9);
+        let factor = row.softness / row.diagonal * d / (1.0 - d);
+        findings.push(Finding::equal(format!("R d/((1−d) Â), {name}"), factor, 1.0, rounding(8, 1.0 / (1.0 - d)), "1"));
+    }
+    let row = SoftRow::of_impedance(ratio(1, 1), &ratio(9, 10));
+    // corner (a, a, −a)/2 of a cube with inertia m a²/6: 1/m + (a²/4 + a²/4)/(m a²/6)
+    let corner = SoftRow { inverse_inertia: ratio(4, 1), ..row };
+    // a_u = 0, a_ref = 1: the acceleration is the weight of a_ref
+    let weight = corner.acceleration(&corner.force(&ratio(1, 1), &ratio(0, 1)), &ratio(0, 1));
+    findings.push(Finding::exact("weight of a_ref at a corner, R = 1/9", &weight, &ratio(36, 37), "1").context());
+    Ok(findings)
+}
+
+fn hard_limit(reading: Reading) -> Result<Vec<Finding>> {
+    let hardest = reading.pick(SoftImpedance::constant(ratio(1, 1)).at(&ratio(1, 1000)), ratio(1, 1));
+    let softness = |d: &Rational| SoftRow::of_impedance(ratio(1, 1), d).regularisation;
+    let mut findings = vec![
+        Finding::exact("R/A for solimp = (1, 1, …)", &softness(&hardest), &ratio(1, 9999), "1")
+            .says(ratio(0, 1))
+            .violating("d is not limited to 9999/10000"),
+    ];
+    for nines in [9, 99, 999] {
+        let name = format!("R/A at d = {nines}/{}", nines + 1);
+        findings.push(Finding::exact(name, &softness(&ratio(nines, nines + 1)), &ratio(1, nines), "1"));
+    }
     Ok(findings)
 }
 
@@ -271,7 +319,8 @@ fn rest(reading: Reading) -> Result<Vec<Finding>> {
     let parameters = ContactParameters::default();
     let depth = |mass: f64| parameters.rest_depth(0.001, 1.0 / mass, mass * GRAVITY);
     let closed = depth(1.0)?;
-    let measured = reading.pick(land(&default_contact(0.001), 0.0, 3000).depth, GRAVITY / 2500.0);
+    let contact = reading.pick(default_contact(0.001), limited_contact(0.001, 0.02));
+    let measured = land(&contact, 0.0, 3000).depth;
     // constant d = 9/10: k = 1/(d t_c)², and R f = k d δ balances f = m g
     let impedance = SoftImpedance::constant(ratio(9, 10));
     let reference = SoftReference::unlimited(&ratio(1, 50), &ratio(1, 1), impedance.clone());
@@ -336,10 +385,12 @@ fn roles(reading: Reading) -> Result<Vec<Finding>> {
     };
     let one = ratio(1, 1);
     Ok(vec![
-        Finding::exact("a_ref at 1 mm, d = 1/2", &wanted(&soft), &ratio(5, 1), "m/s²"),
         Finding::exact("a_ref at 1 mm, d = 19/20", &wanted(&hard), &ratio(50, 19), "m/s²"),
-        Finding::exact("depth at rest, d = 1/2", &depth(&soft), &ratio(2, 1000), "m"),
-        Finding::exact("depth at rest, d = 19/20", &depth(&hard), &ratio(1, 5000), "m"),
+        Finding::exact("a_ref at 1 mm, d = 1/2", &wanted(&soft), &ratio(5, 1), "m/s²")
+            .says(wanted(&hard))
+            .violating("what is wanted is the motion without load"),
+        Finding::exact("depth at rest, d = 1/2", &depth(&soft), &ratio(2, 1000), "m").context(),
+        Finding::exact("depth at rest, d = 19/20", &depth(&hard), &ratio(1, 5000), "m").context(),
         Finding::decision("the unloaded motions are the same", soft.effective(&one) == hard.effective(&one), true),
     ])
 }

@@ -2,8 +2,9 @@
 
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::experiments::soft::default_contact;
 use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::closed_forms::mujoco_contact::ContactParameters;
+use crate::closed_forms::mujoco_normal::NormalContact;
 use crate::closed_forms::soft_impedance::SoftImpedance;
 use crate::closed_forms::soft_planar_contact::SoftPlanarContact;
 use crate::closed_forms::soft_reference::SoftReference;
@@ -36,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
             everywhere.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
-        severity: Some(Severity::WrongStatement),
+        severity: Some(Severity::BrokenTheorem),
         evidence: Evidence::Exact,
         correct_statement: "The force jumps at touch, for there is no row above the surface and d₀ > 0 below it: by d₀ m (b|v| + g) at \
             approach speed |v|. As a function of the control it is Lipschitz, with kinks where a contact begins to press and where it \
@@ -44,7 +45,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "1 kg at −1 m/s under 9.81 m/s², default parameters: 0 above the surface, 9/10 (2000/19 + 981/100) = 103.566 N just \
             below; with d₀ = 0, which counts as 1/10000, 0.0115 N. Control: ∂f/∂τ is 0 on one side of the onset and d = 9/10 on the other. \
             Load across the change from stick to slip, R = 1/9: ∂f_t/∂b_t = −9/10 and −9/50.",
-        control: "A point inside contact and inside stick.",
+        control: "A quarter of a millimetre inside contact, and a load inside contact and inside stick.",
         sources: &["chapter §6, MuJoCo's choice, bridge, and the pitfall on hard contact", MODEL],
         check: soft_kinks,
     },
@@ -60,7 +61,7 @@ pub const CLAIMS: &[Claim] = &[
             exactly, and the penalty that eliminating the force leaves is continuously differentiable once, not twice.",
         argument: "μ = 1/2, R = 1/9 and 1: loads (−2, b_t) with b_t = 2, 5 and 50 have f_t = f_n/2 exactly. The force is the gradient of \
             the minimum in b, and its slope at b_t = 1 is −1/(1+R) for stick and −1/(5(1+R)) for slip.",
-        control: "A load that sticks, for which |f_t| < μ f_n.",
+        control: "Loads that stick, for which |f_t| < μ f_n and the slopes are equal.",
         sources: &["chapter §6, step 2 and exercise 3", MODEL],
         check: hard_cone,
     },
@@ -116,38 +117,56 @@ fn at_touch(start: Rational) -> Rational {
     row.one_sided_force(&reference.acceleration(&surface, &ratio(-1, 1)), &ratio(-981, 100))
 }
 
+/// The replayed force \[N\] on the same body just above a depth \[m\] and just below it; d₀ as given.
+fn around(depth: f64, start: f64) -> [f64; 2] {
+    let standard = ContactParameters::default();
+    let [_, rest @ ..] = standard.impedance;
+    let [end, width, midpoint, power] = rest;
+    let parameters = ContactParameters { impedance: [start, end, width, midpoint, power], ..standard };
+    let contact = NormalContact::elliptic(parameters, 0.002, 1.0);
+    [depth.next_down(), depth.next_up()].map(|depth| contact.impulse(depth, -1.0, -9.81) / contact.time_step)
+}
+
 fn soft_kinks(reading: Reading) -> Result<Vec<Finding>> {
-    let jump = at_touch(ratio(9, 10));
     let printed = ratio(9, 10) * (ratio(2000, 19) + ratio(981, 100));
-    let replayed = default_contact(0.002);
-    let force = |depth: f64| replayed.impulse(depth, -1.0, -9.81) / replayed.time_step;
+    let size = Scalar::to_f64(&printed);
+    let place = reading.pick(0.0, 0.00025);
+    let mut findings = vec![
+        Finding::exact("force at touch, d₀ = 9/10", &at_touch(ratio(9, 10)), &printed, "N").context(),
+        Finding::exact("force at touch, d₀ = 0", &at_touch(ratio(0, 1)), &(&printed / ratio(9000, 1)), "N").context(),
+    ];
+    for (name, start, expected) in [("d₀ = 9/10", 0.9, size), ("d₀ = 0", 0.0, size / 9000.0)] {
+        let [above, below] = around(place, start);
+        findings.push(Finding::equal(format!("force just below the place, {name}"), below, expected, rounding(32, size), "N").says(above));
+        findings.push(Finding::decision(format!("no force just above it, {name}"), above == 0.0, true).says(below == 0.0));
+    }
     let [above, below] = onset(&SoftRow::of_impedance(ratio(1, 1), &ratio(9, 10)), &reading.pick(ratio(0, 1), ratio(-1, 1)));
     let [slip, stick] = slopes(&ratio(1, 9), &reading.pick(ratio(1, 1), ratio(1, 2)));
-    let size = Scalar::to_f64(&printed);
-    Ok(vec![
-        Finding::exact("force just below the surface", &jump, &printed, "N"),
-        Finding::equal("the same, replayed", force(0.0f64.next_up()), size, rounding(32, size), "N"),
-        Finding::equal("force just above it", force(-(0.0f64.next_up())), 0.0, 0.0, "N"),
-        Finding::exact("force just below the surface, d₀ = 0", &at_touch(ratio(0, 1)), &(&printed / ratio(9000, 1)), "N"),
-        Finding::exact("∂f/∂q, side of no contact", &above, &ratio(0, 1), "kg"),
-        Finding::exact("∂f/∂q, side of contact", &below, &ratio(-9, 10), "kg"),
-        Finding::exact("∂f_t/∂b_t, side of slip", &slip, &ratio(-9, 50), "kg"),
-        Finding::exact("∂f_t/∂b_t, side of stick", &stick, &ratio(-9, 10), "kg"),
-    ])
+    findings.extend([
+        Finding::exact("∂f/∂q, side of no contact", &above, &ratio(0, 1), "kg").says(&below),
+        Finding::exact("∂f/∂q, side of contact", &below, &ratio(-9, 10), "kg").says(&above),
+        Finding::exact("∂f_t/∂b_t, side of slip", &slip, &ratio(-9, 50), "kg").says(&stick),
+        Finding::exact("∂f_t/∂b_t, side of stick", &stick, &ratio(-9, 10), "kg").says(&slip),
+    ]);
+    Ok(findings)
 }
 
 fn hard_cone(reading: Reading) -> Result<Vec<Finding>> {
     let mut findings = Vec::new();
+    let tangents = reading.pick([ratio(2, 1), ratio(5, 1), ratio(50, 1)], [ratio(1, 2), ratio(1, 4), ratio(1, 8)]);
     for softness in [ratio(1, 9), ratio(1, 1)] {
-        for tangent in [reading.pick(ratio(2, 1), ratio(1, 2)), ratio(5, 1), ratio(50, 1)] {
+        let on_the_cone = tangents.iter().all(|tangent| {
             let [normal, friction] = contact(&softness).force(&[ratio(-2, 1), tangent.clone()]);
-            let share = friction.magnitude() / normal;
-            findings.push(Finding::exact(format!("|f_t|/f_n, R = {softness}, b_t = {tangent}"), &share, &ratio(1, 2), "1"));
-        }
-        let [slip, stick] = slopes(&softness, &ratio(1, 1));
+            friction.magnitude() / normal == ratio(1, 2)
+        });
+        findings.push(
+            Finding::decision(format!("forces of three slipping loads are on the hard cone, R = {softness}"), on_the_cone, true)
+                .says(false),
+        );
         let scale = ratio(1, 1) + &softness;
-        findings.push(Finding::exact("(1+R) ∂f_t/∂b_t, side of slip", &(slip * &scale), &ratio(-1, 5), "1"));
-        findings.push(Finding::exact("(1+R) ∂f_t/∂b_t, side of stick", &(stick * &scale), &ratio(-1, 1), "1"));
+        let [slip, stick] = slopes(&softness, &reading.pick(ratio(1, 1), ratio(1, 2))).map(|slope| slope * &scale);
+        findings.push(Finding::exact("(1+R) ∂f_t/∂b_t, side of slip", &slip, &ratio(-1, 5), "1").says(&stick));
+        findings.push(Finding::exact("(1+R) ∂f_t/∂b_t, side of stick", &stick, &ratio(-1, 1), "1").says(&slip));
     }
     Ok(findings)
 }

@@ -31,7 +31,7 @@ pub const CLAIMS: &[Claim] = &[
             below the bound 2(√(1+ζ²) − ζ) iff ζ² > 1/8: decided at ζ = 36/100 and 35/100. MuJoCo 3.17 itself, a ball of 1 kg released 1 \
             mm above the floor at timeconst = 2h and constant impedance, is calm with dampratio 0.4 and thrown 43 mm high and more with \
             0.35, 9 m with 0.2.",
-        control: "The limit 2h taken away.",
+        control: "dampratio 0.4 in place of 0.35 and 0.2.",
         sources: &[STABILITY, REFSAFE],
         check: enforced,
     },
@@ -48,7 +48,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "w = h/timeconst: z² − (2 − 2w − w²)z + (1 − 2w) = 0. The determinant is 0 at 2h and negative below; decided in \
             rationals: decay at 1.9h, 1.5h, 1.25h, growth at 1.2h, and both sides of 1.2071h. Spectral radius 0.69906 at 1.5h. Replayed \
             contact: at rest with 1.5h, thrown up again and again with 1.2h.",
-        control: "timeconst = 1.2h in place of 1.9h.",
+        control: "timeconst = 1.2h in place of all longer ones.",
         sources: &[STABILITY],
         check: stability,
     },
@@ -62,7 +62,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "For dampratio 1. Since ω₀ = 1/(timeconst · dampratio), timeconst < 2h means ω₀ > 1/(2h · dampratio).",
         argument: "h = 1: timeconst = 3, dampratio 1/2: ω₀ = 2/3 > 1/2 although timeconst ≥ 2h; timeconst = 1, dampratio 4: ω₀ = 1/4 < 1/2 \
             although timeconst < 2h. With dampratio 1, timeconst 199/100 and 201/100 lie on the two sides.",
-        control: "dampratio 1 in place of 1/2.",
+        control: "dampratio 1 in place of 1/2 and 4.",
         sources: &[STABILITY],
         check: faster_than_the_step,
     },
@@ -105,22 +105,23 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Without the limit of refsafe, or in the direct form. By default MuJoCo raises timeconst to 2h: a smaller one \
             changes nothing, neither stability nor depth.",
         argument: "Ball of 1 kg dropped from 1 mm on the replayed contact, h = 1 ms, constant impedance: timeconst = h/2 throws it higher \
-            than it fell from without the limit; with the limit the depths at timeconst = h/2, h and 2h are the same.",
-        control: "The limited contact in the place of the unlimited one.",
+            than it fell from without the limit, and not with a tenth of the step; with the limit it rests, at the same depth for \
+            timeconst = h/2, h and 2h.",
+        control: "The unlimited contact in the place of the limited one.",
         sources: &["chapter §6, pitfall on stiffness", REFSAFE],
         check: stiff,
     },
     Claim {
         id: "S6.ex2-tc-eq-h",
-        statement: "Exercise: what happens numerically when timeconst is reduced to 2 ms, equal to the step?",
+        statement: "Exercise: which numerical phenomenon occurs when timeconst is reduced to 2 ms, equal to the step?",
         verdict: ClaimVerdict::Conditional,
-        kind: Kind::Assertion,
+        kind: Kind::Exercise,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "By default nothing, for it counts as 4 ms. Without refsafe a two-sided row oscillates with alternating sign \
             and grows by the golden ratio, 1.618, every step; a contact is thrown up.",
         argument: "w = 1, ζ = 1: trace −1, determinant −1, z² + z − 1 = 0, z = −(1+√5)/2.",
-        control: "timeconst 4 ms.",
+        control: "refsafe off.",
         sources: &["chapter §6, exercise 2", REFSAFE],
         check: equal_to_the_step,
     },
@@ -139,13 +140,20 @@ fn enforced(reading: Reading) -> Result<Vec<Finding>> {
     let limit = at_two_milliseconds(4, false);
     let mut findings = Vec::new();
     for milliseconds in [1, 2, 3] {
-        let same = at_two_milliseconds(milliseconds, reading.pick(true, false)) == limit;
+        let same = at_two_milliseconds(milliseconds, true) == limit;
         findings.push(Finding::decision(format!("timeconst {milliseconds} ms counts as 4 ms"), same, true));
     }
-    for (hundredths, stable) in [(100, true), (36, true), (35, false), (20, false)] {
+    let stable = |hundredths: i64| {
         let zeta = ratio(hundredths, 100);
-        let s = ratio(1, 2) / &zeta;
-        findings.push(Finding::decision(format!("stable at timeconst = 2h, ζ = {zeta}"), is_stable(&SEMI_IMPLICIT, &zeta, &s), stable));
+        is_stable(&SEMI_IMPLICIT, &zeta, &(ratio(1, 2) / &zeta))
+    };
+    for hundredths in [100, 36] {
+        findings.push(Finding::decision(format!("stable at timeconst = 2h, ζ = {hundredths}/100"), stable(hundredths), true));
+    }
+    for hundredths in [35, 20] {
+        let name = format!("stable at timeconst = 2h, ζ = {hundredths}/100");
+        let found = stable(reading.pick(hundredths, 40));
+        findings.push(Finding::decision(name, found, false).says(true).violating("dampratio above 1/(2√2)"));
     }
     Ok(findings)
 }
@@ -158,26 +166,29 @@ fn powers_with(hundredths: i64) -> Powers {
 fn stability(reading: Reading) -> Result<Vec<Finding>> {
     let one = ratio(1, 1);
     let mut findings = Vec::new();
-    for (hundredths, powers) in
-        [(reading.pick(190, 120), Powers::Decay), (150, Powers::Decay), (125, Powers::Decay), (120, Powers::GrowExponentially)]
-    {
-        findings.push(Finding::decision(format!("t_c = {hundredths}/100 h: {powers:?}"), powers_with(hundredths) == powers, true));
+    for hundredths in [190, 150, 125] {
+        let decays = powers_with(reading.pick(hundredths, 120)) == Powers::Decay;
+        findings.push(Finding::decision(format!("t_c = {hundredths}/100 h decays"), decays, true).says(false));
     }
-    findings.extend(both_sides("critical damping", &SEMI_IMPLICIT, 1.0, closed::semi_implicit(1.0)));
+    findings.push(Finding::decision("t_c = 120/100 h grows", powers_with(120) == Powers::GrowExponentially, true));
+    let bound = closed::semi_implicit(1.0);
+    let [below, above] = both_sides("critical damping", &SEMI_IMPLICIT, 1.0, reading.pick(bound, 100.0 / 120.0));
+    findings.extend([below.says(false), above]);
     let critical = |w: &Rational| matrix(&SEMI_IMPLICIT, &SpringDamper::of_ratio(one.clone()), w);
-    let [_, below] = invariants(&critical(&ratio(100, 199)));
+    let [_, under] = invariants(&critical(&ratio(100, 199)));
     let [_, at] = invariants(&critical(&ratio(1, 2)));
-    let radius = spectral_radius(&critical(&ratio(2, 3)).map(|entry| Scalar::to_f64(&entry)));
+    let radius = spectral_radius(&critical(&reading.pick(ratio(2, 3), ratio(5, 6))).map(|entry| Scalar::to_f64(&entry)));
     // trace 2 − 4/3 − 4/9 = 2/9 and determinant −1/3: 1/9 + √(1/81 + 1/3)
     let expected = (1.0 + 28f64.sqrt()) / 9.0;
     let speed = |parts: f64| land(&unlimited_contact(0.001, parts * 0.001), 0.001, 2000).speed;
+    let (step, jitter) = (tolerance::rest_speed(GRAVITY, 0.001), GRAVITY * 0.001);
     findings.extend([
-        Finding::exact("determinant at t_c = 2h", &at, &ratio(0, 1), "1"),
-        Finding::decision("determinant negative at 1.99h", below < ratio(0, 1), true),
-        Finding::equal("spectral radius at t_c = 1.5h", radius, expected, rounding(16, 1.0), "1"),
-        Finding::equal("speed of a ball at rest, t_c = 1.5h", speed(1.5), 0.0, tolerance::rest_speed(GRAVITY, 0.001), "m/s"),
-        Finding::at_least("speed with t_c = 1.25h", speed(1.25), GRAVITY * 0.001, "m/s"),
-        Finding::at_least("speed with t_c = 1.2h", speed(1.2), GRAVITY * 0.001, "m/s"),
+        Finding::exact("determinant at t_c = 2h", &at, &ratio(0, 1), "1").context(),
+        Finding::decision("determinant negative at 1.99h", under < ratio(0, 1), true),
+        Finding::equal("spectral radius at t_c = 1.5h", radius, expected, rounding(16, 1.0), "1").says_at_least(1.0),
+        Finding::equal("speed of a ball at rest, t_c = 1.5h", speed(reading.pick(1.5, 1.2)), 0.0, step, "m/s").says_at_least(jitter),
+        Finding::at_least("speed with t_c = 1.25h", speed(1.25), jitter, "m/s"),
+        Finding::at_least("speed with t_c = 1.2h", speed(1.2), jitter, "m/s"),
     ]);
     Ok(findings)
 }
@@ -190,10 +201,12 @@ fn is_faster(time_constant: &Rational, zeta: &Rational) -> bool {
 
 fn faster_than_the_step(reading: Reading) -> Result<Vec<Finding>> {
     let one = ratio(1, 1);
-    let light = reading.pick(ratio(1, 2), one.clone());
+    let [light, heavy] = [ratio(1, 2), ratio(4, 1)].map(|zeta| reading.pick(zeta, one.clone()));
     Ok(vec![
-        Finding::decision("ω₀ > 1/(2h) at timeconst 3h, ζ = 1/2", is_faster(&ratio(3, 1), &light), true),
-        Finding::decision("ω₀ > 1/(2h) at timeconst h, ζ = 4", is_faster(&one, &ratio(4, 1)), false),
+        Finding::decision("ω₀ > 1/(2h) at timeconst 3h, ζ = 1/2", is_faster(&ratio(3, 1), &light), true)
+            .says(false)
+            .violating("dampratio 1"),
+        Finding::decision("ω₀ > 1/(2h) at timeconst h, ζ = 4", is_faster(&one, &heavy), false).says(true).violating("dampratio 1"),
         Finding::decision("ω₀ > 1/(2h) at timeconst 1.99h, ζ = 1", is_faster(&ratio(199, 100), &one), true),
         Finding::decision("ω₀ > 1/(2h) at timeconst 2.01h, ζ = 1", is_faster(&ratio(201, 100), &one), false),
     ])
@@ -208,7 +221,7 @@ fn period(reading: Reading) -> Result<Vec<Finding>> {
     let three_steps = ratio(21 * 21, 100);
     let steps = std::f64::consts::TAU / Scalar::to_f64(&critical).sqrt();
     Ok(vec![
-        Finding::decision("three steps per period at ζ = 1/10", light < three_steps, false),
+        Finding::decision("three steps per period at ζ = 1/10", light < three_steps, false).says(true).violating("dampratio 1"),
         Finding::decision("three steps per period at ζ = 1", critical < three_steps, true),
         Finding::exact("(hω₀)² at ζ = 1", &critical, &ratio(1, 4), "1"),
         Finding::equal("steps per period at ζ = 1", steps, 4.0 * std::f64::consts::PI, rounding(4, steps), "1"),
@@ -229,28 +242,34 @@ fn example(reading: Reading) -> Result<Vec<Finding>> {
 
 fn stiff(reading: Reading) -> Result<Vec<Finding>> {
     let (h, height) = (0.001, 0.001);
-    let contact = reading.pick(unlimited_contact(h, 0.5 * h), limited_contact(h, 0.5 * h));
-    let thrown = land(&contact, height, 2000).height;
+    let unlimited = unlimited_contact(h, 0.5 * h);
+    let limited = limited_contact(h, 0.5 * h);
+    let smaller_step = unlimited_contact(0.1 * h, 0.5 * h);
     let depth = |parts: f64| land(&limited_contact(h, parts * h), height, 3000).depth;
+    let asked = reading.pick(&limited, &unlimited);
     Ok(vec![
-        Finding::at_least("height reached after a drop from 1 mm, t_c = h/2", thrown, height, "m"),
-        Finding::equal("depth with the limit, t_c = h/2", depth(0.5), depth(2.0), 0.0, "m"),
-        Finding::equal("depth with the limit, t_c = h", depth(1.0), depth(2.0), 0.0, "m"),
+        Finding::at_least("height reached after a drop from 1 mm, t_c = h/2, no limit", land(&unlimited, height, 2000).height, height, "m"),
+        Finding::at_most("height reached with h/10 and the same t_c, no limit", land(&smaller_step, height, 20_000).height, 0.0, "m"),
+        Finding::at_most("height reached with the limit, t_c = h/2", land(asked, height, 2000).height, 0.0, "m")
+            .says_at_least(height)
+            .violating("refsafe is off"),
+        Finding::equal("depth with the limit, t_c = h/2", depth(0.5), depth(2.0), 0.0, "m").context(),
+        Finding::equal("depth with the limit, t_c = h", depth(1.0), depth(2.0), 0.0, "m").context(),
     ])
 }
 
 fn equal_to_the_step(reading: Reading) -> Result<Vec<Finding>> {
-    let w = reading.pick(ratio(1, 1), ratio(1, 2));
-    let step = matrix(&SEMI_IMPLICIT, &SpringDamper::of_ratio(ratio(1, 1)), &w);
+    let step = matrix(&SEMI_IMPLICIT, &SpringDamper::of_ratio(ratio(1, 1)), &ratio(1, 1));
     let [trace, determinant] = invariants(&step);
     let radius = spectral_radius(&step.map(|entry| Scalar::to_f64(&entry)));
     let golden = 0.5 * (1.0 + 5f64.sqrt());
     let speed = land(&unlimited_contact(0.002, 0.002), 0.001, 1000).speed;
+    let changes = at_two_milliseconds(2, reading.pick(true, false)) != at_two_milliseconds(4, false);
     Ok(vec![
-        Finding::exact("trace", &trace, &ratio(-1, 1), "1"),
-        Finding::exact("determinant", &determinant, &ratio(-1, 1), "1"),
-        Finding::equal("spectral radius", radius, golden, rounding(8, 2.0), "1"),
+        Finding::exact("trace", &trace, &ratio(-1, 1), "1").context(),
+        Finding::exact("determinant", &determinant, &ratio(-1, 1), "1").context(),
+        Finding::equal("spectral radius without refsafe", radius, golden, rounding(8, 2.0), "1"),
         Finding::at_least("speed of a ball on such a contact", speed, GRAVITY * 0.002, "m/s"),
-        Finding::decision("by default timeconst 2 ms counts as 4 ms", at_two_milliseconds(2, true) == at_two_milliseconds(4, false), true),
+        Finding::decision("timeconst 2 ms is another contact than 4 ms", changes, false).says(true).violating("refsafe is off"),
     ])
 }

@@ -16,6 +16,9 @@ pub fn two_contacts(force: f64, acceleration: f64) -> f64 {
 /// numbers of size 1.
 pub const COMPUTED: f64 = 1e-6;
 
+/// Change \[m/s²\] of an acceleration that an engine's numbers show: five orders above [`COMPUTED`].
+pub const CHANGED: f64 = 1e5 * COMPUTED;
+
 /// Distance \[m/s²\] of accelerations of about 140 m/s² that solvers find which run until their cost stands still: the cost is known to ε,
 /// the acceleration to √ε of its size, and ten times that with the conditioning of a dual method (R is a tenth of A).
 pub const SAME_OPTIMUM: f64 = 10.0 * 140.0 / 67_108_864.0;
@@ -31,8 +34,14 @@ pub const ITERATES: f64 = 1000.0 / (1u64 << 40) as f64;
 /// R)/R, of the order of a hundred.
 pub const SOLVED: f64 = 100.0 * STOP;
 
-/// Accuracy of the impulses for which the work of a solver is counted.
+/// Accuracy of the change of velocity for which the work of a solver is counted.
 pub const COUNTED: f64 = 1e-6;
+
+/// What “low accuracy” is: a tenth of the change of velocity, in the norm of M.
+pub const LOW: f64 = 0.1;
+
+/// What cannot be told apart: a hundredth of the change of velocity, in the norm of M.
+pub const INDISTINGUISHABLE: f64 = 0.01;
 
 /// Gaps \[m\] at which a ball is just in touch, or just not.
 pub const TOUCH: [f64; 2] = [1e-12, 1e-15];
@@ -49,3 +58,11 @@ pub fn inside_contact(h: f64, stiffness: f64, damping: f64) -> f64 {
 /// Relative error of a jump at such a depth δ against that at δ = 0: (d − d₀)/d₀ ≤ (δ/width)²/d₀ and k d δ over b v + g ≈ 115 m/s² are
 /// below 3e-11, and the rounding of v⁺ is below 1e-14.
 pub const AT_TOUCH: f64 = 1e-8;
+
+/// Difference of W \[1/kg\] of a ball of 1 kg, r = 0.1 m, I = ⅖ r², that is [`TOUCH`] deep: a scheme takes H at a lever between r − δ and r,
+/// and r² − (r − δ)² over I is below 2rδ/I = 5δ/r; the rounding of 1 + r²/I = 3.5 by 16 operations is far below.
+pub const SAME_LEVER: f64 = 5.0 * 1e-12 / 0.1;
+
+/// Distance \[m\] from its start of a ball that fell freely from 2 m for 250 steps and back: 500 steps, each of which rounds a place below 2 m
+/// and a velocity below 5 m/s that acts for at most one second.
+pub const TURNED_ROUND: f64 = 2.0 * 500.0 * (2.0 + 5.0) * f64::EPSILON;
