@@ -87,7 +87,8 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Of a projection that is so, whatever method made the step. A mirror image leaves it to the method: symplectic \
             after a symplectic step, not after another.",
         argument: "A spring stepped by explicit Euler, semi-implicit Euler, the midpoint rule and implicit Euler, h ω = 1/4, then \
-            projected: det D = 0 for all four. Mirrored: 17/16, 1, 1 and 16/17.",
+            projected: det D = 0 for all four. Mirrored: det D = 1 after semi-implicit Euler and the midpoint rule, not after the other \
+            two.",
         control: "A correction that puts the state on the wall and sends it back, in place of the mirror image.",
         sources: &["chapter §11, pitfalls"],
         check: either,
