@@ -25,7 +25,7 @@ pub const CLAIMS: &[Claim] = &[
             proportional to Δ, where a rigid body loses all; its force is off by 0.88 of the true impulse at every N. \
             Average acceleration multiplies the energy by 4 and more. With the end's mass redistributed the force converges and the energy \
             stays within 3·10⁻⁴.",
-        control: "What a rigid body with e = 0 does: it loses all its energy.",
+        control: "A bar of two elements, which is nearly a rigid body.",
         sources: &[
             "chapter §11, infinite-dimensional extension and pitfalls",
             "Khenous, Laborde and Renard, Mass redistribution method (2008)",
@@ -38,7 +38,7 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Laursen and Chawla (1997) and Laursen and Love (2002) construct energy–momentum conserving finite-element integrators \
             for impact; Hauret and Le Tallec (2006) estimate the dissipation; Hesch and Betsch treat contact in the same spirit.",
         verdict: ClaimVerdict::Ambiguous,
-        kind: Kind::Assertion,
+        kind: Kind::Citation,
         severity: None,
         evidence: Evidence::Cited,
         correct_statement: "Citations without a statement to decide; the papers were not read. What the first two names stand for is \
@@ -93,8 +93,9 @@ fn order(value: impl Fn(usize) -> Result<f64>) -> Result<f64> {
 
 fn bar(reading: Reading) -> Result<Vec<Finding>> {
     let lost = |elements: usize| Ok(1.0 - run(elements, Method::Midpoint, false)?.energies[1]);
+    let fine = reading.pick(80, 2);
     let mut findings = vec![
-        Finding::equal("energy lost by the elastic bar, N = 80, share", lost(80)?, reading.pick(0.0, 1.0), CONVERGING, "1"),
+        Finding::equal(format!("energy lost by the elastic bar, N = {fine}, share"), lost(fine)?, 0.0, CONVERGING, "1"),
         Finding::equal("order in Δ of that loss", order(lost)?, 1.0, ORDER_GAP, "1"),
     ];
     for elements in MESHES {

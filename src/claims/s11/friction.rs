@@ -35,7 +35,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Painlevé's paradox needs friction, μ > μ_P > 0, and so does the Stewart–Trinkle scheme whose limit the proof \
             takes. A proof that resolves it is one with friction.",
         argument: "The rod at b = −1: with μ = 0, 1 and 13/9 − 1/100 there is one sliding force, with 13/9 + 1/100 and 2 there is none.",
-        control: "A paradox at μ = 0.",
+        control: "A by-product at μ = 1/10, where there is no paradox to resolve.",
         sources: &["chapter §11, four steps; Painlevé as a by-product; convergence with friction"],
         check: needs_friction,
     },
@@ -44,15 +44,15 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Dzonou and Monteiro Marques (Nonlinear Anal. TMA 2007) give the first rigorous result with friction, by de Saxcé's \
             bipotential, for small μ and Lipschitz M.",
         verdict: ClaimVerdict::False,
-        kind: Kind::Assertion,
+        kind: Kind::Citation,
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Cited,
         correct_statement: "Not the first: by the chapter's own account Stewart's proof of 1998 has friction, enough of it for Painlevé, \
             and Monteiro Marques's book of 1993 has “Shocks and Dry Friction” in its title. No such paper of 2007 was found; what was \
             found of these authors (2007, 2009) is about one constraint without friction, in its abstract.",
-        argument: "The rod is without a sliding force only above μ_P = 13/9, exactly, which the earlier proof covers and a result for \
-            small μ does not. The years: 1993 and 1998, before 2007.",
-        control: "Painlevé's rod at μ = 1/10.",
+        argument: "The rod is without a sliding force only above μ_P = 13/9, exactly. There the first proof is the one that resolves the \
+            paradox, 1998, nine years before the year claimed; a result for small μ does not reach so far.",
+        control: "Painlevé's rod at μ = 1/10, which has no paradox for the proof of 1998 to resolve.",
         sources: &[
             "chapter §11, convergence with friction",
             "Monteiro Marques, Differential Inclusions in Nonsmooth Mechanical Problems: Shocks and Dry Friction (1993), for title and \
@@ -67,7 +67,7 @@ pub const CLAIMS: &[Claim] = &[
             and sticking, so that the closed graph is lost.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
-        severity: Some(Severity::WrongStatement),
+        severity: Some(Severity::WrongReason),
         evidence: Evidence::Exact,
         correct_statement: "As a set-valued law Coulomb's has a closed graph, which is what step 4 uses; only the single-valued sign jumps \
             (and the set is not lower semicontinuous). What friction takes away is monotonicity: the law is not the normal-cone relation \
@@ -83,14 +83,14 @@ pub const CLAIMS: &[Claim] = &[
         id: "S11.ten-years",
         statement: "With friction, which is not semicontinuous, the proof took ten years.",
         verdict: ClaimVerdict::Ambiguous,
-        kind: Kind::Assertion,
+        kind: Kind::Citation,
         severity: None,
         evidence: Evidence::NotDecidable,
-        correct_statement: "History, told from two dates the chapter gives, 1998 and 2007. Counted from the scheme to the proof that \
-            covers Painlevé's configurations, and so friction, it took two.",
-        argument: "The scheme: 1996, from the SICI of its paper. The proof that resolves the paradox, which exists above μ_P = 13/9 only: \
-            1998.",
-        control: "Ten years from the scheme to the proof.",
+        correct_statement: "Ten years, if counted from the proof of 1998, taken to be without friction, to 2007. Counted from the scheme \
+            to the proof that covers Painlevé's configurations, and so friction, it took two.",
+        argument: "The scheme: 1996, from the SICI of its paper. The proof that resolves the paradox, which exists above μ_P = 13/9 \
+            only: 1998, two years later. From there to 2007: nine, ten to the nearest ten.",
+        control: "A rod at μ = 1/10, which the proof of 1998 need not cover: from the scheme to 2007.",
         sources: &["chapter §11, pitfalls", "S11.friction-split", "S4.cites"],
         check: years,
     },
@@ -106,7 +106,11 @@ fn painleve(reading: Reading) -> Result<Vec<Finding>> {
         let expected = ratio(9, 25) + ratio(73, 20) * &h;
         findings.push(Finding::exact(format!("P_n, h = 1e-{exponent} s"), &falling[0], &expected, "N·s"));
         let rising = answers(&friction, &(ratio(5, 1) * &h))?;
-        findings.push(Finding::count(format!("answers for b > 0, h = 1e-{exponent} s"), rising.len(), 3));
+        findings.push(
+            Finding::count(format!("answers for b > 0, h = 1e-{exponent} s"), rising.len(), 3)
+                .says(1)
+                .violating("b < 0, where no sliding force exists"),
+        );
     }
     Ok(findings)
 }
@@ -117,28 +121,41 @@ fn painleve_friction() -> Rational {
 }
 
 fn needs_friction(reading: Reading) -> Result<Vec<Finding>> {
-    let without = reading.pick(1, 0);
-    let close = ratio(1, 100);
-    let cases =
-        [(ratio(0, 1), without), (ratio(1, 1), 1), (painleve_friction() - &close, 1), (painleve_friction() + &close, 0), (ratio(2, 1), 0)];
+    let (zero, close) = (ratio(0, 1), ratio(1, 100));
+    let resolved = reading.pick(ratio(2, 1), ratio(1, 10));
+    let covered = Finding::count("sliding forces of a rod that the proof covers, b = −1", sliding_forces(&resolved, -1)?, 0);
+    let mut findings = vec![
+        covered.clone().says(sliding_forces(&resolved, -1)?).passage("Painlevé as a by-product"),
+        covered.says(sliding_forces(&zero, -1)?).passage("convergence with friction: the proof above is without"),
+    ];
+    let cases = [(zero, 1), (ratio(1, 1), 1), (painleve_friction() - &close, 1), (painleve_friction() + &close, 0), (ratio(2, 1), 0)];
     let finding = |(friction, expected): (Rational, usize)| -> Result<Finding> {
         Ok(Finding::count(format!("sliding forces for b = −1, μ = {friction}"), sliding_forces(&friction, -1)?, expected))
     };
-    cases.into_iter().map(finding).collect()
+    for case in cases {
+        findings.push(finding(case)?);
+    }
+    Ok(findings)
 }
 
-/// The years the chapter and a book's title page give for a proof with friction.
-const EARLIER: [usize; 2] = [1993, 1998];
+/// The year that the chapter gives for the proof that resolves Painlevé's paradox.
+const RESOLVED: usize = 1998;
+
+/// The year that it gives for the first proof with friction.
 const CLAIMED: usize = 2007;
+
+/// The year of the first proof that covers the rod with this friction: the one that resolves the paradox, if there is one.
+fn first_proof(friction: &Rational) -> Result<usize> {
+    let paradox = sliding_forces(friction, -1)? == 0;
+    Ok(if paradox { RESOLVED } else { CLAIMED })
+}
 
 fn first(reading: Reading) -> Result<Vec<Finding>> {
     let friction = reading.pick(ratio(2, 1), ratio(1, 10));
-    let mut findings = vec![
-        Finding::count("sliding forces of Painlevé's rod for b = −1", sliding_forces(&friction, -1)?, 0),
-        Finding::count("the same at small friction, μ = 1/10", sliding_forces(&ratio(1, 10), -1)?, 1),
-    ];
-    findings.extend(EARLIER.map(|year| Finding::decision(format!("{year} is before the year claimed"), year < CLAIMED, true)));
-    Ok(findings)
+    Ok(vec![
+        Finding::count("year of the first proof that covers the rod with friction", first_proof(&friction)?, RESOLVED).says(CLAIMED),
+        Finding::count("sliding forces at small friction, μ = 1/10, b = −1", sliding_forces(&ratio(1, 10), -1)?, 1).context(),
+    ])
 }
 
 /// Whether (u_t, r) is in Coulomb's law of a closed contact, exactly: ‖r_t‖ ≤ μ r_n, and r_t = −μ r_n u_t/‖u_t‖ where the body slides.
@@ -155,33 +172,45 @@ fn in_coulombs_law(friction: &Rational, slip: [&Rational; 2], impulse: [&Rationa
     *normal >= zero && opposite && within == &limit * &limit
 }
 
+/// The same with r_t = 0 where the body does not slide.
+fn in_the_single_valued_law(friction: &Rational, slip: [&Rational; 2], impulse: [&Rational; 3]) -> bool {
+    let zero = ratio(0, 1);
+    let sticks = slip.iter().all(|part| **part == zero);
+    in_coulombs_law(friction, slip, impulse) && (!sticks || impulse[1..].iter().all(|part| **part == zero))
+}
+
 fn closed_graph(reading: Reading) -> Result<Vec<Finding>> {
+    let law = reading.pick(in_coulombs_law as fn(&Rational, [&Rational; 2], [&Rational; 3]) -> bool, in_the_single_valued_law);
     let (friction, zero, one) = (ratio(1, 2), ratio(0, 1), ratio(1, 1));
     let force = [ratio(-3, 5) * &friction, ratio(-4, 5) * &friction];
     let mut findings = Vec::new();
     for k in [0, 3, 6, 9] {
         let small = ratio(1, 10i64.pow(k));
         let slip = [ratio(3, 5) * &small, ratio(4, 5) * &small];
-        let member = in_coulombs_law(&friction, [&slip[0], &slip[1]], [&one, &force[0], &force[1]]);
+        let member = law(&friction, [&slip[0], &slip[1]], [&one, &force[0], &force[1]]);
         findings.push(Finding::decision(format!("slip 1e-{k} m/s with this impulse is in the law"), member, true));
     }
-    let single_valued = force.iter().all(|part| *part == zero);
-    let member = in_coulombs_law(&friction, [&zero, &zero], [&one, &force[0], &force[1]]);
-    findings.push(Finding::decision("and so is the limit, slip 0", reading.pick(member, single_valued), true));
-    findings.push(Finding::decision("not beyond the cone", in_coulombs_law(&friction, [&zero, &zero], [&one, &friction, &one]), false));
+    let member = law(&friction, [&zero, &zero], [&one, &force[0], &force[1]]);
+    findings.push(Finding::decision("and so is the limit, slip 0", member, true).says(false));
+    findings.push(Finding::decision("not beyond the cone", law(&friction, [&zero, &zero], [&one, &friction, &one]), false));
     // ⟨Δu, Δr⟩ of (slip 2, r = (1, −μ)) and (slip 1, r = (10, −10μ)), the normal velocities 0 or μ times the slip
     let [normal, along] = [ratio(1 - 10, 1), (ratio(10, 1) - &one) * &friction];
     let lifted = &friction * ratio(2 - 1, 1);
-    findings.push(Finding::exact("⟨Δu, Δr⟩ of Coulomb's law", &along, &ratio(9, 2), "J"));
-    findings.push(Finding::exact("⟨Δu, Δr⟩ with the associated law's lift", &(lifted * normal + &along), &zero, "J"));
+    findings.push(Finding::exact("⟨Δu, Δr⟩ of Coulomb's law", &along, &ratio(9, 2), "J").context());
+    findings.push(Finding::exact("⟨Δu, Δr⟩ with the associated law's lift", &(lifted * normal + &along), &zero, "J").context());
     Ok(findings)
 }
 
 fn years(reading: Reading) -> Result<Vec<Finding>> {
-    let scheme = scheme_year().unwrap_or_default();
+    let friction = reading.pick(ratio(2, 1), ratio(1, 10));
+    let covered = first_proof(&friction)? - scheme_year().unwrap_or_default();
+    let nearest_ten = |years: usize| (years + 5) / 10 * 10;
     Ok(vec![
-        Finding::count("years from the scheme to the proof that resolves the paradox", EARLIER[1] - scheme, reading.pick(2, 10)),
-        Finding::count("sliding forces at μ = 2, b = −1", sliding_forces(&ratio(2, 1), -1)?, 0),
-        Finding::count("sliding forces at μ = 0, b = −1", sliding_forces(&ratio(0, 1), -1)?, 1),
+        Finding::count("years from the proof without friction, to the nearest ten", nearest_ten(CLAIMED - RESOLVED), 10)
+            .reading("from the proof of 1998 to that of 2007"),
+        Finding::count("years from the scheme, to the nearest ten", nearest_ten(covered), 0)
+            .says(10)
+            .reading("from the scheme to the first proof that covers the rod"),
+        Finding::count("years from the scheme to the first proof that covers the rod", covered, 2).context(),
     ])
 }

@@ -9,7 +9,7 @@ use crate::claims::s8::systems::{Coupled, Floor, across, entries, identity, mirr
 use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::integrators::impact_flow::{ImpactFlow, Tangent};
 use crate::integrators::jacobian::jacobian;
-use crate::integrators::symplectic::{defect, form, volume};
+use crate::integrators::symplectic::{defect, volume};
 use crate::integrators::{ExplicitEuler, Method, Phase, SpringDamper};
 use crate::scalar::{Dual, Rational, Scalar, ratio};
 use nalgebra::{DMatrix, DVector};
@@ -57,7 +57,7 @@ pub const CLAIMS: &[Claim] = &[
             difference.",
         argument: "Ball on a floor, e = 1, in rationals: the flow from before to after the impact has det D = 1 and DᵀJD = J; the \
             reflection det D = −1 and DᵀJD = −J.",
-        control: "The reflection in place of the flow.",
+        control: "The flow in the place of the reflection.",
         sources: &["chapter §11, symplectic incompatibility; exercise 3(d)"],
         check: reflection,
     },
@@ -73,7 +73,7 @@ pub const CLAIMS: &[Claim] = &[
             integrators exist: variational ones, and those whose correction is a mirror image.",
         argument: "The exact flow across an impact with e = 4/5 has det D = 16/25. For e = 1 a variational step with an impact in it, two \
             coordinates, cubic potential, curved wall: DᵀJD − J = 0 in rationals; a mirrored step the same.",
-        control: "The variational step with its velocity cut to 4/5.",
+        control: "A step put back on the wall in place of the mirrored one.",
         sources: &["chapter §11, essential insight on symplecticity", "S8.kmow", "S8.cirak-west"],
         check: exceptions,
     },
@@ -87,8 +87,9 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Of a projection that is so, whatever method made the step. A mirror image leaves it to the method: symplectic \
             after a symplectic step, not after another.",
         argument: "A spring stepped by explicit Euler, semi-implicit Euler, the midpoint rule and implicit Euler, h ω = 1/4, then \
-            projected: det D = 0 for all four. Mirrored: 17/16, 1, 1 and 16/17.",
-        control: "Determinant 0 for the mirrored steps too.",
+            projected: det D = 0 for all four. Mirrored: det D = 1 after semi-implicit Euler and the midpoint rule, not after the other \
+            two.",
+        control: "A correction that puts the state on the wall and sends it back, in place of the mirror image.",
         sources: &["chapter §11, pitfalls"],
         check: either,
     },
@@ -97,13 +98,13 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Exercise: the Jacobian of the projection v < 0 ↦ 0 is singular, so it cannot be symplectic; and the elastic reflection \
             is an exception – what is its Jacobian?",
         verdict: ClaimVerdict::Conditional,
-        kind: Kind::Assertion,
+        kind: Kind::Exercise,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The projection: diag(1, 0). The reflection: diag(1, −1), determinant −1, which is not symplectic. The \
             exception is the flow across the impact: over a time T without forces −(1, T; 0, 1), determinant 1.",
         argument: "One dimension, in rationals with dual numbers: determinants 0, −1 and 1.",
-        control: "Determinant 1 for the reflection.",
+        control: "The flow in the place of the reflection.",
         sources: &["chapter §11, exercise 3"],
         check: exercise,
     },
@@ -150,24 +151,30 @@ fn in_one_dimension(factor: i64) -> DMatrix<Rational> {
 
 fn reflection(reading: Reading) -> Result<Vec<Finding>> {
     let (flow, reflected) = (ball_flow(&ratio(1, 1), &ratio(1, 10)), in_one_dimension(-1));
-    let subject = reading.pick(&flow, &reflected);
-    let reversed = defect(&reflected, &identity(1)) + form(&identity(1)) * ratio(2, 1);
+    let alone = reading.pick(&reflected, &flow);
+    let at_fixed_place = "the flow across the impact, of which the reflection is a part";
+    // in one dimension DᵀJD = (det D) J
     Ok(vec![
-        Finding::exact("det D across the impact", &volume(subject), &ratio(1, 1), "1"),
-        vanishes("DᵀJD − J across the impact", &defect(subject, &identity(1))),
-        Finding::exact("det D of the reflection", &volume(&reflected), &ratio(-1, 1), "1"),
-        vanishes("DᵀJD + J of the reflection", &reversed),
+        Finding::exact("det D across the impact", &volume(&flow), &ratio(1, 1), "1"),
+        vanishes("DᵀJD − J across the impact", &defect(&flow, &identity(1))),
+        Finding::exact("det D of the reflection", &volume(alone), &ratio(-1, 1), "1").says(ratio(1, 1)).violating(at_fixed_place),
+        Finding::decision("the reflection is symplectic", is_symplectic(alone, &identity(1)), false).says(true).violating(at_fixed_place),
     ])
 }
 
 fn exceptions(reading: Reading) -> Result<Vec<Finding>> {
     let h = Dual::constant(ratio(1, 20));
     let now = entries(&[(1, 2), (1, 100), (2, 1), (-3, 1)]);
-    let mirrored = jacobian(&now, |x| mirror_step(&Phase::from_stacked(x), &h).stacked());
+    let corrected = jacobian(&now, |x| {
+        let before = Phase::from_stacked(x);
+        reading.pick(mirror_step(&before, &h), projected_step(&before, &h)).stacked()
+    });
     Ok(vec![
         Finding::exact("det D of the flow, e = 4/5", &volume(&loaded(ratio(4, 5))), &ratio(16, 25), "1"),
-        vanishes("DᵀJD − J of the variational step", &defect(&kept_step(&reading.pick(ratio(1, 1), ratio(4, 5))), &identity(2))),
-        vanishes("DᵀJD − J of the mirrored step", &defect(&mirrored, &Coupled::mass())),
+        vanishes("DᵀJD − J of the variational step, e = 1", &defect(&kept_step(&ratio(1, 1)), &identity(2))),
+        Finding::decision("the mirrored step, e = 1, is symplectic", is_symplectic(&corrected, &Coupled::mass()), true)
+            .says(false)
+            .violating("a correction that projects"),
     ])
 }
 
@@ -182,18 +189,23 @@ fn corrected(method: &impl Method, [depth, speed]: [i64; 2]) -> Rational {
 fn either(reading: Reading) -> Result<Vec<Finding>> {
     let all = |correction| {
         [
-            ("explicit Euler", corrected(&ExplicitEuler, correction), ratio(17, 16)),
-            ("semi-implicit Euler", corrected(&SEMI_IMPLICIT, correction), ratio(1, 1)),
-            ("midpoint rule", corrected(&theta(1, 2), correction), ratio(1, 1)),
-            ("implicit Euler", corrected(&theta(1, 1), correction), ratio(16, 17)),
+            ("explicit Euler", corrected(&ExplicitEuler, correction), false),
+            ("semi-implicit Euler", corrected(&SEMI_IMPLICIT, correction), true),
+            ("midpoint rule", corrected(&theta(1, 2), correction), true),
+            ("implicit Euler", corrected(&theta(1, 1), correction), false),
         ]
     };
     let mut findings = Vec::new();
     for (name, found, _) in all([0, 1]) {
         findings.push(Finding::exact(format!("det D of {name}, projected"), &found, &ratio(0, 1), "1"));
     }
-    for (name, found, expected) in all([-1, -1]) {
-        findings.push(Finding::exact(format!("det D of {name}, mirrored"), &found, &reading.pick(expected, ratio(0, 1)), "1"));
+    // in one dimension a map is symplectic if and only if its determinant is 1
+    for (name, found, kept) in all(reading.pick([-1, -1], [0, -1])) {
+        findings.push(
+            Finding::decision(format!("{name}, mirrored, is symplectic"), found == ratio(1, 1), kept)
+                .says(false)
+                .violating("a correction that projects"),
+        );
     }
     Ok(findings)
 }
@@ -208,9 +220,12 @@ fn exercise(reading: Reading) -> Result<Vec<Finding>> {
     };
     let flow = across(&free, &entries(&[(0, 1)]), &entries(&[(-2, 1)]), &ratio(1, 3), &ratio(1, 2));
     let expected = DMatrix::from_row_slice(2, 2, &[ratio(-1, 1), ratio(-1, 2), ratio(0, 1), ratio(-1, 1)]);
+    let alone = reading.pick(in_one_dimension(-1), flow.clone());
     Ok(vec![
         Finding::exact("det D of the projection", &volume(&in_one_dimension(0)), &ratio(0, 1), "1"),
-        Finding::exact("det D of the reflection", &volume(&in_one_dimension(-1)), &reading.pick(ratio(-1, 1), ratio(1, 1)), "1"),
+        Finding::exact("det D of the reflection", &volume(&alone), &ratio(-1, 1), "1")
+            .says(ratio(1, 1))
+            .violating("the flow across the impact, of which the reflection is a part"),
         Finding::exact("det D of the flow across the impact", &volume(&flow), &ratio(1, 1), "1"),
         vanishes("D + (1, T; 0, 1) of the flow, T = 1/2 s", &(flow - expected)),
     ])

@@ -1,12 +1,12 @@
 //! Newton's law: what it keeps, what it takes.
 
-use super::impacts::{cradle, frictionless_grid, impact, rod, rod_path};
+use super::impacts::{cradle, frictionless_grid, gain, impact, middle, rod, rod_path};
 use crate::Result;
 use crate::checks::Finding;
 use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::impact_laws::energy_projection::energy;
 use crate::impact_laws::{moreau, newton, poisson, stronge};
-use crate::problem::PlanarProblem;
+use crate::problem::{PlanarProblem, Response};
 use crate::scalar::{Rational, ratio};
 
 pub const CLAIMS: &[Claim] = &[
@@ -14,13 +14,15 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.newton-single",
         statement: "The naive law v_n⁺ = −e v_n⁻ is fine for one contact point; it goes wrong when several points collide at once or when \
             there is friction.",
-        verdict: ClaimVerdict::Conditional,
+        verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
-        severity: Some(Severity::MissingHypothesis),
+        severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "Fine for one contact without friction: ΔT = −½(1 − e²)(U⁻)²/W. With friction one contact is enough to gain \
-            energy.",
-        argument: "W = 2, U⁻ = −1: ΔT = 0 at e = 1 and −3/16 at e = 1/2. One contact of a rod, μ = 1, e = 1: ΔT = +9/80.",
+        correct_statement: "As stated. For one contact without friction ΔT = −½(1 − e²)(U⁻)²/W. With friction one contact is \
+            enough to gain energy; with several, one law for all of them may need an impulse that pulls, and unequal coefficients \
+            may gain.",
+        argument: "W = 2, U⁻ = −1: ΔT = 0 at e = 1 and −3/16 at e = 1/2. One contact of a rod, μ = 1, e = 1: ΔT = +9/80. W = (2, \
+            1; 1, 2), U⁻ = (−1, −1/2), e = (1, 0): P₂ = −1/3 and ΔT = +1/12.",
         control: "The rod with friction as the one contact.",
         sources: &["chapter §7, the energy trap of Newton's law"],
         check: one_contact,
@@ -29,14 +31,17 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.four-generations",
         statement: "Four generations, Newton (17th century), Poisson (19th), Stronge (1990s, mending Kane's counterexample), Moreau \
             (1980s), are not replacements of one another but corrections of different defects.",
-        verdict: ClaimVerdict::Conditional,
+        verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
-        severity: Some(Severity::MissingHypothesis),
+        severity: None,
         evidence: Evidence::Cited,
-        correct_statement: "The four laws are different laws. As a chronology Moreau stands before Stronge, and energetic restitution was \
-            published in 1990 for friction that turns round or stops.",
-        argument: "The rod with μ = 1 and e = 1 has four different outcomes: P_n = 41/40 (Newton), 4/5 with P_t = 6/25 (Poisson), 4/5 with \
-            P_t = 0 (Moreau, full vector), and U_n⁺² = 62/125 (Stronge). Dates as cited, not checked.",
+        correct_statement: "As stated: each mends what another leaves. Newton's law gains energy with friction, Poisson's does \
+            not; Poisson's e = 1 still loses normal work, Stronge's does not; Newton's law for all contacts may pull, Moreau's \
+            never does. As a chronology Moreau stands before Stronge, whose energetic restitution was published in 1990.",
+        argument: "The rod with μ = 1 and e = 1: ΔT = 9/80 under Newton, −9/125 under Poisson; the normal impulse takes 27/1000 J \
+            under Poisson, 0 under Stronge. Four outcomes: P_n = 41/40 (Newton), 4/5 with P_t = 6/25 (Poisson), 4/5 with P_t = 0 \
+            (Moreau, full vector), and U_n⁺² = 62/125 (Stronge). W = (2, 1; 1, 2), U⁻ = (−1, −1/4), e = 1/2: P₂ = −1/4 under \
+            Newton, 0 under Moreau. Dates as cited, not checked.",
         control: "The rod without friction, where the four agree.",
         sources: &["chapter §7, history", "Stronge, Proc. R. Soc. A 431 (1990), and J. Appl. Mech. 58 (1991) 1049 (titles and dates only)"],
         check: four_laws,
@@ -50,9 +55,9 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "Without friction and with one e for all contacts, solved together: ΔT = −½(1 − e²)U⁻ᵀW⁻¹U⁻, for any number of \
             bodies. A gain needs friction, unequal coefficients, or impulses computed contact by contact.",
-        argument: "The identity holds exactly for 35 impacts of two coupled contacts and e = 0, 1/2, 1. One contact with friction gains \
-            +17/320 at e = 9/10.",
-        control: "The identity expected of the rod with friction.",
+        argument: "The identity holds exactly for 35 impacts of two coupled contacts and e = 0, 1/2, 1. One contact with friction \
+            gains +17/320 at e = 9/10. W = (2, 1; 1, 2), U⁻ = (−1, −1/2), e = (1, 0) gains 1/12.",
+        control: "The rod without friction.",
         sources: &["chapter §7, table of impact laws"],
         check: table,
     },
@@ -66,7 +71,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Without friction. With friction a rebound lengthens the rubbing, and e = 1 may take most.",
         argument: "Without friction ΔT ∝ −(1 − e²). A particle of 1 kg with U⁻ = (−1, 10), μ = 1/2: ΔT = −43/8, −243/32, −19/2 for e = 0, \
             1/2, 1.",
-        control: "The particle with friction.",
+        control: "The particle without friction.",
         sources: &["chapter §7, Newton's law"],
         check: most_dissipative,
     },
@@ -74,7 +79,7 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.newton-pointwise-best",
         statement: "Newton's law is the most intuitive, and the most accurate for single points.",
         verdict: ClaimVerdict::Ambiguous,
-        kind: Kind::Assertion,
+        kind: Kind::Opinion,
         severity: None,
         evidence: Evidence::NotDecidable,
         correct_statement: "Intuition cannot be checked, and accuracy would be a matter of measured collisions. What can be decided: for \
@@ -95,8 +100,8 @@ fn single() -> PlanarProblem<Rational> {
     impact(&[2], [ratio(-1, 1)])
 }
 
-fn rod_gain(restitution: &Rational) -> Result<Rational> {
-    let path = rod_path(&ratio(1, 1))?;
+fn rod_gain(friction: &Rational, restitution: &Rational) -> Result<Rational> {
+    let path = rod_path(friction)?;
     Ok(path.impact().energy_change(&newton::along(&path, restitution)?))
 }
 
@@ -109,13 +114,23 @@ fn one_contact(reading: Reading) -> Result<Vec<Finding>> {
     let elastic = ratio(1, 1);
     let subject = match reading {
         Reading::Recorded => single_gain(elastic.clone())?,
-        Reading::Control => rod_gain(&elastic)?,
+        Reading::Control => rod_gain(&elastic, &elastic)?,
     };
+    let (pulling, reversed) = unequal()?;
     Ok(vec![
         Finding::exact("energy gained by one contact, e = 1", &subject, &ratio(0, 1), "J"),
         Finding::exact("the same, e = 1/2", &single_gain(half())?, &ratio(-3, 16), "J"),
-        Finding::exact("one contact of a rod, μ = 1, e = 1", &rod_gain(&elastic)?, &ratio(9, 80), "J"),
+        Finding::exact("one contact of a rod, μ = 1, e = 1", &rod_gain(&elastic, &elastic)?, &ratio(9, 80), "J"),
+        Finding::exact("two contacts, e = (1, 0): P₂", &reversed.impulse[1], &ratio(-1, 3), "N·s"),
+        Finding::exact("energy gained by them", &pulling.energy_change(&reversed), &ratio(1, 12), "J"),
     ])
+}
+
+/// Two contacts that lift each other, with e = (1, 0), all reversed.
+fn unequal() -> Result<(PlanarProblem<Rational>, Response<Rational>)> {
+    let pulling = middle([ratio(-1, 1), ratio(-1, 2)]);
+    let end = newton::together(&pulling, &[ratio(1, 1), ratio(0, 1)])?;
+    Ok((pulling, end))
 }
 
 /// P of Newton, Poisson and Moreau (full vector), and U_n⁺² of Stronge, on the rod with e = 1.
@@ -127,14 +142,24 @@ fn laws_on_the_rod(friction: &Rational) -> Result<([Vec<Rational>; 3], Rational)
 }
 
 fn four_laws(reading: Reading) -> Result<Vec<Finding>> {
-    let ([newton, poisson, moreau], stronge) = laws_on_the_rod(&reading.pick(ratio(1, 1), ratio(0, 1)))?;
+    let (friction, e) = (reading.pick(ratio(1, 1), ratio(0, 1)), ratio(1, 1));
+    let ([newton, poisson, moreau], stronge) = laws_on_the_rod(&friction)?;
     let different = newton != poisson && newton != moreau && poisson != moreau;
+    let path = rod_path(&friction)?;
+    let normal_work = path.normal_work(&ratio(0, 1), &(ratio(2, 1) * path.compression_end()));
+    let lifted = middle([ratio(-1, 1), ratio(-1, 4)]);
+    let [pulling, pushing] = [newton::together(&lifted, &[half(), half()])?, moreau::frictionless(&lifted, &[half(), half()])?];
     Ok(vec![
         Finding::decision("Newton, Poisson and Moreau differ on the rod", different, true),
         Finding::exact("P_n under Newton", &newton[0], &ratio(41, 40), "N·s"),
         Finding::exact("P_t under Poisson", &poisson[1], &ratio(6, 25), "N·s"),
         Finding::exact("P_t under Moreau, full vector", &moreau[1], &ratio(0, 1), "N·s"),
         Finding::exact("U_n⁺² under Stronge, 1 under Newton", &stronge, &ratio(62, 125), "m²/s²"),
+        Finding::exact("ΔT under Newton", &gain(&path, newton::along(&path, &e))?, &ratio(9, 80), "J"),
+        Finding::exact("ΔT under Poisson", &gain(&path, poisson::along(&path, &e))?, &ratio(-9, 125), "J"),
+        Finding::exact("work of the normal impulse under Poisson, 0 under Stronge", &normal_work, &ratio(-27, 1000), "J"),
+        Finding::exact("P₂ of two contacts under Newton", &pulling.impulse[1], &ratio(-1, 4), "N·s"),
+        Finding::exact("P₂ of two contacts under Moreau", &pushing.impulse[1], &ratio(0, 1), "N·s"),
     ])
 }
 
@@ -155,15 +180,16 @@ fn broken_identities() -> Result<usize> {
 fn table(reading: Reading) -> Result<Vec<Finding>> {
     let (e, cradle) = (ratio(9, 10), cradle());
     let together = newton::together(&cradle, &[e.clone(), e.clone()])?;
-    let subject = match reading {
-        Reading::Recorded => cradle.energy_change(&together),
-        Reading::Control => rod_gain(&e)?,
-    };
+    let friction = reading.pick(ratio(1, 1), ratio(0, 1));
+    let (pulling, reversed) = unequal()?;
     // U⁻ᵀW⁻¹U⁻ = 2/3
     Ok(vec![
-        Finding::exact("energy gained with e = 9/10, three balls", &subject, &ratio(-19, 300), "J"),
+        Finding::exact("energy gained with e = 9/10, three balls", &cradle.energy_change(&together), &ratio(-19, 300), "J"),
         Finding::count("frictionless impacts that break ΔT = −½(1 − e²)U⁻ᵀW⁻¹U⁻", broken_identities()?, 0),
-        Finding::exact("energy gained by the rod with friction, e = 9/10", &rod_gain(&e)?, &ratio(17, 320), "J"),
+        Finding::exact("energy gained by two contacts, e = (1, 0)", &pulling.energy_change(&reversed), &ratio(1, 12), "J"),
+        Finding::exact("energy gained by the rod with friction, e = 9/10", &rod_gain(&friction, &e)?, &ratio(17, 320), "J")
+            .says_at_most(ratio(0, 1))
+            .violating("no friction"),
     ])
 }
 
@@ -175,13 +201,14 @@ fn particle(friction: &Rational) -> Result<[Rational; 3]> {
 }
 
 fn most_dissipative(reading: Reading) -> Result<Vec<Finding>> {
-    let rough = particle(&half())?;
-    let subject = particle(&reading.pick(ratio(0, 1), half()))?;
+    let smooth = particle(&ratio(0, 1))?;
+    let rough = particle(&reading.pick(half(), ratio(0, 1)))?;
+    let least = |change: Finding| change.says_at_least(&rough[0]).violating("no friction");
     Ok(vec![
-        Finding::decision("e = 0 takes more energy than e = 1/2 and e = 1", subject[0] < subject[1] && subject[0] < subject[2], true),
-        Finding::exact("ΔT with friction, e = 0", &rough[0], &ratio(-43, 8), "J"),
-        Finding::exact("ΔT with friction, e = 1/2", &rough[1], &ratio(-243, 32), "J"),
-        Finding::exact("ΔT with friction, e = 1", &rough[2], &ratio(-19, 2), "J"),
+        Finding::decision("e = 0 takes more energy than e = 1/2 and e = 1", smooth[0] < smooth[1] && smooth[0] < smooth[2], true),
+        Finding::exact("ΔT with friction, e = 0", &rough[0], &ratio(-43, 8), "J").context(),
+        least(Finding::exact("ΔT with friction, e = 1/2", &rough[1], &ratio(-243, 32), "J")),
+        least(Finding::exact("ΔT with friction, e = 1", &rough[2], &ratio(-19, 2), "J")),
     ])
 }
 
@@ -195,7 +222,8 @@ fn same_law(reading: Reading) -> Result<Vec<Finding>> {
             "the laws agree on a frictionless rod",
             smooth.0.iter().all(|law| *law == smooth.0[0]) && smooth.1 == squared,
             true,
-        ),
+        )
+        .opinion("which law is the most intuitive, and the most accurate for single points"),
         Finding::exact("P under Newton", &laws[0].impulse[0], &ratio(3, 4), "N·s"),
         Finding::exact("P under Poisson", &laws[1].impulse[0], &ratio(3, 4), "N·s"),
         Finding::exact("P under Moreau", &laws[2].impulse[0], &ratio(3, 4), "N·s"),
