@@ -5,15 +5,5 @@
 
 /// Their ids.
 pub const UNDERIVED: &[&str] = &[
-    // s2
-    // s3
-    // s4
-    // s5
-    // s6
-    // s7
-    // s10
-    // s11
     "S11.fem-refs",
-    // s12
-    // v
 ];
