@@ -1,6 +1,6 @@
 //! How hard the evidence is, in numbers: verdicts that follow from their findings, findings that decide, findings that a control moves.
 
-use super::{Evidence, JudgedClaim, Kind, is_derived};
+use super::{Evidence, JudgedClaim, Kind, is_derived, original};
 use crate::checks::Finding;
 use serde::Serialize;
 
@@ -11,6 +11,8 @@ pub struct Figures {
     pub claims: usize,
     /// Claims that assert something; the others ask, define, cite, name a path, advise or value.
     pub assertions: usize,
+    /// Claims that repeat another one, whose mistake is charged there.
+    pub repeats: usize,
     /// Claims whose verdict follows from their findings.
     pub derived: usize,
     /// Findings that decide.
@@ -31,9 +33,10 @@ impl Figures {
         Figures {
             claims: 1,
             assertions: usize::from(outcome.claim.kind == Kind::Assertion),
+            repeats: usize::from(original(outcome.claim.id).is_some()),
             derived: usize::from(is_derived(outcome.claim)),
             deciding: deciding.len(),
-            moved: deciding.iter().filter(|finding| is_moved(finding, &outcome.findings, &outcome.control)).count(),
+            moved: deciding.iter().filter(|finding| Figures::is_moved(finding, &outcome.findings, &outcome.control)).count(),
             context: outcome.findings.len() - deciding.len(),
             exact_in_floating_point: usize::from(rounded),
         }
@@ -44,6 +47,7 @@ impl Figures {
         outcomes.iter().map(Figures::of).fold(Figures::default(), |sum, one| Figures {
             claims: sum.claims + one.claims,
             assertions: sum.assertions + one.assertions,
+            repeats: sum.repeats + one.repeats,
             derived: sum.derived + one.derived,
             deciding: sum.deciding + one.deciding,
             moved: sum.moved + one.moved,
@@ -51,14 +55,14 @@ impl Figures {
             exact_in_floating_point: sum.exact_in_floating_point + one.exact_in_floating_point,
         })
     }
-}
 
-/// Whether the control has another finding in the place of this one: the one of its name, and of its turn among those of that name.
-fn is_moved(finding: &Finding, findings: &[Finding], control: &[Finding]) -> bool {
-    let namesakes = |all: &[Finding]| all.iter().filter(|other| other.name == finding.name).cloned().collect::<Vec<_>>();
-    let turn = findings.iter().filter(|other| other.name == finding.name).position(|other| std::ptr::eq(other, finding));
-    let counterpart = turn.and_then(|turn| namesakes(control).into_iter().nth(turn));
-    counterpart.is_none_or(|other| other.supports() != finding.supports() || !other.holds())
+    /// Whether the other list has another finding in the place of this one: the one of its name, and of its turn among those of that name.
+    pub fn is_moved(finding: &Finding, findings: &[Finding], others: &[Finding]) -> bool {
+        let namesakes = |all: &[Finding]| all.iter().filter(|other| other.name == finding.name).cloned().collect::<Vec<_>>();
+        let turn = findings.iter().filter(|other| other.name == finding.name).position(|other| std::ptr::eq(other, finding));
+        let counterpart = turn.and_then(|turn| namesakes(others).into_iter().nth(turn));
+        counterpart.is_none_or(|other| other.supports() != finding.supports() || other.holds() != finding.holds())
+    }
 }
 
 #[cfg(test)]

@@ -30,7 +30,7 @@ mod verdict;
 pub use claim::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity, group_of};
 pub use figures::Figures;
 pub use registry::{JudgedClaim, Status, all, conclude, find, is_derived, judge, matches_group, witnesses};
-pub use repeats::REPEATS;
+pub use repeats::{REPEATS, original};
 pub use section::{SECTIONS, Section, place};
 pub use underived::UNDERIVED;
 pub use verdict::derive;

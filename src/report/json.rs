@@ -3,7 +3,7 @@
 //! Numbers that are not finite become `null`, never `NaN`.
 
 use crate::checks::{Finding, Voice};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Figures, JudgedClaim, Kind, Severity, Status, is_derived};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Figures, JudgedClaim, Kind, Severity, Status, is_derived, original};
 use crate::{Error, Result};
 use serde::Serialize;
 
@@ -17,6 +17,8 @@ pub struct ClaimEntry {
     kind: Kind,
     #[serde(skip_serializing_if = "Option::is_none")]
     severity: Option<Severity>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    repeats: Option<&'static str>,
     /// Whether the findings carry the verdict.
     derived: bool,
     evidence: Evidence,
@@ -32,6 +34,7 @@ impl From<&Claim> for ClaimEntry {
             verdict: claim.verdict,
             kind: claim.kind,
             severity: claim.severity,
+            repeats: original(claim.id),
             derived: is_derived(claim),
             evidence: claim.evidence,
             correct_statement: claim.correct_statement,

@@ -2,7 +2,7 @@
 
 pub use crate::checks::text::Style;
 use crate::checks::{Finding, Voice};
-use crate::claims::{Claim, ClaimVerdict, Figures, JudgedClaim, SECTIONS, Section, Status, is_derived, place};
+use crate::claims::{Claim, ClaimVerdict, Figures, JudgedClaim, Kind, SECTIONS, Section, Status, derive, is_derived, original, place};
 use crate::number::{significant, with_unit};
 use std::fmt::Write;
 
@@ -48,7 +48,11 @@ pub fn explanation(outcome: &JudgedClaim, style: Style) -> String {
     let mut text = String::new();
     line(&mut text, &style.heading(&format!("{} – {title}", claim.id)));
     let severity = claim.severity.map(|severity| format!(", {}", severity.words())).unwrap_or_default();
-    line(&mut text, &format!("verdict: {}{severity} (evidence: {}; {})", claim.verdict.words(), claim.evidence.word(), claim.kind.words()));
+    let repeated = original(claim.id).map(|original| format!("; repeats {original}")).unwrap_or_default();
+    line(
+        &mut text,
+        &format!("verdict: {}{severity} (evidence: {}; {}{repeated})", claim.verdict.words(), claim.evidence.word(), claim.kind.words()),
+    );
     let mut part = |name: &str, body: &[String]| {
         line(&mut text, &format!("\n{}", style.heading(name)));
         body.iter().for_each(|paragraph| line(&mut text, paragraph));
@@ -58,14 +62,7 @@ pub fn explanation(outcome: &JudgedClaim, style: Style) -> String {
     let shown = if is_derived(claim) { told } else { judged };
     part("What this run found", &outcome.findings.iter().map(shown).collect::<Vec<_>>());
     part("Correct statement", &[wrap(claim.correct_statement)]);
-    let mut control = vec![wrap(claim.control)];
-    control.extend(outcome.control.iter().map(judged));
-    control.push(if outcome.control.iter().all(Finding::holds) {
-        format!("  {}", style.alarm("the control was NOT contradicted"))
-    } else {
-        "  the control was contradicted, as it must be".into()
-    });
-    part("Control", &control);
+    part("Control", &control(outcome, style));
     part("Sources", &claim.sources.iter().map(|source| wrap(source)).collect::<Vec<_>>());
     line(&mut text, "");
     complain(&mut text, outcome, style);
@@ -75,28 +72,34 @@ pub fn explanation(outcome: &JudgedClaim, style: Style) -> String {
     text
 }
 
-/// The line before the last one of `verify`.
+/// The lines before the last one of `verify`.
 fn hardness(outcomes: &[JudgedClaim]) -> String {
     let figures = Figures::sum(outcomes);
     format!(
-        "{} of {} verdicts follow from their findings ({} claims are assertions); of {} deciding findings the controls move {}; {} are context",
-        figures.derived, figures.claims, figures.assertions, figures.deciding, figures.moved, figures.context
+        "{} of {} verdicts follow from their findings; {} claims repeat another one; of {} deciding findings the controls move {}; \
+         {} findings are context\n{} are assertions: {}",
+        figures.derived,
+        figures.claims,
+        figures.repeats,
+        figures.deciding,
+        figures.moved,
+        figures.context,
+        figures.assertions,
+        verdicts(outcomes.iter().filter(|outcome| outcome.claim.kind == Kind::Assertion))
     )
 }
 
 /// The last line of `verify`.
 fn count(outcomes: &[JudgedClaim]) -> String {
-    let with = |verdict| outcomes.iter().filter(|outcome| outcome.claim.verdict == verdict).count();
     let contradicted = outcomes.iter().filter(|outcome| outcome.status != Status::Supported).count();
-    format!(
-        "{} claims: {} true, {} conditional, {} false as stated, {} inconsistent, {} ambiguous; {contradicted} contradicted",
-        outcomes.len(),
-        with(ClaimVerdict::True),
-        with(ClaimVerdict::Conditional),
-        with(ClaimVerdict::False),
-        with(ClaimVerdict::Inconsistent),
-        with(ClaimVerdict::Ambiguous),
-    )
+    format!("{} claims: {}; {contradicted} contradicted", outcomes.len(), verdicts(outcomes.iter()))
+}
+
+/// How many claims have which verdict.
+fn verdicts<'a>(outcomes: impl Iterator<Item = &'a JudgedClaim> + Clone) -> String {
+    let all = [ClaimVerdict::True, ClaimVerdict::Conditional, ClaimVerdict::False, ClaimVerdict::Inconsistent, ClaimVerdict::Ambiguous];
+    let count = |verdict| outcomes.clone().filter(|outcome| outcome.claim.verdict == verdict).count();
+    all.map(|verdict| format!("{} {}", count(verdict), verdict.words())).join(", ")
 }
 
 fn open_section(text: &mut String, group: &mut &'static str, claim: &'static Claim, style: Style) {
@@ -153,15 +156,32 @@ fn complain(text: &mut String, outcome: &JudgedClaim, style: Style) {
     outcome.findings.iter().filter(|finding| !finding.holds()).for_each(|finding| line(text, &judged(finding)));
 }
 
+/// The control: what it changes, the findings that come out otherwise, and what follows.
+fn control(outcome: &JudgedClaim, style: Style) -> Vec<String> {
+    let moved = |finding: &&Finding| Figures::is_moved(finding, &outcome.control, &outcome.findings);
+    let mut lines = vec![wrap(outcome.claim.control)];
+    lines.extend(outcome.control.iter().filter(moved).map(bearing));
+    lines.push(match (&outcome.status, derive(&outcome.control)) {
+        (Status::ControlPassed, _) => format!("  {}", style.alarm("the control was NOT contradicted")),
+        (_, Ok(verdict)) if verdict != outcome.claim.verdict => {
+            format!("  the control leads to another verdict, as it must: {}", verdict.words())
+        }
+        _ => "  the control was contradicted, as it must be".into(),
+    });
+    lines
+}
+
 fn judged(finding: &Finding) -> String {
     format!("  [{}] {finding}", if finding.holds() { "holds" } else { "FAILS" })
 }
 
 /// A finding with what it says about the sentence; as [`judged`], if it is not what was expected.
 fn told(finding: &Finding) -> String {
-    if !finding.holds() {
-        return judged(finding);
-    }
+    if finding.holds() { bearing(finding) } else { judged(finding) }
+}
+
+/// What a finding says about the sentence.
+fn bearing(finding: &Finding) -> String {
     let found = decisive_number(finding);
     if finding.bearing.context {
         return format!("  [beside]   {found}");
@@ -171,7 +191,7 @@ fn told(finding: &Finding) -> String {
     let said = match finding.bearing.voice {
         Voice::Sentence => format!("the sentence says {}", finding.stated()),
         Voice::Passage(passage) => format!("{passage} says {}", finding.stated()),
-        Voice::Reading(reading) => format!("read as {reading}: {}", finding.stated()),
+        Voice::Reading(reading) => format!("in the reading “{reading}”: {}", finding.stated()),
         Voice::Opinion(point) => format!("an opinion: {point}"),
     };
     format!("  [{direction}] {found} ({said}{where_violated})")
@@ -203,7 +223,7 @@ fn wrap(prose: &str) -> String {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::claims::{Evidence, Kind, Reading, Severity};
+    use crate::claims::{Evidence, Reading, Severity};
 
     pub(crate) const CLAIM: Claim = Claim {
         id: "S4.example",
@@ -216,7 +236,7 @@ pub(crate) mod tests {
         argument: "1 ≠ 2",
         control: "two is fed through",
         sources: &["chapter §4"],
-        check: |reading| Ok(vec![Finding::equal("length", reading.pick(1.0, 2.0), 1.0, 0.0, "m")]),
+        check: |reading| Ok(vec![Finding::equal("length", reading.pick(1.0, 2.0), 1.0, 0.0, "m").says(2.0)]),
     };
 
     pub(crate) fn outcome(status: Status) -> JudgedClaim {
@@ -260,10 +280,10 @@ pub(crate) mod tests {
             "false as stated",
             "one is two",
             "1 ≠ 2",
-            "[holds] length",
+            "[refutes ] length: 1 m (the sentence says 2)",
             "one is one",
-            "[FAILS] length",
-            "contradicted, as it must be",
+            "[supports] length: 2 m (the sentence says 2)",
+            "another verdict, as it must: true",
             "chapter §4",
         ] {
             assert!(text.contains(words), "{words:?} is missing in\n{text}");

@@ -4,7 +4,8 @@
 //! ```text
 //!     −M(q) dv + F(t, q, v) dt ∈ N_{T_C(q)}(v⁺) dμ ,
 //! ```
-//! and a scheme turns a step of it into a [`moreau_contact::ContactProblem`] and the answer into a state, if it passes the [waist](schemes::Waist):
+//! and a scheme that passes the [waist](schemes::Waist) turns a step of it into a [`moreau_contact::ContactProblem`] and the answer into a
+//! state:
 //! ```text
 //! Mechanism ──► Scheme ──► ContactProblem ──► Solver ──► Solution + Certificate ──► Recording
 //! ```
@@ -21,5 +22,3 @@ pub mod schemes;
 pub mod stabilisation;
 pub mod tolerance;
 pub mod trajectory;
-
-pub use moreau_exact::{Error, Result};

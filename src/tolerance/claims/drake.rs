@@ -17,8 +17,9 @@ pub fn rest(weight: f64) -> f64 {
     crate::tolerance::references::SAP_RELATIVE * weight / 1e5
 }
 
-/// r_n \[N·s\] of a step of SAP against its spring and damper: r follows from u by the law, and the u that is returned differs from that one
-/// by what Newton's method leaves, STOP of an impulse of at most 1 N·s; h k (h + τ) < 1 for the contact of `experiments::drake`.
+/// r_n \[N·s\] of a step of SAP against its spring and damper: r follows from u by the law, and the u that is returned differs from
+/// that one by what Newton's method leaves, STOP of an impulse of at most 1 N·s; h k (h + τ) < 1 for the contact of
+/// `experiments::drake`.
 pub fn spring_balance() -> f64 {
     STOP + rounding(64, 1.0)
 }

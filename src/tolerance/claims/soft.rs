@@ -46,9 +46,9 @@ pub const INDISTINGUISHABLE: f64 = 0.01;
 /// Gaps \[m\] at which a ball is just in touch, or just not.
 pub const TOUCH: [f64; 2] = [1e-12, 1e-15];
 
-/// Change of v⁺ \[m/s\] of a ball of 1 kg under MuJoCo's default contact over 2·10⁻¹² m of depth between 0 and 2 mm, |v| ≤ 1 m/s: v⁺ has the
-/// derivative h (d (k d δ)′ + d′ (k d δ + b|v| + g)) in δ, with d ≤ 1 and d′ ≤ 2 (d_w − d₀)/width = 100 m⁻¹, hence (k d δ)′ ≤ k (1 + 100 δ);
-/// and two velocities of size 1 m/s are rounded.
+/// Change of v⁺ \[m/s\] of a ball of 1 kg under MuJoCo's default contact over 2·10⁻¹² m of depth between 0 and 2 mm, |v| ≤ 1 m/s: v⁺
+/// has the derivative h (d (k d δ)′ + d′ (k d δ + b|v| + g)) in δ, with d ≤ 1 and d′ ≤ 2 (d_w − d₀)/width = 100 m⁻¹, hence (k d δ)′ ≤
+/// k (1 + 100 δ); and two velocities of size 1 m/s are rounded.
 pub fn inside_contact(h: f64, stiffness: f64, damping: f64) -> f64 {
     let (rate, deep) = (100.0, 0.002);
     let derivative = h * (stiffness * (1.0 + rate * deep) + rate * (stiffness * deep + damping + 10.0));
@@ -59,10 +59,10 @@ pub fn inside_contact(h: f64, stiffness: f64, damping: f64) -> f64 {
 /// below 3e-11, and the rounding of v⁺ is below 1e-14.
 pub const AT_TOUCH: f64 = 1e-8;
 
-/// Difference of W \[1/kg\] of a ball of 1 kg, r = 0.1 m, I = ⅖ r², that is [`TOUCH`] deep: a scheme takes H at a lever between r − δ and r,
-/// and r² − (r − δ)² over I is below 2rδ/I = 5δ/r; the rounding of 1 + r²/I = 3.5 by 16 operations is far below.
+/// Difference of W \[1/kg\] of a ball of 1 kg, r = 0.1 m, I = ⅖ r², that is [`TOUCH`] deep: a scheme takes H at a lever between r − δ
+/// and r, and r² − (r − δ)² over I is below 2rδ/I = 5δ/r; the rounding of 1 + r²/I = 3.5 by 16 operations is far below.
 pub const SAME_LEVER: f64 = 5.0 * 1e-12 / 0.1;
 
-/// Distance \[m\] from its start of a ball that fell freely from 2 m for 250 steps and back: 500 steps, each of which rounds a place below 2 m
-/// and a velocity below 5 m/s that acts for at most one second.
+/// Distance \[m\] from its start of a ball that fell freely from 2 m for 250 steps and back: 500 steps, each of which rounds a place
+/// below 2 m and a velocity below 5 m/s that acts for at most one second.
 pub const TURNED_ROUND: f64 = 2.0 * 500.0 * (2.0 + 5.0) * f64::EPSILON;

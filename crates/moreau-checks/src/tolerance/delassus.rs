@@ -11,8 +11,8 @@ pub fn gram_matrix(velocities: usize, trace: f64) -> f64 {
     rounding(velocities + 2, trace)
 }
 
-/// Steps per row after which an iteration for eigenvalues has not converged. Wilkinson's shift usually needs fewer than three; nothing but the
-/// time until another way is taken depends on the number.
+/// Steps per row after which an iteration for eigenvalues has not converged. Wilkinson's shift usually needs fewer than three;
+/// nothing but the time until another way is taken depends on the number.
 pub const EIGENVALUE_STEPS: usize = 100;
 
 /// How far H(M⁻¹Hᵀe_j) may be from W_ij for a *diagonal* M of n velocities, where `magnitude` is √(W_ii W_jj).

@@ -9,8 +9,9 @@ use nalgebra::DVector;
 /// P with 0 ≤ U⁺ + shift ⟂ P ≥ 0.
 ///
 /// # Errors
-/// [`Error::Solver`] if Lemke's method ends on a ray. Exact arithmetic excludes that for W = H M⁻¹Hᵀ if U⁻ + shift lies in the range of H, as
-/// with one coefficient for all contacts. Contacts that depend on each other and have different coefficients may have no solution.
+/// [`Error::Solver`] if Lemke's method ends on a ray. Exact arithmetic excludes that for W = H M⁻¹Hᵀ if U⁻ + shift lies in the range
+/// of H, as with one coefficient for all contacts. Contacts that depend on each other and have different coefficients may have no
+/// solution.
 pub(super) fn unilateral<T: Scalar>(impact: &PlanarProblem<T>, shift: &DVector<T>) -> Result<DVector<T>> {
     solution(&impact.shifted(shift).frictionless())
 }

@@ -15,8 +15,8 @@ use nalgebra::DVector;
 /// impulse and may still approach in the end.
 ///
 /// # Errors
-/// [`Error::Invalid`] for e outside \[0, 1\] or an order that names a contact that does not exist; [`Error::Solver`] if contacts still approach after
-/// [`SEQUENCE_LIMIT`] rounds: the sequence may be infinite.
+/// [`Error::Invalid`] for e outside \[0, 1\] or an order that names a contact that does not exist; [`Error::Solver`] if contacts
+/// still approach after [`SEQUENCE_LIMIT`] rounds: the sequence may be infinite.
 pub fn sequential<T: Scalar>(impact: &PlanarProblem<T>, restitution: &T, order: &[usize]) -> Result<Response<T>> {
     check_restitution(std::slice::from_ref(restitution), 1)?;
     let contacts = impact.velocity.len();

@@ -38,7 +38,7 @@ pub use moreau_jean_projection::MoreauJeanProjection;
 pub use position_based::{PositionBased, Softness};
 pub use runge_kutta_flip::RungeKuttaFlip;
 pub use schatzman_paoli::SchatzmanPaoli;
-pub use scheme::{OwnAnswer, Scheme, Start, Step, StepProblem, Waist};
+pub use scheme::{OwnAnswer, Scheme, Start, Step, StepProblem, StepResult, Waist};
 pub use stewart_trinkle::StewartTrinkle;
 pub use variational::Variational;
 pub use waist::{assembled, carry_over, passes_the_waist};

@@ -33,6 +33,9 @@ pub struct Start<'a> {
     pub previous: &'a [ContactImpulse],
 }
 
+/// What becomes of a step: the step, or why there is none.
+pub type StepResult = Result<Step>;
+
 /// One time-stepping scheme: one step of a state.
 pub trait Scheme: Send + Sync {
     /// The name used on the command line and in files.

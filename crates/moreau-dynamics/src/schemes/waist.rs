@@ -32,7 +32,7 @@ pub fn assembled(scheme: &dyn Waist, mechanism: &dyn Mechanism, state: &State, h
 #[macro_export]
 macro_rules! passes_the_waist {
     () => {
-        fn step(&self, solver: &$crate::schemes::Certified, start: &$crate::schemes::Start) -> $crate::Result<$crate::schemes::Step> {
+        fn step(&self, solver: &$crate::schemes::Certified, start: &$crate::schemes::Start) -> $crate::schemes::StepResult {
             $crate::schemes::waist::step(self, solver, start)
         }
 
