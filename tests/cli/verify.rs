@@ -125,7 +125,7 @@ fn an_explanation_holds_argument_findings_correction_control_and_sources() {
     for text in [claim.statement, claim.argument, claim.correct_statement, claim.control, claim.sources[0]] {
         assert!(squeezed.contains(&text.split_whitespace().collect::<Vec<_>>().join(" ")), "{text:?} is missing in {}", run.output);
     }
-    for words in ["[holds]", "[FAILS]", "the control was contradicted, as it must be"] {
+    for words in ["[supports]", "[refutes ]", "the control leads to another verdict, as it must: true"] {
         assert!(run.output.contains(words), "{words}");
     }
     let explanation = moreau(&["verify", "--explain", claim.id, "--format", "json"]).json();
