@@ -13,14 +13,26 @@ fn scenes() -> Vec<Staged> {
     bodies.chain(LINKAGES.iter().map(|linkage| linkage.staged().expect("built in"))).collect()
 }
 
+/// Who refuses which scenes, and the words that say why. Whatever else is refused is a failure, and so is what is refused no longer.
+const REFUSED: [(&str, &[&str], &str); 3] = [
+    ("variational", &["incline-stick", "incline-slide", "box-stack"], "one contact at a time"),
+    ("variational", &["rolling-disk", "rolling-sphere"], "e = 1 and no friction"),
+    ("variational", &["double-pendulum", "slider-crank", "five-link-chain"], "one mass matrix for all positions"),
+];
+
 #[test]
 fn every_scheme_runs_every_scene_or_says_why_not() {
     for scene in scenes() {
         for name in schemes::NAMES {
             let scheme = schemes::by_name(name, SchemeParameters::default()).expect("listed");
+            let reason = REFUSED.iter().find(|(who, scenes, _)| *who == name && scenes.contains(&scene.name.as_str())).map(|(.., why)| why);
             match simulate(scheme.as_ref(), &Auto, scene.mechanism.as_ref(), scene.start.clone(), TIME_STEP, STEPS) {
-                Err(reason) => assert!(reason.to_string().len() > 20, "{name} refuses {} without a reason: {reason}", scene.name),
+                Err(told) => {
+                    let expected = reason.is_some_and(|why| told.to_string().contains(why));
+                    assert!(expected, "{name} refuses {}: {told}", scene.name);
+                }
                 Ok(run) => {
+                    assert_eq!(reason, None, "{name} runs {}, which it is said to refuse", scene.name);
                     let numbers = run.samples.iter().flat_map(|state| state.position.iter().chain(&state.velocity));
                     assert!(numbers.into_iter().all(|x| x.is_finite()), "{name} loses {}", scene.name);
                     assert_eq!(run.samples.len(), STEPS + 1);
