@@ -1,6 +1,7 @@
 //! The invariants of the architecture, read off manifests and source: who may depend on whom, and where tolerances live.
 
 mod circles;
+mod controls;
 mod modules;
 mod second;
 mod source;
