@@ -5,7 +5,7 @@
 
 use libtest_mimic::{Arguments, Failed, Trial};
 use moreau::checks::{Finding, Voice};
-use moreau::claims::{self, ClaimVerdict, JudgedClaim, Status};
+use moreau::claims::{self, ClaimVerdict, Evidence, JudgedClaim, Status};
 
 const VERDICTS: [ClaimVerdict; 5] =
     [ClaimVerdict::True, ClaimVerdict::Conditional, ClaimVerdict::False, ClaimVerdict::Inconsistent, ClaimVerdict::Ambiguous];
@@ -40,11 +40,21 @@ fn as_stated(outcome: &JudgedClaim) -> Result<(), Failed> {
     }
 }
 
+/// A claim is graded exact only if every finding that decides it is.
+fn graded(outcome: &JudgedClaim) -> Result<(), Failed> {
+    let rounded = outcome.findings.iter().find(|finding| !finding.bearing.context && finding.exact.is_none());
+    match rounded {
+        Some(finding) if outcome.claim.evidence == Evidence::Exact => Err(format!("graded exact, but rounded: {finding}").into()),
+        _ => Ok(()),
+    }
+}
+
 fn main() {
     let trials = claims::all().map(|claim| {
         Trial::test(claim.id, move || {
             let outcome = claims::judge(claim);
             supported(&outcome)?;
+            graded(&outcome)?;
             if !claims::is_derived(claim) {
                 return match claims::derive(&outcome.findings) {
                     Ok(verdict) if verdict == claim.verdict => Err("the verdict follows: take the id out of UNDERIVED".into()),

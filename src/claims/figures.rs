@@ -1,6 +1,6 @@
 //! How hard the evidence is, in numbers: verdicts that follow from their findings, findings that decide, findings that a control moves.
 
-use super::{Evidence, JudgedClaim, Kind, is_derived, original};
+use super::{JudgedClaim, Kind, is_derived, original};
 use crate::checks::Finding;
 use serde::Serialize;
 
@@ -21,15 +21,12 @@ pub struct Figures {
     pub moved: usize,
     /// Findings told beside the sentence.
     pub context: usize,
-    /// Claims graded exact of which a deciding finding is not in rationals.
-    pub exact_in_floating_point: usize,
 }
 
 impl Figures {
     /// The figures of one judged claim.
     pub fn of(outcome: &JudgedClaim) -> Self {
         let deciding: Vec<_> = outcome.findings.iter().filter(|finding| !finding.bearing.context).collect();
-        let rounded = outcome.claim.evidence == Evidence::Exact && deciding.iter().any(|finding| finding.exact.is_none());
         Figures {
             claims: 1,
             assertions: usize::from(outcome.claim.kind == Kind::Assertion),
@@ -38,7 +35,6 @@ impl Figures {
             deciding: deciding.len(),
             moved: deciding.iter().filter(|finding| Figures::is_moved(finding, &outcome.findings, &outcome.control)).count(),
             context: outcome.findings.len() - deciding.len(),
-            exact_in_floating_point: usize::from(rounded),
         }
     }
 
@@ -52,7 +48,6 @@ impl Figures {
             deciding: sum.deciding + one.deciding,
             moved: sum.moved + one.moved,
             context: sum.context + one.context,
-            exact_in_floating_point: sum.exact_in_floating_point + one.exact_in_floating_point,
         })
     }
 
@@ -85,12 +80,8 @@ mod tests {
     }
 
     #[test]
-    fn an_exact_claim_with_a_rounded_number_is_counted() {
-        let mut judged = outcome(Status::Supported);
-        judged.findings = vec![found("a", 1)];
-        assert_eq!(Figures::of(&judged).exact_in_floating_point, 0);
-        judged.findings.push(Finding::equal("b", 1.0, 1.0, 0.0, "m"));
-        assert_eq!(Figures::of(&judged).exact_in_floating_point, 1);
-        assert_eq!(Figures::sum(&[outcome(Status::Supported), judged]).claims, 2);
+    fn figures_add_up() {
+        let sum = Figures::sum(&[outcome(Status::Supported), outcome(Status::Supported)]);
+        assert_eq!((sum.claims, sum.deciding), (2, 2 * Figures::of(&outcome(Status::Supported)).deciding));
     }
 }

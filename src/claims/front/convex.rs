@@ -40,7 +40,7 @@ pub(super) const PREFACE: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Exercise,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "(a) and (b) do what they are for. (c) shows the artefact of the hard relaxation only if the block slides, tan \
             α > μ; a block that sticks shows nothing.",
         argument: "(a) e = 1/2 from 1 m: past the accumulation time the Moreau–Jean ball moves at no more than g h. (b) three blocks of 1, \
@@ -61,7 +61,7 @@ pub(super) const MISCONCEPTIONS: &[Claim] = &[Claim {
     verdict: ClaimVerdict::Conditional,
     kind: Kind::Assertion,
     severity: Some(Severity::MissingHypothesis),
-    evidence: Evidence::Exact,
+    evidence: Evidence::Certified,
     correct_statement: "The error is O(h) for motions that meet the contact compatibly; a tangential shock in closed contact leaves an \
         O(1) hop (S5.Oh-vanish).",
     argument: "Slide from rest on the 3-4-5 slope, μ = 1/2, g = 10 m/s²: Coulomb accelerates by a = 2 m/s², the relaxed step number l \

@@ -19,7 +19,7 @@ pub const PREFACE: &[Claim] = &[Claim {
     verdict: ClaimVerdict::False,
     kind: Kind::Exercise,
     severity: Some(Severity::WrongStatement),
-    evidence: Evidence::Exact,
+    evidence: Evidence::Certified,
     correct_statement: "For elastic collisions under constant forces no θ drifts: without force the kinetic energy is constant, under \
         gravity E − (θ−½) m g h v is. θ = 1 dissipates when springs (or other position-dependent forces) act. The half about θ = 0.5 is \
         right; the other is the mistake of S3.energy-runs-down, counted there.",
@@ -53,7 +53,7 @@ pub const TABLES: &[Claim] = &[Claim {
     verdict: ClaimVerdict::Conditional,
     kind: Kind::Assertion,
     severity: Some(Severity::MissingHypothesis),
-    evidence: Evidence::Exact,
+    evidence: Evidence::Certified,
     correct_statement: "θ = 1/2 is neutral exactly for constant and linear forces, O(h³) per step otherwise. θ = 1 loses ½h²FᵀM⁻¹F per \
         step for a constant force – O(h²) per step, O(h) over a fixed time.",
     argument: "Gravity and springs, θ = 1/2: change 0 in rationals; pendulum from (1.3, 0.7), h = 0.1: 2.2e-5 J. Free fall, θ = 1: \

@@ -25,7 +25,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Advice,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "The listed causes are causes; missing are Newton's e with friction, the recommended projection itself, and a \
             contact too stiff for its step. An unconverged solver injects only from a warm start or through restitution: cold sweeps with \
             e = 0 descend on the kinetic energy.",

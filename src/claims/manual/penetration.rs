@@ -41,7 +41,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Advice,
         severity: None,
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "As stated, with an activation rule that absorbs (S0.zeno-absorb).",
         argument: "q₀ = 1/20 m, g = 10 m/s², e = 1/2: t₁ = 1/10 s, T∞ = 3/10 s. Event 200 still lies before T∞, in rationals; in double \
             precision the events stop advancing time after about 53. Moreau–Jean with h = 1/1000 s is at rest within the bound proved for \

@@ -22,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "As stated. Of the discretisations, Stewart–Trinkle imposes it on the linearised gap at the end of a step; \
             Moreau–Jean imposes a velocity-level law instead.",
         argument: "φλ = 0 with both factors ≥ 0 leaves only these cases. A ball stepped by Stewart–Trinkle in rationals from 12 states \

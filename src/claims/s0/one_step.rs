@@ -31,7 +31,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "For e < 1 every flip costs (1−e²) m g |q| of energy too much, which is O(h) and vanishes with the step; for \
                             e = 1 it costs nothing. The failure at the accumulation point is qualitative: the ball sinks through \
                             the floor at g h (1−e)/(2(1+e)), even if only approaching velocities are flipped.",

@@ -37,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "T∞ = t₁ + t₀/(1−e) with t₀ = 2e t₁, that is t₁(1+e)/(1−e); 4.063712768872 s for e = 0.8, q₀ = 1 m, g = 9.81.",
         argument: "t_k/t₁ = 1 + 2(e + … + e^{k−1}); the remainder T∞ − t_k = 2 t₁ e^k/(1−e) holds exactly for k = 1 … 60 and falls below \
                    every bound. For e = 4/5, T∞ = 9 t₁.",

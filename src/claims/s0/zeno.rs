@@ -19,7 +19,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "As stated, without a rule of continuation. In exact arithmetic every landing advances the clock and none \
             reaches T∞; in floating point the clock stands still, at T∞ to rounding, once a flight is shorter than half the spacing of \
             floats there. A minimum interval ends the loop after ⌈ln(δ/2t₁)/ln e⌉ landings, and the infinitely many bounces can also be \

@@ -61,7 +61,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "For subsequences, where the limit is a solution (S1.stewart98). Weakly* is said of the impulses; velocities \
             converge in the mean and, away from the impacts, pointwise. Neither converges in a stronger sense: not the mass of the \
             difference, not the largest error of v.",

@@ -22,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "Before an accumulation of impacts every time is reached after finitely many events; beyond it the method is \
             defined by a continuation rule, or not at all. \
             At Painlevé's paradox the contact forces between events do not exist or are not unique, for μ > μ_P only, and there the method \

@@ -28,7 +28,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "As stated where contacts slip faster than the stiction tolerance v_s. Below it friction is regularised: it lies \
             inside the cone although the contact slips, which no complementarity allows. The step is a nonlinear equation that no function \
             has as its gradient. Drake 1.51.1 has TAMSI, and announces its removal from 2026-09-01 on.",

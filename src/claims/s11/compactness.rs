@@ -81,7 +81,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "As stated; C([0, T]) is separable. Weakly*, and in no stronger sense: not in mass.",
         argument: "The same wall: P_h has mass 1 in two steps next to ⅓ s, ∫g dP_h → g(⅓) for g = t, t², |t − ⅓| with errors of at most 2h \
             times the slope; the mass of P_h − δ_⅓ is 2 at every h.",

@@ -25,7 +25,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "As stated.",
         argument: "v_free = −99/100 − 1/10 = −109/100; forecast 1/200 − 109/10000 = −59/10000; U = v_free + P + ½v = \
                    P − 317/200; P = 317/200, v⁺ = 99/200. The f64 scheme with its solver gives the same within its rounding.",

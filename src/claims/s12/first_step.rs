@@ -21,7 +21,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "As stated; W has the unit 1/kg.",
         argument: "H is the derivative of q by q, 1, and W = 1 · (1/1 kg) · 1 = 1/kg: once in rationals, once as the \
                    problem that the scheme assembles.",
@@ -51,7 +51,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "The cause is the forecast φ + h v_free of the activation rule, not the velocity level: under \
                             φ + ½ h v ≤ 0 the same velocity-level step does not activate. A smaller h does not remove \
                             the effect but scales it: with the forecast by v_free the ball comes to rest within g h² of \

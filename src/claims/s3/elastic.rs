@@ -20,7 +20,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
     verdict: ClaimVerdict::False,
     kind: Kind::Assertion,
     severity: Some(Severity::WrongStatement),
-    evidence: Evidence::Exact,
+    evidence: Evidence::Certified,
     correct_statement: "True for the pendulum and other oscillators. Elastic collisions do not run down: without forces θ has no effect on \
         the energy, and under gravity E − (θ−½) m g h v is conserved exactly across flights and impacts, so E only oscillates by O(h). A \
         satellite loses energy, but by falling to a lower and faster orbit.",

@@ -36,7 +36,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "Kinetic plus potential energy is conserved exactly for constant and linear forces. For a nonlinear force the \
             error per step is O(h³), of either sign.",
         argument: "Gravity and springs: change exactly 0 over 100 steps in rationals. For the pendulum the trapezoidal rule changes E by \

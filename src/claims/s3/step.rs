@@ -52,7 +52,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "U_n⁺ = −e U_n holds exactly at contacts with P > 0, and U_n is the velocity at the start of the step, which \
             differs from the velocity at the impact by at most g h in free fall. At a contact with P = 0 the law is the inequality U_n⁺ ≥ −e U_n.",
         argument: "e = 1/2, h = 1/100 s, q = 1/200 m, v = −1 m/s: v⁺ = 1/2 exactly, while the ball reaches the floor with 1.048 m/s, so \
@@ -70,7 +70,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "Exact for an explicit force. For a linearised implicit force −Kq − Cv, M is replaced by M̂ = M + hθC + h²θ²K, \
             in W and in v_free alike.",
         argument: "m = 1 kg, k = 100 N/m, h = 1/10 s, θ = 1/2: a unit impulse changes v⁺ of the implicit step by 1/(1 + h²θ²k) = 4/5 m/s, \

@@ -42,7 +42,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "Where no sliding force exists the step has one solution, whose impulse does not vanish with h: P_n = \
             |W_nt||v_t|/det W, P_t = W_nn|v_t|/det W, and the end sticks. Where two forces exist the step has three solutions, and the \
             solver's pivoting rule decides whether there is an atom.",

@@ -41,7 +41,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Assertion,
         severity: None,
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "Zero iff z is in the polar cone, μ‖z_t‖ ≤ −z_n; on the surface r_n = (z_n + μ‖z_t‖)/(1 + μ²), r_t = μ r_n \
             z_t/‖z_t‖.",
         argument: "Taken as the rule \"z_n < 0 gives 0\" the words are wrong: for μ = 1 and z = (−1/10, 1) the nearest point is (9/20, \
@@ -74,7 +74,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "Of APGD, yes. SAP projects in the norm of the regularisation R, with μ̂ = μ R_t/R_n in the case conditions, \
             inside a Newton method on velocities; the two projections agree for R_t = R_n only.",
         argument: "argmin over K of ½(γ − y)ᵀR(γ − y), R = diag(R_n, R_t), is characterised by γ ∈ K, R(y − γ) ∈ K°, γ·R(y − γ) = 0; in \

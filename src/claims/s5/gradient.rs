@@ -54,7 +54,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "One product and one projection per iteration suffice, with the fixed step that the chapter takes. The cost is \
             linear in the contacts if N is applied as Dᵀ(M⁻¹(Dγ)): assembled, N has k² blocks for k contacts on one body.",
         argument: "A fixed-step implementation that counts its products uses 50 in 50 iterations and reproduces the iterates of the \

@@ -16,7 +16,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "For motions that meet the contact compatibly (free landing, sliding that grows from stick, a slide started at \
             φ = μh|v_t|) the error is O(h). A tangential velocity imposed in closed contact (φ = 0, v_t = V: a shock, a moving belt) makes \
             the body hop by \

@@ -53,7 +53,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "As stated; the minima of the primal and the dual problem add up to zero.",
         argument: "The same problem: P(x) + D(f) = 0 exactly at the enumerated optimum, and positive at every other of 81 admissible \
             forces tried. Its two contacts alone, solved by Clarabel, have the impulses that enumeration finds.",

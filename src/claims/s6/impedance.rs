@@ -157,7 +157,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "As stated: ∂a/∂τ = (1−d)/m > 0 for a single contact whose Â is exact; 1/10 of the free value at d = 0.9.",
         argument: "a = d a_ref + (1−d) a_u by dual numbers: ∂τ/∂a = 10, 100, 1000, 10000 kg at m = 1 kg and d = 0.9, 0.99, 0.999, 0.9999.",
         control: "The hard row, R = 0.",

@@ -21,7 +21,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Definition,
         severity: None,
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "As stated: a_ref = −b φ̇ − k d φ. The stiffness k d depends on the depth through the impedance d, so that the \
             spring is linear only where d is constant.",
         argument: "Default parameters, φ = −1 mm, φ̇ = −3/10 m/s: b = 2000/19 1/s, k d = 50000/19 1/s², a_ref = 650/19 = 34.2105 m/s². In \

@@ -38,7 +38,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::BrokenTheorem),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "The force jumps at touch, for there is no row above the surface and d₀ > 0 below it: by d₀ m (b|v| + g) at \
             approach speed |v|. As a function of the control it is Lipschitz, with kinks where a contact begins to press and where it \
             begins to slip.",

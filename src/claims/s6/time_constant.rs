@@ -42,7 +42,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "At the default ζ = 1 it is stable for timeconst > (1+√2)h/2 = 1.2071 h. Below 2h one eigenvalue is negative: a \
             component that changes its sign every step and decays. Between 1.25h and 1.5h a contact, which cannot pull, starts to chatter.",
         argument: "w = h/timeconst: z² − (2 − 2w − w²)z + (1 − 2w) = 0. The determinant is 0 at 2h and negative below; decided in \
@@ -72,7 +72,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "The undamped period 2π/ω₀ has 2π ζ timeconst/h ≥ 4πζ steps: 12.6 at ζ = 1, 1.26 at ζ = 1/10, where the rule \
             does not prevent divergence (S6.timeconst-2h-doc).",
         argument: "h ω₀ = 1/(2ζ) at timeconst = 2h, in rationals from the coefficients: 1/2 at ζ = 1, 5 at ζ = 1/10; three steps per \
@@ -117,7 +117,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Exercise,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "By default nothing, for it counts as 4 ms. Without refsafe a two-sided row oscillates with alternating sign \
             and grows by the golden ratio, 1.618, every step; a contact is thrown up.",
         argument: "w = 1, ζ = 1: trace −1, determinant −1, z² + z − 1 = 0, z = −(1+√5)/2.",

@@ -95,7 +95,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Citation,
         severity: None,
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "Such a projection exists and is explicit: on the cone U ≥ 0, then scaled, in the metric W⁻¹, which keeps \
             momentum. But it may leave an impulse that pulls. Under this name no source was found; Pfeiffer and Glocker's two \
             complementarity problems gain no energy by themselves.",

@@ -37,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "h ≤ 2/ω₀ is derived, rightly, without damping, and does not carry over to the damped contact: with damping at \
             the old velocity the bound is s = hω₀ < 2(√(1+ζ²) − ζ), 0.828 at MuJoCo's default ζ = 1. With damping at the new velocity it \
             is 2(√(1+ζ²) + ζ), above 2.",
@@ -71,7 +71,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongReason),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "The default contact is critically damped, so its limit is t_c > (1 + √2)h/2 = 1.2071 h, not h/2. t_c ≥ 2h does \
             leave a margin to that, of 1.66; what it marks is h·2/t_c = 1, the largest step whose matrix has no negative eigenvalue.",
         argument: "ζ = 1, s = h/t_c. At t_c = h/2 (s = 2): z² + 6z − 3 = 0, spectral radius 3 + 2√3 = 6.46. At t_c = 2h (s = 1/2): \

@@ -46,7 +46,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::Misprint),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "h < 2/ω₀, strictly: at s = 2 the step is −(I + N) with N² = 0, and the motion grows by the same amount every \
             step. Below, the amplitude is at most q₀/√(1 − s²/4) from rest.",
         argument: "From q₀ at rest with s = 2: q_n = (−1)ⁿ (1 + 2n) q₀ exactly, 1 mm becomes 4.001 m after 2000 steps. With s = 199/100 \
@@ -106,7 +106,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "On the undamped oscillator, for hω < 2. Bounded is not conserved: the largest over the smallest energy is up \
             to (1 + s/2)/(1 − s/2), that is 21/19 at s = 1/10, 7 at 3/2 and 399 at 199/100; from s = 2 on both orders grow. With strong \
             damping explicit Euler bears the larger step (S8.semi-much-better).",

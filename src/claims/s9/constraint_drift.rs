@@ -23,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "As stated of the equation with damping and a restoring term, α > 0 and β > 0; it swings if α < β, and \
             exercise 2 \
             tells the overdamped case apart. The semi-implicit step of it decays if and only if, besides, 4αh + β²h² < 4: above that the \
@@ -42,7 +42,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Exercise,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "Both numbers are chosen, and φ obeys the equation whatever the masses are, so α = β can be hit exactly. But it \
             is not critical for the step: α = β(1 − βh/2) is, and 2αh = βh = 1 ends any violation in two steps. Near α = β the rate is \
             sensitive on one side only: overdamping by 5 % costs 27 % of it, underdamping by 5 % costs 5 %.",

@@ -19,7 +19,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "Moreau–Jean constrains v⁺ + e v, so its new velocity is admissible, ∇φᵀv⁺ ≥ 0, if e = 0; with e > 0 a body \
             that is moving away may \
                             leave the step with an approach velocity down to −e∇φᵀv.",

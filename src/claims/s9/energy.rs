@@ -20,7 +20,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Advice,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "The two causes inject, and a semi-implicit scheme cures the first. Projection cures the second on a joint and \
             without load; a contact under load it lifts, m g δ (S9.projection-energy). Besides these usual causes: Newton's e on the \
             normal \

@@ -54,7 +54,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "On a joint, from which it takes energy, and on a contact without load. On a contact under load projection \
             leaves \
             the kinetic energy alone but lifts the body, ΔE = m g δ. How often depends on the activation rule (with the forecast φ + h \
