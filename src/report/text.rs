@@ -9,6 +9,9 @@ use std::fmt::Write;
 /// Columns of wrapped prose.
 const WIDTH: usize = 100;
 
+/// Characters of a number above which it is rounded for reading; JSON has all of it.
+const LONG: usize = 24;
+
 /// The report of a run: claims by section, what is wrong, and the count as the last line.
 pub fn outcomes(outcomes: &[JudgedClaim], style: Style) -> String {
     let width = id_width(outcomes.iter().map(|outcome| outcome.claim));
@@ -124,9 +127,22 @@ fn id_width<'a>(claims: impl Iterator<Item = &'a Claim>) -> usize {
     claims.map(|claim| claim.id.chars().count()).max().unwrap_or(0)
 }
 
+/// What the sentence says, rounded for reading.
+fn said(finding: &Finding) -> String {
+    let stated = finding.stated();
+    let number = stated.trim_start_matches(['≤', '≥', '=', ' ']);
+    let sign = &stated[..stated.len() - number.len()];
+    match number.parse::<f64>() {
+        _ if number.chars().count() <= LONG => stated.clone(),
+        Ok(rounded) => format!("{sign}{}", significant(rounded)),
+        Err(_) => format!("{sign}{}…", number.chars().take(LONG).collect::<String>()),
+    }
+}
+
 /// The first finding in short: its name and the measured value.
 fn decisive_number(finding: &Finding) -> String {
     let number = match &finding.exact {
+        Some([measured, _]) if measured.chars().count() > LONG => format!("≈ {}", significant(finding.measured)),
         Some([measured, _]) => measured.clone(),
         None => significant(finding.measured),
     };
@@ -189,9 +205,9 @@ fn bearing(finding: &Finding) -> String {
     let direction = if finding.supports() { "supports" } else { "refutes " };
     let where_violated = finding.bearing.violated.map(|condition| format!("; violated here: {condition}")).unwrap_or_default();
     let said = match finding.bearing.voice {
-        Voice::Sentence => format!("the sentence says {}", finding.stated()),
-        Voice::Passage(passage) => format!("{passage} says {}", finding.stated()),
-        Voice::Reading(reading) => format!("in the reading “{reading}”: {}", finding.stated()),
+        Voice::Sentence => format!("the sentence says {}", said(finding)),
+        Voice::Passage(passage) => format!("{passage} says {}", said(finding)),
+        Voice::Reading(reading) => format!("in the reading “{reading}”: {}", said(finding)),
         Voice::Opinion(point) => format!("an opinion: {point}"),
     };
     format!("  [{direction}] {found} ({said}{where_violated})")

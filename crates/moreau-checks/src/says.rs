@@ -73,6 +73,7 @@ impl Finding {
         let Some(Stated { relation, value }) = &self.bearing.stated else {
             return match &self.exact {
                 Some([_, expected]) => expected.clone(),
+                None if self.relation == Relation::Equal => self.expected.to_string(),
                 None => format!("{} {}", self.relation.sign(), self.expected),
             };
         };
