@@ -55,9 +55,11 @@ def verdict(findings: list) -> str:
             readings[voice["reading"]] = readings.get(voice["reading"], True) and supports(one)
     if any(len(different) > 1 for different in passages.values()):
         return "INTERNALLY INCONSISTENT"
-    if len(set(readings.values())) > 1 or any("opinion" in (one["voice"] or {}) for one in deciding):
-        return "AMBIGUOUS"
+    opinions = [one for one in deciding if "opinion" in (one["voice"] or {})]
+    deciding = [one for one in deciding if "opinion" not in (one["voice"] or {})]
     refuted = {bool(one["violated"]) for one in deciding if not supports(one)}
+    if len(set(readings.values())) > 1 or (opinions and False not in refuted):
+        return "AMBIGUOUS"
     if False in refuted:
         return "FALSE AS STATED"
     if True in refuted:

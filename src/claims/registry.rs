@@ -122,7 +122,7 @@ pub fn conclude(verdict: ClaimVerdict, derived: bool, findings: &[Finding], cont
         Err(problem) if derived => return Status::OtherVerdict(problem.into()),
         _ => {}
     }
-    let opinion = findings.iter().any(|finding| matches!(finding.bearing.voice, Voice::Opinion(_)));
+    let opinion = verdict == ClaimVerdict::Ambiguous && findings.iter().any(|finding| matches!(finding.bearing.voice, Voice::Opinion(_)));
     let same = derived && !opinion && derive(control) == Ok(verdict);
     if same || control.iter().all(Finding::holds) { Status::ControlPassed } else { Status::Supported }
 }

@@ -9,6 +9,8 @@ pub const REPEATS: &[(&str, &str)] = &[
     ("M.cone-error", "S4.poly-order"),
     ("P.modA", "S3.energy-runs-down"),
     ("P.modB", "S5.gliding-creep"),
+    ("S5.glide-h-not-mu", "S5.gliding-creep"),
+    ("T.delassus-psd", "S3.normal-solvable"),
     ("S4.ex-quadratic", "S4.quadratic-general"),
     ("S5.gliding-normal", "S5.gliding-creep"),
     ("S5.gliding-mechanism", "S5.gliding-creep"),

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!     inconsistent    two passages state different things of one instance
-//!     ambiguous       two readings have different outcomes, or the claim is an opinion on a named point
+//!     ambiguous       two readings have different outcomes, or the claim is an opinion on a named point and nothing else is refuted
 //!     false           a finding refutes the sentence where every printed condition is met
 //!     conditional     findings support it where the omitted condition is met, and one refutes it where it is violated
 //!     true            all findings support it
@@ -25,10 +25,14 @@ pub fn derive(findings: &[Finding]) -> Result<ClaimVerdict, &'static str> {
     if passages_differ(&deciding) {
         return Ok(ClaimVerdict::Inconsistent);
     }
-    if readings_differ(&deciding) || deciding.iter().any(|finding| matches!(finding.bearing.voice, Voice::Opinion(_))) {
+    if readings_differ(&deciding) {
         return Ok(ClaimVerdict::Ambiguous);
     }
+    let (opinions, deciding): (Vec<_>, Vec<_>) = deciding.into_iter().partition(|one| matches!(one.bearing.voice, Voice::Opinion(_)));
     let refutes = |violated: bool| deciding.iter().any(|finding| !finding.supports() && finding.bearing.violated.is_some() == violated);
+    if !opinions.is_empty() && !refutes(false) {
+        return Ok(ClaimVerdict::Ambiguous);
+    }
     let supported = deciding.iter().any(|finding| finding.supports() && finding.bearing.violated.is_none());
     match (refutes(false), refutes(true)) {
         (true, _) => Ok(ClaimVerdict::False),
@@ -99,6 +103,7 @@ mod tests {
         assert_eq!(derive(&readings(1, 1)), Ok(ClaimVerdict::True));
         assert_eq!(derive(&readings(2, 2)), Ok(ClaimVerdict::False));
         assert_eq!(derive(&[found("a", 1).opinion("what is elegant")]), Ok(ClaimVerdict::Ambiguous));
+        assert_eq!(derive(&[found("a", 1).opinion("what is elegant"), found("b", 1).says(2)]), Ok(ClaimVerdict::False));
     }
 
     #[test]

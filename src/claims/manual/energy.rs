@@ -86,18 +86,14 @@ fn growth(reading: Reading) -> Result<Vec<Finding>> {
     let (h, height) = (0.001, 0.001);
     let stiff = unlimited_contact(h, reading.pick(1.0, 1.5) * h);
     Ok(vec![
-        Finding::exact("energy of a rod after over before an impact with friction, e = 1", &rod, &ratio(25, 16), "1")
-            .says_at_most(&one)
-            .violating("no friction where e > 0"),
+        Finding::exact("energy of a rod after over before an impact with friction, e = 1", &rod, &ratio(25, 16), "1").context(),
         Finding::exact("E(20 s)/E(0) with projection", &projected.energy, &ratio(81, 80), "1")
             .says_at_most(&one)
             .violating("the projection lifts nothing"),
         Finding::exact("E⁺/E of explicit Euler on a spring", &energy_ratio(&ratio(0, 1), 1), &ratio(101, 100), "1"),
         Finding::exact("energy from Baumgarte, ERP = 1/5, 1 mm", &biased_gain(&ratio(1, 5), &ratio(0, 1))[0], &ratio(9, 125_000), "J"),
         Finding::exact("energy of an impact with e = 11/10, after over before", &superelastic(), &ratio(121, 100), "1"),
-        Finding::at_least("height reached after a drop from 1 mm, t_c = h", land(&stiff, height, 2000).height, height, "m")
-            .says_at_most(height)
-            .violating("the contact is not too stiff for its step"),
+        Finding::at_least("height reached after a drop from 1 mm, t_c = h", land(&stiff, height, 2000).height, height, "m").context(),
         Finding::equal("energy from one warm sweep over (g h)²", energy_of_stale_impulses(1)?, 11.0 / 16.0, rounding(64, 1.0), "kg"),
         Finding::at_most("energy after cold sweeps over free energy", cold_energy()?, 1.0, "1").context(),
         Finding::exact("E(20 s)/E(0), no projection", &elastic_drop::<Rational>(Activation::Gap, false).energy, &one, "1"),

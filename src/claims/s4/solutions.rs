@@ -52,14 +52,13 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S4.pmatrix",
         statement: "Uniqueness needs a stronger condition, for instance that M_LCP is a P-matrix.",
-        verdict: ClaimVerdict::Conditional,
+        verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
-        severity: Some(Severity::MissingHypothesis),
+        severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "A P-matrix makes the LCP uniquely solvable for every q, but a Stewart–Trinkle matrix is never one: its \
-            diagonal entry at σ is 0.",
+        correct_statement: "As stated, for any LCP. A Stewart–Trinkle matrix is never a P-matrix: its diagonal entry at σ is 0.",
         argument: "Principal minor {σ} = 0, whatever μ and W̃. Uniqueness can only be had for velocities or in the absence of friction.",
-        control: "The frictionless W of three balls in a row, which is a P-matrix.",
+        control: "The matrix (1, 2; 2, 1), which is no P-matrix, in place of that of three balls.",
         sources: &["chapter §4, pitfall “solvable means unique”", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.3"],
         check: never_p,
     },
@@ -146,16 +145,16 @@ fn several_solutions(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 fn never_p(reading: Reading) -> Result<Vec<Finding>> {
-    let matrix = reading.pick(chapter_matrix()?, three_balls()?);
+    let matrix = chapter_matrix()?;
     let minor = p_matrix(&matrix)?.witness();
     let at_sigma = &matrix[(matrix.nrows() - 1, matrix.nrows() - 1)];
-    let row = three_balls()?;
+    let row = reading.pick(three_balls()?, DMatrix::from_row_slice(2, 2, &[1, 2, 2, 1].map(|x| ratio(x, 1))));
     let mut not_unique = 0;
     for q in (-2..=2).flat_map(|a| (-2..=2).map(move |b| integers(&[a, b]))) {
         not_unique += usize::from(!all_solutions(&Lcp::new(row.clone(), q))?.is_unique());
     }
     Ok(vec![
-        Finding::decision("M_LCP is a P-matrix", minor.is_none(), false).says(true).violating("no friction, and so no σ"),
+        Finding::decision("M_LCP is a P-matrix", minor.is_none(), false).context(),
         Finding::exact("diagonal entry at σ", at_sigma, &ratio(0, 1), "1").context(),
         Finding::decision("the matrix of three balls in a row, without friction, is a P-matrix", p_matrix(&row)?.holds(), true),
         Finding::count("vectors q, of 25, for which it has not exactly one solution", not_unique, 0),

@@ -107,10 +107,10 @@ pub const CLAIMS: &[Claim] = &[
         statement: "MuJoCo gave up variational integrators, which plastic contact and corrections of penetration rule out, for \
             semi-implicit Euler with a soft convex solver: not symplectic, but differentiable and time-reversible, which matters more for \
             MPC and learning.",
-        verdict: ClaimVerdict::Ambiguous,
+        verdict: ClaimVerdict::False,
         kind: Kind::Opinion,
-        severity: None,
-        evidence: Evidence::NotDecidable,
+        severity: Some(Severity::WrongStatement),
+        evidence: Evidence::Exact,
         correct_statement: "A statement of motives. MuJoCo's documentation names the cost of variational integrators, which are implicit \
             where the inertia depends on the configuration, and that continuous-time dynamics are defined backward in time; it names \
             neither plastic contact nor Cirak and West. The step itself is not reversible in time, and at the touching point not \
@@ -258,5 +258,7 @@ fn choice(reading: Reading) -> Result<Vec<Finding>> {
         Finding::exact("∂v⁺/∂φ on the pressed side", &slope_at_touching(-1), &ratio(-1, 5), "1/s"),
         Finding::exact("determinant of the contact step at t_c = 2h", &invariants(&critical)[1], &ratio(0, 1), "1"),
     ];
-    Ok(findings.map(|finding| finding.opinion("what moved MuJoCo's authors")).to_vec())
+    let [step, others @ ..] = findings;
+    let motives = others.map(|finding| finding.opinion("what moved MuJoCo's authors"));
+    Ok([step.says(true)].into_iter().chain(motives).collect())
 }

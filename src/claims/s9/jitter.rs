@@ -42,9 +42,9 @@ pub const CLAIMS: &[Claim] = &[
         statement: "Jitter of a stack at rest is almost always a numerical artefact: contact forces switch between pressing and releasing \
             because the step is too large, the stiffness too high or the solver not converged. Cure: more iterations, more numerical \
             damping, smaller steps, warm start.",
-        verdict: ClaimVerdict::Conditional,
+        verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
-        severity: Some(Severity::MissingHypothesis),
+        severity: None,
         evidence: Evidence::Certified,
         correct_statement: "Step and stiffness are one cause, h/t_c: a critically damped contact of constant impedance cannot rest for \
             h/t_c > 2√2 − 2 = 0.83 (a little more with MuJoCo's default impedance, which is lower at small depths), and MuJoCo's limit t_c \
@@ -53,7 +53,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Ball dropped from 1 mm on MuJoCo's contact at h = 1 ms, constant impedance: calm (speed 0 to rounding) for t_c = 2h and \
             1.5h; for t_c = 1.2h and 1h it is thrown up again and again, faster than g h. With the limit, t_c = 1h is calm. \
                    Tower of five, 10 cold sweeps a step: the velocities of successive steps are equal to rounding.",
-        control: "The ball on the contact with t_c = h in place of the tower.",
+        control: "The same contacts under MuJoCo's limit t_c ≥ 2h.",
         sources: &["chapter §9, energy drift and jitter, and the pitfall “jitter is physical”", "MuJoCo documentation, refsafe"],
         check: jitter,
     },
@@ -118,13 +118,15 @@ fn jitter(reading: Reading) -> Result<Vec<Finding>> {
     let recording = tower.simulate(&Sweeps::cold(10), 0.5, 0.01, 200)?;
     let [before, last] = [199, 200].map(|sample| &recording.samples[sample].velocity);
     // a stack that only sinks has one velocity in every step; the ball has another every time it is thrown up
-    let change = reading.pick((last - before).amax(), speed(1.0));
+    let change = (last - before).amax();
+    let stiff = |parts: f64| {
+        let contact = reading.pick(unlimited_contact(h, parts * h), limited_contact(h, parts * h));
+        land(&contact, height, 2000).speed
+    };
     Ok(vec![
-        Finding::decision("a tower solved with 10 sweeps a step jitters", change > tolerance::tower_rounding(5, 10, 1), false)
-            .says(true)
-            .violating("a step too large for the stiffness of the contact"),
-        Finding::at_least("speed at rest with t_c = h", speed(1.0), thrown, "m/s"),
-        Finding::at_least("speed at rest with t_c = 1.2h", speed(1.2), thrown, "m/s"),
+        Finding::decision("a tower solved with 10 sweeps a step jitters", change > tolerance::tower_rounding(5, 10, 1), false).context(),
+        Finding::at_least("speed at rest with t_c = h", stiff(1.0), thrown, "m/s"),
+        Finding::at_least("speed at rest with t_c = 1.2h", stiff(1.2), thrown, "m/s"),
         Finding::equal("speed at rest with t_c = 1.5h", speed(1.5), 0.0, calm, "m/s"),
         Finding::equal("speed at rest with t_c = 2h", speed(2.0), 0.0, calm, "m/s"),
         Finding::equal("speed at rest with t_c = h under MuJoCo's limit", limited, 0.0, calm, "m/s"),
