@@ -80,9 +80,9 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S11.explicit-or-implicit",
         statement: "Every operation that corrects penetration destroys symplecticity, whether explicit or implicit.",
-        verdict: ClaimVerdict::Conditional,
+        verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
-        severity: Some(Severity::MissingHypothesis),
+        severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "Of a projection that is so, whatever method made the step. A mirror image leaves it to the method: symplectic \
             after a symplectic step, not after another.",
@@ -201,11 +201,7 @@ fn either(reading: Reading) -> Result<Vec<Finding>> {
     }
     // in one dimension a map is symplectic if and only if its determinant is 1
     for (name, found, kept) in all(reading.pick([-1, -1], [0, -1])) {
-        findings.push(
-            Finding::decision(format!("{name}, mirrored, is symplectic"), found == ratio(1, 1), kept)
-                .says(false)
-                .violating("a correction that projects"),
-        );
+        findings.push(Finding::decision(format!("{name}, mirrored, is symplectic"), found == ratio(1, 1), kept).says(false));
     }
     Ok(findings)
 }

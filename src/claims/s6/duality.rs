@@ -4,7 +4,7 @@ use super::program::{Program, Row};
 use crate::Result;
 use crate::certificate::definiteness::{Definiteness, definiteness};
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::soft_row::SoftRow;
 use crate::elimination::solve;
 use crate::scalar::{Rational, ratio};
@@ -79,12 +79,11 @@ pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S6.omega-dot",
         statement: "The deformation dynamics of the constraint is ω̇ = a_ref − R f.",
-        verdict: ClaimVerdict::True,
+        verdict: ClaimVerdict::Conditional,
         kind: Kind::Definition,
-        severity: None,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "As stated for the rows that are inside their bounds, where J x = a_ref − R f. On a row at its bound J x \
-            differs, and ω̇ with it.",
+        correct_statement: "Of the rows that are inside their bounds, where J x = a_ref − R f. On a row at its bound J x differs, and ω̇ with it.",
         argument: "The same problem, row by row in rationals: equality on the two-sided row and the closed contact, a difference on the \
             open contact and on the row with friction loss, whose bound is reached.",
         control: "Twice the regularisation in R f.",
@@ -256,7 +255,8 @@ fn deformation(reading: Reading) -> Result<Vec<Finding>> {
     let softness = &program.regularisation * reading.pick(ratio(1, 1), ratio(2, 1));
     let rest = program.violation(&program.acceleration(&force)) + softness.component_mul(&force);
     let finding = |i: usize, inside: bool| Finding::decision(format!("J x = a_ref − R f on row {i}"), rest[i] == zero(), inside);
-    Ok(vec![finding(0, true), finding(2, true), finding(1, false).context(), finding(3, false).context()])
+    let bound = |i: usize| finding(i, false).says(true).violating("the row is inside its bounds");
+    Ok(vec![finding(0, true), finding(2, true), bound(1), bound(3)])
 }
 
 /// Normal rows of a box at its corners (±1, ±1): v_z, ω_x, ω_y with M = diag(1, 1, 1).

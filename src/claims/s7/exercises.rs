@@ -4,7 +4,7 @@ use super::impacts::{impact, middle, pushed_rod, rod, rod_path};
 use super::simultaneous::rod_above_supports;
 use crate::Result;
 use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::rough_impact::{Regime, RoughImpact};
 use crate::closed_forms::two_body_impact::TwoBodyImpact;
 use crate::impact_laws::routh::Path;
@@ -51,14 +51,14 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.ex3",
         statement: "Exercise 3: expand −P ∈ N_{T_C}(v⁺ + e v⁻) for v⁻ ≈ 0 and for v⁻ < 0; it becomes v⁺ ≥ 0 with resting contact, and v⁺ = \
             −e v⁻.",
-        verdict: ClaimVerdict::True,
+        verdict: ClaimVerdict::Conditional,
         kind: Kind::Exercise,
-        severity: None,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "As stated, for one contact and a velocity change by P alone: 0 ≤ v⁺ + e v⁻ ⟂ P ≥ 0.",
+        correct_statement: "For a contact that takes an impulse, 0 ≤ v⁺ + e v⁻ ⟂ P ≥ 0. A contact that its neighbour lifts takes none and leaves faster than −e v⁻.",
         argument: "W = 2. v⁻ = 0: v⁺ = 0 and P = 0. v⁻ = −1, e = 1/2: P = 3/4, v⁺ = 1/2. For small v⁻ = −1/1000 the same formula gives \
             1/2000: it tends to the resting case.",
-        control: "The same contact beside one that arrives at −4 m/s and lifts it.",
+        control: "The contact without its neighbour.",
         sources: &["chapter §7, exercise 3"],
         check: two_cases,
     },
@@ -137,13 +137,17 @@ fn two_cases(reading: Reading) -> Result<Vec<Finding>> {
     let end = |velocity: Rational, e: Rational| moreau::frictionless(&impact(&[2], [velocity]), &[e]);
     let half = ratio(1, 2);
     let resting = end(ratio(0, 1), half.clone())?;
-    let arriving = match reading {
-        Reading::Recorded => end(ratio(-1, 1), half.clone())?,
-        Reading::Control => moreau::frictionless(&middle([ratio(-1, 1), ratio(-4, 1)]), &[half.clone(), half.clone()])?,
+    let arriving = end(ratio(-1, 1), half.clone())?;
+    let lifted = match reading {
+        Reading::Recorded => moreau::frictionless(&middle([ratio(-1, 1), ratio(-4, 1)]), &[half.clone(), half.clone()])?,
+        Reading::Control => end(ratio(-1, 1), half.clone())?,
     };
     Ok(vec![
         Finding::exact("v⁺ for v⁻ = −1, e = 1/2", &arriving.after[0], &half, "m/s"),
         Finding::exact("P", &arriving.impulse[0], &ratio(3, 4), "N·s"),
+        Finding::exact("v⁺ for v⁻ = −1 beside a contact that arrives at −4 m/s", &lifted.after[0], &ratio(2, 1), "m/s")
+            .says(half.clone())
+            .violating("an impulse acts"),
         Finding::exact("v⁺ for v⁻ = 0", &resting.after[0], &ratio(0, 1), "m/s"),
         Finding::exact("v⁺ for v⁻ = −1/1000", &end(ratio(-1, 1000), half)?.after[0], &ratio(1, 2000), "m/s"),
     ])

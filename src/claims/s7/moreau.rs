@@ -49,15 +49,14 @@ pub const CLAIMS: &[Claim] = &[
         id: "S7.moreau-no-split",
         statement: "One formula covers collision and resting contact: for v⁻ ≈ 0 the argument v⁺ + e v⁻ demands v⁺ ≥ 0, for v⁻ < 0 it \
             enforces v⁺ = −e v⁻; no case distinction.",
-        verdict: ClaimVerdict::True,
+        verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
-        severity: None,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "As stated, where P > 0 or v⁻ ≈ 0. A contact that needs no impulse leaves faster than −e v⁻, or, if it \
-            separated before, with v⁺ down to −e v⁻: into the ground.",
+        correct_statement: "Where an impulse acts, or v⁻ ≈ 0. A contact that needs no impulse leaves faster than −e v⁻, or, if it separated before, with v⁺ down to −e v⁻: into the ground.",
         argument: "A ball of 1 kg, e = 1/2: v = 0, g h = 1/10: v⁺ = 0, P = 1/10. v = −1 without load: v⁺ = 1/2. v = 1 at zero gap with g h \
             = 13/10: v_free = −3/10, v_free + e v = 1/5 > 0, so P = 0 and v⁺ = −3/10.",
-        control: "A ball that arrives and is pulled away by 2 m/s within the step.",
+        control: "The ball that arrives is not pulled away.",
         sources: &["chapter §7, the meaning of Moreau's choice"],
         check: no_distinction,
     },
@@ -201,13 +200,17 @@ fn step(velocity: Rational, fall: Rational, restitution: Rational) -> Step<Ratio
 fn no_distinction(reading: Reading) -> Result<Vec<Finding>> {
     let half = ratio(1, 2);
     let resting = step(ratio(0, 1), ratio(1, 10), half.clone());
-    let arriving = step(ratio(-1, 1), reading.pick(ratio(0, 1), ratio(-2, 1)), half.clone());
+    let arriving = step(ratio(-1, 1), ratio(0, 1), half.clone());
+    let pulled = step(ratio(-1, 1), reading.pick(ratio(-2, 1), ratio(0, 1)), half.clone());
     let leaving = step(ratio(1, 1), ratio(13, 10), half);
     Ok(vec![
         Finding::exact("v⁺ of a ball that separates into a large load", &leaving.motion.velocity, &ratio(-3, 10), "m/s").context(),
         Finding::exact("v⁺ at rest", &resting.motion.velocity, &ratio(0, 1), "m/s"),
         Finding::exact("P at rest", &resting.impulse, &ratio(1, 10), "N·s"),
         Finding::exact("v⁺ of an impact at −1 m/s", &arriving.motion.velocity, &ratio(1, 2), "m/s"),
+        Finding::exact("v⁺ of a ball that arrives at −1 m/s and is pulled away by 2 m/s", &pulled.motion.velocity, &ratio(1, 1), "m/s")
+            .says(ratio(1, 2))
+            .violating("an impulse acts"),
     ])
 }
 
