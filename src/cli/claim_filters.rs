@@ -3,7 +3,7 @@
 use super::near::suggestion;
 use crate::claims::{self, Claim, ClaimVerdict, Kind, Severity, matches_group};
 use crate::{Error, Result};
-use clap::ValueEnum;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 /// Options that choose claims; a claim has to meet all that are given.
 #[derive(clap::Args)]
@@ -15,86 +15,46 @@ pub struct Filters {
     #[arg(long, value_name = "NUMBER", conflicts_with = "filter")]
     section: Option<usize>,
     /// Only claims with this verdict.
-    #[arg(long, value_enum, value_name = "VERDICT")]
-    verdict: Option<VerdictName>,
+    #[arg(long, value_parser = one_of(VERDICTS), value_name = "VERDICT")]
+    verdict: Option<ClaimVerdict>,
     /// Only claims in which this is wrong.
-    #[arg(long, value_enum, value_name = "SEVERITY")]
-    severity: Option<SeverityName>,
+    #[arg(long, value_parser = one_of(SEVERITIES), value_name = "SEVERITY")]
+    severity: Option<Severity>,
     /// Only sentences of this kind.
-    #[arg(long, value_enum, value_name = "KIND")]
-    kind: Option<KindName>,
+    #[arg(long, value_parser = one_of(KINDS), value_name = "KIND")]
+    kind: Option<Kind>,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
-enum VerdictName {
-    True,
-    Conditional,
-    False,
-    Inconsistent,
-    Ambiguous,
-}
+const VERDICTS: [(&str, ClaimVerdict); 5] = [
+    ("true", ClaimVerdict::True),
+    ("conditional", ClaimVerdict::Conditional),
+    ("false", ClaimVerdict::False),
+    ("inconsistent", ClaimVerdict::Inconsistent),
+    ("ambiguous", ClaimVerdict::Ambiguous),
+];
 
-#[derive(Clone, Copy, ValueEnum)]
-enum SeverityName {
-    /// A slip that a reader corrects at sight.
-    Misprint,
-    /// What is said holds for another reason.
-    Reason,
-    /// It holds under a condition that is not printed.
-    Hypothesis,
-    /// It does not hold.
-    Statement,
-    /// It is offered or used as a theorem and does not hold.
-    Theorem,
-}
+const SEVERITIES: [(&str, Severity); 5] = [
+    ("misprint", Severity::Misprint),
+    ("reason", Severity::WrongReason),
+    ("hypothesis", Severity::MissingHypothesis),
+    ("statement", Severity::WrongStatement),
+    ("theorem", Severity::BrokenTheorem),
+];
 
-#[derive(Clone, Copy, ValueEnum)]
-enum KindName {
-    Assertion,
-    Exercise,
-    Definition,
-    Citation,
-    Path,
-    Advice,
-    Opinion,
-}
+const KINDS: [(&str, Kind); 7] = [
+    ("assertion", Kind::Assertion),
+    ("exercise", Kind::Exercise),
+    ("definition", Kind::Definition),
+    ("citation", Kind::Citation),
+    ("path", Kind::Path),
+    ("advice", Kind::Advice),
+    ("opinion", Kind::Opinion),
+];
 
-impl From<VerdictName> for ClaimVerdict {
-    fn from(name: VerdictName) -> Self {
-        match name {
-            VerdictName::True => ClaimVerdict::True,
-            VerdictName::Conditional => ClaimVerdict::Conditional,
-            VerdictName::False => ClaimVerdict::False,
-            VerdictName::Inconsistent => ClaimVerdict::Inconsistent,
-            VerdictName::Ambiguous => ClaimVerdict::Ambiguous,
-        }
-    }
-}
-
-impl From<SeverityName> for Severity {
-    fn from(name: SeverityName) -> Self {
-        match name {
-            SeverityName::Misprint => Severity::Misprint,
-            SeverityName::Reason => Severity::WrongReason,
-            SeverityName::Hypothesis => Severity::MissingHypothesis,
-            SeverityName::Statement => Severity::WrongStatement,
-            SeverityName::Theorem => Severity::BrokenTheorem,
-        }
-    }
-}
-
-impl From<KindName> for Kind {
-    fn from(name: KindName) -> Self {
-        match name {
-            KindName::Assertion => Kind::Assertion,
-            KindName::Exercise => Kind::Exercise,
-            KindName::Definition => Kind::Definition,
-            KindName::Citation => Kind::Citation,
-            KindName::Path => Kind::Path,
-            KindName::Advice => Kind::Advice,
-            KindName::Opinion => Kind::Opinion,
-        }
-    }
+/// One of these names, read as what stands beside it.
+fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(table: [(&'static str, T); N]) -> impl TypedValueParser<Value = T> {
+    let named = move |name: String| table.iter().find(|(known, _)| *known == name).map(|(_, value)| *value).ok_or("an unknown name");
+    PossibleValuesParser::new(table.map(|(name, _)| name)).try_map(named)
 }
 
 impl Filters {
@@ -120,8 +80,8 @@ impl Filters {
     }
 
     fn is_met(&self, claim: &Claim) -> bool {
-        self.verdict.is_none_or(|name| claim.verdict == name.into())
-            && self.severity.is_none_or(|name| claim.severity == Some(name.into()))
-            && self.kind.is_none_or(|name| claim.kind == name.into())
+        self.verdict.is_none_or(|verdict| claim.verdict == verdict)
+            && self.severity.is_none_or(|severity| claim.severity == Some(severity))
+            && self.kind.is_none_or(|kind| claim.kind == kind)
     }
 }

@@ -276,12 +276,11 @@ fn long_lines(text: &str) -> Vec<usize> {
 const LINE: usize = 140;
 
 #[test]
-fn no_line_outside_the_claims_is_longer_than_the_others() {
+fn no_line_is_longer_than_the_others() {
     let top = folder("moreau");
     let folders = ROOMS.iter().map(|room| folder(room)).chain(["src", "tests", "benches", "examples"].map(|name| top.join(name)));
     let files: Vec<_> = folders.filter(|folder| folder.exists()).flat_map(|folder| rust_files(&folder)).collect();
-    let claims = top.join("src").join("claims");
-    let found = files.iter().filter(|path| !path.starts_with(&claims)).flat_map(|path| {
+    let found = files.iter().flat_map(|path| {
         let text = std::fs::read_to_string(path).expect("a source file");
         long_lines(&text).into_iter().map(move |line| format!("{}:{line}", path.display()))
     });

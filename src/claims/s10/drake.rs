@@ -29,9 +29,9 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "As stated where contacts slip faster than the stiction tolerance v_s. Below it friction is regularised: it lies \
-            inside the cone although the contact slips, which no complementarity allows. The step is a nonlinear equation that no function \
-            has as its gradient. Drake 1.51.1 has TAMSI, and announces its removal from 2026-09-01 on.",
+        correct_statement: "As stated where contacts slip faster than the stiction tolerance v_s. Below it friction is regularised: it \
+            lies inside the cone although the contact slips, which no complementarity allows. The step is a nonlinear equation that no \
+            function has as its gradient. Drake 1.51.1 has TAMSI, and announces its removal from 2026-09-01 on.",
         argument: "A touching contact that slips, μ = 3/4: ∂r_t/∂u_n = −μ n′, ∂r_n/∂u_t = 0, so ∂r/∂u is not symmetric and r is no \
             gradient. ‖r_t‖ = μ r_n at 8 v_s, but ¾ μ r_n at v_s/2.",
         control: "A contact that slips at 8 v_s in place of v_s/2.",
@@ -49,9 +49,9 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Kelvin–Voigt contact and its rigid limit belong to the approximation kSap, which is not the default; the \
             default, kLagged, has Hunt–Crossley contact and does not glide. A discrete plant steps by semi-implicit Euler only: the \
             midpoint rule is in the paper. The lift of a sliding block is (δt + τ) μ v, which vanishes with δt only where τ = 0.",
-        argument: "Stored fall at h = 1/100 s: q⁺ − q − h v⁺ = 0 to rounding. One step of our SAP on a contact 1 mm deep: r_n = h k(−φ⁺ − \
-            τ u_n⁺). With k = 1e9 and 1e10 N/m the step is the same. Sliding at 0.7 instead of 0.2 m/s: lifted by 1.2 mm = h μ Δv for τ = 0 \
-            and h = 8 ms, but by 1.35 mm for τ = 5 ms and h = 4 ms, where h μ Δv is 0.6 mm.",
+        argument: "Stored fall at h = 1/100 s: q⁺ − q − h v⁺ = 0 to rounding. One step of our SAP on a contact 1 mm deep: r_n = h k(−φ⁺ \
+            − τ u_n⁺). With k = 1e9 and 1e10 N/m the step is the same. Sliding at 0.7 instead of 0.2 m/s: lifted by 1.2 mm = h μ Δv for \
+            τ = 0 and h = 8 ms, but by 1.35 mm for τ = 5 ms and h = 4 ms, where h μ Δv is 0.6 mm.",
         control: "kLagged's lift in place of kSap's: none.",
         sources: &["chapter §10, table of simulators", PACKAGE, SAP_PAPER],
         check: sap,
@@ -79,8 +79,8 @@ pub const CLAIMS: &[Claim] = &[
         severity: Some(Severity::WrongReason),
         evidence: Evidence::Certified,
         correct_statement: "It converges globally because the objective is strongly convex with a Lipschitz gradient, and quadratically \
-            once it is in the region of one mode per contact. The Hessian itself is Lipschitz there only: it jumps where a contact opens or \
-            begins to slip.",
+            once it is in the region of one mode per contact. The Hessian itself is Lipschitz there only: it jumps where a contact opens \
+            or begins to slip.",
         argument: "μ = 1/2: while a contact slips, the derivative of the projection changes by 2/5 per unit of the normal impulse. Across \
             the boundary between stick and slip it jumps by 1 in norm, however close the two points are: the projector I − ggᵀ drops out. \
             Newton's method from impulses of ±10³ and ±10⁶ N·s ends at the same velocity as from none.",
@@ -95,8 +95,8 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Path,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Cited,
-        correct_statement: "As stated up to the removal of TAMSI, announced for 2026-09-01 and later. The Python package holds neither file; \
-            it offers both solvers.",
+        correct_statement: "As stated up to the removal of TAMSI, announced for 2026-09-01 and later. The Python package holds neither \
+            file; it offers both solvers.",
         argument: "The tree of the repository at be259df7 of 2026-08-20 has both files. 1.51.1 offers the solvers kSap and kTamsi, and \
             documents the second as deprecated, to be removed from 2026-09-01 on; one solver is left then.",
         control: "The day of that commit in place of one after the announced removal.",
@@ -191,8 +191,8 @@ pub(in crate::claims) fn default_solver(reading: Reading) -> Result<Vec<Finding>
     ])
 }
 
-/// How much the derivative of the projection on K_½ changes between two points `apart` of each other in z_n, around z = (`middle`, 1, 0): for
-/// 2 one of them sticks and the other slips, for 1 both slip.
+/// How much the derivative of the projection on K_½ changes between two points `apart` of each other in z_n, around z = (`middle`, 1, 0).
+/// For `middle` = 2 one of them sticks and the other slips, for 1 both slip.
 fn change(middle: f64, apart: f64) -> f64 {
     let at = |offset: f64| projection_jacobian(&[middle + offset, 1.0, 0.0], 0.5);
     (at(0.5 * apart) - at(-0.5 * apart)).norm()

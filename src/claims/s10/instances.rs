@@ -21,8 +21,9 @@ pub const CLAIMS: &[Claim] = &[Claim {
     severity: None,
     evidence: Evidence::Measured,
     correct_statement: "Which release of which software runs what was not checked here for RaiSim, early Drake, PhysX, Havok and ODE, \
-        which stands in two rows (it has two solvers). Of the use that is named, rolling contact, Anitescu's relaxation is right about the end and wrong on the \
-        way: a sphere thrown along the floor rolls at 5/7 of its speed, but hops first, by a height that no smaller step removes.",
+        which stands in two rows (it has two solvers). Of the use that is named, rolling contact, Anitescu's relaxation is right about \
+        the end and wrong on the way: a sphere thrown along the floor rolls at 5/7 of its speed, but hops first, by a height that no \
+        smaller step removes.",
     argument: "μ = 0.2, 1 m/s: rolls at 5/7 m/s to rounding, friction keeping the angular momentum about the floor. At the first step u_n \
         = μ|u_t| with W_tt = 7/(2m) makes it leave at w = μ v/(1 + 7/2 μ²), to w²/(2g) = 1.57e-3 m. Stewart–Trinkle's sphere ends at the \
         same speed and stays on the floor.",

@@ -38,7 +38,8 @@ pub const CLAIMS: &[Claim] = &[
             (SMC).",
         argument: "Each of the four, programmed from its equations, gives the velocities of Clarabel's interior point on the step of a \
             sliding block, and the gap μ h v_t of the relaxation, at every step length. Chrono's step is Anitescu's there, but a body \
-            0.1 m deep comes out at 0.6 m/s, not at the 10 m/s that undo the depth in one step. `ChSolver::Type` names PSOR, BARZILAIBORWEIN, APGD, ADMM; a contact's constraint is loaded by `ChContactNSC`, which HHT does \
+            0.1 m deep comes out at 0.6 m/s, not at the 10 m/s that undo the depth in one step. `ChSolver::Type` names PSOR, \
+            BARZILAIBORWEIN, APGD, ADMM; a contact's constraint is loaded by `ChContactNSC`, which HHT does \
             not solve as an inequality.",
         control: "A body 5 mm deep, which needs less than 0.6 m/s.",
         sources: &[
@@ -54,12 +55,13 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Cited,
-        correct_statement: "Of the package Chrono: its module Chrono::DEM runs on GPUs, but with penalty contacts (SMC), not with NSC; the \
-            NSC of Chrono::Multicore is parallel on processors. No run of a million bodies was made or checked here; memory does not forbid \
-            it.",
-        argument: "At commit 7689fbc the sources for GPUs (.cu) of contacts are all below src/chrono_dem/, and none is below src/chrono/ or \
-            src/chrono_multicore/. A million bodies with three contacts each have 9·10⁶ rows. H of a stack of boxes has at most 6 entries other \
-            than zero per row, W at most 36: 0.4 and 2.6 GB. Only W with all its zeros, 6.5·10¹⁴ bytes, would be out of reach.",
+        correct_statement: "Of the package Chrono: its module Chrono::DEM runs on GPUs, but with penalty contacts (SMC), not with NSC; \
+            the NSC of Chrono::Multicore is parallel on processors. No run of a million bodies was made or checked here; memory does not \
+            forbid it.",
+        argument: "At commit 7689fbc the sources for GPUs (.cu) of contacts are all below src/chrono_dem/, and none is below src/chrono/ \
+            or src/chrono_multicore/. A million bodies with three contacts each have 9·10⁶ rows. H of a stack of boxes has at most 6 \
+            entries other than zero per row, W at most 36: 0.4 and 2.6 GB. Only W with all its zeros, 6.5·10¹⁴ bytes, would be out of \
+            reach.",
         control: "The folder of Chrono::DEM in place of those with NSC.",
         sources: &["chapter §10, table of simulators", "Project Chrono, commit 7689fbc, and the documentation of Chrono::DEM in it"],
         check: granular,
@@ -91,8 +93,8 @@ pub const CLAIMS: &[Claim] = &[
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "All but the CCP in release 3: its ADMM (v3.7.0) always solves Coulomb's law. In 4.1.0 Coulomb's law is the \
-            default and the convex problem a switch of ADMM (`solve_ncp` = false), which PGS does not heed. And Pinocchio is no simulator: a \
-            step, its contacts and their stabilisation come from elsewhere (Simple was not looked at).",
+            default and the convex problem a switch of ADMM (`solve_ncp` = false), which PGS does not heed. And Pinocchio is no \
+            simulator: a step, its contacts and their stabilisation come from elsewhere (Simple was not looked at).",
         argument: "Stored answers of 4.1.0 for a sliding box, hard and with compliance 1/16 kg⁻¹, under Coulomb's law and relaxed: our \
             ADMM, with ρ found by itself and the proximal term, finds the same velocities to 1e-7 m/s or better, and the certificate \
             accepts them. ADMM of v3.7.0 takes a proximal term, a power of ρ and a compliance, and nothing that switches the law.",

@@ -54,9 +54,10 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated; it holds for every mass, P = m|v_free| + m v⁺. Against m|v_ℓ| = 0.99 N·s the first part holds gravity’s m g h = 0.1 N·s as well.",
-        argument: "The LCP of the same step with e = 0 just stops the ball: its impulse is 109/100, and what the step with e = ½ adds to it is 99/200 \
-            = m v⁺, three times each for m = 3. Both LCPs are solved by Lemke’s method, v⁺ is that of the scheme.",
+        correct_statement: "As stated; it holds for every mass, P = m|v_free| + m v⁺. Against m|v_ℓ| = 0.99 N·s the first part holds \
+            gravity’s m g h = 0.1 N·s as well.",
+        argument: "The LCP of the same step with e = 0 just stops the ball: its impulse is 109/100, and what the step with e = ½ adds to \
+            it is 99/200 = m v⁺, three times each for m = 3. Both LCPs are solved by Lemke’s method, v⁺ is that of the scheme.",
         control: "The ball without gravity: 0.99 N·s stop it.",
         sources: &["chapter §12, splitting of the impulse"],
         check: impulse_split,

@@ -15,17 +15,18 @@ use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme};
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S12.energy",
-        statement: "With the kinetic energies E⁻ = ½ · 0.99² = 0.490 J (of v⁻ = −0.99) and E⁺ = ½ · 0.495² = 0.1225 J, E⁺/E⁻ = 0.25 = e²: 75 % are lost.",
+        statement: "With the kinetic energies E⁻ = ½ · 0.99² = 0.490 J (of v⁻ = −0.99) and E⁺ = ½ · 0.495² = 0.1225 J, E⁺/E⁻ = 0.25 = e²: \
+            75 % are lost.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: the chapter names its reference, the kinetic energy of v_ℓ, and with it the ratio is e² for every h and θ. With v_free \
-                            it is 0.2062, with the speed √(v_ℓ² + 2 g q_ℓ) of the physical impact 0.2269; the ratio of the total energies is 0.4111 \
-                            (θ = 1) or 0.2736 (θ = ½).",
+        correct_statement: "As stated: the chapter names its reference, the kinetic energy of v_ℓ, and with it the ratio is e² for every \
+            h and θ. With v_free it is 0.2062, with the speed √(v_ℓ² + 2 g q_ℓ) of the physical impact 0.2269; the ratio of the total \
+            energies is 0.4111 (θ = 1) or 0.2736 (θ = ½).",
         argument: "v⁺ = −e v_ℓ gives the ratio e², and 0.49005 J and 0.1225125 J round to the printed digits. Of the other references: \
-                   (99/200)²/(109/100)² = 9801/47524; (99/200)²/(1.0801) = 9801/43204; total (½·(99/200)² + 10 q⁺)/(0.54005) = 17761/43204 for \
-                   q⁺ = 199/20000 and 11821/43204 for q⁺ = 101/40000.",
+            (99/200)²/(109/100)² = 9801/47524; (99/200)²/(1.0801) = 9801/43204; total (½·(99/200)² + 10 q⁺)/(0.54005) = 17761/43204 for \
+            q⁺ = 199/20000 and 11821/43204 for q⁺ = 101/40000.",
         control: "E⁻ taken with v_free.",
         sources: &["chapter §12, energy check"],
         check: energy_ratio,
@@ -71,8 +72,8 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "Neither for the kinetic energy: P, v⁺ and the ratio 1/4 do not depend on θ, which enters only the \
                             position (0.00995 m or 0.002525 m). For the total energy θ = ½ comes closer: 0.2736 against 0.4111.",
-        argument: "θ multiplies velocities in the position update only; the LCP of the step does not contain it. The question presumes that one θ \
-                   comes closer: with the kinetic energies, which the section compares, none does; with the total energy θ = ½ does.",
+        argument: "θ multiplies velocities in the position update only; the LCP of the step does not contain it. The question presumes \
+            that one θ comes closer: with the kinetic energies, which the section compares, none does; with the total energy θ = ½ does.",
         control: "The ball without gravity, whose total energy is the kinetic one: no θ comes closer in either reading.",
         sources: &["chapter §12, exercise 2"],
         check: theta_and_energy,

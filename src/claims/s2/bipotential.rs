@@ -17,10 +17,10 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "b(−u, r) = μ r_n‖u_t‖ plus the indicators of u_n ≥ 0 and r ∈ K_μ. The printed expression is its residual b(−u, \
             r) + ⟨u, r⟩ without the indicators, zero exactly on the contact law.",
-        argument: "A bipotential satisfies b(−u, r) ≥ −⟨u, r⟩ with equality exactly on the law. Sliding with u = (0, 1, 0), r = (1, −μ, 0), μ = 7/10: −⟨u, \
-            r⟩ = 7/10 = μ r_n‖u_t‖, but the printed expression is 7/5 with v = −u, and 0 with v = u. With v = u it is right under another \
-            name: as the residual it is ≥ 0 for r ∈ K_μ, u_n ≥ 0, and it vanishes on all stick, slip and open pairs of the grid and on no \
-            other.",
+        argument: "A bipotential satisfies b(−u, r) ≥ −⟨u, r⟩ with equality exactly on the law. Sliding with u = (0, 1, 0), r = (1, −μ, \
+            0), μ = 7/10: −⟨u, r⟩ = 7/10 = μ r_n‖u_t‖, but the printed expression is 7/5 with v = −u, and 0 with v = u. With v = u it is \
+            right under another name: as the residual it is ≥ 0 for r ∈ K_μ, u_n ≥ 0, and it vanishes on all stick, slip and open pairs \
+            of the grid and on no other.",
         control: "μ‖v_t‖ r_n without the term ⟨v, r⟩.",
         sources: &["chapter §2, friction by the bipotential", "de Saxcé and Feng, The bipotential method (1998)"],
         check: bipotential,

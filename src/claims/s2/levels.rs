@@ -25,11 +25,13 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "No event time is needed, and the result depends on the activation rule by O(h) only. But at v⁺ = 0 the cone N_{T_C(q)}(v⁺) jumps from \
-            {0} to a half-line at φ = 0 just as N_C does; only for a velocity that leaves the contact there is no switch.",
-        argument: "∇φ·v⁺ > 0: of all g on a grid only 0 is in the cone, at φ > 0 and at φ = 0. ∇φ·v⁺ = 0: at φ = 0 the half-line −λ∇φ joins it. A \
-            plastic ball dropped from 1/10 m with h = 1/64 s comes to rest under the rules A (φ ≤ 0), B (half a step ahead) and D (free \
-            forecast) within h·|v| of the floor, without any event detected; under A it rests below the floor and under D on or above it.",
+        correct_statement: "No event time is needed, and the result depends on the activation rule by O(h) only. But at v⁺ = 0 the cone \
+            N_{T_C(q)}(v⁺) jumps from {0} to a half-line at φ = 0 just as N_C does; only for a velocity that leaves the contact there is \
+            no switch.",
+        argument: "∇φ·v⁺ > 0: of all g on a grid only 0 is in the cone, at φ > 0 and at φ = 0. ∇φ·v⁺ = 0: at φ = 0 the half-line −λ∇φ \
+            joins it. A plastic ball dropped from 1/10 m with h = 1/64 s comes to rest under the rules A (φ ≤ 0), B (half a step ahead) \
+            and D (free forecast) within h·|v| of the floor, without any event detected; under A it rests below the floor and under D on \
+            or above it.",
         control: "A velocity that leaves the contact in place of one along it.",
         sources: &["chapter §2, from N_C to N_{T_C}"],
         check: activation,
@@ -72,11 +74,12 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated: positions drift on curved constraints, to a depth like h v² T/(2R). For linear φ in persistent contact they do not.",
-        argument: "The bead on the unit circle moves along the tangent, so |q⁺|² = |q|² + h²w², and |q| w is conserved: |q|² ≤ 1 + hT. The \
-            depth after T lies in [hT/((1+hT)(1+√(1+hT))), √(1+hT) − 1]; \
-            it is 9.85e-3 and 9.99e-4 m for h = 1e-2 and 1e-3 s at T = 2 s, and in every step ∇φ·v⁺ ≥ 0 at the gradient of its start. A block \
-            sliding on a plane keeps φ = 0 exactly: they may drift, as the chapter says, and need not.",
+        correct_statement: "As stated: positions drift on curved constraints, to a depth like h v² T/(2R). For linear φ in persistent \
+            contact they do not.",
+        argument: "The bead on the unit circle moves along the tangent, so |q⁺|² = |q|² + h²w², and |q| w is conserved: |q|² ≤ 1 + hT. \
+            The depth after T lies in [hT/((1+hT)(1+√(1+hT))), √(1+hT) − 1]; it is 9.85e-3 and 9.99e-4 m for h = 1e-2 and 1e-3 s at T = \
+            2 s, and in every step ∇φ·v⁺ ≥ 0 at the gradient of its start. A block sliding on a plane keeps φ = 0 exactly: they may \
+            drift, as the chapter says, and need not.",
         control: "The position level (Stewart–Trinkle).",
         sources: &["chapter §2, table of levels", "chapter §3, pitfall on drift"],
         check: velocity_level,

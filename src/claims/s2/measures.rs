@@ -23,12 +23,12 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "True for finitely many impacts in bounded time and without a Cantor part of dv. Past a Zeno point the atoms \
             need summable weights, for instance the jumps: dμ = dt + |dv|.",
-        argument: "The masses of the atoms n … 2n must fall as n doubles if the atoms are to have a finite sum. The elastic ball makes eight impacts in \
-            15 fall times, and no more. With e = 1/2 there are infinitely many before T∞, each with unit mass: the masses double with n, so Σδ_{tᵢ} \
-            is not finite on any neighbourhood of T∞. The jumps (1+e)eᵏv₀ sum to (1+e)/(1−e) v₀ = 3 v₀. \
-            Functions of bounded variation may also grow on a null set without jumping: on the intervals of the n-th generation of Cantor’s set, \
-            of total length (2/3)ⁿ, his function rises by 1 for n = 2, 4, 8, and by 2⁻ⁿ on each. \
-            As the values of the inclusion are cones, any other dμ that dominates dt and dv serves as well.",
+        argument: "The masses of the atoms n … 2n must fall as n doubles if the atoms are to have a finite sum. The elastic ball makes \
+            eight impacts in 15 fall times, and no more. With e = 1/2 there are infinitely many before T∞, each with unit mass: the \
+            masses double with n, so Σδ_{tᵢ} is not finite on any neighbourhood of T∞. The jumps (1+e)eᵏv₀ sum to (1+e)/(1−e) v₀ = 3 v₀. \
+            Functions of bounded variation may also grow on a null set without jumping: on the intervals of the n-th generation of \
+            Cantor’s set, of total length (2/3)ⁿ, his function rises by 1 for n = 2, 4, 8, and by 2⁻ⁿ on each. As the values of the \
+            inclusion are cones, any other dμ that dominates dt and dv serves as well.",
         control: "The atoms weighted with the jumps, and x in place of Cantor’s function.",
         sources: &["chapter §2, step 4, term by term", "Ambrosio, Fusco and Pallara, Functions of Bounded Variation (2000), §3.2"],
         check: base_measure,
@@ -44,18 +44,19 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Existence and uniqueness hold for the first-order process with convex or prox-regular C(t). For the \
             second-order process of this chapter uniqueness needs analytic data and no friction.",
         argument: "First order, convex: the catching-up steps q ↦ P_{C(t)}(q) are non-expansive, so two motions never separate – checked \
-            exactly on a moving interval. Not prox-regular: C(t) = {|q| ≥ t} sweeps q(0) = 0 to t and to −t, both with −q̇ ∈ N. \
-            Second order without friction, C = {q ≥ 0}, e = 1/2, q(0) = 0, v(0) = 0: a point pulled to the floor stays there. If the pull alternates \
-            between 1 and 16 m/s² it also bounces away: a flight up under 1 and down under 16 lands 4 times as fast as it left, leaves 2 times \
-            as fast as before, and backwards in time the flights shrink to the start. Under a constant pull they do not. \
-            Second order with friction: W = (1 2; 2 5), μ = 1, free motion (1, 10) admits r = (0,0), (1,−1) and (15,−8): separation, \
-            sliding contact, impact (Painlevé).",
+            exactly on a moving interval. Not prox-regular: C(t) = {|q| ≥ t} sweeps q(0) = 0 to t and to −t, both with −q̇ ∈ N. Second \
+            order without friction, C = {q ≥ 0}, e = 1/2, q(0) = 0, v(0) = 0: a point pulled to the floor stays there. If the pull \
+            alternates between 1 and 16 m/s² it also bounces away: a flight up under 1 and down under 16 lands 4 times as fast as it \
+            left, leaves 2 times as fast as before, and backwards in time the flights shrink to the start. Under a constant pull they do \
+            not. Second order with friction: W = (1 2; 2 5), μ = 1, free motion (1, 10) admits r = (0,0), (1,−1) and (15,−8): \
+            separation, sliding contact, impact (Painlevé).",
         control: "A constant pull, and W diagonal.",
         sources: &[
             "chapter §2, pitfall on the sweeping process",
             "Moreau, Evolution problem associated with a moving convex set in a Hilbert space (1977)",
             "Painlevé (1895)",
-            "Schatzman (1978) and Ballard, The dynamics of discrete mechanical systems with perfect unilateral constraints (2000), for analytic data",
+            "Schatzman (1978) and Ballard, The dynamics of discrete mechanical systems with perfect unilateral constraints (2000), for \
+            analytic data",
         ],
         check: sweeping_theory,
     },

@@ -34,13 +34,13 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "Penetration vanishes like v√(m/k), and the limit is hard contact with the restitution that the damping ratio ζ \
-            fixes, independent of k: e = 1 without damping, \
-            exp(−πζ/√(1−ζ²)) if the dashpot acts until φ = 0, and a larger one if the force may not pull.",
+        correct_statement: "Penetration vanishes like v√(m/k), and the limit is hard contact with the restitution that the damping ratio \
+            ζ fixes, independent of k: e = 1 without damping, exp(−πζ/√(1−ζ²)) if the dashpot acts until φ = 0, and a larger one if the \
+            force may not pull.",
         argument: "In the time √(m/k) the impact is m x″ + 2ζ x′ + x = 0, without k. Integrated for k = 1e4 and 1e8 N/m: e = 0.5266 (ζ = \
-            0.2) and 0.1630 (ζ = 0.5) for the dashpot until φ = 0; 0.5717 and 0.2984 when contact ends with the force; 1 for ζ = 0. \
-            With the dashpots that give 0.5266 and 0.1630 at k = 1e4 left as they are, k = 1e8 has ζ/100 and e = 0.994 and 0.984: k → ∞ at fixed \
-            damping tends to the elastic law, whatever c was meant to model.",
+            0.2) and 0.1630 (ζ = 0.5) for the dashpot until φ = 0; 0.5717 and 0.2984 when contact ends with the force; 1 for ζ = 0. With \
+            the dashpots that give 0.5266 and 0.1630 at k = 1e4 left as they are, k = 1e8 has ζ/100 and e = 0.994 and 0.984: k → ∞ at \
+            fixed damping tends to the elastic law, whatever c was meant to model.",
         control: "The dashpot that grows with √k in place of the one that is left as it is.",
         sources: &[
             "chapter §2, sweeping process and penalty compared",

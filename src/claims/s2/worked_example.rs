@@ -67,8 +67,8 @@ pub const CLAIMS: &[Claim] = &[
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated; these are all branches.",
-        argument: "At q = 0, 1/2, 2 and v⁻ = −2 … 2 the inclusion gives λ = v⁺ − v⁻: it is 0 inside, positive against the wall, 0 where the point leaves it. \
-            These are three of the nine pairs of signs of φ and λ, and the only ones with 0 ≤ φ, 0 ≤ λ and φλ = 0.",
+        argument: "At q = 0, 1/2, 2 and v⁻ = −2 … 2 the inclusion gives λ = v⁺ − v⁻: it is 0 inside, positive against the wall, 0 where \
+            the point leaves it. These are three of the nine pairs of signs of φ and λ, and the only ones with 0 ≤ φ, 0 ≤ λ and φλ = 0.",
         control: "A wall that holds the point fast: leaving has λ < 0.",
         sources: &["chapter §2, insight after the worked example"],
         check: branches,
@@ -89,8 +89,8 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S2.ex3",
-        statement: "Exercise 3: in persistent contact on a smooth phase the inclusion is equivalent to 0 ≤ λ ⟂ ∇φ·v⁺ (or φ) ≥ 0; with the friction cone \
-            this becomes a nonlinear complementarity problem instead of an LCP.",
+        statement: "Exercise 3: in persistent contact on a smooth phase the inclusion is equivalent to 0 ≤ λ ⟂ ∇φ·v⁺ (or φ) ≥ 0; with \
+            the friction cone this becomes a nonlinear complementarity problem instead of an LCP.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Exercise,
         severity: Some(Severity::MissingHypothesis),
@@ -98,10 +98,9 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "The equivalence holds on φ = 0. Friction leaves an LCP in the plane and for polyhedral cones; the nonlinear \
             problem comes with the circular cone of a spatial contact.",
         argument: "At φ > 0 the inclusion admits every v⁺ with λ = 0, the complementarity only those with ∇φ·v⁺ ≥ 0. In the plane the \
-            Stewart–Trinkle LCP with ±t has for W = I, u_free = (−1, 1), μ = 1/2 the one solution r = (1, −1/2), \
-            on the cone and opposed to u = (0, 1/2): Coulomb's law, exactly. In space, four directions and u_free = (−1, 1, 1), the same \
-            LCP gives ‖r_t‖²/(μ r_n)² = 1/2 instead of 1. \
-            No rational LCP with one solution can do better there: Coulomb's r_t = −(1,1)/(2√2) is irrational.",
+            Stewart–Trinkle LCP with ±t has for W = I, u_free = (−1, 1), μ = 1/2 the one solution r = (1, −1/2), on the cone and opposed \
+            to u = (0, 1/2): Coulomb's law, exactly. In space, four directions and u_free = (−1, 1, 1), the same LCP gives ‖r_t‖²/(μ \
+            r_n)² = 1/2 instead of 1. No rational LCP with one solution can do better there: Coulomb's r_t = −(1,1)/(2√2) is irrational.",
         control: "The spatial contact in place of the planar one.",
         sources: &["chapter §2, exercise 3"],
         check: exercise_three,

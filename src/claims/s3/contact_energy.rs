@@ -22,8 +22,8 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, with its warning: with P ≥ 0 and M(v⁺ − v⁻) = HᵀP, the convention of the scheme in §3, ΔT = +½Pᵀ(U⁺ + U⁻); the minus sign \
-            belongs to P = ∫dR with M(v⁺ − v⁻) = −HᵀP, the convention of §0.",
+        correct_statement: "As stated, with its warning: with P ≥ 0 and M(v⁺ − v⁻) = HᵀP, the convention of the scheme in §3, ΔT = \
+            +½Pᵀ(U⁺ + U⁻); the minus sign belongs to P = ∫dR with M(v⁺ − v⁻) = −HᵀP, the convention of §0.",
         argument: "ΔT = ½(v⁺ + v⁻)ᵀM(v⁺ − v⁻) = ±½Pᵀ(U⁺ + U⁻). Two unit masses in line at 1 and 0 m/s, e = 0: P = 1/2, U⁻ = −1, U⁺ = 0, ΔT \
             = −1/4 = +½·½·(−1).",
         control: "The minus sign together with the convention of §3.",
@@ -38,7 +38,8 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, for one common e, as the chapter writes it, a pure impact, and the law on every component if there is friction: ΔT ≤ −½(1−e)/(1+e) PᵀWP ≤ 0, with equality without friction.",
+        correct_statement: "As stated, for one common e, as the chapter writes it, a pure impact, and the law on every component if there \
+            is friction: ΔT ≤ −½(1−e)/(1+e) PᵀWP ≤ 0, with equality without friction.",
         argument: "Ū = U⁺ + eU⁻ and U⁺ − U⁻ = WP give U⁺ + U⁻ = 2Ū/(1+e) − (1−e)/(1+e) WP; complementarity makes PᵀŪ = 0 in the convention \
             P ≥ 0 (and the sign of the chapter's inequality is right in the convention P = ∫dR). Checked in rationals on a chain of balls \
             for e = 0, 1/3, 1. With e = (1, 0) at the two ends of a rod, W = [[1, −1/2], [−1/2, 1]], U⁻ = (−1, 1/2), the kinetic energy \

@@ -38,7 +38,8 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, with one coefficient e for all contacts, as the chapter writes it: semidefinite is half of it, feasibility the other half, and with one e the LCP is feasible with any redundancy. With different eᵢ it need not be.",
+        correct_statement: "As stated, with one coefficient e for all contacts, as the chapter writes it: semidefinite is half of it, \
+            feasibility the other half, and with one e the LCP is feasible with any redundancy. With different eᵢ it need not be.",
         argument: "Infeasible iff some y ≥ 0 has Hᵀy = 0 and yᵀ diag(e) H v < 0 (Farkas). With one e the second is e(Hᵀy)ᵀv = 0. Unit \
             point between two walls moving at 1 into the first: W = [[1, −1], [−1, 1]], U⁻ = (−1, 1), e = (1, 0): q = (−2, 1), and the \
             rows add up to 0 ≥ 1. With e = (1/2, 1/2) it is feasible and solvable.",

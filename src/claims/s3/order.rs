@@ -18,12 +18,14 @@ use nalgebra::dvector;
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S3.theta-order",
-        statement: "As rules for ordinary differential equations, θ = 1/2 is the second-order trapezoidal rule and θ = 1 is backward Euler.",
+        statement: "As rules for ordinary differential equations, θ = 1/2 is the second-order trapezoidal rule and θ = 1 is backward \
+            Euler.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Measured,
-        correct_statement: "As stated: orders 2 and 1 while the motion is smooth. Through an impact every θ has order 1 in the position (S3.table-2nd-order).",
+        correct_statement: "As stated: orders 2 and 1 while the motion is smooth. Through an impact every θ has order 1 in the position \
+            (S3.table-2nd-order).",
         argument: "q̈ = −q to t = 2: the one-step factor is R = (1 + (1−θ)z)/(1 − θz) = 1 + z + θz² + …, z = ±ih, so the order is 2 iff θ \
             = 1/2. The fitted slopes are those of C hᵖ(1 + O(h)) with constants within 15 % on these steps.",
         control: "The same oscillator with an elastic stop at q = 0, hit at t = π/2, for θ = 1/2.",
@@ -42,8 +44,8 @@ pub const CLAIMS: &[Claim] = &[
             impacts, like that of every θ.",
         argument: "Elastic ball, activation φ ≤ 0, θ = 1/2: a step that starts δ ∈ [0, h) after the true impact turns v into −v without \
             moving, so the ball goes on exactly, but late by h + 2δ. With v* = √(2 g q₀) the position error is at least v*h − (3/2) g h² \
-            and at most 3 v*h + g h². For g = 9.81 m/s², q₀ = 1 m and 64, 256 and 1024 steps the fitted order is one within the interval that \
-            these bounds leave, which two lies outside of. Gravity and springs: the energy is exactly neutral.",
+            and at most 3 v*h + g h². For g = 9.81 m/s², q₀ = 1 m and 64, 256 and 1024 steps the fitted order is one within the interval \
+            that these bounds leave, which two lies outside of. Gravity and springs: the energy is exactly neutral.",
         control: "The oscillator of S3.theta-order, without a stop.",
         sources: &["chapter §3, table of θ"],
         check: order_through_an_impact,
@@ -55,12 +57,12 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "As stated, for smooth motions: on linear systems the θ = 1/2 step preserves area; on nonlinear ones it does not, but it is \
-            conjugate to the midpoint rule, which does, and so behaves like it.",
-        argument: "The step is (I − hf/2)⁻¹∘(I + hf/2), so its Jacobian determinant is (1 + h²V''(q)/4)/(1 + h²V''(q⁺)/4) for q̈ = −V'(q): \
-            exactly 1 for the oscillator, 1.00016 for the pendulum at (1.3, 0.7), h = 0.1. Conjugating with half a step swaps the factors \
-            and gives the midpoint rule, of determinant 1. Pendulum, h = 0.1, 20 000 steps: the largest |E − E₀| of the last tenth is that of \
-            the first.",
+        correct_statement: "As stated, for smooth motions: on linear systems the θ = 1/2 step preserves area; on nonlinear ones it does \
+            not, but it is conjugate to the midpoint rule, which does, and so behaves like it.",
+        argument: "The step is (I − hf/2)⁻¹∘(I + hf/2), so its Jacobian determinant is (1 + h²V''(q)/4)/(1 + h²V''(q⁺)/4) for q̈ = \
+            −V'(q): exactly 1 for the oscillator, 1.00016 for the pendulum at (1.3, 0.7), h = 0.1. Conjugating with half a step swaps \
+            the factors and gives the midpoint rule, of determinant 1. Pendulum, h = 0.1, 20 000 steps: the largest |E − E₀| of the last \
+            tenth is that of the first.",
         control: "θ = 1.",
         sources: &["chapter §3, essential insight on θ", "Hairer, Lubich, Wanner, Geometric Numerical Integration, VI.8"],
         check: area,

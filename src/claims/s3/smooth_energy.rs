@@ -48,15 +48,17 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S3.energy-one",
-        statement: "θ = 1 adds −(h²/2)‖F‖²_{M⁻¹} < 0 to the work h v_θ·F in the change of the kinetic energy in one step: numerical dissipation O(h²).",
+        statement: "θ = 1 adds −(h²/2)‖F‖²_{M⁻¹} < 0 to the work h v_θ·F in the change of the kinetic energy in one step: numerical \
+            dissipation O(h²).",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, for every force: ΔT = h v⁺·F − ½h²FᵀM⁻¹F. It is per step, so O(h) over a fixed time, and for a constant force it is the \
-            loss of total energy; a linear spring has E⁺/E = (1 + (1−θ)²h²ω²)/(1 + θ²h²ω²) instead.",
-        argument: "ΔT = h·½(v⁺ + v)·F and ½(v⁺ + v) = v⁺ − ½hM⁻¹F. In rationals for a fall, a spring and two coupled masses. Free fall of 1 kg for 1 s at h \
-            = 1/1000 s loses ½ m g² h T = (981/100)²/2000 = 0.04811805 J exactly. A spring with hω = 1/2 keeps 4/5 of its energy in a step.",
+        correct_statement: "As stated, for every force: ΔT = h v⁺·F − ½h²FᵀM⁻¹F. It is per step, so O(h) over a fixed time, and for a \
+            constant force it is the loss of total energy; a linear spring has E⁺/E = (1 + (1−θ)²h²ω²)/(1 + θ²h²ω²) instead.",
+        argument: "ΔT = h·½(v⁺ + v)·F and ½(v⁺ + v) = v⁺ − ½hM⁻¹F. In rationals for a fall, a spring and two coupled masses. Free fall \
+            of 1 kg for 1 s at h = 1/1000 s loses ½ m g² h T = (981/100)²/2000 = 0.04811805 J exactly. A spring with hω = 1/2 keeps 4/5 \
+            of its energy in a step.",
         control: "θ = 1/2, whose term is zero.",
         sources: &["chapter §3, energy estimate, and exercise 2"],
         check: backward_euler,

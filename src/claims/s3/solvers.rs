@@ -21,9 +21,9 @@ pub(super) const CLAIMS: &[Claim] = &[
         correct_statement: "Projected Gauss–Seidel needs W_ii > 0. For singular W it converges to a solution that depends on the start; WP \
             is the same for all of them.",
         argument: "A table on four legs, H = (1, ±1, ±1), unit masses, u_free = −1: from P = 0 and from P = (1/4, 0, 0, 1/4) it ends at \
-            impulses further apart than its accuracy, while W P = (1, 1, 1, 1) from both, \
-                   to the accuracy that the two residuals imply for a convex problem. With a fifth contact that moves nothing, W_ii = 0 and u_i = \
-            0, the problem is semidefinite and solvable: Lemke’s method solves it, projected Gauss–Seidel, which divides by W_ii, refuses it.",
+            impulses further apart than its accuracy, while W P = (1, 1, 1, 1) from both, to the accuracy that the two residuals imply \
+            for a convex problem. With a fifth contact that moves nothing, W_ii = 0 and u_i = 0, the problem is semidefinite and \
+            solvable: Lemke’s method solves it, projected Gauss–Seidel, which divides by W_ii, refuses it.",
         control: "The table without the fifth contact.",
         sources: &["chapter §3, solvability of the normal LCP", "the agreement bound is derived with the tolerance"],
         check: four_legs,
@@ -68,11 +68,12 @@ pub(super) const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: R replaces the constraint u ≥ 0 by its Moreau envelope of strength R, min(u, 0)²/(2R), for good. A proximal term has the \
-            same strength and is centred at the previous iterate: it vanishes at the fixed point, which is the unregularised answer.",
-        argument: "One contact, W = 1/1000, u_free = −1, R = 1: with R the impulse is 1/(W + R) = 1000/1001. The velocity u that it leaves minimises (u − \
-            u_free)²/(2W) + min(u, 0)²/(2R) against 4001 points of a grid, and the impulse is minus the slope of the envelope there; so for three \
-            values of R. The proximal iteration P ← (1 + ρP)/(W + ρ), ρ = 1, has the fixed point 1000.",
+        correct_statement: "As stated: R replaces the constraint u ≥ 0 by its Moreau envelope of strength R, min(u, 0)²/(2R), for good. \
+            A proximal term has the same strength and is centred at the previous iterate: it vanishes at the fixed point, which is the \
+            unregularised answer.",
+        argument: "One contact, W = 1/1000, u_free = −1, R = 1: with R the impulse is 1/(W + R) = 1000/1001. The velocity u that it \
+            leaves minimises (u − u_free)²/(2W) + min(u, 0)²/(2R) against 4001 points of a grid, and the impulse is minus the slope of \
+            the envelope there; so for three values of R. The proximal iteration P ← (1 + ρP)/(W + ρ), ρ = 1, has the fixed point 1000.",
         control: "The hard contact, R = 0, held against the envelope.",
         sources: &["chapter §3, closing insight", "elementary"],
         check: two_centres,

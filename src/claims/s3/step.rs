@@ -54,11 +54,12 @@ pub const CLAIMS: &[Claim] = &[
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "U_n⁺ = −e U_n holds exactly at contacts with P > 0, and U_n is the velocity at the start of the step, which \
-            differs from the velocity at the impact by at most g h in free fall. At a contact with P = 0 the law is the inequality U_n⁺ ≥ −e U_n.",
+            differs from the velocity at the impact by at most g h in free fall. At a contact with P = 0 the law is the inequality U_n⁺ ≥ \
+            −e U_n.",
         argument: "e = 1/2, h = 1/100 s, q = 1/200 m, v = −1 m/s: v⁺ = 1/2 exactly, while the ball reaches the floor with 1.048 m/s, so \
-            that v⁺ differs from e times that by 0.024 ≤ e g h = 0.049 m/s. A rod of unit mass and inertia on two supports ½ and 1 m from its centre, \
-            on one side, W = [[5/4, 3/2], [3/2, 2]], approaches them at 1 and 1/10 m/s: the first impulse lifts the second support, which takes \
-            no impulse and leaves with 17/10 m/s, not with 1/20.",
+            that v⁺ differs from e times that by 0.024 ≤ e g h = 0.049 m/s. A rod of unit mass and inertia on two supports ½ and 1 m \
+            from its centre, on one side, W = [[5/4, 3/2], [3/2, 2]], approaches them at 1 and 1/10 m/s: the first impulse lifts the \
+            second support, which takes no impulse and leaves with 17/10 m/s, not with 1/20.",
         control: "The rod that approaches both at 1 and 5/4 m/s, where both impulses act.",
         sources: &["chapter §3, step 3 of the θ scheme"],
         check: newton_law,

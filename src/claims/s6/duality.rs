@@ -83,7 +83,8 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Definition,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "Of the rows that are inside their bounds, where J x = a_ref − R f. On a row at its bound J x differs, and ω̇ with it.",
+        correct_statement: "Of the rows that are inside their bounds, where J x = a_ref − R f. On a row at its bound J x differs, and ω̇ \
+            with it.",
         argument: "The same problem, row by row in rationals: equality on the two-sided row and the closed contact, a difference on the \
             open contact and on the row with friction loss, whose bound is reached.",
         control: "Twice the regularisation in R f.",

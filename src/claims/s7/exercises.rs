@@ -55,7 +55,8 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Exercise,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "For a contact that takes an impulse, 0 ≤ v⁺ + e v⁻ ⟂ P ≥ 0. A contact that its neighbour lifts takes none and leaves faster than −e v⁻.",
+        correct_statement: "For a contact that takes an impulse, 0 ≤ v⁺ + e v⁻ ⟂ P ≥ 0. A contact that its neighbour lifts takes none and \
+            leaves faster than −e v⁻.",
         argument: "W = 2. v⁻ = 0: v⁺ = 0 and P = 0. v⁻ = −1, e = 1/2: P = 3/4, v⁺ = 1/2. For small v⁻ = −1/1000 the same formula gives \
             1/2000: it tends to the resting case.",
         control: "The contact without its neighbour.",

@@ -53,7 +53,8 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "Where an impulse acts, or v⁻ ≈ 0. A contact that needs no impulse leaves faster than −e v⁻, or, if it separated before, with v⁺ down to −e v⁻: into the ground.",
+        correct_statement: "Where an impulse acts, or v⁻ ≈ 0. A contact that needs no impulse leaves faster than −e v⁻, or, if it \
+            separated before, with v⁺ down to −e v⁻: into the ground.",
         argument: "A ball of 1 kg, e = 1/2: v = 0, g h = 1/10: v⁺ = 0, P = 1/10. v = −1 without load: v⁺ = 1/2. v = 1 at zero gap with g h \
             = 13/10: v_free = −3/10, v_free + e v = 1/5 > 0, so P = 0 and v⁺ = −3/10.",
         control: "The ball that arrives is not pulled away.",

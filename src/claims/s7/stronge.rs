@@ -20,7 +20,8 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Definition,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated, E being the work of the normal impulse in each phase, as the sentence says. The kinetic energies before and after, which §12 calls so, have another ratio: friction lowers them as well.",
+        correct_statement: "As stated, E being the work of the normal impulse in each phase, as the sentence says. The kinetic energies \
+            before and after, which §12 calls so, have another ratio: friction lowers them as well.",
         argument: "The rod, μ = 1, e_* = 1: the normal impulse takes 31/200 J and returns 31/200 J, ratio 1; the kinetic energy goes from \
             1/5 to 31/200 J, ratio 31/40.",
         control: "Newton's law with e = 1 in place of Stronge's.",

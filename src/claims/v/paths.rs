@@ -13,9 +13,9 @@ pub const CLAIMS: &[Claim] = &[Claim {
     kind: Kind::Path,
     severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Cited,
-    correct_statement: "They existed. Siconos's are those of the releases up to 4.5.0, and two have moved since; Pinocchio's are those of \
-        release 3 and are elsewhere in 4.1.0; MJX's starts at the Python package; tamsi_solver.cc was to go after August 2026. The others of \
-        MuJoCo and Drake, and those of Bullet and Chrono, are in place. See S10.path-*.",
+    correct_statement: "They existed. Siconos's are those of the releases up to 4.5.0, and two have moved since; Pinocchio's are those \
+        of release 3 and are elsewhere in 4.1.0; MJX's starts at the Python package; tamsi_solver.cc was to go after August 2026. The \
+        others of MuJoCo and Drake, and those of Bullet and Chrono, are in place. See S10.path-*.",
     argument: "Libraries and source distributions of the pinned releases, read by scripts, and trees of the repositories in August 2026: \
         Chrono, Drake, MuJoCo and Bullet have the files, Siconos has two of four at the printed paths, Pinocchio 4.1.0 none of two.",
     control: "The releases that the paths are of: Siconos 4.5.0, Pinocchio 3.7.0, Drake before the announced removal, MJX's package.",

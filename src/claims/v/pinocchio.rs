@@ -13,8 +13,8 @@ pub const CLAIMS: &[Claim] = &[Claim {
     kind: Kind::Path,
     severity: None,
     evidence: Evidence::Cited,
-    correct_statement: "As stated of release 3, in which admm-solver.hxx came. The package checked elsewhere is 4.1.0: same solver and default \
-        law, other folders (S10.path-pinocchio).",
+    correct_statement: "As stated of release 3, in which admm-solver.hxx came. The package checked elsewhere is 4.1.0: same solver and \
+        default law, other folders (S10.path-pinocchio).",
     argument: "The tree of the tag v3.7.0 has both files, and its ADMM takes a proximal term and a compliance; it adds De Saxcé's shift in \
         every iteration, which makes the cone problem Coulomb's.",
     control: "Release 2.7.0.",
