@@ -16,13 +16,19 @@ fn supported(outcome: &JudgedClaim) -> Result<(), Failed> {
     }
     let line = |finding: &Finding| format!("\n  [{}] {finding}", if finding.holds() { "holds" } else { "FAILS" });
     let lines = |findings: &[Finding]| findings.iter().map(line).collect::<String>();
-    Err(format!("{:?}{}\n control:{}", outcome.status, lines(&outcome.findings), lines(&outcome.control)).into())
+    Err(format!(
+        "{:?}{}\n control:{}",
+        outcome.status,
+        lines(&outcome.findings),
+        outcome.controls.iter().map(|control| lines(control)).collect::<String>()
+    )
+    .into())
 }
 
 /// No other verdict is supported by these findings: recorded verdicts that differ cannot be exchanged.
 fn no_other_verdict(outcome: &JudgedClaim) -> Result<(), Failed> {
     for other in VERDICTS.into_iter().filter(|other| *other != outcome.claim.verdict) {
-        if claims::conclude(other, true, &outcome.findings, &outcome.control) == Status::Supported {
+        if claims::conclude(other, true, &outcome.findings, &outcome.controls) == Status::Supported {
             return Err(format!("the findings support {other:?} as well").into());
         }
     }

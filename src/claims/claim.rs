@@ -135,16 +135,26 @@ impl Evidence {
 pub enum Reading {
     /// The statement the recorded verdict stands for: every finding must hold.
     Recorded,
-    /// The control: the rejected verdict or a perturbed statement; at least one finding must fail.
-    Control,
+    /// A control, by its place in [`Claim::controls`]: another subject; a deciding finding must come out otherwise.
+    Control(usize),
 }
 
 impl Reading {
-    /// The recorded or the control value of a quantity.
+    /// Whether another subject is fed through the check.
+    pub fn is_control(self) -> bool {
+        self != Reading::Recorded
+    }
+
+    /// The reading for what only the control with this place changes: any other control leaves it as recorded.
+    pub fn only(self, place: usize) -> Reading {
+        if self == Reading::Control(place) { self } else { Reading::Recorded }
+    }
+
+    /// The recorded or the control value of a quantity; of a claim with several controls, after [`Reading::only`].
     pub fn pick<T>(self, recorded: T, control: T) -> T {
         match self {
             Reading::Recorded => recorded,
-            Reading::Control => control,
+            Reading::Control(_) => control,
         }
     }
 }
@@ -167,11 +177,12 @@ pub struct Claim {
     pub correct_statement: &'static str,
     /// Proof or counterexample, with its numbers.
     pub argument: &'static str,
-    /// What the control feeds through the check.
-    pub control: &'static str,
+    /// What each control feeds through the check: the first must lead to another verdict, each further one must move a deciding finding
+    /// that none before it moves.
+    pub controls: &'static [&'static str],
     /// Where the claim stands and what the argument rests on.
     pub sources: &'static [&'static str],
-    /// The check: findings that hold for the recorded reading and not all for the control.
+    /// The check: findings that hold for the recorded reading and not all for a control.
     pub check: fn(Reading) -> Result<Vec<Finding>>,
 }
 

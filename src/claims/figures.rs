@@ -17,7 +17,7 @@ pub struct Figures {
     pub derived: usize,
     /// Findings that decide.
     pub deciding: usize,
-    /// Those of them that the control finds otherwise.
+    /// Those of them that a control finds otherwise.
     pub moved: usize,
     /// Findings told beside the sentence.
     pub context: usize,
@@ -33,7 +33,7 @@ impl Figures {
             repeats: usize::from(original(outcome.claim.id).is_some()),
             derived: usize::from(is_derived(outcome.claim)),
             deciding: deciding.len(),
-            moved: deciding.iter().filter(|finding| Figures::is_moved(finding, &outcome.findings, &outcome.control)).count(),
+            moved: deciding.iter().filter(|finding| Figures::moves(finding, outcome)).count(),
             context: outcome.findings.len() - deciding.len(),
         }
     }
@@ -49,6 +49,11 @@ impl Figures {
             moved: sum.moved + one.moved,
             context: sum.context + one.context,
         })
+    }
+
+    /// Whether a control finds this finding of the outcome otherwise.
+    pub fn moves(finding: &Finding, outcome: &JudgedClaim) -> bool {
+        outcome.controls.iter().any(|control| Figures::is_moved(finding, &outcome.findings, control))
     }
 
     /// Whether the other list has another finding in the place of this one: the one of its name, and of its turn among those of that name.
@@ -74,7 +79,7 @@ mod tests {
     fn a_finding_is_moved_if_its_counterpart_in_the_control_comes_out_otherwise() {
         let mut judged = outcome(Status::Supported);
         judged.findings = vec![found("a", 1), found("a", 1), found("b", 1), found("c", 1), found("d", 7).context()];
-        judged.control = vec![found("a", 1), found("a", 2), found("b", 1)];
+        judged.controls = vec![vec![found("a", 1), found("a", 2), found("b", 1)]];
         let figures = Figures::of(&judged);
         assert_eq!((figures.deciding, figures.moved, figures.context), (4, 2, 1));
     }

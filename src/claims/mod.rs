@@ -7,6 +7,7 @@ pub(crate) mod experiments;
 mod figures;
 pub mod front;
 pub mod manual;
+mod prelude;
 mod registry;
 mod repeats;
 pub mod s0;

@@ -1,6 +1,6 @@
 //! All claims in the chapter's order, and how one is judged.
 
-use super::{Claim, ClaimVerdict, Reading, UNDERIVED, derive, group_of};
+use super::{Claim, ClaimVerdict, Figures, Reading, UNDERIVED, derive, group_of};
 use crate::checks::{Finding, Voice};
 use moreau_exact::witness::{Witness, collect};
 use serde::Serialize;
@@ -14,7 +14,8 @@ pub enum Status {
     Supported,
     /// A finding fails: the evidence speaks against the recorded verdict.
     Contradicted,
-    /// The control passed as well, or leads to the same verdict: the check cannot tell the verdict from its opposite.
+    /// A control passed as well, leads to the same verdict, or moves nothing that another one does not: the check cannot tell the verdict from
+    /// its opposite.
     ControlPassed,
     /// What the findings say of the sentence is another verdict than the recorded one; in words.
     OtherVerdict(String),
@@ -28,8 +29,8 @@ pub struct JudgedClaim {
     pub claim: &'static Claim,
     /// Findings of the recorded reading.
     pub findings: Vec<Finding>,
-    /// Findings of the control.
-    pub control: Vec<Finding>,
+    /// Findings of each control.
+    pub controls: Vec<Vec<Finding>>,
     /// The conclusion.
     pub status: Status,
     /// Wall-clock time \[s\].
@@ -74,16 +75,16 @@ pub fn matches_group(id: &str, group: &str) -> bool {
 pub fn judge(claim: &'static Claim) -> JudgedClaim {
     let start = Instant::now();
     let recorded = (claim.check)(Reading::Recorded);
-    let control = (claim.check)(Reading::Control);
-    let status = match (&recorded, &control) {
+    let controls = (0..claim.controls.len()).map(|place| (claim.check)(Reading::Control(place))).collect::<crate::Result<Vec<_>>>();
+    let status = match (&recorded, &controls) {
         (Err(error), _) => Status::Failed(error.to_string()),
         (_, Err(error)) => Status::Failed(format!("control: {error}")),
-        (Ok(findings), Ok(control)) => conclude(claim.verdict, is_derived(claim), findings, control),
+        (Ok(findings), Ok(controls)) => conclude(claim.verdict, is_derived(claim), findings, controls),
     };
     JudgedClaim {
         claim,
         findings: recorded.unwrap_or_default(),
-        control: control.unwrap_or_default(),
+        controls: controls.unwrap_or_default(),
         status,
         seconds: start.elapsed().as_secs_f64(),
     }
@@ -109,9 +110,9 @@ pub fn is_derived(claim: &Claim) -> bool {
     !UNDERIVED.contains(&claim.id)
 }
 
-/// What the findings of the claim and of its control say of the recorded verdict; `derived` is [`is_derived`].
-pub fn conclude(verdict: ClaimVerdict, derived: bool, findings: &[Finding], control: &[Finding]) -> Status {
-    if findings.is_empty() || control.is_empty() {
+/// What the findings of the claim and of its controls say of the recorded verdict; `derived` is [`is_derived`].
+pub fn conclude(verdict: ClaimVerdict, derived: bool, findings: &[Finding], controls: &[Vec<Finding>]) -> Status {
+    if findings.is_empty() || controls.is_empty() || controls.iter().any(Vec::is_empty) {
         return Status::Failed("the check found nothing".into());
     }
     if !findings.iter().all(Finding::holds) {
@@ -123,8 +124,24 @@ pub fn conclude(verdict: ClaimVerdict, derived: bool, findings: &[Finding], cont
         _ => {}
     }
     let opinion = verdict == ClaimVerdict::Ambiguous && findings.iter().any(|finding| matches!(finding.bearing.voice, Voice::Opinion(_)));
-    let same = derived && !opinion && derive(control) == Ok(verdict);
-    if same || control.iter().all(Finding::holds) { Status::ControlPassed } else { Status::Supported }
+    let same = derived && !opinion && derive(&controls[0]) == Ok(verdict);
+    let passed = same || controls[0].iter().all(Finding::holds);
+    if passed || controls.len() > 1 && idle(findings, controls) { Status::ControlPassed } else { Status::Supported }
+}
+
+/// Whether a control after the first moves no deciding finding but those that one before it moves.
+fn idle(findings: &[Finding], controls: &[Vec<Finding>]) -> bool {
+    let moved = |control: &[Finding]| {
+        let moves = |finding: &&Finding| !finding.bearing.context && Figures::is_moved(finding, findings, control);
+        findings.iter().filter(moves).map(|finding| std::ptr::from_ref(finding)).collect::<Vec<_>>()
+    };
+    let mut before = moved(&controls[0]);
+    controls[1..].iter().any(|control| {
+        let now = moved(control);
+        let nothing_new = now.iter().all(|finding| before.contains(finding));
+        before.extend(now);
+        nothing_new
+    })
 }
 
 #[cfg(test)]
@@ -140,25 +157,35 @@ mod tests {
     #[test]
     fn a_verdict_that_does_not_follow_from_the_findings_is_not_supported() {
         let (refuting, supporting) = ([found(1).says(2)], [found(1)]);
-        assert_eq!(conclude(ClaimVerdict::False, true, &refuting, &[found(2).says(2)]), Status::Supported);
-        assert!(matches!(conclude(ClaimVerdict::True, true, &refuting, &[found(2)]), Status::OtherVerdict(_)));
-        assert!(matches!(conclude(ClaimVerdict::False, true, &supporting, &[found(2)]), Status::OtherVerdict(_)));
-        assert!(matches!(conclude(ClaimVerdict::True, true, &[found(1).context()], &[found(2)]), Status::OtherVerdict(_)));
+        assert_eq!(conclude(ClaimVerdict::False, true, &refuting, &[vec![found(2).says(2)]]), Status::Supported);
+        assert!(matches!(conclude(ClaimVerdict::True, true, &refuting, &[vec![found(2)]]), Status::OtherVerdict(_)));
+        assert!(matches!(conclude(ClaimVerdict::False, true, &supporting, &[vec![found(2)]]), Status::OtherVerdict(_)));
+        assert!(matches!(conclude(ClaimVerdict::True, true, &[found(1).context()], &[vec![found(2)]]), Status::OtherVerdict(_)));
     }
 
     #[test]
     fn a_control_that_passes_or_leads_to_the_same_verdict_is_reported() {
-        assert_eq!(conclude(ClaimVerdict::True, true, &[found(1)], &[found(1)]), Status::ControlPassed);
-        assert_eq!(conclude(ClaimVerdict::True, false, &[found(1)], &[found(1)]), Status::ControlPassed);
-        assert_eq!(conclude(ClaimVerdict::False, true, &[found(1).says(2)], &[found(3).says(2)]), Status::ControlPassed);
-        assert_eq!(conclude(ClaimVerdict::True, true, &[found(1)], &[found(1), found(2).context()]), Status::ControlPassed);
+        assert_eq!(conclude(ClaimVerdict::True, true, &[found(1)], &[vec![found(1)]]), Status::ControlPassed);
+        assert_eq!(conclude(ClaimVerdict::True, false, &[found(1)], &[vec![found(1)]]), Status::ControlPassed);
+        assert_eq!(conclude(ClaimVerdict::False, true, &[found(1).says(2)], &[vec![found(3).says(2)]]), Status::ControlPassed);
+        assert_eq!(conclude(ClaimVerdict::True, true, &[found(1)], &[vec![found(1), found(2).context()]]), Status::ControlPassed);
+    }
+
+    #[test]
+    fn a_further_control_moves_a_deciding_finding_that_none_before_it_moves() {
+        let findings = |a, b| vec![Finding::count("a", a, 1), Finding::count("b", b, 1)];
+        let conclude = |controls: &[Vec<Finding>]| conclude(ClaimVerdict::True, true, &findings(1, 1), controls);
+        assert_eq!(conclude(&[findings(2, 1), findings(1, 2)]), Status::Supported);
+        assert_eq!(conclude(&[findings(2, 1), findings(2, 1)]), Status::ControlPassed);
+        assert_eq!(conclude(&[findings(1, 1), findings(1, 2)]), Status::ControlPassed);
+        assert_eq!(conclude(&[findings(2, 1), findings(1, 2), vec![]]), Status::Failed("the check found nothing".into()));
     }
 
     #[test]
     fn nothing_found_and_a_finding_that_fails_are_reported() {
-        assert!(matches!(conclude(ClaimVerdict::True, true, &[], &[found(2)]), Status::Failed(_)));
-        assert!(matches!(conclude(ClaimVerdict::True, true, &[found(1)], &[]), Status::Failed(_)));
-        assert_eq!(conclude(ClaimVerdict::True, true, &[found(2)], &[found(2)]), Status::Contradicted);
+        assert!(matches!(conclude(ClaimVerdict::True, true, &[], &[vec![found(2)]]), Status::Failed(_)));
+        assert!(matches!(conclude(ClaimVerdict::True, true, &[found(1)], &[vec![]]), Status::Failed(_)));
+        assert_eq!(conclude(ClaimVerdict::True, true, &[found(2)], &[vec![found(2)]]), Status::Contradicted);
     }
 
     #[test]
@@ -201,8 +228,9 @@ mod tests {
         let mut seen = HashSet::new();
         for claim in all() {
             assert!(seen.insert(claim.id), "{} is registered twice", claim.id);
-            let texts = [claim.statement, claim.correct_statement, claim.argument, claim.control];
-            assert!(texts.iter().all(|text| text.len() > 3), "{} lacks a text", claim.id);
+            let texts = [claim.statement, claim.correct_statement, claim.argument];
+            assert!(texts.iter().chain(claim.controls).all(|text| text.len() > 3), "{} lacks a text", claim.id);
+            assert!(!claim.controls.is_empty(), "{} lacks a control", claim.id);
             assert!(!claim.sources.is_empty(), "{} lacks a source", claim.id);
         }
     }

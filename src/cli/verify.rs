@@ -24,7 +24,7 @@ use std::path::{Path, PathBuf};
 pub struct Arguments {
     #[command(flatten)]
     filters: Filters,
-    /// Explain one claim: proof or counterexample, findings, corrected statement, control, sources.
+    /// Explain one claim: proof or counterexample, findings, corrected statement, controls, sources.
     #[arg(long, value_name = "ID", conflicts_with_all = ["filter", "section", "verdict", "severity", "kind"])]
     explain: Option<String>,
     /// List the claims without running them.
@@ -51,7 +51,7 @@ Examples:
 
 A verdict is derived from the findings: each says what the sentence says of its instance, and supports
 the sentence or refutes it. `derived` is false where that is still to be written; the recorded verdict
-counts there. The figures count deciding findings, those that the control finds otherwise, and context.
+counts there. The figures count deciding findings, those that a control finds otherwise, and context.
 
 Verdicts: true, conditional (holds under conditions the text omits), false as stated, inconsistent
 (the text says two things that exclude each other), ambiguous (readings differ in truth).
@@ -123,7 +123,7 @@ fn judge(claim: &'static Claim) -> JudgedClaim {
     catch_unwind(|| claims::judge(claim)).unwrap_or_else(|_| JudgedClaim {
         claim,
         findings: Vec::new(),
-        control: Vec::new(),
+        controls: Vec::new(),
         status: Status::Failed("the check panicked".into()),
         seconds: 0.0,
     })

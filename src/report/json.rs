@@ -70,8 +70,13 @@ impl<'a> From<&'a Finding> for FindingEntry<'a> {
     }
 }
 
-fn entries(findings: &[Finding]) -> Vec<FindingEntry<'_>> {
-    findings.iter().map(FindingEntry::from).collect()
+/// A finding of a claim, with whether a control finds it otherwise.
+#[derive(Serialize)]
+pub struct DecidingEntry<'a> {
+    #[serde(flatten)]
+    finding: FindingEntry<'a>,
+    /// Whether a control finds it otherwise.
+    moved: bool,
 }
 
 /// A claim with what its check found.
@@ -79,7 +84,7 @@ fn entries(findings: &[Finding]) -> Vec<FindingEntry<'_>> {
 pub struct OutcomeEntry<'a> {
     #[serde(flatten)]
     claim: ClaimEntry,
-    findings: Vec<FindingEntry<'a>>,
+    findings: Vec<DecidingEntry<'a>>,
     figures: Figures,
     status: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -97,9 +102,10 @@ impl<'a> From<&'a JudgedClaim> for OutcomeEntry<'a> {
             Status::Failed(reason) => ("failed", Some(reason.as_str())),
         };
         let figures = Figures::of(outcome);
+        let entry = |finding| DecidingEntry { finding: FindingEntry::from(finding), moved: Figures::moves(finding, outcome) };
         OutcomeEntry {
             claim: outcome.claim.into(),
-            findings: entries(&outcome.findings),
+            findings: outcome.findings.iter().map(entry).collect(),
             figures,
             status,
             failure,
@@ -108,14 +114,26 @@ impl<'a> From<&'a JudgedClaim> for OutcomeEntry<'a> {
     }
 }
 
-/// A claim with its argument, its control and its sources: what `verify --explain` writes.
+/// A control: the subject that it feeds through the check, and what the check finds then.
+#[derive(Serialize)]
+pub struct ControlEntry<'a> {
+    subject: &'static str,
+    findings: Vec<FindingEntry<'a>>,
+}
+
+impl<'a> From<(&&'static str, &'a Vec<Finding>)> for ControlEntry<'a> {
+    fn from((subject, findings): (&&'static str, &'a Vec<Finding>)) -> Self {
+        ControlEntry { subject, findings: findings.iter().map(FindingEntry::from).collect() }
+    }
+}
+
+/// A claim with its argument, its controls and its sources: what `verify --explain` writes.
 #[derive(Serialize)]
 pub struct ExplanationEntry<'a> {
     #[serde(flatten)]
     outcome: OutcomeEntry<'a>,
     argument: &'static str,
-    control: &'static str,
-    control_findings: Vec<FindingEntry<'a>>,
+    controls: Vec<ControlEntry<'a>>,
     sources: &'static [&'static str],
 }
 
@@ -123,8 +141,7 @@ impl<'a> From<&'a JudgedClaim> for ExplanationEntry<'a> {
     fn from(outcome: &'a JudgedClaim) -> Self {
         ExplanationEntry {
             argument: outcome.claim.argument,
-            control: outcome.claim.control,
-            control_findings: entries(&outcome.control),
+            controls: outcome.claim.controls.iter().zip(&outcome.controls).map(ControlEntry::from).collect(),
             sources: outcome.claim.sources,
             outcome: outcome.into(),
         }

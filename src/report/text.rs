@@ -44,7 +44,7 @@ pub fn list(claims: &[&'static Claim], style: Style) -> String {
     text
 }
 
-/// One claim in full: statement, verdict, argument, findings, corrected statement, control and sources.
+/// One claim in full: statement, verdict, argument, findings, corrected statement, controls and sources.
 pub fn explanation(outcome: &JudgedClaim, style: Style) -> String {
     let claim = outcome.claim;
     let title = section_of(claim).map_or(claim.section(), |section| section.title);
@@ -65,7 +65,9 @@ pub fn explanation(outcome: &JudgedClaim, style: Style) -> String {
     let shown = if is_derived(claim) { told } else { judged };
     part("What this run found", &outcome.findings.iter().map(shown).collect::<Vec<_>>());
     part("Correct statement", &[wrap(claim.correct_statement)]);
-    part("Control", &control(outcome, style));
+    for (place, findings) in outcome.controls.iter().enumerate() {
+        part("Control", &control(outcome, place, findings, style));
+    }
     part("Sources", &claim.sources.iter().map(|source| wrap(source)).collect::<Vec<_>>());
     line(&mut text, "");
     complain(&mut text, outcome, style);
@@ -172,12 +174,12 @@ fn complain(text: &mut String, outcome: &JudgedClaim, style: Style) {
     outcome.findings.iter().filter(|finding| !finding.holds()).for_each(|finding| line(text, &judged(finding)));
 }
 
-/// The control: what it changes, the findings that come out otherwise, and what follows.
-fn control(outcome: &JudgedClaim, style: Style) -> Vec<String> {
-    let moved = |finding: &&Finding| Figures::is_moved(finding, &outcome.control, &outcome.findings);
-    let mut lines = vec![wrap(outcome.claim.control)];
-    lines.extend(outcome.control.iter().filter(moved).map(bearing));
-    lines.push(match (&outcome.status, derive(&outcome.control)) {
+/// A control: what it changes, the findings that come out otherwise, and what follows.
+fn control(outcome: &JudgedClaim, place: usize, findings: &[Finding], style: Style) -> Vec<String> {
+    let moved = |finding: &&Finding| Figures::is_moved(finding, findings, &outcome.findings);
+    let mut lines = vec![wrap(outcome.claim.controls[place])];
+    lines.extend(findings.iter().filter(moved).map(bearing));
+    lines.push(match (&outcome.status, derive(findings)) {
         (Status::ControlPassed, _) => format!("  {}", style.alarm("the control was NOT contradicted")),
         (_, Ok(verdict)) if verdict != outcome.claim.verdict => {
             format!("  the control leads to another verdict, as it must: {}", verdict.words())
@@ -250,14 +252,20 @@ pub(crate) mod tests {
         evidence: Evidence::Exact,
         correct_statement: "one is one",
         argument: "1 ≠ 2",
-        control: "two is fed through",
+        controls: &["two is fed through"],
         sources: &["chapter §4"],
         check: |reading| Ok(vec![Finding::equal("length", reading.pick(1.0, 2.0), 1.0, 0.0, "m").says(2.0)]),
     };
 
     pub(crate) fn outcome(status: Status) -> JudgedClaim {
         let findings = |reading| (CLAIM.check)(reading).expect("the example cannot fail");
-        JudgedClaim { claim: &CLAIM, findings: findings(Reading::Recorded), control: findings(Reading::Control), status, seconds: 0.0 }
+        JudgedClaim {
+            claim: &CLAIM,
+            findings: findings(Reading::Recorded),
+            controls: vec![findings(Reading::Control(0))],
+            status,
+            seconds: 0.0,
+        }
     }
 
     const PLAIN: Style = Style { colour: false };
@@ -309,7 +317,7 @@ pub(crate) mod tests {
     #[test]
     fn a_control_that_passes_is_called_out() {
         let mut outcome = outcome(Status::ControlPassed);
-        outcome.control = outcome.findings.clone();
+        outcome.controls = vec![outcome.findings.clone()];
         assert!(explanation(&outcome, PLAIN).contains("NOT contradicted"));
     }
 

@@ -122,7 +122,7 @@ fn an_explanation_holds_argument_findings_correction_control_and_sources() {
     let run = moreau(&["verify", "--explain", claim.id]);
     assert_eq!(run.code, 0);
     let squeezed = run.output.split_whitespace().collect::<Vec<_>>().join(" ");
-    for text in [claim.statement, claim.argument, claim.correct_statement, claim.control, claim.sources[0]] {
+    for text in [claim.statement, claim.argument, claim.correct_statement, claim.controls[0], claim.sources[0]] {
         assert!(squeezed.contains(&text.split_whitespace().collect::<Vec<_>>().join(" ")), "{text:?} is missing in {}", run.output);
     }
     for words in ["[supports]", "[refutes ]", "the control leads to another verdict, as it must: true"] {
@@ -130,7 +130,7 @@ fn an_explanation_holds_argument_findings_correction_control_and_sources() {
     }
     let explanation = moreau(&["verify", "--explain", claim.id, "--format", "json"]).json();
     assert_eq!((&explanation["id"], &explanation["argument"]), (&claim.id.into(), &claim.argument.into()));
-    assert!(explanation["control_findings"].as_array().expect("an array").iter().any(|finding| finding["holds"] == false));
+    assert!(explanation["controls"][0]["findings"].as_array().expect("an array").iter().any(|finding| finding["holds"] == false));
 }
 
 #[test]

@@ -1,17 +1,13 @@
 //! Complementarity, normal cone and proximal operator as the preface recalls them; the cone's errors in the misconception table.
 
-use crate::Result;
 use crate::certificate::lcp::residuals;
-use crate::checks::Finding;
+use crate::claims::prelude::*;
 use crate::claims::s4::polyhedral::scaled_errors;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
 use crate::cones::polyhedral::strength_error;
 use crate::problem::{Lcp, PlanarProblem};
-use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
 use crate::solvers::lemke::{LemkeOutcome, lemke};
 use crate::tolerance::rounding;
-use nalgebra::{DMatrix, DVector};
 
 /// Claims of the preface.
 pub const PREFACE: &[Claim] = &[Claim {
@@ -27,7 +23,7 @@ pub const PREFACE: &[Claim] = &[Claim {
     argument: "Σ zᵢwᵢ = 0 with every term ≥ 0 makes every term 0. All solutions of three rational LCPs, found by enumerating complementary \
         supports, satisfy it entry by entry. \
         For C = [0, 2] and v = −1, 1/3, 2, 5 the minimiser of ½(x − v)² on a fine grid is the clamped v, and v − x is in N_C(x).",
-    control: "A feasible point of each LCP, shifted off the complementary face.",
+    controls: &["A feasible point of each LCP, shifted off the complementary face."],
     sources: &["chapter, recollections before §0", "Cottle, Pang and Stone, The Linear Complementarity Problem (1992), §1.1"],
     check: complementary_slackness,
 }];
@@ -47,7 +43,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
         direction by 1/2. Lemke's method in rational arithmetic solves the LCP of a sliding contact with four directions with all \
         residuals zero; its friction has half the squared strength of the circular cone's along the bisector, which is the error of the \
         shape.",
-    control: "The error of the direction in the place of that of the radius: it is of order 1/d in either reading.",
+    controls: &["The error of the direction in the place of that of the radius: it is of order 1/d in either reading."],
     sources: &["chapter, table of misconceptions, polyhedral cone and convex relaxation"],
     check: cone_error,
 }];

@@ -1,18 +1,14 @@
 //! Claims of the front matter on the convex relaxation: the project's module B and its scenes, the table of misconceptions.
 
-use crate::Result;
-use crate::checks::Finding;
+use crate::claims::prelude::*;
 use crate::claims::s5::planar_step::Block;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::bouncing_ball::BouncingBall;
 use crate::mechanics::{PointMass, State};
 use crate::problem::{Compliance, Coordinates, Law, Lcp};
-use crate::scalar::{Rational, ratio};
 use crate::schemes::{Anitescu, MoreauJean, Scheme, StepContext, StepProblem, Waist, passes_the_waist, simulate};
 use crate::solvers::lemke::solution;
 use crate::solvers::{AcceleratedProjectedGradient, Auto};
 use crate::tolerance;
-use nalgebra::{DMatrix, DVector, dvector};
 
 /// Claims on the cumulative project.
 pub(super) const PREFACE: &[Claim] = &[
@@ -29,7 +25,7 @@ pub(super) const PREFACE: &[Claim] = &[
             at S5.gliding-creep.",
         argument: "v = 0 satisfies the optimality conditions of the step, see S5.gliding-creep. Measured with the scheme and the solver \
             the module asks for: block of 1 kg at 20°, μ = 0.5, one second with h = 0.02, 0.01, 0.005: distance 0 to rounding.",
-        control: "The same scheme with the tangential softness R_t = 1/1000 kg⁻¹: it creeps.",
+        controls: &["The same scheme with the tangential softness R_t = 1/1000 kg⁻¹: it creeps."],
         sources: &["chapter, cumulative project, module B"],
         check: block_at_rest,
     },
@@ -46,8 +42,8 @@ pub(super) const PREFACE: &[Claim] = &[
         argument: "(a) e = 1/2 from 1 m: past the accumulation time the Moreau–Jean ball moves at no more than g h. (b) three blocks of 1, \
             2, 3 kg on each other, exact step: all velocities 0, the ground carries h g·6 kg. (c) on the 3-4-5 slope the block with \
                    μ = 1/2 slides with φ = μ h v_t exactly; with μ = 1 it neither moves nor lifts off.",
-        control: "A sticking block whose contact is softened along the tangent, R_t = 1/1000 kg⁻¹, in the place of the hard one: it \
-            creeps.",
+        controls: &["A sticking block whose contact is softened along the tangent, R_t = 1/1000 kg⁻¹, in the place of the hard one: it \
+            creeps."],
         sources: &["chapter, cumulative project, reference scenes"],
         check: scenes,
     },
@@ -68,7 +64,7 @@ pub(super) const MISCONCEPTIONS: &[Claim] = &[Claim {
         by a(1 − ϱˡ), ϱ = μ²/(1+μ²) = 1/5. At t = 1 s the velocity error is (h/2)(1 − 5⁻ᴺ) exactly, N = 1/h, and the gap μ h v_t: both \
         halve with h. Given 1 m/s on level ground at φ = 0 the block is at 1/125 + 3h/25 m after 1/25 s: from h = 1/250 to 1/500 that \
         falls by 103/106, not by 1/2.",
-    control: "The block given 1 m/s at the gap φ = μ h V, where it meets the contact compatibly.",
+    controls: &["The block given 1 m/s at the gap φ = μ h V, where it meets the contact compatibly."],
     sources: &["chapter, table of misconceptions, §5"],
     check: error_of_a_slide,
 }];

@@ -1,14 +1,11 @@
 //! Energy of the θ scheme and the unknown impulse, as the front matter and the tables put them.
 
-use crate::Result;
-use crate::checks::Finding;
+use crate::claims::prelude::*;
 use crate::claims::s3::elastic::{chain_energies, distinct, oscillator_energy_ratio};
 use crate::claims::s3::smooth_energy::{linear_energy_change, pendulum_energy_change};
 use crate::claims::s3::theta_step::{LinearSystem, phase};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::ElasticBall;
 use crate::exact_particle::{Ball, BallState};
-use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
 use crate::tolerance::claims::theta_scheme::pendulum_energy;
 use num_traits::Zero;
@@ -26,7 +23,7 @@ pub const PREFACE: &[Claim] = &[Claim {
     argument: "Three equal balls, e = 1, two collisions: the kinetic energy takes one value at θ = 1/2 and one at θ = 1. Elastic ball in \
         rationals, θ = 1, activation rules A, B, D (A: φ ≤ 0, B: φ + ½hu ≤ 0, D: φ + h u_free ≤ 0): the invariant of the closed form keeps \
         its value over 300 steps. An oscillator loses 1 − (1 + h²)^{-N} of its energy.",
-    control: "An oscillator in the place of the chain, and a ball with e = 1/2 in the place of the elastic one.",
+    controls: &["An oscillator in the place of the chain, and a ball with e = 1/2 in the place of the elastic one."],
     sources: &["chapter, cumulative project, module A"],
     check: elastic_chain,
 }];
@@ -42,7 +39,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     correct_statement: "As stated.",
     argument: "m = 2 kg, g = 981/100 m/s². Resting: P = m g h, so P/h = m g at every h. Impact at −3 m/s with e = 1/2 and no force: P = \
         (1+e) m · 3 = 9 N·s at every h, so P/h grows like 1/h.",
-    control: "A ball at rest in the place of the impact: its impulse shrinks with h.",
+    controls: &["A ball at rest in the place of the impact: its impulse shrinks with h."],
     sources: &["chapter, table of misconceptions"],
     check: force_or_atom,
 }];
@@ -58,7 +55,7 @@ pub const TABLES: &[Claim] = &[Claim {
         step for a constant force – O(h²) per step, O(h) over a fixed time.",
     argument: "Gravity and springs, θ = 1/2: change 0 in rationals; pendulum from (1.3, 0.7), h = 0.1: 2.2e-5 J. Free fall, θ = 1: \
         halving h divides the loss of a step by 4 and that of a fixed time by 2.",
-    control: "Gravity and springs in the place of the pendulum.",
+    controls: &["Gravity and springs in the place of the pendulum."],
     sources: &["chapter, table of theorems", "chapter §3, energy estimate"],
     check: theta_table,
 }];

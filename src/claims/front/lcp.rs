@@ -1,18 +1,14 @@
 //! Existence, uniqueness and PGS for the LCPs of a step, in the tables and the project.
 
-use crate::Result;
 use crate::certificate::copositivity::copositive_plus;
 use crate::certificate::definiteness::positive_semidefinite;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::contact::delassus::delassus;
 use crate::problem::{ContactProblem, Law, Lcp};
-use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
 use crate::solvers::lemke::{LemkeOutcome, lemke};
 use crate::solvers::{ContactSolver, ProjectedGaussSeidel};
 use crate::tolerance::claims::lcp::SWEEP_VELOCITY;
-use nalgebra::{DMatrix, DVector, dvector};
 
 /// Claims of the preface and the project.
 pub const PREFACE: &[Claim] = &[Claim {
@@ -26,7 +22,7 @@ pub const PREFACE: &[Claim] = &[Claim {
         only the velocity U is unique.",
     argument: "Block on four frictionless corners (1, ±1, ±1), W of rank 3, U_free = −1: from P = 0 and from P = (1, 0, 0, 1) PGS \
         reaches a solution, min(P, U) = 0 entry by entry, with the same velocity U = 0 and different impulses.",
-    control: "A single sweep.",
+    controls: &["A single sweep."],
     sources: &["chapter, cumulative project, module A"],
     check: gauss_seidel,
 }];
@@ -45,7 +41,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
         matrix itself is not copositive-plus with friction, see S4.copos-plus.)",
     argument: "Unit mass on two equal contacts: W = [[1, 1], [1, 1]] is semidefinite, hence copositive-plus; with q = (−1, −1) every z \
         ≥ 0 with z₁ + z₂ = 1 is a solution, and all have v⁺ = −1 + z₁ + z₂ = 0.",
-    control: "Three balls in a row, W = [[2, −1], [−1, 2]], where the solution is unique.",
+    controls: &["Three balls in a row, W = [[2, −1], [−1, 2]], where the solution is unique."],
     sources: &["chapter, table of misconceptions"],
     check: existence_only,
 }];
@@ -63,7 +59,7 @@ pub const TABLES: &[Claim] = &[Claim {
     argument: "If no z ≥ 0 had Wz + q ≥ 0, Farkas would give y ≥ 0 with Wy ≤ 0 and qᵀy < 0; then yᵀWy ≤ 0, so Hᵀy = 0 and qᵀy = (v_free + \
         ev)ᵀHᵀy = 0. Eight contacts of a block with three velocities, all velocities from {−2, …, 2}³ and e = 1/2: W ⪰ 0 of rank 3, each \
         of the 125 LCPs solved exactly. (With different coefficients it may fail, see S3.normal-solvable.)",
-    control: "Data q that is not of the form Hv: two opposite contacts that both close at 1.",
+    controls: &["Data q that is not of the form Hv: two opposite contacts that both close at 1."],
     sources: &["chapter, table of theorems", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.1"],
     check: normal_lcp,
 }];
@@ -106,7 +102,7 @@ fn normal_lcp(reading: Reading) -> Result<Vec<Finding>> {
             // v_free = v: q = H(v + v/2).
             grid.map(|v| Lcp::new(matrix.clone(), &jacobian * v * ratio(3, 2))).collect()
         }
-        Reading::Control => {
+        Reading::Control(_) => {
             let matrix = DMatrix::from_row_slice(2, 2, &[1, -1, -1, 1].map(|x| ratio(x, 1)));
             vec![Lcp::new(matrix, DVector::from_element(2, ratio(-1, 1)))]
         }

@@ -1,9 +1,7 @@
 //! Front matter and table of misconceptions: the order of integrators at impacts.
 
-use crate::Result;
-use crate::checks::Finding;
+use crate::claims::prelude::*;
 use crate::claims::s0::runge_kutta::{Impacts, Norm, order};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::tolerance::claims::ORDER_GAP;
 
 /// Claims of the preface.
@@ -20,7 +18,7 @@ pub const PREFACE: &[Claim] = &[Claim {
     argument: "RK4 on q̈ = −g − 4q with e = 0.8, the velocity flipped at the end of the step that penetrates, through one impact: between \
                the impact and that node the velocities differ by the jump (1+e)V for every h; the position at the end is wrong by V(1+e) \
                times the lag, O(h). Without any reaction the ball falls through the floor and the position is wrong by O(1).",
-    control: "The integrator that sees no floor in the place of the one that flips: its position has order 0 as well.",
+    controls: &["The integrator that sees no floor in the place of the one that flips: its position has order 0 as well."],
     sources: &["chapter, preface: what you miss without §0–§1"],
     check: order_zero,
 }];
@@ -39,7 +37,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     argument: "The same RK4, the same ball on a spring: flipped after penetration the end position is of order 1; with the impact \
         bisected, of \
                order 4 through one, two and three impacts.",
-    control: "The integrator that steps over the impact takes the place of the one that locates it.",
+    controls: &["The integrator that steps over the impact takes the place of the one that locates it."],
     sources: &["chapter, table of misconceptions"],
     check: high_order,
 }];

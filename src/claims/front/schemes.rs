@@ -1,22 +1,18 @@
 //! Front matter and tables on schemes: misconceptions, the convergence theorem's entry, symbols, the Zeno question, the
 //! comparison with engines.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::checks::energy::{worked_ball, worked_step};
 use crate::checks::zeno::{DroppedBall, settle};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::bouncing_ball::{BouncingBall, impact_time_ratio};
 use crate::closed_forms::mujoco_normal::spring_damper_restitution;
 use crate::contact::delassus::delassus;
 use crate::exact_particle::{Ball, BallState};
 use crate::problem::Lcp;
-use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, simulate};
 use crate::solvers::ProjectedGaussSeidel;
 use crate::solvers::lemke::solution;
 use crate::tolerance::{schemes as tolerance, zeno};
-use nalgebra::{DMatrix, DVector};
 
 /// Claims of the preface and the project.
 pub const PREFACE: &[Claim] = &[
@@ -30,7 +26,7 @@ pub const PREFACE: &[Claim] = &[
         correct_statement: "As stated; the total time is 9 times that of the first fall.",
         argument: "t_k/t₁ = 1 + 2(e + … + e^{k−1}) increases strictly and stays below (1+e)/(1−e) = 9: t_60 and t_240 in rationals. \
                    (e = 0 has one impact, e = 1 an infinite total time.)",
-        control: "e = 1, for which impact 60 comes at 119 t₁.",
+        controls: &["e = 1, for which impact 60 comes at 119 t₁."],
         sources: &["chapter, self-test question 5"],
         check: zeno_question,
     },
@@ -49,7 +45,7 @@ pub const PREFACE: &[Claim] = &[
             = (2−t)e^{−t}, release at t = 2 with ẋ = e^{−2}. So a bounce keeps e^{−4} = 0.018 of its energy, against 0.64 for e = 0.8. \
             The damping ratio whose closed form is e = 0.8, found by bisection, does rebound with 0.8. The motion is integrated \
             numerically and held against the closed forms. Engines themselves are not run here.",
-        control: "The contact with the matched damping ratio in the place of the critically damped one.",
+        controls: &["The contact with the matched damping ratio in the place of the critically damped one."],
         sources: &["chapter, cumulative project, comparison experiment"],
         check: damped_restitution,
     },
@@ -69,7 +65,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[
         argument: "The worked step of §12: m(v⁺ − v) + m g h − P = 0 and P·(v⁺ + e v) = 0 with P = 317/200. Predicting v_free and then \
                    reversing it gives v⁺ = 109/200, P = 327/200 and P·(v⁺ + e v) = 327/4000 J: the patch satisfies the \
                    balance but not the law.",
-        control: "The patch: integrate freely, then replace v_free by −e v_free.",
+        controls: &["The patch: integrate freely, then replace v_free by −e v_free."],
         sources: &["chapter, table of misconceptions, row 1"],
         check: simultaneous,
     },
@@ -85,7 +81,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[
         argument: "v⁺ = −e v in every step once |v| ≤ g h/(1+e) at an active contact, so n steps leave eⁿ of the speed and it takes \
                    40 steps to divide it by 2⁴⁰ if e = ½. The ball of §12 in rationals (h = 1/100) and in floats (h = 10⁻², 10⁻³) \
                    under φ + ½hv ≤ 0; the plastic ball has v = 0 after its impact.",
-        control: "e = 0 in the place of e = ½: the ball stands still at once.",
+        controls: &["e = 0 in the place of e = ½: the ball stands still at once."],
         sources: &["chapter §1, comparison table; chapter, cumulative project, scene (a)"],
         check: micro_bounces,
     },
@@ -110,7 +106,7 @@ pub const TABLES: &[Claim] = &[
             m/s²; both walls are reached at 1/10 s, −v⁻ lies in the cone of the normals, so it stops. θ = 1, activation φ ≤ 0: with h = \
             1/(10N) s both walls close in one step and the error is h/2; with h = 1/(10N + 5/2) s the floor closes first, the mass \
             slides into the wall and climbs it at 3/5 m/s, for every N.",
-        control: "Walls at right angles, x ≥ 0 in the place of 4x + 3y ≥ 0.",
+        controls: &["Walls at right angles, x ≥ 0 in the place of 4x + 3y ≥ 0."],
         sources: &["chapter, table of theorems", "chapter §3"],
         check: converges_on_the_ball,
     },
@@ -129,7 +125,7 @@ pub const TABLES: &[Claim] = &[
         argument: "Planar contact of a unit mass: the D of §4 is [t, −t], so DᵀM⁻¹D = [[1, −1], [−1, 1]], singular; the Delassus operator \
             of \
                    (n, t) is the identity. With D = [n, t] both agree.",
-        control: "D read as [n, t] in both places, for which the two matrices agree.",
+        controls: &["D read as [n, t] in both places, for which the two matrices agree."],
         sources: &["chapter, table of symbols; chapter §4 and §5"],
         check: two_meanings_of_d,
     },

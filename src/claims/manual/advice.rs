@@ -1,9 +1,7 @@
 //! The advice for practice at the end of the chapter, as far as it states something.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::drake::{MATERIAL, lift, predicted_lift};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
+use crate::claims::prelude::*;
 use crate::tolerance::claims::drake as tolerance;
 
 pub const CLAIMS: &[Claim] = &[Claim {
@@ -17,7 +15,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         not said. The lift itself is (h + τ) μ v: millimetres at these steps for a slide of 1 m/s.",
     argument: "Slide at 0.7 instead of 0.2 m/s, μ = 0.3, τ = 5 ms: SAP lifts the block by 1.5 mm at h = 5 ms and by 2.25 mm at 10 ms; \
         Lagged, which does not glide, takes the same steps and lifts it by nothing.",
-    control: "Lagged in place of SAP.",
+    controls: &["Lagged in place of SAP."],
     sources: &["chapter, advice for research practice", "S5.sap-doc"],
     check: gliding,
 }];

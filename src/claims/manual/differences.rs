@@ -1,13 +1,9 @@
 //! Row 7: another solver or simulator, another result.
 
-use crate::Result;
-use crate::checks::Finding;
+use crate::claims::prelude::*;
 use crate::claims::s5::planar_step::{Block, painleve_rod};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::problem::{Law, Lcp};
-use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
-use nalgebra::{DMatrix, DVector};
 
 pub(super) const CLAIMS: &[Claim] = &[Claim {
     id: "R7",
@@ -25,7 +21,7 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
         v⁺ = 0. Three equal balls, e = 1: the simultaneous LCP has one solution, v⁺ = (−1/3, 2/3, 2/3); pair by pair (0, 0, 1); both \
         conserve momentum and energy. Painlevé's rod with μ = 3: three solutions with three velocities. (b): a slide lifts with u_n = \
         μ|u_t| under the relaxation and 0 under Coulomb.",
-    control: "Painlevé's rod in the place of the frictionless corners: with friction the velocities differ.",
+    controls: &["Painlevé's rod in the place of the frictionless corners: with friction the velocities differ."],
     sources: &["chapter, troubleshooting manual, row 7"],
     check: differences,
 }];

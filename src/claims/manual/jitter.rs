@@ -1,14 +1,11 @@
 //! Rows 5 and 6: a stack that trembles, and a block that creeps.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::creep::Creeping;
 use crate::claims::experiments::soft::{GRAVITY, land, unlimited_contact};
 use crate::claims::experiments::spring::energy_ratio;
 use crate::claims::experiments::tower::{Sweeps, Tower, approach_left};
+use crate::claims::prelude::*;
 use crate::claims::s9::jitter::effect_of_theta_on_a_tower;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
-use crate::scalar::{Scalar, ratio};
 use crate::tolerance::claims::pathology as tolerance;
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -27,7 +24,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             of it (measured between 200 and 400 sweeps). Ten cold sweeps a step: the top sinks at 0.40 m/s with h = 1/100 s; half the step \
             halves its speed; with a warm start 1e-11 m/s are left. θ = 1/2 or 1: the same bit for bit. Contact with t_c = h: thrown up; \
             t_c = 1.5h: calm.",
-        control: "A spring in the place of the tower: there θ = 1 damps.",
+        controls: &["A spring in the place of the tower: there θ = 1 damps."],
         sources: &["chapter, troubleshooting manual, row 5"],
         check: trembling,
     },
@@ -46,7 +43,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         argument: "Block on 20°, μ = 1/2, stepped until steady at h = 4, 2 and 1 ms: creep at h over that at h/2 is 1 for MuJoCo and for \
             Drake's regularised friction, 2 for SAP; 0 for the hard block. impratio = 10 divides MuJoCo's creep by 10. Each agrees with \
             its closed form, and these with the stored runs of MuJoCo 3.17.0 and Drake 1.51.1.",
-        control: "SAP in the place of MuJoCo, of the regularised friction and of the hard block.",
+        controls: &["SAP in the place of MuJoCo, of the regularised friction and of the hard block."],
         sources: &["chapter, troubleshooting manual, row 6", "S5.gliding-creep", "stored runs of block_stick, see tests/references"],
         check: creeping,
     },
@@ -59,7 +56,7 @@ fn trembling(reading: Reading) -> Result<Vec<Finding>> {
     let more = approach_left(&tower, 400, h)?;
     let effect = match reading {
         Reading::Recorded => effect_of_theta_on_a_tower()?,
-        Reading::Control => Scalar::to_f64(&(energy_ratio(&ratio(1, 2), 1) - energy_ratio(&ratio(1, 1), 1))),
+        Reading::Control(_) => Scalar::to_f64(&(energy_ratio(&ratio(1, 2), 1) - energy_ratio(&ratio(1, 1), 1))),
     };
     let speed =
         |sweeps: Sweeps, h: f64, steps: usize| -> Result<f64> { Ok(-tower.simulate(&sweeps, 0.5, h, steps)?.last().velocity.min()) };

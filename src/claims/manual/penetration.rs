@@ -1,14 +1,11 @@
 //! Rows 1 and 2: bodies that pass through each other, and a simulation that stalls.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::checks::zeno::{DroppedBall, absorption, events_predicted, events_until};
 use crate::claims::experiments::curve::{Side, drift, slide};
 use crate::claims::experiments::soft::{default_contact, land};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
+use crate::claims::prelude::*;
 use crate::closed_forms::bouncing_ball::impact_time_ratio;
 use crate::exact_particle::{Ball, BallState};
-use crate::scalar::{Rational, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StewartTrinkle};
 use crate::tolerance::claims::{lcp::circle_residual, pathology as tolerance};
 
@@ -29,7 +26,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         argument: "h against h/2. MuJoCo's ball at rest, 10 and 5 ms: ratio 1 (3.6718e-4 m). Bead in a circle under Moreau–Jean for 1 s, h \
             = 1/100: 2 up to the enclosure |q|⁴ ∈ 1 + 2nh² + [0, nh⁴]. The same under Stewart–Trinkle: 4 (½h²). Plastic ball that crosses \
             the floor in the middle of a step at 1 m/s: exactly 2 (h/2).",
-        control: "Stewart–Trinkle in place of Moreau–Jean in the test for linear decrease.",
+        controls: &["Stewart–Trinkle in place of Moreau–Jean in the test for linear decrease."],
         sources: &["chapter, troubleshooting manual, row 1"],
         check: exponents,
     },
@@ -46,7 +43,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         argument: "q₀ = 1/20 m, g = 10 m/s², e = 1/2: t₁ = 1/10 s, T∞ = 3/10 s. Event 200 still lies before T∞, in rationals; in double \
             precision the events stop advancing time after about 53. Moreau–Jean with h = 1/1000 s is at rest within the bound proved for \
             T∞, in a fixed number of steps.",
-        control: "An elastic ball, e = 1, whose event 200 comes long after T∞.",
+        controls: &["An elastic ball, e = 1, whose event 200 comes long after T∞."],
         sources: &["chapter, troubleshooting manual, row 2", "chapter §0 and §1"],
         check: stall,
     },

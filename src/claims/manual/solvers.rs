@@ -6,14 +6,11 @@
 //! ```
 //! The sweep that ends below the stopping rule ρ|u| ≤ STOP·max(‖r‖, ρ|u_free|) follows from q.
 
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::problem::{ContactProblem, Law};
 use crate::solvers::{ContactSolver, LemkePivoting, ProjectedGaussSeidel};
 use crate::tolerance::claims::pathology as tolerance;
 use crate::tolerance::solvers::STOP;
-use nalgebra::{DMatrix, DVector};
 
 pub(super) const CLAIMS: &[Claim] = &[Claim {
     id: "R8",
@@ -31,7 +28,7 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
     argument: "Two bodies under gravity, m₂/m₁ = 1, 10, 100, 1000: sweeps as predicted by q = m₂/(m₁+m₂), 39, 263, 2289 and 20 482; Lemke: \
         3 pivots each time. Exchanged masses: 39, 12, 7, 5. cond(W) at 1000: 4002, exchanged 1002. One contact in edges: cond = μ², and \
         about 600 sweeps for μ = 10 as for 1/10; as a cone under Coulomb's and the associated law: one sweep for μ = 1 … √1000.",
-    control: "The heavy body on the light one in the place of the light on the heavy, and the edges in the place of the cone.",
+    controls: &["The heavy body on the light one in the place of the light on the heavy, and the edges in the place of the cone."],
     sources: &["chapter, troubleshooting manual, row 8", "Drake, pull request 24831, for the removal of TAMSI"],
     check: conditioning,
 }];

@@ -1,13 +1,10 @@
 //! The admissible set C = {φ ≥ 0}, and what a distance algorithm says of φ.
 
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::mechanics::planar::{PlanarBody, Shape};
 use crate::mechanics::{Mechanism, PlanarBodies};
-use crate::scalar::{Rational, ratio};
 use crate::tolerance::claims::GILBERT_WIDTH;
-use nalgebra::{DVector, Vector2, dvector};
+use nalgebra::Vector2;
 use num_traits::Zero;
 
 pub const CLAIMS: &[Claim] = &[
@@ -23,7 +20,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Outside a disk, φ = |q|² − 1: (2, 0) and (−2, 0) are admissible with φ = 3, their midpoint has φ = −1. The tangent \
             cones at (1, 0) and (0, 1) are the half-planes v₁ ≥ 0 and v₂ ≥ 0: each convex, and different. Inside the disk, φ = 1 − |q|², C \
             happens to be convex.",
-        control: "The inside of the disk, where the midpoint is admissible.",
+        controls: &["The inside of the disk, where the midpoint is admissible."],
         sources: &["chapter §0, table of the three difficulties", "chapter §2, step 1"],
         check: convexity,
     },
@@ -39,7 +36,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "GJK and its ancestor, Gilbert's algorithm, find the point of the Minkowski difference nearest to the origin, with a \
             lower bound from its support function. Disk of radius 0.2 m and a box of half extents 0.4 and 0.3 m: with the centre at (0.7, \
             0.7) the enclosure closes on φ = 0.3 m; at depths 0.05 and 0.1 m below the upper face it closes on 0 both times.",
-        control: "Disks beside a corner of the box in the place of those inside it.",
+        controls: &["Disks beside a corner of the box in the place of those inside it."],
         sources: &["chapter §0, gap function", "Gilbert, Johnson, Keerthi, IEEE J. Robotics and Automation 4 (1988)"],
         check: distance_is_not_depth,
     },

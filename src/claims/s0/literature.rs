@@ -1,16 +1,13 @@
 //! §0, the literature it leans on: a survey, a book on smooth systems, and variational integrators with contact.
 
 use super::runge_kutta::{Impacts, Norm, order};
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
+use crate::claims::prelude::*;
 use crate::integrators::Phase;
 use crate::integrators::jacobian::jacobian;
 use crate::integrators::symplectic::{defect, volume};
 use crate::integrators::variational::{Guess, ScalarField, Variational};
-use crate::scalar::{Dual, Rational, Scalar, ratio};
+use crate::scalar::Dual;
 use crate::tolerance::claims::ORDER_GAP;
-use crate::{Error, Result};
-use nalgebra::{DMatrix, DVector};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -25,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The title page and the record in HAL: SIAM Review, Vol. 42, No. 1, pp. 3–39, 2000, DOI 10.1137/S0036144599360110. \
             The printed volume, page and year are read from the printed text and held against that record; the volume also against the \
             count of one volume a year from 1959 on.",
-        control: "“43:3 (2001)”, the year that one secondary list has.",
+        controls: &["“43:3 (2001)”, the year that one secondary list has."],
         sources: &["chapter §0, three kinds of integrators", "HAL hal-01570533; title page of the paper"],
         check: survey,
     },
@@ -42,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
             stepping over it.",
         argument: "Runge–Kutta on a ball on a spring through three impacts, closed form by arcs: order 4 with the impacts located, order 1 \
             with the velocity flipped at the end of the step.",
-        control: "The flip in the place of the located impacts: order 4 is lost in both readings.",
+        controls: &["The flip in the place of the located impacts: order 4 is lost in both readings."],
         sources: &["chapter §0, (a) solutions of bounded variation"],
         check: smooth_pieces,
     },
@@ -61,7 +58,7 @@ pub const CLAIMS: &[Claim] = &[
             How much the method is used, and why, was not examined.",
         argument: "Unit mass, g = 2, h = 1/2, hit after 1/4: DᵀJD − J = 0 of the variational step, exactly. The same with the velocity \
             after the step times 4/5: the determinant is 4/5. With the position after the step set to 0, the determinant is 0.",
-        control: "The step that keeps 4/5 of the velocity.",
+        controls: &["The step that keeps 4/5 of the velocity."],
         sources: &["chapter §0, variational integrators", "Fetecau, Marsden, Ortiz and West, SIAM J. Appl. Dyn. Syst. 2 (2003) 381"],
         check: variational,
     },

@@ -1,18 +1,14 @@
 //! Gap, contact Jacobian, generalised contact force, Delassus operator, impulses.
 
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
+use crate::claims::prelude::*;
 use crate::contact::delassus::delassus;
 use crate::elimination::solve;
 use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::planar::{PlanarBody, Shape};
 use crate::mechanics::{Mechanism, PlanarBodies, Plane, PointMass, State};
-use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::{Activation, MoreauJean, Scheme, StewartTrinkle, step};
 use crate::solvers::LemkePivoting;
 use crate::tolerance::{mechanics, rounding};
-use crate::{Error, Result};
-use nalgebra::{DMatrix, DVector, dvector};
 use num_traits::Zero;
 
 pub const CLAIMS: &[Claim] = &[
@@ -27,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
             Moreau–Jean imposes a velocity-level law instead.",
         argument: "φλ = 0 with both factors ≥ 0 leaves only these cases. A ball stepped by Stewart–Trinkle in rationals from 12 states \
             satisfies φ⁺ r = 0 exactly.",
-        control: "A Moreau–Jean step with e = 1/2, which ends with φ⁺ > 0 and r > 0.",
+        controls: &["A Moreau–Jean step with e = 1/2, which ends with φ⁺ > 0 and r > 0."],
         sources: &["chapter §0, opening"],
         check: signorini,
     },
@@ -41,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated where v = q̇. With quaternions q̇ = N(q)v and J = ∇φ N(q).",
         argument: "Chain rule. For the corner of a tilted box over the ground the central difference of the gap along the motion agrees \
             with J v, rotation included.",
-        control: "J without its column for the rotation.",
+        controls: &["J without its column for the rotation."],
         sources: &["chapter §0, gap function and contact Jacobian"],
         check: gap_rate,
     },
@@ -55,7 +51,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated.",
         argument: "λ·(Jv) = (Jᵀλ)·v for all v. For a force at the corner of a tilted box, Jᵀλ is the force and its moment about the centre \
             of mass, computed from the corner's place.",
-        control: "The pseudo-inverse Jᵀ(JJᵀ)⁻¹ in place of Jᵀ.",
+        controls: &["The pseudo-inverse Jᵀ(JJᵀ)⁻¹ in place of Jᵀ."],
         sources: &["chapter §0, contact Jacobian"],
         check: virtual_work,
     },
@@ -69,7 +65,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated; W is symmetric, so the order of the indices does not matter.",
         argument: "Three balls of 1, 2 and 4 kg in line: a unit impulse at the first contact changes u by (3/2, −1/2), one at the second \
             by (−1/2, 3/4), in rationals, with M Δv = Jᵀe_i solved by elimination.",
-        control: "J M Jᵀ.",
+        controls: &["J M Jᵀ."],
         sources: &["chapter §0, several contacts"],
         check: unit_impulses,
     },
@@ -82,7 +78,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Certified,
         correct_statement: "As stated; for a body at rest P = m g h exactly.",
         argument: "A 2 kg ball at rest under both schemes: P/(m g h) = 1, and halving h halves P.",
-        control: "A ball that arrives at 1 m/s, whose impulse does not halve with h.",
+        controls: &["A ball that arrives at 1 m/s, whose impulse does not halve with h."],
         sources: &["chapter §0 and §3"],
         check: impulses,
     },

@@ -1,10 +1,7 @@
 //! §0, one step across an impact: a Runge–Kutta step, and a velocity flipped after penetration.
 
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::exact_particle::{Ball, BallState};
-use crate::scalar::{Rational, ratio};
 
 /// The claims of this file.
 pub const CLAIMS: &[Claim] = &[
@@ -20,7 +17,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Impact with speed u, a time τ before the end of the step. Free flight is a parabola, which RK4 integrates exactly. \
                    Reversed at the end: v is wrong by (1+e)gτ, q by −(1+e)uτ. Ignored: v is wrong by −(1+e)u, −7.974 m/s for \
                    e = 0.8, u = 4.43 m/s.",
-        control: "An impact one step later: the step does not straddle it and the error formulas must fail.",
+        controls: &["An impact one step later: the step does not straddle it and the error formulas must fail."],
         sources: &["chapter §0, the thought experiment with RK4"],
         check: runge_kutta,
     },
@@ -38,7 +35,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Exact flight to depth |q| has v² = V² + 2g|q|. After v → −e v the energy is ½e²V² − (1−e²) g |q| per unit mass, \
                    instead of ½e²V²; |q| ≤ h(V + g h). Resting below the floor, each step does v → −e(v − g h), with the fixed \
                    point v = e g h/(1+e), and moves by h(v − ½ g h) = −(1−e) g h²/(2(1+e)).",
-        control: "e = 1/2 in the place of the elastic ball.",
+        controls: &["e = 1/2 in the place of the elastic ball."],
         sources: &["chapter §0, common pitfall"],
         check: flipping,
     },

@@ -1,10 +1,8 @@
 //! §0, orders of convergence on solutions of bounded variation.
 
 use super::runge_kutta::{Impacts, Norm, errors_over_those_of_first_order, order, step};
-use crate::Result;
-use crate::checks::Finding;
 use crate::checks::convergence::{Horizon, Stop, bouncing_ball, plastic_ball, study};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::BouncingBall;
 use crate::defects::convergence::{Altered, Mistake};
 use crate::defects::energy::{Misassembled, restitution_forgotten};
@@ -32,8 +30,10 @@ pub const CLAIMS: &[Claim] = &[
             constant. The same RK4 with the velocity flipped at the end of the step is of order 1. Its error is then 0.97 of that of \
             the semi-implicit Euler rule with the same step, and more than three times that of the Euler rule with a quarter of it, \
             which costs the same.",
-        control: "RK4 with the velocity flipped after penetration takes the place of the one that locates impacts, and equal work that \
+        controls: &[
+            "RK4 with the velocity flipped after penetration takes the place of the one that locates impacts, and equal work that \
             of equal steps.",
+        ],
         sources: &["chapter §0, the trap of judging contact integrators by their order"],
         check: located,
     },
@@ -50,8 +50,10 @@ pub const CLAIMS: &[Claim] = &[
                    sup|q| = V(1+e)(s + ½h), s the lag of the step that bounces behind the impact, and likewise in ∫|v| and in the \
                    graphs: constants times h once s/h is fixed. sup|v| = (1+e)V − O(h) for every h: on the lag the velocities lie on \
                    different sides of the jump.",
-        control: "The same scheme with the restitution left out: its motion does not tend to the exact one, and no norm has a positive \
+        controls: &[
+            "The same scheme with the restitution left out: its motion does not tend to the exact one, and no norm has a positive \
             order.",
+        ],
         sources: &["chapter §0, on solutions of bounded variation", "Moreau's filled-in graphs"],
         check: weaker_norms,
     },
@@ -69,7 +71,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Each impact shifts the discrete flight by (1+e)/e·p in time and changes its speed by O(gh), with p between \
                    (1−λ−θ)h and (2−λ−θ)h; sums over impacts give constants for every metric, and the measured envelopes lie between \
                    them at every level. A plastic ball stopped at height V|p| reaches the speed √(2gV|p|): graphs √(2|p|h/t₁) apart.",
-        control: "Stewart–Trinkle with a trapezoidal position update, which throws the plastic ball out at every step size.",
+        controls: &["Stewart–Trinkle with a trapezoidal position update, which throws the plastic ball out at every step size."],
         sources: &["chapter §0, §1, §4"],
         check: time_stepping,
     },
@@ -86,7 +88,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Ball of 1 kg, k = 10⁴ N/m, dropped from 1 m, error of q at 8 ms after touching, against the parabola followed by \
                    the oscillation. λ grows like kV(t−t*) after touching, and a rule of any order integrates a kink inside a step with \
                    error O(kV h²) in v. The same spring acting on both sides: order 4.",
-        control: "The smooth force takes the place of the one-sided one.",
+        controls: &["The smooth force takes the place of the one-sided one."],
         sources: &["chapter §0, exercise 3"],
         check: soft_contact,
     },

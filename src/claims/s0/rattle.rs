@@ -4,9 +4,7 @@
 //!     v½ = v + ½h (g − λ q) ,   q⁺ = q + h v½ ,   |q⁺| = 1 ;      v⁺ = v½ + ½h (g − μ q⁺) ,   q⁺·v⁺ = 0 .
 //! ```
 
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::tolerance::claims::INTEGER_ORDER;
 use crate::trajectory::order::{Refinement, fit_order};
 use nalgebra::{Vector2, Vector4};
@@ -23,7 +21,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
     argument: "RATTLE is symmetric, so its order is even. Pendulum of unit length from the horizontal, g = 1, to t = 1: differences \
         between h and h/2 fall with slope 2.0 for RATTLE and 4.0 for the triple jump composed of it, steps γh, (1 − 2γ)h, γh with γ = 1/(2 \
         − 2^{1/3}).",
-    control: "The composition, as if it were RATTLE.",
+    controls: &["The composition, as if it were RATTLE."],
     sources: &[
         "chapter §0, essential insight on equality constraints",
         "Hairer, Lubich, Wanner, Geometric Numerical Integration, II.4 and VII.1",

@@ -1,18 +1,14 @@
 //! §0, the exact solution of the bouncing ball and the regularity of velocities and contact measures.
 
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::BouncingBall;
 use crate::closed_forms::bouncing_ball::{accumulation_time_ratio, impact_time_ratio};
 use crate::defects::zeno::{Altered, Mistake};
 use crate::mechanics::{PointMass, State};
-use crate::scalar::{Rational, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, simulate};
 use crate::solvers::Auto;
 use crate::tolerance::claims::{PRINTED_TIME, position_slope, variation};
 use crate::trajectory::metrics::total_variation;
-use nalgebra::dvector;
 
 /// The claims of this file.
 pub const CLAIMS: &[Claim] = &[
@@ -26,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated.",
         argument: "A launch at w lands after 2w/g (q = ws − ½gs² vanishes there), at the speed w, with apex w²/(2g) at w/g; the next \
                    launch is e w. In rationals, for e = 16/25: heights 256/625, times 16/25.",
-        control: "A law that keeps the fraction e of the energy instead of the speed: the speed ratio is √e = 4/5.",
+        controls: &["A law that keeps the fraction e of the energy instead of the speed: the speed ratio is √e = 4/5."],
         sources: &["chapter §0, bouncing ball"],
         check: shrinking,
     },
@@ -41,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "T∞ = t₁ + t₀/(1−e) with t₀ = 2e t₁, that is t₁(1+e)/(1−e); 4.063712768872 s for e = 0.8, q₀ = 1 m, g = 9.81.",
         argument: "t_k/t₁ = 1 + 2(e + … + e^{k−1}); the remainder T∞ − t_k = 2 t₁ e^k/(1−e) holds exactly for k = 1 … 60 and falls below \
                    every bound. For e = 4/5, T∞ = 9 t₁.",
-        control: "t₀ = 2 t₁, the first flight without its loss: T∞ = 11 t₁.",
+        controls: &["t₀ = 2 t₁, the first flight without its loss: T∞ = 11 t₁."],
         sources: &["chapter §0, bouncing ball and exercise 1"],
         check: total_time,
     },
@@ -58,8 +54,10 @@ pub const CLAIMS: &[Claim] = &[
             to \
                    1.5 T∞ have the same variation up to O(h ln 1/h), so it is bounded uniformly in h, and their positions the same \
                    slope up to O(h).",
-        control: "Activation φ + hv ≤ 0 with v ≤ 0, under which the resting ball changes its velocity by g h in every step: the variation \
+        controls: &[
+            "Activation φ + hv ≤ 0 with v ≤ 0, under which the resting ball changes its velocity by g h in every step: the variation \
             grows by g per second.",
+        ],
         sources: &["chapter §0, table and item (a)"],
         check: bounded_variation,
     },
@@ -77,7 +75,7 @@ pub const CLAIMS: &[Claim] = &[
             lasts, v = c, and dR = m g dt + m dc. At level n the whole rise 1 of c lies on 2ⁿ intervals of total length (2/3)ⁿ, with \
             2⁻ⁿ on each: dc has no density (its support has length 0) and no atom (each is below 2⁻ⁿ), yet mass 1. On the same \
             intervals a floor of constant acceleration rises by (2/3)ⁿ, and one whose velocity jumps rises in one piece.",
-        control: "The floor whose velocity jumps by 1 once in the place of Cantor's: its rise is one piece, an atom.",
+        controls: &["The floor whose velocity jumps by 1 once in the place of Cantor's: its rise is one piece, an atom."],
         sources: &["chapter §0, item (b), and §2, base measure dμ = dt + Σδ", "Lebesgue's decomposition of a measure"],
         check: cantor_floor,
     },

@@ -1,12 +1,9 @@
 //! §0, the Zeno phenomenon: event-driven methods before T∞, time-stepping through it.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::checks::zeno::{DroppedBall, absorption};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::bouncing_ball::BouncingBall;
 use crate::defects::zeno::{Altered, Mistake, sinking};
-use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme};
 use crate::tolerance::rounding;
 
@@ -27,7 +24,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "With t₁ = 1 the k-th flight lasts 2eᵏ and T∞ = (1+e)/(1−e). For e = 4/5, rationals: after 400 flights \
                    T∞ − t = 10·(4/5)⁴⁰¹ > 0 and every landing advanced the clock. Floats: 2·0.8ᵏ falls below half the spacing \
                    2⁻⁴⁹ of the floats near 9 at k = 159, and the clock stops.",
-        control: "An elastic ball, whose flights do not shrink.",
+        controls: &["An elastic ball, whose flights do not shrink."],
         sources: &["chapter §0, Zeno phenomenon"],
         check: event_loop,
     },
@@ -44,7 +41,7 @@ pub const CLAIMS: &[Claim] = &[
                             ½ m v_thr² of energy.",
         argument: "The flights left from take-off speed u < v_thr last 2u/g · (1 + e + e² + …) = 2u/(g(1−e)), and none rises above \
                    u²/(2g). Checked in rationals for e = 4/5 and thresholds of 1/10, 1/100 and 1/1000 of the impact speed.",
-        control: "A patch that stops the ball at V/10 whatever threshold it was given: its error does not vanish with the threshold.",
+        controls: &["A patch that stops the ball at V/10 whatever threshold it was given: its error does not vanish with the threshold."],
         sources: &["chapter §0, Zeno phenomenon"],
         check: threshold,
     },
@@ -66,7 +63,7 @@ pub const CLAIMS: &[Claim] = &[
                    alternates between v = −g h/(1+e) and \
                    v = e g h/(1+e) and loses (1−e) g h²/(1+e) of height every two steps: 0.01635 m/s for e = ½, h = 0.01, \
                    g = 9.81.",
-        control: "The unconditional reading: the rule φ + hv ≤ 0 with v ≤ 0 put through the same check.",
+        controls: &["The unconditional reading: the rule φ + hv ≤ 0 with v ≤ 0 put through the same check."],
         sources: &["chapter §0, Zeno phenomenon; chapter §12 for the rule with v_free"],
         check: absorbs,
     },
@@ -82,7 +79,7 @@ pub const CLAIMS: &[Claim] = &[
                             and stops 4.47·10⁻³ s before T∞.",
         argument: "t_k = t₁(1 + 2(e + … + e^{k−1})), t₁ = √(2q₀/g). Flights of 2 t₁ eᵏ ≥ δ need k ≤ 30, so landing 31 is the last; \
                    δ e/(1−e) ≤ T∞ − t < δ/(1−e) since the next flight lasts between eδ and δ.",
-        control: "Flights of t₁ eᵏ, which forgets that the ball goes up and comes down.",
+        controls: &["Flights of t₁ eᵏ, which forgets that the ball goes up and comes down."],
         sources: &["chapter §0, exercise 1"],
         check: accumulation_time,
     },

@@ -1,16 +1,12 @@
 //! Filippov's sliding mode, and sticking as one.
 
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
+use crate::claims::prelude::*;
 use crate::closed_forms::{BeltOscillator, DryFrictionOscillator};
 use crate::event_driven::EventDriven;
 use crate::event_driven::filippov::{DryFriction, Mode, Side, Switch, advance, share_above};
 use crate::event_driven::flight::{Control, Location};
-use crate::scalar::{Rational, ratio};
 use crate::tolerance::claims::events::{ACCURACY, LOCATED_ORDER, SWITCHING};
 use crate::trajectory::{Refinement, fit_order};
-use nalgebra::{DVector, dvector};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -27,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "ṡ = α∇s·f₊ + (1−α)∇s·f₋ is affine in α, positive at α = 0 and negative at α = 1: one zero, inside. Three pairs of \
             rational fields. That the combination is what happens: a relay with a hysteresis ±ε zigzags across the surface, 2ε/|∇s·f₊| \
             above and 2ε/(∇s·f₋) below, and its mean velocity along the surface is exactly that of the combination.",
-        control: "Fields of which one crosses the surface.",
+        controls: &["Fields of which one crosses the surface."],
         sources: &["chapter §1, Filippov systems and sliding modes", "Filippov 1988, §4"],
         check: convex_combination,
     },
@@ -42,7 +38,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The dry-friction oscillator (δ = 0.15, q₀ = 1) integrated as a Filippov system enters the sliding mode after 3 \
             half-cycles and stays, with α = ½(1 − q/δ); on the belt it is in the mode for 2Δ/v_b in each period: both as the closed forms \
             of Coulomb's law say.",
-        control: "A belt with less sticking friction, 0.6 in the place of 0.7, in the simulation.",
+        controls: &["A belt with less sticking friction, 0.6 in the place of 0.7, in the simulation."],
         sources: &["chapter §1, relation to contact"],
         check: sticking,
     },
@@ -58,7 +54,7 @@ pub const CLAIMS: &[Claim] = &[
             what its kind of method can do is measured on one of our own.",
         argument: "Belt: releases follow each other after the period of the closed form to 10⁻⁹ s. With fixed steps and located switches \
             the state has order 5, with switches noticed at the end of a step they are late by a part of h.",
-        control: "Switches noticed at the end of a step.",
+        controls: &["Switches noticed at the end of a step."],
         sources: &["chapter §1, advantage of event-driven methods", "Piiroinen and Kuznetsov, ACM TOMS 34(3), 2008 (not read)"],
         check: detection,
     },

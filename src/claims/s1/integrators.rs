@@ -1,10 +1,8 @@
 //! Which integrators simulators have.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::mujoco::facts;
+use crate::claims::prelude::*;
 use crate::claims::s0::runge_kutta;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
 use crate::tolerance::claims::ORDER_GAP;
 use crate::trajectory::{Refinement, fit_order};
 
@@ -19,7 +17,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         newer versions, discrete; §6 of the chapter names two of them.",
     argument: "Asked of the pinned release, 3.17.0: the default integrator is number 0, and Euler has the number 0. Semi-implicit Euler on \
         q̈ = −4q, error of q at 2 s for h = 2⁻⁶ … 2⁻⁹ s: order 1.",
-    control: "RK4, another integrator of MuJoCo.",
+    controls: &["RK4, another integrator of MuJoCo."],
     sources: &["chapter §1 and the list of defaults at its end", "MuJoCo 3.17.0, answers in references/facts/mujoco.json"],
     check: integrators,
 }];

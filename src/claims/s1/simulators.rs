@@ -1,9 +1,7 @@
 //! Which simulators step through events and which locate them.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::{drake, mujoco, siconos};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S1.all-ts",
@@ -19,7 +17,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
     argument: "Asked of the packages: Siconos 4.4.0 has the classes TimeStepping and EventDriven; Drake 1.51.1 integrates a plant with \
         time step 0 by RungeKutta3Integrator under error control, and LeafSystem has MakeWitnessFunction. Bullet and Isaac were not \
         asked.",
-    control: "MuJoCo in the place of Drake: its stored facts name neither located events nor a continuous integrator.",
+    controls: &["MuJoCo in the place of Drake: its stored facts name neither located events nor a continuous integrator."],
     sources: &["chapter §1, table of the two routes", "references/facts/siconos.json", "references/facts/drake.json"],
     check: routes,
 }];
@@ -29,7 +27,7 @@ fn routes(reading: Reading) -> Result<Vec<Finding>> {
     let integrator = drake.continuous_integrator;
     let (locates, controls) = match reading {
         Reading::Recorded => (drake.locates_events, integrator.controls_error && integrator.name == "RungeKutta3Integrator"),
-        Reading::Control => (mujoco.has(&["stated"], "locates_events"), mujoco.has(&["stated"], "continuous_integrator")),
+        Reading::Control(_) => (mujoco.has(&["stated"], "locates_events"), mujoco.has(&["stated"], "continuous_integrator")),
     };
     Ok(vec![
         Finding::decision("Drake locates zeros of witness functions", locates, true).says(false),

@@ -1,20 +1,16 @@
 //! Time-stepping: what its limit is, how it takes an impact, and its order between impacts.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::checks::convergence::{Stop, plastic_ball};
 use crate::claims::experiments::wall::{Stepping, approach};
+use crate::claims::prelude::*;
 use crate::claims::s4::painleve::answers;
 use crate::claims::s11::compactness::{mass_apart, weakly};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{OscillatorWithStop, State};
-use crate::scalar::{Rational, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, RungeKuttaFlip, Scheme, StewartTrinkle, simulate};
 use crate::solvers::Auto;
 use crate::tolerance::claims::ORDER_GAP;
 use crate::trajectory::{Refinement, fit_order};
-use nalgebra::dvector;
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -31,7 +27,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Rod at cos = 3/5, μ = 3/2 > 13/9, upward normal free acceleration b = 5 m/s²: P_n = 0, 125h/2 or 9/25 − 73h/20 for h \
             = 10⁻³ … 10⁻⁶, exactly three answers. The first two vanish with h, the third tends to the impact (9/25, 13/25) N·s, so the \
             answers do not come together.",
-        control: "μ = 1 < μ_P: one answer.",
+        controls: &["μ = 1 < μ_P: one answer."],
         sources: &["chapter §1, history; the pitfall in the same section; §4, existence and uniqueness"],
         check: several_limits,
     },
@@ -47,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Stewart–Trinkle on a plastic ball: sup|q|, ∫|v| and the graphs converge with order 1 within derived constants. On \
             Painlevé's rod with two sliding forces, μ = 3/2, the step has the answers P_n = 0 and 9/25 − 73h/20, each with its limit; \
             taken in turn they stay 9/25 N·s apart: the sequence has two limits, each of which is a solution.",
-        control: "The smallest answer at every h: a subsequence.",
+        controls: &["The smallest answer at every h: a subsequence."],
         sources: &[
             "chapter §1, pitfalls; §4",
             "Stewart, Convergence of a time-stepping scheme for rigid-body dynamics and resolution of Painlevé's problem (1998), not read",
@@ -68,7 +64,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Moreau–Jean, e = ½, on a wall hit at ⅓ s, h = 2⁻⁴ … 2⁻⁸ in rationals: ∫g dP_h → (3/2) g(⅓) for three functions with \
             errors ≤ 6h; the mass of P_h − (3/2) δ_⅓ is 3 and v_h(⅓ + h/3) = −1, not ½, at every h. Painlevé's rod, μ = 3/2: answers \
             taken in turn stay 9/25 N·s apart.",
-        control: "The smallest answer at every h on the rod: a subsequence.",
+        controls: &["The smallest answer at every h on the rod: a subsequence."],
         sources: &["chapter §1, table"],
         check: robust,
     },
@@ -84,7 +80,7 @@ pub const CLAIMS: &[Claim] = &[
             stays as h → 0, the second is the weight times h.",
         argument: "Moreau–Jean on a ball of 3/2 kg, e = 1/2, v = −2 m/s at the floor, h = 10⁻¹ … 10⁻⁴ in rationals: P − m g h = 9/2 N·s at \
             every h.",
-        control: "A ball that touches the floor at rest.",
+        controls: &["A ball that touches the floor at rest."],
         sources: &["chapter §1, pitfalls"],
         check: atom,
     },
@@ -97,7 +93,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Measured,
         correct_statement: "As stated: order 2 for θ = ½ and linear forces, 1 for other θ and for Stewart–Trinkle.",
         argument: "q̈ = −4q, stop out of reach, error of q at 2 s for h = 2⁻⁶ … 2⁻⁹ s.",
-        control: "The classical Runge–Kutta method in place of θ = ½.",
+        controls: &["The classical Runge–Kutta method in place of θ = ½."],
         sources: &["chapter §1, table"],
         check: order,
     },

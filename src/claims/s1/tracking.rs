@@ -1,19 +1,15 @@
 //! Event-driven methods: where they are defined, and what many contacts cost them.
 
-use crate::Result;
-use crate::checks::Finding;
+use crate::claims::prelude::*;
 use crate::claims::s4::painleve::rod;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::BouncingBall;
 use crate::event_driven::EventDriven;
 use crate::mechanics::planar::{PlanarBody, Shape};
 use crate::mechanics::{PainleveRod, PlanarBodies, Plane, PointMass, State};
 use crate::problem::Lcp;
-use crate::scalar::{Rational, ratio};
 use crate::solvers::Auto;
 use crate::solvers::enumeration::all_solutions;
 use crate::tolerance::claims::events::ACCURACY;
-use nalgebra::{DMatrix, DVector, dvector};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -31,7 +27,7 @@ pub const CLAIMS: &[Claim] = &[
             2⁻²⁰ s is plastic, the method agrees with the closed form before and after T∞. \
             Rod at cos = 3/5, μ = 2: 0 ≤ λ ⟂ −(4/5)λ + b ≥ 0 has no solution for b = −1 and two for b = 1; the method stops and says so. \
             With μ = 1 it goes on.",
-        control: "The rod with μ = 1 < μ_P = 13/9.",
+        controls: &["The rod with μ = 1 < μ_P = 13/9."],
         sources: &["chapter §1, history and table", "Champneys and Várkonyi, The Painlevé paradox in contact mechanics (2016)"],
         check: undefined,
     },
@@ -47,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
             that of a time-stepping method with the number of steps, which they do not.",
         argument: "Twelve balls over one floor, dropped from different heights with e = 4/5: the event-driven method meets the sum of \
             their impacts, as many events as the closed forms count, and stays within 10⁻¹⁰ of them. One ball alone meets its own.",
-        control: "A floor with e = 1/2 in the simulation.",
+        controls: &["A floor with e = 1/2 in the simulation."],
         sources: &["chapter §1, table and bridge to robotics"],
         check: many_contacts,
     },

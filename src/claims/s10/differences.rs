@@ -1,22 +1,18 @@
 //! What simulators have in common, and by how much they differ on one scene.
 
-use crate::checks::Finding;
 use crate::claims::experiments::creep::Creeping;
 use crate::claims::experiments::soft::{default_contact, land, rebound};
+use crate::claims::prelude::*;
 use crate::claims::s5::planar_step::Block;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::mujoco_normal::spring_damper_restitution;
 use crate::elimination::solve;
 use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{PointMass, State};
 use crate::problem::Law;
-use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::{Activation, SchemeParameters, by_name, simulate};
 use crate::solvers::Auto;
 use crate::tolerance::claims::pathology as tolerance;
 use crate::tolerance::gate::ball::{OSCILLATOR_PARTS, oscillator_rebound};
-use crate::{Error, Result};
-use nalgebra::{DMatrix, DVector, dvector};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -33,7 +29,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Tower of three on soft contacts, R = 1/100: the primal system (M + HᵀR⁻¹H) v = M v_free and the dual (W + R) r = −H \
             v_free give the same velocities exactly. Two velocity-level, hard, unrelaxed steps of the same solver with e = 0 and e = 1/2 \
             leave an impact at −1 m/s with 0 and 1/2 m/s; with and without projection a ball 1 mm deep ends at 0 and at −1 mm.",
-        control: "Two simulators that also agree in e, and of which neither projects.",
+        controls: &["Two simulators that also agree in e, and of which neither projects."],
         sources: &["chapter §10, essential insight"],
         check: four_dimensions,
     },
@@ -49,7 +45,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "1 kg at rest on the floor: 0 m deep under an LCP scheme, 3.6718e-4 m in MuJoCo. Rebound of the default contact: e⁻² = \
             0.135 in MuJoCo, e in a rigid scheme. Block that should stick on 20°, h = 10 ms: 0 (Anitescu), R_t h g_t (SAP), R_t g_t/b \
             (MuJoCo), 1.06 v_s (Drake Similar, Lagged). Sliding: u_n = 0 under Coulomb, μ|u_t| under the relaxation.",
-        control: "Stewart–Trinkle in place of MuJoCo: at rest it agrees with Moreau–Jean.",
+        controls: &["Stewart–Trinkle in place of MuJoCo: at rest it agrees with Moreau–Jean."],
         sources: &[
             "chapter §10, pitfall “another simulator, the same result”",
             "stored runs of MuJoCo 3.17.0 and Drake 1.51.1 agree with these models, see tests/references",
@@ -70,7 +66,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Stepped to a steady state on 20°, μ = 1/2, at h = 4 and 2 ms: SAP's creep halves, MuJoCo's stays the same to rounding, \
             the hard block does not move; each agrees with its closed form. On level ground the blocks of drake-sap, mujoco and anitescu \
             stay where they are.",
-        control: "The slope of 20° in place of level ground.",
+        controls: &["The slope of 20° in place of level ground."],
         sources: &["chapter §10, exercise 3", "stored runs of MuJoCo 3.17.0 and Drake 1.51.1, see tests/references"],
         check: gliding,
     },

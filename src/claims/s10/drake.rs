@@ -1,10 +1,9 @@
 //! Drake's rows of the comparison.
 
-use crate::checks::Finding;
 use crate::claims::experiments::drake::{Facts, MATERIAL, damped_lift, facts, predicted_damped_lift};
 use crate::claims::experiments::repositories::DRAKE;
 use crate::claims::experiments::stored::{Faller, update_residuals};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::cones::projection_jacobian;
 use crate::mechanics::{PointMass, State};
 use crate::schemes::drake::{Material, Touch, tamsi_law};
@@ -13,8 +12,6 @@ use crate::solvers::{ContactSolver, SemiAnalyticPrimal};
 use crate::tolerance::claims::drake as tolerance;
 use crate::tolerance::claims::engines::same_answer;
 use crate::tolerance::{rounding, solvers::STOP};
-use crate::{Error, Result};
-use nalgebra::dvector;
 use std::collections::BTreeSet;
 
 const PACKAGE: &str = "Drake 1.51.1, its Python module and the documentation in it (references/facts/drake.json)";
@@ -34,7 +31,7 @@ pub const CLAIMS: &[Claim] = &[
             function has as its gradient. Drake 1.51.1 has TAMSI, and announces its removal from 2026-09-01 on.",
         argument: "A touching contact that slips, μ = 3/4: ∂r_t/∂u_n = −μ n′, ∂r_n/∂u_t = 0, so ∂r/∂u is not symmetric and r is no \
             gradient. ‖r_t‖ = μ r_n at 8 v_s, but ¾ μ r_n at v_s/2.",
-        control: "A contact that slips at 8 v_s in place of v_s/2.",
+        controls: &["A contact that slips at 8 v_s in place of v_s/2."],
         sources: &["chapter §10, table of simulators", PACKAGE],
         check: tamsi,
     },
@@ -52,7 +49,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Stored fall at h = 1/100 s: q⁺ − q − h v⁺ = 0 to rounding. One step of our SAP on a contact 1 mm deep: r_n = h k(−φ⁺ \
             − τ u_n⁺). With k = 1e9 and 1e10 N/m the step is the same. Sliding at 0.7 instead of 0.2 m/s: lifted by 1.2 mm = h μ Δv for \
             τ = 0 and h = 8 ms, but by 1.35 mm for τ = 5 ms and h = 4 ms, where h μ Δv is 0.6 mm.",
-        control: "kLagged's lift in place of kSap's: none.",
+        controls: &["kLagged's lift in place of kSap's: none."],
         sources: &["chapter §10, table of simulators", PACKAGE, SAP_PAPER],
         check: sap,
     },
@@ -66,7 +63,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As a solver. The default contact model that it solves is not kSap but kLagged.",
         argument: "A plant of 1.51.1 answers kSap when asked for its solver and kLagged when asked for its approximation; kSap, kSimilar \
             and kLagged all take the solver kSap.",
-        control: "The default approximation in place of the default solver.",
+        controls: &["The default approximation in place of the default solver."],
         sources: &["chapter §10, table of choices", PACKAGE],
         check: default_solver,
     },
@@ -84,7 +81,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "μ = 1/2: while a contact slips, the derivative of the projection changes by 2/5 per unit of the normal impulse. Across \
             the boundary between stick and slip it jumps by 1 in norm, however close the two points are: the projector I − ggᵀ drops out. \
             Newton's method from impulses of ±10³ and ±10⁶ N·s ends at the same velocity as from none.",
-        control: "Two points that both slip.",
+        controls: &["Two points that both slip."],
         sources: &["chapter §11, table of theorems", SAP_PAPER],
         check: theorem,
     },
@@ -99,7 +96,7 @@ pub const CLAIMS: &[Claim] = &[
             file; it offers both solvers.",
         argument: "The tree of the repository at be259df7 of 2026-08-20 has both files. 1.51.1 offers the solvers kSap and kTamsi, and \
             documents the second as deprecated, to be removed from 2026-09-01 on; one solver is left then.",
-        control: "The day of that commit in place of one after the announced removal.",
+        controls: &["The day of that commit in place of one after the announced removal."],
         sources: &["chapter §10, source files", PACKAGE, "Drake's repository at be259df7; pull request 24831 for the removal"],
         check: paths,
     },

@@ -1,10 +1,8 @@
 //! §10, the table of what each mathematical object is used for, and by whom.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::facts;
 use crate::claims::experiments::siconos::Facts;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
+use crate::claims::prelude::*;
 use crate::scenes::named;
 use crate::schemes::{Anitescu, Scheme, StewartTrinkle, simulate};
 use crate::solvers::Auto;
@@ -27,7 +25,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
     argument: "μ = 0.2, 1 m/s: rolls at 5/7 m/s to rounding, friction keeping the angular momentum about the floor. At the first step u_n \
         = μ|u_t| with W_tt = 7/(2m) makes it leave at w = μ v/(1 + 7/2 μ²), to w²/(2g) = 1.57e-3 m. Stewart–Trinkle's sphere ends at the \
         same speed and stays on the floor.",
-    control: "Stewart–Trinkle in the place of Anitescu.",
+    controls: &["Stewart–Trinkle in the place of Anitescu."],
     sources: &["chapter §10, table of mathematical objects, instances and simulators"],
     check: rolling,
 }];

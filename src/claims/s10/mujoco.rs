@@ -1,12 +1,10 @@
 //! MuJoCo's row of the table of simulators.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::mujoco::facts;
 use crate::claims::experiments::repositories::{MUJOCO, MUJOCO_SOLVERS};
 use crate::claims::experiments::soft::default_contact;
 use crate::claims::experiments::soft_stack::{self, STEP};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::problem::Law;
 use crate::schemes::mujoco::Cone;
@@ -26,7 +24,7 @@ const PATH: Claim = Claim {
         is its path in the Python package mujoco, while the paths beside it start at the root of the repository.",
     argument: "The library of the pinned release names the C files that it was compiled from, as the compiler left them. Paths, functions \
         and MJX's file: tree of the repository at commit a725507 of August 2026.",
-    control: "The root of the package in place of that of the repository.",
+    controls: &["The root of the package in place of that of the repository."],
     sources: &["chapter §10, source files", "MuJoCo 3.17.0, answers in references/facts/mujoco.json", "MuJoCo's repository at a725507"],
     check: paths,
 };
@@ -44,7 +42,7 @@ const ROW: Claim = Claim {
     argument: "Integrators, solvers and the default h = 2 ms are the pinned release's. A step with pyramids has one-sided rows only, a \
         quadratic program; with elliptic cones it is a second-order cone program. A ball that falls at 1 m/s, 10⁻¹² m above and below \
         touch: v⁺ jumps by d₀ h (g + b v) = 0.207 m/s; 1 mm deep it does not.",
-    control: "A ball without weight that rests at touch, where nothing jumps.",
+    controls: &["A ball without weight that rests at touch, where nothing jumps."],
     sources: &["chapter §10, table", "MuJoCo 3.17.0, answers in references/facts/mujoco.json"],
     check: row,
 };

@@ -1,16 +1,13 @@
 //! Siconos in the comparison of simulators: its row, its school, its files.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::repositories::{SICONOS_440, SICONOS_450, SICONOS_2026, Tree};
 use crate::claims::experiments::siconos::{Facts, alpha_impact, slide};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::mechanics::{PointMass, State};
 use crate::problem::Law;
 use crate::schemes::{GeneralisedAlpha, step};
 use crate::solvers::LemkePivoting;
 use crate::tolerance::references::SICONOS_PER_STEP;
-use nalgebra::dvector;
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -27,7 +24,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Headers and solver identifiers of Debian's packages 4.4.0+dfsg-2; the trees of 4.4.0 and 4.5.0. A stored fall under \
             NewMarkAlphaOSI, e = ½: the ball arrives at −4.5 m/s and leaves at +95.8 m/s, by the factor 1 − (1−α_m)/((1−α_f)γ) h'/h² of \
             4.4.0's formula; under the nonsmooth scheme v⁺ = −e v⁻.",
-        control: "The tree of 4.5.0 in place of that of 4.4.0.",
+        controls: &["The tree of 4.5.0 in place of that of 4.4.0."],
         sources: &[
             "chapter §10, table of simulators",
             "Siconos 4.4.0 in Debian; github.com/siconos/siconos, tags 4.4.0 and 4.5.0, and 6070f0f6",
@@ -46,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
             convex relaxation; a sliding block does not lift off.",
         argument: "Stored steps of a block that slides under Siconos's Moreau–Jean, e = 1/2: u_n⁺ + e u_n = 0 and r_t = −μ r_n to rounding \
             while u_t⁺ is above the 0.3 m/s of the start. The relaxation would have u_n⁺ + e u_n = μ u_t⁺.",
-        control: "The same steps made again under the relaxed law.",
+        controls: &["The same steps made again under the relaxed law."],
         sources: &["chapter §10, three schools"],
         check: school,
     },
@@ -62,7 +59,7 @@ pub const CLAIMS: &[Claim] = &[
             MoreauJeanOSI.cpp to kernel/src/simulation/, and the Alart–Curnier file to FrictionContact/nsn_formulation/.",
         argument: "The names of three are in Debian's libraries 4.4.0+dfsg-2 as the compiler left them, the fourth by its functions; all \
             four are in the tree of the tag 4.5.0, and two in that of commit 6070f0f6.",
-        control: "The tree of 4.5.0 in place of that of August 2026.",
+        controls: &["The tree of 4.5.0 in place of that of August 2026."],
         sources: &[
             "chapter §10, where to look in the sources",
             "Siconos 4.4.0 in Debian; github.com/siconos/siconos, tag 4.5.0 and 6070f0f6",

@@ -1,10 +1,8 @@
 //! §10, the step sizes of the table.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::stored::standing;
 use crate::claims::experiments::{facts, mujoco};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
+use crate::claims::prelude::*;
 use crate::tolerance::claims::SAME_CREEP;
 
 pub const CLAIMS: &[Claim] = &[Claim {
@@ -20,7 +18,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         default contact, timeconst 0.02 s, is no longer the one that was asked for, because refsafe stretches timeconst to 2h.",
     argument: "Stored runs of MuJoCo 3.17.0, block that Coulomb holds, creep: the same at 1/1000 and 1/240 s, 1.56 times as much at 1/60 \
         s.",
-    control: "The run at 1/240 s in place of that at 1/60 s.",
+    controls: &["The run at 1/240 s in place of that at 1/60 s."],
     sources: &["chapter §10, table of simulators", "the packages mujoco 3.17.0, drake 1.51.1 and pybullet 3.2.7, for the defaults"],
     check: stretched,
 }];

@@ -1,9 +1,8 @@
 //! The rows of Chrono, Bullet and Pinocchio: their steps and solvers rebuilt, their packages and stored motions read.
 
-use crate::checks::Finding;
 use crate::claims::experiments::repositories::{CHRONO, PINOCCHIO_3, PINOCCHIO_3_TAKES};
 use crate::claims::experiments::{facts, soft_stack};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::mechanics::{PointMass, State};
 use crate::problem::{ContactProblem, Solution};
 use crate::schemes::mujoco::Cone;
@@ -12,8 +11,6 @@ use crate::solvers::{self, AlternatingDirections, ClarabelPolished, ContactSolve
 use crate::stored::{RUNS, problem_and_answer, read_by};
 use crate::tolerance::claims::engines as tolerance;
 use crate::trajectory::Trajectory;
-use crate::{Error, Result};
-use nalgebra::{DMatrix, dvector};
 use serde_json::Value;
 
 const BOX_SLIDE: &str = "pinocchio/box-slide.json";
@@ -41,7 +38,7 @@ pub const CLAIMS: &[Claim] = &[
             0.1 m deep comes out at 0.6 m/s, not at the 10 m/s that undo the depth in one step. `ChSolver::Type` names PSOR, \
             BARZILAIBORWEIN, APGD, ADMM; a contact's constraint is loaded by `ChContactNSC`, which HHT does \
             not solve as an inequality.",
-        control: "A body 5 mm deep, which needs less than 0.6 m/s.",
+        controls: &["A body 5 mm deep, which needs less than 0.6 m/s."],
         sources: &[
             "chapter §10, table of simulators",
             "Project Chrono, commit 7689fbc: ChSolver.h, ChContactNSC.cpp, ChTimestepperImplicit.cpp",
@@ -62,7 +59,7 @@ pub const CLAIMS: &[Claim] = &[
             or src/chrono_multicore/. A million bodies with three contacts each have 9·10⁶ rows. H of a stack of boxes has at most 6 \
             entries other than zero per row, W at most 36: 0.4 and 2.6 GB. Only W with all its zeros, 6.5·10¹⁴ bytes, would be out of \
             reach.",
-        control: "The folder of Chrono::DEM in place of those with NSC.",
+        controls: &["The folder of Chrono::DEM in place of those with NSC."],
         sources: &["chapter §10, table of simulators", "Project Chrono, commit 7689fbc, and the documentation of Chrono::DEM in it"],
         check: granular,
     },
@@ -80,7 +77,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Stored motions of PyBullet 3.2.7: the first rebound of a ball equals e(|v| + g h) + ERP d/h, and a ball 1 cm deep rises \
             so that its depth shrinks by 0.92 in every step, each to 1e-12; the scheme `bullet` reproduces every sample. The source names \
             the solvers and 1/60 s.",
-        control: "ERP 0.2, Bullet's own default, in the same formulas.",
+        controls: &["ERP 0.2, Bullet's own default, in the same formulas."],
         sources: &["chapter §10, table of simulators", "PyBullet 3.2.7, source distribution", "references/bullet"],
         check: bullet_row,
     },
@@ -98,7 +95,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Stored answers of 4.1.0 for a sliding box, hard and with compliance 1/16 kg⁻¹, under Coulomb's law and relaxed: our \
             ADMM, with ρ found by itself and the proximal term, finds the same velocities to 1e-7 m/s or better, and the certificate \
             accepts them. ADMM of v3.7.0 takes a proximal term, a power of ρ and a compliance, and nothing that switches the law.",
-        control: "Release 4.1.0 in place of 3.7.0, asked for the switch.",
+        controls: &["Release 4.1.0 in place of 3.7.0, asked for the switch."],
         sources: &[
             "chapter §10, table of simulators",
             "Pinocchio 4.1.0: ADMMConstraintSolver; v3.7.0: admm-solver.hpp and .hxx",
@@ -117,7 +114,7 @@ pub const CLAIMS: &[Claim] = &[
             (NCP); with `solve_ncp` = false it solves the relaxation.",
         argument: "A box that slides on four corners: by default the loaded corners stay on the ground, u_n = 0; relaxed they leave it \
             with u_n = μ‖u_t‖. Both answers are stored and certified.",
-        control: "A box that sticks, of which both laws say that it stays on the ground.",
+        controls: &["A box that sticks, of which both laws say that it stays on the ground."],
         sources: &["chapter §10, four routes, against its table of simulators", "references/pinocchio"],
         check: route,
     },
@@ -131,7 +128,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated, at commit 7689fbc of 2026-08-18.",
         argument: "The three files are in the tree of the repository at that commit; the one of Barzilai and Borwein, which the chapter \
             does not list, is ChSolverBB.cpp.",
-        control: "The folder of Chrono::Multicore, whose solvers have other files.",
+        controls: &["The folder of Chrono::Multicore, whose solvers have other files."],
         sources: &["chapter §10, source files", "Project Chrono, commit 7689fbc, src/chrono/solver"],
         check: path_chrono,
     },
@@ -145,7 +142,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated. PyBullet's bodies are multibodies by default, and these are solved in \
             src/BulletDynamics/Featherstone/btMultiBodyConstraintSolver.cpp.",
         argument: "Both are in the source distribution of PyBullet 3.2.7.",
-        control: "The file in the folder of the MLCP solvers.",
+        controls: &["The file in the folder of the MLCP solvers."],
         sources: &["chapter §10, source files", "PyBullet 3.2.7, source distribution: references/bullet/package.json"],
         check: path_bullet,
     },
@@ -159,7 +156,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "So in Pinocchio 3, up to 3.7.0 at least. In 4.1.0 the solver is algorithm/solvers/admm-solver.hpp with \
             src/algorithm/solvers/admm-solver.hxx, and contact-cholesky.hpp stands under deprecated/.",
         argument: "The tree of the tag v3.7.0 has both, the wheel libpinocchio 4.1.0, listed, has neither.",
-        control: "The tree of 3.7.0 in place of the package 4.1.0.",
+        controls: &["The tree of 3.7.0 in place of the package 4.1.0."],
         sources: &["chapter §10, source files", "Pinocchio, tag v3.7.0", "libpinocchio 4.1.0: references/pinocchio/package.json"],
         check: path_pinocchio,
     },

@@ -1,17 +1,13 @@
 //! §11, the four steps of a convergence proof: bounded variation, Helly, weak* compactness, passage to the limit.
 
-use crate::Result;
 use crate::certificate::copositivity::copositive_plus;
-use crate::checks::Finding;
 use crate::claims::experiments::wall::{Approach, Stepping, approach};
+use crate::claims::prelude::*;
 use crate::claims::s4::stepping::trapezoidal_rebound;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::exact_particle::{Ball, BallState};
 use crate::problem::Lcp;
-use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
 use crate::tolerance::claims::lcp::repeated_steps;
-use nalgebra::{DMatrix, DVector};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -26,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
             yields a solution, not a bound on it; and the Stewart–Trinkle matrix has it only without friction (S4.copos-plus).",
         argument: "A mass between opposite walls, H = (1, −1)ᵀ, both touching: W = (1, −1; −1, 1) is copositive-plus, exactly, and P = (c, \
             c) solves 0 ≤ P ⟂ W P ≥ 0 for c = 1, 10³, 10⁶. One wall, plastic, h = 2⁻⁴ … 2⁻⁸: the variation is 1 at every h.",
-        control: "Walls at right angles, whose cone is pointed.",
+        controls: &["Walls at right angles, whose cone is pointed."],
         sources: &["chapter §11, step 1", "Stewart 1998 (not read)"],
         check: bounded_variation,
     },
@@ -41,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
             says nothing of them.",
         argument: "Opposite walls: P = (c, c) leaves a resting mass at rest, kinetic energy 0 for c = 1, 10³, 10⁶. A wedge with normals \
             (±3/5, 4/5): P₁ + P₂ ≤ (5/4)‖HᵀP‖, since both normals have the component 4/5 along (0, 1).",
-        control: "Walls at right angles.",
+        controls: &["Walls at right angles."],
         sources: &["chapter §11, step 1, intuition"],
         check: energy_and_impulse,
     },
@@ -57,7 +53,7 @@ pub const CLAIMS: &[Claim] = &[
             velocities of a scheme satisfy it, is checked.",
         argument: "Stewart–Trinkle on a wall: variation 1 for h = 2⁻⁴ … 2⁻⁸. The signs of sin 2πnt, n = 2⁰ … 2⁵, are bounded, jump 2n − 1 \
             times, and any two of them differ on half of the interval: no subsequence converges.",
-        control: "Those signs in place of the velocities.",
+        controls: &["Those signs in place of the velocities."],
         sources: &["chapter §11, step 2", "Helly's selection theorem, in textbooks of real analysis"],
         check: helly,
     },
@@ -71,7 +67,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated. A subsequence is meant: at the time of an impact the whole sequence need not converge.",
         argument: "Stewart–Trinkle on a wall that is hit at ⅓ s: ∫|v_h − v| = 4h/9, which bounds the error of the position. v_h = −1 and 0 \
             at 1/4 s and 1/2 s, but v_h(⅓) = −⅓ for h = 2⁻ᵏ with even k and −⅔ with odd k.",
-        control: "The whole sequence at ⅓ s.",
+        controls: &["The whole sequence at ⅓ s."],
         sources: &["chapter §11, step 2"],
         check: subsequence,
     },
@@ -85,7 +81,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated; C([0, T]) is separable. Weakly*, and in no stronger sense: not in mass.",
         argument: "The same wall: P_h has mass 1 in two steps next to ⅓ s, ∫g dP_h → g(⅓) for g = t, t², |t − ⅓| with errors of at most 2h \
             times the slope; the mass of P_h − δ_⅓ is 2 at every h.",
-        control: "The impulses of Moreau–Jean with e = 1/2, which tend to another measure.",
+        controls: &["The impulses of Moreau–Jean with e = 1/2, which tend to another measure."],
         sources: &["chapter §11, step 3"],
         check: weak_star,
     },
@@ -98,7 +94,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "As stated: (1 + e) m |v| in every window around the impact, however narrow.",
         argument: "Moreau–Jean on the wall, e = ½: the impulse within 2h of ⅓ s is 3/2 N s for h = 2⁻⁴ … 2⁻⁸, that within 2h of ¾ s is 0.",
-        control: "The window at ¾ s.",
+        controls: &["The window at ¾ s."],
         sources: &["chapter §11, step 3"],
         check: atom,
     },
@@ -114,7 +110,7 @@ pub const CLAIMS: &[Claim] = &[
             weakly*, and ∫v_h dP_h need not converge to ∫v dP: a further argument is needed where both jump, such as the energy balance.",
         argument: "v_h = 1 from ½ on, P_h = δ at ½ − h: ∫v_h dP_h = 0 at every h, ∫v dP = 1. Stewart–Trinkle's own steps on the wall: Σ \
             v⁺P = −2/9 at every h, although v⁺ = 0 in the limit and P = δ_⅓; while Σ ½(v + v⁺)P = −½ at every h, as in the limit.",
-        control: "Moreau–Jean's steps with e = 1/2, and jumps at one instant: Σ v⁺P is that of the limit.",
+        controls: &["Moreau–Jean's steps with e = 1/2, and jumps at one instant: Σ v⁺P is that of the limit."],
         sources: &["chapter §11, step 4"],
         check: passage,
     },
@@ -130,7 +126,7 @@ pub const CLAIMS: &[Claim] = &[
             each scheme.",
         argument: "Stewart–Trinkle's constraint with the trapezoidal position update: variation of at most 2, a plastic body that rebounds \
             at 2/5 of its speed for h = 1/100 and 1/1000. Its limit exists and violates the impact law.",
-        control: "Stewart–Trinkle's own position update, whose plastic body stays at the wall.",
+        controls: &["Stewart–Trinkle's own position update, whose plastic body stays at the wall."],
         sources: &["chapter §11, essential insight after step 4", "S4.nonpen"],
         check: template,
     },
@@ -145,7 +141,7 @@ pub const CLAIMS: &[Claim] = &[
             v_0 ≤ 2 g T + √(2 g q₀) + g h for a drop from q₀ with e ≤ 1.",
         argument: "Moreau–Jean, θ = ½, e = ½, q₀ = 1/8 m, g = 10 m/s², T = 2 s, h = 2⁻⁴ … 2⁻¹²: no speed above √(2 g q₀) + g h, no \
             variation above the bound.",
-        control: "e = 2.",
+        controls: &["e = 2."],
         sources: &["chapter §11, exercise 1"],
         check: exercise,
     },
@@ -223,7 +219,7 @@ fn helly(reading: Reading) -> Result<Vec<Finding>> {
     for k in EXPONENTS {
         findings.push(match reading {
             Reading::Recorded => variation(&plastic(k), k),
-            Reading::Control => Finding::exact(
+            Reading::Control(_) => Finding::exact(
                 format!("half the variation of sign sin, n = 2^{}", k - 3),
                 &ratio(turns(k - 3) as i64, 1),
                 &ratio(1, 1),
@@ -250,7 +246,7 @@ fn subsequence(reading: Reading) -> Result<Vec<Finding>> {
         for (time, limit) in [(ratio(1, 4), ratio(-1, 1)), (ratio(1, 2), ratio(0, 1))] {
             findings.push(Finding::exact(format!("v_h({time}), h = 2^-{k}"), &motion.velocity_at(&time), &limit, "m/s"));
         }
-        if k % 2 == 0 || reading == Reading::Control {
+        if k % 2 == 0 || reading.is_control() {
             let there = motion.velocity_at(&ratio(1, 3));
             findings.push(Finding::exact(format!("v_h(1/3), h = 2^-{k}"), &there, &ratio(-1, 3), "m/s"));
         }

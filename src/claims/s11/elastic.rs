@@ -1,8 +1,6 @@
 //! Contact of an elastic continuum: a bar that hits a wall, against its wave solution.
 
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
+use crate::claims::prelude::*;
 use crate::closed_forms::ElasticBar;
 use crate::elastic_bar::{FiniteElementBar, Method};
 use crate::tolerance::claims::ORDER_GAP;
@@ -25,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
             proportional to Δ, where a rigid body loses all; its force is off by 0.88 of the true impulse at every N. \
             Average acceleration multiplies the energy by 4 and more. With the end's mass redistributed the force converges and the energy \
             stays within 3·10⁻⁴.",
-        control: "A bar of two elements, which is nearly a rigid body.",
+        controls: &["A bar of two elements, which is nearly a rigid body."],
         sources: &[
             "chapter §11, infinite-dimensional extension and pitfalls",
             "Khenous, Laborde and Renard, Mass redistribution method (2008)",
@@ -45,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
             checked: the persistency condition keeps the energy, at the price of a penetration of a step and of a force that oscillates.",
         argument: "Midpoint with 0 ≤ λ ⟂ u⁺ − u ≥ 0 once closed: ΔE = λ(u⁺ − u) = 0 in every step, to rounding, at N = 20, 40, 80. Without \
             it ΔE ≤ 0 in every step.",
-        control: "Average acceleration in place of the persistency condition.",
+        controls: &["Average acceleration in place of the persistency condition."],
         sources: &[
             "chapter §11, infinite-dimensional extension",
             "Laursen and Chawla 1997, Laursen and Love 2002, Hauret and Le Tallec 2006 (not read)",

@@ -1,11 +1,8 @@
 //! §11, convergence with friction: what Painlevé's configurations need, and who proved what when.
 
-use crate::Result;
-use crate::checks::Finding;
+use crate::claims::prelude::*;
 use crate::claims::s4::literature::scheme_year;
 use crate::claims::s4::painleve::{answers, sliding_forces};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
-use crate::scalar::{Rational, ratio};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -20,7 +17,7 @@ pub const CLAIMS: &[Claim] = &[
             finite as h → 0. Where two exist it has three, of which the construction takes one.",
         argument: "The rod with tan θ = 4/3, μ = 2: for b = −5 m/s² no sliding force and one answer, P_n = 9/25 + (73/20) h; for b = +5 \
             m/s² three answers, at h = 10⁻³, 10⁻⁴ and 10⁻⁵, in rationals.",
-        control: "μ = 1, below μ_P = 13/9: one answer each, without an impulse that stays.",
+        controls: &["μ = 1, below μ_P = 13/9: one answer each, without an impulse that stays."],
         sources: &["chapter §11, Painlevé as a by-product", "Stewart 1998 (not read)"],
         check: painleve,
     },
@@ -35,7 +32,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Painlevé's paradox needs friction, μ > μ_P > 0, and so does the Stewart–Trinkle scheme whose limit the proof \
             takes. A proof that resolves it is one with friction.",
         argument: "The rod at b = −1: with μ = 0, 1 and 13/9 − 1/100 there is one sliding force, with 13/9 + 1/100 and 2 there is none.",
-        control: "A by-product at μ = 1/10, where there is no paradox to resolve.",
+        controls: &["A by-product at μ = 1/10, where there is no paradox to resolve."],
         sources: &["chapter §11, four steps; Painlevé as a by-product; convergence with friction"],
         check: needs_friction,
     },
@@ -52,7 +49,7 @@ pub const CLAIMS: &[Claim] = &[
             found of these authors (2007, 2009) is about one constraint without friction, in its abstract.",
         argument: "The rod is without a sliding force only above μ_P = 13/9, exactly. There the first proof is the one that resolves the \
             paradox, 1998, nine years before the year claimed; a result for small μ does not reach so far.",
-        control: "Painlevé's rod at μ = 1/10, which has no paradox for the proof of 1998 to resolve.",
+        controls: &["Painlevé's rod at μ = 1/10, which has no paradox for the proof of 1998 to resolve."],
         sources: &[
             "chapter §11, convergence with friction",
             "Monteiro Marques, Differential Inclusions in Nonsmooth Mechanical Problems: Shocks and Dry Friction (1993), for title and \
@@ -75,7 +72,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Slips (3, 4)/5·10⁻ᵏ with r = (1, −(3, 4)μ/5): all in the law, and so is the limit, slip 0 with the same r. Two states \
             of sliding with r = (1, −μ), slip 2, and (10, −10μ), slip 1: ⟨Δu, Δr⟩ = +9μ, where a monotone law has ≤ 0. Lifted by u_n = \
             μ|u_t|, as in the associated law: 0.",
-        control: "The single-valued law, r_t = 0 at slip 0.",
+        controls: &["The single-valued law, r_t = 0 at slip 0."],
         sources: &["chapter §11, convergence with friction; exercise 2"],
         check: closed_graph,
     },
@@ -90,7 +87,7 @@ pub const CLAIMS: &[Claim] = &[
             to the proof that covers Painlevé's configurations, and so friction, it took two.",
         argument: "The scheme: 1996, from the SICI of its paper. The proof that resolves the paradox, which exists above μ_P = 13/9 \
             only: 1998, two years later. From there to 2007: nine, ten to the nearest ten.",
-        control: "A rod at μ = 1/10, which the proof of 1998 need not cover: from the scheme to 2007.",
+        controls: &["A rod at μ = 1/10, which the proof of 1998 need not cover: from the scheme to 2007."],
         sources: &["chapter §11, pitfalls", "S11.friction-split", "S4.cites"],
         check: years,
     },

@@ -1,18 +1,15 @@
 //! §11, why contact and the symplectic form do not go together: projections, reflections, and what is between them.
 
-use crate::Result;
-use crate::checks::Finding;
+use crate::claims::prelude::*;
 use crate::claims::s8::impact::{ball_flow, loaded};
 use crate::claims::s8::spring::{SEMI_IMPLICIT, theta};
 use crate::claims::s8::symplectic::{kept_step, vanishes};
 use crate::claims::s8::systems::{Coupled, Floor, across, entries, identity, mirror_step, projected_step};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::integrators::impact_flow::{ImpactFlow, Tangent};
 use crate::integrators::jacobian::jacobian;
 use crate::integrators::symplectic::{defect, volume};
 use crate::integrators::{ExplicitEuler, Method, Phase, SpringDamper};
-use crate::scalar::{Dual, Rational, Scalar, ratio};
-use nalgebra::{DMatrix, DVector};
+use crate::scalar::Dual;
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -26,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated: v ↦ v − M⁻¹n (nᵀM⁻¹n)⁻¹ nᵀv has the eigenvalue 0, and DᵀJD = J gives (det D)² = 1.",
         argument: "Two coupled masses, M = (2, 1; 1, 3), n = (0, 1), in rationals: det D = 0, and DᵀJD ≠ J. In one dimension D = diag(1, \
             0).",
-        control: "The reflection v ↦ v − 2M⁻¹n (nᵀM⁻¹n)⁻¹ nᵀv.",
+        controls: &["The reflection v ↦ v − 2M⁻¹n (nᵀM⁻¹n)⁻¹ nᵀv."],
         sources: &["chapter §11, symplectic incompatibility"],
         check: velocity_projection,
     },
@@ -40,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated, where it acts on an open set of states: one that is put back on the wall has lost the depth it had.",
         argument: "A semi-implicit step of two coupled masses in a cubic potential, put back on the wall where it ends below: det D = 0 \
             exactly.",
-        control: "The mirror image in the wall in place of the projection: a correction that projects nothing.",
+        controls: &["The mirror image in the wall in place of the projection: a correction that projects nothing."],
         sources: &["chapter §11, symplectic incompatibility"],
         check: position_projection,
     },
@@ -57,7 +54,7 @@ pub const CLAIMS: &[Claim] = &[
             difference.",
         argument: "Ball on a floor, e = 1, in rationals: the flow from before to after the impact has det D = 1 and DᵀJD = J; the \
             reflection det D = −1 and DᵀJD = −J.",
-        control: "The flow in the place of the reflection.",
+        controls: &["The flow in the place of the reflection."],
         sources: &["chapter §11, symplectic incompatibility; exercise 3(d)"],
         check: reflection,
     },
@@ -73,7 +70,7 @@ pub const CLAIMS: &[Claim] = &[
             integrators exist: variational ones, and those whose correction is a mirror image.",
         argument: "The exact flow across an impact with e = 4/5 has det D = 16/25. For e = 1 a variational step with an impact in it, two \
             coordinates, cubic potential, curved wall: DᵀJD − J = 0 in rationals; a mirrored step the same.",
-        control: "A step put back on the wall in place of the mirrored one.",
+        controls: &["A step put back on the wall in place of the mirrored one."],
         sources: &["chapter §11, essential insight on symplecticity", "S8.kmow", "S8.cirak-west"],
         check: exceptions,
     },
@@ -89,7 +86,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "A spring stepped by explicit Euler, semi-implicit Euler, the midpoint rule and implicit Euler, h ω = 1/4, then \
             projected: det D = 0 for all four. Mirrored: det D = 1 after semi-implicit Euler and the midpoint rule, not after the other \
             two.",
-        control: "A correction that puts the state on the wall and sends it back, in place of the mirror image.",
+        controls: &["A correction that puts the state on the wall and sends it back, in place of the mirror image."],
         sources: &["chapter §11, pitfalls"],
         check: either,
     },
@@ -104,7 +101,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "The projection: diag(1, 0). The reflection: diag(1, −1), determinant −1, which is not symplectic. The \
             exception is the flow across the impact: over a time T without forces −(1, T; 0, 1), determinant 1.",
         argument: "One dimension, in rationals with dual numbers: determinants 0, −1 and 1.",
-        control: "The flow in the place of the reflection.",
+        controls: &["The flow in the place of the reflection."],
         sources: &["chapter §11, exercise 3"],
         check: exercise,
     },

@@ -1,20 +1,16 @@
 //! §12, the contact step from q = 0.005 m, v = −0.99 m/s.
 
 use super::motion::before_contact;
-use crate::Result;
-use crate::checks::Finding;
 use crate::checks::energy::{worked_ball, worked_step};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::defects::zeno::{Altered, Mistake};
 use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{PointMass, State};
 use crate::problem::Lcp;
-use crate::scalar::{Rational, ratio};
 use crate::schemes::{self, Activation, MoreauJean, RestitutionRule, Scheme};
 use crate::solvers::ProjectedGaussSeidel;
 use crate::solvers::lemke::solution;
 use crate::tolerance::schemes::ball_velocity;
-use nalgebra::{DMatrix, DVector, dvector};
 
 /// The claims of this file.
 pub const CLAIMS: &[Claim] = &[
@@ -29,7 +25,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated.",
         argument: "v_free = −99/100 − 1/10 = −109/100; forecast 1/200 − 109/10000 = −59/10000; U = v_free + P + ½v = \
                    P − 317/200; P = 317/200, v⁺ = 99/200. The f64 scheme with its solver gives the same within its rounding.",
-        control: "The same step with e times v_free instead of e times v in the argument: P = 1.635 N·s.",
+        controls: &["The same step with e times v_free instead of e times v in the argument: P = 1.635 N·s."],
         sources: &["chapter §12, contact step"],
         check: contact_step,
     },
@@ -43,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated, with v⁻ the velocity v_ℓ at the start of the step (not v_free, the velocity just before \
                             the discrete impact).",
         argument: "v⁺ + e v_ℓ = 99/200 − 99/200 = 0; with v_free in place of v_ℓ it is 99/200 − 109/200 = −1/20.",
-        control: "A ball that falls with the same velocity 0.05 m above the floor: the contact takes no part in the step.",
+        controls: &["A ball that falls with the same velocity 0.05 m above the floor: the contact takes no part in the step."],
         sources: &["chapter §12, check of the impact law"],
         check: impact_law,
     },
@@ -58,7 +54,7 @@ pub const CLAIMS: &[Claim] = &[
             gravity’s m g h = 0.1 N·s as well.",
         argument: "The LCP of the same step with e = 0 just stops the ball: its impulse is 109/100, and what the step with e = ½ adds to \
             it is 99/200 = m v⁺, three times each for m = 3. Both LCPs are solved by Lemke’s method, v⁺ is that of the scheme.",
-        control: "The ball without gravity: 0.99 N·s stop it.",
+        controls: &["The ball without gravity: 0.99 N·s stop it."],
         sources: &["chapter §12, splitting of the impulse"],
         check: impulse_split,
     },
@@ -71,7 +67,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "q⁺ = 0.00995 m (199/20000); the summands are right, their sum was truncated.",
         argument: "1/200 + 99/20000 = 199/20000 = 0.00995. The conclusion drawn from it, that the ball has left the floor, stands.",
-        control: "The step from v = −0.98 m/s, whose new position is 0.0099 m.",
+        controls: &["The step from v = −0.98 m/s, whose new position is 0.0099 m."],
         sources: &["chapter §12, new position"],
         check: new_position,
     },
@@ -86,7 +82,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "0 ≤ W P + v_free + e v ⟂ P ≥ 0, solved by Lemke's method in rationals: the impact of the example gives \
                    P = 317/200; a ball lying on the floor (v = 0) gets P = m g h = 1/10 and stays; a ball leaving it with \
                    v = 1 gets P = 0.",
-        control: "The LCP without e v in its argument: it cancels the incoming velocity but produces no rebound.",
+        controls: &["The LCP without e v in its argument: it cancels the incoming velocity but produces no rebound."],
         sources: &["chapter §12, central insight"],
         check: one_problem_for_all,
     },

@@ -1,13 +1,9 @@
 //! Claims of §12 on exercise 3: the worked example as a convex program, and a tangential direction beside it.
 
-use crate::Result;
-use crate::checks::Finding;
+use crate::claims::prelude::*;
 use crate::claims::s5::planar_step::{Block, PlanarStep};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::problem::{Law, Lcp};
-use crate::scalar::{Rational, ratio};
 use crate::solvers::lemke::solution;
-use nalgebra::{DMatrix, DVector};
 
 /// The claims of this file.
 pub const CLAIMS: &[Claim] = &[Claim {
@@ -24,7 +20,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         317/200 ≥ 0 of the chapter’s contact step. With 1 m/s along the ground and μ = ½ the ball slides, and the relaxed step lifts it \
         by μ h v_t more, for h = 1/100 and 1/200; with ½ m/s the impact stops it and both laws give the same velocity. On the 3-4-5 slope, \
         h = 1/200, μ = ½: Coulomb slides at φ = 0 and the relaxed step at φ = μ h v_t exactly.",
-    control: "A landing at 1 m/s, which slides, in place of the one that sticks.",
+    controls: &["A landing at 1 m/s, which slides, in place of the one that sticks."],
     sources: &["chapter §12, exercise 3"],
     check: exercise,
 }];

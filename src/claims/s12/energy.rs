@@ -1,14 +1,11 @@
 //! §12, the energy check and the exercises.
 
 use super::motion::before_contact;
-use crate::Result;
-use crate::checks::Finding;
 use crate::checks::energy::{ENERGY_OF_BOUNCE, impact, worked_ball, worked_step};
 use crate::checks::zeno::DroppedBall;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
+use crate::claims::prelude::*;
 use crate::defects::energy::{Misassembled, restitution_on_the_wrong_side};
 use crate::exact_particle::Ball;
-use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme};
 
 /// The claims of this file.
@@ -27,7 +24,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "v⁺ = −e v_ℓ gives the ratio e², and 0.49005 J and 0.1225125 J round to the printed digits. Of the other references: \
             (99/200)²/(109/100)² = 9801/47524; (99/200)²/(1.0801) = 9801/43204; total (½·(99/200)² + 10 q⁺)/(0.54005) = 17761/43204 for \
             q⁺ = 199/20000 and 11821/43204 for q⁺ = 101/40000.",
-        control: "E⁻ taken with v_free.",
+        controls: &["E⁻ taken with v_free."],
         sources: &["chapter §12, energy check"],
         check: energy_ratio,
     },
@@ -43,7 +40,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Free steps conserve Ẽ = ½v² + g q − (θ−½) g h v, and the bounce happens within one step of the floor, so \
                    |v⁻| differs from √(2 g q₀) by at most δ₀ g h (δ₀ = 3/2 for the rule of §12 with θ = 1). The scheme is run \
                    for h = 10⁻², 10⁻³, 10⁻⁴ and held against that bound.",
-        control: "The restitution coefficient on the other side of the complementarity, 0 ≤ e v⁺ + v⁻ ⟂ P ≥ 0.",
+        controls: &["The restitution coefficient on the other side of the complementarity, 0 ≤ e v⁺ + v⁻ ⟂ P ≥ 0."],
         sources: &["chapter §12, energy check; chapter §7"],
         check: energy_limit,
     },
@@ -59,7 +56,7 @@ pub const CLAIMS: &[Claim] = &[
                             step, from v = −0.505 m/s, 1.0202 times the rebound, and leaves with 0.2525 m/s.",
         argument: "Ten free steps from v = 99/200 give v = −101/200, one step of gravity beyond −99/200, as Ẽ = E − ½ g h v and \
                    not E is conserved: 101/99 = 1.0202…",
-        control: "θ = ½ in the position update, with which the two heights of the exercise differ.",
+        controls: &["θ = ½ in the position update, with which the two heights of the exercise differ."],
         sources: &["chapter §12, exercise 1"],
         check: two_more_steps,
     },
@@ -74,7 +71,7 @@ pub const CLAIMS: &[Claim] = &[
                             position (0.00995 m or 0.002525 m). For the total energy θ = ½ comes closer: 0.2736 against 0.4111.",
         argument: "θ multiplies velocities in the position update only; the LCP of the step does not contain it. The question presumes \
             that one θ comes closer: with the kinetic energies, which the section compares, none does; with the total energy θ = ½ does.",
-        control: "The ball without gravity, whose total energy is the kinetic one: no θ comes closer in either reading.",
+        controls: &["The ball without gravity, whose total energy is the kinetic one: no θ comes closer in either reading."],
         sources: &["chapter §12, exercise 2"],
         check: theta_and_energy,
     },

@@ -1,16 +1,12 @@
 //! §12, the setting, the first step with h = 0.1 and h = 0.01, and the state before the contact step.
 
 use super::motion::{before_contact, start};
-use crate::Result;
-use crate::checks::Finding;
 use crate::checks::energy::worked_ball;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::contact::delassus::delassus;
 use crate::exact_particle::{BallState, BallStep};
 use crate::mechanics::{PointMass, State};
-use crate::scalar::{Rational, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, assembled};
-use nalgebra::{DMatrix, dvector};
 
 /// The claims of this file.
 pub const CLAIMS: &[Claim] = &[
@@ -25,7 +21,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated; W has the unit 1/kg.",
         argument: "H is the derivative of q by q, 1, and W = 1 · (1/1 kg) · 1 = 1/kg: once in rationals, once as the \
                    problem that the scheme assembles.",
-        control: "The same ball with m = 2 kg, for which W = 1/2.",
+        controls: &["The same ball with m = 2 kg, for which W = 1/2."],
         sources: &["chapter §12, setting"],
         check: setup,
     },
@@ -40,7 +36,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated; moreover the state repeats: the ball hovers at 0.05 m with P = 1 N·s in every step.",
         argument: "v_free = 0 − 10 · 1/10 = −1, forecast 1/20 − 1/10 = −1/20 < 0, U = P − 1 + ½ · 0 = 0 gives P = 1 and \
                    v₁ = 0, q₁ = 1/20. The state after the step equals the state before it, hence so do all that follow.",
-        control: "The rule φ + ½ h v ≤ 0 of the Siconos code instead of the forecast with v_free: not active, the ball falls.",
+        controls: &["The rule φ + ½ h v ≤ 0 of the Siconos code instead of the forecast with v_free: not active, the ball falls."],
         sources: &["chapter §12, step 1"],
         check: coarse_first_step,
     },
@@ -59,7 +55,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "h = 1/10, q = 1/20, v = 0: φ + h v_free = −1/20 ≤ 0 is active, φ + ½ h v = 1/20 is not. \
                    Stewart–Trinkle: φ/h + v⁺ ≥ 0 gives v⁺ = −1/2 and q⁺ = 0. With h = 1/100, 1/200, 1/400 the ball has \
                    come to rest after the 3 V/(g h) steps to T∞ and as many again, at heights in [0, g h²].",
-        control: "The half-step forecast as the rule of the scheme: it does not activate.",
+        controls: &["The half-step forecast as the rule of the scheme: it does not activate."],
         sources: &["chapter §12, step 1 and the lesson after it"],
         check: cause,
     },
@@ -72,7 +68,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "As stated.",
         argument: "v_free = −1/10, forecast 1/20 − 1/1000 = 49/1000 > 0, hence P₁ = 0, v₁ = −1/10, q₁ = 49/1000.",
-        control: "θ = ½ instead of 1, which moves the ball by 1/2000 m only.",
+        controls: &["θ = ½ instead of 1, which moves the ball by 1/2000 m only."],
         sources: &["chapter §12, step 1 repeated with h = 0.01"],
         check: fine_first_step,
     },
@@ -88,7 +84,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Free steps with θ = 1 conserve Ẽ = ½v² + g q − ½ g h v per unit mass: 1/2 at the start, but 11791/20000 at \
                    (0.005, −0.99); also ½·0.99² + 10·0.005 = 0.54005 J exceeds the 0.5 J of the start. The state is \
                    therefore not reachable from the start of the example; as an assumed state it serves the computation.",
-        control: "The state (0.005, −0.9), which is reachable.",
+        controls: &["The state (0.005, −0.9), which is reachable."],
         sources: &["chapter §12, contact step"],
         check: state_before_contact,
     },

@@ -1,10 +1,7 @@
 //! De Saxcé's bipotential and Coulomb's law as a complementarity of cones, on a grid of exact pairs.
 
 use super::half_space::{pairs, whole};
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
-use crate::scalar::{Rational, ratio};
+use crate::claims::prelude::*;
 
 /// Claims on the bipotential.
 pub const CLAIMS: &[Claim] = &[
@@ -21,7 +18,7 @@ pub const CLAIMS: &[Claim] = &[
             0), μ = 7/10: −⟨u, r⟩ = 7/10 = μ r_n‖u_t‖, but the printed expression is 7/5 with v = −u, and 0 with v = u. With v = u it is \
             right under another name: as the residual it is ≥ 0 for r ∈ K_μ, u_n ≥ 0, and it vanishes on all stick, slip and open pairs \
             of the grid and on no other.",
-        control: "μ‖v_t‖ r_n without the term ⟨v, r⟩.",
+        controls: &["μ‖v_t‖ r_n without the term ⟨v, r⟩."],
         sources: &["chapter §2, friction by the bipotential", "de Saxcé and Feng, The bipotential method (1998)"],
         check: bipotential,
     },
@@ -37,7 +34,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "û_n = u_n + μ‖u_t‖, so û ∈ K* iff u_n ≥ 0, and r·û = r_n u_n + (μ r_n‖u_t‖ + r_t·u_t) is a sum of two terms that are ≥ \
             0 on r ∈ K: it vanishes iff Signorini's and Coulomb's laws hold. \
             On a grid of rational pairs with rational norms the two formulations agree everywhere; stick, slip and separation all occur.",
-        control: "The inclusion without the term μ‖u_t‖ n.",
+        controls: &["The inclusion without the term μ‖u_t‖ n."],
         sources: &["chapter §2, friction by the bipotential", "de Saxcé and Feng, The bipotential method (1998)"],
         check: inclusion,
     },

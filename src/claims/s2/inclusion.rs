@@ -1,10 +1,7 @@
 //! Tangent cone, normal cone and the inclusion `−M dv + F dt ∈ N_{T_C(q)}(v⁺) dμ`.
 
 use super::half_space::{Impact, TangentCone, grid, line_normal_cone_contains, pairs, whole};
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
-use crate::scalar::{Rational, Scalar, ratio};
+use crate::claims::prelude::*;
 
 /// Claims on the inclusion.
 pub const CLAIMS: &[Claim] = &[
@@ -23,8 +20,8 @@ pub const CLAIMS: &[Claim] = &[
             whose quotient is 1. \
             φ₁ = q₂, φ₂ = −q₂ − q₁² leave C = {0}; the gradients (0,±1) accept v = (1,0), whose quotient is 1. \
             The check takes t = 1/64 and the nearest point of C on a grid of t/8 around t v.",
-        control: "The two sets described so that the condition holds: φ = q for φ = q³, and φ₁ alone for the opposed pair; there the \
-            formula is right.",
+        controls: &["The two sets described so that the condition holds: φ = q for φ = q³, and φ₁ alone for the opposed pair; there the \
+            formula is right."],
         sources: &["chapter §2, steps 1 and 2", "Rockafellar and Wets, Variational Analysis, §6.D"],
         check: tangent,
     },
@@ -40,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "At φ = 0 and ∇φ·v⁺ = 0 the definition ⟨g, w − v⁺⟩ ≤ 0 for all w with ∇φ·w ≥ 0 holds for g = −λ∇φ; for g = +λ∇φ the \
             choice w = v⁺ + ∇φ gives λ‖∇φ‖² > 0. \
             The prose read literally (force in the cone) is false; read as the inclusion −M dv + F dt ∈ N of the next step it is true.",
-        control: "A velocity v⁺ that leaves the contact: the cone is {0}, and neither the force nor its negative is in it.",
+        controls: &["A velocity v⁺ that leaves the contact: the cone is {0}, and neither the force nor its negative is in it."],
         sources: &["chapter §2, steps 3 and 4"],
         check: force_in_cone,
     },
@@ -56,7 +53,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "T is a cone, so ⟨g, v⟩ = 0 and ⟨g, w⟩ ≤ 0 on its generators ∇φ and ±∇φ^⊥; the latter force g ∥ ∇φ, the former its sign. \
             On a 5×5 grid of velocities and an 11×11 grid of forces, \
             open and closed contact, definition and characterisation agree in all 6050 cases.",
-        control: "The characterisation without λ ∇φ·v⁺ = 0.",
+        controls: &["The characterisation without λ ∇φ·v⁺ = 0."],
         sources: &["chapter §2, step 3"],
         check: three_in_one,
     },
@@ -73,7 +70,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "At an atom the inclusion reads −m(v⁺ − v⁻) ∈ N(v⁺). For v⁻ = −3, −1, −1/2, 0, 2 it has exactly one solution, max(v⁻, \
             0). On the smooth part a resting point has −m g ∈ N(0) = {g ≤ 0}; \
             the same density times 7, another dμ, is still in the cone.",
-        control: "The inclusion with the opposite sign, +M dv − F dt ∈ N.",
+        controls: &["The inclusion with the opposite sign, +M dv − F dt ∈ N."],
         sources: &["chapter §2, step 4", "Moreau, Unilateral contact and dry friction in finite freedom dynamics (1988)"],
         check: mdi,
     },
@@ -90,7 +87,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "§2 itself and §3 use v⁺ + e v⁻, and N_T(s x) = N_T(x) for s > 0, so this is the weighted average. From v⁻ = −1: \
             argument v⁺ gives v⁺ = 0, argument v⁺ + e v⁻ gives v⁺ = e, argument (v⁺ + v⁻)/2 gives v⁺ = 1, which is e = 1. \
             With v⁻ in the argument there is no solution, because v⁻ ∉ T; nothing is \"allowed\" by it.",
-        control: "e = 0, the one coefficient for which the two statements of the text agree.",
+        controls: &["e = 0, the one coefficient for which the two statements of the text agree."],
         sources: &["chapter §2, pitfall on the argument", "chapter §3 and §7, argument v⁺ + e v⁻"],
         check: must_v_plus,
     },

@@ -2,18 +2,14 @@
 
 use super::half_space::{Plane, TangentCone, grid};
 use super::soft_contact::{End, impact};
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::bouncing_ball::BouncingBall;
 use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{BeadInCircle, Mechanism, PointMass, State};
-use crate::scalar::{Rational, ratio};
 use crate::schemes::{Activation, MoreauJean, Scheme, StewartTrinkle, simulate};
 use crate::solvers::Auto;
 use crate::tolerance::claims::{SOFT_STEP, soft_restitution};
 use crate::tolerance::rounding;
-use nalgebra::dvector;
 
 /// Claims on the two levels.
 pub const CLAIMS: &[Claim] = &[
@@ -32,7 +28,7 @@ pub const CLAIMS: &[Claim] = &[
             joins it. A plastic ball dropped from 1/10 m with h = 1/64 s comes to rest under the rules A (φ ≤ 0), B (half a step ahead) \
             and D (free forecast) within h·|v| of the floor, without any event detected; under A it rests below the floor and under D on \
             or above it.",
-        control: "A velocity that leaves the contact in place of one along it.",
+        controls: &["A velocity that leaves the contact in place of one along it."],
         sources: &["chapter §2, from N_C to N_{T_C}"],
         check: activation,
     },
@@ -48,7 +44,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "φ ≡ 0 on an interval gives φ̇ = 0; conversely ∇φ·v⁺ ≥ 0 with complementarity from φ = 0 keeps φ ≥ 0. For linear φ = 0 \
             Stewart–Trinkle's condition φ/h + u_n ≥ 0 is Moreau–Jean's u_n ≥ 0: \
             twenty steps of a block on an incline, sliding (μ = 0.3) and sticking (μ = 0.8), agree to rounding and leave φ = 0.",
-        control: "The same block started 1/64 m above the incline, about to make contact.",
+        controls: &["The same block started 1/64 m above the incline, about to make contact."],
         sources: &["chapter §2, table of levels", "chapter §4"],
         check: equivalence,
     },
@@ -63,7 +59,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "A bead of unit speed on the inside of a unit circle: the linearised condition puts q⁺ on the tangent line, |q⁺|² = 1 + \
             h²w² with the tangential speed w ≤ 1, whatever the gap before. \
             So φ = 1 − √(1+h²) after the first step and never below −h²/2: −5.0e-5 and −5.0e-7 m for h = 1e-2 and 1e-3 s over two seconds.",
-        control: "The block on the plane in place of the bead: its gap is linear.",
+        controls: &["The block on the plane in place of the bead: its gap is linear."],
         sources: &["chapter §2, table of levels"],
         check: position_level,
     },
@@ -80,7 +76,7 @@ pub const CLAIMS: &[Claim] = &[
             The depth after T lies in [hT/((1+hT)(1+√(1+hT))), √(1+hT) − 1]; it is 9.85e-3 and 9.99e-4 m for h = 1e-2 and 1e-3 s at T = \
             2 s, and in every step ∇φ·v⁺ ≥ 0 at the gradient of its start. A block sliding on a plane keeps φ = 0 exactly: they may \
             drift, as the chapter says, and need not.",
-        control: "The position level (Stewart–Trinkle).",
+        controls: &["The position level (Stewart–Trinkle)."],
         sources: &["chapter §2, table of levels", "chapter §3, pitfall on drift"],
         check: velocity_level,
     },
@@ -95,7 +91,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "q(t) ∈ C is part of the problem. The exact bouncing ball (e = 1/2) is not below the floor at any of 4000 instants up to \
             twice its last impact; its discretisation with the activation φ ≤ 0 is, by up to h|v|. A unit mass that lands at 1 m/s on an \
             undamped spring k goes 1/√k below the floor: there the penetration is the force.",
-        control: "The discrete motion of Moreau–Jean, activation φ ≤ 0, without correction.",
+        controls: &["The discrete motion of Moreau–Jean, activation φ ≤ 0, without correction."],
         sources: &["chapter §2, sweeping process and penalty compared"],
         check: penetration,
     },
@@ -204,7 +200,7 @@ fn position_level(reading: Reading) -> Result<Vec<Finding>> {
     for h in [1.0 / 100.0, 1.0 / 1000.0] {
         let depths = match reading {
             Reading::Recorded => bead(scheme, h).map(|(bead, samples)| depths(&bead, &samples))?,
-            Reading::Control => block(scheme, h).map(|(block, samples)| depths(&block, &samples))?,
+            Reading::Control(_) => block(scheme, h).map(|(block, samples)| depths(&block, &samples))?,
         };
         let deepest = depths.iter().copied().fold(0.0, f64::max);
         let bound = rounding(64, 1.0);
@@ -244,7 +240,7 @@ fn penetration(reading: Reading) -> Result<Vec<Finding>> {
     let step = 2.0 * exact.accumulation_time() / SAMPLES as f64;
     let lowest = match reading {
         Reading::Recorded => (0..=SAMPLES).map(|k| exact.state(k as f64 * step).0).fold(f64::INFINITY, f64::min),
-        Reading::Control => {
+        Reading::Control(_) => {
             let ball = Ball { mass: 1.0, gravity, restitution };
             let mut motion = BallState { position: height, velocity: 0.0 };
             (0..SAMPLES).fold(height, |lowest, _| {

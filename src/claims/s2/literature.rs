@@ -1,9 +1,6 @@
 //! §2, what the bipotential is said to have made provable.
 
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
-use crate::scalar::{Rational, Scalar, ratio};
+use crate::claims::prelude::*;
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S2.dzonou",
@@ -18,7 +15,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         closed graph; what lacks it is the single-valued law with r_t = 0 at rest.",
     argument: "μ = 7/10, r_n = 1: the sliding pairs u = (0, 1/k), r = (1, −μ), k = 1 … 64, satisfy both laws. Their limit u = 0 has r ∈ \
         K and r·û = 0, so the set-valued law holds there and lacks nothing; the single-valued law does not hold in the limit.",
-    control: "μ = 0: no reading of the law lacks semicontinuity.",
+    controls: &["μ = 0: no reading of the law lacks semicontinuity."],
     sources: &["chapter §2, friction by the bipotential, and §7, convergence with friction", "HAL hal-01552482 (abstract)"],
     check: closed_graph,
 }];

@@ -1,14 +1,10 @@
 //! The base measure, and what is known about existence and uniqueness of sweeping processes.
 
 use super::half_space::whole;
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::bouncing_ball::{accumulation_time_ratio, impact_time_ratio};
 use crate::problem::PlanarProblem;
-use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
-use nalgebra::{DMatrix, DVector};
 use std::cmp::Ordering;
 
 /// Claims on measures and uniqueness.
@@ -29,7 +25,7 @@ pub const CLAIMS: &[Claim] = &[
             Functions of bounded variation may also grow on a null set without jumping: on the intervals of the n-th generation of \
             Cantor’s set, of total length (2/3)ⁿ, his function rises by 1 for n = 2, 4, 8, and by 2⁻ⁿ on each. As the values of the \
             inclusion are cones, any other dμ that dominates dt and dv serves as well.",
-        control: "The atoms weighted with the jumps, and x in place of Cantor’s function.",
+        controls: &["The atoms weighted with the jumps, and x in place of Cantor’s function."],
         sources: &["chapter §2, step 4, term by term", "Ambrosio, Fusco and Pallara, Functions of Bounded Variation (2000), §3.2"],
         check: base_measure,
     },
@@ -50,7 +46,7 @@ pub const CLAIMS: &[Claim] = &[
             left, leaves 2 times as fast as before, and backwards in time the flights shrink to the start. Under a constant pull they do \
             not. Second order with friction: W = (1 2; 2 5), μ = 1, free motion (1, 10) admits r = (0,0), (1,−1) and (15,−8): \
             separation, sliding contact, impact (Painlevé).",
-        control: "A constant pull, and W diagonal.",
+        controls: &["A constant pull, and W diagonal."],
         sources: &[
             "chapter §2, pitfall on the sweeping process",
             "Moreau, Evolution problem associated with a moving convex set in a Hilbert space (1977)",

@@ -1,11 +1,8 @@
 //! Penalty contact: its force at touchdown, and the hard contact it tends to.
 
 use super::half_space::Impact;
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::CompliantImpact;
-use crate::scalar::{Rational, ratio};
 use crate::tolerance::claims::{SOFT_STEP, soft_restitution};
 
 /// Claims on soft contact.
@@ -23,7 +20,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The difference quotients of max(0, −kφ) at 0 are −k from the left and 0 from the right, at every step size. With a \
             dashpot, −kφ − c φ̇ for φ < 0, the force at touchdown with 2 m/s and c = 30 N·s/m is 60 N an instant after contact and 0 \
             before it. The hard impact v⁺(v⁻) with e = 1/2 has the slopes −1/2 and 1 at v⁻ = 0.",
-        control: "Spring and dashpot that never let go, −kφ − c φ̇ at every φ: differentiable, but they hold the bodies together.",
+        controls: &["Spring and dashpot that never let go, −kφ − c φ̇ at every φ: differentiable, but they hold the bodies together."],
         sources: &["chapter §2, sweeping process and penalty compared"],
         check: differentiability,
     },
@@ -41,7 +38,7 @@ pub const CLAIMS: &[Claim] = &[
             0.2) and 0.1630 (ζ = 0.5) for the dashpot until φ = 0; 0.5717 and 0.2984 when contact ends with the force; 1 for ζ = 0. With \
             the dashpots that give 0.5266 and 0.1630 at k = 1e4 left as they are, k = 1e8 has ζ/100 and e = 0.994 and 0.984: k → ∞ at \
             fixed damping tends to the elastic law, whatever c was meant to model.",
-        control: "The dashpot that grows with √k in place of the one that is left as it is.",
+        controls: &["The dashpot that grows with √k in place of the one that is left as it is."],
         sources: &[
             "chapter §2, sweeping process and penalty compared",
             "Schwager and Pöschel, Coefficient of restitution and linear–dashpot model revisited (2007)",

@@ -1,13 +1,9 @@
 //! The worked example of §2 – a point on the line and a wall at 0 – and the exercises on it.
 
 use super::half_space::{Impact, TangentCone, grid, line_normal_cone_contains, pairs, whole};
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::problem::PlanarProblem;
-use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
-use nalgebra::{DMatrix, DVector};
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 use std::collections::BTreeSet;
 
@@ -26,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "If v⁺ > 0, then v⁺ is interior to T_C(0) = {u ≥ 0}, N = {0}, and v⁺ = v⁻ < 0: a contradiction. From v⁻ = −1 the \
             solutions of the printed inclusion are {0}; v⁺ = 1/2 is none of them. \
             The text means the two impact laws and labels them by e; only the replacement of the argument is missing.",
-        control: "The inclusion with the argument v⁺ + e v⁻, whose solution is −e v⁻ for either e.",
+        controls: &["The inclusion with the argument v⁺ + e v⁻, whose solution is −e v⁻ for either e."],
         sources: &["chapter §2, worked example, case two"],
         check: case_two,
     },
@@ -40,7 +36,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "The set {g ≤ 0} is right; for C = {q ≥ 0} it points out of C. The force −g is what points in.",
         argument: "0 + t g = −t ∉ C for g = −1 and every t > 0. Only the words in parentheses are wrong; three lines on, the text has the \
             wall push along the inward normal, which is right.",
-        control: "The force −g in place of the members g of the cone.",
+        controls: &["The force −g in place of the members g of the cone."],
         sources: &["chapter §2, worked example, case two"],
         check: cone_direction,
     },
@@ -55,7 +51,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated: the normal cone is {0}.",
         argument: "Inside T_C = ℝ, at the wall with v > 0 the velocity is interior to T_C = {u ≥ 0}; in both N = {0}, hence P = m(v⁺ − v⁻) \
             = 0. The solution sets for v⁻ = 1/3, 2 are {v⁻}, and of all g = −2 … 2 only 0 is in the cone.",
-        control: "Case two, v⁻ < 0 at the wall.",
+        controls: &["Case two, v⁻ < 0 at the wall."],
         sources: &["chapter §2, worked example, cases one and three"],
         check: cases_one_and_three,
     },
@@ -69,7 +65,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated; these are all branches.",
         argument: "At q = 0, 1/2, 2 and v⁻ = −2 … 2 the inclusion gives λ = v⁺ − v⁻: it is 0 inside, positive against the wall, 0 where \
             the point leaves it. These are three of the nine pairs of signs of φ and λ, and the only ones with 0 ≤ φ, 0 ≤ λ and φλ = 0.",
-        control: "A wall that holds the point fast: leaving has λ < 0.",
+        controls: &["A wall that holds the point fast: leaving has λ < 0."],
         sources: &["chapter §2, insight after the worked example"],
         check: branches,
     },
@@ -83,7 +79,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "P = m(v⁺ − v⁻) = −(1 + e) m v⁻.",
         argument: "Integrating the inclusion over the atom gives P = m(v⁺ − v⁻); v⁺ = −e v⁻ is the only solution with argument v⁺ + e v⁻. \
             For m = 3/2 and v⁻ = −2: P = 3, 9/2, 6 N·s for e = 0, 1/2, 1.",
-        control: "The argument v⁺ instead of v⁺ + e v⁻.",
+        controls: &["The argument v⁺ instead of v⁺ + e v⁻."],
         sources: &["chapter §2, exercise 1"],
         check: exercise_one,
     },
@@ -101,7 +97,7 @@ pub const CLAIMS: &[Claim] = &[
             Stewart–Trinkle LCP with ±t has for W = I, u_free = (−1, 1), μ = 1/2 the one solution r = (1, −1/2), on the cone and opposed \
             to u = (0, 1/2): Coulomb's law, exactly. In space, four directions and u_free = (−1, 1, 1), the same LCP gives ‖r_t‖²/(μ \
             r_n)² = 1/2 instead of 1. No rational LCP with one solution can do better there: Coulomb's r_t = −(1,1)/(2√2) is irrational.",
-        control: "The spatial contact in place of the planar one.",
+        controls: &["The spatial contact in place of the planar one."],
         sources: &["chapter §2, exercise 3"],
         check: exercise_three,
     },

@@ -5,13 +5,9 @@
 //! ```
 //! Without friction PᵀŪ = 0. With friction PᵀŪ ≤ 0 if the law holds for all components of Ū.
 
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::problem::{PlanarProblem, Response};
-use crate::scalar::{Rational, ratio};
 use crate::solvers::lemke::solution;
-use nalgebra::{DMatrix, DVector};
 use num_traits::{One, Zero};
 
 pub const CLAIMS: &[Claim] = &[
@@ -26,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
             +½Pᵀ(U⁺ + U⁻); the minus sign belongs to P = ∫dR with M(v⁺ − v⁻) = −HᵀP, the convention of §0.",
         argument: "ΔT = ½(v⁺ + v⁻)ᵀM(v⁺ − v⁻) = ±½Pᵀ(U⁺ + U⁻). Two unit masses in line at 1 and 0 m/s, e = 0: P = 1/2, U⁻ = −1, U⁺ = 0, ΔT \
             = −1/4 = +½·½·(−1).",
-        control: "The minus sign together with the convention of §3.",
+        controls: &["The minus sign together with the convention of §3."],
         sources: &["chapter §3, energy change in the contact phase", "chapter §0 for the sign of dR"],
         check: work_sign,
     },
@@ -44,7 +40,7 @@ pub const CLAIMS: &[Claim] = &[
             P ≥ 0 (and the sign of the chapter's inequality is right in the convention P = ∫dR). Checked in rationals on a chain of balls \
             for e = 0, 1/3, 1. With e = (1, 0) at the two ends of a rod, W = [[1, −1/2], [−1/2, 1]], U⁻ = (−1, 1/2), the kinetic energy \
             grows by 1/6.",
-        control: "The rod with e = (1, 0).",
+        controls: &["The rod with e = (1, 0)."],
         sources: &["chapter §3, energy change in the contact phase"],
         check: dissipation,
     },
@@ -59,7 +55,7 @@ pub const CLAIMS: &[Claim] = &[
             components. Newton's law on the normal component alone, combined with Coulomb friction, can gain energy.",
         argument: "W = [[2, 4], [4, 9]], μ = 7/4, e = 1, U⁻ = (−1, −2): with the full vector P = (1, 0) lies in the cone, U⁺ = −U⁻ and the \
             energy is kept; with the normal component alone ½UᵀW⁻¹U grows from 1/4 J to 9/4 J.",
-        control: "Restitution of the full vector in place of the normal component alone.",
+        controls: &["Restitution of the full vector in place of the normal component alone."],
         sources: &["chapter §3 and §7", "Kane and Levinson, Dynamics: Theory and Applications, 1985, for energy gain with friction"],
         check: moreau_law,
     },

@@ -1,13 +1,9 @@
 //! The Delassus operator W = H M⁻¹Hᵀ: semidefinite, a compliance, and badly conditioned where expected.
 
-use crate::Result;
 use crate::certificate::definiteness::{Definiteness, definiteness};
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
+use crate::claims::prelude::*;
 use crate::contact::delassus::delassus;
 use crate::elimination::{rank, solve};
-use crate::scalar::{Rational, ratio};
-use nalgebra::{DMatrix, DVector};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -20,7 +16,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "W is positive semidefinite, and positive definite iff the rows of H are independent.",
         argument: "xᵀWx = (Hᵀx)ᵀM⁻¹(Hᵀx) ≥ 0, zero iff Hᵀx = 0. Decided exactly here for H with independent and dependent rows, and on a \
             thousand random systems in the property family.",
-        control: "A symmetric invertible M that is not positive definite.",
+        controls: &["A symmetric invertible M that is not positive definite."],
         sources: &["chapter §3, step 5; table of theorems"],
         check: semidefinite,
     },
@@ -36,7 +32,7 @@ pub const CLAIMS: &[Claim] = &[
             masses 1, 1/ρ, 1 have 1 + 2ρ.",
         argument: "With tan(α/2) = t the two normals have cosine (1−t²)/(1+t²), and W = (1/m)[[1, c], [c, 1]] has eigenvalues 1 ± c, ratio \
             1/t²: 10⁶ at t = 1/1000. The chain's W = [[1+ρ, −ρ], [−ρ, 1+ρ]] has eigenvalues 1 (vector (1, 1)) and 1 + 2ρ (vector (1, −1)).",
-        control: "Perpendicular normals and equal masses, where the condition numbers are 1 and 3.",
+        controls: &["Perpendicular normals and equal masses, where the condition numbers are 1 and 3."],
         sources: &["chapter §3, “what the Delassus operator is”"],
         check: compliance,
     },

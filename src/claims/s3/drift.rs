@@ -1,15 +1,11 @@
 //! Does a body sink into the table under a velocity-level scheme?
 
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{BeadInCircle, Mechanism, State};
-use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, simulate};
 use crate::solvers::LemkePivoting;
 use crate::tolerance::claims::theta_scheme::bead_sagitta;
-use nalgebra::dvector;
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S3.drift",
@@ -25,7 +21,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         change by a bit, and a ball placed on the floor stays there exactly, in rationals; under rule C the dropped ball sinks at 0.01635 \
         m/s. A bead sliding on a circle of radius 1 m at 1 m/s, h = 1/1024 s: angular momentum r v is conserved and r² grows by h²v² per \
         step, so it leaves at h v²/(2R) = 4.9e-4 m/s.",
-    control: "Activation rule C for the dropped ball in place of A, B and D.",
+    controls: &["Activation rule C for the dropped ball in place of A, B and D."],
     sources: &["chapter §3, common pitfalls (drift)", "chapter §3, exercise 3 (block at rest for 1000 steps)"],
     check: sinking,
 }];
@@ -57,7 +53,7 @@ fn rule_c(ball: &Ball<f64>, now: &BallState<f64>) -> BallState<f64> {
 fn sinking(reading: Reading) -> Result<Vec<Finding>> {
     let settled = |activation: Activation| match reading {
         Reading::Recorded => settled_velocity(|ball, now| ball.moreau_jean(now, &0.5, activation, &STEP).motion),
-        Reading::Control => settled_velocity(rule_c),
+        Reading::Control(_) => settled_velocity(rule_c),
     };
     let mut findings = Vec::new();
     for activation in Activation::ALL {

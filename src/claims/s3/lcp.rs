@@ -1,17 +1,13 @@
 //! The normal LCP of a step: semidefinite, feasible, a quadratic program, a projection.
 
-use crate::Result;
 use crate::certificate::copositivity::copositive_plus;
 use crate::certificate::feasibility::nonnegative_solution;
 use crate::certificate::lcp::residuals;
-use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{chapter_example, reference, wedge};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::contact::delassus::delassus;
 use crate::problem::Lcp;
-use crate::scalar::{Rational, ratio};
 use crate::solvers::lemke::{LemkeOutcome, lemke};
-use nalgebra::{DMatrix, DVector};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -27,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "zᵀ(Mz + q) is a convex quadratic bounded below on the feasible set, so it attains its minimum, and the optimality \
             conditions make the minimum 0. Here: three semidefinite matrices (singular, singular with a skew part, skew) and all q from \
             {−3, …, 3}²: every feasible one solved, every infeasible one a ray.",
-        control: "The indefinite matrix [[−1, 1], [0, 1]], for which q = (−1, 0) is feasible and unsolvable.",
+        controls: &["The indefinite matrix [[−1, 1], [0, 1]], for which q = (−1, 0) is feasible and unsolvable."],
         sources: &["chapter §3, step 5", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.1"],
         check: semidefinite,
     },
@@ -43,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Infeasible iff some y ≥ 0 has Hᵀy = 0 and yᵀ diag(e) H v < 0 (Farkas). With one e the second is e(Hᵀy)ᵀv = 0. Unit \
             point between two walls moving at 1 into the first: W = [[1, −1], [−1, 1]], U⁻ = (−1, 1), e = (1, 0): q = (−2, 1), and the \
             rows add up to 0 ≥ 1. With e = (1/2, 1/2) it is feasible and solvable.",
-        control: "The same step with e = (1, 0).",
+        controls: &["The same step with e = (1, 0)."],
         sources: &["chapter §3, step 5"],
         check: normal_lcp,
     },
@@ -58,7 +54,7 @@ pub const CLAIMS: &[Claim] = &[
             on the homogeneous solutions (see S4.copos-plus, on which this depends).",
         argument: "Neither the chapter's contact with μ = 1/2 (witness x = (0, 0, 0, 1)) nor the wedge of two contacts with μ = 1 is \
             copositive-plus; yet Lemke solves both with gaps 0.",
-        control: "Both without friction: their matrices are copositive-plus.",
+        controls: &["Both without friction: their matrices are copositive-plus."],
         sources: &["chapter §3, step 5, parenthesis", "chapter §4, theorem on M_LCP"],
         check: friction_block,
     },
@@ -73,7 +69,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The gradient of the objective is ½(W + Wᵀ)P + U_free, which is WP + U_free only for symmetric W. For W = [[2, 1], [1, \
             2]] and U_free = (−3, −1) the LCP gives P = (3/2, 0) and the conditions of the program hold there. For the asymmetric [[2, 1], \
             [−1, 2]] the LCP gives (1, 1), where the gradient is (−1, 1).",
-        control: "The asymmetric matrix [[2, 1], [−1, 2]].",
+        controls: &["The asymmetric matrix [[2, 1], [−1, 2]]."],
         sources: &["chapter §3, the LCP as a quadratic program"],
         check: quadratic_program,
     },
@@ -88,7 +84,7 @@ pub const CLAIMS: &[Claim] = &[
             unconstrained solution). The Euclidean projection is wrong as soon as W couples contacts.",
         argument: "W = [[2, 1], [1, 2]], unconstrained P₀ = (1, −1), so U_free = (−1, 1). Minimising (P − P₀)ᵀW(P − P₀) over P ≥ 0 gives \
             (1/2, 0), the solution of the LCP; clipping gives (1, 0), where WP + U_free = (1, 2) is not complementary.",
-        control: "Uncoupled contacts, W = 2I, where the metric is a multiple of the Euclidean one.",
+        controls: &["Uncoupled contacts, W = 2I, where the metric is a multiple of the Euclidean one."],
         sources: &["chapter §3, the LCP as a quadratic program"],
         check: projection,
     },
@@ -121,7 +117,7 @@ fn is_feasible(lcp: &Lcp<Rational>) -> bool {
 fn semidefinite(reading: Reading) -> Result<Vec<Finding>> {
     let matrices = match reading {
         Reading::Recorded => vec![square([1, -1, -1, 1]), square([1, 1, -3, 1]), square([0, 2, -2, 0])],
-        Reading::Control => vec![square([-1, 1, 0, 1])],
+        Reading::Control(_) => vec![square([-1, 1, 0, 1])],
     };
     let (mut unsolved, mut infeasible_solved, mut feasible) = (0, 0, 0);
     for matrix in &matrices {

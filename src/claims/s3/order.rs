@@ -3,17 +3,13 @@
 use super::pendulum::Swing;
 use super::smooth_energy::linear_energy_change;
 use super::theta_step::{LinearSystem, phase};
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::bouncing_ball::BouncingBall;
 use crate::mechanics::{OscillatorWithStop, PointMass, State};
-use crate::scalar::{Rational, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, simulate};
 use crate::solvers::LemkePivoting;
 use crate::tolerance::claims::theta_scheme::{METHOD_CONSTANTS, central_difference_of_step, sampled_peak};
 use crate::trajectory::order::{OrderEstimate, Refinement, fit_order};
-use nalgebra::dvector;
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -28,7 +24,7 @@ pub const CLAIMS: &[Claim] = &[
             (S3.table-2nd-order).",
         argument: "q̈ = −q to t = 2: the one-step factor is R = (1 + (1−θ)z)/(1 − θz) = 1 + z + θz² + …, z = ±ih, so the order is 2 iff θ \
             = 1/2. The fitted slopes are those of C hᵖ(1 + O(h)) with constants within 15 % on these steps.",
-        control: "The same oscillator with an elastic stop at q = 0, hit at t = π/2, for θ = 1/2.",
+        controls: &["The same oscillator with an elastic stop at q = 0, hit at t = π/2, for θ = 1/2."],
         sources: &["chapter §3, history and step 2", "Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I"],
         check: smooth_orders,
     },
@@ -46,7 +42,7 @@ pub const CLAIMS: &[Claim] = &[
             moving, so the ball goes on exactly, but late by h + 2δ. With v* = √(2 g q₀) the position error is at least v*h − (3/2) g h² \
             and at most 3 v*h + g h². For g = 9.81 m/s², q₀ = 1 m and 64, 256 and 1024 steps the fitted order is one within the interval \
             that these bounds leave, which two lies outside of. Gravity and springs: the energy is exactly neutral.",
-        control: "The oscillator of S3.theta-order, without a stop.",
+        controls: &["The oscillator of S3.theta-order, without a stop."],
         sources: &["chapter §3, table of θ"],
         check: order_through_an_impact,
     },
@@ -63,7 +59,7 @@ pub const CLAIMS: &[Claim] = &[
             −V'(q): exactly 1 for the oscillator, 1.00016 for the pendulum at (1.3, 0.7), h = 0.1. Conjugating with half a step swaps \
             the factors and gives the midpoint rule, of determinant 1. Pendulum, h = 0.1, 20 000 steps: the largest |E − E₀| of the last \
             tenth is that of the first.",
-        control: "θ = 1.",
+        controls: &["θ = 1."],
         sources: &["chapter §3, essential insight on θ", "Hairer, Lubich, Wanner, Geometric Numerical Integration, VI.8"],
         check: area,
     },
@@ -94,7 +90,7 @@ fn smooth_orders(reading: Reading) -> Result<Vec<Finding>> {
 fn order_through_an_impact(reading: Reading) -> Result<Vec<Finding>> {
     let order = match reading {
         Reading::Recorded => ball_order()?,
-        Reading::Control => oscillator_order(0.5, -10.0)?,
+        Reading::Control(_) => oscillator_order(0.5, -10.0)?,
     };
     let (coarsest, speed) = (order.levels[0].time_step, (2.0 * GRAVITY * HEIGHT).sqrt());
     let (lower, upper) = (speed - 1.5 * GRAVITY * coarsest, 3.0 * speed + GRAVITY * coarsest);

@@ -1,9 +1,7 @@
 //! Where the chapter sends its reader: Siconos's sources and the literature they cite.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::siconos::{Facts, version};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -19,7 +17,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Debian's packages 4.4.0+dfsg-2: the library was compiled from the path named; there is a header \
             MoreauJeanCombinedProjectionOSI.hpp and none of the other name. What the scheme does is held against ours step by step \
             (tests/references, siconos).",
-        control: "The name of the class in the release.",
+        controls: &["The name of the class in the release."],
         sources: &[
             "chapter §3, Moreau–Jean in engineering, and pitfall on drift",
             "Siconos 4.4.0 in Debian; github.com/siconos/siconos at 6070f0f6",
@@ -38,7 +36,7 @@ pub const CLAIMS: &[Claim] = &[
             contact dynamics method”. Neither was read here; by their titles they present methods, and proofs of convergence are usually \
             cited from Monteiro Marques 1993, Mabrouk 1998 and Paoli and Schatzman.",
         argument: "Both titles and page ranges stand in the bibliography of Siconos's own header MoreauJeanOSI.hpp.",
-        control: "The page ranges exchanged with those of volume 256.",
+        controls: &["The page ranges exchanged with those of volume 256."],
         sources: &["chapter §3", "Siconos 4.4.0, MoreauJeanOSI.hpp"],
         check: founding_papers,
     },
@@ -54,7 +52,7 @@ pub const CLAIMS: &[Claim] = &[
             itself says 9–10 here and 7–11 in its reading list; the one range lies within the other. The book's table of contents was not \
             at hand.",
         argument: "The bibliography of Siconos's headers names the volume; chapters 9 to 10 ⊂ 7 to 11.",
-        control: "The reading list cut to chapters 7–9, which would contradict.",
+        controls: &["The reading list cut to chapters 7–9, which would contradict."],
         sources: &["chapter §3, Moreau–Jean in engineering; reading list", "Siconos 4.4.0, MoreauJeanOSI.hpp"],
         check: chapters,
     },

@@ -8,10 +8,7 @@
 
 use super::pendulum::Swing;
 use super::theta_step::{LinearSystem, Phase, coupled_pair, phase};
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
-use crate::scalar::{Rational, Scalar, ratio};
+use crate::claims::prelude::*;
 use crate::tolerance::claims::theta_scheme::pendulum_energy;
 use num_traits::Zero;
 
@@ -26,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated; with the mean velocity ½(v⁺ + v) and the scheme's own force F_θ the identity holds for every θ.",
         argument: "ΔT = ½(v⁺ + v)ᵀM(v⁺ − v) = ½(v⁺ + v)ᵀ h F_θ, and v_{1/2} = ½(v⁺ + v). Residual zero in rationals for two coupled masses \
             on springs under a constant force, θ = 0, 1/4, 1/2, 1.",
-        control: "v_θ at θ = 1 in place of v_{1/2}.",
+        controls: &["v_θ at θ = 1 in place of v_{1/2}."],
         sources: &["chapter §3, energy estimate, and exercise 2"],
         check: work_of_the_force,
     },
@@ -42,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Gravity and springs: change exactly 0 over 100 steps in rationals. For the pendulum the trapezoidal rule changes E by \
             the error of trapezoidal quadrature, (q⁺ − q)³ sin(ξ)/12 with ξ between q and q⁺: from (1.3, 0.7) 2.2e-5, 3.1e-6, 4.1e-7 at h \
             = 0.1, 0.05, 0.025 – small, and not zero.",
-        control: "A spring in place of the pendulum.",
+        controls: &["A spring in place of the pendulum."],
         sources: &["chapter §3, energy estimate and table of θ"],
         check: neutral,
     },
@@ -59,7 +56,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "ΔT = h·½(v⁺ + v)·F and ½(v⁺ + v) = v⁺ − ½hM⁻¹F. In rationals for a fall, a spring and two coupled masses. Free fall \
             of 1 kg for 1 s at h = 1/1000 s loses ½ m g² h T = (981/100)²/2000 = 0.04811805 J exactly. A spring with hω = 1/2 keeps 4/5 \
             of its energy in a step.",
-        control: "θ = 1/2, whose term is zero.",
+        controls: &["θ = 1/2, whose term is zero."],
         sources: &["chapter §3, energy estimate, and exercise 2"],
         check: backward_euler,
     },
@@ -74,7 +71,7 @@ pub const CLAIMS: &[Claim] = &[
             fraction that grows with θ.",
         argument: "Free fall: loss at θ = 3/4 over loss at θ = 1 is exactly 1/2. Spring with hω = 1/2: E⁺/E = 65/73 at 3/4, between 1 and \
             4/5.",
-        control: "θ = 1/4, outside the interval: it gains energy.",
+        controls: &["θ = 1/4, outside the interval: it gains energy."],
         sources: &["chapter §3, table of θ"],
         check: between,
     },
@@ -130,7 +127,7 @@ fn neutral(reading: Reading) -> Result<Vec<Finding>> {
         let spring_change = step_change(&spring(), &phase(ratio(1, 1), ratio(1, 3)), &ratio(1, 2), &exact).0;
         let change = match reading {
             Reading::Recorded => pendulum_energy_change(h),
-            Reading::Control => Scalar::to_f64(&spring_change),
+            Reading::Control(_) => Scalar::to_f64(&spring_change),
         };
         let centre = 0.5 * cube * (swing.angle.sin() + next.angle.sin());
         let half_width = 0.5 * cube * (next.angle.sin() - swing.angle.sin()).abs();

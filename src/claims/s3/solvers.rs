@@ -1,13 +1,10 @@
 //! Claims of §3 on solving the step: Gauss–Seidel, the Moreau envelope, proximal terms.
 
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::problem::{ContactProblem, Law};
-use crate::scalar::{Rational, ratio};
 use crate::solvers::{ContactSolver, LemkePivoting, ProjectedGaussSeidel};
 use crate::tolerance;
-use nalgebra::{DMatrix, DVector, Matrix2};
+use nalgebra::Matrix2;
 
 /// The claims of this file.
 pub(super) const CLAIMS: &[Claim] = &[
@@ -24,7 +21,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             impulses further apart than its accuracy, while W P = (1, 1, 1, 1) from both, to the accuracy that the two residuals imply \
             for a convex problem. With a fifth contact that moves nothing, W_ii = 0 and u_i = 0, the problem is semidefinite and \
             solvable: Lemke’s method solves it, projected Gauss–Seidel, which divides by W_ii, refuses it.",
-        control: "The table without the fifth contact.",
+        controls: &["The table without the fifth contact."],
         sources: &["chapter §3, solvability of the normal LCP", "the agreement bound is derived with the tolerance"],
         check: four_legs,
     },
@@ -41,7 +38,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         argument: "For C = [0, ∞): e_λ(x) = min(x, 0)²/(2λ). At 41 rational points with λ = 1/3: no y of a grid on C is nearer than P(x) = \
             max(x, 0), e_λ = 0 on C, where the indicator is 0, and the derivative is min(x, 0)/λ, continuous through 0. \
                    It is quadratic on either side of 0, not globally: x²/(2λ) would exceed the indicator on C.",
-        control: "The global quadratic x²/(2λ) in place of the envelope.",
+        controls: &["The global quadratic x²/(2λ) in place of the envelope."],
         sources: &["chapter §3, LCP as projection", "Moreau (1965)"],
         check: envelope,
     },
@@ -57,7 +54,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             equal).",
         argument: "The derivative in ρ is (λ_min − λ_max)/(λ_min + ρ)² ≤ 0. Two nearly parallel contacts, W = (1, 0.999; 0.999, 1) with \
             eigenvalues 1.999 and 0.001: the condition number is 1999, 183, 20.8 and 3.0 for ρ = 0, 0.01, 0.1 and 1.",
-        control: "A scaling (1 + ρ)W in place of the shift, which leaves the condition number as it is.",
+        controls: &["A scaling (1 + ρ)W in place of the shift, which leaves the condition number as it is."],
         sources: &["chapter §3, proximal view of ADMM"],
         check: conditioning,
     },
@@ -74,7 +71,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         argument: "One contact, W = 1/1000, u_free = −1, R = 1: with R the impulse is 1/(W + R) = 1000/1001. The velocity u that it \
             leaves minimises (u − u_free)²/(2W) + min(u, 0)²/(2R) against 4001 points of a grid, and the impulse is minus the slope of \
             the envelope there; so for three values of R. The proximal iteration P ← (1 + ρP)/(W + ρ), ρ = 1, has the fixed point 1000.",
-        control: "The hard contact, R = 0, held against the envelope.",
+        controls: &["The hard contact, R = 0, held against the envelope."],
         sources: &["chapter §3, closing insight", "elementary"],
         check: two_centres,
     },

@@ -1,18 +1,14 @@
 //! One step: which velocity moves the body, where restitution enters, and what the unknown is.
 
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::contact::delassus::{MassFactor, delassus};
 use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{Mechanism, OscillatorWithStop, PointMass, State};
 use crate::problem::Lcp;
-use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, assembled, step};
 use crate::solvers::LemkePivoting;
 use crate::solvers::lemke::{LemkeOutcome, lemke};
 use crate::tolerance::rounding;
-use crate::{Error, Result};
-use nalgebra::{DMatrix, DVector, dvector};
 use num_traits::{One, Zero};
 
 pub const CLAIMS: &[Claim] = &[
@@ -28,7 +24,7 @@ pub const CLAIMS: &[Claim] = &[
             0.",
         argument: "q = 1/100 m, v = −2 m/s, h = 1/50 s: q⁺ = 1/100 − 2/50 = −3/100 m although the step's impulse r = 2 N·s stops the ball \
             (v⁺ = 0). With θ = 1 the same impulse gives q⁺ = 1/100 m.",
-        control: "The same step with the new velocity, θ = 1.",
+        controls: &["The same step with the new velocity, θ = 1."],
         sources: &["chapter §3, “what goes wrong with a naive discretisation”"],
         check: explicit_position,
     },
@@ -42,7 +38,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "This is the definition of the scheme's contact law; U⁺ = H v⁺ itself need not be complementary to P.",
         argument: "Three balls of 1, 2 and 4 kg in line at velocities 3, 0, −1 m/s, both contacts closed, e = 1/2: Lemke in rationals \
             gives P, and U = H(v⁺ + e v) is zero where P > 0.",
-        control: "Restitution on the wrong side, the complementarity of H(v⁺ − e v).",
+        controls: &["Restitution on the wrong side, the complementarity of H(v⁺ − e v)."],
         sources: &["chapter §3, step 3 of the θ scheme"],
         check: complementarity,
     },
@@ -60,7 +56,7 @@ pub const CLAIMS: &[Claim] = &[
             that v⁺ differs from e times that by 0.024 ≤ e g h = 0.049 m/s. A rod of unit mass and inertia on two supports ½ and 1 m \
             from its centre, on one side, W = [[5/4, 3/2], [3/2, 2]], approaches them at 1 and 1/10 m/s: the first impulse lifts the \
             second support, which takes no impulse and leaves with 17/10 m/s, not with 1/20.",
-        control: "The rod that approaches both at 1 and 5/4 m/s, where both impulses act.",
+        controls: &["The rod that approaches both at 1 and 5/4 m/s, where both impulses act."],
         sources: &["chapter §3, step 3 of the θ scheme"],
         check: newton_law,
     },
@@ -76,7 +72,7 @@ pub const CLAIMS: &[Claim] = &[
             in W and in v_free alike.",
         argument: "m = 1 kg, k = 100 N/m, h = 1/10 s, θ = 1/2: a unit impulse changes v⁺ of the implicit step by 1/(1 + h²θ²k) = 4/5 m/s, \
             not by 1/m = 1 m/s.",
-        control: "The explicit step of the spring in place of the implicit one.",
+        controls: &["The explicit step of the spring in place of the implicit one."],
         sources: &["chapter §3, step 4 and exercise 1"],
         check: free_velocity,
     },
@@ -89,7 +85,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Certified,
         correct_statement: "A resting body has P = m g h; P/h = m g is the force.",
         argument: "Resting 2 kg block at h = 1/64 and 1/128 s: P halves with h while P/h stays m g = 19.62 N.",
-        control: "A block that lands at 1 m/s: its impulse does not halve with h, nor is it m g h.",
+        controls: &["A block that lands at 1 m/s: its impulse does not halve with h, nor is it m g h."],
         sources: &["chapter §3, common pitfalls"],
         check: impulse_scales_with_the_step,
     },

@@ -1,17 +1,13 @@
 //! Copositive, and copositive-plus only without friction.
 
 use super::matrices::{chapter_matrix, integers, jamming_matrix};
-use crate::Result;
 use crate::certificate::copositivity::{copositive, copositive_plus};
 use crate::certificate::definiteness::quadratic_form;
 use crate::certificate::feasibility::nonnegative_solution;
-use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{RationalStep, chapter_example, reference, wedge};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::problem::Lcp;
-use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
-use nalgebra::{DMatrix, DVector};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -24,7 +20,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "This is the standard definition.",
         argument: "[[0, 1], [0, 0]] is copositive (form x₁x₂) but x = (1, 0) has form 0 and (N + Nᵀ)x = (0, 1): part (ii) excludes it. \
             [[1, −1], [−1, 1]] and [[0, 1], [−1, 0]] satisfy both parts.",
-        control: "Part (i) alone.",
+        controls: &["Part (i) alone."],
         sources: &["chapter §4, definition before the theorem on M_LCP", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.8"],
         check: definition,
     },
@@ -38,7 +34,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "M_LCP is copositive for every μ ≥ 0, any number of contacts and any redundancy.",
         argument: "xᵀM x = x₁ᵀW̃x₁ + Σμᵢλᵢσᵢ is a sum of two terms that are ≥ 0 for x ≥ 0 (x₁ = (λ, β)). Decided exactly here for the \
             chapter's contact, a wedge of two contacts and the jamming 4×4 matrix; on a thousand random systems in the property family.",
-        control: "The last row with reversed sign, (−μ, Eᵀ).",
+        controls: &["The last row with reversed sign, (−μ, Eᵀ)."],
         sources: &["chapter §4, theorem on M_LCP, part (i)"],
         check: copositivity,
     },
@@ -58,8 +54,8 @@ pub const CLAIMS: &[Claim] = &[
             = x₁ᵀW̃x₁ with W̃ ⪰ 0, and M is copositive-plus. Proof of the corrected theorem: on a secondary ray the direction x̂ = (λ, β, \
             σ) satisfies x̂ᵀMx̂ = 0 and Mx̂ ≥ 0, hence nλ + Dβ = 0, and x̂ᵀq < 0; but x̂ᵀq = vᵀ(nλ + Dβ) + bᵀλ = bᵀλ ≥ 0. This refutes the \
             chapter's theorem, not the paper, which was not read.",
-        control: "The matrix whose quadratic form is the one the chapter's proof computes (μ missing from the last row): it is \
-            copositive-plus.",
+        controls: &["The matrix whose quadratic form is the one the chapter's proof computes (μ missing from the last row): it is \
+            copositive-plus."],
         sources: &["chapter §4, theorem on M_LCP", "proof: module certificate::existence"],
         check: not_plus,
     },
@@ -75,7 +71,7 @@ pub const CLAIMS: &[Claim] = &[
             same; the second implication does not, and falls with S4.copos-plus.",
         argument: "In the wedge of two contacts with μ = 1/2 and x = (1, …, 1) the form exceeds x₁ᵀW̃x₁ by μ₁ + μ₂ = 1. At x = (0, 0, σ) \
             it vanishes with (M + Mᵀ)x = (μσ, 0, 0).",
-        control: "The matrices without μ in their last rows, for which the printed identity and its consequence hold.",
+        controls: &["The matrices without μ in their last rows, for which the printed identity and its consequence hold."],
         sources: &["chapter §4, exercise 2, and the proof of the theorem on M_LCP (whose display is not legible in the source)"],
         check: general_form,
     },
@@ -90,7 +86,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "A secondary ray of Lemke's method would give x ≥ 0 with xᵀMx = 0, Mx ≥ 0 and xᵀq < 0; (ii) turns Mx ≥ 0 into Mᵀx ≤ 0, \
             so xᵀ(Mz + q) < 0 for every z ≥ 0, against feasibility. Here: three copositive-plus matrices with all q from {−2, …, 2}², \
             every feasible one solved. The merely copositive 4×4 matrix of a jammed contact has a feasible q without solution.",
-        control: "The merely copositive 4×4 matrix with q = (−1, 0, 0, 0).",
+        controls: &["The merely copositive 4×4 matrix with q = (−1, 0, 0, 0)."],
         sources: &["chapter §4, corollary “every step is solvable”", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.8"],
         check: feasible_is_solvable,
     },
@@ -104,7 +100,7 @@ fn definition(reading: Reading) -> Result<Vec<Finding>> {
     let accepts = |matrix: DMatrix<Rational>| -> Result<bool> {
         Ok(match reading {
             Reading::Recorded => copositive_plus(&matrix)?.holds(),
-            Reading::Control => copositive(&matrix)?.holds(),
+            Reading::Control(_) => copositive(&matrix)?.holds(),
         })
     };
     Ok(vec![
@@ -124,7 +120,7 @@ fn copositivity(reading: Reading) -> Result<Vec<Finding>> {
     let mut findings = Vec::new();
     for (name, mut matrix, contacts) in matrices {
         let sigma = matrix.nrows() - contacts;
-        if reading == Reading::Control {
+        if reading.is_control() {
             matrix.rows_mut(sigma, contacts).iter_mut().for_each(|x| *x = -x.clone());
         }
         findings.push(Finding::decision(format!("copositive: {name}"), copositive(&matrix)?.holds(), true));
@@ -136,7 +132,7 @@ fn not_plus(reading: Reading) -> Result<Vec<Finding>> {
     let mut matrix = chapter_matrix()?;
     let mut without_friction = matrix.clone();
     without_friction[(3, 0)] = ratio(0, 1);
-    if reading == Reading::Control {
+    if reading.is_control() {
         matrix = without_friction.clone();
     }
     let witness = integers(&[0, 0, 0, 1]);
@@ -156,7 +152,7 @@ fn general_form(reading: Reading) -> Result<Vec<Finding>> {
     for system in &systems {
         let mut matrix = reference(system)?.matrix;
         let impulses = system.sigma(0);
-        if reading == Reading::Control {
+        if reading.is_control() {
             (0..system.contacts()).for_each(|i| matrix[(system.sigma(i), system.lambda(i))] = ratio(0, 1));
         }
         let block = matrix.view((0, 0), (impulses, impulses)).into_owned();
@@ -182,7 +178,7 @@ fn feasible_is_solvable(reading: Reading) -> Result<Vec<Finding>> {
             let pairs = vectors.flat_map(|q| matrices.clone().map(|matrix| (matrix, q.clone())));
             pairs.map(|(matrix, vector)| Lcp::new(matrix, vector)).collect()
         }
-        Reading::Control => vec![Lcp::new(jamming_matrix(), integers(&[-1, 0, 0, 0]))],
+        Reading::Control(_) => vec![Lcp::new(jamming_matrix(), integers(&[-1, 0, 0, 0]))],
     };
     let (mut feasible, mut unsolved) = (0, 0);
     for lcp in &problems {

@@ -1,17 +1,13 @@
 //! §4, the papers it rests on: where they are, and what “the first proof” can mean.
 
 use super::matrices::{chapter_matrix, integers};
-use crate::Result;
 use crate::certificate::copositivity::copositive;
 use crate::certificate::definiteness::quadratic_form;
-use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{RationalStep, chapter_example, reference, wedge};
 use crate::claims::experiments::drake::facts;
 use crate::claims::experiments::identifiers::{issn_agrees, sici_agrees, volume_and_page};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
-use crate::scalar::{Rational, ratio};
+use crate::claims::prelude::*;
 use crate::solvers::lemke::{LemkeOutcome, lemke};
-use nalgebra::{DMatrix, DVector};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -26,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The first paper's DOI contains its SICI, which names volume 39 and page 2673 and ends in a check character that agrees \
             with them (mod 37); so does the ISSN in it (mod 11). The other two DOIs carry neither volume nor page: for them the reference \
             lists of other papers agree with the chapter, two for each.",
-        control: "Page 2763, two digits exchanged: the check character is another.",
+        controls: &["Page 2763, two digits exchanged: the check character is another."],
         sources: &[
             "chapter §4, and the list of papers at its end",
             "doi:10.1002/(SICI)1097-0207(19960815)39:15<2673::AID-NME972>3.0.CO;2-I; doi:10.1023/A:1008292328909; \
@@ -47,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Drake's repository: added by commit 0e218d926b, removed by fc428c0fa2. multibody/constraint/constraint_solver.h (commit \
             03b888e8ed), which the class calls, has the blocks (N C Nᵀ, N C Dᵀ, 0; D C Nᵀ, D C Dᵀ, E; μ, −Eᵀ, 0), C = M⁻¹: for a wedge \
             of two contacts every entry is that of the LCP here. The documentation of the plant's module in 1.51.1 does not have the name.",
-        control: "The name of the present plant, which is not early Drake's.",
+        controls: &["The name of the present plant, which is not early Drake's."],
         sources: &["chapter §4, motivation", "Drake 1.51.1 (references/facts/drake.json); its repository and its history"],
         check: early_drake,
     },
@@ -64,7 +60,7 @@ pub const CLAIMS: &[Claim] = &[
             and Lemke's method solves the step.",
         argument: "The chapter's example, μ = 1/2: xᵀMx = −1 at x = (1, 0, 0, −4), since the quadratic form holds μ λ σ; copositive, \
             decided exactly; a closing contact is solved by Lemke in rationals.",
-        control: "μ = 0, where the form is that of the Delassus operator, 1 ≥ 0 at this x.",
+        controls: &["μ = 0, where the form is that of the Delassus operator, 1 ≥ 0 at this x."],
         sources: &[
             "chapter §4, essential insight on copositive-plus",
             "Pang and Trinkle, Math. Program. 73 (1996) 199, for the title and year",
@@ -132,7 +128,7 @@ fn matrix_of_early_drake(system: &RationalStep) -> DMatrix<Rational> {
 
 fn not_definite(reading: Reading) -> Result<Vec<Finding>> {
     let mut matrix = chapter_matrix()?;
-    if reading == Reading::Control {
+    if reading.is_control() {
         matrix[(3, 0)] = ratio(0, 1);
     }
     let closing = reference(&chapter_example(ratio(0, 1), [ratio(0, 1), ratio(-1, 1)]))?;

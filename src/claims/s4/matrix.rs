@@ -3,15 +3,11 @@
 use super::matrices::{chapter_matrix, integers};
 use crate::certificate::copositivity::copositive;
 use crate::certificate::definiteness::{Definiteness, definiteness, positive_semidefinite, quadratic_form};
-use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{chapter_example, reference};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::contact::delassus::delassus;
 use crate::problem::stewart_trinkle::generators;
-use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
-use crate::{Error, Result};
-use nalgebra::{DMatrix, DVector};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -26,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
             clause about σ shows what is meant.",
         argument: "Unit point mass, μ = 1/2, φ = 0, free velocity (2, −1): λ = 1, β = (0, 1/2), v⁺ = (3/2, 0), σ = 3/2. The second group \
             with σ is (3, 0) ≥ 0 and complementary to β; with λ in its place it is (5/2, −1/2).",
-        control: "The second group with σ in place of the printed λ: all three groups hold.",
+        controls: &["The second group with σ in place of the printed λ: all three groups hold."],
         sources: &["chapter §4, step 3 of the construction"],
         check: groups,
     },
@@ -40,7 +36,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "W̃ = CᵀM⁻¹C with C = (n D) is symmetric positive semidefinite because M ≻ 0; with opposite directions in D it \
             is singular.",
         argument: "xᵀW̃x = (Cx)ᵀM⁻¹(Cx) ≥ 0. In the chapter's example x = (0, 1, 1) has Cx = 0, so W̃ is not definite: rank 2 of 3.",
-        control: "An indefinite “mass” diag(1, −1) in place of M: the block must then stop being semidefinite.",
+        controls: &["An indefinite “mass” diag(1, −1) in place of M: the block must then stop being semidefinite."],
         sources: &["chapter §4, reading of the matrix block by block"],
         check: reduced_block,
     },
@@ -56,7 +52,7 @@ pub const CLAIMS: &[Claim] = &[
             but W_tt = 1/m + r²/I. The matrix of the example is that of a point mass (r = 0), a declared simplification.",
         argument: "The velocity of the point (0, −r) is (vₓ + rω, v_y). With m = I = r = 1: W_tt = 2, not 1; the square with m = I = 1 on \
             its corner has r² = 3 and W_tt = 4. Only the normal-tangential block vanishes.",
-        control: "The lever arm r = 0 that the example's row (1, 0, 0) stands for.",
+        controls: &["The lever arm r = 0 that the example's row (1, 0, 0) stands for."],
         sources: &["chapter §4, example “2D block on the ground”"],
         check: lever_arm,
     },
@@ -69,7 +65,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "With rows n = (0, 1, 0), ±t = (±1, 0, 0) and m = 1, W is as printed and its tangential block has rank 1.",
         argument: "W = H M⁻¹Hᵀ entry by entry; the tangential block has the kernel (1, 1) and the entry 1.",
-        control: "Two directions that are not opposite, d₁ = d₂.",
+        controls: &["Two directions that are not opposite, d₁ = d₂."],
         sources: &["chapter §4, example “2D block on the ground”"],
         check: example_delassus,
     },
@@ -82,7 +78,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "M₁₄ = 0, M₄₁ = 1/2, M₂₄ = 1, M₄₂ = −1.",
         argument: "Read off M = [[W̃, (0; E)], [(μ, −Eᵀ), 0]] with μ = 1/2.",
-        control: "The symmetric matrix [[W̃, b], [bᵀ, 0]] of the proof's first line.",
+        controls: &["The symmetric matrix [[W̃, b], [bᵀ, 0]] of the proof's first line."],
         sources: &["chapter §4, example “2D block on the ground”"],
         check: asymmetry,
     },
@@ -96,7 +92,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "xᵀMx = λ² + (β₁ − β₂)² + ½λσ: the terms σ(β₁ + β₂) cancel, μλσ remains. It is ≥ 0 for x ≥ 0, so the conclusion \
             drawn there survives, but M is not positive semidefinite. (The dropped term is that of S4.quadratic-general.)",
         argument: "x = (1, 0, 0, 1): xᵀMx = 3/2, the printed formula gives 1. x = (−1/10, 0, 0, 1): xᵀMx = 1/100 − 1/20 = −1/25 < 0.",
-        control: "The matrix without μ in the row of the friction cone, whose form is the printed one.",
+        controls: &["The matrix without μ in the row of the friction cone, whose form is the printed one."],
         sources: &["chapter §4, example “2D block on the ground”"],
         check: example_form,
     },
@@ -111,7 +107,9 @@ pub const CLAIMS: &[Claim] = &[
             this is a slip of notation.",
         argument: "In the example's matrix the last row (1/2, −1, −1) and the last column (0, 1, 1) differ in three entries: so they do \
             in the words of the sentence, μ against 0 and −Eᵀ against E, while the display with b and bᵀ says that they do not differ.",
-        control: "A contact without friction, μ = 0 and no directions: its last row and column are zero in the display and in the words.",
+        controls: &[
+            "A contact without friction, μ = 0 and no directions: its last row and column are zero in the display and in the words.",
+        ],
         sources: &["chapter §4, proof of the theorem on M_LCP"],
         check: block_form,
     },
@@ -127,7 +125,7 @@ pub const CLAIMS: &[Claim] = &[
             which size is meant; leaving σ out would lose the row of the friction cone the exercise asks for, and the three scalars (λ, \
             β₁, σ) of d₁ alone brake one sense of sliding only: \
             a slide at 2 m/s to 3/2 m/s in one sense, not at all in the other.",
-        control: "The three scalars (λ, β₁, σ) of the direction d₁ alone.",
+        controls: &["The three scalars (λ, β₁, σ) of the direction d₁ alone."],
         sources: &["chapter §4, exercise 1"],
         check: example_size,
     },
@@ -212,7 +210,7 @@ fn asymmetry(reading: Reading) -> Result<Vec<Finding>> {
 
 fn example_form(reading: Reading) -> Result<Vec<Finding>> {
     let mut matrix = chapter_matrix()?;
-    if reading == Reading::Control {
+    if reading.is_control() {
         matrix[(3, 0)] = ratio(0, 1);
     }
     let printed = |x: &DVector<Rational>| {
@@ -234,7 +232,7 @@ fn example_form(reading: Reading) -> Result<Vec<Finding>> {
 
 fn block_form(reading: Reading) -> Result<Vec<Finding>> {
     let mut system = chapter_example(ratio(0, 1), [ratio(0, 1), ratio(0, 1)]);
-    if reading == Reading::Control {
+    if reading.is_control() {
         system.friction[0] = ratio(0, 1);
         system.directions.clear();
     }

@@ -4,19 +4,15 @@
 //! with v_t = −1: W_nn = 52/25, W_nt = −36/25, W_tt = 73/25, det W = 4.
 
 use super::matrices::integers;
-use crate::Result;
-use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{RationalStep, rational_directions, reference};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::contact::delassus::delassus;
 use crate::mechanics::{PainleveRod, State};
 use crate::problem::Lcp;
-use crate::scalar::{Rational, ratio};
 use crate::schemes::{self, StewartTrinkle};
 use crate::solvers::LemkePivoting;
 use crate::solvers::enumeration::{SolutionSet, all_solutions};
 use crate::tolerance::claims::lcp::painleve_impulse;
-use nalgebra::{DMatrix, DVector, dvector};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -31,7 +27,7 @@ pub const CLAIMS: &[Claim] = &[
             the side it leans to.",
         argument: "Sliding force λ with friction μλ: 0 ≤ λ ⟂ Aλ + b ≥ 0, A = W_nn − μ|W_nt|. At cos = 3/5: μ_P = 13/9. With μ = 2: A = \
             −4/5; b = −1 has no solution, b = 1 has two (0 and 5/4). (4 + t²)/(3t) − 4/3 = (t − 2)²/(3t) ≥ 0, so μ_P is least at tan = 2.",
-        control: "μ = 1 < μ_P: exactly one solution for either sign of b.",
+        controls: &["μ = 1 < μ_P: exactly one solution for either sign of b."],
         sources: &["chapter §4, resolution of Painlevé's paradox", "Painlevé 1895; Génot and Brogliato 1999"],
         check: paradox,
     },
@@ -48,7 +44,7 @@ pub const CLAIMS: &[Claim] = &[
             solver's pivoting rule decides whether there is an atom.",
         argument: "cos = 3/5, μ = 2, v_t = −1, gravity 9.81, h = 10⁻¹ … 10⁻⁶: one solution each, P = W⁻¹(g h, 1) → (9/25, 13/25). At h = \
             10⁻⁶ P = (0.3600071…, 0.5200035…). With an upward normal free velocity: 3 solutions (open, sliding, impact).",
-        control: "μ = 1 < μ_P: the impulse is of order h and there is no atom.",
+        controls: &["μ = 1 < μ_P: the impulse is of order h and there is no atom."],
         sources: &["chapter §4, resolution of Painlevé's paradox", "Stewart 1998 (not read)"],
         check: atom,
     },
@@ -62,7 +58,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "It dissipates: ΔT = ½Pᵀ(u⁺ + u⁻) = −½ W_nn v_t²/det W = −(1 + 3cos²)/8 · m v_t².",
         argument: "u⁻ = (0, −1), P = (9/25, 13/25), u⁺ = 0: ΔT = ½·(13/25)·(−1) = −13/50 with m = 1, cos = 3/5; the same from ½vᵀMv before \
             and after.",
-        control: "A rod whose end starts below the floor: the impulse that pushes it out injects energy.",
+        controls: &["A rod whose end starts below the floor: the impulse that pushes it out injects energy."],
         sources: &["chapter §4, exercise 3"],
         check: dissipation,
     },

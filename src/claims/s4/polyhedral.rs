@@ -1,19 +1,16 @@
 //! The friction cone with d directions: how far it is from the circular one, and what sliding on it looks like.
 
 use super::matrices::integers;
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::cones::polyhedral::{direction, direction_error, strength_error};
 use crate::mechanics::{Mechanism, Plane, PointMass, State};
 use crate::problem::PlanarProblem;
-use crate::scalar::{Rational, ratio};
 use crate::schemes::{MoreauJean, Scheme, StewartTrinkle, step};
 use crate::solvers::Auto;
 use crate::solvers::lemke::{LemkeOutcome, lemke};
 use crate::tolerance::claims::{SLIDE_STEP, slide_drift};
 use crate::tolerance::rounding;
-use nalgebra::{DMatrix, DVector, Vector2, dvector};
+use nalgebra::Vector2;
 use std::f64::consts::PI;
 
 /// Claims on the polyhedral cone.
@@ -33,7 +30,7 @@ pub const CLAIMS: &[Claim] = &[
             it lies in [π²/2 − π⁴/(24 d²), π²/2]. Read as upper bounds both orders hold of it. Read as the order, O(1/d) says that twice \
             the directions halve the error; they divide it by 2(1 + cos(π/64)) = 3.998 from d = 32 to 64: as orders of one shape the two \
             exclude each other.",
-        control: "The direction of the force, whose error is π/d, in place of the shape: O(1/d²) does not hold of it in any reading.",
+        controls: &["The direction of the force, whose error is π/d, in place of the shape: O(1/d²) does not hold of it in any reading."],
         sources: &["chapter §4, compromise, summary and pitfall", "chapter §5, table and insight on the two approximations"],
         check: order,
     },
@@ -52,7 +49,7 @@ pub const CLAIMS: &[Claim] = &[
             `lateral_drift`, \
             largest at ψ = 0.200 where it is 0.1056 of the stopping distance. Stewart–Trinkle with 8 directions measures the same; the \
             first order of the drift is (π/4)/d, not 1/d².",
-        control: "The circular cone, which is what quite accurate would mean.",
+        controls: &["The circular cone, which is what quite accurate would mean."],
         sources: &["chapter §4, pitfall on the polyhedral cone"],
         check: eight_directions,
     },
@@ -71,7 +68,7 @@ pub const CLAIMS: &[Claim] = &[
             along a direction and along the bisector loses speed in exactly this ratio. In a slide between them friction points along one \
             direction; in a slide along the bisector it is a combination of two, π/d beside either; and a slide that starts a quarter of \
             the way from direction to bisector turns towards the bisector.",
-        control: "Coulomb's circular cone.",
+        controls: &["Coulomb's circular cone."],
         sources: &["chapter §4, pitfall on the polyhedral cone"],
         check: anisotropy,
     },
@@ -89,7 +86,7 @@ pub const CLAIMS: &[Claim] = &[
             max_j(−D_j·u_t) by duality. \
             For eight rational directions, a coupled rational W and four free velocities the exact Lemke solution dissipates exactly that, \
             and σ = 0 when it sticks.",
-        control: "An LCP whose cone rows carry 2Eᵀ, which halves the available friction.",
+        controls: &["An LCP whose cone rows carry 2Eᵀ, which halves the available friction."],
         sources: &["chapter §4, the LCP matrix and σ"],
         check: maximal_dissipation,
     },
@@ -169,7 +166,7 @@ impl Slide {
 fn scheme(reading: Reading, d: usize) -> Box<dyn Scheme> {
     match reading {
         Reading::Recorded => Box::new(StewartTrinkle { directions: d }),
-        Reading::Control => Box::new(MoreauJean { theta: 1.0, ..MoreauJean::default() }),
+        Reading::Control(_) => Box::new(MoreauJean { theta: 1.0, ..MoreauJean::default() }),
     }
 }
 

@@ -2,16 +2,12 @@
 
 use super::matrices::{chapter_matrix, integers};
 use super::painleve::{rod, velocities};
-use crate::Result;
 use crate::certificate::p_matrix::p_matrix;
-use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{chapter_example, reference};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::contact::delassus::delassus;
 use crate::problem::Lcp;
-use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::{SolutionSet, all_solutions};
-use nalgebra::{DMatrix, DVector};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -27,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Unit point mass, μ = 1/2, all solutions enumerated. Free velocity (2, −1) at φ = 0: one solution, σ = 3/2 = |v_t⁺|. \
             (1/4, −1): sticks, σ = 0 in every solution. (1/2, −1): sticks on the boundary, σ = 0. Open (φ/h = 10, free velocity (2, 0)): λ \
             = β = 0 and the family σ ≥ 2.",
-        control: "The closed sliding contact in place of the open one: there σ is unique.",
+        controls: &["The closed sliding contact in place of the open one: there σ is unique."],
         sources: &["chapter §4, reading of the complementarity μλ_n − Eᵀβ ≥ 0 ⟂ σ ≥ 0"],
         check: slip_speed,
     },
@@ -45,7 +41,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Painlevé's rod (cos = 3/5, μ = 2, free normal velocity 1/10) has 3 solutions with 3 different velocities after the \
             step. Four corners (1, ±1, ±1): W has rank 3, the impulses form a family, W·P is the same for all. Three equal balls in a row: \
             W = [[2, −1], [−1, 2]] has minors 2, 2, 3 > 0, so one solution for every q.",
-        control: "The four corners in place of the three-ball row: not a P-matrix.",
+        controls: &["The four corners in place of the three-ball row: not a P-matrix."],
         sources: &["chapter §4, pitfall “solvable means unique”"],
         check: several_solutions,
     },
@@ -58,7 +54,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "As stated, for any LCP. A Stewart–Trinkle matrix is never a P-matrix: its diagonal entry at σ is 0.",
         argument: "Principal minor {σ} = 0, whatever μ and W̃. Uniqueness can only be had for velocities or in the absence of friction.",
-        control: "The matrix (1, 2; 2, 1), which is no P-matrix, in place of that of three balls.",
+        controls: &["The matrix (1, 2; 2, 1), which is no P-matrix, in place of that of three balls."],
         sources: &["chapter §4, pitfall “solvable means unique”", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.3"],
         check: never_p,
     },
@@ -73,7 +69,7 @@ pub const CLAIMS: &[Claim] = &[
             changes.",
         argument: "W = 1: λ(q) = max(0, −q). At q = 0 the left slope is −1, the right slope 0; at q = −1, inside one active set, both are \
             −1.",
-        control: "A point inside one active set, q = −1.",
+        controls: &["A point inside one active set, q = −1."],
         sources: &["chapter §4, summary"],
         check: kink,
     },

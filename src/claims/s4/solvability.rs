@@ -2,16 +2,12 @@
 
 use super::copositive::is_feasible;
 use super::matrices::{integers, jamming_matrix};
-use crate::Result;
 use crate::certificate::existence;
-use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{RationalStep, chapter_example, rational_directions, reduced, reference, wedge};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::problem::Lcp;
-use crate::scalar::{Rational, ratio};
 use crate::solvers::enumeration::all_solutions;
 use crate::solvers::lemke::{LemkeOutcome, lemke};
-use nalgebra::{DMatrix, DVector};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -27,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "At zero the normal slack is φ/h + n·v_free, negative whenever the free motion would penetrate. A point between two \
             walls that both penetrate it (normals ±y, φ₁ = φ₂ = −1, h = 1): the two normal rows demand v_y ≥ 1 and −v_y ≥ 1; their sum is \
             a Farkas certificate against any v_y, with any λ, β, σ. With φ₁ = φ₂ = 0 the same walls are feasible.",
-        control: "The same two walls with gaps 0, and a contact that opens in place of the closing one.",
+        controls: &["The same two walls with gaps 0, and a contact that opens in place of the closing one."],
         sources: &["chapter §4, corollary “every step is solvable”"],
         check: feasible,
     },
@@ -47,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
             back 4/5 of every 3/5 that λ gives. A point in a wedge with normals (±4/5, 3/5) and φ = −h on both sides is solvable for μ = \
             7/10 and not for μ = 3/4. Newton's law on the normal alone (φ = 0, e = 1/2, v = −1, so q = (−9/10, −4/5, 4/5, 0)) is \
             unsolvable with the same matrix; with e on the full vector it is solvable.",
-        control: "No friction, μ = 0 in the jamming matrix and in the wedge: copositive-plus, and every step has a solution.",
+        controls: &["No friction, μ = 0 in the jamming matrix and in the wedge: copositive-plus, and every step has a solution."],
         sources: &["chapter §4, corollary “every step is solvable”", "proof: module certificate::existence"],
         check: solvable,
     },
@@ -81,7 +77,7 @@ fn feasible(reading: Reading) -> Result<Vec<Finding>> {
 fn solvable(reading: Reading) -> Result<Vec<Finding>> {
     const CONDITION: &str = "no gap is negative, or the friction cone is pointed";
     let mut matrix = jamming_matrix();
-    if reading == Reading::Control {
+    if reading.is_control() {
         matrix[(3, 0)] = ratio(0, 1);
     }
     let with = |vector: DVector<Rational>| Lcp::new(matrix.clone(), vector);

@@ -1,17 +1,13 @@
 //! The gap in the complementarity: braking, pushing out, drift, and the comparison with Moreau–Jean.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::checks::stewart_trinkle::{reference, wedge};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::exact_particle::{Ball, BallState, BallStep};
 use crate::mechanics::{BeadInCircle, Mechanism, PointMass, State};
-use crate::scalar::{Rational, ratio};
 use crate::schemes::{self, Activation, MoreauJean, RestitutionRule, StewartTrinkle, Waist};
 use crate::solvers::LemkePivoting;
 use crate::solvers::enumeration::all_solutions;
 use crate::tolerance::claims::lcp as tolerance;
-use nalgebra::dvector;
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -25,7 +21,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "φ/h + ∇φᵀv⁺ ≥ 0, with a residual of O(h²) per step, −½h²v²/R on a circle of radius R.",
         argument: "A bead on the unit circle with unit tangential speed: the linearised constraint is met with 0 and the gap after the \
             step is 1 − √(1 + h²) ∈ (−½h², −½h² + h⁴/8). A contact at φ = 1/4 with h = 1/64 enters the law with the shift φ/h = 16.",
-        control: "Moreau–Jean, whose shift e·u_n does not contain the gap.",
+        controls: &["Moreau–Jean, whose shift e·u_n does not contain the gap."],
         sources: &["chapter §4, step 1 of the construction"],
         check: linearised,
     },
@@ -41,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
             would make the plastic ball rebound for every h.)",
         argument: "The constraint gives |q| + h q̂·v ≤ R, so |q + hv| ≤ √(R² + h²v²) ≤ R + h²v²/2R, whatever happened before. Bead, R = 1, \
             v = 1, h = 1/100, 200 steps: gap ≥ −½h²v². A plastic ball that falls on a floor: the least gap of 50 exact steps is 0.",
-        control: "Moreau–Jean on the same circle, which drifts out by √(1 + nh²v²) − 1.",
+        controls: &["Moreau–Jean on the same circle, which drifts out by √(1 + nh²v²) − 1."],
         sources: &["chapter §4, table Stewart–Trinkle versus Moreau–Jean"],
         check: no_drift,
     },
@@ -57,7 +53,7 @@ pub const CLAIMS: &[Claim] = &[
             and to v⁺ = 0.",
         argument: "m = 1, v = −1, h = 1/10, φ = 3/100, no gravity: v⁺ = −3/10 with impulse 7/10, then v⁺ = 0 with impulse 3/10. \
             Moreau–Jean in the same step: v⁺ = −1 activated by the gap, 0 activated by the forecast.",
-        control: "Moreau–Jean with activation φ ≤ 0 in place of Stewart–Trinkle: nothing brakes.",
+        controls: &["Moreau–Jean with activation φ ≤ 0 in place of Stewart–Trinkle: nothing brakes."],
         sources: &["chapter §4, end of the comparison with Moreau–Jean"],
         check: brake,
     },
@@ -73,7 +69,7 @@ pub const CLAIMS: &[Claim] = &[
             → 0 for a given penetration: penetrations must be O(h²), as the scheme's own are.",
         argument: "Penetration 1 mm, m = 1: v⁺ = 1/10, 1, 10 m/s at h = 10⁻², 10⁻³, 10⁻⁴; the last is 50 J. In the wedge of S4.solvable \
             both walls are penetrated: with μ = 7/10 the step pushes the point out, with μ = 3/4 there is no step.",
-        control: "Moreau–Jean, which leaves the body where it is.",
+        controls: &["Moreau–Jean, which leaves the body where it is."],
         sources: &["chapter §4, pitfall “position level versus velocity level”"],
         check: push_out,
     },
@@ -89,7 +85,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Block on a 20° incline, μ = 0.3 (slides) and 0.5 (sticks), 50 steps: the same to rounding. Bead on the unit circle, h = \
             1/100, 2 s: Moreau–Jean ends outside by √(1 + nh²v²) − 1 with v between 1 − nh²/2 and 1, about 9.9·10⁻³; Stewart–Trinkle by at \
             most ½h²v² = 5·10⁻⁵.",
-        control: "The bead on the circle in place of the block on the incline.",
+        controls: &["The bead on the circle in place of the block on the incline."],
         sources: &["chapter §4, end of the comparison with Moreau–Jean; §2, table of the two levels"],
         check: persistent_contact,
     },
@@ -104,7 +100,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "The chain is sound; its first link needs starting positions that do not penetrate (or only by O(h)).",
         argument: "Plastic ball from height 1, T = 1: impulses are ≥ 0 and v ≤ 0, so TV(v_h) ≤ gT + Σr/m = 2gT + v_N − v_0 ≤ 2gT = 19.62 \
             for every h = 2⁻⁴ … 2⁻¹². From a penetration of 1/64 the first step alone makes TV ≥ 1/(64h).",
-        control: "A start 1/64 m above the floor in place of one as far inside.",
+        controls: &["A start 1/64 m above the floor in place of one as far inside."],
         sources: &["chapter §4, convergence; §11, four steps", "Stewart 1998 (not read)"],
         check: bounded_variation,
     },
@@ -192,7 +188,7 @@ pub(in crate::claims) fn trapezoidal_rebound(h: &Rational) -> Rational {
 fn particle_step(reading: Reading, ball: &Ball<Rational>, now: &BallState<Rational>, h: &Rational) -> BallStep<Rational> {
     match reading {
         Reading::Recorded => ball.stewart_trinkle(now, h),
-        Reading::Control => ball.moreau_jean(now, &ratio(1, 1), Activation::Gap, h),
+        Reading::Control(_) => ball.moreau_jean(now, &ratio(1, 1), Activation::Gap, h),
     }
 }
 

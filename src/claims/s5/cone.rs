@@ -1,16 +1,12 @@
 //! The projection on the friction cone, its dual, and derivatives of solutions – in the plane, where all of it is rational.
 
 use super::planar_step::PlanarStep;
-use crate::Result;
-use crate::checks::Finding;
 use crate::checks::cone_projection::{Projection, moreau_decomposition};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::cones::second_order::project;
 use crate::cones::{Case, decide};
 use crate::problem::Law;
-use crate::scalar::{Rational, ratio};
 use crate::tolerance::rounding;
-use nalgebra::DVector;
 
 /// Claims on the cone and its projection.
 pub const CLAIMS: &[Claim] = &[
@@ -27,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
             μ‖v_t‖ = 1/2, which is in K_μ* and orthogonal to r = (1, −1/2), it reads 1/4 + 1 ≤ 0. \
             Reversing n gives K_μ, not K_μ*: μ stands on the wrong factor unless μ = 1. As the polar cone it fails too: (−1, 19/10) is in \
             K_μ° but not in the printed set.",
-        control: "The dual cone K_μ* as the constraint: both velocities meet it.",
+        controls: &["The dual cone K_μ* as the constraint: both velocities meet it."],
         sources: &[
             "chapter §5, section on creep",
             "Anitescu, Optimization-based simulation of nonsmooth rigid multibody dynamics (2006, not read)",
@@ -47,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Taken as the rule \"z_n < 0 gives 0\" the words are wrong: for μ = 1 and z = (−1/10, 1) the nearest point is (9/20, \
             9/20), at distance 0.778, while 0 is at distance 1.005. \
             Taken as the gloss on the standard result the text refers to, they are right: what is sent to 0 has z_n < 0 or is 0.",
-        control: "The words as the rule: every z with z_n < 0 goes to 0.",
+        controls: &["The words as the rule: every z with z_n < 0 goes to 0."],
         sources: &["chapter §5, analytic cone projection"],
         check: projection,
     },
@@ -63,7 +59,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "At solutions: y = 0 gives z = r ∈ K; y ∈ int K* gives r = 0 and z = −η y ∈ K°; y ≠ 0 on ∂K* orthogonal to r ≠ 0 gives z \
             outside both. Away from them: W = I, u_free = (−1, −2), μ = 1/2 slips, r = (8/5, 4/5), \
             but the iterate r = (4, 0) with η = 1/2 has z = (5/2, 1), inside the cone – \"stick\".",
-        control: "The fixed point of a block that sticks in place of the iterate.",
+        controls: &["The fixed point of a block that sticks in place of the iterate."],
         sources: &["chapter §5, physical meaning of the three cases"],
         check: projection_states,
     },
@@ -80,7 +76,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "argmin over K of ½(γ − y)ᵀR(γ − y), R = diag(R_n, R_t), is characterised by γ ∈ K, R(y − γ) ∈ K°, γ·R(y − γ) = 0; in \
             the third case γ_n = (y_n + μ̂‖y_t‖)/(1 + μ μ̂). With R_t/R_n = 1/1000, μ = 1/2, y = (1, 2): \
             γ_n = 1.00075 against 8/5 of the Euclidean projection, which violates the characterisation.",
-        control: "R_t = R_n: the projection in the R-norm is the Euclidean one.",
+        controls: &["R_t = R_n: the projection in the R-norm is the Euclidean one."],
         sources: &[
             "chapter §5, analytic cone projection",
             "Castro, Permenter and Han, An unconstrained convex formulation of compliant contact (2022)",
@@ -100,7 +96,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "min ½(x − θ)² over x ≥ 0 is strictly convex; x = max(0, θ) has the one-sided derivatives 0 and 1 at θ = 0. With \
             friction, min ½‖γ‖² + r·γ over K_{1/2} (W = I): at the change from stick to slip, r = (−2, 1), \
             ∂(γ_n, γ_t)/∂r_t jumps from (0, −1) to (2/5, −1/5).",
-        control: "A parameter inside the sticking region, where strict complementarity holds.",
+        controls: &["A parameter inside the sticking region, where strict complementarity holds."],
         sources: &[
             "chapter §5, differentiability of the relaxed problem",
             "Fiacco, Introduction to Sensitivity and Stability Analysis (1983)",
@@ -160,7 +156,7 @@ fn relaxed_constraint(reading: Reading) -> Result<Vec<Finding>> {
     let printed = |u: &Plane| mu.clone() * u[0].clone() + magnitude(&u[1]) <= ratio(0, 1);
     let meets = |u: &Plane| match reading {
         Reading::Recorded => printed(u),
-        Reading::Control => in_dual(u, &mu),
+        Reading::Control(_) => in_dual(u, &mu),
     };
     // velocity and impulse of a relaxed step of a unit point at φ = 0
     let step = |free: Plane| -> Result<(Plane, Plane)> {

@@ -1,10 +1,8 @@
 //! What Drake calls gliding.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::creep::Creeping;
 use crate::claims::experiments::drake::{MATERIAL, facts, lift, predicted_lift};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::tolerance::claims::drake as tolerance;
 use crate::tolerance::claims::pathology::{AT_REST, creep};
 
@@ -22,7 +20,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         it. Under kLagged a block at rest creeps (its friction is regularised), and a slide at 0.7 instead of 0.2 m/s, μ = 0.3, is lifted \
         by nothing: so what is documented is the lift and not the creep. Under kSap with τ = 5 ms the same slide is lifted by 1.35 mm at \
         h = 4 ms and 0.9 mm at 1 ms, a ratio of 2/3 and not 1/4; the creep at rest halves with h.",
-    control: "The lift of a slide in place of the creep at rest: under kLagged there is none, as the documentation says of gliding.",
+    controls: &["The lift of a slide in place of the creep at rest: under kLagged there is none, as the documentation says of gliding."],
     sources: &[
         "chapter §5, the price of the relaxation",
         "Drake 1.51.1, documentation of DiscreteContactApproximation (references/facts/drake.json)",
@@ -38,7 +36,7 @@ fn gliding(reading: Reading) -> Result<Vec<Finding>> {
     // what is said to glide under kLagged: its amount, and the rounding it is known to
     let (amount, bound) = match reading {
         Reading::Recorded => (Creeping::Regularised.stepped(0.004)?, creep(0.0)),
-        Reading::Control => (lift("drake-lagged", 0.004)?, settled(0.004)),
+        Reading::Control(_) => (lift("drake-lagged", 0.004)?, settled(0.004)),
     };
     Ok(vec![
         Finding::decision("documented: kSap and kSimilar glide", facts.gliding_of == "kSap and kSimilar", true),

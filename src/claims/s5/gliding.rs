@@ -1,11 +1,8 @@
 //! Claims of §5 on the price of the relaxation: creep where a block should stick, and what really happens.
 
 use super::planar_step::{Block, magnitude};
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::problem::Law;
-use crate::scalar::{Rational, ratio};
-use crate::{Error, Result};
 
 /// The claims of this file.
 pub(super) const CLAIMS: &[Claim] = &[
@@ -30,7 +27,7 @@ pub(super) const CLAIMS: &[Claim] = &[
                    Sliding (μ = 1/2, started at φ = μ h v_t): complementarity puts u + (φ/h) n on the boundary of K*, φ + h v_n = μ h \
                    |v_t|, and \
                    φ/(μ h v_t) = 1 after every step.",
-        control: "The same block with the tangential softness R_t = 1/1000 kg⁻¹ of a regularised scheme, which does creep.",
+        controls: &["The same block with the tangential softness R_t = 1/1000 kg⁻¹ of a regularised scheme, which does creep."],
         sources: &["chapter §5, the price of convexity", "KKT conditions of the convex step"],
         check: no_creep,
     },
@@ -48,7 +45,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             y_t = u_t + R_t r_t vanishes, so u_t = −R_t r_t whatever r_n is, as long as |r_t| ≤ μ r_n. In 20 exact steps \
             from rest: pressing twice as hard (g_n 8 → 16 m/s²) changes the speed by the factor 1, pulling twice \
             as hard along the slope (g_t 3 → 6 m/s²) by the factor 2. (A heavier block does both at once.)",
-        control: "A block with R_t = 1/1000, whose whole weight is doubled: its creep is twice as fast.",
+        controls: &["A block with R_t = 1/1000, whose whole weight is doubled: its creep is twice as fast."],
         sources: &["chapter §5, the price of convexity"],
         check: creep_follows_the_tangential_load,
     },
@@ -70,7 +67,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             level ground without gravity becomes v_t = 1/(1+μ²) = 4/5 and v_n = μ/(1+μ²) = 2/5. The leak needs the sign as printed: the \
             set μ n·v + |v_t| ≤ 0 contains the velocity (−9/50, 3/50) of the free motion into the slope and lets it pass. (One mistake, \
             counted at S5.relaxed-constraint.)",
-        control: "The printed set: the velocity it leaves to either block is its free one, because the set contains it.",
+        controls: &["The printed set: the velocity it leaves to either block is its free one, because the set contains it."],
         sources: &["chapter §5, the price of convexity and exercise 2"],
         check: no_leak,
     },
@@ -89,7 +86,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             = 2 give the same creep, \
                    because u_t⁺ = (u_t + h g_t)·R_t/(1 + R_t) contains no μ. The gap of a hard slide is φ = μ h v_t: 1/2 and 1/4 of h v_t \
                    for μ = 1/2 and μ = 1/4.",
-        control: "The same block with R_t = 1/1000 in place of the hard relaxation: it slips.",
+        controls: &["The same block with R_t = 1/1000 in place of the hard relaxation: it slips."],
         sources: &["chapter §5, pitfalls and exercise 2"],
         check: proportional_to_h,
     },
@@ -177,7 +174,7 @@ fn no_leak(reading: Reading) -> Result<Vec<Finding>> {
 
 /// v_t after one step under the relaxation; or under the printed set, which leaves a velocity that it contains as it is.
 fn slip(reading: Reading, mut block: Block, h: &Rational) -> Result<Rational> {
-    if reading == Reading::Recorded {
+    if !reading.is_control() {
         block.step(h)?;
         return Ok(block.velocity[1].clone());
     }

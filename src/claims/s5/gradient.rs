@@ -1,14 +1,10 @@
 //! Claims of §5 on the projected gradient iterations.
 
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::cones::second_order;
 use crate::problem::{ContactProblem, Law};
-use crate::scalar::{Rational, ratio};
 use crate::solvers::{AcceleratedProjectedGradient, ContactSolver, LemkePivoting, Momentum, largest_eigenvalue_bound, objective};
 use crate::tolerance;
-use nalgebra::{DMatrix, DVector};
 
 /// The claims of this file.
 pub(super) const CLAIMS: &[Claim] = &[
@@ -24,7 +20,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         argument: "Inside the cone the error is multiplied by I − ηN, whose factor along the largest eigenvalue L = ‖N‖ is 1 − ηL. N = (2, \
             −1; −1, 2), L = 3, r = (−1, −1), solution (1, 1): an error of 1/100 along (1, −1) is after ten exact steps 0 for \
                    η = 1/L, (9/10)¹⁰ of itself for η = 1.9/L and (11/10)¹⁰ for η = 2.1/L.",
-        control: "η = 2.1/‖N‖ in place of 1/‖N‖.",
+        controls: &["η = 2.1/‖N‖ in place of 1/‖N‖."],
         sources: &["chapter §5, APGD iteration"],
         check: step_length,
     },
@@ -40,7 +36,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         argument: "Beck and Teboulle's bounds, asserted at each of the first 300 iterations of a row of 40 pressed masses (N tridiagonal \
             2, −1, condition number about 680, R² ≈ 13, r* from Lemke). With N = I both end after one iteration, so no exponent describes \
             them.",
-        control: "The plain iteration held against the accelerated bound, which it breaks.",
+        controls: &["The plain iteration held against the accelerated bound, which it breaks."],
         sources: &[
             "chapter §5, APGD",
             "Beck and Teboulle, A fast iterative shrinkage-thresholding algorithm (2009), bounds of both methods",
@@ -60,7 +56,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         argument: "A fixed-step implementation that counts its products uses 50 in 50 iterations and reproduces the iterates of the \
             library's solver. Doubling the contacts from 32 to 64 multiplies the non-zeros of D by 2; of the assembled N \
             by 4 if all contacts touch one body.",
-        control: "Every contact on a body of its own: the non-zeros of N grow as those of D.",
+        controls: &["Every contact on a body of its own: the non-zeros of N grow as those of D."],
         sources: &["chapter §5, APGD iteration"],
         check: products,
     },
@@ -185,7 +181,7 @@ fn products(reading: Reading) -> Result<Vec<Finding>> {
     let of_its_own = |contacts: usize| DMatrix::from_fn(contacts, contacts, |k, j| ratio(i64::from(k == j), 1));
     let transposed = |contacts: usize| match reading {
         Reading::Recorded => one_body(contacts),
-        Reading::Control => of_its_own(contacts),
+        Reading::Control(_) => of_its_own(contacts),
     };
     let growth = |of: &dyn Fn(usize) -> i64| ratio(of(64), of(32));
     Ok(vec![

@@ -1,9 +1,8 @@
 //! §5, who wrote and who uses what: papers, simulators, and what scales.
 
 use super::gradient::{grown, pressed_row};
-use crate::checks::Finding;
 use crate::claims::experiments::siconos::Facts;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::mechanics::{Plane, PointMass, State};
 use crate::problem::{Law, Lcp};
 use crate::schemes::{SchemeParameters, assembled, by_name};
@@ -11,8 +10,6 @@ use crate::solvers::Momentum;
 use crate::solvers::lemke::{LemkeOutcome, lemke};
 use crate::stored::{RUNS, read_by};
 use crate::trajectory::Trajectory;
-use crate::{Error, Result};
-use nalgebra::{DMatrix, DVector, dvector};
 
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
@@ -26,7 +23,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         argument: "Volume, year and page as two others cite the paper: the documentation of Drake's contact models \
             (multibody/plant/contact_model_doxygen.h) and the contact kernel of waLBerla (HCSITSRelaxationStep.h). The DOI carries neither \
             volume nor page.",
-        control: "Page 131, two digits exchanged.",
+        controls: &["Page 131, two digits exchanged."],
         sources: &["chapter §5, and the list of papers at its end", "doi:10.1007/s10107-005-0590-7"],
         check: journal,
     },
@@ -42,7 +39,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             in Chrono is so.",
         argument: "A contractive mapping never moves away from the solution; were APGD the iteration of that paper, it would be one. On a \
             row of 40 pressed masses the plain projected gradient does not move away in 300 iterations; with Nesterov's momentum it does.",
-        control: "The plain iteration in place of the accelerated one.",
+        controls: &["The plain iteration in place of the accelerated one."],
         sources: &[
             "chapter §5, APGD; list of papers",
             "Tasora and Anitescu, A matrix-free cone complementarity approach (2011), abstract; Mazhar et al., ACM Trans. Graph. 34 \
@@ -63,7 +60,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             from 0.3 s to 0.9 s of the stored run, to 0.2 %, and under kLagged not at all. Chrono's source has the cone complementarity \
             problem (S10.chrono-row). The pinned Siconos has, among its solvers for friction, FRICTION_3D_SOCLCP, over second-order \
             cones, and FRICTION_3D_GAMS_LCP_PATH, over polyhedral ones.",
-        control: "Drake's stored run under kLagged in place of kSap.",
+        controls: &["Drake's stored run under kLagged in place of kSap."],
         sources: &[
             "chapter §5, table of cones",
             "Drake 1.51.1 (references/drake/block_slide__sap__h0.001.json and its kLagged counterpart)",
@@ -83,7 +80,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             which at 10⁵ contacts does not fit.",
         argument: "A pressed row of 40 masses takes about twice as many pivots as one of 20. Stewart–Trinkle with four directions has 6 \
             unknowns per contact: at 10⁵ contacts a tableau of 3.6·10¹¹ entries, 2.9·10¹² bytes.",
-        control: "Masses that do not touch each other: the number of pivots does not grow.",
+        controls: &["Masses that do not touch each other: the number of pivots does not grow."],
         sources: &["chapter §5, motivation"],
         check: pivots,
     },

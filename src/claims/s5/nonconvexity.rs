@@ -1,17 +1,14 @@
 //! Claims of §5 on what the relaxation buys: convex solution sets, uniqueness, derivatives, and its independence of the shape of the cone.
 
 use super::planar_step::{PlanarStep, box_on_two_corners, painleve_rod};
-use crate::Result;
 use crate::certificate::residuals;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::problem::{ContactProblem, Law, Lcp};
-use crate::scalar::{Rational, exact, ratio};
+use crate::scalar::exact;
 use crate::solvers::enumeration::all_solutions;
 use crate::solvers::lemke::solution;
 use crate::solvers::{Auto, ContactSolver};
 use crate::tolerance;
-use nalgebra::{DMatrix, DVector};
 
 /// The claims of this file.
 pub(super) const CLAIMS: &[Claim] = &[
@@ -26,7 +23,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         argument: "Painlevé's rod (W = (73, −36; −36, 52)/25, μ = 3 > 73/36, free velocity (1/10, −1)): enumeration of all complementary \
             cones gives exactly three isolated solutions, r = 0, the sliding jam r = (1/14, 3/14) and \
                    the sticking jam r = (77/250, 347/500). Their pairwise midpoints are not solutions.",
-        control: "The same rod with μ = 1 < 73/36, where the solution is unique.",
+        controls: &["The same rod with μ = 1 < 73/36, where the solution is unique."],
         sources: &["chapter §5, why the original problem is not convex", "enumeration of the Stewart–Trinkle LCP"],
         check: three_solutions,
     },
@@ -41,7 +38,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             definite, and uniqueness does not make the relaxed answer the right one.",
         argument: "Painlevé's rod with μ = 3: the Stewart–Trinkle LCP has three solutions, the convex step one. On two sticking corners of \
             a box the convex step has infinitely many impulses with one velocity.",
-        control: "The rod in place of the box: its convex step has one impulse.",
+        controls: &["The rod in place of the box: its convex step has one impulse."],
         sources: &["chapter §5, pitfalls", "enumeration of both LCPs"],
         check: uniqueness,
     },
@@ -57,7 +54,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             convex.",
         argument: "The midpoint of two solutions of the rod's Stewart–Trinkle LCP is not a solution. Minimisers of a convex program form a \
             convex set: the midpoint of two different optimal impulses of the sticking box is optimal.",
-        control: "The rod's LCP in the place of the relaxed problem: its midpoint would have to be a solution.",
+        controls: &["The rod's LCP in the place of the relaxed problem: its midpoint would have to be a solution."],
         sources: &["chapter §5, pitfalls"],
         check: midpoints,
     },
@@ -75,7 +72,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             are solved and certified. Round and polyhedral (d = 4) Coulomb keep u_n = 0, both relaxed laws lift off. \
                    The friction of the round cone opposes sliding, that of the polyhedral one points along a direction 22.5° beside it, \
                    relaxed or not.",
-        control: "Coulomb's laws in the place of the relaxed ones: nothing lifts off.",
+        controls: &["Coulomb's laws in the place of the relaxed ones: nothing lifts off."],
         sources: &["chapter §5, two orthogonal approximations"],
         check: four_combinations,
     },
@@ -95,7 +92,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             differ in differentiability. 0 ≤ z ⟂ 2z + θ ≥ 0 (Lemke) and min z² + θz over z ≥ 0 (projection of the unconstrained minimiser) \
             both have the slopes −1/2 for θ < 0 and 0 for θ > 0; \
                    §6 itself calls the convex problem only subdifferentiable at the boundary of the cone.",
-        control: "The solution away from the change of the active set (at θ = −1): neither passage gives it a kink.",
+        controls: &["The solution away from the change of the active set (at θ = −1): neither passage gives it a kink."],
         sources: &["chapter §5, convexity and differentiable contact", "chapter §3, QP form of the normal LCP", "chapter §6"],
         check: same_kink,
     },
@@ -167,7 +164,7 @@ fn midpoints(reading: Reading) -> Result<Vec<Finding>> {
     let [one, other] = sticking_pair(&resting)?;
     let relaxed = match reading {
         Reading::Recorded => resting.is_cone_complementary(&midpoint(&one, &other)),
-        Reading::Control => polyhedral,
+        Reading::Control(_) => polyhedral,
     };
     Ok(vec![
         Finding::decision("the midpoint of two relaxed solutions is one", relaxed, true),

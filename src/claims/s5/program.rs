@@ -1,13 +1,9 @@
 //! Claims of §5 on the convex program of one step: its form, its optimality conditions and the uniqueness of its solution.
 
 use super::planar_step::{PlanarStep, box_on_two_corners};
-use crate::Result;
 use crate::certificate::definiteness::{Definiteness, definiteness};
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::problem::Law;
-use crate::scalar::{Rational, ratio};
-use nalgebra::{DMatrix, DVector};
 
 /// The claims of this file.
 pub(super) const CLAIMS: &[Claim] = &[
@@ -24,7 +20,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         argument: "N = DᵀM⁻¹D is positive semidefinite, and xᵀNx = 0 exactly for Dx = 0. A box on two corners has 4 contact rows and 3 \
             velocities: LDLᵀ over the rationals gives rank \
                    3 and a kernel vector k with Nk = 0. A single corner has N positive definite.",
-        control: "One corner instead of two, for which N is positive definite.",
+        controls: &["One corner instead of two, for which N is positive definite."],
         sources: &["chapter §5, steps 3 and 5 of the construction"],
         check: strictness,
     },
@@ -42,7 +38,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         argument: "A point of unit mass with columns (n, t): N = I, definite. With columns (n, d, −d): N = (1,0,0; 0,1,−1; 0,−1,1), which \
             has the kernel (0,1,1): adding the same amount to both \
                    opposite impulses changes nothing.",
-        control: "Columns (n, t) fed in place of the symmetric direction set.",
+        controls: &["Columns (n, t) fed in place of the symmetric direction set."],
         sources: &["chapter §4, construction of the polyhedral cone", "chapter §5, steps 1 and 5"],
         check: symmetric_directions_are_dependent,
     },
@@ -62,7 +58,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             inside is an open condition on the load. Checked exactly for 15 loads between −7/20 and 7/20 m/s along the ground: under none \
             of them is γ alone optimal among γ, γ ± k/20, and all that are optimal give the same v⁺. The text says “usually”; under no \
             load that the box bears at rest is it so. A proximal term I/1000 makes N definite.",
-        control: "A single contact, where the same shift of the tangential impulse is no longer a solution.",
+        controls: &["A single contact, where the same shift of the tangential impulse is no longer a solution."],
         sources: &["chapter §5, step 5"],
         check: many_optimal_impulses,
     },
@@ -77,7 +73,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             where the contact pushes without sliding.",
         argument: "φ⁺ = φ + h n·v⁺ = h (n·v⁺ + φ/h). A ball 1/250 m above the ground falling at 1 m/s (h = 1/100) lands at φ⁺ = 0 exactly, \
             with n·v⁺ = −2/5.",
-        control: "The constraint without the gap term, n·v ≥ 0, which stops the ball in the air.",
+        controls: &["The constraint without the gap term, n·v ≥ 0, which stops the ball in the air."],
         sources: &["chapter §5, step 2 of the construction"],
         check: gap_term,
     },
@@ -93,7 +89,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             rows.",
         argument: "Expand ½(v_free + M⁻¹Dγ)ᵀM(v_free + M⁻¹Dγ). Checked as an identity of rationals on 12 impulses of a box on two corners \
             with gaps 1/7 and 2/7 m/s.",
-        control: "r without the gap term.",
+        controls: &["r without the gap term."],
         sources: &["chapter §5, step 3 and exercise 1"],
         check: elimination,
     },
@@ -110,7 +106,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             and then y·x ≥ 0 on K is y ∈ K*. Conversely \
                    f(x) − f(γ) = y·(x−γ) + ½‖x−γ‖²_N ≥ 0. Checked exactly for a sliding box: the answer is cone complementary, and none of \
                    the 81 cone points of a grid around it has a smaller objective.",
-        control: "Coulomb's answer to the same step: it satisfies another complementarity and is not optimal.",
+        controls: &["Coulomb's answer to the same step: it satisfies another complementarity and is not optimal."],
         sources: &["chapter §5, step 4", "first-order optimality over a convex cone"],
         check: optimality,
     },
@@ -127,7 +123,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             loads on a box, ‖Δv⁺‖²_M ≤ ‖Δv_free‖²_M exactly. Without Slater continuity fails: \
                    constraints v_y ≥ 0 and εv_x − v_y ≥ 0 and v_free = (−1, 0) give v⁺ = (−1, 0) at ε = 0 but v⁺ = (0, 0) for every ε > 0 \
                    (ε = 10⁻³, 10⁻⁶, 10⁻⁹: distance 1).",
-        control: "The second constraint as εv_x + v_y ≥ 0, which leaves the cone pointed: the solution moves by O(ε) only.",
+        controls: &["The second constraint as εv_x + v_y ≥ 0, which leaves the cone pointed: the solution moves by O(ε) only."],
         sources: &["chapter §5, motivation", "non-expansiveness of projections on convex sets"],
         check: continuity,
     },

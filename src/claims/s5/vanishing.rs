@@ -1,12 +1,8 @@
 //! Claims of §5 on h → 0: what vanishes, what does not, and what the relaxation converges to.
 
 use super::planar_step::Block;
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::problem::Law;
-use crate::scalar::{Rational, ratio};
-use nalgebra::DVector;
 
 /// The claims of this file.
 pub(super) const CLAIMS: &[Claim] = &[
@@ -25,7 +21,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             follows. With μ = 1/2, V = 1 m/s, g = 10 m/s² the gap rises to at least 1/125 m = 8 mm for h = 1/100 and for h = 1/1000 \
                    (exact steps; the limit is exactly 8 mm), while Coulomb's step stays at φ = 0. Started at φ = μhV the gap never exceeds \
                    μhV.",
-        control: "The compatible start φ = μhV in place of φ = 0.",
+        controls: &["The compatible start φ = μhV in place of φ = 0."],
         sources: &["chapter §5, convergence theorem and pitfalls", "exact steps of the convex program"],
         check: hop,
     },
@@ -44,7 +40,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             All gaps are non-negative and all impulses in the cone, which is what the weak inclusion asks. Coulomb's law with e = 0, which \
             the text calls the correct physics, asks v_n = 0; from the gap μ h V the limit is 0. The paper itself was not read; \
             the statement is judged as printed here.",
-        control: "Coulomb's step in place of the relaxed one: its limit is v_n = 0.",
+        controls: &["Coulomb's step in place of the relaxed one: its limit is v_n = 0."],
         sources: &["chapter §5, convergence theorem"],
         check: weak_limit,
     },

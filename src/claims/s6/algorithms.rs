@@ -1,11 +1,9 @@
 //! The three algorithms on one problem: Newton, conjugate gradients, and sweeps along rays and discs; MuJoCo's iterates from our formulas.
 
-use crate::Result;
 use crate::certificate::residuals;
-use crate::checks::Finding;
 use crate::claims::experiments::mujoco::{facts, sliding_block};
 use crate::claims::experiments::soft_stack::{self, STEP};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::mechanics::spatial::{Shape, SpatialBody};
 use crate::mechanics::{Plane, SpatialBodies, State};
 use crate::problem::ContactProblem;
@@ -14,7 +12,6 @@ use crate::schemes::{Activation, Anitescu, MoreauJean, StewartTrinkle, Waist, as
 use crate::solvers::gauss::{GaussProgram, Minimiser, SoftPiece};
 use crate::solvers::{ContactSolver, Direction, GaussConjugateGradient, GaussNewton, GaussSweeps};
 use crate::tolerance::claims::soft::{COUNTED, FEW, INDISTINGUISHABLE, ITERATES, LOW, SAME_LEVER, SOLVED, TOUCH};
-use nalgebra::{DMatrix, DVector, dvector};
 
 const SOURCE: &str = "MuJoCo documentation, Computation: solver algorithms (3.17)";
 
@@ -30,7 +27,7 @@ pub const CLAIMS: &[Claim] = &[
             and SAP's in Drake, minimise over velocities and never form W; what they find is the same.",
         argument: "One ball in touch with the floor: Moreau–Jean, Stewart–Trinkle, Anitescu and MuJoCo assemble the same W. The stored \
             sliding block: Newton on M, J and b alone and sweeps on W + R give the same impulses.",
-        control: "A + R in place of A for MuJoCo.",
+        controls: &["A + R in place of A for MuJoCo."],
         sources: &["chapter §6, step 3", SOURCE],
         check: primal_and_dual,
     },
@@ -46,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The change log puts Hager and Zhang's direction into 3.10.0, and 3.17.0 is stored. Its accelerations after 1 to 5 \
             iterations of CG from free motion, exact line search, sliding block, both cones: both formulas reproduce them to 1e-9 of their \
             size. Steepest descent does not.",
-        control: "Release 3.9.0.",
+        controls: &["Release 3.9.0."],
         sources: &["chapter §6, table of solvers", "MuJoCo change log, 3.10.0, item 6 (commit 828052e6)", "references/facts/mujoco.json"],
         check: conjugate_directions,
     },
@@ -61,7 +58,7 @@ pub const CLAIMS: &[Claim] = &[
             the direction of slip. The derivatives are analytic in both cases.",
         argument: "Second derivative of the cost of one contact along t₂ at two points of the same zone: equal to the last bit for a \
             one-sided row, different for a slipping cone.",
-        control: "The one-sided row in place of the cone.",
+        controls: &["The one-sided row in place of the cone."],
         sources: &["chapter §6, table of solvers", SOURCE],
         check: piecewise_quadratic,
     },
@@ -76,7 +73,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated.",
         argument: "That MuJoCo does it is read from its source (engine_solver.c, solPGS). That the two substeps suffice is shown by ours: \
             from zero to the optimum of the stored sliding block, by the certificate; one sweep does not get there.",
-        control: "One sweep.",
+        controls: &["One sweep."],
         sources: &["chapter §6, table of solvers", SOURCE],
         check: rays_and_discs,
     },
@@ -90,7 +87,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated, of the models measured here.",
         argument: "Our own Newton from free motion on stacks of 3 and 10 boxes, mass ratios 1 and 2, both cones: five to nine steps to a \
             relative gradient of 1e-10, where conjugate gradients take 112 to 274.",
-        control: "Conjugate gradients.",
+        controls: &["Conjugate gradients."],
         sources: &["chapter §6, table of solvers", SOURCE],
         check: few_iterations,
     },
@@ -105,7 +102,7 @@ pub const CLAIMS: &[Claim] = &[
             learns of its top through the boxes between, and ten sweeps from zero leave a visible part of the forces missing.",
         argument: "Change of velocity after ten sweeps from zero against Newton's, in the norm of M: 14 % of it is wrong in a stack of ten \
             boxes, 16 % with mass ratio 2, 0.24 % for a single box. One per cent counts as a difference.",
-        control: "Five thousand sweeps.",
+        controls: &["Five thousand sweeps."],
         sources: &["chapter §6, table of solvers", SOURCE],
         check: ten_sweeps,
     },
@@ -121,7 +118,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Multiplications until the change of velocity is right to a tenth and to 1e-6, counted from iterations, rows n and \
             velocities n_v: n²n_v once and n²/2 per sweep for PGS, n n_v² + n_v³/3 per Newton step, 2n n_v + n_v² per step of CG. A stack \
             of ten boxes costs PGS more than twice what CG needs, a single ball less.",
-        control: "The ball in place of the stack.",
+        controls: &["The ball in place of the stack."],
         sources: &["chapter §6, pitfall on solvers", SOURCE],
         check: work,
     },
@@ -135,7 +132,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated, for one step's problem: it is strictly convex. (The post-processing `noslip` is not part of it.)",
         argument: "Newton, conjugate gradients and sweeps on a stack of three: the same impulses once each is at rest, different ones \
             after ten sweeps.",
-        control: "Ten sweeps.",
+        controls: &["Ten sweeps."],
         sources: &["chapter §6, pitfall on solvers", SOURCE],
         check: solver_dependence,
     },
@@ -207,7 +204,7 @@ fn direction_of(release: &str) -> Direction {
 fn conjugate_directions(reading: Reading) -> Result<Vec<Finding>> {
     let release = match reading {
         Reading::Recorded => facts()?.text(&["version"]),
-        Reading::Control => "3.9.0".into(),
+        Reading::Control(_) => "3.9.0".into(),
     };
     let printed = direction_of(&release) == Direction::PolakRibierePlus;
     let mut findings = vec![
@@ -277,7 +274,7 @@ fn few_iterations(reading: Reading) -> Result<Vec<Finding>> {
             let start = DVector::zeros(program.velocities());
             let Minimiser { change, impulse, iterations, .. } = match reading {
                 Reading::Recorded => GaussNewton { tolerance: SOLVED, ..GaussNewton::default() }.minimise(&program, start)?,
-                Reading::Control => {
+                Reading::Control(_) => {
                     GaussConjugateGradient { tolerance: SOLVED, ..GaussConjugateGradient::default() }.minimise(&program, start)
                 }
             };
@@ -350,7 +347,7 @@ fn work(reading: Reading) -> Result<Vec<Finding>> {
     let ball = soft_stack::ball(Cone::Elliptic)?;
     let stack = match reading {
         Reading::Recorded => soft_stack::problem(10, 1.0, Cone::Pyramidal)?,
-        Reading::Control => ball.clone(),
+        Reading::Control(_) => ball.clone(),
     };
     let mut findings = Vec::new();
     for accuracy in [LOW, COUNTED] {

@@ -1,9 +1,6 @@
 //! The two friction cones as sets of forces.
 
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
-use crate::scalar::{Rational, Scalar, ratio};
+use crate::claims::prelude::*;
 
 const MODEL: &str = "MuJoCo documentation, Computation: friction cones (3.17)";
 
@@ -20,7 +17,7 @@ pub const CLAIMS: &[Claim] = &[
             sliding coefficients are equal, as by default; torsion and rolling need condim 4 and 6.",
         argument: "μ = (1/2, 1/2): the forces 1/2 (3/5, 4/5) and 1/2 (1, 0) per unit of normal force are both on the boundary. μ = (1, \
             1/2): (4/5, 0) inside, (0, 4/5) outside, where an isotropic cone has both or none. In rationals.",
-        control: "μ = (1, 1) in place of (1, 1/2).",
+        controls: &["μ = (1, 1) in place of (1, 1/2)."],
         sources: &["chapter §6, step 4", MODEL],
         check: elliptic,
     },
@@ -36,7 +33,7 @@ pub const CLAIMS: &[Claim] = &[
             the axes. Whether it is faster is the matter of S6.pyr-faster.",
         argument: "Edges (1, ±μ, 0), (1, 0, ±μ), μ = 1, all forces of a grid of edge forces with sum 1: along an axis 1 is reached, along \
             the diagonal (1/2, 1/2) and no more, a squared strength of 1/2; all have |t₁| + |t₂| ≤ 1.",
-        control: "Edges along (±3/5, ±4/5) in place of the axes.",
+        controls: &["Edges along (±3/5, ±4/5) in place of the axes."],
         sources: &["chapter §6, step 4", MODEL],
         check: pyramidal,
     },

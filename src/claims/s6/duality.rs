@@ -1,17 +1,13 @@
 //! Gauss' principle, the primal and the dual problem, and uniqueness, in rationals.
 
 use super::program::{Program, Row};
-use crate::Result;
 use crate::certificate::definiteness::{Definiteness, definiteness};
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::soft_row::SoftRow;
 use crate::elimination::solve;
-use crate::scalar::{Rational, ratio};
 use crate::tolerance::claims::soft::two_contacts;
-use crate::{Error, problem::Compliance, problem::ContactProblem, problem::Coordinates, problem::Law};
+use crate::{problem::Compliance, problem::ContactProblem, problem::Coordinates, problem::Law};
 use crate::{scalar::Scalar, solvers::ClarabelPolished, solvers::ContactSolver};
-use nalgebra::{DMatrix, DVector};
 
 const MODEL: &str = "MuJoCo documentation, Computation: constraint model (3.17)";
 
@@ -27,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated, for constraints J x = b that do no work.",
         argument: "Three coupled coordinates, one constraint: the minimiser by Newton's equations M x = M a₀ + Jᵀf with J x = b. Every \
             other admissible x + n, J n = 0, deviates by exactly ½ nᵀM n more, in rationals.",
-        control: "The Euclidean norm in place of that of M.",
+        controls: &["The Euclidean norm in place of that of M."],
         sources: &["chapter §6, Gauss' principle and step 1", "Udwadia and Kalaba, A new perspective on constrained motion (1992)"],
         check: gauss,
     },
@@ -43,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Two-sided row, friction loss at its bound and two contacts, one of them open, on three coordinates: the accelerations \
             of the enumerated optimal forces show these forces again, and P rises in all 26 directions of the unit cube around them. In \
             rationals.",
-        control: "The forces from twice the regularisation.",
+        controls: &["The forces from twice the regularisation."],
         sources: &["chapter §6, step 1", MODEL],
         check: primal,
     },
@@ -57,7 +53,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated; the minima of the primal and the dual problem add up to zero.",
         argument: "The same problem: P(x) + D(f) = 0 exactly at the enumerated optimum, and positive at every other of 81 admissible \
             forces tried. Its two contacts alone, solved by Clarabel, have the impulses that enumeration finds.",
-        control: "D without R.",
+        controls: &["D without R."],
         sources: &["chapter §6, step 2", MODEL],
         check: dual,
     },
@@ -72,7 +68,7 @@ pub const CLAIMS: &[Claim] = &[
             differentiable once. Its dual is the box |f| ≤ η.",
         argument: "η = 2 N, R = 1/2 1/kg: force ∓2 N beyond |y| = 1, where the two pieces have the same value 1 and slope 2; penalty 199 \
             at y = 100. In the mixed problem the row with friction loss is at its bound.",
-        control: "The quadratic without the linear part.",
+        controls: &["The quadratic without the linear part."],
         sources: &["chapter §6, step 1", "Huber, Robust estimation of a location parameter (1964)"],
         check: huber,
     },
@@ -87,7 +83,7 @@ pub const CLAIMS: &[Claim] = &[
             with it.",
         argument: "The same problem, row by row in rationals: equality on the two-sided row and the closed contact, a difference on the \
             open contact and on the row with friction loss, whose bound is reached.",
-        control: "Twice the regularisation in R f.",
+        controls: &["Twice the regularisation in R f."],
         sources: &["chapter §6, step 3", MODEL],
         check: deformation,
     },
@@ -102,7 +98,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated.",
         argument: "Four corners of a box, normal rows: A has rank 3, and two different sets of forces give the same accelerations. A + R \
             with R = 1/9 is definite, and enumeration finds one optimum, 81/37 N on each corner. All decided in rationals.",
-        control: "R = 0.",
+        controls: &["R = 0."],
         sources: &["chapter §6, step 2", MODEL],
         check: four_corners,
     },
@@ -115,7 +111,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "As stated: with R diagonal f = −s′(J x − a_ref) row by row, and M x − Jᵀf is the applied force.",
         argument: "The mixed problem forwards by enumeration and back by the formula: forces and M a₀ come out exactly.",
-        control: "The forces without their bounds.",
+        controls: &["The forces without their bounds."],
         sources: &["chapter §6, bridge", "Todorov, Convex and analytically-invertible dynamics (2014)"],
         check: inverse,
     },
@@ -131,7 +127,7 @@ pub const CLAIMS: &[Claim] = &[
             reversal (S6.time-reversible).",
         argument: "One row of 1 kg at d = 0.9: loads of 5, 20 and 50 N have three accelerations; ∂τ/∂a = 10 and 10000 kg at d = 0.9 and \
             0.9999. With R = 0 all loads have the acceleration a_ref. The round trip of S6.inverse-closed-form is exact.",
-        control: "The hard row, R = 0.",
+        controls: &["The hard row, R = 0."],
         sources: &["chapter §6, history", "Todorov, Convex and analytically-invertible dynamics (2014)"],
         check: invertible,
     },
@@ -298,7 +294,7 @@ fn inverse(reading: Reading) -> Result<Vec<Finding>> {
     let force = optimum(&program)?;
     let acceleration = program.acceleration(&force);
     let mut shown = program.clone();
-    if reading == Reading::Control {
+    if reading.is_control() {
         shown.rows = vec![Row::TwoSided; 4];
     }
     let found = shown.inverse(&acceleration);

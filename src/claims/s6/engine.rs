@@ -1,15 +1,11 @@
 //! What MuJoCo 3.17.0 has and does, as stored: integrators, solvers, the reference frame of its accelerations.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::mujoco::facts;
 use crate::claims::experiments::stored::{Faller, update_residuals};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::integrators::stability::invariants;
-use crate::scalar::{Rational, ratio};
 use crate::tolerance::claims::integrators::FALL;
 use crate::tolerance::claims::soft::{CHANGED, COMPUTED, SAME_OPTIMUM};
-use nalgebra::DMatrix;
 
 const STORED: &str = "MuJoCo 3.17.0, asked by scripts/generate_references.py, answers in references/facts/mujoco.json";
 
@@ -25,7 +21,7 @@ pub const CLAIMS: &[Claim] = &[
             The integrator `discrete` of newer versions solves for the step itself.",
         argument: "The acceleration of a sliding block does not change to the last bit when h is halved under Euler (timeconst above 2h), \
             and changes by 0.32 under discrete.",
-        control: "discrete in place of Euler.",
+        controls: &["discrete in place of Euler."],
         sources: &["chapter §6, philosophy", STORED],
         check: continuous_time,
     },
@@ -40,7 +36,7 @@ pub const CLAIMS: &[Claim] = &[
             − a_ref.",
         argument: "A box with one corner 1 mm in the floor, turning at 5 rad/s: J̇v of the normal row and of one tangent, by differences, \
             is 3.28 and 0.66 m/s²; efc_b − J a_smooth + a_ref is 0. On the tangent along the spin axis J̇v is 0 as well.",
-        control: "The row along the spin axis, whose J̇v is 0, in place of the other two.",
+        controls: &["The row along the spin axis, whose J̇v is 0, in place of the other two."],
         sources: &["chapter §6, step 2", STORED],
         check: omitted_rate,
     },
@@ -54,7 +50,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated. That updates are incremental is a matter of the source code and does not show in results.",
         argument: "opt.solver of an empty model is Newton. On a stack of three that slides and turns, elliptic, our own Newton goes from a \
             relative gradient of 1e-2 to 1e-10 in at most three steps, conjugate gradients need more.",
-        control: "Conjugate gradients in place of Newton.",
+        controls: &["Conjugate gradients in place of Newton."],
         sources: &["chapter §6, table of solvers", STORED],
         check: super::algorithms::second_order,
     },
@@ -68,7 +64,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated.",
         argument: "One state of a sliding block under 3 solvers, 2 cones and 2 Jacobians, run to the end: accelerations agree within a \
             cone to 3e-7 m/s² (PGS; the others to 1e-13), the two cones differ by more than 1 m/s².",
-        control: "The pyramid's acceleration in place of the elliptic one.",
+        controls: &["The pyramid's acceleration in place of the elliptic one."],
         sources: &["chapter §6, table of solvers", STORED],
         check: all_twelve,
     },
@@ -83,7 +79,7 @@ pub const CLAIMS: &[Claim] = &[
             are implicit. There are also implicit and, in newer versions, discrete.",
         argument: "integrator = 0 = Euler; implicitfast and RK4 are in the list. The stored fall has q⁺ − q − h v⁺ = 0. A mass of 1 kg at \
             1 m/s with a damper of 1000 N·s/m, h = 10 ms: Euler leaves 1/11 m/s, as v/(1 + hC/m).",
-        control: "RK4 in place of Euler.",
+        controls: &["RK4 in place of Euler."],
         sources: &["chapter §6, step 6", STORED],
         check: default_integrator,
     },
@@ -97,7 +93,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated; for the undamped spring up to hω = 2.",
         argument: "Stored fall: q⁺ − q − h v⁺ = 0 to rounding, with the old velocity it is g h². One step on a spring, hω = 1/2: |det| = 1 \
             and |trace| < 2 for the semi-implicit rule, det = 5/4 for the explicit one.",
-        control: "The explicit rule.",
+        controls: &["The explicit rule."],
         sources: &["chapter §6, step 6", "stored run of MuJoCo 3.17.0, Euler"],
         check: new_velocity,
     },
@@ -113,7 +109,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "1 kg at 1 m/s with a velocity servo of 1000 N·s/m, h = 10 ms: Euler gives −9 m/s, implicitfast 1/11. A torque-free top \
             on a ball joint gains the same energy under implicitfast as under Euler, 0.77 % in 1 s, where with the gyroscopic terms, under \
             implicit, it loses.",
-        control: "A top that floats freely.",
+        controls: &["A top that floats freely."],
         sources: &["chapter §6, step 6", STORED],
         check: implicit_fast,
     },

@@ -1,19 +1,17 @@
 //! `solimp`: the impedance curve, the regularisation it sets, and what a loaded contact does with it.
 
-use crate::checks::Finding;
 use crate::claims::experiments::mujoco::facts;
 use crate::claims::experiments::soft::{GRAVITY, default_contact, land, limited_contact};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::closed_forms::soft_impedance::SoftImpedance;
 use crate::closed_forms::soft_reference::SoftReference;
 use crate::closed_forms::soft_row::SoftRow;
-use crate::scalar::{Dual, Rational, ratio};
+use crate::scalar::Dual;
 use crate::stored::{RUNS, read};
 use crate::tolerance::claims::pathology::AT_REST;
 use crate::tolerance::closed_forms::PRINTED_DIGITS;
 use crate::tolerance::rounding;
-use crate::{Error, Result};
 use serde_json::Value;
 
 const CURVE: &str = "chapter §6, numerical example of solimp";
@@ -41,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The default curve rises from 9/10 to 19/20 and is 19/20 at 1 m too; solimp = (0, 1, …) gives 1/10000 and 9999/10000; \
             (95/100, 9/10, …) falls. In rationals. A d of [0, 1] counts as small below 1/2; tending to 1 counts as 999/1000 at a thousand \
             widths.",
-        control: "solimp = (0, 1, …) in place of the others.",
+        controls: &["solimp = (0, 1, …) in place of the others."],
         sources: &["chapter §6, step 3", PARAMETERS],
         check: range,
     },
@@ -58,7 +56,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "d at 0, 1/4, 1/2, 3/4 and 1 mm is 0.9, 0.90625, 0.925, 0.94375 and 0.95, in rationals. One-sided derivatives by dual \
             numbers: 0 and 0 at both ends, 100 1/m on both sides of the midpoint. The second derivative jumps there from 200000 to −200000 \
             1/m².",
-        control: "The straight line, power 1.",
+        controls: &["The straight line, power 1."],
         sources: &[CURVE, PARAMETERS],
         check: curve,
     },
@@ -72,7 +70,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated, read back from MuJoCo 3.17.0 in the stored step problems.",
         argument: "The five numbers are read from the stored answers of MuJoCo 3.17.0. What a ball at rest there shows, 3.671818e-4 m, is \
             the depth that they give with solref = (0.02, 1); power 1 would give another.",
-        control: "power 1.",
+        controls: &["power 1."],
         sources: &[CURVE, "stored step problem ball_rest, newton-elliptic, h = 1 ms (MuJoCo 3.17.0)"],
         check: default_parameters,
     },
@@ -89,7 +87,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "R d/((1−d) Â) = 1 on stored rows of MuJoCo 3.17.0: a ball 1 mm deep, d = 0.95, blocks that slide, d = 0.9002, and \
             stick, d = 0.9007, and one over pyramids; R itself differs. At the corner of a cube A = 4/m, so that with R = 1/9 the weight \
             of a_ref is 36/37, not 9/10.",
-        control: "The d of the surface, 9/10, in place of the d of the row.",
+        controls: &["The d of the surface, 9/10, in place of the d of the row."],
         sources: &[CURVE, MODEL, "stored step problems of MuJoCo 3.17.0"],
         check: regularisation,
     },
@@ -102,7 +100,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "In the formula. MuJoCo keeps d ≤ 0.9999, hence R ≥ Â/9999: there is always regularisation.",
         argument: "R/A = (1−d)/d is 1/9, 1/99, 1/999 at d = 0.9, 0.99, 0.999; with solimp = (1, 1, …) it is 1/9999 and not 0.",
-        control: "The formula at d = 1, without MuJoCo's limit.",
+        controls: &["The formula at d = 1, without MuJoCo's limit."],
         sources: &[CURVE, PARAMETERS],
         check: hard_limit,
     },
@@ -117,7 +115,7 @@ pub const CLAIMS: &[Claim] = &[
             rises with d.",
         argument: "solimp = (1/10, 19/20, 1 cm, 1/2, 2): force over depth at the core is 1624.5 times that at the surface, 361/20 over \
             1/90; with the default it is 2.23 times. In rationals.",
-        control: "Constant impedance.",
+        controls: &["Constant impedance."],
         sources: &[CURVE],
         check: layer,
     },
@@ -132,7 +130,7 @@ pub const CLAIMS: &[Claim] = &[
             = 3.9 mm: the load acts with 1−d. What a task accepts is not decided here.",
         argument: "k d² δ = (1−d) g with d = d(δ) has the root δ = 3.671818e-4 m; the replay of 3000 steps of 1 ms and the stored run of \
             MuJoCo 3.17.0 end there. With constant d = 9/10, δ = g/k_p/10 in rationals.",
-        control: "A contact with constant impedance 0.95.",
+        controls: &["A contact with constant impedance 0.95."],
         sources: &["chapter §6, pitfalls on stiffness and on hard contact", MODEL],
         check: rest,
     },
@@ -147,7 +145,7 @@ pub const CLAIMS: &[Claim] = &[
             acceleration.",
         argument: "A = 1, a_ref = 5, a_u = −10: a = 5 at R = 0, −5/2 at R = 1, within 1/1000 of −10 at R = 15000; da/dR = A (a_u − \
             a_ref)/(A + R)² by dual numbers.",
-        control: "A row that wants a_ref = a_u, where R changes nothing.",
+        controls: &["A row that wants a_ref = a_u, where R changes nothing."],
         sources: &["chapter §6, step 1", MODEL],
         check: softness,
     },
@@ -160,7 +158,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Certified,
         correct_statement: "As stated: ∂a/∂τ = (1−d)/m > 0 for a single contact whose Â is exact; 1/10 of the free value at d = 0.9.",
         argument: "a = d a_ref + (1−d) a_u by dual numbers: ∂τ/∂a = 10, 100, 1000, 10000 kg at m = 1 kg and d = 0.9, 0.99, 0.999, 0.9999.",
-        control: "The hard row, R = 0.",
+        controls: &["The hard row, R = 0."],
         sources: &["chapter §6, MuJoCo's choice", MODEL],
         check: push,
     },
@@ -175,7 +173,7 @@ pub const CLAIMS: &[Claim] = &[
             itself contains d(δ) and d_w from solimp, and under load the depth at rest depends on both.",
         argument: "solimp (1/2, 1/2, …) in place of (19/20, 19/20, …), solref (1/50, 1): d² k = 2500 and d b = 100 both times, but a_ref \
             at φ = −1 mm is 5 m/s² in place of 50/19, and 1 kg rests under g = 10 m/s² at 2 mm in place of 1/5 mm.",
-        control: "The same solimp twice.",
+        controls: &["The same solimp twice."],
         sources: &["chapter §6, step 3 and the pitfall on solref and solimp", PARAMETERS],
         check: roles,
     },

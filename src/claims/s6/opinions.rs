@@ -1,24 +1,20 @@
 //! What §6 says of cost, scale, fidelity, reversibility and gradients: what of it can be decided.
 
-use crate::Result;
 use crate::certificate::residuals;
-use crate::checks::Finding;
 use crate::checks::energy::worked_ball;
 use crate::claims::experiments::soft_stack::{self, STEP};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::drake_sap::{SapContact, TANGENTIAL_RATIO};
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::exact_particle::BallState;
 use crate::mechanics::{PointMass, State};
 use crate::problem::{Compliance, ContactProblem, Law};
-use crate::scalar::ratio;
 use crate::schemes::mujoco::{Cone, Mujoco};
 use crate::schemes::{Activation, Anitescu, assembled, run, step};
 use crate::solvers::gauss::GaussProgram;
 use crate::solvers::{AcceleratedProjectedGradient, ContactSolver, GaussNewton};
 use crate::tolerance::claims::soft::{AT_TOUCH, COUNTED, SOLVED, TOUCH, TURNED_ROUND};
 use crate::tolerance::cli::CERTIFY;
-use nalgebra::{DVector, dvector};
 
 const MODEL: &str = "MuJoCo documentation, Computation (3.17)";
 /// Height \[m\] of a drop that ends on the floor.
@@ -36,7 +32,7 @@ pub const CLAIMS: &[Claim] = &[
             function of the state jumps where a moving contact enters that set, so it has no gradient there.",
         argument: "A ball of 1 kg that falls at 1 m/s, 10⁻¹² m above and below touch: v⁺ differs by d₀ h (g + b v) = 0.207 m/s, the same \
             at a thousandth of the distance. MJX itself was not run; its issue tracker reports NaN gradients (1517, 2841).",
-        control: "The ball at rest without weight, where nothing jumps.",
+        controls: &["The ball at rest without weight, where nothing jumps."],
         sources: &["chapter §6, consequences", MODEL, "github.com/google-deepmind/mujoco, issues 1517 and 2841"],
         check: jump_at_touch,
     },
@@ -52,7 +48,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Stack of three: an arbitrary change of velocity has a closed-form push that causes it, and Newton finds it again from \
             the push. A ball dropped from 2 m and turned round in the air after half a second returns to its start. One dropped from 0.2 m \
             comes back to its bed on the floor instead, 0.2 m below its start.",
-        control: "The drop from 2 m, which no contact ends.",
+        controls: &["The drop from 2 m, which no contact ends."],
         sources: &["chapter §6, consequences", "Todorov, Convex and analytically-invertible dynamics with contacts and constraints (2014)"],
         check: reversal,
     },
@@ -68,7 +64,7 @@ pub const CLAIMS: &[Claim] = &[
             a complementarity problem that needs more than convex minimisation; Coulomb's law does. Soft contact reads the same gaps.",
         argument: "The hard step of Anitescu for a stack of three is solved by projected gradients to the certificate, as MuJoCo's soft \
             step is. With Coulomb's law in place of the associated one the method refuses: no convex problem is left.",
-        control: "Coulomb's law.",
+        controls: &["Coulomb's law."],
         sources: &["chapter §6, philosophy"],
         check: hard_and_convex,
     },
@@ -84,7 +80,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Multiplications of Newton until the change of velocity is right to 1e-6, n n_v² + n_v³/3 per step with n rows and n_v \
             velocities: fewer over pyramids on a stack of ten, where n is 160 against 120; a fifth more on one ball, which takes one step \
             over either cone.",
-        control: "The stack of ten in place of the ball.",
+        controls: &["The stack of ten in place of the ball."],
         sources: &["chapter §6, step 4", MODEL],
         check: row_counts,
     },
@@ -99,7 +95,7 @@ pub const CLAIMS: &[Claim] = &[
             soft, by parameters, and either can be made the softer one.",
         argument: "Depth of 1 kg on one contact: 3.67e-4 m in MuJoCo by default, 9.81e-5 m in SAP with 1e5 N/m, 0 after 100 rigid steps of \
             Moreau–Jean in rationals; with solref (−10⁶, −10³) MuJoCo's is smaller than SAP's.",
-        control: "MuJoCo's default in both comparisons.",
+        controls: &["MuJoCo's default in both comparisons."],
         sources: &["chapter §6, consequences", MODEL],
         check: depths,
     },
@@ -113,7 +109,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "No mathematical statement. What a step needs for it holds: environments do not couple, so that each can be \
             stepped alone.",
         argument: "The program of two stacks side by side has the minimisers of the two as its minimiser, to the solver's stopping rule.",
-        control: "Two stacks coupled by their mass.",
+        controls: &["Two stacks coupled by their mass."],
         sources: &["chapter §6, philosophy"],
         check: independent_worlds,
     },
@@ -203,7 +199,7 @@ fn row_counts(reading: Reading) -> Result<Vec<Finding>> {
     let stack = |cone: Cone| soft_stack::problem(10, 1.0, cone).and_then(|problem| newton_work(&problem));
     let small = |cone: Cone| match reading {
         Reading::Recorded => soft_stack::ball(cone).and_then(|problem| newton_work(&problem)),
-        Reading::Control => stack(cone),
+        Reading::Control(_) => stack(cone),
     };
     let (pyramid, round) = (stack(Cone::Pyramidal)?, stack(Cone::Elliptic)?);
     let (small_pyramid, small_round) = (small(Cone::Pyramidal)?, small(Cone::Elliptic)?);

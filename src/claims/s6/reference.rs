@@ -1,14 +1,11 @@
 //! `solref`: the virtual spring and damper behind the reference acceleration, and its damping.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::soft::rebound;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::closed_forms::mujoco_normal::spring_damper_restitution;
 use crate::closed_forms::soft_impedance::SoftImpedance;
 use crate::closed_forms::soft_reference::SoftReference;
-use crate::scalar::{Rational, Scalar, ratio};
 use crate::tolerance::gate::ball::{OSCILLATOR_PARTS, oscillator_rebound};
 use crate::tolerance::rounding;
 
@@ -27,7 +24,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Default parameters, φ = −1 mm, φ̇ = −3/10 m/s: b = 2000/19 1/s, k d = 50000/19 1/s², a_ref = 650/19 = 34.2105 m/s². In \
             rationals, and from the rounded formula that reproduces the stored runs of MuJoCo. The stiffness at half a millimetre is \
             another one.",
-        control: "φ̇ = +3/10 m/s, with the damper's sign reversed.",
+        controls: &["φ̇ = +3/10 m/s, with the damper's sign reversed."],
         sources: &["chapter §6, step 3", DOCUMENTATION],
         check: form,
     },
@@ -43,7 +40,7 @@ pub const CLAIMS: &[Claim] = &[
             an unloaded row where d = d_w. A negative solref means (−stiffness, −damping) per mass.",
         argument: "From d² k = ω₀² and d b = 2ζω₀ at d = d_w, in rationals: (1/50 s, 1) has ω₀ = 50 1/s; (1/50, 1/2) has ω₀ = 100, ζ = \
             1/2; (1/50, 2) has 25. (−2500, −100) is the same as (1/50, 1).",
-        control: "dampratio 1 in place of 1/2 and 2.",
+        controls: &["dampratio 1 in place of 1/2 and 2."],
         sources: &["chapter §6, step 3 and the numerical example of solref", DOCUMENTATION],
         check: meaning,
     },
@@ -57,7 +54,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "They are d² k and d b, the coefficients of the motion of a row that carries no load, from a depth of 1 mm on, \
             where d = d_w. At the surface, d = 9/10, they are 810000/361 = 2243.77 1/s² and 1800/19 = 94.74 1/s.",
         argument: "k = 1000000/361 1/s², b = 2000/19 1/s and the default impedance, in rationals at depths of 0, 1/2, 1 and 5 mm.",
-        control: "A depth of 1 mm in place of 1/2 mm and the surface.",
+        controls: &["A depth of 1 mm in place of 1/2 mm and the surface."],
         sources: &["chapter §6, numerical example of solref", DOCUMENTATION],
         check: effective,
     },
@@ -72,7 +69,7 @@ pub const CLAIMS: &[Claim] = &[
             50000/19 = 2631.58 from 1 mm on: MuJoCo divides by d_w so that the motion, which is d a_ref, gets 2500 and 100 there.",
         argument: "φ = −1 mm at rest: a_ref = 50/19 = 2.632 m/s², not 5/2. φ = 0, φ̇ = −1 m/s: 2000/19 m/s², not 100. d a_ref is 5/2 and \
             100 at d = d_w.",
-        control: "solref = (−2375, −95) with constant impedance 19/20, where the printed coefficients are right.",
+        controls: &["solref = (−2375, −95) with constant impedance 19/20, where the printed coefficients are right."],
         sources: &["chapter §6, numerical example of solref", DOCUMENTATION],
         check: coefficients,
     },
@@ -90,7 +87,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Characteristic polynomial λ² + (2/t_c) λ + 1/(t_c ζ)²: discriminant 0 at ζ = 1, complex roots with real part −1/t_c for \
             ζ < 1, at ζ = 5/4 the slower root is −2/5 of 1/t_c. An impact at ζ = 1 in steps of 2⁻¹⁴ of 1/ω₀: a two-sided row never comes \
             back through the surface; the replay of MuJoCo's contact, constant impedance, rebounds at e⁻².",
-        control: "The two-sided row in place of the contact.",
+        controls: &["The two-sided row in place of the contact."],
         sources: &[
             "chapter §6, numerical example of solref",
             "Schwager and Pöschel, Coefficient of restitution and linear–dashpot model revisited (2007)",
@@ -108,7 +105,7 @@ pub const CLAIMS: &[Claim] = &[
             e⁻² at 1, and smaller beyond.",
         argument: "Replay of MuJoCo's contact at ζ = 1/10, 3/10, 1/2, 1, 2: rebound 0.74408, 0.45098, 0.29844, 0.13534, 0.04777. The \
             slower root at ζ = 5/4 is −1/2 of ω₀ = 4/5 of 1/t_c, that is −2/5 of 1/t_c; at ζ = 1 it is −1/t_c.",
-        control: "1/ζ in place of ζ.",
+        controls: &["1/ζ in place of ζ."],
         sources: &["chapter §6, numerical example of solref", "Schwager and Pöschel (2007)"],
         check: bounce,
     },
@@ -190,7 +187,7 @@ fn coefficients(reading: Reading) -> Result<Vec<Finding>> {
     let end = SoftImpedance::<Rational>::standard().at_width();
     let contact = match reading {
         Reading::Recorded => standard(),
-        Reading::Control => SoftReference::direct(&ratio(2375, 1), &ratio(95, 1), SoftImpedance::constant(end.clone())),
+        Reading::Control(_) => SoftReference::direct(&ratio(2375, 1), &ratio(95, 1), SoftImpedance::constant(end.clone())),
     };
     let pushed = contact.acceleration(&millimetres(-1, 1), &ratio(0, 1));
     let damped = contact.acceleration(&ratio(0, 1), &ratio(-1, 1));
@@ -236,7 +233,7 @@ fn critical(reading: Reading) -> Result<Vec<Finding>> {
     let (rate, residual) = slower_rate(&ratio(5, 4), &ratio(3, 5));
     let contact = match reading {
         Reading::Recorded => rebound_at(1.0),
-        Reading::Control => two_sided_rebound(),
+        Reading::Control(_) => two_sided_rebound(),
     };
     Ok(vec![
         Finding::equal("rebound of an impact at 1 m/s, ζ = 1", contact, (-2.0f64).exp(), oscillator_rebound(1.0), "m/s")

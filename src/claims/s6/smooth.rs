@@ -1,15 +1,13 @@
 //! Whether the contact force is a smooth function: the switch at the surface, the kinks of the force, the cone.
 
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::closed_forms::mujoco_normal::NormalContact;
 use crate::closed_forms::soft_impedance::SoftImpedance;
 use crate::closed_forms::soft_planar_contact::SoftPlanarContact;
 use crate::closed_forms::soft_reference::SoftReference;
 use crate::closed_forms::soft_row::SoftRow;
-use crate::scalar::{Dual, Rational, Scalar, ratio};
+use crate::scalar::Dual;
 use crate::tolerance::rounding;
 
 const MODEL: &str = "MuJoCo documentation, Computation: constraint model (3.17)";
@@ -27,7 +25,7 @@ pub const CLAIMS: &[Claim] = &[
             changes the size of the kinks and does not remove them (S6.smooth-everywhere).",
         argument: "f = max(0, −q/W), W = 2: one-sided derivatives −1/2 and 0 at q = 0. Cone with μ = 1/2 and W = I at the load (−2, 1), \
             where stick becomes slip: ∂f_t/∂b_t = −1 on the side of stick and −1/5 on that of slip. Dual numbers over rationals.",
-        control: "q = −1 and the load (−2, 1/2), inside the active sets.",
+        controls: &["q = −1 and the load (−2, 1/2), inside the active sets."],
         sources: &["chapter §6, hard contact and learning", "Cottle, Pang and Stone, The Linear Complementarity Problem, chapter 7"],
         check: hard_kinks,
     },
@@ -45,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "1 kg at −1 m/s under 9.81 m/s², default parameters: 0 above the surface, 9/10 (2000/19 + 981/100) = 103.566 N just \
             below; with d₀ = 0, which counts as 1/10000, 0.0115 N. Control: ∂f/∂τ is 0 on one side of the onset and d = 9/10 on the other. \
             Load across the change from stick to slip, R = 1/9: ∂f_t/∂b_t = −9/10 and −9/50.",
-        control: "A quarter of a millimetre inside contact, and a load inside contact and inside stick.",
+        controls: &["A quarter of a millimetre inside contact, and a load inside contact and inside stick."],
         sources: &["chapter §6, MuJoCo's choice, bridge, and the pitfall on hard contact", MODEL],
         check: soft_kinks,
     },
@@ -61,7 +59,7 @@ pub const CLAIMS: &[Claim] = &[
             exactly, and the penalty that eliminating the force leaves is continuously differentiable once, not twice.",
         argument: "μ = 1/2, R = 1/9 and 1: loads (−2, b_t) with b_t = 2, 5 and 50 have f_t = f_n/2 exactly. The force is the gradient of \
             the minimum in b, and its slope at b_t = 1 is −1/(1+R) for stick and −1/(5(1+R)) for slip.",
-        control: "Loads that stick, for which |f_t| < μ f_n and the slopes are equal.",
+        controls: &["Loads that stick, for which |f_t| < μ f_n and the slopes are equal."],
         sources: &["chapter §6, step 2 and exercise 3", MODEL],
         check: hard_cone,
     },

@@ -2,13 +2,10 @@
 
 use super::duality::{box_on_corners, contacts_alone};
 use super::program::Program;
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::closed_forms::soft_impedance::SoftImpedance;
 use crate::closed_forms::soft_reference::SoftReference;
-use crate::scalar::{Rational, Scalar, ratio};
 use crate::solvers::{AcceleratedProjectedGradient, ClarabelPolished, ContactSolver, ProjectedGaussSeidel};
 use crate::tolerance::claims::pathology::AT_REST;
 use crate::tolerance::claims::soft::two_contacts;
@@ -27,7 +24,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Two coupled soft contacts, by projected Gauss–Seidel, accelerated projected gradients, Clarabel, and enumeration in \
             rationals: the same forces to the solvers' stopping rule times the conditioning. MuJoCo's own solvers are compared on stored \
             steps in tests/references.",
-        control: "One sweep of Gauss–Seidel.",
+        controls: &["One sweep of Gauss–Seidel."],
         sources: &["chapter §6, step 5 and the pitfall on solvers", MODEL],
         check: same_optimum,
     },
@@ -42,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated; it is R > 0, strict convexity, that makes the optimum unique.",
         argument: "Box on four corners, R = 1/9: enumeration finds one optimum; with R = 0, which is convex too, at least two. \
             Gauss–Seidel started at the solution stops in fewer sweeps than from zero.",
-        control: "R = 0.",
+        controls: &["R = 0."],
         sources: &["chapter §6, bridge", MODEL],
         check: warm_start,
     },
@@ -57,7 +54,7 @@ pub const CLAIMS: &[Claim] = &[
             by a constant factor from some sweep on. The factor may be close to one.",
         argument: "Two coupled soft contacts, both closed: every sweep multiplies the error by exactly H₁₂²/(H₁₁H₂₂) = 19/157, sweeps 3 to \
             10 in rationals. The factor of a sublinear sequence rises towards 1.",
-        control: "Sweeps averaged with the weight 1/(k+1), which do converge sublinearly.",
+        controls: &["Sweeps averaged with the weight 1/(k+1), which do converge sublinearly."],
         sources: &["chapter §6, table of solvers", "Luo and Tseng, On the convergence of the coordinate descent method (1992)"],
         check: gauss_seidel,
     },
@@ -73,7 +70,7 @@ pub const CLAIMS: &[Claim] = &[
             that: R ≥ Â/9999, and timeconst ≥ 2h gives k d h² ≤ 1/(4d) at ζ = 1, a quarter, while b h is at most 1/d.",
         argument: "h (a_u − a_ref) = v_free + φ/h for b = 1/h and k d = 1/h², in rationals at φ = −1 mm, v = −3 m/s, a_u = −10 m/s², h = \
             1/100 s. At timeconst 2h, ζ = 1 and d = 9999/10000: b h = 10000/9999, k d h² = 2500/9999, R/Â = 1/9999.",
-        control: "b = 1/h and k d = 1/h² in place of MuJoCo's stiffest parameters.",
+        controls: &["b = 1/h and k d = 1/h² in place of MuJoCo's stiffest parameters."],
         sources: &[
             "chapter §6, insight on Anitescu's problem",
             "Anitescu, Optimization-based simulation of nonsmooth rigid multibody dynamics (2006)",
@@ -91,7 +88,7 @@ pub const CLAIMS: &[Claim] = &[
             the sentence is right; with impedance as what is hard, as in its step 3, impratio is the ratio of tangential to normal.",
         argument: "Creep of one elliptic contact under a tangential load, v_t = R_t f_t/b: ten times smaller with impratio 10, at an \
             unchanged depth; hence R_n/R_t = 10 and, of the hardness 1/R, a tenth.",
-        control: "impratio 1.",
+        controls: &["impratio 1."],
         sources: &["chapter §6, step 4", "MuJoCo documentation, option impratio (3.17)"],
         check: impedance_ratio,
     },

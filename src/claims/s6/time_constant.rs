@@ -1,16 +1,13 @@
 //! The rule timeconst ≥ 2h: what it keeps away from, what it guarantees, and for which damping ratios.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::soft::{GRAVITY, land, limited_contact, unlimited_contact};
+use crate::claims::prelude::*;
 use crate::claims::s8::spring::{SEMI_IMPLICIT, both_sides, is_stable, matrix, powers_at};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::soft_impedance::SoftImpedance;
 use crate::closed_forms::soft_reference::SoftReference;
 use crate::closed_forms::spring_damper as closed;
 use crate::integrators::SpringDamper;
 use crate::integrators::stability::{Powers, invariants, spectral_radius};
-use crate::scalar::{Rational, Scalar, ratio};
 use crate::tolerance::claims::pathology as tolerance;
 use crate::tolerance::rounding;
 
@@ -31,7 +28,7 @@ pub const CLAIMS: &[Claim] = &[
             below the bound 2(√(1+ζ²) − ζ) iff ζ² > 1/8: decided at ζ = 36/100 and 35/100. MuJoCo 3.17 itself, a ball of 1 kg released 1 \
             mm above the floor at timeconst = 2h and constant impedance, is calm with dampratio 0.4 and thrown 43 mm high and more with \
             0.35, 9 m with 0.2.",
-        control: "dampratio 0.4 in place of 0.35 and 0.2.",
+        controls: &["dampratio 0.4 in place of 0.35 and 0.2."],
         sources: &[STABILITY, REFSAFE],
         check: enforced,
     },
@@ -48,7 +45,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "w = h/timeconst: z² − (2 − 2w − w²)z + (1 − 2w) = 0. The determinant is 0 at 2h and negative below; decided in \
             rationals: decay at 1.9h, 1.5h, 1.25h, growth at 1.2h, and both sides of 1.2071h. Spectral radius 0.69906 at 1.5h. Replayed \
             contact: at rest with 1.5h, thrown up again and again with 1.2h.",
-        control: "timeconst = 1.2h in place of all longer ones.",
+        controls: &["timeconst = 1.2h in place of all longer ones."],
         sources: &[STABILITY],
         check: stability,
     },
@@ -62,7 +59,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "For dampratio 1. Since ω₀ = 1/(timeconst · dampratio), timeconst < 2h means ω₀ > 1/(2h · dampratio).",
         argument: "h = 1: timeconst = 3, dampratio 1/2: ω₀ = 2/3 > 1/2 although timeconst ≥ 2h; timeconst = 1, dampratio 4: ω₀ = 1/4 < 1/2 \
             although timeconst < 2h. With dampratio 1, timeconst 199/100 and 201/100 lie on the two sides.",
-        control: "dampratio 1 in place of 1/2 and 4.",
+        controls: &["dampratio 1 in place of 1/2 and 4."],
         sources: &[STABILITY],
         check: faster_than_the_step,
     },
@@ -77,7 +74,7 @@ pub const CLAIMS: &[Claim] = &[
             does not prevent divergence (S6.timeconst-2h-doc).",
         argument: "h ω₀ = 1/(2ζ) at timeconst = 2h, in rationals from the coefficients: 1/2 at ζ = 1, 5 at ζ = 1/10; three steps per \
             period need hω₀ < 2π/3 < 21/10.",
-        control: "ζ = 1 in place of 1/10.",
+        controls: &["ζ = 1 in place of 1/10."],
         sources: &[STABILITY],
         check: period,
     },
@@ -90,7 +87,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "As stated, at dampratio 1: the default has w = h/timeconst = 1/10 against the bound 0.828.",
         argument: "Powers of the step matrix at w = 1/10 and at w = 1/2 decay; 20 ms is not moved by the limit, 3 ms is.",
-        control: "timeconst 2 ms in place of 4 ms.",
+        controls: &["timeconst 2 ms in place of 4 ms."],
         sources: &[STABILITY],
         check: example,
     },
@@ -107,7 +104,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Ball of 1 kg dropped from 1 mm on the replayed contact, h = 1 ms, constant impedance: timeconst = h/2 throws it higher \
             than it fell from without the limit, and not with a tenth of the step; with the limit it rests, at the same depth for \
             timeconst = h/2, h and 2h.",
-        control: "The unlimited contact in the place of the limited one.",
+        controls: &["The unlimited contact in the place of the limited one."],
         sources: &["chapter §6, pitfall on stiffness", REFSAFE],
         check: stiff,
     },
@@ -121,7 +118,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "By default nothing, for it counts as 4 ms. Without refsafe a two-sided row oscillates with alternating sign \
             and grows by the golden ratio, 1.618, every step; a contact is thrown up.",
         argument: "w = 1, ζ = 1: trace −1, determinant −1, z² + z − 1 = 0, z = −(1+√5)/2.",
-        control: "refsafe off.",
+        controls: &["refsafe off."],
         sources: &["chapter §6, exercise 2", REFSAFE],
         check: equal_to_the_step,
     },

@@ -2,17 +2,13 @@
 
 use super::impacts::{impact, middle, pushed_rod, rod, rod_path};
 use super::simultaneous::rod_above_supports;
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::rough_impact::{Regime, RoughImpact};
 use crate::closed_forms::two_body_impact::TwoBodyImpact;
 use crate::impact_laws::routh::Path;
 use crate::impact_laws::{moreau, newton, poisson, stronge};
 use crate::problem::{PlanarProblem, Response};
-use crate::scalar::{Rational, ratio};
 use crate::tolerance::claims::impact::SIX_DECIMALS;
-use nalgebra::DMatrix;
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -26,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated; v₁⁺ = (m₁v₁ + m₂v₂ − e m₂(v₁ − v₂))/(m₁ + m₂) and v₂⁺ = (m₁v₁ + m₂v₂ + e m₁(v₁ − v₂))/(m₁ + m₂).",
         argument: "W = 1/μ₁₂ and U⁻ = v₂ − v₁ in Moreau's law give the impulse and the energy of the formula, in rationals, for masses \
             2/7, 1, 5 and e = 0, 1/3, 1.",
-        control: "A second ball that is held on its course, as if its mass were infinite.",
+        controls: &["A second ball that is held on its course, as if its mass were infinite."],
         sources: &["chapter §7, exercise 1"],
         check: two_balls,
     },
@@ -43,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
             coupling. Further gains need unequal coefficients with a separating end, or friction.",
         argument: "Rod of 1 kg and 2 m, supports at ±1, ±1/2, ±1/4 m, three pairs of velocities: ΔT = 0 with U⁺ = −U⁻. Supports at ±1/4 \
             m, U⁻ = (−1, −1), impulses computed point by point: P = (32/19, 32/19) gains 832/361 J.",
-        control: "Two bodies of their own in the rod's place: each point is alone.",
+        controls: &["Two bodies of their own in the rod's place: each point is alone."],
         sources: &["chapter §7, exercise 2"],
         check: rod_on_two_points,
     },
@@ -59,7 +55,7 @@ pub const CLAIMS: &[Claim] = &[
             leaves faster than −e v⁻.",
         argument: "W = 2. v⁻ = 0: v⁺ = 0 and P = 0. v⁻ = −1, e = 1/2: P = 3/4, v⁺ = 1/2. For small v⁻ = −1/1000 the same formula gives \
             1/2000: it tends to the resting case.",
-        control: "The contact without its neighbour.",
+        controls: &["The contact without its neighbour."],
         sources: &["chapter §7, exercise 3"],
         check: two_cases,
     },
@@ -78,7 +74,7 @@ pub const CLAIMS: &[Claim] = &[
             velocity ratio 1 is the impulse ratio 25/16. μ = 1/2 turns round: (368/385, 20/77) and (296/385, 64/385), ΔT = +0.053972, \
             −0.087381, −0.055264 (Stronge). With W_nt > 0 it slides on and the laws agree: (8/7, −4/7). Each from the path and from the \
             formulas by regime.",
-        control: "The rod without friction, where the velocity ratio 1 is the impulse ratio 1.",
+        controls: &["The rod without friction, where the velocity ratio 1 is the impulse ratio 1."],
         sources: &["chapter §7, comparison of Poisson and Newton", "Routh 1905; Wang and Mason, J. Appl. Mech. 59 (1992) 635"],
         check: routh,
     },
@@ -121,7 +117,7 @@ fn rod_on_two_points(reading: Reading) -> Result<Vec<Finding>> {
         changes += usize::from(rod.energy_change(&newton::together(&rod, &pair)?) != ratio(0, 1));
     }
     let mut near = rod_above_supports(&ratio(1, 4), [ratio(-1, 1), ratio(-1, 1)]);
-    if reading == Reading::Control {
+    if reading.is_control() {
         near.delassus = DMatrix::from_diagonal(&near.delassus.diagonal());
     }
     let uncoupled = near.energy_change(&newton::uncoupled(&near, &pair)?);
@@ -141,7 +137,7 @@ fn two_cases(reading: Reading) -> Result<Vec<Finding>> {
     let arriving = end(ratio(-1, 1), half.clone())?;
     let lifted = match reading {
         Reading::Recorded => moreau::frictionless(&middle([ratio(-1, 1), ratio(-4, 1)]), &[half.clone(), half.clone()])?,
-        Reading::Control => end(ratio(-1, 1), half.clone())?,
+        Reading::Control(_) => end(ratio(-1, 1), half.clone())?,
     };
     Ok(vec![
         Finding::exact("v⁺ for v⁻ = −1, e = 1/2", &arriving.after[0], &half, "m/s"),

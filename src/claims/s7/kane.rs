@@ -1,16 +1,12 @@
 //! Kane's paradox: where Newton's law creates energy.
 
 use super::impacts::{ends, frictionless_grid, gain, middle, rod_path};
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::double_pendulum_impact::DoublePendulum;
 use crate::impact_laws::routh::Path;
 use crate::impact_laws::{moreau, newton, poisson, stronge};
 use crate::problem::{PlanarProblem, Response};
-use crate::scalar::{Rational, Scalar, ratio};
 use crate::tolerance::claims::pathology::FOUR_DIGITS;
-use crate::{Error, Result};
-use nalgebra::{DMatrix, DVector};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -27,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "W = (2, 1; 1, 2): e = 1 and U⁻ = (−1, −1) with uncoupled impulses P = (1, 1) gains 1 J; e = (1, 0) and U⁻ = (−1, \
             −1/2), reversed together, gains 1/12 J. One contact with friction gains 9/80 J (S7.kane-friction). No gain in 35 coupled \
             frictionless impacts with e = 1.",
-        control: "One e for both contacts, solved together, in the place of uncoupled impulses.",
+        controls: &["One e for both contacts, solved together, in the place of uncoupled impulses."],
         sources: &["chapter §7, the energy trap of Newton's law", "Kane and Levinson, Dynamics: Theory and Applications (1985)"],
         check: several_contacts,
     },
@@ -43,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "At e = 1 P = (41/40, 3/8), U⁺ = (1, 0), T from 1/5 to 5/16. ΔT = 9/80, 17/320, 0, −39/320, −1/5 for e = 1, 9/10, 4/5, \
             1/2, 0. The end sticks in compression, then rebounds from a body that turns: the normal velocity at the sticking end costs \
             less energy to make than friction and compression left unspent.",
-        control: "Poisson's law in Newton's place.",
+        controls: &["Poisson's law in Newton's place."],
         sources: &["chapter §7, the energy trap of Newton's law", "Stronge, J. Appl. Mech. 58 (1991) 1049"],
         check: friction,
     },
@@ -61,7 +57,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Routh's path with W = (1.009560, 1.521309, 2.440338): sticking needs μ ≥ 0.6234. μ = 0.5, e = 0.9: ΔT/T = +0.29808, \
             −0.40076, −0.34191 (Newton, Poisson, Stronge); μ = e = 0.7: +2.11149, −0.46146, −0.42922. The same in rationals at sin θ = \
             12/37, 8/17: Newton gains, Poisson does not.",
-        control: "Poisson's law in Newton's place.",
+        controls: &["Poisson's law in Newton's place."],
         sources: &["chapter §7, Kane's counterexample (named only)", "Kane and Levinson 1985 for the mechanism; their table was not found"],
         check: pendulum,
     },
@@ -79,8 +75,8 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Rod above supports at its ends, e = (1, 0), U⁻ = (−1, 1/2): P = (7/6, 1/3), U⁺ = (1, 0), T from 1/4 to 1/3. Supports \
             near the middle, U⁻ = (−1, −1/2), all reversed: P = (7/6, −1/3), again +1/12. With P ≥ 0 and U⁻ ≤ 0 none of 60 impacts gains. \
             W = (1, 1; 1, 1) with e = (1, 0): no solution.",
-        control: "One e in the place of unequal ones, and unequal ones in the place of one; contacts that separate among those that \
-            approach.",
+        controls: &["One e in the place of unequal ones, and unequal ones in the place of one; contacts that separate among those that \
+            approach."],
         sources: &["chapter §7, the energy trap of Newton's law"],
         check: unequal_coefficients,
     },

@@ -1,13 +1,10 @@
 //! Moreau's law: what the inclusion says of velocities, friction and resting contact.
 
 use super::impacts::{ends, middle, pushed_rod, rod, rough_grid};
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::exact_particle::{Ball, BallState, BallStep as Step};
 use crate::impact_laws::{moreau, newton};
 use crate::problem::{PlanarProblem, Response};
-use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
 
 pub const CLAIMS: &[Claim] = &[
@@ -22,7 +19,7 @@ pub const CLAIMS: &[Claim] = &[
             ground.",
         argument: "0 ≤ U⁺ + eU⁻ ⟂ P ≥ 0. W = (2, 1; 1, 2), e = 1/2, U⁻ = (−1, −1/4): P = (3/4, 0), U⁺ = (1/2, 1/2), and −eU₂⁻ = 1/8. W = \
             (2, −1; −1, 2), e = 1, U⁻ = (−1, 1/2): U⁺ = (1, −1/2) approaches, and no impulse acts there.",
-        control: "The pair with U⁻ = (−1, −1), where both contacts take an impulse.",
+        controls: &["The pair with U⁻ = (−1, −1), where both contacts take an impulse."],
         sources: &["chapter §7, Moreau's law"],
         check: definition,
     },
@@ -41,7 +38,7 @@ pub const CLAIMS: &[Claim] = &[
             for e = 1 and 1/2 with the whole vector, which gains in none of 150 planar impacts. At e = 1 the normal impulse does no \
             work, so the 9/80 J are the work of friction, P_t (U_t⁺ + U_t⁻)/2 = 3/8 · 3/10. Where the slip turns round it differs from \
             Newton's law along Routh's path: μ = 1/2 sticks, P = (41/40, 3/8), +9/80, where Routh's path gives (368/385, 20/77).",
-        control: "The whole vector in the place of the normal component.",
+        controls: &["The whole vector in the place of the normal component."],
         sources: &["chapter §7, table of impact laws; the chapter's table of symbols for U, the pitfall on tangential restitution for e_t"],
         check: automatic_dissipation,
     },
@@ -57,7 +54,7 @@ pub const CLAIMS: &[Claim] = &[
             separated before, with v⁺ down to −e v⁻: into the ground.",
         argument: "A ball of 1 kg, e = 1/2: v = 0, g h = 1/10: v⁺ = 0, P = 1/10. v = −1 without load: v⁺ = 1/2. v = 1 at zero gap with g h \
             = 13/10: v_free = −3/10, v_free + e v = 1/5 > 0, so P = 0 and v⁺ = −3/10.",
-        control: "The ball that arrives is not pulled away.",
+        controls: &["The ball that arrives is not pulled away."],
         sources: &["chapter §7, the meaning of Moreau's choice"],
         check: no_distinction,
     },
@@ -72,7 +69,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated: P/h → ∞ in one case and P/h = m g in the other.",
         argument: "Ball of 1 kg, g = 10, e = 1/2. Resting: P/h = 10 N for h = 1/10, 1/100, 1/1000 s. Arriving at −1 m/s: P = 3/2 + 10 h, \
             which tends to (1 + e) m|v⁻|.",
-        control: "The resting contact read as an atom.",
+        controls: &["The resting contact read as an atom."],
         sources: &["chapter §7, the meaning of Moreau's choice"],
         check: atom,
     },
@@ -90,7 +87,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The rod, μ = 1, e_n = 1: ΔT = 9/80, 9/320, 0 for e_t = 0, 1/2, 1, with P = (41/40, 3/8), (73/80, 3/16), (4/5, 0), all \
             inside the cone. Of 150 planar impacts with e_t = e_n none gains. With e_n = 1, e_t = 1/2 the inclusion leaves the cone in \
             none of them, the equation in some.",
-        control: "The equation U_t⁺ = −e_t U_t⁻ in the inclusion's place.",
+        controls: &["The equation U_t⁺ = −e_t U_t⁻ in the inclusion's place."],
         sources: &["chapter §7, pitfall on tangential restitution"],
         check: tangential_coefficient,
     },
@@ -106,7 +103,7 @@ pub const CLAIMS: &[Claim] = &[
             the collision: once the end sticks, coupling sets it.",
         argument: "The rod, μ = 1, e = 1: P_t = +3/8 while the end slid at +3/5. With W_nt = +3/2 and μ = 1/2 the slip never stops, and \
             P_t = −4/7.",
-        control: "The rod whose slip never stops in the place of the one that sticks.",
+        controls: &["The rod whose slip never stops in the place of the one that sticks."],
         sources: &["chapter §7, pitfall on tangential restitution"],
         check: bound_and_direction,
     },

@@ -1,13 +1,10 @@
 //! Newton's law: what it keeps, what it takes.
 
 use super::impacts::{cradle, frictionless_grid, gain, impact, middle, rod, rod_path};
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::impact_laws::energy_projection::energy;
 use crate::impact_laws::{moreau, newton, poisson, stronge};
 use crate::problem::{PlanarProblem, Response};
-use crate::scalar::{Rational, ratio};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -23,7 +20,7 @@ pub const CLAIMS: &[Claim] = &[
             may gain.",
         argument: "W = 2, U⁻ = −1: ΔT = 0 at e = 1 and −3/16 at e = 1/2. One contact of a rod, μ = 1, e = 1: ΔT = +9/80. W = (2, \
             1; 1, 2), U⁻ = (−1, −1/2), e = (1, 0): P₂ = −1/3 and ΔT = +1/12.",
-        control: "The rod with friction as the one contact.",
+        controls: &["The rod with friction as the one contact."],
         sources: &["chapter §7, the energy trap of Newton's law"],
         check: one_contact,
     },
@@ -42,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
             under Poisson, 0 under Stronge. Four outcomes: P_n = 41/40 (Newton), 4/5 with P_t = 6/25 (Poisson), 4/5 with P_t = 0 \
             (Moreau, full vector), and U_n⁺² = 62/125 (Stronge). W = (2, 1; 1, 2), U⁻ = (−1, −1/4), e = 1/2: P₂ = −1/4 under \
             Newton, 0 under Moreau. Dates as cited, not checked.",
-        control: "The rod without friction, where the four agree.",
+        controls: &["The rod without friction, where the four agree."],
         sources: &["chapter §7, history", "Stronge, Proc. R. Soc. A 431 (1990), and J. Appl. Mech. 58 (1991) 1049 (titles and dates only)"],
         check: four_laws,
     },
@@ -57,7 +54,7 @@ pub const CLAIMS: &[Claim] = &[
             bodies. A gain needs friction, unequal coefficients, or impulses computed contact by contact.",
         argument: "The identity holds exactly for 35 impacts of two coupled contacts and e = 0, 1/2, 1. One contact with friction \
             gains +17/320 at e = 9/10. W = (2, 1; 1, 2), U⁻ = (−1, −1/2), e = (1, 0) gains 1/12.",
-        control: "The rod without friction.",
+        controls: &["The rod without friction."],
         sources: &["chapter §7, table of impact laws"],
         check: table,
     },
@@ -71,7 +68,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Without friction. With friction a rebound lengthens the rubbing, and e = 1 may take most.",
         argument: "Without friction ΔT ∝ −(1 − e²). A particle of 1 kg with U⁻ = (−1, 10), μ = 1/2: ΔT = −43/8, −243/32, −19/2 for e = 0, \
             1/2, 1.",
-        control: "The particle without friction.",
+        controls: &["The particle without friction."],
         sources: &["chapter §7, Newton's law"],
         check: most_dissipative,
     },
@@ -85,7 +82,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Intuition cannot be checked, and accuracy would be a matter of measured collisions. What can be decided: for \
             one contact without friction all four laws are the same law, so none is more accurate.",
         argument: "W = 2, U⁻ = −1, e = 1/2: P = 3/4 under Newton, Poisson and Moreau; Stronge ends at U_n⁺² = 1/4 as well.",
-        control: "The rod with friction, where they differ.",
+        controls: &["The rod with friction, where they differ."],
         sources: &["chapter §7, Newton's law"],
         check: same_law,
     },
@@ -114,7 +111,7 @@ fn one_contact(reading: Reading) -> Result<Vec<Finding>> {
     let elastic = ratio(1, 1);
     let subject = match reading {
         Reading::Recorded => single_gain(elastic.clone())?,
-        Reading::Control => rod_gain(&elastic, &elastic)?,
+        Reading::Control(_) => rod_gain(&elastic, &elastic)?,
     };
     let (pulling, reversed) = unequal()?;
     Ok(vec![

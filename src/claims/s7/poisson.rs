@@ -1,13 +1,10 @@
 //! Poisson's law: compression, restitution, and why it does not gain energy.
 
 use super::impacts::{cradle, ends, frictionless_grid, gain, impact, middle, rod_path, rough_grid};
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::impact_laws::routh::Path;
 use crate::impact_laws::{moreau, newton, poisson};
 use crate::problem::{PlanarProblem, Response};
-use crate::scalar::{Rational, ratio};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -23,7 +20,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "W = (2, 4; 4, 9), U⁻ = (−1, 1), μ = 1: U_n falls to −7/5 while the slip lasts, then compression ends at p_c = 13/2. Two \
             contacts, W = (2, −1; −1, 2), U⁻ = (−1, −1/2), e = (1, 0): P_c = (5/6, 2/3), but the second takes 5/12 in restitution instead \
             of 0, else it would be driven into the ground.",
-        control: "e = 1 at both contacts, where P_r = e P_c.",
+        controls: &["e = 1 at both contacts, where P_r = e P_c."],
         sources: &["chapter §7, Poisson's law", "Pfeiffer and Glocker, Multibody Dynamics with Unilateral Contacts (1996)"],
         check: definition,
     },
@@ -42,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The rod with μ = 1: p_c = 2/5, and Newton's e = 1 is the impulse ratio 25/16, which gains 9/80 J; the ratio 1 loses \
             9/125 J. Two rough contacts (S7.poisson-better) with the impulse ratios (1, 0): +9/25 J. Three balls keep their momentum \
             under Newton's law as under Poisson's.",
-        control: "The impulse ratio 1 in the place of 25/16 and of 0.",
+        controls: &["The impulse ratio 1 in the place of 25/16 and of 0."],
         sources: &["chapter §7, Poisson's law and its comparison with Newton's"],
         check: conserved,
     },
@@ -62,7 +59,7 @@ pub const CLAIMS: &[Claim] = &[
             −9/125 against +9/80. Of 140 frictionless ones with four pairs of coefficients none gains. Two rough contacts, W = (3, 1, 0, \
             −3; 1, 2, −1, 0; 0, −1, 3, −1; −3, 0, −1, 4), U⁻ = (−1, 0, −1, 1), μ = 1, e = (1, 0): P_c = (4, −1, 2, 2)/5, P_r = (4, −2, \
             0, 0)/5, T from 1/2 to 43/50; Newton's law, U_n⁺ ≥ −e U_n⁻ at each contact, loses 21/100 J.",
-        control: "Equal coefficients, e = 1, at the two rough contacts.",
+        controls: &["Equal coefficients, e = 1, at the two rough contacts."],
         sources: &["chapter §7, table of impact laws", "Wang and Mason, J. Appl. Mech. 59 (1992) 635"],
         check: consistent,
     },
@@ -75,7 +72,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "As stated, m_eff = 1/W.",
         argument: "P_c = −U⁻/W, P_c + P_r = −(1 + e)U⁻/W, U⁺ = −eU⁻. W = 2, 1/3, 7 and e = 0, 2/5, 1 in rationals.",
-        control: "One contact with friction.",
+        controls: &["One contact with friction."],
         sources: &["chapter §7, comparison of Poisson and Newton"],
         check: one_frictionless_contact,
     },
@@ -93,7 +90,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "With P = (1 + e)P_c: U⁺ + eU⁻ = (1 + e)U_c, complementary to P_c, and U⁺ = (1 + e)U_c − eU⁻ ≥ 0. No difference in 60 \
             impacts (20 with three values of e). e = (1, 0), W = (2, −1; −1, 2), U⁻ = (−1, −1/2): P_r2 = 5/12 under Poisson, U⁺ differs. \
             Rod with friction, e = 1: U_n⁺ = 16/25 under Poisson, 1 under Newton.",
-        control: "Unequal coefficients among the 60.",
+        controls: &["Unequal coefficients among the 60."],
         sources: &["chapter §7, comparison of Poisson and Newton"],
         check: when_different,
     },
@@ -107,7 +104,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Zero at the contacts that carry a compression impulse; the others may already separate: 0 ≤ U_c ⟂ P_c ≥ 0.",
         argument: "Three balls: U_c = (0, 0). W = (2, 1; 1, 2), U⁻ = (−1, −1/4): P_c = (1/2, 0) and U_c = (0, 1/4), although both contacts \
             approach.",
-        control: "The pair with U⁻ = (−1, −1), where both contacts take an impulse.",
+        controls: &["The pair with U⁻ = (−1, −1), where both contacts take an impulse."],
         sources: &["chapter §7, comparison of Poisson and Newton"],
         check: end_of_compression,
     },

@@ -1,9 +1,7 @@
 //! Several contacts at once: what is unique, and what the order of impacts decides.
 
 use super::impacts::{cradle, ends, frictionless_grid, impact, middle, rod};
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::newtons_cradle::{after_two_impacts, at_once};
 use crate::closed_forms::rocking_block::landing;
 use crate::contact::delassus::delassus;
@@ -11,10 +9,8 @@ use crate::elimination::rank;
 use crate::impact_laws::sequential::sequential;
 use crate::impact_laws::{energy_projection, fremond, moreau, newton};
 use crate::problem::{Lcp, PlanarProblem, Response};
-use crate::scalar::{Rational, Scalar, ratio};
 use crate::solvers::enumeration::all_solutions;
 use crate::tolerance::rounding;
-use nalgebra::{DMatrix, DVector};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -32,7 +28,7 @@ pub const CLAIMS: &[Claim] = &[
             and energy. e = 1/2: (0, 1/2, 1/2) against (13, 15, 36)/64. Four corners: a family of impulses, all with U⁺ = −eU⁻. The \
             outer balls meet the middle one, e = 1/2: one outcome at once, two outcomes one after the other; a cube on its corners the \
             same, one and several.",
-        control: "The impacts one after the other, in every order.",
+        controls: &["The impacts one after the other, in every order."],
         sources: &["chapter §7, simultaneous impacts"],
         check: uniqueness,
     },
@@ -47,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
             while P stays ≥ 0. The velocities are unique.",
         argument: "Cube of 1 kg and 1 m: W_ij = 4, 1 and −2 for a corner with itself, its neighbours and the opposite one. U⁻ = −1 \
             everywhere, e = 0: P = (1, 1, 1, 1)/4 + t(1, −1, 1, −1), |t| ≤ 1/4, all with U⁺ = 0.",
-        control: "Three corners, whose W is nonsingular.",
+        controls: &["Three corners, whose W is nonsingular."],
         sources: &["chapter §7, simultaneous impacts"],
         check: four_corners,
     },
@@ -63,7 +59,7 @@ pub const CLAIMS: &[Claim] = &[
             may (S4.painleve-atom: three solutions).",
         argument: "Four corners, e = 0, Lemke's method with the contacts in all 24 orders: several different P, one U⁺. Three balls: one \
             P.",
-        control: "Three corners, whose W is nonsingular.",
+        controls: &["Three corners, whose W is nonsingular."],
         sources: &["chapter §7, simultaneous impacts"],
         check: order_of_pivots,
     },
@@ -81,7 +77,7 @@ pub const CLAIMS: &[Claim] = &[
             number of them. It does not settle the order: without friction it is Moreau's law.",
         argument: "ΔT = −½Σ(1−e)P_n|U_n⁻| − Σ μP_n½|U_t⁺ + U_t⁻|. The rod, μ = 1, e = 1: 0 where e on the normal component gains 9/80. Two \
             contacts with μ = 1/8, U⁻ = (−5/2, 3/2), (−1, 2), e = 1: −3/8 J, as the formula says. Three balls: (−1/3, 2/3, 2/3).",
-        control: "Coulomb friction on U_t⁺ alone.",
+        controls: &["Coulomb friction on U_t⁺ alone."],
         sources: &[
             "chapter §7, simultaneous impacts",
             "Siconos, kernel/src/modelingTools/FremondImpactFrictionNSL.hpp and MoreauJeanOSI.cpp, source of 2024 or later",
@@ -101,7 +97,7 @@ pub const CLAIMS: &[Claim] = &[
             complementarity problems gain no energy by themselves.",
         argument: "W = (2, 1; 1, 2), e = (1, 0), U⁻ = (−1, −1/2), all reversed: T from 1/4 to 1/3; projected U⁺ = √(3/4) (1, 0), T = 1/4, \
             and P₂ = −√(3/4)/3 < 0. W = (2, −1; −1, 2), U⁻ = (−1, 1/2): the same factor, and P > 0.",
-        control: "The second pair in the place of the first.",
+        controls: &["The second pair in the place of the first."],
         sources: &["chapter §7, simultaneous impacts", "Pfeiffer and Glocker 1996 for the two problems"],
         check: projection,
     },
@@ -116,7 +112,7 @@ pub const CLAIMS: &[Claim] = &[
             − 3/2 sin²α (Housner); on a smooth floor (c² − 2b²)/(c² + 4b²).",
         argument: "Half width 1, half height 2: 7/10 for μ ≥ 6/17, 1/4 for μ = 0, both from one Moreau step with two contacts; at μ = 1/3 \
             the edge slips and the ratio is another.",
-        control: "μ = 1/3, at which the edge slips.",
+        controls: &["μ = 1/3, at which the edge slips."],
         sources: &["chapter §7, simultaneous impacts", "Housner 1963 for the ratio, derived again here"],
         check: rocking,
     },
@@ -148,7 +144,7 @@ fn all_velocities(impact: &PlanarProblem<Rational>, restitution: &Rational) -> R
 
 /// U⁺ of every solution of the impact posed at once, or of its impacts one after the other in every order.
 fn outcomes(reading: Reading, impact: &PlanarProblem<Rational>, restitution: &Rational) -> Result<Vec<DVector<Rational>>> {
-    if reading == Reading::Recorded {
+    if !reading.is_control() {
         return all_velocities(impact, restitution);
     }
     orders(impact.velocity.len()).iter().map(|order| Ok(sequential(impact, restitution, order)?.after)).collect()

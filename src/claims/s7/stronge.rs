@@ -1,13 +1,10 @@
 //! Stronge's law, and what coefficients of restitution are coefficients of.
 
 use super::impacts::{cradle, frictionless_grid, middle, rod_path, rough_grid, rounded};
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::impact_laws::routh::Path;
 use crate::impact_laws::{energy_projection, moreau, newton, poisson, stronge};
 use crate::problem::{PlanarProblem, Response};
-use crate::scalar::{Rational, ratio};
 use crate::tolerance::claims::impact::SIX_DECIMALS;
 use crate::tolerance::rounding;
 
@@ -24,7 +21,7 @@ pub const CLAIMS: &[Claim] = &[
             before and after, which §12 calls so, have another ratio: friction lowers them as well.",
         argument: "The rod, μ = 1, e_* = 1: the normal impulse takes 31/200 J and returns 31/200 J, ratio 1; the kinetic energy goes from \
             1/5 to 31/200 J, ratio 31/40.",
-        control: "Newton's law with e = 1 in place of Stronge's.",
+        controls: &["Newton's law with e = 1 in place of Stronge's."],
         sources: &["chapter §7, Stronge's law", "Stronge, Proc. R. Soc. A 431 (1990)"],
         check: two_ratios,
     },
@@ -38,7 +35,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated, for one contact: ΔT = −(1 − e_*²)|W_c| + W_friction with W_friction ≤ 0.",
         argument: "The normal work of both phases is −(1 − e_*²)|W_c|, and ∫U_t dq ≤ 0 along Routh's path, exactly, in 150 planar impacts; \
             with e_* = 1 in floating point ΔT < 0 in all of them. The rod, μ = 1: −9/200 J.",
-        control: "Newton's law in Stronge's place.",
+        controls: &["Newton's law in Stronge's place."],
         sources: &["chapter §7, table of impact laws", "Stronge, J. Appl. Mech. 58 (1991) 1049"],
         check: no_gain,
     },
@@ -53,7 +50,9 @@ pub const CLAIMS: &[Claim] = &[
             conserve: e_* = 1 still loses the work of friction, and a projection only takes energy away.",
         argument: "Three balls, e = 1: ΔT = 0 under Newton, Poisson and Moreau. The rod, e_* = 1: −9/200 J with μ = 1 (sticks), −0.055264 \
             J with μ = 1/2 (turns round). Projecting the plastic outcome of the balls leaves its loss of 1/3 J.",
-        control: "The other laws on the rod with friction, Stronge's on the rod without, the projection of an outcome that gains energy.",
+        controls: &[
+            "The other laws on the rod with friction, Stronge's on the rod without, the projection of an outcome that gains energy.",
+        ],
         sources: &["chapter §7, pitfall on e = 1"],
         check: conservation,
     },
@@ -68,7 +67,7 @@ pub const CLAIMS: &[Claim] = &[
             agree.",
         argument: "The rod, μ = 1: U_n⁺/|U_n⁻| = e_N = (16/25) e_P = (√310/25) e_*. A bounce at 16/25 is e_N = 0.64, e_P = 1 and e_* = \
             16/√310 ≈ 0.909.",
-        control: "The rod without friction.",
+        controls: &["The rod without friction."],
         sources: &["chapter §7, pitfall on e as a material constant"],
         check: three_numbers,
     },
@@ -85,7 +84,7 @@ pub const CLAIMS: &[Claim] = &[
             dependence on speed, because all are homogeneous of degree one.",
         argument: "e_* = 1: U_n⁺²/U_n⁻² is 1 without friction, 62/125 for the rod with μ = 1. Three times the velocity gives three times \
             the impulse under Newton and Poisson.",
-        control: "The rod without friction.",
+        controls: &["The rod without friction."],
         sources: &["chapter §7, pitfall on e as a material constant"],
         check: not_material,
     },
@@ -102,7 +101,7 @@ pub const CLAIMS: &[Claim] = &[
             computing each impulse as if it were alone.",
         argument: "U⁺ + U⁻ = 0 at every contact. Newton and Moreau in 35 and Poisson in 20 impacts of two coupled contacts: ΔT = 0 \
             exactly. One contact with friction: +9/80 (Newton), −9/125 (Poisson).",
-        control: "Impulses computed contact by contact; the single contact without friction.",
+        controls: &["Impulses computed contact by contact; the single contact without friction."],
         sources: &["chapter §7, pitfall on e = 1"],
         check: elastic,
     },
@@ -161,7 +160,7 @@ fn conservation(reading: Reading) -> Result<Vec<Finding>> {
     // one impact under Newton, Poisson and Moreau with e = 1
     let changes = match reading {
         Reading::Recorded => elastic_balls()?,
-        Reading::Control => elastic_rod()?,
+        Reading::Control(_) => elastic_rod()?,
     };
     let [stuck, turned] = [ratio(1, 1), ratio(1, 2)].map(|friction| reading.pick(friction, ratio(0, 1)));
     let stuck = rounded_gain(&rod_path(&stuck)?, &stuck, stronge::along)?;

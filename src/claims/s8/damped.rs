@@ -1,17 +1,14 @@
 //! The spring and damper of compliant contact: what damping does to the bound hω ≤ 2, and what MuJoCo's limit t_c ≥ 2h is.
 
 use super::spring::{SEMI_IMPLICIT, against_two, is_stable, matrix, powers_at};
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::soft::unlimited_contact;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::spring_damper as closed;
 use crate::integrators::stability::{Powers, invariants, spectral_radius};
 use crate::integrators::{Damping, ExplicitEuler, SemiImplicitEuler, SpringDamper};
-use crate::scalar::{Rational, Scalar, exact, ratio};
+use crate::scalar::exact;
 use crate::tolerance::claims::pathology::FIVE_DECIMALS;
 use crate::tolerance::rounding;
-use nalgebra::DMatrix;
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -26,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The replay of MuJoCo's contact that reproduces its stored runs, h = 1 ms, t_c = 2 and 5 ms, ζ = 1: its step matrix for \
             (δ, −v), from two depths and two velocities, is that of semi-implicit Euler on the spring and damper, entry by entry to \
             rounding.",
-        control: "A contact of twice the time constant, against the same spring and damper.",
+        controls: &["A contact of twice the time constant, against the same spring and damper."],
         sources: &["chapter §8, example on stability bounds", "MuJoCo documentation, solver parameters (3.17)"],
         check: soft_contact,
     },
@@ -45,7 +42,7 @@ pub const CLAIMS: &[Claim] = &[
             bound itself: ζ = 3/4 gives s < 1, ζ = 5/12 gives 4/3. Both sides for ζ = 0.05, 0.1, 0.5, 1, 2: 1.90250, 1.80998, 1.23607, \
             0.82843, 0.47214. At ζ = 1 the printed bound is 2.41 times too large. \
                    The smaller s at which a soft contact starts to jitter is this one (S9.jitter).",
-        control: "No damping anywhere, for which the printed bound is right.",
+        controls: &["No damping anywhere, for which the printed bound is right."],
         sources: &["chapter §8, essential insight on the bound, and the example before it"],
         check: bound,
     },
@@ -60,7 +57,7 @@ pub const CLAIMS: &[Claim] = &[
             are 2 for explicit and 0.828 for semi-implicit Euler with explicit damping.",
         argument: "2ζ = 2(√(1+ζ²) − ζ) at ζ = 1/√3. ζ = 1, s = 1: explicit Euler has both eigenvalues 0, semi-implicit Euler has trace −1 \
             and determinant −1. ζ = 1/2, s = 11/10: the other way round.",
-        control: "The spring with ζ = 1/2 and s = 11/10 in place of ζ = 1 and s = 1.",
+        controls: &["The spring with ζ = 1/2 and s = 11/10 in place of ζ = 1 and s = 1."],
         sources: &["chapter §8, three levels"],
         check: comparison,
     },
@@ -77,7 +74,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "ζ = 1, s = h/t_c. At t_c = h/2 (s = 2): z² + 6z − 3 = 0, spectral radius 3 + 2√3 = 6.46. At t_c = 2h (s = 1/2): \
             determinant exactly 0, eigenvalues 0 and 3/4; for larger s it is negative. Both sides of 1.2071 h. Why MuJoCo chose 2h is not \
             decided here.",
-        control: "The contact without damping, where t_c = h/2 is the bound.",
+        controls: &["The contact without damping, where t_c = h/2 is the bound."],
         sources: &["chapter §8, example on stability bounds", "MuJoCo documentation, solver parameters: refsafe (3.17)"],
         check: time_constant,
     },

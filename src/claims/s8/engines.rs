@@ -3,20 +3,17 @@
 use super::implicit::stiff_damper;
 use super::spring::{SEMI_IMPLICIT, energy, matrix, theta, undamped};
 use super::systems::disk_flow;
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::stored::{Faller, Thrower, projectile_error, update_residuals};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::integrators::impact_flow::Tangent;
 use crate::integrators::stability::invariants;
 use crate::integrators::symplectic::volume;
 use crate::integrators::variational::Verlet;
 use crate::integrators::{Damping, ExplicitEuler, Method, Phase, SemiImplicitEuler, SmoothSystem, SpringDamper, Theta};
-use crate::scalar::{Dual, Rational, Scalar, ratio};
+use crate::scalar::Dual;
 use crate::stored::{RUNS, read_by};
 use crate::tolerance::claims::integrators::{FALL, PROJECTILE};
 use crate::trajectory::Trajectory;
-use nalgebra::DVector;
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -30,7 +27,7 @@ pub const CLAIMS: &[Claim] = &[
             step, MuJoCo and Drake, do not.",
         argument: "Stored falls of MuJoCo 3.17.0 (integrator Euler) and Drake 1.51.1 (SAP) at h = 1/100 s: q⁺ − q − h v⁺ is zero to \
             rounding, q⁺ − q − h v is g h² = 9.81·10⁻⁴ m in every step.",
-        control: "A fall under explicit Euler in place of MuJoCo's.",
+        controls: &["A fall under explicit Euler in place of MuJoCo's."],
         sources: &["chapter §8, why explicit Euler fails", "references/mujoco and references/drake, ball_drop at h = 0.01"],
         check: nobody,
     },
@@ -46,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
             integrators.",
         argument: "MuJoCo and Drake: as in S8.nobody-explicit. Bullet: in a stored fall at h = 1/100 s q⁺ = q + h v⁺ to rounding; a thrown \
             body of PyBullet 3.2.7 is ½ g h t = 0.04905 m off its parabola at h = 1/60 s, as an Euler rule is.",
-        control: "Siconos 4.4.0 in place of Bullet's thrown body: it follows the parabola to rounding.",
+        controls: &["Siconos 4.4.0 in place of Bullet's thrown body: it follows the parabola to rounding."],
         sources: &[
             "chapter §8, three levels and table",
             "references/scoreboard, flight/projectile; references/bullet, ball_bounce at h = 0.01",
@@ -68,7 +65,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "hω = 3/10 in rationals: θ = 1/2 has E⁺/E = 1 and determinant 1, the level's θ = 1 100/109; the step with implicit \
             damping \
             has the matrix of semi-implicit Euler. A damper with h c/m = 10⁹ keeps −(10⁹ − 2)/(10⁹ + 2) of its velocity under θ = 1/2.",
-        control: "θ = 1 in place of the midpoint rule.",
+        controls: &["θ = 1 in place of the midpoint rule."],
         sources: &["chapter §8, three levels and table", "MuJoCo documentation, computation: numerical integration (3.17)"],
         check: midpoint,
     },
@@ -83,7 +80,7 @@ pub const CLAIMS: &[Claim] = &[
             chapter says elsewhere.",
         argument: "A thrown body at h = 1/60 s: an Euler rule is ½ g h t = 0.04905 m off the parabola; Siconos 4.4.0 is off by rounding, θ \
             = 1/2.",
-        control: "Bullet in place of Siconos.",
+        controls: &["Bullet in place of Siconos."],
         sources: &["chapter §8, pitfall: semi-implicit and explicit Euler are nearly the same", "references/scoreboard, flight/projectile"],
         check: not_all,
     },
@@ -98,7 +95,7 @@ pub const CLAIMS: &[Claim] = &[
             left to preserve; between impacts a symplectic step stays one.",
         argument: "Flow across an impact on a disk: det D = 0 at e = 0 and 1/100 at e = 1/10. Free steps on an undamped spring keep \
             determinant 1.",
-        control: "e = 1.",
+        controls: &["e = 1."],
         sources: &["chapter §8, conclusion of the negative result"],
         check: common,
     },
@@ -118,7 +115,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "In rationals: a step h of semi-implicit Euler followed by a step −h does not return, on a spring without damper; \
             Verlet's does. At touching, ∂v⁺/∂φ of a step on a one-sided spring of unit stiffness is 0 on the separated and −h on the \
             pressed side. With MuJoCo's smallest t_c = 2h the contact step is singular (S8.timeconst-origin).",
-        control: "Verlet's step in place of semi-implicit Euler's.",
+        controls: &["Verlet's step in place of semi-implicit Euler's."],
         sources: &[
             "chapter §8, why MuJoCo does not use variational integrators",
             "MuJoCo documentation, computation: continuous time (3.17)",
@@ -162,7 +159,7 @@ fn falls(name: &str, [new, old]: [f64; 2]) -> [Finding; 2] {
 fn nobody(reading: Reading) -> Result<Vec<Finding>> {
     let first = match reading {
         Reading::Recorded => update_residuals(Faller::MuJoCo)?,
-        Reading::Control => explicit_fall(),
+        Reading::Control(_) => explicit_fall(),
     };
     let both = falls("MuJoCo", first).into_iter().chain(falls("Drake", update_residuals(Faller::Drake)?));
     Ok(both.map(|finding| finding.opinion("which simulators are serious")).collect())
@@ -247,7 +244,7 @@ fn slope_at_touching(side: i64) -> Rational {
 fn choice(reading: Reading) -> Result<Vec<Finding>> {
     let reversible = match reading {
         Reading::Recorded => returns(&SEMI_IMPLICIT),
-        Reading::Control => returns(&Verlet),
+        Reading::Control(_) => returns(&Verlet),
     };
     let critical = matrix(&SEMI_IMPLICIT, &SpringDamper::of_ratio(ratio(1, 1)), &ratio(1, 2));
     let findings = [

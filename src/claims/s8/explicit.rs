@@ -1,17 +1,13 @@
 //! Explicit Euler: energy, stability, and a contact force that comes one step late.
 
 use super::spring::{SEMI_IMPLICIT, both_sides, energy, is_stable, matrix, undamped};
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::spring_damper::theta as bound;
 use crate::exact_particle::{Ball, BallState};
 use crate::integrators::stability::{invariants, spectral_radius};
 use crate::integrators::{ExplicitEuler, Method, Phase, SpringDamper};
-use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
 use crate::tolerance::{claims::integrators::BESIDE, rounding};
-use nalgebra::DMatrix;
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -25,7 +21,7 @@ pub const CLAIMS: &[Claim] = &[
             2ζ > hω, makes the same step decay (S8.explicit-G).",
         argument: "With D the step matrix and Q = diag(ω², 1): DᵀQD = (1 + h²ω²) Q, an identity of matrices, checked in rationals with ω = \
             2, h = 3/20.",
-        control: "Semi-implicit Euler in place of explicit Euler.",
+        controls: &["Semi-implicit Euler in place of explicit Euler."],
         sources: &["chapter §8, explicit Euler"],
         check: injects,
     },
@@ -41,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
             equals 2 at ζ = 1 only.",
         argument: "Trace 2 − 2ζs, determinant 1 − 2ζs + s². ζ = 0: the determinant is 1 + s² > 1 for every s. Decided in rationals at s = \
             1/1000, 1, 199/100, all below 2: powers grow. Both sides of the bound at ζ = 0.3, 1, 1.25 and 2.",
-        control: "Semi-implicit Euler without damping, of which the example, too, says that it is stable below 2/ω.",
+        controls: &["Semi-implicit Euler without damping, of which the example, too, says that it is stable below 2/ω."],
         sources: &["chapter §8, why explicit Euler fails, against the example on stability bounds"],
         check: bound_of_explicit,
     },
@@ -56,7 +52,7 @@ pub const CLAIMS: &[Claim] = &[
             speed |v| ends the step h|v| below it, whatever e.",
         argument: "Moreau–Jean with θ = 0, ball at q = 0 with v = −2 m/s, h = 1/100 s: q⁺ = −1/50 m for e = 0 and e = 1/2, while v⁺ is \
             already 0 and 1. With θ = 1 the ball ends at 0 and at 1/100 m.",
-        control: "θ = 1 in the position update.",
+        controls: &["θ = 1 in the position update."],
         sources: &["chapter §8, why explicit Euler fails"],
         check: lag,
     },
@@ -70,7 +66,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated, for the undamped spring that it names.",
         argument: "Eigenvalues 1 ± i s: trace 2 and determinant 1 + s² exactly. At ζ = 3/10 steps below s = 6/10 are stable: |G|² = 0.9941 \
             at 0.59 and 1.0061 at 0.61.",
-        control: "The spring with ζ = 3/10 at s = 1/2.",
+        controls: &["The spring with ζ = 3/10 at s = 1/2."],
         sources: &["chapter §8, example on stability bounds"],
         check: amplification,
     },
@@ -86,7 +82,7 @@ pub const CLAIMS: &[Claim] = &[
             first the sign of the last term is reversed.",
         argument: "200 steps with ω = 2, h = 1/10 in rationals from (1, 1/3): one value. The form has determinant ω²(1 − s²/4), positive \
             iff s < 2: the powers of the step are bounded at hω = 199/100 and grow at 2.",
-        control: "hω = 199/100 in place of 2.",
+        controls: &["hω = 199/100 in place of 2."],
         sources: &["chapter §8, exercise 1"],
         check: exercise,
     },
@@ -104,7 +100,7 @@ fn energy_defect(method: &impl Method) -> Vec<Rational> {
 fn injects(reading: Reading) -> Result<Vec<Finding>> {
     let defect = match reading {
         Reading::Recorded => energy_defect(&ExplicitEuler),
-        Reading::Control => energy_defect(&SEMI_IMPLICIT),
+        Reading::Control(_) => energy_defect(&SEMI_IMPLICIT),
     };
     let name = |k: usize| format!("DᵀQD − (1 + s²) Q, entry {k}");
     Ok(defect.iter().enumerate().map(|(k, entry)| Finding::exact(name(k), entry, &ratio(0, 1), "1")).collect())
@@ -116,7 +112,7 @@ fn bound_of_explicit(reading: Reading) -> Result<Vec<Finding>> {
         // the example: |G|² = 1 + s² for explicit Euler, |G| = 1 iff s ≤ 2 for semi-implicit Euler
         let (stable, example) = match reading {
             Reading::Recorded => (is_stable(&ExplicitEuler, &ratio(0, 1), &s), ratio(1, 1) + &s * &s <= ratio(1, 1)),
-            Reading::Control => (is_stable(&SEMI_IMPLICIT, &ratio(0, 1), &s), s <= ratio(2, 1)),
+            Reading::Control(_) => (is_stable(&SEMI_IMPLICIT, &ratio(0, 1), &s), s <= ratio(2, 1)),
         };
         let found = Finding::decision(format!("stable without damping at s = {s}"), stable, false);
         findings.push(found.clone().says(s < ratio(2, 1)).passage("the limit by stiffness"));

@@ -1,16 +1,13 @@
 //! Implicit Euler and the θ method: stability at every step, what it costs, and where semi-implicit Euler stands.
 
 use super::spring::{SEMI_IMPLICIT, energy, matrix, powers_at, theta, undamped};
-use crate::Result;
-use crate::checks::Finding;
+use crate::claims::prelude::*;
 use crate::claims::s3::theta_step::{LinearSystem, phase};
 use crate::claims::s9::energy::elastic_invariant;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::spring_damper::theta_energy_ratio;
 use crate::exact_particle::{Ball, BallState};
 use crate::integrators::stability::{Powers, invariants, spectral_radius};
 use crate::integrators::{Method, Phase, SpringDamper, Theta};
-use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
 use crate::tolerance::claims::integrators::HALVED;
 use crate::tolerance::rounding;
@@ -29,7 +26,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "R(z) = 1/(1 − z): |R| < 1 in the left half plane, and R → 0. In rationals: every s from 1/1000 to 10⁶ decays at ζ = \
             1/1000, 1 and 50, for θ = 1 and 1/2; a damper with h c/m = 10⁹ keeps 1/(1 + 10⁹) of its velocity under θ = 1 and −(10⁹ − \
             2)/(10⁹ + 2) under θ = 1/2.",
-        control: "θ = 1/2 in place of 1.",
+        controls: &["θ = 1/2 in place of 1."],
         sources: &["chapter §8, three levels", "Hairer and Wanner, Solving Ordinary Differential Equations II, IV.3"],
         check: stiff,
     },
@@ -44,7 +41,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated; |G|² = 1/(1 + s²), per step (over a fixed time the loss is O(h), S8.implicit-diss).",
         argument: "Determinant 1/(1 + s²) and decay at s = 1/1000, 1, 2, 10⁶ in rationals, without damping; |G| = 1/√(1 + s²) in floating \
             point.",
-        control: "θ = 1/2, for which |G| = 1.",
+        controls: &["θ = 1/2, for which |G| = 1."],
         sources: &["chapter §8, example on stability bounds"],
         check: backward,
     },
@@ -58,7 +55,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Per step: E⁺/E = 1/(1 + h²ω²). Over a fixed time t it is O(h), E(t) = E₀ (1 + h²ω²)^(−t/h) ≈ E₀ e^(−ω²ht).",
         argument: "ω = 1, t = 1, in rationals: the energy lost with h = 1/32 over that with h = 1/64 lies within 1/16 of 2, not of 4; the \
             loss of one step over that of half a step within 1/16 of 4.",
-        control: "The loss of one step in the place of that over a fixed time.",
+        controls: &["The loss of one step in the place of that over a fixed time."],
         sources: &["chapter §8, three levels and table"],
         check: dissipation,
     },
@@ -73,7 +70,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated.",
         argument: "Undamped spring, 20 steps of s = 1: θ = 1 leaves 2⁻²⁰ of the energy, θ = 1/2 all of it, and semi-implicit Euler returns \
             to its start after six steps, without solving anything.",
-        control: "θ = 1/2 in place of 1.",
+        controls: &["θ = 1/2 in place of 1."],
         sources: &["chapter §8, pitfall: fully implicit is always best"],
         check: not_always,
     },
@@ -89,7 +86,7 @@ pub const CLAIMS: &[Claim] = &[
             θ²s²), determinant the same number.",
         argument: "hω = 3/10 in rationals, θ = 0, 1/4, 1/2, 3/4, 1, by two implementations: energy ratio and determinant are the formula, \
             and 1 at θ = 1/2.",
-        control: "θ = 2/5 in the place of 1/2.",
+        controls: &["θ = 2/5 in the place of 1/2."],
         sources: &["chapter §8, bridge to §3"],
         check: spectrum,
     },
@@ -105,7 +102,7 @@ pub const CLAIMS: &[Claim] = &[
             the force at the old position, θ_v = 0, and the velocity at the new one, θ_q = 1.",
         argument: "Its determinant is 1, which on the θ family only θ = 1/2 has, where the trace is 2(4 − s²)/(4 + s²) ≠ 2 − s². At s = 1: \
             6/5 against 1. Under a constant force θ = 1 is the same step.",
-        control: "The step of θ = 1/2 in place of that of semi-implicit Euler.",
+        controls: &["The step of θ = 1/2 in place of that of semi-implicit Euler."],
         sources: &["chapter §8, bridge to §3"],
         check: no_theta,
     },
@@ -121,7 +118,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Elastic ball from 1 m, h = 1/100 s, 2000 steps with θ = 1 in rationals: (E − ½ m g h v)/E₀ = 1. One step of flight \
             loses ½ g²h² per kilogram. A spring with hω = 3/10 keeps 100/109 of its energy in a step with θ = 1, and all of it with θ = \
             1/2.",
-        control: "The spring in the place of the ball.",
+        controls: &["The spring in the place of the ball."],
         sources: &["chapter §8, bridge to §3", "S3.energy-runs-down"],
         check: under_gravity,
     },

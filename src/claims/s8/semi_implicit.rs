@@ -1,16 +1,13 @@
 //! Semi-implicit Euler on the undamped spring: what the new velocity in the position update changes, and its bound hω ≤ 2.
 
 use super::spring::{SEMI_IMPLICIT, energy, is_stable, matrix, powers_at, undamped};
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::spring_damper as closed;
 use crate::integrators::stability::{Powers, invariants, powers};
 use crate::integrators::{Damping, ExplicitEuler, Method, Phase, SemiImplicitEuler, SmoothSystem, SpringDamper};
-use crate::scalar::{Rational, Scalar, exact, ratio};
+use crate::scalar::exact;
 use crate::tolerance::claims::integrators::{BISECTED, vibrated};
 use crate::tolerance::rounding;
-use nalgebra::DVector;
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -22,7 +19,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "As stated: the velocities agree and the positions differ by h² a(q, v).",
         argument: "One step of h = 1/5 of v̇ = −q − q³ − v/2 from (1/2, −3) in rationals.",
-        control: "Semi-implicit Euler with implicit damping, which changes the velocity too.",
+        controls: &["Semi-implicit Euler with implicit damping, which changes the velocity too."],
         sources: &["chapter §8, three levels and essential insight"],
         check: one_change,
     },
@@ -36,7 +33,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated, of the moduli of the eigenvalues: the step matrix has trace 2 − s² and determinant 1. At s = 2 the \
             powers grow all the same (S8.semi-bound).",
         argument: "Determinant 1 and |2 − s²| ≤ 2 iff s ≤ 2. Decided in rationals at s = 1/1000, 1, 2 − 10⁻⁶, 2 and 2 + 10⁻⁶.",
-        control: "The spring with ζ = 1/10, for which s = 2 is beyond the bound.",
+        controls: &["The spring with ζ = 1/10, for which s = 2 is beyond the bound."],
         sources: &["chapter §8, example on stability bounds"],
         check: modulus_one,
     },
@@ -51,7 +48,7 @@ pub const CLAIMS: &[Claim] = &[
             step. Below, the amplitude is at most q₀/√(1 − s²/4) from rest.",
         argument: "From q₀ at rest with s = 2: q_n = (−1)ⁿ (1 + 2n) q₀ exactly, 1 mm becomes 4.001 m after 2000 steps. With s = 199/100 \
             the amplitude stays below 10.0125 mm; with s = 201/100 it grows as sinh((n + ½)θ)/sinh(θ/2), 2 cosh θ = s² − 2.",
-        control: "s = 199/100 in place of 2.",
+        controls: &["s = 199/100 in place of 2."],
         sources: &["chapter §8, example on stability bounds"],
         check: at_the_bound,
     },
@@ -64,7 +61,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "As stated, exponentially: one eigenvalue is below −1.",
         argument: "|2 − s²| > 2: decided in rationals at s = 2 + 10⁻⁹, 5/2 and 100.",
-        control: "s = 2, where the growth is linear.",
+        controls: &["s = 2, where the growth is linear."],
         sources: &["chapter §8, example on stability bounds"],
         check: beyond,
     },
@@ -78,7 +75,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated without damping, and exactly: 2/ω = T/π. With damping the share is smaller, 0.132 at ζ = 1 \
             (S8.damped-bound).",
         argument: "Largest stable step found by bisection in rationals for k = 10⁶ N/m, m = 1 kg, over the period 2π/1000 s: 1/π.",
-        control: "Critical damping.",
+        controls: &["Critical damping."],
         sources: &["chapter §8, example on stability bounds"],
         check: share_of_the_period,
     },
@@ -95,7 +92,7 @@ pub const CLAIMS: &[Claim] = &[
             tenth of the step.",
         argument: "The stable steps found by bisection in rationals end at 2·10⁻³ s and 2·10⁻⁴ s, to 10⁻⁹ of them. At these steps \
             themselves the powers of the step grow.",
-        control: "Steps of 1.99·10⁻³ s and 1.99·10⁻⁴ s in place of the bounds themselves.",
+        controls: &["Steps of 1.99·10⁻³ s and 1.99·10⁻⁴ s in place of the bounds themselves."],
         sources: &["chapter §8, numerical example", "S8.semi-bound"],
         check: steel,
     },
@@ -114,7 +111,7 @@ pub const CLAIMS: &[Claim] = &[
             steps lies outside [1/7, 1] of it, and the first step leaves 5/32. Explicit Euler multiplies the energy by 1 + s² every \
             step. At \
             s = 2 the powers of the semi-implicit step grow.",
-        control: "s = 199/100 in place of 2.",
+        controls: &["s = 199/100 in place of 2."],
         sources: &["chapter §8, pitfall: semi-implicit and explicit Euler are nearly the same"],
         check: order_of_updates,
     },

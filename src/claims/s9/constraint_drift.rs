@@ -1,13 +1,11 @@
 //! Joints and what keeps them together: Baumgarte's oscillator, Gear–Gupta–Leimkuhler, projection – on a pendulum, in closed form.
 
-use crate::Result;
-use crate::checks::Finding;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::baumgarte_decay::time_constant;
 use crate::closed_forms::stabilised_circle::{biased_energy, biased_offset, projected_energy};
 use crate::integrators::{Method, Phase, RungeKutta, SpringDamper};
 use crate::mechanics::State;
-use crate::scalar::{Rational, exact, ratio};
+use crate::scalar::exact;
 use crate::stabilisation::{
     Baumgarte, Constrained, CoordinateProjection, GearGuptaLeimkuhler, Pendulum, PositionProjection, Stabilisation, VelocityLevel,
     ViolationStep, run,
@@ -32,7 +30,7 @@ pub const CLAIMS: &[Claim] = &[
             and \
             stays below its envelope. \
             The step has determinant 1 − 2αh and trace 2 − 2αh − β²h²: for 2αh = 1, β²h² = 2 − 10⁻⁶ decays and 2 does not.",
-        control: "The equation without damping, α = 0, in place of α = 4/s.",
+        controls: &["The equation without damping, α = 0, in place of α = 4/s."],
         sources: &["chapter §9, constraint drift, (1)", "Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1"],
         check: equation,
     },
@@ -48,7 +46,7 @@ pub const CLAIMS: &[Claim] = &[
             sensitive on one side only: overdamping by 5 % costs 27 % of it, underdamping by 5 % costs 5 %.",
         argument: "Slow rate over β for α/β = 0.95, 1, 1.01, 1.05, 1.1: 0.95, 1, 0.8682, 0.7298, 0.6417. At βh = 1/5 the step with α = β \
             has trace² − 4 det = 21/625 > 0, overdamped, and with 2αh = 9/25 exactly 0.",
-        control: "α = β in place of α = β(1 − βh/2).",
+        controls: &["α = β in place of α = β(1 − βh/2)."],
         sources: &["chapter §9, constraint drift, (1), and exercise 2"],
         check: tuning,
     },
@@ -65,7 +63,7 @@ pub const CLAIMS: &[Claim] = &[
             angular momentum exactly, and settles with more energy than projection leaves.",
         argument: "Point on a circle, hv/R = 1/100, 10⁴ steps (16 turns): bias −0.2 φ/h keeps E/E₀ = 0.9995 and stays h²v²/(2·0.2 R) \
             outside; coordinate projection keeps 1/(1 + n h²v²/R²) = 1/2.",
-        control: "Projection in place of the bias.",
+        controls: &["Projection in place of the bias."],
         sources: &["chapter §9, constraint drift, (1)", "S9.bullet-erp for the value and its decay"],
         check: joint_oscillation,
     },
@@ -80,7 +78,7 @@ pub const CLAIMS: &[Claim] = &[
             implicit Euler rule a point on a circle keeps 1/(1 + n h²v²/R²) of its energy, exactly what coordinate projection leaves.",
         argument: "Circle, hv/R = 1/100: after 1000 steps φ and Gv are at rounding and E/E₀ = 1/1.1. The bias has φ = 2.5e-4 R instead, \
             and no stabilisation 4.7 %.",
-        control: "The bias with ERP = 0.2.",
+        controls: &["The bias with ERP = 0.2."],
         sources: &["chapter §9, constraint drift, (2) and table", "Gear, Leimkuhler and Gupta, J. Comput. Appl. Math. 12–13 (1985) 77"],
         check: index_two,
     },
@@ -96,7 +94,7 @@ pub const CLAIMS: &[Claim] = &[
             projection which the next step makes anyway.",
         argument: "Pendulum of 1 m from 1.5 rad, h = 1/100 s, 1000 steps: positions agree to rounding, velocities differ by |v| sin Δ with \
             tan Δ = h|v|/ℓ, up to 0.18 m/s. Reason: v⁺ = P v + h P M⁻¹F and P P v = P v, for forces that depend on q.",
-        control: "The velocities in place of the positions.",
+        controls: &["The velocities in place of the positions."],
         sources: &[
             "chapter §9, constraint drift, (3)",
             "Ascher, Chin and Reich, Numer. Math. 67 (1994) 131; Eich, SIAM J. Numer. Anal. 30 (1993) 1467 (abstracts only)",
@@ -114,7 +112,7 @@ pub const CLAIMS: &[Claim] = &[
             = 1/(α − √(α² − β²)) ≈ 2α/β²: beyond critical, more damping is slower.",
         argument: "β = 5/s, α = 1, 5, 10, 50/s: τ = 1, 0.2, 0.74641, 3.98997 s. Integrated from a start on the slow solution, each decays \
             by e⁻¹ in τ.",
-        control: "τ = 1/α for α > β.",
+        controls: &["τ = 1/α for α > β."],
         sources: &["chapter §9, exercise 2"],
         check: exercise,
     },
@@ -229,7 +227,7 @@ fn index_two(reading: Reading) -> Result<Vec<Finding>> {
     let bias = Baumgarte::error_reduction(share, STEP)?;
     let (subject, left) = match reading {
         Reading::Recorded => circled(&GearGuptaLeimkuhler, steps)?,
-        Reading::Control => circled(&bias, steps)?,
+        Reading::Control(_) => circled(&bias, steps)?,
     };
     let circle = Pendulum::new(1.0, 1.0, 0.0)?;
     let rate = (circle.jacobian(&subject.position) * &subject.velocity)[0];

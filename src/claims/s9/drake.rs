@@ -1,9 +1,7 @@
 //! What Drake does against penetration.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::drake::{facts, rest_depth};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::stabilisation::{Constrained, CoordinateProjection, Pendulum, run};
 use crate::tolerance::claims::drake::rest;
 
@@ -18,7 +16,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         carries the load. Discrete constraints are compliant, near rigid where they should be hard.",
     argument: "The phrase occurs 0 times in the documentation of 1.51.1's multibody plant (“contact” 1356 times). A ball of 1 kg at rest \
         under SAP, k = 1e5 N/m, stays at m g/k = 98.1 µm below the ground; a projection would end at 0.",
-    control: "A body that coordinate projection holds against its weight, and the word “contact”.",
+    controls: &["A body that coordinate projection holds against its weight, and the word “contact”."],
     sources: &[
         "chapter §9, constraint drift, (4)",
         "Drake 1.51.1 (references/facts/drake.json; references/drake, ball_rest, sap, h = 1 ms)",
@@ -36,7 +34,7 @@ fn projected_depth() -> Result<f64> {
 fn projection(reading: Reading) -> Result<Vec<Finding>> {
     let depth = match reading {
         Reading::Recorded => rest_depth()?,
-        Reading::Control => projected_depth()?,
+        Reading::Control(_) => projected_depth()?,
     };
     let phrase = reading.pick("coordinate projection", "contact");
     Ok(vec![

@@ -1,12 +1,9 @@
 //! What a step guarantees about velocity and position, and what accumulates.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::curve::{Side, drift, slide};
 use crate::claims::experiments::tower::{Sweeps, Tower};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::exact_particle::{Ball, BallState};
-use crate::scalar::{Rational, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, StewartTrinkle};
 use crate::solvers::{ContactSolver, ProjectedGaussSeidel};
 use crate::tolerance::claims::{lcp::circle_residual, pathology as tolerance};
@@ -27,7 +24,7 @@ pub const CLAIMS: &[Claim] = &[
             + e v = 1/5 is \
                    positive, so P = 0 and v⁺ = −3/10 < 0. With e = 0, v⁺ = max(0, v_free) ≥ 0 whatever v is: checked for 41 velocities \
                    from −2 to 2 m/s. That the position drifts all the same: the bead of S9.velocity-drift.",
-        control: "e = 0 in place of e = 1/2.",
+        controls: &["e = 0 in place of e = 1/2."],
         sources: &["chapter §9, why stabilisation is needed", "chapter §3, the scheme"],
         check: admissible_velocity,
     },
@@ -49,7 +46,7 @@ pub const CLAIMS: &[Claim] = &[
                    1/|q|). Tower of five equal bodies, h = 1/100, 10 cold sweeps \
                    of projected Gauss–Seidel per step: the top sinks 5.9 cm in 1 s, as the linear recursion u⁺ = G¹⁰(u + u_g) predicts; \
                    converged: 1e-12 m, what the solver leaves.",
-        control: "The tower with 10 sweeps a step in place of the converged one.",
+        controls: &["The tower with 10 sweeps a step in place of the converged one."],
         sources: &["chapter §9, why stabilisation is needed", "S3.drift for the activation rules"],
         check: velocity_drift,
     },
@@ -66,7 +63,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Inside the unit circle |q| + h q̂·v⁺ ≤ 1 gives |q⁺| ≤ √(1 + h²v²) whatever happened before: the deepest penetration \
             over 100 steps is √(1 + h²) − 1 = 1.9998e-4, \
                    5.0000e-5, 1.2500e-5 m for h = 1/50, 1/100, 1/200. For convex φ: φ(q⁺) ≥ φ(q) + ∇φᵀ(q⁺ − q) ≥ 0.",
-        control: "The inside of the circle in place of its outside.",
+        controls: &["The inside of the circle in place of its outside."],
         sources: &["chapter §9, why stabilisation is needed"],
         check: linearisation_residual,
     },

@@ -1,14 +1,11 @@
 //! Where energy comes from and where it goes.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::push_out::{ball, biased_gain, elastic_drop, projected_gain};
 use crate::claims::experiments::rod::energy_gained;
 use crate::claims::experiments::spring::{energy_ratio, semi_implicit_peak};
 use crate::claims::experiments::tower::energy_of_stale_impulses;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::exact_particle::BallState;
-use crate::scalar::{Rational, ratio};
 use crate::schemes::{Activation, RestitutionRule};
 use crate::tolerance;
 
@@ -30,7 +27,7 @@ pub const CLAIMS: &[Claim] = &[
             Baumgarte: 9/125000 J for 1 mm (S9.baumgarte-inject). Projection: 81/80. Neither explicit nor Baumgarte: the rod with W = (5, \
             −3; −3, 5)/2, u⁻ = (−1, 3/5), μ = 1, e = 1 goes from 1/5 to 5/16 J, +9/80; \
                    a tower of three whose load is taken away, one warm-started sweep: 11/16 (g h)² J out of rest.",
-        control: "The activation φ + h v_free ≤ 0, under which the ball is never projected.",
+        controls: &["The activation φ + h v_free ≤ 0, under which the ball is never projected."],
         sources: &["chapter §9, energy drift", "Kane and Levinson 1985; Stronge 1991 for energy gain with friction"],
         check: causes_of_growth,
     },
@@ -46,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
             every θ.",
         argument: "Spring, hω = 1/10: 100/101 per step at θ = 1, 1 at θ = 1/2. Elastic ball from 1 m, h = 1/100 s, 2000 steps with θ = 1: \
             (E − ½ g h v)/E₀ = 1 exactly. Ball with e = 1/2: the first impact keeps 1/4 of ½v² with θ = 1 and with θ = 1/2.",
-        control: "The spring in the place of the ball.",
+        controls: &["The spring in the place of the ball."],
         sources: &["chapter §9, energy drift", "S3.energy-runs-down"],
         check: causes_of_loss,
     },
@@ -99,7 +96,7 @@ fn causes_of_loss(reading: Reading) -> Result<Vec<Finding>> {
     // E − ½ g h v after 2000 steps with θ = 1, and what an impact with e = 1/2 keeps at θ = 1 and θ = 1/2
     let [kept, impact, cured] = match reading {
         Reading::Recorded => [elastic_invariant(), first_impact(&one), first_impact(&half)],
-        Reading::Control => [energy_ratio(&one, 20), energy_ratio(&one, 1), energy_ratio(&half, 1)],
+        Reading::Control(_) => [energy_ratio(&one, 20), energy_ratio(&one, 1), energy_ratio(&half, 1)],
     };
     Ok(vec![
         Finding::decision("2000 steps with θ = 1 have taken from E − ½ g h v of an elastic ball", kept < one, false)

@@ -1,13 +1,10 @@
 //! The exercises of §9 that are diagnoses: the melting stack and the trembling gripper.
 
 use super::jitter::effect_of_theta_on_a_tower;
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::soft::{GRAVITY, default_contact, land, unlimited_contact};
 use crate::claims::experiments::spring::{energy_ratio, semi_implicit_peak};
 use crate::claims::experiments::tower::{Sweeps, Tower, approach_left};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
-use crate::scalar::{Scalar, ratio};
+use crate::claims::prelude::*;
 use crate::solvers::ProjectedGaussSeidel;
 use crate::tolerance::{claims::pathology as tolerance, rounding};
 use crate::trajectory::Recording;
@@ -28,7 +25,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Tower of five, h = 1/100 s, 10 cold sweeps a step: Moreau–Jean sinks at the constant speed u = G¹⁰(u + u_g), 6.0 cm/s \
             at the top; Stewart–Trinkle stays at h times that, 0.60 mm, after 2 s as after 1 s. Solved steps: 0. MuJoCo's ball: the same \
             depth after 3 s as after 6 s.",
-        control: "Moreau–Jean's tower with 10 sweeps a step in place of the three that stand.",
+        controls: &["Moreau–Jean's tower with 10 sweeps a step in place of the three that stand."],
         sources: &["chapter §9, exercise 1"],
         check: melting_stack,
     },
@@ -45,7 +42,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "(a) spring, hω = 1/10: 101/100 per explicit step; the semi-implicit one keeps v² + q² − h q v, so E/E₀ ≤ 1/(1 − 1/20). \
             (b) 100/101 at θ = 1, 1 at θ = 1/2; a tower's velocities do not change. (c) tower of ten: 200 more sweeps multiply what is \
             left by cos⁴⁰⁰(π/20) = 0.00705. (d) t_c = h: thrown up; t_c = 1.5h: calm.",
-        control: "Switch (b) on a spring in place of the tower.",
+        controls: &["Switch (b) on a spring in place of the tower."],
         sources: &["chapter §9, exercise 3"],
         check: four_switches,
     },
@@ -64,7 +61,7 @@ fn melting_stack(reading: Reading) -> Result<Vec<Finding>> {
     let second = |recording: &Recording| tower.sinking(recording, 200) - tower.sinking(recording, 100);
     let [rigid, lifted, soft] = match reading {
         Reading::Recorded => [second(&solved), second(&positions), ball(600) - ball(300)],
-        Reading::Control => [second(&velocities); 3],
+        Reading::Control(_) => [second(&velocities); 3],
     };
     let melts = |name: &str, sunk: f64, width: f64| {
         Finding::decision(format!("{name} goes on sinking"), sunk > width, false)
@@ -100,7 +97,7 @@ fn four_switches(reading: Reading) -> Result<Vec<Finding>> {
     let spring = ratio(1, 1) - energy_ratio(&ratio(1, 1), 1);
     let effect = match reading {
         Reading::Recorded => effect_of_theta_on_a_tower()?,
-        Reading::Control => Scalar::to_f64(&spring),
+        Reading::Control(_) => Scalar::to_f64(&spring),
     };
     let speed = |parts: f64| land(&unlimited_contact(0.001, parts * 0.001), 0.001, 2000).speed;
     Ok(vec![

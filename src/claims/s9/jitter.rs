@@ -1,13 +1,10 @@
 //! Jitter at rest: stiffness against step, sweeps, numerical damping; and the penetration of soft contact.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::curve::{Side, drift, slide};
 use crate::claims::experiments::soft::{GRAVITY, default_contact, land, limited_contact, stiffest_contact, unlimited_contact};
 use crate::claims::experiments::spring::energy_ratio;
 use crate::claims::experiments::tower::{Sweeps, Tower};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
-use crate::scalar::{Scalar, ratio};
+use crate::claims::prelude::*;
 use crate::schemes::{Activation, MoreauJean, RestitutionRule};
 use crate::stabilisation::{Constrained, CoordinateProjection, Pendulum, run};
 use crate::tolerance::claims::pathology as tolerance;
@@ -30,7 +27,7 @@ pub const CLAIMS: &[Claim] = &[
                    A bead in a circle under Moreau–Jean leaves it by 4.963e-3 m in 1 s with h = 1/100 s, and with coordinate projection \
             not \
             at all.",
-        control: "The smaller step alone, with the default stiffness.",
+        controls: &["The smaller step alone, with the default stiffness."],
         sources: &[
             "chapter §9, penetration, and the pitfall “every penetration is a bug”",
             "MuJoCo documentation, solver parameters (3.17); stored runs agree with the replay, see tests/references",
@@ -53,7 +50,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Ball dropped from 1 mm on MuJoCo's contact at h = 1 ms, constant impedance: calm (speed 0 to rounding) for t_c = 2h and \
             1.5h; for t_c = 1.2h and 1h it is thrown up again and again, faster than g h. With the limit, t_c = 1h is calm. \
                    Tower of five, 10 cold sweeps a step: the velocities of successive steps are equal to rounding.",
-        control: "The same contacts under MuJoCo's limit t_c ≥ 2h.",
+        controls: &["The same contacts under MuJoCo's limit t_c ≥ 2h."],
         sources: &["chapter §9, energy drift and jitter, and the pitfall “jitter is physical”", "MuJoCo documentation, refsafe"],
         check: jitter,
     },
@@ -68,7 +65,7 @@ pub const CLAIMS: &[Claim] = &[
             nothing: θ multiplies state-dependent forces and the position update, and neither enters the contact problem.",
         argument: "Tower of five, 10 cold sweeps a step, 100 steps with θ = 1/2 and with θ = 1: all velocities are the same bit for bit. A \
             spring with hω = 1/10 loses 1/101 of its energy per step at θ = 1 and none at θ = 1/2.",
-        control: "The spring in the place of the tower.",
+        controls: &["The spring in the place of the tower."],
         sources: &["chapter §9, energy drift and jitter"],
         check: damping,
     },
@@ -147,7 +144,7 @@ fn damping(reading: Reading) -> Result<Vec<Finding>> {
     let [half, one] = [ratio(1, 2), ratio(1, 1)].map(|theta| energy_ratio(&theta, 1));
     let effect = match reading {
         Reading::Recorded => effect_of_theta_on_a_tower()?,
-        Reading::Control => Scalar::to_f64(&(&half - &one)),
+        Reading::Control(_) => Scalar::to_f64(&(&half - &one)),
     };
     Ok(vec![
         Finding::decision("θ = 1 instead of 1/2 changes the velocities of a tower", effect > 0.0, false)

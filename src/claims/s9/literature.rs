@@ -1,13 +1,9 @@
 //! What §9 says of Siconos's projection and of the schemes of higher order it announces.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::siconos::{Facts, projected_energy, projected_moves};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
-use crate::scalar::{Rational, ratio};
+use crate::claims::prelude::*;
 use crate::tolerance::claims::pathology::{FOUR_DIGITS, elastic_drop};
 use crate::tolerance::rounding;
-use nalgebra::DMatrix;
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -26,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
             less by exactly Σ m g q over the steps that were projected. Masses 1, 2, 4 kg in a row, 1/400 m apart: the projection moves \
             them \
             by (2, −1, −1)/1200 m, which adds up to zero; times the masses it is −1/300 kg·m, so that the centre of mass moves.",
-        control: "The name of the class that is there.",
+        controls: &["The name of the class that is there."],
         sources: &[
             "chapter §9, constraint drift, (3)",
             "stored steps of Siconos 4.4.0, see tests/references; S9.projection-energy for clipping at φ ≤ 0",
@@ -49,7 +45,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Volume, pages and title of Acary 2013 stand in Siconos's headers. Generalised-α with α_m = (2ρ−1)/(ρ+1), α_f = ρ/(ρ+1) \
             has for an infinitely stiff spring the characteristic polynomial (x + ρ)³, exactly, for ρ = 0, 1/4, 1/2, 3/4; HHT is the same \
             rule with α_m = 0.",
-        control: "The trapezoidal rule, whose polynomial is that of ρ = 1.",
+        controls: &["The trapezoidal rule, whose polynomial is that of ρ = 1."],
         sources: &[
             "chapter §9, higher order",
             "Siconos 4.4.0, MoreauJeanCombinedProjectionOSI.hpp; Chung and Hulbert, J. Appl. Mech. 60 (1993) 371",
@@ -112,7 +108,7 @@ fn literature(reading: Reading) -> Result<Vec<Finding>> {
         let (force, acceleration) = (&radius / &above, (&two * &radius - ratio(1, 1)) / &above);
         let [force, acceleration] = match reading {
             Reading::Recorded => [force, acceleration],
-            Reading::Control => [ratio(1, 2), ratio(1, 2)],
+            Reading::Control(_) => [ratio(1, 2), ratio(1, 2)],
         };
         let step = stiff_step(&acceleration, &force);
         let wanted = [radius.clone() * &radius * &radius, ratio(3, 1) * &radius * &radius, ratio(3, 1) * &radius];

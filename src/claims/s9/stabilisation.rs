@@ -1,12 +1,9 @@
 //! Pulling a sunken body out: velocity bias (Baumgarte, Bullet's ERP) and projection.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::push_out::{ball, biased_gain, biased_step, elastic_drop, elastic_throw, projected_gain, sunk};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+use crate::claims::prelude::*;
 use crate::closed_forms::baumgarte_decay::time_constant;
 use crate::exact_particle::{Ball, BallState};
-use crate::scalar::{Rational, ratio};
 use crate::schemes::Activation;
 use crate::stabilisation::{Constrained, CoordinateProjection, Pendulum, Stabilisation};
 use crate::tolerance::claims::pathology as tolerance;
@@ -26,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "1 kg, 1 mm deep, h = 1/60 s, ERP = 1/5, no load: v⁺ = 0.012 m/s, T = 9/125000 = 7.2e-5 J; twice the ERP gives four \
             times that. The body leaves for good: after 2 s it is 23 mm above the floor. ERP = 1/100 leaves (99/100)⁵ of the depth after \
             five steps, and α = 2β is slower than α = β.",
-        control: "Projection of the position, which leaves the velocity alone.",
+        controls: &["Projection of the position, which leaves the velocity alone."],
         sources: &["chapter §9, constraint drift, (1); pitfall “Baumgarte solves every drift”", "Baumgarte 1972"],
         check: injection,
     },
@@ -41,7 +38,7 @@ pub const CLAIMS: &[Claim] = &[
             under load φ⁺ = (1 − ERP)φ, a first-order decay by 4/5 per step whatever h is (time constant 4.48 steps).",
         argument: "φ̇⁺ = φ̇ − h(2αφ̇ + β²φ) with 2αh = 1, β²h² = 1/5 is φ̇⁺ = −φ/(5h). Five loaded steps of 1/240 s: φ₅/φ₀ = (4/5)⁵ for \
             both. The (α, β) that fit 1/60 s leave 79/80 of the error in the first step of 1/240 s.",
-        control: "The constants (α, β) that fit h = 1/60 s, used at h = 1/240 s.",
+        controls: &["The constants (α, β) that fit h = 1/60 s, used at h = 1/240 s."],
         sources: &[
             "chapter §9, constraint drift, (1)",
             "Bullet 3, btContactSolverInfo.h: m_erp = m_erp2 = 0.2; penetration beyond 4 cm goes to its split impulse",
@@ -67,7 +64,7 @@ pub const CLAIMS: &[Claim] = &[
                    in rationals, 20 projections under φ ≤ 0 and none under the other two rules. Without projection, and with φ + h \
             v_free ≤ \
                    0: 1. A pendulum with coordinate projection, from 1.5 rad, never has more energy than at its start.",
-        control: "The activation φ + h v_free ≤ 0, under which the ball is never projected.",
+        controls: &["The activation φ + h v_free ≤ 0, under which the ball is never projected."],
         sources: &["chapter §9, constraint drift, (3) and table of stabilisations"],
         check: projection,
     },
@@ -84,7 +81,7 @@ pub const CLAIMS: &[Claim] = &[
             δ/h)² of kinetic energy on top; on a joint it is projection that takes energy, and Baumgarte hardly any (S9.erp-sim2real).",
         argument: "1 kg, 1 mm deep, g = 10 m/s², h = 1/60 s: projection adds 0 J of kinetic and 1/100 J of potential energy, a full bias \
             (ERP = 1) 9/5000 J and the same 1/100 J. Without load: 0 J and 9/5000 J.",
-        control: "Projection without load.",
+        controls: &["Projection without load."],
         sources: &["chapter §9, essential insight"],
         check: comparison,
     },

@@ -1,12 +1,9 @@
 //! MuJoCo's version and defaults, as the pinned release states them.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::mujoco::facts;
+use crate::claims::prelude::*;
 use crate::claims::s10::mujoco::differentiable;
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 use crate::closed_forms::mujoco_contact::ContactParameters;
-use crate::scalar::{Rational, ratio};
 
 const STORED: &str = "MuJoCo 3.17.0, asked by scripts/generate_references.py, answers in references/facts/mujoco.json";
 
@@ -22,7 +19,7 @@ pub const CLAIMS: &[Claim] = &[
             The step that MJX differentiates has a derivative where no contact touches or lets go within it (S6.mjx-gradients).",
         argument: "The pinned package calls itself 3.17.0. Of 4.0.0 only the package index was consulted, on 2026-11-21. Of the step: \
             S10.mujoco-row; MJX itself was not run.",
-        control: "A ball without weight that rests at touch, where nothing jumps.",
+        controls: &["A ball without weight that rests at touch, where nothing jumps."],
         sources: &["chapter, table of versions", STORED],
         check: version,
     },
@@ -38,7 +35,7 @@ pub const CLAIMS: &[Claim] = &[
             2hc ≤ 4m, and smaller.",
         argument: "Asked of the pinned release. Semi-implicit step on k = m = 1, c = 1 at h = 3/2 < 2: det = −1/2, trace = −7/4, and 1 + \
             trace + det = −5/4 < 0: an eigenvalue below −1.",
-        control: "c = 0.",
+        controls: &["c = 0."],
         sources: &["chapter, table of defaults", STORED],
         check: defaults,
     },

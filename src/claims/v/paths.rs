@@ -1,9 +1,7 @@
 //! The source files the chapter names, in the releases that could be asked.
 
-use crate::Result;
-use crate::checks::Finding;
+use crate::claims::prelude::*;
 use crate::claims::s10::{drake, mujoco, siconos, three_engines};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "V.paths",
@@ -18,7 +16,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         others of MuJoCo and Drake, and those of Bullet and Chrono, are in place. See S10.path-*.",
     argument: "Libraries and source distributions of the pinned releases, read by scripts, and trees of the repositories in August 2026: \
         Chrono, Drake, MuJoCo and Bullet have the files, Siconos has two of four at the printed paths, Pinocchio 4.1.0 none of two.",
-    control: "The releases that the paths are of: Siconos 4.5.0, Pinocchio 3.7.0, Drake before the announced removal, MJX's package.",
+    controls: &["The releases that the paths are of: Siconos 4.5.0, Pinocchio 3.7.0, Drake before the announced removal, MJX's package."],
     sources: &[
         "chapter, table of versions",
         "references/facts, references/bullet, references/pinocchio",

@@ -1,9 +1,7 @@
 //! The version of Pinocchio.
 
-use crate::Result;
-use crate::checks::Finding;
 use crate::claims::experiments::repositories::{PINOCCHIO_2, PINOCCHIO_3, PINOCCHIO_3_TAKES};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Kind, Reading};
+use crate::claims::prelude::*;
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "V.pinocchio",
@@ -17,7 +15,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         default law, other folders (S10.path-pinocchio).",
     argument: "The tree of the tag v3.7.0 has both files, and its ADMM takes a proximal term and a compliance; it adds De Saxcé's shift in \
         every iteration, which makes the cone problem Coulomb's.",
-    control: "Release 2.7.0.",
+    controls: &["Release 2.7.0."],
     sources: &["chapter, table of software", "Pinocchio, tags v2.7.0 and v3.7.0: admm-solver.hpp and .hxx"],
     check: release,
 }];
