@@ -7,6 +7,7 @@ pub(crate) mod experiments;
 mod figures;
 pub mod front;
 pub mod manual;
+mod places;
 mod prelude;
 mod registry;
 mod repeats;
@@ -30,8 +31,9 @@ mod verdict;
 
 pub use claim::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity, group_of};
 pub use figures::Figures;
+pub use places::{PLACES, Place, Places};
 pub use registry::{JudgedClaim, Status, all, conclude, find, is_derived, judge, matches_group, witnesses};
 pub use repeats::{REPEATS, original};
-pub use section::{SECTIONS, Section, place};
+pub use section::{SECTIONS, Section, order};
 pub use underived::UNDERIVED;
 pub use verdict::derive;

@@ -37,7 +37,7 @@ pub const SECTIONS: [Section; 19] = [
 ];
 
 /// The place of a group in the chapter's order, `None` if no section has it.
-pub fn place(group: &str) -> Option<usize> {
+pub fn order(group: &str) -> Option<usize> {
     SECTIONS.iter().position(|section| section.group == group)
 }
 
@@ -47,10 +47,10 @@ mod tests {
 
     #[test]
     fn section_ten_comes_after_section_nine_and_unknown_groups_have_no_place() {
-        assert!(place("S10") > place("S9"));
-        assert!(place("S9") > place("S1"));
-        assert!(place("R") > place("S12"));
-        assert_eq!(place("S13"), None);
-        assert_eq!(place("s4"), None);
+        assert!(order("S10") > order("S9"));
+        assert!(order("S9") > order("S1"));
+        assert!(order("R") > order("S12"));
+        assert_eq!(order("S13"), None);
+        assert_eq!(order("s4"), None);
     }
 }

@@ -46,8 +46,8 @@ Examples:
   moreau verify --list                    the claims, without running them
   moreau verify --list --verdict false --severity theorem --section 4
   moreau verify --format json             an array of {id, section, statement, verdict, kind, severity,
-                                          derived, evidence, correct_statement, findings, figures,
-                                          status, seconds}
+                                          derived, evidence, correct_statement, places, findings,
+                                          figures, status, seconds}
 
 A verdict is derived from the findings: each says what the sentence says of its instance, and supports
 the sentence or refutes it. `derived` is false where that is still to be written; the recorded verdict

@@ -3,7 +3,7 @@
 //! Numbers that are not finite become `null`, never `NaN`.
 
 use crate::checks::{Finding, Voice};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Figures, JudgedClaim, Kind, Severity, Status, is_derived, original};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Figures, JudgedClaim, Kind, PLACES, Place, Severity, Status, is_derived, original};
 use crate::{Error, Result};
 use serde::Serialize;
 
@@ -23,6 +23,8 @@ pub struct ClaimEntry {
     derived: bool,
     evidence: Evidence,
     correct_statement: &'static str,
+    /// The sentences that make it, the main one first; none for what the chapter does not say.
+    places: &'static [Place],
 }
 
 impl From<&Claim> for ClaimEntry {
@@ -38,6 +40,7 @@ impl From<&Claim> for ClaimEntry {
             derived: is_derived(claim),
             evidence: claim.evidence,
             correct_statement: claim.correct_statement,
+            places: PLACES.of(claim.id),
         }
     }
 }

@@ -2,7 +2,9 @@
 
 pub use crate::checks::text::Style;
 use crate::checks::{Finding, Voice};
-use crate::claims::{Claim, ClaimVerdict, Figures, JudgedClaim, Kind, SECTIONS, Section, Status, derive, is_derived, original, place};
+use crate::claims::{
+    Claim, ClaimVerdict, Figures, JudgedClaim, Kind, PLACES, SECTIONS, Section, Status, derive, is_derived, order, original,
+};
 use crate::number::{significant, with_unit};
 use std::fmt::Write;
 
@@ -61,6 +63,7 @@ pub fn explanation(outcome: &JudgedClaim, style: Style) -> String {
         body.iter().for_each(|paragraph| line(&mut text, paragraph));
     };
     part("The chapter says", &[wrap(claim.statement)]);
+    part("Place in the chapter", &places(claim));
     part(if claim.verdict == ClaimVerdict::True { "Proof" } else { "Proof or counterexample" }, &[wrap(claim.argument)]);
     let shown = if is_derived(claim) { told } else { judged };
     part("What this run found", &outcome.findings.iter().map(shown).collect::<Vec<_>>());
@@ -75,6 +78,12 @@ pub fn explanation(outcome: &JudgedClaim, style: Style) -> String {
         line(&mut text, "the evidence supports the verdict");
     }
     text
+}
+
+/// Where the chapter says it, or why it does not.
+fn places(claim: &Claim) -> Vec<String> {
+    let absent = PLACES.absent.get(claim.id).map(|reason| wrap(&format!("not in the chapter: {reason}")));
+    PLACES.of(claim.id).iter().map(|place| wrap(&place.to_string())).chain(absent).collect()
 }
 
 /// The lines before the last one of `verify`.
@@ -118,7 +127,7 @@ fn open_section(text: &mut String, group: &mut &'static str, claim: &'static Cla
 }
 
 fn section_of(claim: &Claim) -> Option<&'static Section> {
-    place(claim.section()).map(|place| &SECTIONS[place])
+    order(claim.section()).map(|order| &SECTIONS[order])
 }
 
 fn columns(claim: &Claim, width: usize) -> String {

@@ -3,9 +3,15 @@
 //! A trial judges the claim and its control. Then it breaks the judgement on purpose: no other verdict may be supported by the same
 //! findings, and with what the sentence says in place of what was found the verdict must become "true".
 
+mod numbers;
+#[path = "../architecture/source.rs"]
+mod source;
+
 use libtest_mimic::{Arguments, Failed, Trial};
 use moreau::checks::{Finding, Voice};
 use moreau::claims::{self, ClaimVerdict, Evidence, JudgedClaim, Status};
+use numbers::{Sources, unaccounted};
+use std::sync::Arc;
 
 const VERDICTS: [ClaimVerdict; 5] =
     [ClaimVerdict::True, ClaimVerdict::Conditional, ClaimVerdict::False, ClaimVerdict::Inconsistent, ClaimVerdict::Ambiguous];
@@ -55,12 +61,21 @@ fn graded(outcome: &JudgedClaim) -> Result<(), Failed> {
     }
 }
 
+/// Every number of the argument is found, fed in, printed or the number of a place.
+fn accounted(outcome: &JudgedClaim, sources: &Sources) -> Result<(), Failed> {
+    let missing = unaccounted(outcome, sources);
+    if missing.is_empty() { Ok(()) } else { Err(format!("no finding and no datum: {}", missing.join(" | ")).into()) }
+}
+
 fn main() {
+    let sources = Arc::new(Sources::read());
     let trials = claims::all().map(|claim| {
+        let sources = Arc::clone(&sources);
         Trial::test(claim.id, move || {
             let outcome = claims::judge(claim);
             supported(&outcome)?;
             graded(&outcome)?;
+            accounted(&outcome, &sources)?;
             if !claims::is_derived(claim) {
                 return match claims::derive(&outcome.findings) {
                     Ok(verdict) if verdict == claim.verdict => Err("the verdict follows: take the id out of UNDERIVED".into()),
@@ -71,5 +86,6 @@ fn main() {
             as_stated(&outcome)
         })
     });
-    libtest_mimic::run(&Arguments::from_args(), trials.collect()).exit();
+    let planted = Trial::test("what is taken for a number of a result", || numbers::planted().map_err(Failed::from));
+    libtest_mimic::run(&Arguments::from_args(), trials.chain([planted]).collect()).exit();
 }
