@@ -101,8 +101,8 @@ impl Severity {
     }
 }
 
-/// How strong the evidence is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+/// How strong the evidence is, from the strongest to the weakest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Evidence {
     /// Rational arithmetic, no rounding.

@@ -6,6 +6,7 @@ mod claim;
 pub(crate) mod experiments;
 mod figures;
 pub mod front;
+mod grade;
 pub mod manual;
 mod places;
 mod prelude;
@@ -31,6 +32,7 @@ mod verdict;
 
 pub use claim::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity, group_of};
 pub use figures::Figures;
+pub use grade::grade;
 pub use places::{PLACES, Place, Places};
 pub use registry::{JudgedClaim, Status, all, conclude, find, is_derived, judge, matches_group, witnesses};
 pub use repeats::{REPEATS, original};

@@ -2,7 +2,7 @@
 //!
 //! Numbers that are not finite become `null`, never `NaN`.
 
-use crate::checks::{Finding, Voice};
+use crate::checks::{Finding, Origin, Voice};
 use crate::claims::{Claim, ClaimVerdict, Evidence, Figures, JudgedClaim, Kind, PLACES, Place, Severity, Status, is_derived, original};
 use crate::{Error, Result};
 use serde::Serialize;
@@ -56,6 +56,7 @@ pub struct FindingEntry<'a> {
     violated: Option<&'static str>,
     #[serde(skip_serializing_if = "is_sentence")]
     voice: Voice,
+    origin: Origin,
 }
 
 fn is_sentence(voice: &Voice) -> bool {
@@ -69,7 +70,14 @@ impl<'a> From<&'a Finding> for FindingEntry<'a> {
             (false, true) => "supports",
             (false, false) => "refutes",
         };
-        FindingEntry { finding, role, stated: finding.stated(), violated: finding.bearing.violated, voice: finding.bearing.voice }
+        FindingEntry {
+            finding,
+            role,
+            stated: finding.stated(),
+            violated: finding.bearing.violated,
+            voice: finding.bearing.voice,
+            origin: finding.bearing.origin,
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! No two files of a crate import each other, directly or through others.
 
 use super::modules::{Modules, Source};
-use super::source::strip;
+use super::strip::strip;
 use super::{File, library, rust_files};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! A control feeds another subject through the check: it changes no expectation, no tolerance and nothing that the sentence says.
 
 use super::folder;
-use super::source::strip;
+use super::strip::strip;
 use std::path::{Path, PathBuf};
 
 fn rust_files(folder: &Path, files: &mut Vec<PathBuf>) {

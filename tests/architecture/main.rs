@@ -5,9 +5,11 @@ mod controls;
 mod modules;
 mod second;
 mod source;
+mod strip;
 
-use source::{imports, names_after, small_literals, strip, without_tests};
+use source::{imports, names_after, small_literals, without_tests};
 use std::path::{Path, PathBuf};
+use strip::strip;
 
 /// A file of a crate without comments, texts and test code.
 #[derive(Clone)]

@@ -1,7 +1,7 @@
 //! A second derivation shares no line with what it checks.
 
 use super::folder;
-use super::source::strip;
+use super::strip::strip;
 use std::collections::BTreeSet;
 
 /// Code lines that say something: no imports, no names of cases, and long enough not to be the same by chance.

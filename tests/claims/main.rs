@@ -4,12 +4,12 @@
 //! findings, and with what the sentence says in place of what was found the verdict must become "true".
 
 mod numbers;
-#[path = "../architecture/source.rs"]
-mod source;
+#[path = "../architecture/strip.rs"]
+mod strip;
 
 use libtest_mimic::{Arguments, Failed, Trial};
 use moreau::checks::{Finding, Voice};
-use moreau::claims::{self, ClaimVerdict, Evidence, JudgedClaim, Status};
+use moreau::claims::{self, ClaimVerdict, JudgedClaim, Status};
 use numbers::{Sources, unaccounted};
 use std::sync::Arc;
 
@@ -52,12 +52,13 @@ fn as_stated(outcome: &JudgedClaim) -> Result<(), Failed> {
     }
 }
 
-/// A claim is graded exact only if every finding that decides it is.
+/// The recorded grade is the one that follows from the findings that decide.
 fn graded(outcome: &JudgedClaim) -> Result<(), Failed> {
-    let rounded = outcome.findings.iter().find(|finding| !finding.bearing.context && finding.exact.is_none());
-    match rounded {
-        Some(finding) if outcome.claim.evidence == Evidence::Exact => Err(format!("graded exact, but rounded: {finding}").into()),
-        _ => Ok(()),
+    let grade = claims::grade(&outcome.findings);
+    if grade == outcome.claim.evidence {
+        Ok(())
+    } else {
+        Err(format!("recorded is {:?}; its findings give {grade:?}", outcome.claim.evidence).into())
     }
 }
 

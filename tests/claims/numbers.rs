@@ -10,7 +10,7 @@
 //! ```
 //! or if its sentence names the test that shows it. 0, 1 and 2 are not asked for.
 
-use super::source::strip;
+use super::strip::strip;
 use moreau::claims::{Claim, JudgedClaim};
 use regex::{Captures, Regex};
 use std::path::{Path, PathBuf};
@@ -23,8 +23,7 @@ static LITERAL: LazyLock<Regex> = LazyLock::new(|| Regex::new(r"\b\d[\d_]*(?:\.[
 static RATIO: LazyLock<Regex> = LazyLock::new(|| Regex::new(r"\b(\d+)(?:\.0)?\s*[,/]\s*(\d+)(?:\.0)?").expect("a pattern"));
 static NAMED: LazyLock<Regex> = LazyLock::new(|| Regex::new(r"(super|experiments)::(\w+)").expect("a pattern"));
 static PLACE: LazyLock<Regex> = LazyLock::new(|| {
-    let before =
-        "§|[Ee]xercises?|[Ss]ections?|[Cc]hapter|[Tt]heorem|[Ee]q\\.|[Ff]igure|[Tt]able|pages?|pp?\\.|[Ll]ines?|[Vv]ol\\.|No\\.|[Rr]ow|DOI|MuJoCo|Drake|Siconos|Pinocchio|Chrono|Bullet|PyBullet";
+    let before = "§|[Ee]xercises?|[Ss]ections?|[Cc]hapter|[Tt]heorem|[Ee]q\\.|[Ff]igure|[Tt]able|pages?|pp?\\.|[Ll]ines?|[Vv]ol\\.|No\\.|[Rr]ow|DOI|MuJoCo|Drake|Siconos|Pinocchio|Chrono|Bullet|PyBullet";
     Regex::new(&format!("(?:{before}) ?\\(?(?:\\d+–)?$")).expect("a pattern")
 });
 

@@ -85,6 +85,19 @@ pub enum Voice {
     Opinion(&'static str),
 }
 
+/// Where the found number comes from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Origin {
+    /// It follows from the data, exactly or within a derived bound.
+    #[default]
+    Computed,
+    /// An experiment whose outcome no derivation bounds: an observed order, a stored run of an engine, a time, a count of iterations.
+    Experiment,
+    /// A look-up: a package at its version, stored facts about one, an identifier of a publication.
+    LookUp,
+}
+
 /// What a finding has to do with the sentence.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bearing {
@@ -94,6 +107,8 @@ pub struct Bearing {
     pub violated: Option<&'static str>,
     /// Who says it.
     pub voice: Voice,
+    /// Where the found number comes from.
+    pub origin: Origin,
     /// Whether the finding decides nothing and is told beside the sentence.
     pub context: bool,
 }

@@ -19,6 +19,6 @@ pub mod text;
 pub mod tolerance;
 pub mod zeno;
 
-pub use bearing::{Bearing, Stated, Value, Voice};
+pub use bearing::{Bearing, Origin, Stated, Value, Voice};
 pub use finding::Finding;
 pub use relation::Relation;

@@ -1,6 +1,6 @@
 //! How a finding is told what the sentence says of its instance, and whether it supports the sentence.
 
-use crate::bearing::{Stated, Value, Voice};
+use crate::bearing::{Origin, Stated, Value, Voice};
 use crate::finding::Finding;
 use crate::relation::Relation;
 
@@ -52,6 +52,18 @@ impl Finding {
     /// The finding is told beside the sentence and decides nothing.
     pub fn context(mut self) -> Self {
         self.bearing.context = true;
+        self
+    }
+
+    /// The found number is the outcome of an experiment.
+    pub fn experiment(mut self) -> Self {
+        self.bearing.origin = Origin::Experiment;
+        self
+    }
+
+    /// The found number was looked up.
+    pub fn looked_up(mut self) -> Self {
+        self.bearing.origin = Origin::LookUp;
         self
     }
 
