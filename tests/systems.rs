@@ -110,21 +110,15 @@ static WRONG: System = System {
     position_update: "q",
     schemes: &["wrong"],
     held_against: &[
-        Agreement {
-            against: "the truth",
-            quantity: "error",
-            unit: "m",
-            measure: |_| Ok(Measured { difference: 2.0, tolerance: 1.0 }),
-            planted: &[],
-        },
+        Agreement { against: "the truth", quantity: "error", unit: "m", measure: |_| Ok(Measured::within(2.0, 1.0)), planted: &[] },
         Agreement {
             against: "the truth",
             quantity: "lost",
             unit: "m",
-            measure: |_| Ok(Measured { difference: f64::NAN, tolerance: 1.0 }),
+            measure: |_| Ok(Measured::within(f64::NAN, 1.0)),
             planted: &[
-                PlantedMistake { mistake: "large", measure: |_| Ok(Measured { difference: 2.0, tolerance: 1.0 }) },
-                PlantedMistake { mistake: "small", measure: |_| Ok(Measured { difference: 0.5, tolerance: 1.0 }) },
+                PlantedMistake { mistake: "large", measure: |_| Ok(Measured::within(2.0, 1.0)) },
+                PlantedMistake { mistake: "small", measure: |_| Ok(Measured::within(0.5, 1.0)) },
             ],
         },
     ],

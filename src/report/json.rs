@@ -50,6 +50,9 @@ impl From<&Claim> for ClaimEntry {
 pub struct FindingEntry<'a> {
     #[serde(flatten)]
     finding: &'a Finding,
+    /// How much of its bound the found number uses; absent where it is held exactly.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    used: Option<f64>,
     role: &'static str,
     stated: String,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -72,6 +75,7 @@ impl<'a> From<&'a Finding> for FindingEntry<'a> {
         };
         FindingEntry {
             finding,
+            used: finding.used(),
             role,
             stated: finding.stated(),
             violated: finding.bearing.violated,

@@ -1,6 +1,6 @@
 //! The systems on their four axes: text for the terminal, a table for docs/systems.md.
 
-use crate::number::{significant, with_unit};
+use crate::number::{significant, two_digits, with_unit};
 use crate::systems::{AgreementReport, Report, SystemReport};
 use crate::tolerance::systems::{DIGITS_SHOWN, SMALLEST_SHOWN};
 use std::fmt::Write;
@@ -22,7 +22,8 @@ pub fn text(report: &Report) -> String {
             let mark = if agreement.holds { "✓" } else { "✗" };
             let found = agreement.difference.map_or("not a number".into(), significant);
             let bound = with_unit(&significant(agreement.tolerance), &agreement.unit);
-            let _ = writeln!(text, "  {mark} {}: {}: {found}, at most {bound}", agreement.against, agreement.quantity);
+            let used = agreement.used.map(|used| format!(" ({} of it)", two_digits(used))).unwrap_or_default();
+            let _ = writeln!(text, "  {mark} {}: {}: {found}, at most {bound}{used}", agreement.against, agreement.quantity);
         }
         text.push('\n');
     }
@@ -35,7 +36,7 @@ pub fn text(report: &Report) -> String {
 /// What stands between [`BEGIN`] and [`END`]: one row per system.
 pub fn markdown(report: &Report) -> String {
     let mut text = String::from(
-        "| system | level | cone | law | algorithm | restitution | q⁺ | `--scheme` | agreement: measured (bound) \
+        "| system | level | cone | law | algorithm | restitution | q⁺ | `--scheme` | agreement: measured (bound; measured/bound) \
             |\n|---|---|---|---|---|---|---|---|---|\n",
     );
     for system in &report.systems {
@@ -52,27 +53,38 @@ pub fn markdown(report: &Report) -> String {
     text
 }
 
-/// `exact rationals: velocity of a ball < 1e-14 m/s (5e-14)`, with a warning where it does not hold.
+/// `exact rationals: velocity of a ball < 1e-14 m/s (5e-14; < 0.2)`, with a warning where it does not hold.
 fn agreement(agreement: &AgreementReport) -> String {
     let warning = if agreement.holds { "" } else { "**outside** " };
     let AgreementReport { against, quantity, unit, tolerance, .. } = agreement;
-    format!("{warning}{against}: {quantity} {} ({})", with_unit(&shown(agreement.difference), unit), two_digits(*tolerance))
+    let bound = two_digits(*tolerance);
+    let used = match agreement.difference {
+        Some(difference) if *tolerance > 0.0 => format!("; {}", share(difference, *tolerance)),
+        _ => String::new(),
+    };
+    format!("{warning}{against}: {quantity} {} ({bound}{used})", with_unit(&shown(agreement.difference), unit))
 }
 
 /// Two digits of a difference; of rounding only the power of ten above it, which is the same on every processor.
 fn shown(difference: Option<f64>) -> String {
     match difference {
         None => "not a number".into(),
-        Some(difference) if difference < DIGITS_SHOWN => {
-            format!("< 1e{}", difference.max(SMALLEST_SHOWN / 2.0).log10().ceil())
-        }
+        Some(difference) if difference < DIGITS_SHOWN => format!("< 1e{}", power_above(difference)),
         Some(difference) => two_digits(difference),
     }
 }
 
-fn two_digits(value: f64) -> String {
-    let rounded: f64 = format!("{value:.1e}").parse().unwrap_or(value);
-    significant(rounded)
+/// measured/bound, of what is shown of either.
+fn share(difference: f64, tolerance: f64) -> String {
+    if difference < DIGITS_SHOWN {
+        return format!("< {}", two_digits(10f64.powi(power_above(difference)) / tolerance));
+    }
+    two_digits(difference / tolerance)
+}
+
+/// The power of ten above a difference.
+fn power_above(difference: f64) -> i32 {
+    difference.max(SMALLEST_SHOWN / 2.0).log10().ceil() as i32
 }
 
 #[cfg(test)]
@@ -86,5 +98,11 @@ mod tests {
         assert_eq!(shown(Some(0.012_345)), "0.012");
         assert_eq!(shown(Some(4.56e-6)), "4.6e-6");
         assert_eq!(shown(None), "not a number");
+    }
+
+    #[test]
+    fn a_share_of_a_bound_is_shown_as_the_difference_is() {
+        assert_eq!(share(3.3e-14, 5e-13), "< 0.2");
+        assert_eq!(share(0.012_345, 0.1), "0.12");
     }
 }

@@ -5,7 +5,7 @@ use crate::checks::{Finding, Voice};
 use crate::claims::{
     Claim, ClaimVerdict, Figures, JudgedClaim, Kind, PLACES, SECTIONS, Section, Status, derive, is_derived, order, original,
 };
-use crate::number::{significant, with_unit};
+use crate::number::{significant, two_digits, with_unit};
 use std::fmt::Write;
 
 /// Columns of wrapped prose.
@@ -204,7 +204,13 @@ fn judged(finding: &Finding) -> String {
 
 /// A finding with what it says about the sentence; as [`judged`], if it is not what was expected.
 fn told(finding: &Finding) -> String {
-    if finding.holds() { bearing(finding) } else { judged(finding) }
+    if finding.holds() { bearing(finding) + &used(finding) } else { judged(finding) }
+}
+
+/// How much of its bound a finding uses, in two digits.
+fn used(finding: &Finding) -> String {
+    let share = finding.used().map(|used| format!("; {} of the bound", two_digits(used)));
+    share.unwrap_or_default()
 }
 
 /// What a finding says about the sentence.

@@ -37,7 +37,7 @@ fn finding(finding: &Finding) -> Json {
     };
     let (found, expected) = match &finding.exact {
         Some([found, expected]) => (json!(number(found)), json!(number(expected))),
-        None => (json!(finding.measured), json!(finding.expected)),
+        None => (json!(finding.measured), json!(finding.expectation.value)),
     };
     let stated = finding.bearing.stated.as_ref().map(|Stated { relation, value }| match value {
         Value::Exact(value) => json!({ "relation": relation, "value": value.to_string() }),
@@ -50,7 +50,8 @@ fn finding(finding: &Finding) -> Json {
         Voice::Opinion(name) => json!({ "opinion": name }),
     };
     json!({
-        "name": finding.name, "found": found, "expected": expected, "relation": finding.relation, "tolerance": finding.tolerance,
+        "name": finding.name, "found": found, "expected": expected,
+        "relation": finding.expectation.relation, "tolerance": finding.expectation.tolerance,
         "stated": stated, "violated": finding.bearing.violated, "voice": voice, "context": finding.bearing.context,
     })
 }

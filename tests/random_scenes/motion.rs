@@ -118,11 +118,10 @@ fn scale(taken: &Taken) -> f64 {
 }
 
 fn keep(outcome: &mut Outcome, finding: &moreau::checks::Finding) {
-    let over = finding.measured - finding.expected;
-    let over = if finding.relation == moreau::checks::Relation::Equal { over.abs() } else { over.max(0.0) };
-    outcome.ratio = outcome.ratio.max(if over == 0.0 { 0.0 } else { over / finding.tolerance });
+    let (over, tolerance) = (finding.expectation.miss(finding.measured), finding.expectation.tolerance);
+    outcome.ratio = outcome.ratio.max(if over == 0.0 { 0.0 } else { over / tolerance });
     if !finding.holds() && outcome.failure.is_none() {
-        outcome.failure = Some(format!("step {}: {finding}, tolerance {:e}", outcome.steps, finding.tolerance));
+        outcome.failure = Some(format!("step {}: {finding}, tolerance {tolerance:e}", outcome.steps));
     }
 }
 

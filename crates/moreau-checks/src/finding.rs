@@ -1,9 +1,11 @@
 //! A finding: one measured number, compared with one expectation.
 
 use crate::bearing::Bearing;
+use crate::expectation::Expectation;
 use crate::relation::Relation;
+use moreau_exact::number::two_digits;
 use moreau_exact::scalar::Rational;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 /// One measured number, what was expected of it and how far it may differ.
 #[derive(Clone, Debug, Serialize)]
@@ -12,14 +14,11 @@ pub struct Finding {
     pub name: String,
     /// The measured value (the nearest `f64` if it is exact).
     pub measured: f64,
-    /// The expected value or bound.
-    pub expected: f64,
-    /// How far the measured value may lie on the wrong side.
-    pub tolerance: f64,
+    /// What is expected of it; written as `expected`, `tolerance` and `relation`.
+    #[serde(flatten, serialize_with = "flat")]
+    pub expectation: Expectation,
     /// Unit, `1` for pure numbers.
     pub unit: &'static str,
-    /// How the two are compared.
-    pub relation: Relation,
     /// Measured and expected value as exact rationals or decisions, where the comparison was exact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exact: Option<[String; 2]>,
@@ -31,36 +30,48 @@ pub struct Finding {
     holds: bool,
 }
 
+/// Writes an expectation under the names that it has in a finding.
+fn flat<S: Serializer>(expectation: &Expectation, serializer: S) -> Result<S::Ok, S::Error> {
+    #[derive(Serialize)]
+    struct Flat {
+        expected: f64,
+        tolerance: f64,
+        relation: Relation,
+    }
+    let Expectation { value, tolerance, relation, .. } = *expectation;
+    Flat { expected: value, tolerance, relation }.serialize(serializer)
+}
+
 impl Finding {
-    fn compare(name: impl Into<String>, measured: f64, expected: f64, tolerance: f64, unit: &'static str, relation: Relation) -> Self {
-        let holds = relation.holds(measured, expected, tolerance);
+    fn compare(name: impl Into<String>, measured: f64, expectation: Expectation, unit: &'static str) -> Self {
+        let holds = expectation.holds(measured);
         let (name, bearing) = (name.into(), Bearing::default());
-        Finding { name, measured, expected, tolerance, unit, relation, exact: None, bearing, rational: None, holds }
+        Finding { name, measured, expectation, unit, exact: None, bearing, rational: None, holds }
     }
 
     /// |measured − expected| ≤ tolerance.
     pub fn equal(name: impl Into<String>, measured: f64, expected: f64, tolerance: f64, unit: &'static str) -> Self {
-        Self::compare(name, measured, expected, tolerance, unit, Relation::Equal)
+        Self::compare(name, measured, Expectation::equal(expected, tolerance, ""), unit)
     }
 
     /// measured ≤ bound.
     pub fn at_most(name: impl Into<String>, measured: f64, bound: f64, unit: &'static str) -> Self {
-        Self::compare(name, measured, bound, 0.0, unit, Relation::AtMost)
+        Self::compare(name, measured, Expectation::at_most(bound, 0.0, ""), unit)
     }
 
     /// measured ≤ bound + tolerance.
     pub fn at_most_within(name: impl Into<String>, measured: f64, bound: f64, tolerance: f64, unit: &'static str) -> Self {
-        Self::compare(name, measured, bound, tolerance, unit, Relation::AtMost)
+        Self::compare(name, measured, Expectation::at_most(bound, tolerance, ""), unit)
     }
 
     /// measured ≥ bound.
     pub fn at_least(name: impl Into<String>, measured: f64, bound: f64, unit: &'static str) -> Self {
-        Self::compare(name, measured, bound, 0.0, unit, Relation::AtLeast)
+        Self::compare(name, measured, Expectation::at_least(bound, 0.0, ""), unit)
     }
 
     /// Exact equality of rationals, tolerance zero.
     pub fn exact(name: impl Into<String>, measured: &Rational, expected: &Rational, unit: &'static str) -> Self {
-        let mut finding = Self::compare(name, measured.to_f64().value(), expected.to_f64().value(), 0.0, unit, Relation::Equal);
+        let mut finding = Self::equal(name, measured.to_f64().value(), expected.to_f64().value(), 0.0, unit);
         finding.holds = measured == expected;
         finding.exact = Some([measured.to_string(), expected.to_string()]);
         finding.rational = Some(measured.clone());
@@ -84,6 +95,11 @@ impl Finding {
         self.holds
     }
 
+    /// How much of its bound the measured value uses, see [`Expectation::used`]; `None` for what is compared exactly.
+    pub fn used(&self) -> Option<f64> {
+        self.expectation.used(self.measured).filter(|_| self.exact.is_none())
+    }
+
     /// Whether the finding is a decision, true or false.
     pub fn is_decision(&self) -> bool {
         self.exact.as_ref().is_some_and(|[measured, _]| measured == "true" || measured == "false")
@@ -91,21 +107,23 @@ impl Finding {
 
     /// The finding with `holds` computed afresh from its numbers, which may have been changed.
     pub(crate) fn judged_again(mut self) -> Self {
-        self.holds = self.relation.holds(self.measured, self.expected, self.tolerance);
+        self.holds = self.expectation.holds(self.measured);
         self
     }
 }
 
 impl std::fmt::Display for Finding {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let sign = self.relation.sign();
+        let Expectation { value, tolerance, relation, .. } = &self.expectation;
+        let sign = relation.sign();
         let unit = if self.unit == "1" { String::new() } else { format!(" {}", self.unit) };
+        let used = self.used().map(|used| format!("; {} of the bound", two_digits(used))).unwrap_or_default();
         match &self.exact {
             Some([measured, expected]) => write!(f, "{}: {measured}{unit} (expected {sign} {expected}, exact)", self.name),
-            None if self.relation == Relation::Equal => {
-                write!(f, "{}: {:.10e}{unit} (expected {sign} {:.10e} ± {:.1e})", self.name, self.measured, self.expected, self.tolerance)
+            None if *relation == Relation::Equal => {
+                write!(f, "{}: {:.10e}{unit} (expected {sign} {value:.10e} ± {tolerance:.1e}{used})", self.name, self.measured)
             }
-            None => write!(f, "{}: {:.10e}{unit} (expected {sign} {:.10e})", self.name, self.measured, self.expected),
+            None => write!(f, "{}: {:.10e}{unit} (expected {sign} {value:.10e}{used})", self.name, self.measured),
         }
     }
 }
@@ -138,6 +156,23 @@ mod tests {
         assert!(!Finding::equal("x", f64::NAN, 1.0, 1.0, "m").holds());
         assert!(!Finding::at_most("x", f64::NAN, 1.0, "m").holds());
         assert!(!Finding::at_least("x", f64::INFINITY, 1.0, "m").holds());
+    }
+
+    #[test]
+    fn a_finding_is_written_flat_under_the_names_it_always_had() {
+        let written = serde_json::to_value(Finding::at_most("x", 1.0, 2.0, "m")).expect("plain data");
+        let expected = serde_json::json!({
+            "name": "x", "measured": 1.0, "expected": 2.0, "tolerance": 0.0, "unit": "m", "relation": "at-most", "holds": true
+        });
+        assert_eq!(written, expected);
+    }
+
+    #[test]
+    fn what_is_exact_uses_no_bound() {
+        assert_eq!(Finding::count("k", 3, 3).used(), None);
+        let half = Finding::equal("x", 1.25, 1.0, 0.5, "m");
+        assert_eq!(half.used(), Some(0.5));
+        assert!(half.to_string().ends_with("± 5.0e-1; 0.5 of the bound)"), "{half}");
     }
 
     #[test]

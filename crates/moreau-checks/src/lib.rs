@@ -10,6 +10,7 @@ pub mod convergence;
 pub mod defects;
 pub mod delassus;
 pub mod energy;
+mod expectation;
 mod finding;
 pub mod plot;
 mod relation;
@@ -20,5 +21,6 @@ pub mod tolerance;
 pub mod zeno;
 
 pub use bearing::{Bearing, Origin, Stated, Value, Voice};
+pub use expectation::Expectation;
 pub use finding::Finding;
 pub use relation::Relation;

@@ -16,18 +16,6 @@ pub enum Relation {
 }
 
 impl Relation {
-    /// Whether a measured number is as the other one demands; never, if one of them is not finite.
-    pub fn holds(self, measured: f64, other: f64, tolerance: f64) -> bool {
-        let difference = measured - other;
-        measured.is_finite()
-            && other.is_finite()
-            && match self {
-                Relation::Equal => difference.abs() <= tolerance,
-                Relation::AtMost => difference <= tolerance,
-                Relation::AtLeast => difference >= -tolerance,
-            }
-    }
-
     /// Its sign.
     pub fn sign(self) -> &'static str {
         match self {

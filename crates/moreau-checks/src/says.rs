@@ -1,6 +1,7 @@
 //! How a finding is told what the sentence says of its instance, and whether it supports the sentence.
 
 use crate::bearing::{Origin, Stated, Value, Voice};
+use crate::expectation::Expectation;
 use crate::finding::Finding;
 use crate::relation::Relation;
 
@@ -76,7 +77,7 @@ impl Finding {
                 Relation::AtMost => found <= stated,
                 Relation::AtLeast => found >= stated,
             },
-            _ => relation.holds(self.measured, value.rounded(), self.tolerance),
+            _ => Expectation { value: value.rounded(), relation: *relation, ..self.expectation.clone() }.holds(self.measured),
         }
     }
 
@@ -85,8 +86,8 @@ impl Finding {
         let Some(Stated { relation, value }) = &self.bearing.stated else {
             return match &self.exact {
                 Some([_, expected]) => expected.clone(),
-                None if self.relation == Relation::Equal => self.expected.to_string(),
-                None => format!("{} {}", self.relation.sign(), self.expected),
+                None if self.expectation.relation == Relation::Equal => self.expectation.value.to_string(),
+                None => format!("{} {}", self.expectation.relation.sign(), self.expectation.value),
             };
         };
         let sign = if *relation == Relation::Equal { String::new() } else { format!("{} ", relation.sign()) };
@@ -109,7 +110,7 @@ impl Finding {
                     Value::Rounded(_) => None,
                 });
             }
-            None => finding.measured = self.expected,
+            None => finding.measured = self.expectation.value,
         }
         finding.judged_again()
     }

@@ -25,6 +25,11 @@ pub fn significant(value: f64) -> String {
     }
 }
 
+/// A number with at most two significant digits, as [`significant`] writes it.
+pub fn two_digits(value: f64) -> String {
+    significant(format!("{value:.1e}").parse().unwrap_or(value))
+}
+
 /// A number followed by its unit; pure numbers have the unit `1` and show none.
 pub fn with_unit(number: &str, unit: &str) -> String {
     if unit == "1" { number.into() } else { format!("{number} {unit}") }

@@ -18,6 +18,7 @@ pub mod description;
 pub mod engine;
 #[cfg(test)]
 pub(crate) mod exact;
+mod guarded;
 pub mod library;
 pub mod measurement;
 pub mod model;

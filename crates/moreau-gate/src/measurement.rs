@@ -7,7 +7,7 @@
 //!     value off the ideal, nothing predicted                fail
 //! ```
 
-use moreau_checks::Relation;
+pub use moreau_checks::Expectation;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -42,51 +42,6 @@ impl Verdict {
     /// Whether a build should stop.
     pub fn is_bad(self) -> bool {
         matches!(self, Verdict::Errored | Verdict::Fail)
-    }
-}
-
-/// An expected value or bound, the allowed deviation from it, and the reason for that allowance.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Expectation {
-    /// The expected value or bound.
-    pub value: f64,
-    /// The derived allowance.
-    pub tolerance: f64,
-    /// How the measured value must relate to the expected one: equal, at most or at least.
-    pub relation: Relation,
-    /// Where value and tolerance come from, in a few words.
-    pub why: String,
-}
-
-impl Expectation {
-    /// |measured − value| ≤ tolerance.
-    pub fn equal(value: f64, tolerance: f64, why: impl Into<String>) -> Self {
-        Expectation { value, tolerance, relation: Relation::Equal, why: why.into() }
-    }
-
-    /// measured ≤ value + tolerance.
-    pub fn at_most(value: f64, tolerance: f64, why: impl Into<String>) -> Self {
-        Expectation { value, tolerance, relation: Relation::AtMost, why: why.into() }
-    }
-
-    /// measured ≥ value − tolerance.
-    pub fn at_least(value: f64, tolerance: f64, why: impl Into<String>) -> Self {
-        Expectation { value, tolerance, relation: Relation::AtLeast, why: why.into() }
-    }
-
-    /// How far the measured value is on the wrong side, 0 if it is not.
-    pub fn miss(&self, measured: f64) -> f64 {
-        let difference = measured - self.value;
-        match self.relation {
-            Relation::Equal => difference.abs(),
-            Relation::AtMost => difference.max(0.0),
-            Relation::AtLeast => (-difference).max(0.0),
-        }
-    }
-
-    /// Whether the measured value is as expected; never for a value that is not finite.
-    pub fn holds(&self, measured: f64) -> bool {
-        measured.is_finite() && self.value.is_finite() && self.miss(measured) <= self.tolerance
     }
 }
 
@@ -165,13 +120,5 @@ mod tests {
     fn what_is_not_finite_never_passes() {
         assert_eq!(measured(f64::NAN, None), Verdict::Fail);
         assert_eq!(measured(f64::INFINITY, None), Verdict::Fail);
-        let unbounded = Expectation::at_most(f64::INFINITY, 0.0, "no bound is no check");
-        assert!(!unbounded.holds(0.0));
-    }
-
-    #[test]
-    fn bounds_are_one_sided() {
-        assert!(Expectation::at_most(1.0, 0.0, "").holds(-5.0) && !Expectation::at_most(1.0, 0.0, "").holds(1.5));
-        assert!(Expectation::at_least(1.0, 0.0, "").holds(5.0) && !Expectation::at_least(1.0, 0.0, "").holds(0.5));
     }
 }

@@ -2,11 +2,15 @@
 //!
 //! A task is one check at one time step. Every worker has an engine of its own and takes the next task; the answers are put in order
 //! afterwards, so that the number of workers changes nothing but the time.
+//!
+//! A panic of the engine is an answer of the engine, `errored`. A panic of a check is a mistake of ours: it ends the run, with the
+//! name of the check, and nothing is said of the engine.
 
+use crate::guarded::Guarded;
 use crate::{
     Bench, Check, CheckOutcome, Description, Engine, Level, Measurement, Options, Refusal, Reply, Report, Run, StepOutcome, outcome,
 };
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -50,21 +54,26 @@ struct Task {
 ///
 /// # Errors
 /// [`Refusal`] if the engine does not describe itself: then nothing can be asked.
+///
+/// # Panics
+/// If a check panics, with its name: the mistake is the check's.
 pub fn run(make: &(dyn Fn() -> Box<dyn Engine> + Sync), plan: &Plan) -> Reply<Report> {
-    let description = make().describe(&plan.options)?;
+    let description = Guarded::new(make).describe(&plan.options)?;
     let tasks = tasks(&plan.checks, &plan.sweep);
     let (next, answers) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
     std::thread::scope(|scope| {
-        for _ in 0..plan.jobs.clamp(1, tasks.len().max(1)) {
-            scope.spawn(|| {
-                let mut engine = make();
-                loop {
-                    let index = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(task) = tasks.get(index) else { return };
-                    let answer = measure(make, &mut engine, &description, plan, *task);
-                    answers.lock().unwrap_or_else(std::sync::PoisonError::into_inner).push((index, answer));
-                }
-            });
+        let work = || {
+            let mut engine = Guarded::new(make);
+            loop {
+                let index = next.fetch_add(1, Ordering::Relaxed);
+                let Some(task) = tasks.get(index) else { return };
+                let answer = measure(&mut engine, &description, plan, *task);
+                answers.lock().unwrap_or_else(std::sync::PoisonError::into_inner).push((index, answer));
+            }
+        };
+        let workers: Vec<_> = (0..plan.jobs.clamp(1, tasks.len().max(1))).map(|_| scope.spawn(work)).collect();
+        for worker in workers {
+            worker.join().unwrap_or_else(|panic| resume_unwind(panic));
         }
     });
     let mut answers = answers.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
@@ -85,19 +94,13 @@ fn tasks(checks: &[&'static Check], sweep: &[f64]) -> Vec<Task> {
 }
 
 /// A task, repeated as often as the plan says; the repetitions after the first are perturbed and only give the spread.
-fn measure(
-    make: &(dyn Fn() -> Box<dyn Engine> + Sync),
-    engine: &mut Box<dyn Engine>,
-    description: &Description,
-    plan: &Plan,
-    task: Task,
-) -> StepOutcome {
+fn measure(engine: &mut Guarded, description: &Description, plan: &Plan, task: Task) -> StepOutcome {
     let mut attempt = |repeat: usize| {
-        let answer = catch_unwind(AssertUnwindSafe(|| perform(engine.as_mut(), description, &plan.options, task, repeat)));
+        let answer = catch_unwind(AssertUnwindSafe(|| perform(engine, description, &plan.options, task, repeat)));
         (plan.progress)();
         answer.unwrap_or_else(|_| {
-            *engine = make();
-            Err(Refusal::errored("the engine panicked during the check"))
+            let at = task.time_step.map(|h| format!(" at h = {h}")).unwrap_or_default();
+            panic!("the check `{}` panicked{at}, as told above: a mistake of the check, which says nothing of the engine", task.check.name)
         })
     };
     let mut first = attempt(0);

@@ -74,6 +74,33 @@ fn every_check_gets_its_verdict_in_the_order_of_the_question() {
     assert_eq!(report(1).checks[1].fails_at, [0.5, 0.25]);
 }
 
+/// Reads a sample that nobody gave.
+static FAULTY: Check = check("toy/faulty", Level::Solve, Run::EachStep(|_, _| Ok(value([0.0f64; 0].iter().copied().next().unwrap()))));
+
+#[test]
+fn a_panic_of_a_check_ends_the_run_and_is_not_the_engine_s() {
+    for jobs in [1, 2] {
+        let plan = Plan { checks: vec![&ONCE, &FAULTY], sweep: vec![0.5], options: Options::new(), jobs, repeats: 1, progress: &|| {} };
+        let panic = catch_unwind(AssertUnwindSafe(|| run(&|| Box::new(Toy), &plan))).expect_err("the check is faulty");
+        let told = panic.downcast_ref::<String>().expect("a text");
+        assert!(told.starts_with("the check `toy/faulty` panicked at h = 0.5") && told.contains("nothing of the engine"), "{told}");
+    }
+}
+
+#[test]
+fn a_panic_of_an_engine_is_its_answer_and_the_next_check_has_an_engine_again() {
+    let report = report(1);
+    let told = report.checks[0].reason.as_deref().expect("a cause");
+    assert!(told.starts_with("the engine panicked"), "{told}");
+    assert_eq!(report.checks[2].verdict, Verdict::Pass);
+}
+
+#[test]
+fn an_engine_that_panics_when_it_is_made_cannot_be_run() {
+    let plan = Plan { checks: vec![&ONCE], sweep: vec![1.0], options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };
+    assert!(matches!(run(&|| panic!("no licence"), &plan), Err(Refusal::Errored(_))));
+}
+
 #[test]
 fn the_number_of_jobs_changes_nothing() {
     assert_eq!(report(1), report(2));

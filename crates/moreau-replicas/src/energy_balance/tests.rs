@@ -23,7 +23,7 @@ fn ball_step(name: &str, parameters: &SchemeParameters, e: f64, at: [f64; 2], h:
 fn rise(judged: &Judged) -> (f64, f64) {
     let total = judged.findings.iter().find(|finding| finding.name == TOTAL).expect("a bound");
     assert!(total.holds(), "{total}");
-    (total.measured, total.expected)
+    (total.measured, total.expectation.value)
 }
 
 #[test]

@@ -99,10 +99,7 @@ fn apart(problem: &ContactProblem, one: &Solution, other: &Solution) -> Result<M
     let rho = natural_map::scales(problem).into_iter().fold(f64::INFINITY, f64::min);
     let norm = largest_eigenvalue_bound(&problem.law_delassus());
     let floor = rounding(problem.rows(), problem.dense().norm() * one.impulse.norm());
-    Ok(Measured {
-        difference: (&one.velocity - &other.velocity).norm(),
-        tolerance: solvers::agreement(norm, residual, impulses, rho) + floor,
-    })
+    Ok(Measured::within((&one.velocity - &other.velocity).norm(), solvers::agreement(norm, residual, impulses, rho) + floor))
 }
 
 /// The answer to the first step's problem with 10 % more free velocity, against Clarabel's to the right problem, under the tolerance of the
@@ -119,7 +116,7 @@ pub fn stack_answered_wrongly(scheme: &dyn Waist, solver: &dyn ContactSolver) ->
     let other = problem.clone().into_builder().free_velocity(problem.free_velocity() * 1.1).build()?;
     let mut answer = solver.solve(&other, None)?;
     answer.velocity = problem.velocity(&answer.impulse);
-    Ok(Measured { tolerance: right.tolerance, ..apart(&problem, &answer, &interior)? })
+    Ok(Measured { expectation: right.expectation, ..apart(&problem, &answer, &interior)? })
 }
 
 /// A mistake: a solver that tells the velocities before its impulses.

@@ -192,7 +192,7 @@ fn swept(
 ) -> Result<Measured> {
     let run = read_by(runs, path, BulletSteps::from_json)?;
     let deviation = run.deviation(&scheme(run.scheme()?), solver(run.solver()?).as_ref())?;
-    Ok(Measured { difference: deviation.impulse, tolerance: run.tolerance() })
+    Ok(Measured::within(deviation.impulse, run.tolerance()))
 }
 
 /// A mistake: friction before the normals of each sweep, so that the last normals have no friction after them.

@@ -79,7 +79,7 @@ fn recovery(scheme: &dyn Scheme) -> Result<Measured> {
     let run = simulate(scheme, &Auto, &PointMass::ball_on_floor(1.0, 9.81, 0.0), start, h, steps)?;
     let compare = |(k, state): (usize, &State)| {
         let difference = (state.position[0] + depth - 0.6 * h * k as f64).abs();
-        Measured { difference, tolerance: rounding(16 * (k + 1), depth) }
+        Measured::within(difference, rounding(16 * (k + 1), depth))
     };
     Measured::worst(run.samples.iter().enumerate().map(compare)).ok_or_else(|| Error::Unsupported("no step was taken".into()))
 }

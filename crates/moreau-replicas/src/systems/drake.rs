@@ -261,5 +261,5 @@ fn replay(stored: &Trajectory, scheme: Other) -> Result<Replay<'_>> {
 }
 
 fn measured(finding: Finding) -> Measured {
-    Measured { difference: finding.measured, tolerance: finding.expected }
+    Measured::within(finding.measured, finding.expectation.value)
 }

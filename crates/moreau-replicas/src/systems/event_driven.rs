@@ -77,7 +77,7 @@ fn follow(
     let mut found = Vec::new();
     for _ in 0..8 {
         state = method.advance(&Auto, mechanism, &state, duration / 8.0)?.state;
-        found.push(Measured { difference: error(&state), tolerance: ACCURACY });
+        found.push(Measured::within(error(&state), ACCURACY));
     }
     Ok(found)
 }
@@ -119,7 +119,7 @@ const SICONOS: &[&str] = &[
 pub(super) fn siconos(runs: &dyn StoredRuns, method: &EventDriven) -> Result<Measured> {
     let found = SICONOS.iter().map(|path| {
         let run = read_by(runs, path, SiconosEvents::from_json)?;
-        Ok(Measured { difference: run.apart(method)?.instant, tolerance: run.tolerance() })
+        Ok(Measured::within(run.apart(method)?.instant, run.tolerance()))
     });
     found.collect::<Result<Vec<_>>>().map(worst)
 }
@@ -141,7 +141,7 @@ fn belt(method: &EventDriven) -> Result<Measured> {
     let exact = BeltOscillator::new(3.0, 0.2, 0.7, 0.5)?;
     let system = DryFriction { frequency: 3.0, belt: 0.2, sticking: 0.7, slipping: 0.5 };
     let (end, _) = advance(method, &system, &dvector![0.0, 0.2], 10.0)?;
-    Ok(Measured { difference: (end[0] - exact.carried_from_zero(10.0).0).abs(), tolerance: SWITCHING })
+    Ok(Measured::within((end[0] - exact.carried_from_zero(10.0).0).abs(), SWITCHING))
 }
 
 /// Steps of 13 ms, and an event belongs to the end of its step.

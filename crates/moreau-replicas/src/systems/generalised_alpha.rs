@@ -73,7 +73,7 @@ const SICONOS: &[&str] = &[
 fn siconos(runs: &dyn StoredRuns, scheme: impl Fn(&SiconosAlpha) -> Result<GeneralisedAlpha>) -> Result<Measured> {
     let found = SICONOS.iter().map(|path| {
         let run = read_by(runs, path, SiconosAlpha::from_json)?;
-        Ok(Measured { difference: run.deviations(&scheme(&run)?)?[1], tolerance: run.tolerances()[1] })
+        Ok(Measured::within(run.deviations(&scheme(&run)?)?[1], run.tolerances()[1]))
     });
     Measured::worst(found.collect::<Result<Vec<_>>>()?).ok_or_else(|| Error::Unsupported("no run is stored".into()))
 }

@@ -196,14 +196,14 @@ fn replay(runs: &dyn StoredRuns, path: &str, scheme: &dyn Scheme) -> Result<Meas
         }
     };
     run(scheme, &GaussNewton::default(), mechanism.as_ref(), start, stored.time_step, steps as usize, observe)?;
-    Ok(Measured { difference, tolerance: stored_number(number(&sensitivity[0])?, number(&sensitivity[1])?, steps, size) })
+    Ok(Measured::within(difference, stored_number(number(&sensitivity[0])?, number(&sensitivity[1])?, steps, size)))
 }
 
 /// ‖r − r_engine‖/‖r_engine‖ of a stored step.
 fn stored_step(runs: &dyn StoredRuns, path: &str, solver: &dyn ContactSolver, tolerance: f64) -> Result<Measured> {
     let (problem, engine) = problem_and_answer(runs, path)?;
     let ours = solver.solve(&problem, None)?;
-    Ok(Measured { difference: (ours.impulse - &engine.impulse).norm() / engine.impulse.norm(), tolerance })
+    Ok(Measured::within((ours.impulse - &engine.impulse).norm() / engine.impulse.norm(), tolerance))
 }
 
 /// A ball of 1 kg after two seconds on the floor against k d² δ = (1 − d) g.
@@ -214,5 +214,5 @@ fn rest_depth(scheme: &dyn Scheme) -> Result<Measured> {
     let expected = ContactParameters::default().rest_depth(0.001, 1.0, 9.81)?;
     // velocities of size g h are balanced to rounding, and the stiffness of 2000/s² turns what is left over a step into less than itself in
     // metres
-    Ok(Measured { difference: (end.position[0] + expected).abs(), tolerance: rounding(64, 9.81 * 0.001) })
+    Ok(Measured::within((end.position[0] + expected).abs(), rounding(64, 9.81 * 0.001)))
 }

@@ -31,7 +31,7 @@ pub fn velocities(
 ) -> Result<Measured> {
     compare(scheme, next, |state, exact, speed| {
         let difference = (state.velocity[0] - exact.velocity.to_f64().value()).abs();
-        Measured { difference, tolerance: ball_velocity(speed, GRAVITY * TIME_STEP) }
+        Measured::within(difference, ball_velocity(speed, GRAVITY * TIME_STEP))
     })
 }
 
@@ -47,7 +47,7 @@ pub fn positions(
         let difference = (state.position[0] - exact.position.to_f64().value()).abs();
         // the step before is one fall above or below
         let height = state.position[0].abs() + TIME_STEP * (speed + GRAVITY * TIME_STEP);
-        Measured { difference, tolerance: ball_position(height, speed, GRAVITY * TIME_STEP, TIME_STEP) }
+        Measured::within(difference, ball_position(height, speed, GRAVITY * TIME_STEP, TIME_STEP))
     })
 }
 
@@ -84,5 +84,5 @@ pub fn drop_to_rest(scheme: &dyn Scheme, expected: &MoreauJean) -> Result<Measur
     let leading = Impacts { theta: expected.theta, forecast, restitution, shifts: 1, impacts: None, horizon };
     let fall = BouncingBall::new(GRAVITY, 1.0, restitution)?.first_impact_time();
     let tolerance = leading.position(fall / h).upper * GRAVITY * fall * h;
-    Ok(Measured { difference: ball_errors(scheme, restitution, horizon, h)?.position, tolerance })
+    Ok(Measured::within(ball_errors(scheme, restitution, horizon, h)?.position, tolerance))
 }

@@ -25,7 +25,7 @@ fn run(scheme: &dyn Scheme, friction: f64, gap: f64, speed: f64) -> Result<Recor
 
 fn worst(recording: &Recording, difference: impl Fn(&State) -> f64) -> Result<Measured> {
     let tolerance = slide_rounding(STEPS);
-    let comparisons = recording.samples.iter().map(|state| Measured { difference: difference(state).abs(), tolerance });
+    let comparisons = recording.samples.iter().map(|state| Measured::within(difference(state).abs(), tolerance));
     Measured::worst(comparisons).ok_or_else(|| Error::Unsupported("no step was taken".into()))
 }
 

@@ -41,7 +41,7 @@ pub fn steps(scheme: &dyn Scheme, method: &impl Method) -> Result<Measured> {
         let wanted: Phase<Rational> = method.step(&system, &phase(&pair[0]), &exact(STEP));
         let off = |found: f64, wanted: &Rational| (found - Scalar::to_f64(wanted)).abs();
         let difference = off(pair[1].position[0], &wanted.position[0]).max(off(pair[1].velocity[0], &wanted.velocity[0]));
-        Measured { difference: difference / size(&pair[0]).sqrt(), tolerance: spring_step() }
+        Measured::within(difference / size(&pair[0]).sqrt(), spring_step())
     });
     Measured::worst(comparisons).ok_or_else(|| Error::Unsupported("no step was taken".into()))
 }
@@ -60,5 +60,5 @@ pub fn energy(scheme: &dyn Scheme, factor: f64, cross: f64) -> Result<Measured> 
     let recording = run(scheme)?;
     let quantity = |state: &State| size(state) + cross * state.position[0] * state.velocity[0];
     let ratio = quantity(recording.last()) / quantity(&recording.samples[0]) / factor.powi(STEPS as i32);
-    Ok(Measured { difference: (ratio - 1.0).abs(), tolerance: spring_energy(STEPS) })
+    Ok(Measured::within((ratio - 1.0).abs(), spring_energy(STEPS)))
 }

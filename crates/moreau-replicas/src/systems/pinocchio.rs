@@ -64,7 +64,7 @@ pub static SYSTEM: System = System {
 fn compare(runs: &dyn StoredRuns, stored: &[&str], solver: &dyn ContactSolver) -> Result<Measured> {
     let found = stored.iter().map(|path| {
         let (problem, theirs) = problem_and_answer(runs, path)?;
-        Ok(Measured { difference: (solver.solve(&problem, None)?.velocity - &theirs.velocity).amax(), tolerance: tolerance::SAME_VELOCITY })
+        Ok(Measured::within((solver.solve(&problem, None)?.velocity - &theirs.velocity).amax(), tolerance::SAME_VELOCITY))
     });
     Measured::worst(found.collect::<Result<Vec<_>>>()?).ok_or_else(|| Error::Unsupported("no problem is stored".into()))
 }

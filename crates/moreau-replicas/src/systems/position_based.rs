@@ -73,7 +73,7 @@ fn depth(scheme: PositionBased, expected: impl Fn(&PositionBasedContact) -> f64)
         let start = State { time: 0.0, position: dvector![0.0], velocity: dvector![0.0] };
         let end = simulate(&scheme, &Auto, &ball, start, h, 4000)?.last().position[0];
         let expected = expected(&PositionBasedContact { mass: 2.0, gravity: GRAVITY, time_step: h });
-        found.push(Measured { difference: (end + expected).abs(), tolerance: rounding(512, expected) });
+        found.push(Measured::within((end + expected).abs(), rounding(512, expected)));
     }
     Ok(Measured::worst(found).expect("two steps"))
 }
@@ -86,7 +86,7 @@ fn rebound(scheme: PositionBased, restitution: f64) -> Result<Measured> {
         let start = State { time: 0.0, position: dvector![gap], velocity: dvector![speed] };
         let after = step(&scheme, &Auto, &ball, &start, h)?.state.velocity[0];
         let exact = PositionBasedContact { mass: 2.0, gravity: GRAVITY, time_step: h }.rebound(restitution, speed);
-        found.push(Measured { difference: (after - exact).abs(), tolerance: rounding(64, 4.0) });
+        found.push(Measured::within((after - exact).abs(), rounding(64, 4.0)));
     }
     Ok(Measured::worst(found).expect("three landings"))
 }

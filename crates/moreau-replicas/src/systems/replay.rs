@@ -10,7 +10,7 @@ use moreau_exact::{Error, Result};
 use serde_json::Value;
 
 /// Largest differences from a stored motion, with their tolerances.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Replay {
     /// Largest difference of a position \[m\].
     pub position: Measured,
@@ -41,8 +41,8 @@ pub fn replay(stored: &Trajectory, scheme: &dyn Scheme, samples: usize) -> Resul
     let finite = |difference: f64| if difference.is_finite() { difference } else { f64::INFINITY };
     let [allowed_position, allowed_velocity] = allowed(stored)?;
     Ok(Replay {
-        position: Measured { difference: finite(position), tolerance: allowed_position },
-        velocity: Measured { difference: finite(velocity), tolerance: allowed_velocity },
+        position: Measured::within(finite(position), allowed_position),
+        velocity: Measured::within(finite(velocity), allowed_velocity),
     })
 }
 

@@ -51,6 +51,9 @@ pub struct AgreementReport {
     pub tolerance: f64,
     /// Whether the difference is within the tolerance.
     pub holds: bool,
+    /// How much of the tolerance the difference is; absent if it must be 0 or is not a finite number.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub used: Option<f64>,
 }
 
 impl Report {
@@ -107,8 +110,9 @@ impl AgreementReport {
             quantity: agreement.quantity.into(),
             unit: agreement.unit.into(),
             difference: Some(measured.difference).filter(|difference| difference.is_finite()),
-            tolerance: measured.tolerance,
+            tolerance: measured.expectation.tolerance,
             holds: measured.holds(),
+            used: measured.used(),
         })
     }
 }

@@ -144,7 +144,7 @@ fn steps(
 ) -> Result<Measured> {
     let comparisons = paths.iter().map(|path| {
         let run = read_by(runs, path, SiconosSteps::from_json)?;
-        Ok(Measured { difference: run.deviations(scheme(&run)?.as_ref())?[which], tolerance: run.tolerances()[which] })
+        Ok(Measured::within(run.deviations(scheme(&run)?.as_ref())?[which], run.tolerances()[which]))
     });
     let comparisons = comparisons.collect::<Result<Vec<_>>>()?;
     Measured::worst(comparisons).ok_or_else(|| Error::Unsupported("no run is stored".into()))

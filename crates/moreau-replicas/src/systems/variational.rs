@@ -89,9 +89,9 @@ fn speeds_of_a_ball(scheme: &dyn Scheme) -> Result<Measured> {
         let speed = at_the_floor(&pair[0]);
         let time = (pair[0].velocity[0] + speed) / GRAVITY;
         let expected = (speed * speed + 0.25 * GRAVITY * GRAVITY * TIME_STEP * (TIME_STEP - 2.0 * time)).sqrt();
-        Measured { difference: (at_the_floor(&pair[1]) - expected).abs(), tolerance: variational_speed(speed, GRAVITY * TIME_STEP) }
+        Measured::within((at_the_floor(&pair[1]) - expected).abs(), variational_speed(speed, GRAVITY * TIME_STEP))
     });
-    Ok(Measured::worst(comparisons).unwrap_or(Measured { difference: f64::NAN, tolerance: 0.0 }))
+    Ok(Measured::worst(comparisons).unwrap_or(Measured::within(f64::NAN, 0.0)))
 }
 
 /// V = ½ k q² with unit mass, φ = q − stop.
@@ -129,7 +129,7 @@ fn spring_at_its_stop(scheme: &dyn Scheme) -> Result<Measured> {
     let guess = Guess { time: 0.15, jump: 2.0 * 1.3, newton_steps: 8 };
     let wanted = EQUATIONS.step_with_impact(&Phase::of_one(position, velocity), &h, &guess);
     let difference = (found.position[0] - wanted.position[0]).abs().max((found.velocity[0] - wanted.velocity[0]).abs());
-    Ok(Measured { difference: difference / velocity.abs(), tolerance: variational_state() })
+    Ok(Measured::within(difference / velocity.abs(), variational_state()))
 }
 
 /// The largest entry of a matrix that should vanish, made of the Jacobian of a step that hits the stop at 2 m/s in its middle.
@@ -147,7 +147,7 @@ fn largest(made: impl Fn(&DMatrix<Rational>) -> DMatrix<Rational>, after: impl F
     let start = Phase { velocity: -away.velocity, ..away };
     let entries = made(&jacobian(&start.stacked(), step));
     let difference = entries.iter().map(|entry| Scalar::to_f64(&entry.magnitude())).fold(0.0, f64::max);
-    Ok(Measured { difference, tolerance: 0.0 })
+    Ok(Measured::within(difference, 0.0))
 }
 
 fn midpoint() -> MoreauJean {
