@@ -1,11 +1,15 @@
 //! Every system agrees with what it is held against, every agreement catches the mistakes planted in it, and docs/systems.md shows what is
 //! measured.
 
+mod regression;
+
+use moreau::checks::Expectation;
 use moreau::report::systems::{BEGIN, END, markdown};
 use moreau::schemes::NAMES;
 use moreau::stored::{Folder, RUNS, StoredRuns};
 use moreau::systems::{ALL, Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, Report, System, SystemReport};
 use rayon::prelude::*;
+use regression::{Number, STORED, complaints};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -38,6 +42,37 @@ fn every_agreement_holds_and_the_page_shows_it() {
     let page = include_str!("../docs/systems.md");
     let section = page.split_once(BEGIN).and_then(|(_, rest)| rest.split_once(END)).expect("both markers").0;
     assert_eq!(section.trim(), markdown(report).trim(), "run `moreau systems --readme docs/systems.md`");
+}
+
+#[test]
+fn no_agreement_has_moved_beyond_ten_times_what_is_stored() {
+    let mut told = Vec::new();
+    for system in &MEASURED.0.systems {
+        let used = system.held_against.iter().filter(|agreement| agreement.used.is_some());
+        let numbers: Vec<_> = used
+            .map(|agreement| Number {
+                name: format!("{}: {}", agreement.against, agreement.quantity),
+                measured: agreement.difference.expect("what uses a bound is a number"),
+                expectation: Expectation::equal(0.0, agreement.tolerance, ""),
+            })
+            .collect();
+        let stored = STORED.systems.get(&system.name).map(Vec::as_slice).unwrap_or_default();
+        told.extend(complaints(stored, &numbers).into_iter().map(|complaint| format!("{}, {complaint}", system.name)));
+    }
+    assert_eq!(told, Vec::<String>::new());
+    let names: BTreeSet<_> = ALL.iter().map(|system| system.name).collect();
+    assert!(STORED.systems.keys().all(|name| names.contains(name.as_str())), "a system is stored that is none");
+}
+
+#[test]
+fn a_number_that_moved_is_told_with_the_cure_and_so_is_one_that_is_new() {
+    let number = |measured: f64| [Number { name: "error".into(), measured, expectation: Expectation::equal(1.0, 0.1, "") }];
+    let stored = [("error".to_string(), 1e-3)];
+    assert_eq!(complaints(&stored, &number(1.000_99)), Vec::<String>::new(), "ten times what is stored");
+    let told = complaints(&stored, &number(1.001_01)).concat();
+    assert!(told.contains("which holds") && told.contains("measure_regression.py"), "{told}");
+    assert_eq!(complaints(&[("error".to_string(), 0.06)], &number(1.0999)), Vec::<String>::new(), "the derived bound is sharp enough");
+    assert!(complaints(&[], &number(1.0)).concat().contains("measure_regression.py"));
 }
 
 /// The stored files that the claims' sources name by their whole path, below a folder of theirs. What a claim reads by such a name it finds

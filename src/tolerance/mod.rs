@@ -1,9 +1,14 @@
 //! Every tolerance, each with the reason for its value. The tolerances of the crates below are re-exported. Those of the claims and of the
 //! command line are defined here.
 //!
-//! A tolerance here is one of: a rounding bound (a constant times the unit roundoff times the size of the data), a
-//! proven bound of a scheme (a constant times a power of h), or an engine's documented stopping tolerance propagated
-//! through the conditioning of the problem. None was fitted to an outcome.
+//! The last line of a tolerance's documentation says which of three it is:
+//! - *derived*: a rounding bound (a constant times the unit roundoff times the size of the data), a proven bound of a scheme (a constant
+//!   times a power of h), or an engine's documented stopping tolerance propagated through the conditioning of the problem;
+//! - *required*: a promise, with who makes or needs it;
+//! - *measured*: with the script that measures it.
+//!
+//! A fourth word, *set*, marks what is no tolerance: the step of a reference, a stopping rule whose answers are judged by something else, a
+//! limit of work or size, what an inexact word of a sentence is taken to mean. `tests/architecture/` holds every one to its word.
 
 pub use moreau_checks::tolerance::{self as checks, convergence, zeno};
 pub use moreau_contact::tolerance::{certificate, cones, problem, solvers};
@@ -13,6 +18,7 @@ pub use moreau_gate::tolerance as gate;
 pub use moreau_replicas::tolerance::{energy_balance, references};
 
 pub mod limits;
+pub mod regression;
 
 /// Tolerances of [`crate::systems`], and how its table shows differences.
 pub mod systems {
@@ -20,9 +26,11 @@ pub mod systems {
 
     /// Differences below this are shown as a bound, the power of ten above them: their digits come from rounding and stopping tests and
     /// may be others on another processor.
+    /// Set.
     pub const DIGITS_SHOWN: f64 = 1e-6;
 
     /// The smallest such bound, half the spacing of the numbers at 1 and whatever is below it.
+    /// Set.
     pub const SMALLEST_SHOWN: f64 = 1e-16;
 }
 
@@ -41,35 +49,40 @@ pub mod claims {
     pub mod stabilisation;
 
     /// Relative difference of two creep speeds of MuJoCo's default contact that are one speed: what is left after a quarter of a second of
-    /// its transient (1 + t/t_c) e^{−t/t_c}, t_c = 0.02 s, is 13.5 e^{−12.5} = 5e-5; 2⁻¹⁰ is above that and far below what another t_c
-    /// makes.
-    pub const SAME_CREEP: f64 = 1.0 / 1024.0;
+    /// its transient (1 + t/t_c) e^{−t/t_c}, t_c = 0.02 s, is 13.5 e^{−12.5} = 5.1e-5 of either speed, together below 2⁻¹³.
+    /// Derived.
+    pub const SAME_CREEP: f64 = 1.0 / 8192.0;
 
     /// Error of the height w²/(2g) to which a body that leaves the floor at w \[m/s\] rises under steps h: the launch is off by at most
     /// δ = g h (1 + μ), the load of the first step, hence the height by (2wδ + δ²)/(2g); the free flight q⁺ = q + h v⁺ rises by at most w h
     /// less, and is sampled to within g h².
+    /// Derived.
     pub fn rolling_hop(launch: f64, friction: f64, gravity: f64, h: f64) -> f64 {
         let off = gravity * h * (1.0 + friction);
         (2.0 * launch * off + off * off) / (2.0 * gravity) + launch * h + gravity * h * h
     }
 
     /// Step of the Runge–Kutta integration of a soft impact in `S2.soft-limit`, in units of √(m/k).
+    /// Set.
     pub const SOFT_STEP: f64 = 1.0 / 256.0;
 
     /// Error of the speed after a soft impact: the classical Runge–Kutta method on y′ = A y errs by (‖A‖h)⁵/120 a step,
     /// ‖A‖ ≤ 1 + 2ζ ≤ 2 for ζ ≤ ½, over at most 4/h steps (contact lasts π/√(1−ζ²) < 4), in a norm that does not grow.
     /// The end of the contact moves with the state, which changes the speed by at most (1 + 2ζ)(1 + 1/(2ζ)) ≤ 8 times
     /// that for ζ ≥ 0.2 (for ζ = 0 contact ends where the force is zero, so the factor is 1).
+    /// Derived.
     pub fn soft_restitution() -> f64 {
         8.0 * 4.0 * 32.0 / 120.0 * SOFT_STEP.powi(4) + super::EPSILON * 4.0 / SOFT_STEP
     }
 
-    /// Half the distance between neighbouring orders of a one-step method. Orders are integers, so the nearest integer is the order.
-    /// Over the fitted ranges (a factor 8 or more in h) a constant would have to drift by 8^½ to cross it; the phases of
-    /// the impact are controlled, so it drifts by O(h).
-    pub const ORDER_GAP: f64 = 0.5;
+    /// How far a fitted order may be from the order of the method, an integer. Over the fitted ranges (a factor 8 or more in h) the
+    /// constant of an error C hᵖ then drifts by less than 8^⅛ < 1.3: where it drifts by more, h is too large to speak of an order. A
+    /// neighbouring order is eight times as far away.
+    /// Required: of a statement that names an order, by its readers.
+    pub const ORDER_GAP: f64 = 0.125;
 
     /// Half a unit in the last printed digit of a time with twelve decimals \[s\].
+    /// Derived.
     pub const PRINTED_TIME: f64 = 0.5e-12;
 
     /// How far the variation of the discrete velocity may be from the closed form: with the sums of
@@ -77,6 +90,7 @@ pub mod claims {
     /// g h (½ + (1+e)/e · 3/2 + 1); the impacts up to speed g h count ln(t₁/h)/ln(1/e) + 1; each jump counts (1+e) times and
     /// each flight twice its speed over g. After that both motions vary by at most 2 g h (1+e)/(1−e), and twice as much for
     /// the discrete one.
+    /// Derived.
     pub fn variation(gravity: f64, restitution: f64, fall: f64, h: f64) -> f64 {
         let e = restitution;
         let speed = 1.5 + 1.5 * (1.0 + e) / e;
@@ -85,26 +99,27 @@ pub mod claims {
     }
 
     /// Bound on |q_{k+1} − q_k|/h: the impact speed g t₁, one step late under any rule and θ, 2 g h.
+    /// Derived.
     pub fn position_slope(gravity: f64, fall: f64, h: f64) -> f64 {
         gravity * (fall + 2.0 * h)
     }
 
     /// Step of the slide in `S4.d8` \[s\], about 1/1700 of its duration.
+    /// Set.
     pub const SLIDE_STEP: f64 = 1.0 / 8192.0;
 
     /// Error of the sideways drift, over the stopping distance v²/(2a), of a slide from v = 1 m/s at the deceleration a:
     /// the position update is off by at most h v, the turn to the bisector by one step, that is 2 a h in velocity over the
     /// duration v/a, and the slide is cut one step before its end (h v): in all 4 h v, over v²/(2a).
+    /// Derived.
     pub fn slide_drift(deceleration: f64) -> f64 {
         8.0 * deceleration * SLIDE_STEP
     }
 
     /// Width at which Gilbert's distance enclosure stops \[m\]: both bounds are rounded to a few ε times 1 m, and the
     /// distances and depths compared differ by 0.05 m, so any width far between serves; 2⁻³⁰.
+    /// Set.
     pub const GILBERT_WIDTH: f64 = 1.0 / (1u64 << 30) as f64;
-
-    /// An order of a one-step method is an integer: half a unit decides which.
-    pub const INTEGER_ORDER: f64 = 0.5;
 
     /// Claims on the θ scheme (§3).
     pub mod theta_scheme {
@@ -114,21 +129,25 @@ pub mod claims {
         ///
         /// θ = ½ turns by 2 atan(h/2) instead of h: phase error t h²/12·(1 − 3h²/20…). θ = 1 has
         /// n(−ln(1−z) − z) = n z²/2·(1 + 2z/3 + …), |z| = h, so C lies within (1 ± 0.022)(1 ± 0.032) of t/2.
+        /// Derived.
         pub const METHOD_CONSTANTS: f64 = 1.15;
 
         /// Error of a determinant of two central differences of one step of the pendulum: each entry has truncation
         /// d²/6·|f‴| ≤ d² and rounding of 32 operations of size 1 over 2d; the determinant doubles it.
+        /// Derived.
         pub fn central_difference_of_step() -> f64 {
             2.0 * (DIFFERENCE_STEP * DIFFERENCE_STEP + 16.0 * EPSILON / DIFFERENCE_STEP)
         }
 
         /// Rounding of the energy of a pendulum before and after a step: 16 operations on terms of size at most 2,
         /// and a step solved to relative ε with ∂E at most 1 in both coordinates.
+        /// Derived.
         pub fn pendulum_energy() -> f64 {
             super::super::rounding(16, 2.0)
         }
 
         /// Error of r/R − 1 = y/2 for r² = R²(1 + y(1 − x)) with 0 ≤ x ≤ y: y²/2 from x and y²/8 from the root.
+        /// Derived.
         pub fn bead_sagitta(growth: f64) -> f64 {
             growth * growth
         }
@@ -140,6 +159,7 @@ pub mod claims {
         }
 
         /// How far the energy of such a ball may be from its start, over its start m g q₀: ½ m g h|v| for the largest |v|.
+        /// Derived.
         pub fn elastic_energy_swing(gravity: f64, height: f64, h: f64) -> f64 {
             0.5 * h * fastest(gravity, height, h) / height
         }
@@ -147,6 +167,7 @@ pub mod claims {
         /// Bounces that such a ball makes at least: it lands √(2q₀/g) after the start, two steps late at most. It leaves with a speed v
         /// from at most 2 h v + g h² above the floor, and by the conserved E − ½ m g h v it is down again when it falls with v + g h, so
         /// a flight and its bounce last at most 2v/g + 3h.
+        /// Derived.
         pub fn fewest_bounces(gravity: f64, height: f64, h: f64, duration: f64) -> f64 {
             let landing = (2.0 * height / gravity).sqrt() + 2.0 * h;
             let flight = 2.0 * fastest(gravity, height, h) / gravity + 3.0 * h;
@@ -155,6 +176,7 @@ pub mod claims {
 
         /// By how much the largest |E − E₀| of one window of a swing may exceed that of another: E − E₀ goes through two cycles in a
         /// swing, of frequency at most 1, so between samples h apart its peak is missed by at most ½ (2 · h/2)² = h²/2 of it, in either.
+        /// Derived.
         pub fn sampled_peak(h: f64) -> f64 {
             h * h
         }
@@ -168,27 +190,32 @@ pub mod claims {
         ///
         /// The gap y − l sin θ of a touching rod is rounded by 4 operations at size 1, and φ/h by that over h; W has entries
         /// up to 3 from some 16 products, and ‖W⁻¹‖ ≤ trace W / det W = 5/4 carries both into the impulse.
+        /// Derived.
         pub fn painleve_impulse(h: f64) -> f64 {
             1.25 * (rounding(4, 1.0) / h + rounding(16, 3.0))
         }
 
         /// Gap after a tangential step h on the unit circle with unit speed, over h²: √(1 + h²) − 1 lies in (½h² − h⁴/8, ½h²),
         /// and the gap 1 − |q| of size 1 is rounded by 4 operations.
+        /// Derived.
         pub fn circle_residual(h: f64) -> f64 {
             h * h / 8.0 + rounding(4, 1.0) / (h * h)
         }
 
         /// Rounding of a linearised gap constraint of size 1, solved and evaluated in some 16 operations.
+        /// Derived.
         pub const LINEARISED_GAP: f64 = 32.0 * EPSILON;
 
         /// Rounding of n steps of one contact with velocities up to 10 m/s. Each step rounds some 20 operations on numbers of that
         /// size. The map of a step is non-expansive, so errors do not grow from step to step.
+        /// Derived.
         pub fn repeated_steps(steps: usize) -> f64 {
             rounding(20 * steps, 10.0)
         }
 
         /// Velocity \[m/s\] of two answers of projected Gauss–Seidel to one problem with impulses up to 8 and diagonal up to 3: each
         /// stops at a natural map of at most STOP·8, which bounds |u| at its pressed contacts by 3·8·STOP.
+        /// Derived.
         pub const SWEEP_VELOCITY: f64 = 48.0 * super::super::solvers::STOP;
     }
 }
@@ -199,5 +226,6 @@ pub mod cli {
 
     /// Most steps `simulate` records: a body takes about 200 bytes per step in memory and 300 in a file, so that a scene
     /// of a few bodies stays near a gigabyte.
+    /// Set.
     pub const STEP_LIMIT: usize = 1_000_000;
 }

@@ -6,6 +6,7 @@ mod modules;
 mod second;
 mod source;
 mod strip;
+mod tolerances;
 
 use source::{imports, names_after, small_literals, without_tests};
 use std::path::{Path, PathBuf};
@@ -230,6 +231,23 @@ fn small_numbers_stand_in_the_tables_of_tolerances_or_in_a_planted_defect() {
     let found: Vec<_> =
         elsewhere.flat_map(|file| small_literals(&file.code).into_iter().map(|number| format!("{}: {number}", file.place()))).collect();
     assert_eq!(found, Vec::<String>::new(), "a small number needs a name and a derivation in its crate's tolerances");
+}
+
+#[test]
+fn every_tolerance_says_whether_it_is_derived_required_or_measured() {
+    let (mut found, mut read) = (Vec::new(), 0);
+    for room in ROOMS.into_iter().chain(["moreau"]) {
+        let root = folder(room).join("src");
+        let inside = |path: &PathBuf| path.starts_with(root.join("tolerance")) || path.ends_with("src/tolerance.rs");
+        for path in rust_files(&root).into_iter().filter(inside) {
+            let text = std::fs::read_to_string(&path).expect("a source file");
+            let told = tolerances::complaints(&text, Path::new(env!("CARGO_MANIFEST_DIR")));
+            found.extend(told.into_iter().map(|complaint| format!("{}: {complaint}", path.display())));
+            read += 1;
+        }
+    }
+    assert!(read > 40, "{read} files are not all tolerances");
+    assert_eq!(found, Vec::<String>::new());
 }
 
 #[test]

@@ -1,9 +1,12 @@
 //! One named trial per claim of the registry; `cargo test --test claims S4` runs one section.
 //!
 //! A trial judges the claim and its control. Then it breaks the judgement on purpose: no other verdict may be supported by the same
-//! findings, and with what the sentence says in place of what was found the verdict must become "true".
+//! findings, and with what the sentence says in place of what was found the verdict must become "true". Numbers that use a bound must not
+//! have moved from what is stored.
 
 mod numbers;
+#[path = "../regression/mod.rs"]
+mod regression;
 #[path = "../architecture/strip.rs"]
 mod strip;
 
@@ -11,6 +14,7 @@ use libtest_mimic::{Arguments, Failed, Trial};
 use moreau::checks::{Finding, Voice};
 use moreau::claims::{self, ClaimVerdict, JudgedClaim, Status};
 use numbers::{Sources, unaccounted};
+use regression::{Number, STORED, complaints};
 use std::sync::Arc;
 
 const VERDICTS: [ClaimVerdict; 5] =
@@ -68,6 +72,19 @@ fn accounted(outcome: &JudgedClaim, sources: &Sources) -> Result<(), Failed> {
     if missing.is_empty() { Ok(()) } else { Err(format!("no finding and no datum: {}", missing.join(" | ")).into()) }
 }
 
+/// No number that uses a bound has moved from what is stored by more than its regression bound, which catches a planted mistake.
+fn unmoved(outcome: &JudgedClaim) -> Result<(), Failed> {
+    let stored = STORED.claims.get(outcome.claim.id).map(Vec::as_slice).unwrap_or_default();
+    let used = outcome.findings.iter().filter(|finding| finding.used().is_some());
+    let numbers: Vec<_> = used
+        .map(|finding| Number { name: finding.name.clone(), measured: finding.measured, expectation: finding.expectation.clone() })
+        .collect();
+    match complaints(stored, &numbers) {
+        told if told.is_empty() => Ok(()),
+        told => Err(told.join("\n").into()),
+    }
+}
+
 fn main() {
     let sources = Arc::new(Sources::read());
     let trials = claims::all().map(|claim| {
@@ -77,6 +94,7 @@ fn main() {
             supported(&outcome)?;
             graded(&outcome)?;
             accounted(&outcome, &sources)?;
+            unmoved(&outcome)?;
             if !claims::is_derived(claim) {
                 return match claims::derive(&outcome.findings) {
                     Ok(verdict) if verdict == claim.verdict => Err("the verdict follows: take the id out of UNDERIVED".into()),
@@ -88,5 +106,9 @@ fn main() {
         })
     });
     let planted = Trial::test("what is taken for a number of a result", || numbers::planted().map_err(Failed::from));
-    libtest_mimic::run(&Arguments::from_args(), trials.chain([planted]).collect()).exit();
+    let known = Trial::test("every stored number belongs to a claim", || {
+        let unknown: Vec<_> = STORED.claims.keys().filter(|id| claims::find(id).is_none()).collect();
+        if unknown.is_empty() { Ok(()) } else { Err(format!("stored for no claim: {unknown:?}").into()) }
+    });
+    libtest_mimic::run(&Arguments::from_args(), trials.chain([planted, known]).collect()).exit();
 }

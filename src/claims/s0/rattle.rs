@@ -5,7 +5,7 @@
 //! ```
 
 use crate::claims::prelude::*;
-use crate::tolerance::claims::INTEGER_ORDER;
+use crate::tolerance::claims::ORDER_GAP;
 use crate::trajectory::order::{Refinement, fit_order};
 use nalgebra::{Vector2, Vector4};
 
@@ -72,7 +72,7 @@ fn order(reading: Reading) -> Result<Vec<Finding>> {
     let (rattle, composed) = (slope(Bob::rattle)?, slope(Bob::triple_jump)?);
     Ok(vec![
         // high is what is above the orders 1 and 2 that the chapter calls low
-        Finding::equal("order of RATTLE", reading.pick(rattle, composed), 2.0, INTEGER_ORDER, "1").says_at_least(3.0),
-        Finding::equal("order of the triple jump of RATTLE", composed, 4.0, INTEGER_ORDER, "1"),
+        Finding::equal("order of RATTLE", reading.pick(rattle, composed), 2.0, ORDER_GAP, "1").says_at_least(3.0),
+        Finding::equal("order of the triple jump of RATTLE", composed, 4.0, ORDER_GAP, "1"),
     ])
 }

@@ -66,18 +66,21 @@ enum Shift {
 
 impl Impacts {
     /// p ∈ \[1−λ−θ, 2−λ−θ\] in units of h.
+    /// Derived.
     pub fn offsets(&self) -> [f64; 2] {
         let low = 1.0 - self.forecast - self.theta;
         [low, low + 1.0]
     }
 
     /// The values of p at the first impact that the shifted steps produce.
+    /// Derived.
     pub fn phases(&self) -> impl Iterator<Item = f64> {
         let (low, count) = (self.offsets()[0], self.shifts as f64);
         (0..self.shifts).map(move |j| low + (j as f64 + 0.5) / count)
     }
 
     /// Bounds of max |q_k − q(t_k)| in units of V h, with N steps to the first impact.
+    /// Derived.
     pub fn position(&self, intervals: f64) -> Bounds {
         let e = self.restitution;
         let before = (self.theta - 0.5).abs();
@@ -94,6 +97,7 @@ impl Impacts {
 
     /// ∫|v_h − v| dt in V h. In flight n the step function differs by c − u with u running through \[0, 1\] in each step,
     /// so its mean is ∫₀¹|c_n − u| du; the jump that ends it adds (1+e)eⁿ|b̂_n + s|.
+    /// Derived.
     pub fn velocity_l1(&self, intervals: f64) -> Bounds {
         let e = self.restitution;
         let second_order = |n: usize| (6.0 + 5.0 * self.shift(n).powi(2)) / intervals;
@@ -116,6 +120,7 @@ impl Impacts {
     }
 
     /// Bounds of ess sup |v_h − v| in units of V. The error is the jump (1+e)V, which gravity changes over at most 3 steps.
+    /// Derived.
     pub fn velocity_sup(&self, intervals: f64) -> Bounds {
         let jump = 1.0 + self.restitution;
         let shift = (1..=self.impacts.unwrap_or(4)).map(|n| self.stairs(n)).fold(0.0, f64::max);
@@ -127,6 +132,7 @@ impl Impacts {
     /// In flight n the steps lie between c − 1 and c above a line of slope −1: they are max(|c|, |c−1|)/√2 from it, which
     /// the best phase of the first impact attains, and 1/√2 before it. Near a jump shifted by x one moves √2 x along
     /// the line first: at most √2 x + max(|c|, |c−1|).
+    /// Derived.
     pub fn graph(&self, intervals: f64) -> Bounds {
         let attained = |p: f64| {
             let [c, _] = self.sum(Shift::Velocity, 1, Some(p));
@@ -219,6 +225,7 @@ fn magnitude([low, high]: [f64; 2]) -> f64 {
 
 /// Rounding of a motion of `steps` steps along a slope with speeds and lengths below 16: each step adds at most 16
 /// roundings of numbers below 16, and a creep speed divides by a duration of at least ½.
+/// Derived.
 pub fn slide_rounding(steps: usize) -> f64 {
     2.0 * rounding(16 * steps, 16.0)
 }
@@ -228,6 +235,7 @@ pub fn slide_rounding(steps: usize) -> f64 {
 /// Under Coulomb's law the leading term is exact. Under the associated law the deficit a h μ² is reached as
 /// a h μ²(1 − rˡ), r = μ²/(1+μ²): over all steps μ² Σ rˡ ≤ μ²(1+μ²) steps' worth of a h is missing, relative to n steps of
 /// at least ¼ a h each (½ − μ² of the position, ½\[(1−μ²)² + μ⁴\] of ∫|v|). Rounding is far below.
+/// Derived.
 pub fn slide_second_order(friction: f64, steps: usize) -> f64 {
     let squared = friction * friction;
     4.0 * squared * (1.0 + squared) / steps as f64

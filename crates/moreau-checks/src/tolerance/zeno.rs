@@ -89,6 +89,7 @@ pub struct Bounds {
 
 impl Drop {
     /// T∞ in steps, σ₀ (1+e)/(1−e).
+    /// Derived.
     pub fn accumulation(&self) -> f64 {
         self.impact_speed * (1.0 + self.restitution) / (1.0 - self.restitution)
     }
@@ -97,6 +98,7 @@ impl Drop {
     ///
     /// Energy conservation from rest at x₀ = ½σ₀² to a bounce in the interval of 2 gives
     /// ½s² + (κ−3/2)s ≤ ½σ₀² − b + κ − 1 and ½s² + (κ−½)s ≥ ½σ₀² − b.
+    /// Derived.
     pub fn first_impact(&self) -> f64 {
         let kappa = self.theta + self.forecast;
         let above = 1.5 - kappa + root((kappa - 1.5).powi(2) + 2.0 * (kappa - 1.0 - self.offset));
@@ -105,6 +107,7 @@ impl Drop {
     }
 
     /// The bounds proved in the header of this module.
+    /// Derived.
     pub fn bounds(&self) -> Bounds {
         let Drop { forecast: a, offset: b, theta, restitution: e, impact_speed: sigma } = *self;
         let kappa = theta + a;
@@ -144,6 +147,7 @@ impl Drop {
 
     /// Speed \[g h\] left `steps` steps after absorption: e^steps/(1+e), and the rounding of v − g h + r/m in each
     /// step, which the factor e sums to a geometric series.
+    /// Derived.
     pub fn remaining_speed(&self, steps: usize) -> f64 {
         let e = self.restitution;
         e.powf(steps as f64) / (1.0 + e) + rounding(8, 2.0) / (1.0 - e)
@@ -155,6 +159,7 @@ impl Drop {
     /// |e(s₀ − σ₀) + n₀ + 1 − σ₀| ≤ (1+e)δ₀ + 1 and again 1. In the at most δ₀ + 1 steps between the two impacts they
     /// differ by at most (1+e)(σ₀ + δ₀) + δ₀ + 2. The rule θ v⁺ + (1−θ) v adds θ times the variation of v_h,
     /// which is one per step and (1+e)(σ₀ + δ₀) at the bounce.
+    /// Derived.
     pub fn position_error(&self) -> f64 {
         let (e, error) = (self.restitution, self.first_impact());
         let steps = (1.0 + e) * self.impact_speed;
@@ -163,6 +168,7 @@ impl Drop {
     }
 
     /// Rounding of a place \[g h²\] after n steps: one addition of size max|x| each.
+    /// Derived.
     pub fn place_rounding(&self, steps: usize) -> f64 {
         rounding(2 * steps, self.impact_speed * self.impact_speed)
     }
@@ -188,21 +194,25 @@ fn bounces_above(sigma: f64, e: f64, threshold: f64) -> i32 {
 ///
 /// At rest the rule alternates: w = −s is active and becomes e s; w = e s > 0 is not active and becomes e s − 1. The
 /// cycle closes for s = 1/(1+e), and in its two steps x falls by (1−e)s for every θ.
+/// Derived.
 pub fn sinking_speed(restitution: f64) -> f64 {
     (1.0 - restitution) / (2.0 * (1.0 + restitution))
 }
 
 /// Steps after which the sinking speed of a ball with e ≤ 0.9, dropped from at most 10 steps of fall, is measured: it
 /// bounces for at most 190 steps, and the 2-cycle is approached by the factor e every two steps.
+/// Set.
 pub const SINKING_STEPS: usize = 1000;
 
 /// Error \[m/s\] of a sinking speed measured over the last two steps: the difference of two places, each the result of fewer
 /// than 16 operations on lengths of at most |q| + g h², divided by 2h; and what 400 contractions leave of g h.
+/// Derived.
 pub fn sinking_error(position: f64, gravity: f64, h: f64, restitution: f64) -> f64 {
     rounding(2 * 16, position + gravity * h * h) / (2.0 * h) + gravity * h * contraction(restitution, 400, 1.0)
 }
 
 /// What is left of a deviation after `steps` contractions by e, and the rounding of a number of size 1.
+/// Derived.
 pub fn contraction(restitution: f64, steps: i32, deviation: f64) -> f64 {
     restitution.powi(steps) * deviation + rounding(4, 1.0)
 }

@@ -5,6 +5,7 @@ use moreau_exact::tolerance::EPSILON;
 /// γ = mε/(1 − mε), the relative rounding error of m operations (Higham, *Accuracy and Stability*, §3.1). It is infinite if m ε reaches 1.
 ///
 /// ε is the spacing at 1, twice the unit roundoff, so that the bound also covers data that are rounded themselves.
+/// Derived.
 pub fn gamma(operations: usize) -> f64 {
     let part = operations as f64 * EPSILON;
     if part < 1.0 { part / (1.0 - part) } else { f64::INFINITY }
@@ -12,22 +13,27 @@ pub fn gamma(operations: usize) -> f64 {
 
 /// Rounding of a radial projection onto a disk, relative to the radius μ r_n. It takes eight operations: a norm of two components, a
 /// quotient and two products, and the radius.
+/// Derived.
 pub const PROJECTED: f64 = 8.0 * EPSILON;
 
 /// 10⁶, the largest mass ratio that the certificate covers. The scale of an impulse is at most this many times the impulse that the largest
 /// velocity of the problem asks of the contact. So a body between two that are 10⁶ times heavier is judged by its real load. An answer that
 /// is accepted at 10⁻⁸ is within a hundredth of those velocities, however hard contacts press.
+/// Required: of every answer that is accepted, by the users of the certificate.
 pub const JAMMED: f64 = 1e6;
 
 /// Part of the largest velocity in the data that rounding may hide: a hundredth, as for [`JAMMED`].
+/// Required: of every answer that is accepted, by the users of the certificate.
 pub const HIDDEN: f64 = 1e-2;
 
 /// √ε. Two contacts are coupled if an entry of W between them is larger than this, relative to the entries on the diagonal. Below it the
 /// product of the motions of two impulses is rounding.
+/// Derived.
 pub const COUPLED: f64 = 1.0 / 67_108_864.0;
 
 /// Default of `certify --tolerance`, relative to the scale of each residual's unit.
 ///
 /// Energies are quadratic in velocities, so a relative error of √ε = 1.5e-8 in the velocities is what rounding of an
 /// energy cannot tell from zero; 1e-8 is the next power of ten below it.
+/// Required: of every answer that is accepted, by the users of `moreau certify`.
 pub const CERTIFY: f64 = 1e-8;

@@ -1,8 +1,10 @@
 //! How large a problem may be: everything is stored dense.
 
 /// Most entries of one matrix, 1 GiB of numbers.
+/// Set.
 pub const DENSE_ENTRIES: usize = 1 << 27;
 
 /// Most unknowns (2 + d) n of a polyhedral law with n contacts: matrix, scaled matrix and a tableau twice as wide and its
 /// copy hold 6·8192² numbers, 3 GiB.
+/// Set.
 pub const POLYHEDRAL_UNKNOWNS: usize = 1 << 13;

@@ -7,6 +7,7 @@ use moreau_exact::tolerance::EPSILON;
 ///
 /// An entry of a tableau with n rows is an entry of B⁻¹A for a basis B, a sum of n products; its two parts carry
 /// relative errors of up to 2 n ε each ([`moreau_exact::tolerance::rounding`]). Zero for exact rationals, where only 0 is 0.
+/// Derived.
 pub fn cancellation<T: Scalar>(rows: usize, magnitude: T) -> T {
     T::ratio(2 * rows as i64, 1) * T::spacing() * magnitude
 }
@@ -16,12 +17,14 @@ pub fn cancellation<T: Scalar>(rows: usize, magnitude: T) -> T {
 /// A pivot p multiplies the condition of the basis by up to 1/p. The relative error ε of the next tableau, which is computed afresh from
 /// the data, grows by the same factor. At p = √ε half of the digits are left. Below it an entry cannot be told from the error ε/p of a
 /// basis whose last pivot was p.
+/// Derived.
 pub fn smallest_pivot<T: Scalar>() -> T {
     if T::spacing().is_zero() { T::zero() } else { T::ratio(1, 1 << 26) }
 }
 
 /// Size up to which an entry of a tableau counts as zero in the choice of pivots, √ε. It is the error ε·cond(B) of the worst basis that
 /// [`smallest_pivot`] admits, cond(B) = 1/√ε. Zero for exact rationals.
+/// Derived.
 pub fn tableau_zero<T: Scalar>() -> T {
     smallest_pivot()
 }
@@ -31,78 +34,97 @@ pub fn tableau_zero<T: Scalar>() -> T {
 /// Lexicographic pivoting repeats no basis in exact arithmetic, so exact runs have no limit. On contact problems the count is a small
 /// multiple of n. Ten times n pivots can only mean that rounding has broken the order, and each pivot costs n³. The limit decides nothing
 /// about a solution. It turns an endless loop into an error, and another covering vector is tried.
+/// Set.
 pub fn lemke_pivot_limit<T: Scalar>(size: usize) -> usize {
     if T::spacing().is_zero() { usize::MAX } else { 10 * (size + 1) }
 }
 
 /// Relative natural map at which iterations stop, 2¹²·ε ≈ 9.1e-13. The rounding of u = W r + b is 2nε relative to the terms of a row, so
 /// this is above rounding up to n ≈ 2000 rows. It is four decimal digits below the default of the certificate.
+/// Set.
 pub const STOP: f64 = 4096.0 * EPSILON;
 
 /// Sweep limit of projected Gauss–Seidel. On a chain of n bodies a sweep contracts by cos²(π/(n+1)) ≈ 1 − π²/n², so that 100 000
 /// sweeps reach [`STOP`] = e⁻²⁸ for n ≤ 180.
+/// Set.
 pub const SWEEPS: usize = 100_000;
 
 /// Most iterations that a user may ask for: ten million, a hundred times [`SWEEPS`]. A problem that needs more needs another algorithm.
+/// Set.
 pub const MOST_ITERATIONS: usize = 100 * SWEEPS;
 
 /// Sweeps that Anderson's acceleration remembers. A chain of n bodies has n slow modes, and ten is the height of the piles in use.
+/// Set.
 pub const MEMORY: usize = 10;
 
 /// √ε. Orthogonalisation reduces a difference of sweeps. If less than this part of its size remains, the remainder is rounding.
+/// Derived.
 pub const DEPENDENT: f64 = 1.0 / 67_108_864.0;
 
 /// Sweeps that are tried before a polyhedral problem goes to Lemke's method. They cost about as much as one factorisation of its tableau
 /// with (2 + d) n unknowns: 8·1000 n² against 2·1000 n³/3 operations for d = 8, with the tens of contacts of a usual step.
+/// Set.
 pub const FIRST_SWEEPS: usize = 1000;
 
 /// Relative residual, 2⁻³⁴ ≈ 5.8e-11, at which `auto` takes an answer whose iteration has stalled above [`STOP`]. It is the geometric mean
 /// of [`STOP`] and the default of the certificate, so that the certificate accepts the answer with two digits to spare.
+/// Set.
 pub const ENOUGH: f64 = 1.0 / (1u64 << 34) as f64;
 
 /// Relative residual, 2⁻²⁸ ≈ 3.7e-9, at which `auto` does not try its most expensive algorithms. It is less than half of the default of the
 /// certificate.
+/// Set.
 pub const ACCEPTABLE: f64 = 1.0 / (1u64 << 28) as f64;
 
 /// Relative residual, 2⁻²⁰, below which the rounding of y is worth a pass over W. Above it rounding decides only if impulses cancel to a
 /// millionth, and [`FRESH_ROUNDING`] covers that case.
+/// Set.
 pub const NEAR_SOLUTION: f64 = 1.0 / 1_048_576.0;
 
 /// Calls after which the rounding of y is always computed again. It costs a sixteenth of the sweeps between.
+/// Set.
 pub const FRESH_ROUNDING: usize = 16;
 
 /// Factor within which two impulses count as equal in size. The rounding of y is proportional to the impulses, so it is known within this
 /// factor. Only the work until the next computation of the rounding depends on it.
+/// Set.
 pub const SAME_SIZE: f64 = 2.0;
 
 /// Factor by which an extrapolated iterate may exceed the best residual so far before it is dropped: two. Residuals of an accelerated
 /// iteration oscillate. A residual that doubles has left the piece on which the iteration is affine.
+/// Set.
 pub const GROWTH: f64 = 2.0;
 
 /// Sweeps over n contacts without halving the residual after which plain sweeps have stalled. On a chain of n bodies a sweep contracts by
 /// cos²(π/(n+1)) ≈ 1 − π²/n². So the residual halves in (ln 2/π²) n² sweeps, fewer than 1000 (1 + n) for n < 14 000.
+/// Set.
 pub fn stalled(contacts: usize) -> usize {
     FIRST_SWEEPS * (1 + contacts)
 }
 
 /// Accelerated sweeps over n contacts without halving the residual after which they have stalled. They need about one sweep for each of the
 /// n slow modes of the chain, and as many as they remember for each change of a contact's state.
+/// Set.
 pub fn accelerated_stalled(contacts: usize) -> usize {
     MEMORY * (MEMORY + contacts)
 }
 
 /// Most steps of the nonsmooth Newton method, against endless loops. A step changes the state of some contact or squares the error.
+/// Set.
 pub const NONSMOOTH_STEPS: usize = 100;
 
 /// Steps in a row that do not halve the residual after which the method is cycling. A contact has three states (open, sticking, sliding).
 /// The number allows three rounds through them for a handful of contacts at the border of two states. Only the work depends on it.
+/// Set.
 pub const NONSMOOTH_STALLED: usize = 40;
 
 /// Steps in a row that do not halve the residual after which the iteration ends, once an iterate is below [`ACCEPTABLE`]. There a step
 /// squares the error, so that three steps without progress have reached rounding.
+/// Set.
 pub const NONSMOOTH_ENDED: usize = 3;
 
 /// Lengths 1, ½, ¼ of a step that are tried. If a quarter of the step brings no progress, another η may.
+/// Set.
 pub const NONSMOOTH_HALVINGS: i32 = 3;
 
 /// The η on the diagonal of J, whose entries are of order one, start by start. An error falls by η/σ a step, σ the smallest singular
@@ -110,6 +132,7 @@ pub const NONSMOOTH_HALVINGS: i32 = 3;
 /// rounding or a state that is not final leaves moves the step along the null space by its 1/η-fold: from 2⁻¹² to 2⁻²⁰ such an error
 /// stays a small step, with 2⁻⁴⁰ the last steps
 /// square what is left. The zeros of F are the same for all; only whether and when they are found depends on them.
+/// Set.
 pub const NONSMOOTH_PROXIMALS: [&[f64]; 3] = {
     const fn half(exponent: u32) -> f64 {
         1.0 / (1u64 << exponent) as f64
@@ -119,80 +142,99 @@ pub const NONSMOOTH_PROXIMALS: [&[f64]; 3] = {
 
 /// Iterations of the alternating directions between two evaluations of the certificate's residuals. An evaluation costs about half an
 /// iteration.
+/// Set.
 pub const LOOK: usize = 8;
 
 /// Directions of the polygons that Lemke's method solves in place of a round cone, one after the other. Newton's method starts from their
 /// answers. The friction of the octagon is within 1 − cos(π/8) = 8 % of the round one. The sides of the pentagon lie elsewhere. Only the
 /// states of the contacts are taken from the polygons.
+/// Set.
 pub const LEMKE_DIRECTIONS: [usize; 2] = [8, 5];
 
 /// Most unknowns of the linear complementarity problems that `auto` pivots: λ, β and σ of 20 contacts with eight directions. Some 2n pivots
 /// with 2n³/3 operations each make 2·10⁹ operations there, and sixteen times as many for twice the contacts. `lemke` by name has no such
 /// limit.
+/// Set.
 pub const LEMKE_UNKNOWNS: usize = 200;
 
 /// Unknowns of the linear complementarity problems that `auto` pivots for a polygon in place of a round cone. The limit is lower because
 /// other algorithms follow: 3·10⁸ operations are what the alternating directions take for as many contacts.
+/// Set.
 pub const POLYGON_UNKNOWNS: usize = 128;
 
 /// The compliances α of contacts that are made harder step by step, in units of their own W. They start as soft as the bodies themselves
 /// and end at √[`f64::EPSILON`], because Newton's η is no smaller. A factor of a quarter usually changes the answer by less than the states
 /// of its contacts.
+/// Set.
 pub fn softnesses() -> impl Iterator<Item = f64> {
     (0..14).map(|k| 0.25f64.powi(k))
 }
 
 /// Newton's steps on a softer contact problem, whose answer is only used as a start.
+/// Set.
 pub const SOFT_STEPS: usize = 12;
 
 /// Accelerated sweeps that `auto` makes before it goes on to other algorithms. It makes as many sweeps of over-relaxation after them.
+/// Set.
 pub const AUTO_SWEEPS: usize = 20 * FIRST_SWEEPS;
 
 /// Accelerated sweeps before Newton's method is tried: as many as the acceleration remembers. They show which contacts press, and they
 /// solve easy contacts. For n contacts some ten steps of Newton's method cost as much as 10 n of these sweeps.
+/// Set.
 pub const FEW_SWEEPS: usize = MEMORY;
 
 /// Plain sweeps that `auto` makes after accelerated ones have stalled. A problem that they bring no nearer to a solution goes to the other
 /// algorithms.
+/// Set.
 pub const PLAIN_SWEEPS: usize = 2 * FIRST_SWEEPS;
 
 /// Iterations of the alternating directions within `auto` before Newton's method starts from them. They separate sticking from sliding
 /// contacts long before they converge.
+/// Set.
 pub const FIRST_ALTERNATIONS: usize = FIRST_SWEEPS;
 
 /// Most steps of the accelerated projected gradient. Its bound 2LR²/(k+1)² reaches the relative objective error 2⁻³⁴ at k = 2¹⁷·√2. A
 /// problem that needs more is ill conditioned and left to the other solvers.
+/// Set.
 pub const GRADIENT_STEPS: usize = 200_000;
 
 /// Most iterations of the alternating directions. Each costs a triangular solve and two matrix products, so that 100 000 of them cost as
 /// much as [`GRADIENT_STEPS`]. A problem that needs more is left to the other solvers.
+/// Set.
 pub const ALTERNATIONS: usize = 100_000;
 
 /// Proximal weight η of the alternating directions in units of the mean diagonal entry of W + R: a millionth, Pinocchio's default. It does
 /// not change the fixed points, and it makes a singular W definite.
+/// Set.
 pub const ADMM_PROXIMAL: f64 = 1e-6;
 
 /// Bounds of the penalty ρ in units of the mean diagonal entry of W + R, as in Pinocchio. A millionth and a million keep ten digits of W in
 /// W + ρI.
+/// Set.
 pub const PENALTIES: (f64, f64) = (1e-6, 1e6);
 
 /// Factor by which the primal residual of the alternating directions may exceed the dual one, or the reverse, before ρ changes: ten, as in
 /// the literature and in Pinocchio. Only the number of iterations depends on it.
+/// Set.
 pub const BALANCE: f64 = 10.0;
 
 /// Number of past values of the objective that a Barzilai–Borwein step must stay below: ten, as Birgin, Martínez and Raydan choose. Only
 /// the number of steps depends on it.
+/// Set.
 pub const PAST_VALUES: usize = 10;
 
 /// Share γ of the predicted fall that a Barzilai–Borwein step must achieve: 10⁻⁴, as Birgin, Martínez and Raydan choose. The exact minimum
 /// along the direction meets any γ < ½.
+/// Set.
 pub const ARMIJO: f64 = 1e-4;
 
 /// Relative asymmetry max|W − Wᵀ|/max|W| up to which W counts as symmetric: the rounding of sums of 1000 products, 2000 ε ≈ 4e-13.
+/// Derived.
 pub const SYMMETRY: f64 = 2000.0 * EPSILON;
 
 /// Stopping tolerances asked of Clarabel. Its default 1e-8 leaves natural maps up to 2e-5, and near 1e-14 it breaks down. The answer is
 /// polished and judged in any case.
+/// Set.
 pub const CLARABEL: f64 = 1e-10;
 
 /// How far the velocities y of two answers to one convex problem may differ \[m/s\], when their natural maps are e₁ and e₂ and
@@ -202,6 +244,7 @@ pub const CLARABEL: f64 = 1e-10;
 /// ρ⟨Δy, Δp⟩ ≤ ⟨Δe, Δp⟩. With Δy = (W + R)Δr: ‖Δy‖² ≤ norm·ΔrᵀΔy ≤ norm·residual·(impulses/ρ + ‖Δy‖), a quadratic
 /// inequality for ‖Δy‖ whose larger root is at most `b + √c`, b = norm·residual, c = b·impulses/ρ. A ρ that varies between contacts weighs
 /// them, which the smallest one covers.
+/// Derived.
 pub fn agreement(norm: f64, residual: f64, impulses: f64, rho: f64) -> f64 {
     let linear = norm * residual;
     linear + (linear * impulses / rho).sqrt()
@@ -209,27 +252,34 @@ pub fn agreement(norm: f64, residual: f64, impulses: f64, rho: f64) -> f64 {
 
 /// Sweeps that polish an interior-point answer. That answer shows which contacts stick, slide and open. If it shows them correctly, a few
 /// sweeps finish. 2000 sweeps cost as much as one interior-point solve.
+/// Set.
 pub const POLISHING_SWEEPS: usize = 2000;
 
 /// Relative weight 2⁻²⁰ of the proximal term of a rank-deficient diagonal block. The factorised block keeps 52 − 20 bits. Every sweep
 /// reduces the error of the stiff directions by the factor 2⁻²⁰.
+/// Set.
 pub const PROXIMAL: f64 = 1.0 / 1_048_576.0;
 
 /// Most steps of a bracketed root search in \[0, 1\] that halves the bracket at least every third step. 3·53 steps make its ends
 /// neighbours, and as many again find roots down to 2⁻¹⁰⁶.
+/// Set.
 pub const ROOT_STEPS: usize = 2 * 3 * 53;
 
 /// Slope of a line search, relative to that at its start, at which a step counts as exact: 2⁻⁴⁰. The step is off by less than that part of
 /// itself. Newton's method then squares its error only down to 2⁻⁴⁰ of the last one, which is below what a solution needs after two steps.
+/// Set.
 pub const LINE_SLOPE: f64 = 1.0 / (1u64 << 40) as f64;
 
 /// Most steps of Newton's method on a soft convex problem, against endless loops. Each step changes the zone of at least one contact or
 /// squares the error. No bound depends on this number.
+/// Set.
 pub const NEWTON_STEPS: usize = 200;
 
 /// Relative fall of the cost ½ΔᵀMΔ + s that is more than rounding: 2⁻⁴². A sum of at most 500 squares has the relative error 2·500 ε.
+/// Derived.
 pub const COST_FLOOR: f64 = 1.0 / (1u64 << 42) as f64;
 
 /// Steps of Newton's method in a row that reduce neither cost nor gradient, after which only rounding is left. A step with an exact line
 /// search reduces the cost, unless the reduction is as small as rounding. Three steps leave room for one exception.
+/// Set.
 pub const NEWTON_STALLED: usize = 3;

@@ -4,6 +4,7 @@ use moreau_exact::tolerance::{EPSILON, rounding};
 
 /// Step of a central difference \[s\], ε^⅓ rounded to a power of two (2⁻¹⁷): it balances truncation h²/6·f‴
 /// against rounding ε f/h.
+/// Set.
 pub const DIFFERENCE_STEP: f64 = 1.0 / 131_072.0;
 
 /// Error of a central difference of a function of size `size` along a velocity of size `speed`: truncation
@@ -11,6 +12,7 @@ pub const DIFFERENCE_STEP: f64 = 1.0 / 131_072.0;
 ///
 /// The bound on f‴ covers compositions of distances and rotations at unit length scale, which is what the
 /// mechanisms' gaps and potentials are.
+/// Derived.
 pub fn central_difference(speed: f64, size: f64) -> f64 {
     let h = DIFFERENCE_STEP;
     size * (h * h * (1.0 + speed).powi(3) + 4.0 * EPSILON / h)
@@ -18,20 +20,24 @@ pub fn central_difference(speed: f64, size: f64) -> f64 {
 
 /// The largest energy error of a Runge–Kutta run with half the step of one whose error is `coarse`: of order four it is a sixteenth to
 /// leading order, of order three an eighth; the next order of h is left as much again.
+/// Derived.
 pub fn runge_kutta_energy(coarse: f64) -> f64 {
     coarse / 12.0
 }
 
 /// Newton steps for the midpoint spin: the contraction constant is at most √½·½ < 0.36, so the first error is below 0.6 of the
 /// size, and each step more than squares it; six reach ε from there.
+/// Set.
 pub const NEWTON_STEPS: usize = 6;
 
 /// Sine of the angle below which crossing edges of two boxes count as parallel. What it leaves out is at most a thousandth of the tilt
 /// of the faces. A normal that is kept loses at most a factor of a thousand in accuracy.
+/// Set.
 pub const PARALLEL: f64 = 1.0 / 1024.0;
 
 /// How far a corner may lie beside the face from which its gap is measured, relative to that gap. Faces tilted against each other by up to
 /// 1/16 need this much. The gap from the plane then differs from the distance to the face by at most 1/512 of it.
+/// Set.
 pub const BESIDE: f64 = 1.0 / 16.0;
 
 /// Angle θ₀ \[rad\] up to which two faces count as parallel and share one normal, their bisector: [`PARALLEL`] times [`BESIDE`], 2⁻¹⁴.
@@ -46,35 +52,42 @@ pub const BESIDE: f64 = 1.0 / 16.0;
 /// Both are errors of one step: the next one measures the gaps anew. Gaps measured along the two normals differ by a factor cos α,
 /// 1 − 2⁻³¹ for corners and at least 1 − 2⁻⁹ for edges. In exchange, normals that differ by less do not occur. Rows that are dependent but
 /// for a tilt θ have an operator W with eigenvalues of θ² beside those of order one, and sweeps need 1/θ² rounds to see the difference.
+/// Set.
 pub const PARALLEL_FACES: f64 = PARALLEL * BESIDE;
 
 /// How far two faces are parallel, w = 2 − c/θ₀ cut off at 0 and 1, for outward normals whose sum has the length c = 2 sin(θ/2): 1 up to
 /// [`PARALLEL_FACES`], 0 from twice that angle.
 ///
 /// Between the two w θ/2, the angle by which a normal turns, is at most θ₀/2: the bound above holds there, too.
+/// Set.
 pub fn faces_are_parallel(sum: f64) -> f64 {
     (2.0 - sum / PARALLEL_FACES).clamp(0.0, 1.0)
 }
 
 /// Contact points of two boxes nearer than this, relative to their size, are one: √ε, far above the rounding with which
 /// clipping finds the same corner twice, far below any lever arm that matters.
+/// Set.
 pub const SAME_POINT: f64 = 1.0 / 67_108_864.0;
 
 /// Gap \[m\] of candidates that tests look at without touch: 2⁻¹⁰, nothing beside levers of a tenth of a metre.
+/// Set.
 pub const NEAR: f64 = 1.0 / 1024.0;
 
 /// Tilt \[rad\] from which points with normals of their own must show more velocities than rounding does: a tilt turns one row of two
 /// points, whose levers and distances are above a tenth, so that the singular value beyond those of the face is above a thousandth of it.
+/// Derived.
 pub fn tilt_shown(bound: f64) -> f64 {
     1024.0 * bound
 }
 
 /// 1 − |n·a| of a normal that is a box's own axis: a rotation of a unit vector and a product of three terms, below 64 roundings.
+/// Derived.
 pub fn own_axis() -> f64 {
     rounding(64, 1.0)
 }
 
 /// |n·d| of a normal n = d × e/|d × e| and its edge d: that rounding over the sine |d × e|, at least [`PARALLEL`].
+/// Derived.
 pub fn own_edge() -> f64 {
     own_axis() / PARALLEL
 }

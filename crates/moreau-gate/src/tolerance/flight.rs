@@ -11,28 +11,33 @@ use nalgebra::{Matrix3, Vector3};
 pub use moreau_forms::tolerance::{TOP_STEPS, top_reference};
 
 /// ½|g| h t \[m\] and the rounding of n additions to coordinates up to `size`.
+/// Derived.
 pub fn position(gravity: f64, h: f64, steps: usize, size: f64, epsilon: f64) -> f64 {
     0.5 * gravity * h * h * steps as f64 + rounding(steps, size, epsilon)
 }
 
 /// n additions to a number of at most `size`, each of a product of two rounded factors no larger: 2 n ε S.
+/// Derived.
 pub fn rounding(steps: usize, size: f64, epsilon: f64) -> f64 {
     2.0 * (steps + 1) as f64 * epsilon * size
 }
 
 /// Relative error of the momentum of a body that turns about a principal axis: J and L are formed from R, whose unit length and
 /// orthogonality each step restores up to 16 roundings; 2·16 ε per step, both for R and Rᵀ.
+/// Derived.
 pub fn turning(steps: usize, epsilon: f64) -> f64 {
     64.0 * (steps + 1) as f64 * epsilon
 }
 
 /// Declared damping: a step multiplies v by 1 − c h, by 1/(1 + c h) or by e^{−ch}, before or after gravity. Against ẋ = v, v̇ = g − c v
 /// the factors are off by ½(c h)² of v per step and the order of the two by c h · g h.
+/// Derived.
 pub fn damped_velocity(damping: f64, gravity: f64, speed: f64, time: f64, h: f64) -> f64 {
     damping * h * time * (0.5 * damping * speed + gravity)
 }
 
 /// The error of the velocity summed over the flight, and that of the quadrature as without damping.
+/// Derived.
 pub fn damped_position(damping: f64, gravity: f64, speed: f64, time: f64, h: f64) -> f64 {
     time * damped_velocity(damping, gravity, speed, time, h) + 0.5 * (gravity + damping * speed) * h * time
 }
@@ -54,6 +59,7 @@ pub struct Tumbling {
 /// ```text
 ///     e_Ω' = m e_Ω + ½h ‖Ω̈‖ ,      e_R' = e_Ω + ½h ‖Ω̇‖ .
 /// ```
+/// Derived.
 pub fn tumbling(moments: &Vector3<f64>, path: &[Vector3<f64>], part: f64) -> Tumbling {
     let mut bound = Tumbling::default();
     for rate in path {

@@ -2,18 +2,21 @@
 
 /// Relative error of a velocity after an impact: one contact is one division, but a solver that minimises an energy to rounding gives each
 /// of two velocities to √ε, and both are subtracted.
+/// Derived.
 pub fn velocity(epsilon: f64) -> f64 {
     4.0 * epsilon.sqrt()
 }
 
 /// Angle \[rad\] by which the line of centres turns while spheres with the sum of radii R move by s = 2 v h, `offset` b beside each other:
 /// its rate is b/d² per length with the distance d ≥ R − s.
+/// Derived.
 pub fn turned(offset: f64, reach: f64, speed: f64, h: f64) -> f64 {
     let moved = 2.0 * speed * h;
     offset * moved / (reach - moved).powi(2)
 }
 
 /// Relative change of an approach speed v cos φ when the normal turns by δ: |cos(φ ± δ)/cos φ − 1| ≤ δ tan φ + ½ δ².
+/// Derived.
 pub fn approach(tangent: f64, turned: f64) -> f64 {
     turned * tangent + 0.5 * turned * turned
 }
@@ -38,6 +41,7 @@ pub struct SoftCradle {
 ///     one after another   (1 − s, s (1 − s), s²)                                      energy 1 + 2 s (s − 1) (1 + s²)
 /// ```
 /// and everything between. The energies follow from ½ rᵀW r − r·b.
+/// Derived.
 pub fn soft_cradle(push: f64, mixing: f64) -> SoftCradle {
     let factors = [1.0 - 4.5 * mixing, 1.0 + 0.5 * push];
     let both = |s: f64| 1.0 + 8.0 / 3.0 * s * (s - 1.0);

@@ -37,30 +37,37 @@ pub mod tumbling;
 /// MuJoCo's line holds for the acceleration; the force it reports is `impratio`^½ times as far off along the tangents. Its rule bounds
 /// what the last iteration gained, so that PGS, which converges slowly, may leave more. That a solver which leaves 1e-3 is
 /// caught and one that leaves 1e-4 is not, is shown by [`crate::planted`].
+/// Required: of every engine, by the gate.
 pub const SOLVED: f64 = 0.000_345_266_983_001_243_9;
 
 /// How far the time of a sample may be from k h, relative to the duration. The protocol uses the same accuracy for "h divides the
 /// duration".
+/// Required: of every engine, by the protocol.
 pub const SAME_TIME: f64 = 1e-9;
 
 /// Relative change of gravity and velocities between repeated measurements, 2⁻³⁰ ≈ 1e-9. It is far below every allowance of the checks and
 /// far above the rounding of double precision. So the spread shows how much an engine amplifies a small change of its input.
+/// Set.
 pub const PERTURBATION: f64 = 1.0 / (1u64 << 30) as f64;
 
 /// A value is worse than its baseline only if it is so by more than this many times its spread. With three values, this many half ranges
 /// cover the error of the mean with 95 % (Student, two degrees of freedom: 4.3).
+/// Derived.
 pub const SPREADS: f64 = 4.3;
 
 /// A value is worse than its baseline only if it is so by more than this part of the ideal's allowance, too. A smaller change is the
 /// rounding of another processor.
+/// Required: of a baseline that is compared on another processor, by its users.
 pub const NEWS: f64 = 1.0 / 1024.0;
 
 /// Orders up to this are called constant: half the smallest order that a proven bound here has (½, the graph distance of a plastic impact).
+/// Derived.
 pub const CONSTANT_ORDER: f64 = 0.25;
 
 /// Rounding of a quantity that an engine sums up from terms of this size in its own precision: 64 operations per term, as a contact of
 /// three
 /// rows over two bodies of six velocities makes at most.
+/// Derived.
 pub fn audit_rounding(epsilon: f64, size: f64) -> f64 {
     64.0 * epsilon * size
 }

@@ -10,6 +10,7 @@ use super::SOLVED;
 
 /// Distance \[m\] from the place of rest after n steps that start there, if each step evaluates a stable map and solves nothing. A step is
 /// off by a velocity √ε g h, where an energy is minimised, times h. It is also off by 16 roundings of the coordinate \[m\].
+/// Derived.
 pub fn settled(steps: usize, size: f64, gravity: f64, h: f64, epsilon: f64) -> f64 {
     let steps = steps as f64;
     steps * h * epsilon.sqrt() * gravity * h + 16.0 * steps * epsilon * size
@@ -17,6 +18,7 @@ pub fn settled(steps: usize, size: f64, gravity: f64, h: f64, epsilon: f64) -> f
 
 /// Distance \[m\] that a body at rest may move in n steps. Each step leaves a velocity of [`SOLVED`] g h and 16 roundings of the coordinate
 /// \[m\].
+/// Derived.
 pub fn drift(steps: usize, size: f64, gravity: f64, h: f64, epsilon: f64) -> f64 {
     let steps = steps as f64;
     steps * h * SOLVED * gravity * h + 16.0 * steps * epsilon * size
@@ -24,16 +26,19 @@ pub fn drift(steps: usize, size: f64, gravity: f64, h: f64, epsilon: f64) -> f64
 
 /// Speed \[m/s\] of a body at rest: √2 times [`SOLVED`] g h. The factor √2 adds the turning, taken at the lever where an impulse causes as
 /// much translation as turning.
+/// Derived.
 pub fn velocity(gravity: f64, h: f64) -> f64 {
     std::f64::consts::SQRT_2 * SOLVED * gravity * h
 }
 
 /// Gap or depth \[m\] of a body at rest: the fall of a step, for an engine that acts on a contact one step after it closes.
+/// Derived.
 pub fn gap(gravity: f64, h: f64) -> f64 {
     gravity * h * h
 }
 
 /// Error of a depth at rest \[m\]: a part [`SOLVED`] of the depth, and the rounding of a coordinate of 0.1 m.
+/// Derived.
 pub fn rest_depth(depth: f64, epsilon: f64) -> f64 {
     SOLVED * depth + 64.0 * epsilon * 0.1
 }

@@ -7,12 +7,14 @@
 ///   height differs by sin α · 3/2 h ω, before and after: 3 sin α;
 /// - the angular speed of an explicit step lags by h/2: energy ½ h ω sin α on each side: sin α;
 /// - the edge leaves its circle by ½(hω)²R a step and falls back: it lifts the centre by ½ h ω times the angle turned.
+/// Derived.
 pub fn regained(sine: f64, angle: f64, landing_speed: f64, h: f64, energy: f64) -> f64 {
     h * landing_speed * (4.0 * sine + 0.5 * angle) / energy
 }
 
 /// How far \[m\] an edge that does not slide may travel. It travels ½(hω)²R per step while the block turns through the angle. If the
 /// landing is found 3/2 steps late, the base is below the ground by 2b · 3/2 h ω and its edge is R (3/2 h ω)² aside.
+/// Derived.
 pub fn travel(radius: f64, angle: f64, landing_speed: f64, h: f64) -> f64 {
     let turn = h * landing_speed;
     0.5 * turn * radius * angle + radius * (1.5 * turn).powi(2)
@@ -20,6 +22,7 @@ pub fn travel(radius: f64, angle: f64, landing_speed: f64, h: f64) -> f64 {
 
 /// Error of the time of a landing \[s\]: one step until the edge carries, half a step by which explicit speeds lag, one step in which the
 /// edge falls back onto its circle, and one sample.
+/// Derived.
 pub fn fall_time(h: f64) -> f64 {
     3.5 * h
 }

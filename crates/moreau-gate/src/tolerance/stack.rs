@@ -4,29 +4,34 @@ use super::SOLVED;
 
 /// Velocity \[m/s\] that a solved step may leave. Gravity gives every body g h, and the contacts stop it by impulses of up to the whole
 /// load Σm g h. A part [`SOLVED`] of these impulses is unknown, and moves the lightest body by that part of Σm g h/m_min.
+/// Derived.
 pub fn unsolved_velocity(gravity: f64, h: f64, load_ratio: f64) -> f64 {
     SOLVED * load_ratio * gravity * h
 }
 
 /// Distance \[m\] that a velocity left in every one of `steps` steps may add up to.
+/// Derived.
 pub fn drift(velocity: f64, steps: usize, h: f64) -> f64 {
     steps as f64 * h * velocity
 }
 
 /// Depth \[m\] of a landing after a fall of `drop` \[m\], at v = √(2 g · drop): 3/2 h (v + g h). The contact is found up to a step late,
 /// and the next step moves on with the mean of both speeds.
+/// Derived.
 pub fn landing(gravity: f64, drop: f64, h: f64) -> f64 {
     1.5 * h * (sinking_speed(gravity, drop) + gravity * h)
 }
 
 /// Depth \[m\] at which the contact of the n-th box may be found: h (v + n g h). The box has fallen through all gaps of `gap` \[m\], which
 /// gives v = √(2 g n · gap). It has fallen a step longer for each level below it, n g h, and it moves on for one step.
+/// Derived.
 pub fn found_depth(gravity: f64, gap: f64, levels: usize, h: f64) -> f64 {
     let levels = levels as f64;
     h * (sinking_speed(gravity, levels * gap) + levels * gravity * h)
 }
 
 /// Speed \[m/s\] gained by sinking a distance under gravity: ½v² ≤ g · sink.
+/// Derived.
 pub fn sinking_speed(gravity: f64, sink: f64) -> f64 {
     (2.0 * gravity * sink).sqrt()
 }

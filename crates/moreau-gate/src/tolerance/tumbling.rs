@@ -15,66 +15,78 @@ use super::SOLVED;
 
 /// Sine of the angle below which two edges count as parallel, 2⁻²⁰. The overlap along their cross product then differs from that along a
 /// face normal by at most this part of the boxes' size. Above this angle rounding does not decide the direction of the cross product.
+/// Set.
 pub const PARALLEL: f64 = 1.0 / (1u64 << 20) as f64;
 
 /// Impulse of a step \[N·s\] up to which a body counts as flying: an eighth of the impulse of its weight. Declared damping takes less than
 /// this, and a contact gives more.
+/// Set.
 pub fn flight(mass: f64, gravity: f64, h: f64) -> f64 {
     mass * gravity * h / 8.0
 }
 
 /// Error of σ g h \[m/s\] read from a flight of n steps: the rounding of two heights, divided by the time of the flight. Without a flight σ
 /// is unknown, and the error is ½ g h.
+/// Derived.
 pub fn sigma(flight: usize, gravity: f64, h: f64, epsilon: f64) -> f64 {
     if flight == 0 { 0.5 * gravity * h } else { 2.0 * place(flight, epsilon) / (flight as f64 * h) }
 }
 
 /// Energy \[J\] that the contacts of one body may give because of the gravity of the step: ½ h g p − ½ p²/m, with the upward part p of
 /// their impulse \[N·s\]. It is at most m g² h²/8, at p = ½ m g h, and zero for a body that is carried, p = m g h. Substeps give less.
+/// Derived.
 pub fn gravity(upward: f64, mass: f64, gravity: f64, h: f64) -> f64 {
     (0.5 * h * gravity * upward - 0.5 * upward * upward / mass).max(0.0)
 }
 
 /// Energy \[J\] that a step of rotation may add; `spread` s and `least` J_min \[kg·m²\], `spin` ω and `turned` ‖Δω‖ \[rad/s\].
+/// Derived.
 pub fn rotation(spread: f64, least: f64, spin: f64, turned: f64, h: f64) -> f64 {
     let torque = 0.5 * spread * spin * spin;
     0.5 * h * h * torque * torque / least + 0.5 * h * spread * spin * spin * turned * (1.0 + h * spin)
 }
 
 /// Speed \[m/s\] that moves a corner back to the surface within a step, after it has turned ½ ω²ρ h² below it; ρ \[m\] is its lever.
+/// Derived.
 pub fn turned_below(spin: f64, radius: f64, h: f64) -> f64 {
     0.5 * spin * spin * radius * h
 }
 
 /// Energy \[J\] that a solver may leave if it leaves a part s = [`SOLVED`] of the impulses: s √(1 + μ²) R u, for μ ≤ 1. R \[N·s\] is the
 /// sum of the normal impulses, and u \[m/s\] bounds the contact speeds before and after.
+/// Derived.
 pub fn unsolved(pressed: f64, speed: f64) -> f64 {
     std::f64::consts::SQRT_2 * SOLVED * pressed * speed
 }
 
 /// How far a corner may get into a surface \[m\]. As for a ball, it moves (u + g h) h before its arrival is noticed. It moves half of that
 /// again if the position is updated with the mean of both velocities ([`super::ball::depth`]).
+/// Derived.
 pub fn depth(speed: f64, gravity: f64, h: f64) -> f64 {
     super::ball::depth(speed, gravity, h)
 }
 
 /// Rounding of a coordinate of at most 1 m after n steps.
+/// Derived.
 pub fn place(steps: usize, epsilon: f64) -> f64 {
     super::ball::place(steps, 1.0, epsilon)
 }
 
 /// Unaccounted momentum, relative to the impulses, which are known to [`SOLVED`].
+/// Derived.
 pub fn impulse() -> f64 {
     SOLVED
 }
 
 /// Speed \[m/s\] below which a body lies at rest, as for a ball ([`super::ball::settled_speed`]). It also applies to the corners of a box
 /// that stands on one edge and falls on the other.
+/// Derived.
 pub fn settled_speed(gravity: f64, h: f64) -> f64 {
     super::ball::settled_speed(gravity, h)
 }
 
 /// Gap \[m\] that may remain under a lying body, as under a ball ([`super::ball::resting_gap`]).
+/// Derived.
 pub fn hover(gravity: f64, h: f64) -> f64 {
     super::ball::resting_gap(gravity, h)
 }
