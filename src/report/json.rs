@@ -194,6 +194,19 @@ mod tests {
     }
 
     #[test]
+    fn a_finding_has_the_names_it_always_had_and_tells_how_much_of_its_bound_it_uses() {
+        let finding = Finding::at_most("x", 1.0, 2.0, "m");
+        let numbers = serde_json::json!({
+            "name": "x", "measured": 1.0, "expected": 2.0, "tolerance": 0.0, "unit": "m", "relation": "at-most", "holds": true
+        });
+        assert_eq!(serde_json::to_value(&finding).expect("plain data"), numbers);
+        let entry = value(&FindingEntry::from(&finding));
+        assert_eq!(entry["used"], 0.5);
+        assert!(numbers.as_object().expect("an object").iter().all(|(name, number)| entry[name] == *number), "{entry}");
+        assert_eq!(value(&FindingEntry::from(&Finding::count("k", 3, 3))).get("used"), None);
+    }
+
+    #[test]
     fn a_failed_check_says_why_and_nan_becomes_null() {
         let mut outcome = outcome(Status::Failed("no convergence".into()));
         outcome.findings = vec![Finding::equal("x", f64::NAN, 1.0, 0.0, "m")];

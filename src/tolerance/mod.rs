@@ -47,6 +47,7 @@ pub mod claims {
     pub mod pathology;
     pub mod soft;
     pub mod stabilisation;
+    pub mod thresholds;
 
     /// Relative difference of two creep speeds of MuJoCo's default contact that are one speed: what is left after a quarter of a second of
     /// its transient (1 + t/t_c) e^{−t/t_c}, t_c = 0.02 s, is 13.5 e^{−12.5} = 5.1e-5 of either speed, together below 2⁻¹³.

@@ -159,15 +159,6 @@ mod tests {
     }
 
     #[test]
-    fn a_finding_is_written_flat_under_the_names_it_always_had() {
-        let written = serde_json::to_value(Finding::at_most("x", 1.0, 2.0, "m")).expect("plain data");
-        let expected = serde_json::json!({
-            "name": "x", "measured": 1.0, "expected": 2.0, "tolerance": 0.0, "unit": "m", "relation": "at-most", "holds": true
-        });
-        assert_eq!(written, expected);
-    }
-
-    #[test]
     fn what_is_exact_uses_no_bound() {
         assert_eq!(Finding::count("k", 3, 3).used(), None);
         let half = Finding::equal("x", 1.25, 1.0, 0.5, "m");

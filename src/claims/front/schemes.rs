@@ -12,6 +12,7 @@ use crate::problem::Lcp;
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, simulate};
 use crate::solvers::ProjectedGaussSeidel;
 use crate::solvers::lemke::solution;
+use crate::tolerance::claims::thresholds::NOT_FIRST_ORDER;
 use crate::tolerance::{schemes as tolerance, zeno};
 
 /// Claims of the preface and the project.
@@ -269,9 +270,14 @@ fn converges_on_the_ball(reading: Reading) -> Result<Vec<Finding>> {
     let apart = fall(20 * 256 + 5)? / fall(20 * 64 + 5)?;
     findings.push(Finding::exact("sup |q_h − q| with h/4 over that with h, walls closed in one step", &together, &ratio(1, 4), "1"));
     findings.push(
-        Finding::at_least("sup |q_h − q| with h/4 over that with h, floor closed before the wall", apart.to_f64().value(), 0.5, "1")
-            .says_at_most(0.5)
-            .violating("one contact, or contacts that meet at right angles"),
+        Finding::at_least(
+            "sup |q_h − q| with h/4 over that with h, floor closed before the wall",
+            apart.to_f64().value(),
+            NOT_FIRST_ORDER,
+            "1",
+        )
+        .says_at_most(NOT_FIRST_ORDER)
+        .violating("one contact, or contacts that meet at right angles"),
     );
     Ok(findings)
 }

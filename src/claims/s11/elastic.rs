@@ -5,6 +5,7 @@ use crate::closed_forms::ElasticBar;
 use crate::elastic_bar::{FiniteElementBar, Method};
 use crate::tolerance::claims::ORDER_GAP;
 use crate::tolerance::claims::elastic::{CONVERGING, OSCILLATING, energy_rounding};
+use crate::tolerance::claims::thresholds::{CONVERGES, DOUBLED};
 use crate::trajectory::{Refinement, fit_order};
 
 pub const CLAIMS: &[Claim] = &[
@@ -101,7 +102,7 @@ fn bar(reading: Reading) -> Result<Vec<Finding>> {
         findings.push(Finding::at_least(
             format!("energy by average acceleration over its start, N = {elements}"),
             average.energies[0],
-            2.0,
+            DOUBLED,
             "1",
         ));
         let midpoint = run(elements, Method::Midpoint, false)?;
@@ -113,7 +114,12 @@ fn bar(reading: Reading) -> Result<Vec<Finding>> {
         ));
     }
     let redistributed = |elements: usize| run(elements, Method::AverageAcceleration, true);
-    findings.push(Finding::at_least("order in Δ of the redistributed force", order(|n| Ok(redistributed(n)?.force_error))?, 0.5, "1"));
+    findings.push(Finding::at_least(
+        "order in Δ of the redistributed force",
+        order(|n| Ok(redistributed(n)?.force_error))?,
+        CONVERGES,
+        "1",
+    ));
     let finest = redistributed(80)?;
     findings.push(Finding::at_most("error of the redistributed force in ∫|λ|, N = 80", finest.force_error, CONVERGING, "1"));
     findings.push(Finding::equal(

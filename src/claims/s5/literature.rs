@@ -9,6 +9,7 @@ use crate::schemes::{SchemeParameters, assembled, by_name};
 use crate::solvers::Momentum;
 use crate::solvers::lemke::{LemkeOutcome, lemke};
 use crate::stored::{RUNS, read_by};
+use crate::tolerance::claims::thresholds::{FOLLOWS, GROWS, TERABYTE};
 use crate::trajectory::Trajectory;
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -120,7 +121,7 @@ fn users(reading: Reading) -> Result<Vec<Finding>> {
     let run = reading.pick("drake/block_slide__sap__h0.001.json", "drake/block_slide__lagged__h0.001.json");
     let siconos = Facts::stored()?;
     Ok(vec![
-        Finding::at_least("rise of Drake's block with its speed, over that of the relaxation", rise(run)?, 0.5, "1"),
+        Finding::at_least("rise of Drake's block with its speed, over that of the relaxation", rise(run)?, FOLLOWS, "1"),
         Finding::decision("Chrono poses the associated law over round cones", law("chrono")? == relaxed, true).context(),
         Finding::decision("Siconos solves over second-order cones", siconos.solves_with("FRICTION_3D_SOCLCP"), true),
         Finding::decision("Siconos solves over polyhedral cones", siconos.solves_with("FRICTION_3D_GAMS_LCP_PATH"), true),
@@ -156,8 +157,8 @@ fn pivots(reading: Reading) -> Result<Vec<Finding>> {
     };
     let unknowns: f64 = 6.0 * 1e5;
     Ok(vec![
-        Finding::at_least("pivots for a pressed row of 40 masses over those for 20", of_row(40)? / of_row(20)?, 1.5, "1")
+        Finding::at_least("pivots for a pressed row of 40 masses over those for 20", of_row(40)? / of_row(20)?, GROWS, "1")
             .opinion("scalable with respect to what: time, memory, or the accuracy of the answer"),
-        Finding::at_least("dense tableau of 1e5 contacts", 8.0 * unknowns * unknowns, 1e12, "B").context(),
+        Finding::at_least("dense tableau of 1e5 contacts", 8.0 * unknowns * unknowns, TERABYTE, "B").context(),
     ])
 }

@@ -12,6 +12,7 @@ use crate::schemes::{Activation, Anitescu, MoreauJean, StewartTrinkle, Waist, as
 use crate::solvers::gauss::{GaussProgram, Minimiser, SoftPiece};
 use crate::solvers::{ContactSolver, Direction, GaussConjugateGradient, GaussNewton, GaussSweeps};
 use crate::tolerance::claims::soft::{COUNTED, FEW, INDISTINGUISHABLE, ITERATES, LOW, SAME_LEVER, SOLVED, TOUCH};
+use crate::tolerance::claims::thresholds::{DIFFERENT, MORE_WORK, SQUARINGS};
 
 const SOURCE: &str = "MuJoCo documentation, Computation: solver algorithms (3.17)";
 
@@ -260,7 +261,12 @@ pub(super) fn second_order(reading: Reading) -> Result<Vec<Finding>> {
     };
     let default = facts()?.number(&["stated", "defaults", "solver"])?;
     Ok(vec![
-        Finding::at_most("steps from a relative gradient of 1e-2 to 1e-10", (iterations(SOLVED)? - iterations(0.01)?) as f64, 3.0, "1"),
+        Finding::at_most(
+            "steps from a relative gradient of 1e-2 to 1e-10",
+            (iterations(SOLVED)? - iterations(0.01)?) as f64,
+            SQUARINGS,
+            "1",
+        ),
         Finding::equal("default solver", default, facts()?.number(&["stated", "solvers", "NEWTON"])?, 0.0, "1"),
     ])
 }
@@ -352,7 +358,7 @@ fn work(reading: Reading) -> Result<Vec<Finding>> {
     let mut findings = Vec::new();
     for accuracy in [LOW, COUNTED] {
         let name = |model: &str| format!("multiplications of sweeps over the least of the others, to {accuracy:.0e}, {model}");
-        findings.push(Finding::at_least(name("stack"), multiplications(&stack, accuracy)?, 2.0, "1").says_at_most(1.0));
+        findings.push(Finding::at_least(name("stack"), multiplications(&stack, accuracy)?, MORE_WORK, "1").says_at_most(1.0));
         findings.push(Finding::at_most(name("one ball"), multiplications(&ball, accuracy)?, 1.0, "1"));
     }
     let default = facts()?.number(&["stated", "defaults", "timestep"])?;
@@ -368,6 +374,6 @@ fn solver_dependence(reading: Reading) -> Result<Vec<Finding>> {
     Ok(vec![
         Finding::at_most("sweeps against Newton, relative", relative(&sweeps, &exact), SOLVED.sqrt(), "1"),
         Finding::at_most("conjugate gradients against Newton, relative", relative(&gradients, &exact), SOLVED.sqrt(), "1"),
-        Finding::at_least("ten sweeps against Newton, relative", relative(&swept(&problem, 10)?, &exact), 0.0001, "1"),
+        Finding::at_least("ten sweeps against Newton, relative", relative(&swept(&problem, 10)?, &exact), DIFFERENT, "1"),
     ])
 }
