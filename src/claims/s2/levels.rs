@@ -6,6 +6,7 @@ use crate::claims::prelude::*;
 use crate::closed_forms::bouncing_ball::BouncingBall;
 use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{BeadInCircle, Mechanism, PointMass, State};
+use crate::schemes::mujoco::Softness;
 use crate::schemes::{Activation, MoreauJean, Mujoco, Scheme, StewartTrinkle, simulate};
 use crate::solvers::Auto;
 use crate::tolerance::claims::{SOFT_STEP, soft_restitution};
@@ -79,7 +80,7 @@ pub const CLAIMS: &[Claim] = &[
             The depth after T lies in [hT/((1+hT)(1+√(1+hT))), √(1+hT) − 1]; it is 9.85e-3 and 9.99e-4 m for h = 1e-2 and 1e-3 s at T = \
             2 s, and in every step ∇φ·v⁺ ≥ 0 at the gradient of its start. A block sliding on a plane keeps φ = 0 exactly: they may \
             drift, as the chapter says, and need not.",
-        controls: &["The position level (Stewart–Trinkle).", "MuJoCo's soft contact, which brakes by and by."],
+        controls: &["The position level (Stewart–Trinkle).", "MuJoCo's contact with a time constant of 0.2 s, which brakes by and by."],
         sources: &["chapter §2, table of levels", "chapter §3, pitfall on drift"],
         check: velocity_level,
     },
@@ -219,7 +220,8 @@ fn position_level(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 fn velocity_level(reading: Reading) -> Result<Vec<Finding>> {
-    let soft = Mujoco::default();
+    let softness = Softness { reference: [0.2, 1.0], ..Softness::STANDARD };
+    let soft = Mujoco { softness, ..Mujoco::default() };
     let hard: &dyn Scheme = reading.only(0).pick(&VELOCITY_LEVEL, &POSITION_LEVEL);
     let scheme = reading.only(1).pick(hard, &soft);
     let mut findings = Vec::new();

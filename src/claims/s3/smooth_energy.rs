@@ -57,8 +57,7 @@ pub const CLAIMS: &[Claim] = &[
             potential is convex, per step, so O(h) over a fixed time; where it is concave θ = 1 gains energy.",
         argument: "ΔT = h·½(v⁺ + v)·F and ½(v⁺ + v) = v⁺ − ½hM⁻¹F. In rationals for a fall, a spring and two coupled masses. Free fall \
             of 1 kg for 1 s at h = 1/1000 s loses ½ m g² h T = (981/100)²/2000 = 0.04811805 J exactly. A spring with hω = 1/2 keeps 4/5 \
-            of its energy in a step. On the hill q̈ = q, E = ½v² − ½q², a step of h = 1/2 from q = 0 at v = 1 goes to q = 2/3, v = 4/3 \
-            and gains 1/6 J.",
+            of its energy in a step. On the hill q̈ = q, E = ½v² − ½q², a step of h = 1/2 from q = 0 at v = 1 gains 1/6 J.",
         controls: &["θ = 1/2, whose term is zero."],
         sources: &["chapter §3, energy estimate, and exercise 2"],
         check: backward_euler,
