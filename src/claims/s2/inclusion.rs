@@ -234,7 +234,8 @@ fn mdi(reading: Reading) -> Result<Vec<Finding>> {
         let name = format!("v⁺ = {expected} is the one solution from v⁻ = {pre}");
         findings.push(Finding::decision(name, inclusion.solutions(&pre) == [expected], true));
     }
-    findings.push(Finding::decision("v⁺ = 0 is the one solution from v⁻ = 0", inclusion.solutions(&whole(0)) == [whole(0)], true).context());
+    findings
+        .push(Finding::decision("v⁺ = 0 is the one solution from v⁻ = 0", inclusion.solutions(&whole(0)) == [whole(0)], true).context());
     for factor in [1, 7] {
         let density = sign.clone() * ratio(-981, 100) * whole(factor);
         let held = line_normal_cone_contains(true, &whole(0), &density);

@@ -80,7 +80,8 @@ fn founding_papers(reading: Reading) -> Result<Vec<Finding>> {
     let point = "which papers found the analysis of convergence";
     let cited = |author: &str, title: &str| facts.cites(&format!("{author}. {title}."));
     Ok(vec![
-        Finding::decision("Moreau wrote of numerical aspects of the sweeping process", cited("J.J. Moreau", titles[0]), true).opinion(point),
+        Finding::decision("Moreau wrote of numerical aspects of the sweeping process", cited("J.J. Moreau", titles[0]), true)
+            .opinion(point),
         Finding::decision("Jean wrote of the contact dynamics method", cited("M. Jean", titles[1]), true).opinion(point),
         Finding::decision("pages 329–349 of volume 177, 1999, are cited", facts.cites(&format!("{volume}:329–349, 1999")), true),
         Finding::decision("pages 235–257 of volume 177, 1999, are cited", facts.cites(&format!("{volume}:235–257, 1999")), true),
