@@ -43,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Where no sliding force exists the step has one solution, whose impulse does not vanish with h: P_n = \
             |W_nt||v_t|/det W, P_t = W_nn|v_t|/det W, and the end sticks. Where two forces exist the step has three solutions, and the \
             solver's pivoting rule decides whether there is an atom.",
-        argument: "cos = 3/5, μ = 2, v_t = −1, gravity 9.81, h = 1/100, 1/10000, 1/1000000: one solution each, P = W⁻¹(g h, 1) → (9/25, \
+        argument: "cos = 3/5, μ = 2, v_t = −1, gravity 9.81, h = 1/100, then a hundredth of it twice: one solution each, P = W⁻¹(g h, 1) → (9/25, \
             13/25). At the last h P = (0.3600072, 0.5200035). With an upward normal free velocity, where two sliding forces exist (a Painlevé \
             configuration as well): 3 solutions (open, sliding, impact).",
         controls: &["μ = 1 < μ_P: the impulse is of order h and there is no atom."],

@@ -93,6 +93,7 @@ fn bead_scheme(reading: Reading) -> &'static dyn Scheme {
 }
 
 fn velocity_drift(reading: Reading) -> Result<Vec<Finding>> {
+    const STEPS: usize = 1000;
     let (bodies, h, steps, sweeps) = (5, 0.01, 100, 10);
     let tower = Tower { bodies, gravity: 9.81 };
     let (converged, truncated) = (ProjectedGaussSeidel::default(), Sweeps::cold(sweeps));
@@ -104,7 +105,7 @@ fn velocity_drift(reading: Reading) -> Result<Vec<Finding>> {
     for theta in [ratio(1, 2), ratio(1, 1)] {
         let ball = Ball { mass: ratio(1, 1), gravity: ratio(981, 100), restitution: ratio(1, 2) };
         let start = BallState { position: ratio(0, 1), velocity: ratio(0, 1) };
-        let end = (0..1000).fold(start, |now, _| ball.moreau_jean(&now, &theta, Activation::Gap, &ratio(1, 100)).motion);
+        let end = (0..STEPS).fold(start, |now, _| ball.moreau_jean(&now, &theta, Activation::Gap, &ratio(1, 100)).motion);
         rests &= end.position == ratio(0, 1);
     }
     let sinks = tower.sinking(&tower.simulate(stopped, 0.5, h, steps)?, steps);

@@ -133,7 +133,6 @@ fn jitter(reading: Reading) -> Result<Vec<Finding>> {
         Finding::equal("speed at rest with t_c = 1.5h", speed(1.5), 0.0, calm, "m/s"),
         Finding::equal("speed at rest with t_c = 2h", speed(2.0), 0.0, calm, "m/s"),
         Finding::equal("speed at rest with t_c = h under MuJoCo's limit", limited, 0.0, calm, "m/s"),
-        Finding::at_most("velocity of the tower's fastest body", last.min(), -tolerance::tower_rounding(5, 10, 200), "m/s").context(),
     ])
 }
 

@@ -2,7 +2,7 @@
 
 use crate::claims::experiments::siconos::{Facts, projected_energy, projected_moves, unprojected_energy};
 use crate::claims::prelude::*;
-use crate::tolerance::claims::pathology::{FOUR_DIGITS, elastic_drop};
+use crate::tolerance::claims::pathology::elastic_drop;
 use crate::tolerance::rounding;
 
 pub const CLAIMS: &[Claim] = &[
@@ -17,7 +17,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "The class is MoreauJeanCombinedProjectionOSI. It injects no energy but takes it: the step of an impact ends \
             on φ = 0 from whatever height q it started, and an elastic ball loses m g q each time. And it moves bodies along H_nᵀ, not along \
             M⁻¹H_nᵀ: the nearest place in the coordinates, not in the kinetic metric.",
-        argument: "Siconos 4.4.0 has no class of the printed name. Elastic ball from 1 m, h = 1/100 s, θ = 1/2: after 5 s E/E₀ = 0.8778, \
+        argument: "Siconos 4.4.0 has no class of the printed name. Elastic ball from 1 m, θ = 1/2: after 5 s E/E₀ = 0.8778, \
             less by exactly Σ m g q over the steps that were projected. Masses 1, 2, 4 kg in a row: the moves by the projection add up to \
             zero; times the masses they are −1/300 kg·m, so that the centre of mass moves.",
         controls: &[
@@ -69,7 +69,6 @@ fn combined_projection(reading: Reading) -> Result<Vec<Finding>> {
     Ok(vec![
         Finding::decision("4.4.0 has a class of the printed name", facts.has(name), false).says(true),
         Finding::equal("E(5 s)/E(0) of Siconos's elastic ball", kept, 1.0 - taken, elastic_drop(500), "1").says_at_most(1.0),
-        Finding::equal("what it lost, Σ m g q", taken, 1.0 - 0.8778, FOUR_DIGITS, "1").context(),
         // onto φ = 0, the nearest place in the coordinates: (2/3, −1/3, −1/3) of the gap
         Finding::equal("sum of the balls' moves", moved, 0.0, rounding(64, 1.0), "m"),
         Finding::equal("the same, each times its mass", mass_moved, -1.0 / 300.0, rounding(64, 1.0), "kg·m").context(),
