@@ -9,7 +9,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
     verdict: ClaimVerdict::Ambiguous,
     kind: Kind::Citation,
     severity: None,
-    evidence: Evidence::Cited,
+    evidence: Evidence::Exact,
     correct_statement: "The paper was not read. Those found under these names treat one perfect constraint without friction (with Paoli, \
         Nonlinear Dynamics 58 (2009) 361). What can be decided: as a set-valued law, with or without a bipotential, Coulomb's law has a \
         closed graph; what lacks it is the single-valued law with r_t = 0 at rest.",

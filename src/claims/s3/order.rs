@@ -86,7 +86,10 @@ fn smooth_orders(reading: Reading) -> Result<Vec<Finding>> {
     let half = oscillator_order(0.5, reading.only(0).pick(-10.0, 0.0))?;
     let one = oscillator_order(reading.only(1).pick(1.0, 0.5), -10.0)?;
     let width = half.slope_interval(METHOD_CONSTANTS);
-    Ok(vec![Finding::equal("order of θ = 1/2", half.slope, 2.0, width, "1"), Finding::equal("order of θ = 1", one.slope, 1.0, width, "1")])
+    Ok(vec![
+        Finding::equal("order of θ = 1/2", half.slope, 2.0, width, "1").experiment(),
+        Finding::equal("order of θ = 1", one.slope, 1.0, width, "1").experiment(),
+    ])
 }
 
 fn order_through_an_impact(reading: Reading) -> Result<Vec<Finding>> {

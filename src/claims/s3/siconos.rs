@@ -30,7 +30,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Citation,
         severity: None,
-        evidence: Evidence::Cited,
+        evidence: Evidence::NotDecidable,
         correct_statement: "The two papers stand in that volume, as “Numerical aspects of the sweeping process” and “The non smooth \
             contact dynamics method”. Neither was read here; by their titles they present methods, and proofs of convergence are usually \
             cited from Monteiro Marques 1993, Mabrouk 1998 and Paoli and Schatzman. Whether a paper that presents the method founds its \
@@ -47,7 +47,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Opinion,
         severity: None,
-        evidence: Evidence::Cited,
+        evidence: Evidence::NotDecidable,
         correct_statement: "The book exists, as volume 35 of that series, and Siconos refers to it for review. Its table of contents was \
             not at hand, and what is an encyclopaedia is a matter of opinion.",
         argument: "The bibliography of Siconos's headers names the volume of the series.",
@@ -63,8 +63,8 @@ fn path(reading: Reading) -> Result<Vec<Finding>> {
     let path = reading.only(1).pick("kernel/src/simulationTools/MoreauJeanOSI.cpp", "kernel/src/simulation/MoreauJeanOSI.cpp");
     let other = "MoreauJeanCombinedProjectionOSI";
     Ok(vec![
-        Finding::decision("4.4.0 has a class of the printed name", facts.has(class), false).says(true),
-        Finding::decision("compiled from the printed path", facts.compiled(path), true),
+        Finding::decision("4.4.0 has a class of the printed name", facts.has(class), false).says(true).looked_up(),
+        Finding::decision("compiled from the printed path", facts.compiled(path), true).looked_up(),
         Finding::decision("the facts are those of 4.4.0", version()?.starts_with("4.4.0"), true).context(),
         Finding::decision("4.4.0 has MoreauJeanCombinedProjectionOSI", facts.has(other), true).context(),
     ])
@@ -81,15 +81,16 @@ fn founding_papers(reading: Reading) -> Result<Vec<Finding>> {
     let cited = |author: &str, title: &str| facts.cites(&format!("{author}. {title}."));
     Ok(vec![
         Finding::decision("Moreau wrote of numerical aspects of the sweeping process", cited("J.J. Moreau", titles[0]), true)
+            .looked_up()
             .opinion(point),
-        Finding::decision("Jean wrote of the contact dynamics method", cited("M. Jean", titles[1]), true).opinion(point),
-        Finding::decision("pages 329–349 of volume 177, 1999, are cited", facts.cites(&format!("{volume}:329–349, 1999")), true),
-        Finding::decision("pages 235–257 of volume 177, 1999, are cited", facts.cites(&format!("{volume}:235–257, 1999")), true),
+        Finding::decision("Jean wrote of the contact dynamics method", cited("M. Jean", titles[1]), true).looked_up().opinion(point),
+        Finding::decision("pages 329–349 of volume 177, 1999, are cited", facts.cites(&format!("{volume}:329–349, 1999")), true).looked_up(),
+        Finding::decision("pages 235–257 of volume 177, 1999, are cited", facts.cites(&format!("{volume}:235–257, 1999")), true).looked_up(),
     ])
 }
 
 fn chapters(reading: Reading) -> Result<Vec<Finding>> {
     let volume = format!("volume {} of Lecture Notes", reading.pick(35, 53));
     let cited = Finding::decision("Siconos cites volume 35 of the series", Facts::stored()?.cites(&volume), true);
-    Ok(vec![cited.opinion("what is an encyclopaedia")])
+    Ok(vec![cited.looked_up().opinion("what is an encyclopaedia")])
 }

@@ -91,10 +91,10 @@ fn places(reading: Reading) -> Result<Vec<Finding>> {
     let sici = sici.replace(")39:", reading.only(1).pick(")39:", ")93:")).replace("0207(", reading.only(1).pick("0207(", "0270("));
     let (volume, page) = volume_and_page(&sici).unwrap_or_default();
     Ok(vec![
-        Finding::decision("the SICI's check character agrees", sici_agrees(&sici), true),
-        Finding::count("its volume", volume as usize, 39),
-        Finding::count("its first page", page as usize, 2673),
-        Finding::decision("the ISSN's check digit agrees", issn_agrees(&sici[..9]), true),
+        Finding::decision("the SICI's check character agrees", sici_agrees(&sici), true).looked_up(),
+        Finding::count("its volume", volume as usize, 39).looked_up(),
+        Finding::count("its first page", page as usize, 2673).looked_up(),
+        Finding::decision("the ISSN's check digit agrees", issn_agrees(&sici[..9]), true).looked_up(),
     ])
 }
 
@@ -108,8 +108,8 @@ fn early_drake(reading: Reading) -> Result<Vec<Finding>> {
     let theirs = matrix_of_early_drake(&system);
     let differing = ours.iter().zip(theirs.iter()).filter(|(ours, theirs)| ours != theirs).count();
     Ok(vec![
-        Finding::count("mentions of the name in the present documentation", mentions(name), 0),
-        Finding::count("entries of its documented LCP that differ from Stewart and Trinkle's", differing, 0),
+        Finding::count("mentions of the name in the present documentation", mentions(name), 0).looked_up(),
+        Finding::count("entries of its documented LCP that differ from Stewart and Trinkle's", differing, 0).looked_up(),
     ])
 }
 

@@ -57,7 +57,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Assertion,
         severity: None,
-        evidence: Evidence::Certified,
+        evidence: Evidence::NotDecidable,
         correct_statement: "Of the violation of a joint it is so: the bias lets it decay by 4/5 a step without oscillation. The motion that \
             the joint allows is not flattened: on a circle it keeps the angular momentum exactly, and settles with more energy than \
             projection leaves. How large a gap to a real robot is cannot be decided here.",
@@ -89,7 +89,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Definition,
         severity: None,
-        evidence: Evidence::Cited,
+        evidence: Evidence::NotDecidable,
         correct_statement: "Usage differs: Ascher and Petzold's post-stabilisation corrects position and velocity as well. And for a step \
             that imposes G v⁺ = 0 at its start the two make the same motion: the positions agree, and the velocities differ by the \
             projection which the next step makes anyway.",

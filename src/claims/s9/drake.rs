@@ -39,8 +39,8 @@ fn projection(reading: Reading) -> Result<Vec<Finding>> {
     let phrase = reading.pick("coordinate projection", "contact");
     let mentions = facts()?.mentions;
     Ok(vec![
-        Finding::equal("depth of the resting ball", depth, 9.81 / 1e5, rest(9.81), "m").says(0.0),
-        Finding::count("mentions of the phrase in the documentation of the plant", mentions[phrase], 0).says_at_least(1usize),
+        Finding::equal("depth of the resting ball", depth, 9.81 / 1e5, rest(9.81), "m").says(0.0).experiment(),
+        Finding::count("mentions of the phrase in the documentation of the plant", mentions[phrase], 0).says_at_least(1usize).looked_up(),
         Finding::count("mentions of “contact” there", mentions["contact"], 1356).context(),
     ])
 }

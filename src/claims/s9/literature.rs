@@ -13,7 +13,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::False,
         kind: Kind::Path,
         severity: Some(Severity::Misprint),
-        evidence: Evidence::Measured,
+        evidence: Evidence::Cited,
         correct_statement: "The class is MoreauJeanCombinedProjectionOSI. It injects no energy but takes it: the step of an impact ends \
             on φ = 0 from whatever height q it started, and an elastic ball loses m g q each time. And it moves bodies along H_nᵀ, not along \
             M⁻¹H_nᵀ: the nearest place in the coordinates, not in the kinetic metric.",
@@ -38,7 +38,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Citation,
         severity: None,
-        evidence: Evidence::Cited,
+        evidence: Evidence::NotDecidable,
         correct_statement: "The three papers exist; two are described as others are titled. CMAME 256:224–250 is on projected \
             event-capturing schemes with contact and friction; the higher-order event-capturing schemes are Acary, Appl. Numer. Math. 62 \
             (2012) 1259. Brüls, Acary and Cardona, CMAME 281 (2014) 131, is on enforcing constraints at position and velocity level at \
@@ -67,10 +67,12 @@ fn combined_projection(reading: Reading) -> Result<Vec<Finding>> {
     let moves = [lengths, weighted].map(|moves| moves.iter().sum::<f64>());
     let [moved, mass_moved] = reading.only(1).pick(moves, [moves[1], moves[0]]);
     Ok(vec![
-        Finding::decision("4.4.0 has a class of the printed name", facts.has(name), false).says(true),
-        Finding::equal("E(5 s)/E(0) of Siconos's elastic ball", kept, 1.0 - taken, elastic_drop(500), "1").says_at_most(1.0),
+        Finding::decision("4.4.0 has a class of the printed name", facts.has(name), false).says(true).looked_up(),
+        Finding::equal("E(5 s)/E(0) of Siconos's elastic ball", kept, 1.0 - taken, elastic_drop(500), "1")
+            .says_at_most(1.0)
+            .experiment(),
         // onto φ = 0, the nearest place in the coordinates: (2/3, −1/3, −1/3) of the gap
-        Finding::equal("sum of the balls' moves", moved, 0.0, rounding(64, 1.0), "m"),
+        Finding::equal("sum of the balls' moves", moved, 0.0, rounding(64, 1.0), "m").experiment(),
         Finding::equal("the same, each times its mass", mass_moved, -1.0 / 300.0, rounding(64, 1.0), "kg·m").context(),
     ])
 }
@@ -116,15 +118,13 @@ fn literature(reading: Reading) -> Result<Vec<Finding>> {
         findings.push(Finding::decision(format!("x³ + … = (x + ρ)³ at ρ = {radius}"), characteristic(&step) == wanted, true));
     }
     let cites = |printed: &str, other: &str| facts.cites(reading.only(1).pick(printed, other));
-    findings.push(Finding::decision(
-        "CMAME 256:224–250, 2013 is cited by Siconos",
-        cites("256:224 – 250, 2013", "265:224 – 250, 2013"),
-        true,
-    ));
+    let placed = cites("256:224 – 250, 2013", "265:224 – 250, 2013");
+    findings.push(Finding::decision("CMAME 256:224–250, 2013 is cited by Siconos", placed, true).looked_up());
     let titled = cites("Projected event-capturing time-stepping", "Projected event-driven time-stepping");
-    findings.push(Finding::decision("as projected event-capturing schemes", titled, true));
+    findings.push(Finding::decision("as projected event-capturing schemes", titled, true).looked_up());
     findings.push(
         Finding::decision("with Runge and Kutta in its title", cites("Runge", "nonsmooth mechanical systems"), false)
+            .looked_up()
             .opinion("what the papers, which were not read, hold"),
     );
     Ok(findings)

@@ -34,7 +34,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
-        evidence: Evidence::Exact,
+        evidence: Evidence::Cited,
         correct_statement: "As stated: it is the semi-implicit Baumgarte step with 2αh = 1 and β²h² = ERP, constants that follow the step: \
             under load φ⁺ = (1 − ERP)φ, a first-order decay by 4/5 per step whatever h is (time constant 4.48 steps).",
         argument: "PyBullet 3.2.7's btContactSolverInfo.h sets m_erp2 = 0.2. φ̇⁺ = φ̇ − h(2αφ̇ + β²φ) with 2αh = 1, β²h² = 1/5 is φ̇⁺ = \
@@ -158,7 +158,7 @@ fn error_reduction(reading: Reading) -> Result<Vec<Finding>> {
     let five = ratio(4, 5).pow(5);
     Ok(vec![
         Finding::exact("φ₅/φ₀ of Baumgarte with 2αh = 1, β²h² = 1/5, h = 1/240 s", &fifth, &five, "1"),
-        Finding::exact("Bullet's m_erp2", &erp, &ratio(1, 5), "1"),
+        Finding::exact("Bullet's m_erp2", &erp, &ratio(1, 5), "1").looked_up(),
         Finding::exact("φ₅/φ₀ with this ERP under load, h = 1/240 s", &left(&fine), &five, "1"),
         Finding::exact("φ₅/φ₀ with this ERP under load, h = 1/60 s", &left(&coarse), &five, "1"),
         Finding::exact("φ₁/φ₀ at 1/240 s of the constants that fit 1/60 s", &first, &ratio(79, 80), "1").context(),
