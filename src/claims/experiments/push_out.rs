@@ -31,7 +31,12 @@ pub fn elastic_drop<T: Scalar>(activation: Activation, project: bool) -> Drop<T>
 
 /// The same, thrown upwards with a velocity \[m/s\].
 pub fn elastic_throw<T: Scalar>(velocity: T, activation: Activation, project: bool) -> Drop<T> {
-    let (ball, h) = (ball(T::one()), T::ratio(1, 100));
+    throw(T::one(), velocity, activation, project)
+}
+
+/// The same with another coefficient of restitution.
+pub fn throw<T: Scalar>(restitution: T, velocity: T, activation: Activation, project: bool) -> Drop<T> {
+    let (ball, h) = (ball(restitution), T::ratio(1, 100));
     let mut now = BallState { position: T::one(), velocity };
     let start = ball.energy(&now);
     let mut drop = Drop { energy: T::one(), lift: T::zero(), projections: 0 };

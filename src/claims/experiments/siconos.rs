@@ -11,6 +11,7 @@ use crate::{Error, Result};
 use serde::Deserialize;
 
 const FACTS: &str = "facts/siconos.json";
+const ELASTIC: &str = "siconos/ball_elastic__moreau-jean__h0.01.json";
 const ELASTIC_PROJECTED: &str = "siconos/ball_elastic__projection__h0.01.json";
 const CHAIN_PROJECTED: &str = "siconos/chain__projection__h0.01.json";
 const ALPHA_FALL: &str = "siconos/fall__generalised-alpha__h0.05.json";
@@ -80,7 +81,19 @@ impl Facts {
 /// # Errors
 /// If the stored file is not what it should be.
 pub fn projected_energy() -> Result<[f64; 2]> {
-    let run = read_by(&RUNS, ELASTIC_PROJECTED, SiconosSteps::from_json)?;
+    energy(ELASTIC_PROJECTED)
+}
+
+/// The same of Siconos's elastic ball without projection, and over the steps that an impulse ended.
+///
+/// # Errors
+/// If the stored file is not what it should be.
+pub fn unprojected_energy() -> Result<[f64; 2]> {
+    energy(ELASTIC)
+}
+
+fn energy(file: &str) -> Result<[f64; 2]> {
+    let run = read_by(&RUNS, file, SiconosSteps::from_json)?;
     let mechanism = run.mechanism()?;
     let start = mechanism.energy(&run.state(0));
     let last = run.impulses.len();

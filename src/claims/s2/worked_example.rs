@@ -22,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "If v⁺ > 0, then v⁺ is interior to T_C(0) = {u ≥ 0}, N = {0}, and v⁺ = v⁻ < 0: a contradiction. From v⁻ = −1 the \
             solutions of the printed inclusion are {0}; v⁺ = 1/2 is none of them. \
             The text means the two impact laws and labels them by e; only the replacement of the argument is missing.",
-        controls: &["The inclusion with the argument v⁺ + e v⁻, whose solution is −e v⁻ for either e."],
+        controls: &["The inclusion with the argument v⁺ + e v⁻, whose solution is −e v⁻ for either e.", "The argument v⁻."],
         sources: &["chapter §2, worked example, case two"],
         check: case_two,
     },
@@ -36,7 +36,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "The set {g ≤ 0} is right; for C = {q ≥ 0} it points out of C. The force −g is what points in.",
         argument: "0 + t g = −t ∉ C for g = −1 and every t > 0. Only the words in parentheses are wrong; three lines on, the text has the \
             wall push along the inward normal, which is right.",
-        controls: &["The force −g in place of the members g of the cone."],
+        controls: &["The force −g in place of the members g of the cone.", "A wall on the other side, C = {q ≤ 0}."],
         sources: &["chapter §2, worked example, case two"],
         check: cone_direction,
     },
@@ -65,7 +65,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated; these are all branches.",
         argument: "At q = 0, 1/2, 2 and v⁻ = −2 … 2 the inclusion gives λ = v⁺ − v⁻: it is 0 inside, positive against the wall, 0 where \
             the point leaves it. These are three of the nine pairs of signs of φ and λ, and the only ones with 0 ≤ φ, 0 ≤ λ and φλ = 0.",
-        controls: &["A wall that holds the point fast: leaving has λ < 0."],
+        controls: &["A wall that holds the point fast: leaving has λ < 0.", "A wall at 1/2 in place of 0, its gap measured from 0."],
         sources: &["chapter §2, insight after the worked example"],
         check: branches,
     },
@@ -79,25 +79,28 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "P = m(v⁺ − v⁻) = −(1 + e) m v⁻.",
         argument: "Integrating the inclusion over the atom gives P = m(v⁺ − v⁻); v⁺ = −e v⁻ is the only solution with argument v⁺ + e v⁻. \
             For m = 3/2 and v⁻ = −2: P = 3, 9/2, 6 N·s for e = 0, 1/2, 1.",
-        controls: &["The argument v⁺ instead of v⁺ + e v⁻."],
+        controls: &["The argument v⁺ instead of v⁺ + e v⁻.", "The argument v⁻ alone, with which there is no impact."],
         sources: &["chapter §2, exercise 1"],
         check: exercise_one,
     },
     Claim {
         id: "S2.ex3",
-        statement: "Exercise 3: in persistent contact on a smooth phase the inclusion is equivalent to 0 ≤ λ ⟂ ∇φ·v⁺ (or φ) ≥ 0; with \
-            the friction cone this becomes a nonlinear complementarity problem instead of an LCP.",
+        statement: "Exercise 3: in persistent contact (no impact, dμ = dt) −M v̇ + F ∈ N_{T_C}(v⁺) is equivalent to 0 ≤ λ_n ⟂ (∇φᵀv⁺ or \
+            φ) ≥ 0; with the friction cone ‖β‖ ≤ μλ_n added this becomes an NCP and not an LCP.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Exercise,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "The equivalence holds on φ = 0. Friction leaves an LCP in the plane and for polyhedral cones; the nonlinear \
-            problem comes with the circular cone of a spatial contact.",
+        correct_statement: "The equivalence holds on φ = 0. The printed cone leaves an LCP in the plane, where it is a polyhedron; the \
+            nonlinear problem comes with the circular cone of a spatial contact.",
         argument: "At φ > 0 the inclusion admits every v⁺ with λ = 0, the complementarity only those with ∇φ·v⁺ ≥ 0. In the plane the \
             Stewart–Trinkle LCP with ±t has for W = I, u_free = (−1, 1), μ = 1/2 the one solution r = (1, −1/2), on the cone and opposed \
             to u = (0, 1/2): Coulomb's law, exactly. In space, four directions and u_free = (−1, 1, 1), the same LCP gives ‖r_t‖²/(μ \
             r_n)² = 1/2 instead of 1. No rational LCP with one solution can do better there: Coulomb's r_t = −(1,1)/(2√2) is irrational.",
-        controls: &["The spatial contact in place of the planar one."],
+        controls: &[
+            "The spatial contact in place of the planar one.",
+            "The force along −∇φ, and the planar contact in place of the spatial one.",
+        ],
         sources: &["chapter §2, exercise 3"],
         check: exercise_three,
     },
@@ -107,7 +110,9 @@ fn case_two(reading: Reading) -> Result<Vec<Finding>> {
     let pre = whole(-1);
     let mut findings = Vec::new();
     for (e, admitted) in [(whole(0), true), (ratio(1, 2), false)] {
-        let inclusion = Impact::moreau(whole(1), reading.pick(whole(0), e.clone()));
+        let argument = reading.only(1).pick([whole(1), reading.only(0).pick(whole(0), e.clone())], [whole(0), whole(1)]);
+        let [after, before] = argument;
+        let inclusion = Impact { mass: whole(1), after, before };
         let post = -(&e * &pre);
         findings.push(Finding::decision(format!("v⁺ = −e v⁻ = {post} is a solution"), inclusion.admits(&pre, &post), admitted).says(true));
         findings.push(Finding::count(format!("solutions from v⁻ = −1, e = {e}"), inclusion.solutions(&pre).len(), 1));
@@ -116,11 +121,11 @@ fn case_two(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 fn cone_direction(reading: Reading) -> Result<Vec<Finding>> {
-    let members: Vec<i64> = (-2..=2).filter(|g| line_normal_cone_contains(true, &whole(0), &whole(*g))).collect();
-    let side = reading.pick(1, -1);
-    let inside = |q: Rational| q >= whole(0);
+    let (side, wall) = (reading.only(0).pick(1, -1), reading.only(1).pick(1, -1));
+    let members: Vec<i64> = (-2..=2).filter(|g| line_normal_cone_contains(true, &whole(0), &whole(wall * g))).collect();
+    let inside = |q: Rational| q * whole(wall) >= whole(0);
     let mut findings = vec![Finding::decision("of −2 … 2 the members of N(0) are those with g ≤ 0", members == [-2, -1, 0], true)];
-    for g in members.into_iter().filter(|g| *g != 0) {
+    for g in [-2, -1] {
         let stays = inside(whole(side * g) * ratio(1, 1000));
         findings.push(Finding::decision(format!("g = {g} points into C"), stays, false).says(true));
     }
@@ -143,17 +148,17 @@ fn cases_one_and_three(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 fn branches(reading: Reading) -> Result<Vec<Finding>> {
+    let wall = reading.only(1).pick(whole(0), ratio(1, 2));
     let impulse = |q: &Rational, pre: &Rational| {
-        let after =
-            if *q > whole(0) { pre.clone() } else { reading.pick(Impact::moreau(whole(1), whole(0)).solutions(pre)[0].clone(), whole(0)) };
-        let free = line_normal_cone_contains(*q == whole(0), &after, &(pre.clone() - &after));
-        (free, after - pre)
+        let solution = || Impact::moreau(whole(1), whole(0)).solutions(pre)[0].clone();
+        let after = if *q == wall { reading.only(0).pick(solution(), whole(0)) } else { pre.clone() };
+        after - pre
     };
     let (places, velocities) = ([whole(0), ratio(1, 2), whole(2)], [-2, -1, 0, 1, 2].map(whole));
     let sign = |x: &Rational| x.cmp(&whole(0));
     let met = |case: fn(&Rational, &Rational) -> bool| {
         let of_case = pairs(&places, &velocities).filter(|(q, v)| case(q, v));
-        of_case.map(|(q, v)| (sign(q), sign(&impulse(q, v).1))).collect::<BTreeSet<_>>()
+        of_case.map(|(q, v)| (sign(q), sign(&impulse(q, v)))).collect::<BTreeSet<_>>()
     };
     let (inside, pressing, leaving) =
         (met(|q, _| *q > whole(0)), met(|q, v| *q == whole(0) && *v < whole(0)), met(|q, v| *q == whole(0) && *v >= whole(0)));
@@ -172,7 +177,8 @@ fn exercise_one(reading: Reading) -> Result<Vec<Finding>> {
     let (mass, pre) = (ratio(3, 2), whole(-2));
     let mut findings = Vec::new();
     for (e, expected) in [(whole(1), whole(6)), (whole(0), whole(3)), (ratio(1, 2), ratio(9, 2))] {
-        let solutions = Impact::moreau(mass.clone(), reading.pick(e.clone(), whole(0))).solutions(&pre);
+        let [after, before] = reading.only(1).pick([whole(1), reading.only(0).pick(e.clone(), whole(0))], [whole(0), whole(1)]);
+        let solutions = Impact { mass: mass.clone(), after, before }.solutions(&pre);
         let impulse = |post: &Rational| mass.clone() * (post.clone() - pre.clone());
         findings.extend(solutions.iter().map(|post| Finding::exact(format!("P for e = {e}"), &impulse(post), &expected, "N·s")));
         findings.push(Finding::count(format!("solutions for e = {e}"), solutions.len(), 1));
@@ -180,13 +186,13 @@ fn exercise_one(reading: Reading) -> Result<Vec<Finding>> {
     Ok(findings)
 }
 
-/// How many grid pairs (v, λ) satisfy one of inclusion and complementarity, but not both.
-fn disagreements(in_contact: bool) -> usize {
+/// How many grid pairs (v, λ) satisfy one of inclusion and complementarity, but not both; the force is λ `sense` ∇φ.
+fn disagreements(in_contact: bool, sense: i64) -> usize {
     let cone = TangentCone::new([1, 2], in_contact);
     let forces: Vec<i64> = (-2..=2).collect();
     let velocities = grid(2);
     let differs = |v, force: i64| {
-        let inclusion = cone.normal_cone_contains(v, &[whole(-force), whole(-2 * force)]);
+        let inclusion = cone.normal_cone_contains(v, &[whole(-sense * force), whole(-2 * sense * force)]);
         let rate = cone.rate(v);
         let complementarity = force >= 0 && rate >= whole(0) && whole(force) * rate == whole(0);
         inclusion != complementarity
@@ -216,14 +222,15 @@ fn lcp_is_coulombs(rows: usize) -> Result<bool> {
 }
 
 fn exercise_three(reading: Reading) -> Result<Vec<Finding>> {
-    let (spatial, _) = strength_of_lcp_solution(3)?;
+    let (planar, spatial) = (reading.only(0).pick(2, 3), reading.only(1).pick(3, 2));
+    let (strength, _) = strength_of_lcp_solution(spatial)?;
     Ok(vec![
-        Finding::count("differences of inclusion and complementarity in contact", disagreements(true), 0),
-        Finding::decision("an LCP gives Coulomb's law in the plane", lcp_is_coulombs(reading.pick(2, 3))?, true)
+        Finding::count("differences of inclusion and complementarity in contact", disagreements(true, reading.only(1).pick(1, -1)), 0),
+        Finding::decision("an LCP gives Coulomb's law in the plane", lcp_is_coulombs(planar)?, true)
             .says(false)
             .violating("a spatial contact"),
-        Finding::decision("the LCP with four directions gives it in space", lcp_is_coulombs(3)?, false),
-        Finding::exact("(‖r_t‖/(μ r_n))² in space with four directions", &spatial, &ratio(1, 2), "1"),
-        Finding::decision("inclusion and λ ⟂ ∇φ·v⁺ differ out of contact", disagreements(false) > 0, true).context(),
+        Finding::decision("the LCP with four directions gives it in space", lcp_is_coulombs(spatial)?, false),
+        Finding::exact("(‖r_t‖/(μ r_n))² in space with four directions", &strength, &ratio(1, 2), "1"),
+        Finding::decision("inclusion and λ ⟂ ∇φ·v⁺ differ out of contact", disagreements(false, 1) > 0, true).context(),
     ])
 }

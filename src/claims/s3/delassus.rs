@@ -3,7 +3,7 @@
 use crate::certificate::definiteness::{Definiteness, definiteness};
 use crate::claims::prelude::*;
 use crate::contact::delassus::delassus;
-use crate::elimination::{rank, solve};
+use crate::elimination::solve;
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -16,7 +16,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "W is positive semidefinite, and positive definite iff the rows of H are independent.",
         argument: "xᵀWx = (Hᵀx)ᵀM⁻¹(Hᵀx) ≥ 0, zero iff Hᵀx = 0. Decided exactly here for H with independent and dependent rows, and on a \
             thousand random systems in the property family.",
-        controls: &["A symmetric invertible M that is not positive definite."],
+        controls: &["A symmetric invertible M that is not positive definite.", "The dependent row left out."],
         sources: &["chapter §3, step 5; table of theorems"],
         check: semidefinite,
     },
@@ -31,8 +31,11 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated. Two contacts of a point at the angle α have condition number cot²(α/2); two contacts of a chain of \
             masses 1, 1/ρ, 1 have 1 + 2ρ.",
         argument: "With tan(α/2) = t the two normals have cosine (1−t²)/(1+t²), and W = (1/m)[[1, c], [c, 1]] has eigenvalues 1 ± c, ratio \
-            1/t²: 10⁶ at t = 1/1000. The chain's W = [[1+ρ, −ρ], [−ρ, 1+ρ]] has eigenvalues 1 (vector (1, 1)) and 1 + 2ρ (vector (1, −1)).",
-        controls: &["Perpendicular normals and equal masses, where the condition numbers are 1 and 3."],
+            1/t²: 1e6 at t = 1/1000. The chain's W = [[1+ρ, −ρ], [−ρ, 1+ρ]] has eigenvalues 1 (vector (1, 1)) and 1 + 2ρ (vector (1, −1)).",
+        controls: &[
+            "Perpendicular normals and equal masses, where the condition numbers are 1 and 3.",
+            "H M Hᵀ, the inverse of M forgotten.",
+        ],
         sources: &["chapter §3, “what the Delassus operator is”"],
         check: compliance,
     },
@@ -43,9 +46,11 @@ fn matrix(rows: usize, columns: usize, entries: &[i64]) -> DMatrix<Rational> {
 }
 
 fn semidefinite(reading: Reading) -> Result<Vec<Finding>> {
-    let mass = reading.pick(matrix(2, 2, &[2, 1, 1, 3]), matrix(2, 2, &[1, 2, 2, 1]));
+    let mass = reading.only(0).pick(matrix(2, 2, &[2, 1, 1, 3]), matrix(2, 2, &[1, 2, 2, 1]));
+    let independent = matrix(2, 2, &[1, -1, 1, 1]);
+    let dependent = reading.only(1).pick(matrix(3, 2, &[1, -1, 1, 1, 2, 0]), independent.clone());
     let mut findings = Vec::new();
-    for (name, jacobian) in [("independent rows", matrix(2, 2, &[1, -1, 1, 1])), ("dependent rows", matrix(3, 2, &[1, -1, 1, 1, 2, 0]))] {
+    for (name, jacobian, full) in [("independent rows", independent, true), ("dependent rows", dependent, false)] {
         let rows = jacobian.nrows();
         let responses: Option<Vec<DVector<Rational>>> = (0..rows).map(|row| solve(&mass, &jacobian.row(row).transpose())).collect();
         let responses = responses.ok_or_else(|| crate::Error::invalid("mass", "is singular", "use an invertible one"))?;
@@ -54,7 +59,7 @@ fn semidefinite(reading: Reading) -> Result<Vec<Finding>> {
         let semidefinite = !matches!(decided, Definiteness::Indefinite { .. });
         findings.push(Finding::decision(format!("W ⪰ 0, {name}"), semidefinite, true));
         let definite = decided == Definiteness::Definite;
-        findings.push(Finding::decision(format!("W ≻ 0, {name}"), definite, rank(&jacobian) == rows));
+        findings.push(Finding::decision(format!("W ≻ 0, {name}"), definite, full));
         let agrees = delassus(&mass, &jacobian).is_ok_and(|computed| computed == w);
         findings.push(Finding::decision(format!("the library computes this W, {name}"), agrees, true));
     }
@@ -62,16 +67,19 @@ fn semidefinite(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 fn compliance(reading: Reading) -> Result<Vec<Finding>> {
-    let t = reading.pick(ratio(1, 1000), ratio(1, 1));
-    let light = reading.pick(ratio(1, 1_000_000), ratio(1, 1));
+    let t = reading.only(0).pick(ratio(1, 1000), ratio(1, 1));
+    let light = reading.only(0).pick(ratio(1, 1_000_000), ratio(1, 1));
+    let compliance = |mass: &DMatrix<Rational>, jacobian: &DMatrix<Rational>| {
+        Ok::<_, Error>(reading.only(1).pick(delassus(mass, jacobian)?, jacobian * mass * jacobian.transpose()))
+    };
     let one = || ratio(1, 1);
     // a point of mass 1 between two planes, normals (0, 1) and (sin α, cos α)
     let (sine, cosine) = (ratio(2, 1) * &t / (one() + &t * &t), (one() - &t * &t) / (one() + &t * &t));
     let normals = DMatrix::from_row_slice(2, 2, &[ratio(0, 1), one(), sine, cosine]);
-    let wedge = delassus(&DMatrix::identity(2, 2), &normals)?;
+    let wedge = compliance(&DMatrix::identity(2, 2), &normals)?;
     let chain_mass = DMatrix::from_diagonal(&DVector::from_vec(vec![one(), light, one()]));
-    let chain = delassus(&chain_mass, &matrix(2, 3, &[-1, 1, 0, 0, -1, 1]))?;
-    let single = delassus(&DMatrix::from_element(1, 1, ratio(5, 2)), &matrix(1, 1, &[1]))?;
+    let chain = compliance(&chain_mass, &matrix(2, 3, &[-1, 1, 0, 0, -1, 1]))?;
+    let single = compliance(&DMatrix::from_element(1, 1, ratio(5, 2)), &matrix(1, 1, &[1]))?;
     Ok(vec![
         Finding::exact("condition number of two contacts at a small angle", &condition(&wedge), &ratio(1_000_000, 1), "1"),
         Finding::exact("condition number of a chain with a light middle", &condition(&chain), &ratio(2_000_001, 1), "1"),

@@ -29,17 +29,19 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S3.energy-neutral",
-        statement: "θ = 1/2 is energy neutral: no numerical dissipation and no injection.",
-        verdict: ClaimVerdict::Conditional,
+        statement: "θ = 1/2: ΔE_kin = h v_{1/2}ᵀF, exactly the work of the force, hence energy neutral (no numerical dissipation, no \
+            injection), the analogue of the discrete conservation of energy of symplectic and symmetric integrators.",
+        verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Assertion,
-        severity: Some(Severity::MissingHypothesis),
+        severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "Kinetic plus potential energy is conserved exactly for constant and linear forces. For a nonlinear force the \
-            error per step is O(h³), of either sign.",
-        argument: "Gravity and springs: change exactly 0 over 100 steps in rationals. For the pendulum the trapezoidal rule changes E by \
-            the error of trapezoidal quadrature, (q⁺ − q)³ sin(ξ)/12 with ξ between q and q⁺: from (1.3, 0.7) 2.2e-5, 3.1e-6, 4.1e-7 at h \
-            = 0.1, 0.05, 0.025 – small, and not zero.",
-        controls: &["A spring in place of the pendulum."],
+        correct_statement: "The kinetic energy changes by the work of the scheme's force. Kinetic plus potential energy is conserved \
+            exactly for constant and linear forces only; for a nonlinear force the error per step is O(h³), of either sign.",
+        argument: "“Neutral” as the name of the printed identity: its residual is zero in rationals for two coupled masses. “Neutral” of \
+            kinetic plus potential energy: for gravity and springs the change is exactly 0 over 100 steps; for the pendulum the \
+            trapezoidal rule changes E by the error of trapezoidal quadrature, (q⁺ − q)³ sin(ξ)/12 with ξ between q and q⁺: from (1.3, \
+            0.7) 2.2e-5, 3.1e-6, 4.1e-7 at h = 0.1, 0.05, 0.025 – small, and not zero.",
+        controls: &["A spring in place of the pendulum.", "θ = 1."],
         sources: &["chapter §3, energy estimate and table of θ"],
         check: neutral,
     },
@@ -47,30 +49,30 @@ pub const CLAIMS: &[Claim] = &[
         id: "S3.energy-one",
         statement: "θ = 1 adds −(h²/2)‖F‖²_{M⁻¹} < 0 to the work h v_θ·F in the change of the kinetic energy in one step: numerical \
             dissipation O(h²).",
-        verdict: ClaimVerdict::True,
+        verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
-        severity: None,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "As stated, for every force: ΔT = h v⁺·F − ½h²FᵀM⁻¹F. It is per step, so O(h) over a fixed time, and for a \
-            constant force it is the loss of total energy; a linear spring has E⁺/E = (1 + (1−θ)²h²ω²)/(1 + θ²h²ω²) instead.",
+        correct_statement: "The identity holds for every force: ΔT = h v⁺·F − ½h²FᵀM⁻¹F. It is a dissipation of total energy where the \
+            potential is convex, per step, so O(h) over a fixed time; where it is concave θ = 1 gains energy.",
         argument: "ΔT = h·½(v⁺ + v)·F and ½(v⁺ + v) = v⁺ − ½hM⁻¹F. In rationals for a fall, a spring and two coupled masses. Free fall \
             of 1 kg for 1 s at h = 1/1000 s loses ½ m g² h T = (981/100)²/2000 = 0.04811805 J exactly. A spring with hω = 1/2 keeps 4/5 \
-            of its energy in a step.",
+            of its energy in a step. On the hill q̈ = q, E = ½v² − ½q², a step of h = 1/2 from q = 0 at v = 1 gains 1/6 J.",
         controls: &["θ = 1/2, whose term is zero."],
         sources: &["chapter §3, energy estimate, and exercise 2"],
         check: backward_euler,
     },
     Claim {
         id: "S3.theta-mid",
-        statement: "θ in (1/2, 1): intermediate dissipation.",
-        verdict: ClaimVerdict::True,
+        statement: "Table, smooth phase, θ in (1/2, 1): intermediate dissipation.",
+        verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
-        severity: None,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "The loss carries the factor 2θ − 1 between 0 at θ = 1/2 and 1 at θ = 1, for a constant force; a spring loses a \
-            fraction that grows with θ.",
+            fraction that grows with θ. Where the potential is concave every θ > 1/2 gains energy.",
         argument: "Free fall: loss at θ = 3/4 over loss at θ = 1 is exactly 1/2. Spring with hω = 1/2: E⁺/E = 65/73 at 3/4, between 1 and \
-            4/5.",
+            4/5. On the hill q̈ = q, E = ½v² − ½q², a step of h = 1/2 with θ = 3/4 from q = 0 at v = 1 gains 4/55 J.",
         controls: &["θ = 1/4, outside the interval: it gains energy."],
         sources: &["chapter §3, table of θ"],
         check: between,
@@ -78,34 +80,41 @@ pub const CLAIMS: &[Claim] = &[
 ];
 
 fn work_of_the_force(reading: Reading) -> Result<Vec<Finding>> {
-    let (system, start) = coupled_pair();
-    let h = ratio(1, 10);
-    let residual = |theta: &Rational, weight: &Rational| {
-        let (next, force) = system.step(&start, theta, &h);
-        let mean = &start.velocity + (&next.velocity - &start.velocity) * weight.clone();
-        system.kinetic_energy(&next) - system.kinetic_energy(&start) - mean.dot(&force) * &h
-    };
     let theta = reading.pick(ratio(1, 2), ratio(1, 1));
-    let mut findings = vec![Finding::exact("ΔT − h v_θ·F_θ", &residual(&theta, &theta), &Rational::zero(), "J")];
+    let mut findings = vec![Finding::exact("ΔT − h v_θ·F_θ", &work_residual(&theta, &theta), &Rational::zero(), "J")];
     for theta in [ratio(0, 1), ratio(1, 4), ratio(1, 1)] {
-        let left = residual(&theta, &ratio(1, 2));
+        let left = work_residual(&theta, &reading.pick(ratio(1, 2), theta.clone()));
         findings.push(Finding::exact(format!("ΔT − h ½(v⁺ + v)·F_θ, θ = {theta}"), &left, &Rational::zero(), "J"));
     }
     Ok(findings)
 }
 
+/// ΔT − h v_w·F_θ of two coupled masses, with v_w = v + w (v⁺ − v).
+fn work_residual(theta: &Rational, weight: &Rational) -> Rational {
+    let (system, start) = coupled_pair();
+    let h = ratio(1, 10);
+    let (next, force) = system.step(&start, theta, &h);
+    let mean = &start.velocity + (&next.velocity - &start.velocity) * weight.clone();
+    system.kinetic_energy(&next) - system.kinetic_energy(&start) - mean.dot(&force) * &h
+}
+
 /// Change of energy of the gravity-and-springs system over 100 steps with θ = 1/2.
 pub fn linear_energy_change() -> Rational {
+    energy_change_under(&ratio(1, 2))
+}
+
+/// Size of the change of energy of two coupled masses over 3 steps, and of a fall over 100.
+pub(super) fn energy_change_under(theta: &Rational) -> Rational {
     let (system, start) = coupled_pair();
     let mut now = start.clone();
     for _ in 0..3 {
-        now = system.step(&now, &ratio(1, 2), &ratio(1, 10)).0;
+        now = system.step(&now, theta, &ratio(1, 10)).0;
     }
     let gravity_only = LinearSystem::scalar(ratio(1, 1), ratio(0, 1), ratio(-981, 100));
     let mut falling = phase(ratio(1, 1), ratio(0, 1));
     let before = gravity_only.energy(&falling);
     for _ in 0..100 {
-        falling = gravity_only.step(&falling, &ratio(1, 2), &ratio(1, 100)).0;
+        falling = gravity_only.step(&falling, theta, &ratio(1, 100)).0;
     }
     let springs = system.energy(&now) - system.energy(&start);
     let fall = gravity_only.energy(&falling) - before;
@@ -119,20 +128,22 @@ pub fn pendulum_energy_change(h: f64) -> f64 {
 }
 
 fn neutral(reading: Reading) -> Result<Vec<Finding>> {
-    let mut findings = vec![Finding::exact("gravity and springs", &linear_energy_change(), &Rational::zero(), "J")];
+    let theta = reading.only(1).pick(ratio(1, 2), ratio(1, 1));
+    let (identity, total) = ("neutral as the name of the identity", "neutral of kinetic plus potential energy");
+    let mut findings = vec![
+        Finding::exact("ΔE_kin − h v_θ·F of coupled masses", &work_residual(&theta, &theta), &Rational::zero(), "J").reading(identity),
+        Finding::exact("energy change under gravity and springs", &energy_change_under(&theta), &Rational::zero(), "J").reading(total),
+    ];
     for (h, exact) in [(0.1, ratio(1, 10)), (0.05, ratio(1, 20)), (0.025, ratio(1, 40))] {
         let swing = Swing { angle: 1.3, rate: 0.7 };
         let next = swing.step(h);
         let cube = (next.angle - swing.angle).powi(3) / 12.0;
         let spring_change = step_change(&spring(), &phase(ratio(1, 1), ratio(1, 3)), &ratio(1, 2), &exact).0;
-        let change = match reading {
-            Reading::Recorded => pendulum_energy_change(h),
-            Reading::Control(_) => Scalar::to_f64(&spring_change),
-        };
+        let change = reading.only(0).pick(pendulum_energy_change(h), Scalar::to_f64(&spring_change));
         let centre = 0.5 * cube * (swing.angle.sin() + next.angle.sin());
         let half_width = 0.5 * cube * (next.angle.sin() - swing.angle.sin()).abs();
-        let found = Finding::equal(format!("pendulum, h = {h}"), change, centre, half_width + pendulum_energy(), "J");
-        findings.push(found.says(0.0).violating("a constant or linear force"));
+        let name = format!("energy change of a pendulum in a step, h = {h}");
+        findings.push(Finding::equal(name, change, centre, half_width + pendulum_energy(), "J").says(0.0).reading(total));
     }
     Ok(findings)
 }
@@ -145,6 +156,15 @@ fn step_change(system: &LinearSystem, start: &Phase, theta: &Rational, h: &Ratio
 
 fn fall() -> LinearSystem {
     LinearSystem::scalar(ratio(1, 1), ratio(0, 1), ratio(-981, 100))
+}
+
+/// The condition that the text omits.
+const CONVEX: &str = "a potential that is convex";
+
+/// Energy gained in a step of h = 1/2 on the hill q̈ = q from q = 0 at v = 1.
+fn gain_on_a_hill(theta: &Rational) -> Rational {
+    let hill = LinearSystem::scalar(ratio(1, 1), ratio(-1, 1), ratio(0, 1));
+    step_change(&hill, &phase(ratio(0, 1), ratio(1, 1)), theta, &ratio(1, 2)).0
 }
 
 /// hω = 1/2 at h = 1/4.
@@ -173,6 +193,8 @@ fn backward_euler(reading: Reading) -> Result<Vec<Finding>> {
     let lost = fall().energy(&now) - before;
     findings.push(Finding::exact("energy change of a fall of 1 s, h = 1/1000 s", &lost, &ratio(-962_361, 20_000_000), "J"));
     findings.push(Finding::exact("E⁺/E on a spring, θ = 1, hω = 1/2", &spring_ratio(&theta), &ratio(4, 5), "1"));
+    let gain = Finding::exact("energy gained on the hill q̈ = q, θ = 1, h = 1/2", &gain_on_a_hill(&theta), &ratio(1, 6), "J");
+    findings.push(gain.says_at_most(ratio(0, 1)).violating(CONVEX));
     Ok(findings)
 }
 
@@ -194,6 +216,9 @@ fn between(reading: Reading) -> Result<Vec<Finding>> {
             spring > spring_ratio(&ratio(1, 1)) && spring < ratio(1, 1),
             true,
         ),
-        Finding::exact("E⁺/E on a spring at θ = 3/4, hω = 1/2", &spring_ratio(&ratio(3, 4)), &ratio(65, 73), "1"),
+        Finding::exact("E⁺/E on a spring at θ = 3/4, hω = 1/2", &spring, &ratio(65, 73), "1"),
+        Finding::exact("energy gained on the hill q̈ = q, θ = 3/4, h = 1/2", &gain_on_a_hill(&theta), &ratio(4, 55), "J")
+            .says_at_most(ratio(0, 1))
+            .violating(CONVEX),
     ])
 }

@@ -1,8 +1,8 @@
 //! Copositive, and copositive-plus only without friction.
 
-use super::matrices::{chapter_matrix, integers, jamming_matrix};
+use super::matrices::{chapter_matrix, integers, jamming_matrix, reversed};
 use crate::certificate::copositivity::{copositive, copositive_plus};
-use crate::certificate::definiteness::quadratic_form;
+use crate::certificate::definiteness::{Definiteness, definiteness, quadratic_form};
 use crate::certificate::feasibility::nonnegative_solution;
 use crate::checks::stewart_trinkle::{RationalStep, chapter_example, reference, wedge};
 use crate::claims::prelude::*;
@@ -20,7 +20,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "This is the standard definition.",
         argument: "[[0, 1], [0, 0]] is copositive (form x₁x₂) but x = (1, 0) has form 0 and (N + Nᵀ)x = (0, 1): part (ii) excludes it. \
             [[1, −1], [−1, 1]] and [[0, 1], [−1, 0]] satisfy both parts.",
-        controls: &["Part (i) alone."],
+        controls: &["Part (i) alone.", "Positive definite in place of copositive-plus.", "A look at the axes alone, a diagonal ≥ 0."],
         sources: &["chapter §4, definition before the theorem on M_LCP", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.8"],
         check: definition,
     },
@@ -54,8 +54,11 @@ pub const CLAIMS: &[Claim] = &[
             = x₁ᵀW̃x₁ with W̃ ⪰ 0, and M is copositive-plus. Proof of the corrected theorem: on a secondary ray the direction x̂ = (λ, β, \
             σ) satisfies x̂ᵀMx̂ = 0 and Mx̂ ≥ 0, hence nλ + Dβ = 0, and x̂ᵀq < 0; but x̂ᵀq = vᵀ(nλ + Dβ) + bᵀλ = bᵀλ ≥ 0. This refutes the \
             chapter's theorem, not the paper, which was not read.",
-        controls: &["The matrix whose quadratic form is the one the chapter's proof computes (μ missing from the last row): it is \
-            copositive-plus."],
+        controls: &[
+            "The matrix whose quadratic form is the one the chapter's proof computes (μ missing from the last row): it is \
+                copositive-plus.",
+            "The last row with reversed sign, (−μ, Eᵀ).",
+        ],
         sources: &["chapter §4, theorem on M_LCP", "proof: module certificate::existence"],
         check: not_plus,
     },
@@ -100,7 +103,9 @@ fn definition(reading: Reading) -> Result<Vec<Finding>> {
     let accepts = |matrix: DMatrix<Rational>| -> Result<bool> {
         Ok(match reading {
             Reading::Recorded => copositive_plus(&matrix)?.holds(),
-            Reading::Control(_) => copositive(&matrix)?.holds(),
+            Reading::Control(0) => copositive(&matrix)?.holds(),
+            Reading::Control(1) => definiteness(&matrix) == Definiteness::Definite,
+            Reading::Control(_) => matrix.diagonal().iter().all(|entry| *entry >= ratio(0, 1)),
         })
     };
     Ok(vec![
@@ -118,28 +123,23 @@ fn copositivity(reading: Reading) -> Result<Vec<Finding>> {
         ("a jamming contact", jamming_matrix(), 1),
     ];
     let mut findings = Vec::new();
-    for (name, mut matrix, contacts) in matrices {
-        let sigma = matrix.nrows() - contacts;
-        if reading.is_control() {
-            matrix.rows_mut(sigma, contacts).iter_mut().for_each(|x| *x = -x.clone());
-        }
+    for (name, matrix, contacts) in matrices {
+        let matrix = reading.pick(matrix.clone(), reversed(matrix, contacts));
         findings.push(Finding::decision(format!("copositive: {name}"), copositive(&matrix)?.holds(), true));
     }
     Ok(findings)
 }
 
 fn not_plus(reading: Reading) -> Result<Vec<Finding>> {
-    let mut matrix = chapter_matrix()?;
-    let mut without_friction = matrix.clone();
+    let with_friction = reading.only(1).pick(chapter_matrix()?, reversed(chapter_matrix()?, 1));
+    let mut without_friction = with_friction.clone();
     without_friction[(3, 0)] = ratio(0, 1);
-    if reading.is_control() {
-        matrix = without_friction.clone();
-    }
+    let matrix = reading.only(0).pick(with_friction, without_friction.clone());
     let witness = integers(&[0, 0, 0, 1]);
     let image = (&matrix + matrix.transpose()) * &witness;
     Ok(vec![
         Finding::exact("first entry of (M + Mᵀ)x at x = (0, 0, 0, 1)", &image[0], &ratio(1, 2), "1").says(ratio(0, 1)),
-        Finding::exact("xᵀMx there", &quadratic_form(&matrix, &witness), &ratio(0, 1), "J"),
+        Finding::exact("xᵀMx there", &quadratic_form(&matrix, &witness), &ratio(0, 1), "J").context(),
         Finding::decision("copositive-plus, μ = 1/2", copositive_plus(&matrix)?.holds(), false).says(true),
         Finding::decision("copositive, μ = 1/2", copositive(&matrix)?.holds(), true),
         Finding::decision("copositive-plus, μ = 0", copositive_plus(&without_friction)?.holds(), true),
@@ -164,7 +164,7 @@ fn general_form(reading: Reading) -> Result<Vec<Finding>> {
         }
         let slip = DVector::from_fn(system.unknowns(), |i, _| ratio(i64::from(i == impulses), 1));
         let image = (&matrix + matrix.transpose()) * &slip;
-        findings.push(Finding::exact("xᵀMx at x = (0, 0, σ)", &quadratic_form(&matrix, &slip), &ratio(0, 1), "J"));
+        findings.push(Finding::exact("xᵀMx at x = (0, 0, σ)", &quadratic_form(&matrix, &slip), &ratio(0, 1), "J").context());
         findings.push(Finding::exact("first entry of (M + Mᵀ)x there", &image[0], &system.friction[0], "m/s").says(ratio(0, 1)));
     }
     Ok(findings)
@@ -189,7 +189,7 @@ fn feasible_is_solvable(reading: Reading) -> Result<Vec<Finding>> {
     }
     Ok(vec![
         Finding::count("feasible problems without a solution", unsolved, 0),
-        Finding::decision("there are feasible problems among them", feasible > 0, true),
+        Finding::decision("there are feasible problems among them", feasible > 0, true).context(),
     ])
 }
 

@@ -1,6 +1,6 @@
 //! §4, the papers it rests on: where they are, and what “the first proof” can mean.
 
-use super::matrices::{chapter_matrix, integers};
+use super::matrices::{chapter_matrix, integers, reversed};
 use crate::certificate::copositivity::copositive;
 use crate::certificate::definiteness::quadratic_form;
 use crate::checks::stewart_trinkle::{RationalStep, chapter_example, reference, wedge};
@@ -22,7 +22,10 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The first paper's DOI contains its SICI, which names volume 39 and page 2673 and ends in a check character that agrees \
             with them (mod 37); so does the ISSN in it (mod 11). The other two DOIs carry neither volume nor page: for them the reference \
             lists of other papers agree with the chapter, two for each.",
-        controls: &["Page 2763, two digits exchanged: the check character is another."],
+        controls: &[
+            "Page 2763, two digits exchanged: the check character is another.",
+            "Volume 93, and an ISSN with two digits exchanged.",
+        ],
         sources: &[
             "chapter §4, and the list of papers at its end",
             "doi:10.1002/(SICI)1097-0207(19960815)39:15<2673::AID-NME972>3.0.CO;2-I; doi:10.1023/A:1008292328909; \
@@ -43,7 +46,10 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Drake's repository: added by commit 0e218d926b, removed by fc428c0fa2. multibody/constraint/constraint_solver.h (commit \
             03b888e8ed), which the class calls, has the blocks (N C Nᵀ, N C Dᵀ, 0; D C Nᵀ, D C Dᵀ, E; μ, −Eᵀ, 0), C = M⁻¹: for a wedge \
             of two contacts every entry is that of the LCP here. The documentation of the plant's module in 1.51.1 does not have the name.",
-        controls: &["The name of the present plant, which is not early Drake's."],
+        controls: &[
+            "The name of the present plant, which is not early Drake's.",
+            "The LCP with the sign of its rows of the friction cone wrong.",
+        ],
         sources: &["chapter §4, motivation", "Drake 1.51.1 (references/facts/drake.json); its repository and its history"],
         check: early_drake,
     },
@@ -60,7 +66,10 @@ pub const CLAIMS: &[Claim] = &[
             and Lemke's method solves the step.",
         argument: "The chapter's example, μ = 1/2: xᵀMx = −1 at x = (1, 0, 0, −4), since the quadratic form holds μ λ σ; copositive, \
             decided exactly; a closing contact is solved by Lemke in rationals.",
-        controls: &["μ = 0, where the form is that of the Delassus operator, 1 ≥ 0 at this x."],
+        controls: &[
+            "μ = 0, where the form is that of the Delassus operator, 1 ≥ 0 at this x.",
+            "The last row with reversed sign, (−μ, Eᵀ).",
+        ],
         sources: &[
             "chapter §4, essential insight on copositive-plus",
             "Pang and Trinkle, Math. Program. 73 (1996) 199, for the title and year",
@@ -78,27 +87,29 @@ pub(in crate::claims) fn scheme_year() -> Option<usize> {
 }
 
 fn places(reading: Reading) -> Result<Vec<Finding>> {
-    let sici = SICI.replace("<2673", reading.pick("<2673", "<2763"));
+    let sici = SICI.replace("<2673", reading.only(0).pick("<2673", "<2763"));
+    let sici = sici.replace(")39:", reading.only(1).pick(")39:", ")93:")).replace("0207(", reading.only(1).pick("0207(", "0270("));
     let (volume, page) = volume_and_page(&sici).unwrap_or_default();
     Ok(vec![
-        Finding::decision("the SICI's check character agrees", sici_agrees(&sici), true),
-        Finding::count("its volume", volume as usize, 39),
-        Finding::count("its first page", page as usize, 2673),
-        Finding::decision("the ISSN's check digit agrees", issn_agrees(&sici[..9]), true),
+        Finding::decision("the SICI's check character agrees", sici_agrees(&sici), true).looked_up(),
+        Finding::count("its volume", volume as usize, 39).looked_up(),
+        Finding::count("its first page", page as usize, 2673).looked_up(),
+        Finding::decision("the ISSN's check digit agrees", issn_agrees(&sici[..9]), true).looked_up(),
     ])
 }
 
 fn early_drake(reading: Reading) -> Result<Vec<Finding>> {
     let facts = facts()?;
     let mentions = |name: &str| facts.mentions.get(name).copied().unwrap_or_default();
-    let name = reading.pick("timesteppingrigidbodyplant", "multibodyplant");
+    let name = reading.only(0).pick("timesteppingrigidbodyplant", "multibodyplant");
     let system = wedge(ratio(1, 2));
-    let ours = reference(&system)?.matrix;
+    let lcp = reference(&system)?.matrix;
+    let ours = reading.only(1).pick(lcp.clone(), reversed(lcp, system.contacts()));
     let theirs = matrix_of_early_drake(&system);
     let differing = ours.iter().zip(theirs.iter()).filter(|(ours, theirs)| ours != theirs).count();
     Ok(vec![
-        Finding::count("mentions of the name in the present documentation", mentions(name), 0),
-        Finding::count("entries of its documented LCP that differ from Stewart and Trinkle's", differing, 0),
+        Finding::count("mentions of the name in the present documentation", mentions(name), 0).looked_up(),
+        Finding::count("entries of its documented LCP that differ from Stewart and Trinkle's", differing, 0).looked_up(),
     ])
 }
 
@@ -127,11 +138,13 @@ fn matrix_of_early_drake(system: &RationalStep) -> DMatrix<Rational> {
 }
 
 fn not_definite(reading: Reading) -> Result<Vec<Finding>> {
-    let mut matrix = chapter_matrix()?;
-    if reading.is_control() {
+    let printed = |matrix: DMatrix<Rational>| reading.only(1).pick(matrix.clone(), reversed(matrix, 1));
+    let mut matrix = printed(chapter_matrix()?);
+    if reading.only(0).is_control() {
         matrix[(3, 0)] = ratio(0, 1);
     }
-    let closing = reference(&chapter_example(ratio(0, 1), [ratio(0, 1), ratio(-1, 1)]))?;
+    let mut closing = reference(&chapter_example(ratio(0, 1), [ratio(0, 1), ratio(-1, 1)]))?;
+    closing.matrix = printed(closing.matrix);
     let covering = DVector::from_element(closing.size(), ratio(1, 1));
     let solved = matches!(lemke(&closing, &covering)?, LemkeOutcome::Solution { .. });
     Ok(vec![

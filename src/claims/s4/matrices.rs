@@ -17,6 +17,19 @@ pub(super) fn integers(numbers: &[i64]) -> DVector<Rational> {
 
 /// The LCP matrix of n = 3/5, d = ±4/5 and μ = 1: one velocity, one contact whose friction can undo its push.
 pub(super) fn jamming_matrix() -> DMatrix<Rational> {
-    let entries = [9, 12, -12, 0, 12, 16, -16, 25, -12, -16, 16, 25, 25, -25, -25, 0];
-    DMatrix::from_row_slice(4, 4, &entries.map(|x| ratio(x, 25)))
+    let [n, d, one, none] = [ratio(3, 5), ratio(4, 5), ratio(1, 1), ratio(0, 1)];
+    let push = [n, d.clone(), -d];
+    DMatrix::from_fn(4, 4, |i, j| match (i, j) {
+        (3, 3) | (0, 3) => none.clone(),
+        (3, 0) | (1 | 2, 3) => one.clone(),
+        (3, _) => -one.clone(),
+        _ => &push[i] * &push[j],
+    })
+}
+
+/// The matrix with the sign of the rows of the friction cone wrong, (−μ, Eᵀ).
+pub(super) fn reversed(mut matrix: DMatrix<Rational>, contacts: usize) -> DMatrix<Rational> {
+    let sigma = matrix.nrows() - contacts;
+    matrix.rows_mut(sigma, contacts).neg_mut();
+    matrix
 }

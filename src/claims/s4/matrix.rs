@@ -1,6 +1,6 @@
 //! The Stewart–Trinkle matrix of the chapter and its 4×4 example.
 
-use super::matrices::{chapter_matrix, integers};
+use super::matrices::{chapter_matrix, integers, reversed};
 use crate::certificate::copositivity::copositive;
 use crate::certificate::definiteness::{Definiteness, definiteness, positive_semidefinite, quadratic_form};
 use crate::checks::stewart_trinkle::{chapter_example, reference};
@@ -22,7 +22,10 @@ pub const CLAIMS: &[Claim] = &[
             clause about σ shows what is meant.",
         argument: "Unit point mass, μ = 1/2, φ = 0, free velocity (2, −1): λ = 1, β = (0, 1/2), v⁺ = (3/2, 0), σ = 3/2. The second group \
             with σ is (3, 0) ≥ 0 and complementary to β; with λ in its place it is (5/2, −1/2).",
-        controls: &["The second group with σ in place of the printed λ: all three groups hold."],
+        controls: &[
+            "The second group with σ in place of the printed λ: all three groups hold.",
+            "The impulses of another contact, μ = 1 with free velocity (3, −2), kept for this one.",
+        ],
         sources: &["chapter §4, step 3 of the construction"],
         check: groups,
     },
@@ -36,23 +39,30 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "W̃ = CᵀM⁻¹C with C = (n D) is symmetric positive semidefinite because M ≻ 0; with opposite directions in D it \
             is singular.",
         argument: "xᵀW̃x = (Cx)ᵀM⁻¹(Cx) ≥ 0. In the chapter's example x = (0, 1, 1) has Cx = 0, so W̃ is not definite: rank 2 of 3.",
-        controls: &["An indefinite “mass” diag(1, −1) in place of M: the block must then stop being semidefinite."],
+        controls: &[
+            "An indefinite “mass” diag(1, −1) in place of M: the block must then stop being semidefinite.",
+            "An asymmetric “mass”, as an implicit gyroscopic force leaves it.",
+        ],
         sources: &["chapter §4, reading of the matrix block by block"],
         check: reduced_block,
     },
     Claim {
         id: "S4.ex-jacobian",
-        statement: "Example: a block with m = 1, I = 1 touches the ground with a corner straight below its centre of mass; for simplicity \
-            the contact Jacobian then has no rotational coupling.",
-        verdict: ClaimVerdict::False,
+        statement: "Example: the corner of a 2D block (m = 1, I = 1) touches the ground; let the contact point lie straight below the \
+            centre of mass (simplification: the contact Jacobian contains no rotational coupling).",
+        verdict: ClaimVerdict::Ambiguous,
         kind: Kind::Assertion,
-        severity: Some(Severity::WrongStatement),
+        severity: None,
         evidence: Evidence::Exact,
         correct_statement: "A contact point at distance r straight below the centre of mass has the tangential row (1, 0, r): W_nt = 0, \
-            but W_tt = 1/m + r²/I. The matrix of the example is that of a point mass (r = 0), a declared simplification.",
-        argument: "The velocity of the point (0, −r) is (vₓ + rω, v_y). With m = I = r = 1: W_tt = 2, not 1; the square with m = I = 1 on \
-            its corner has r² = 3 and W_tt = 4. Only the normal-tangential block vanishes.",
-        controls: &["The lever arm r = 0 that the example's row (1, 0, 0) stands for."],
+            but W_tt = 1/m + r²/I. The matrix of the example is that of a point mass (r = 0): as a declared simplification it may stand, \
+            it does not follow from where the contact point lies.",
+        argument: "The velocity of the point (0, −r) is (vₓ + rω, v_y). With m = I = r = 1: W_tt = 2, not 1. Only the normal-tangential \
+            block vanishes.",
+        controls: &[
+            "The lever arm r = 0 that the example's row (1, 0, 0) stands for.",
+            "A corner that lies 1 m below the centre of mass and 1 m beside it.",
+        ],
         sources: &["chapter §4, example “2D block on the ground”"],
         check: lever_arm,
     },
@@ -65,7 +75,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "With rows n = (0, 1, 0), ±t = (±1, 0, 0) and m = 1, W is as printed and its tangential block has rank 1.",
         argument: "W = H M⁻¹Hᵀ entry by entry; the tangential block has the kernel (1, 1) and the entry 1.",
-        controls: &["Two directions that are not opposite, d₁ = d₂."],
+        controls: &["Two directions that are not opposite, d₁ = d₂.", "Two directions at a right angle, of a contact in space."],
         sources: &["chapter §4, example “2D block on the ground”"],
         check: example_delassus,
     },
@@ -78,7 +88,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "M₁₄ = 0, M₄₁ = 1/2, M₂₄ = 1, M₄₂ = −1.",
         argument: "Read off M = [[W̃, (0; E)], [(μ, −Eᵀ), 0]] with μ = 1/2.",
-        controls: &["The symmetric matrix [[W̃, b], [bᵀ, 0]] of the proof's first line."],
+        controls: &["The symmetric matrix [[W̃, b], [bᵀ, 0]] of the proof's first line.", "The transposed matrix."],
         sources: &["chapter §4, example “2D block on the ground”"],
         check: asymmetry,
     },
@@ -91,8 +101,11 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "xᵀMx = λ² + (β₁ − β₂)² + ½λσ: the terms σ(β₁ + β₂) cancel, μλσ remains. It is ≥ 0 for x ≥ 0, so the conclusion \
             drawn there survives, but M is not positive semidefinite. (The dropped term is that of S4.quadratic-general.)",
-        argument: "x = (1, 0, 0, 1): xᵀMx = 3/2, the printed formula gives 1. x = (−1/10, 0, 0, 1): xᵀMx = 1/100 − 1/20 = −1/25 < 0.",
-        controls: &["The matrix without μ in the row of the friction cone, whose form is the printed one."],
+        argument: "x = (1, 0, 0, 1): xᵀMx = 3/2, the printed formula gives 1. x = (−1/10, 0, 0, 1): xᵀMx = −1/25 < 0.",
+        controls: &[
+            "The matrix without μ in the row of the friction cone, whose form is the printed one.",
+            "The last row with reversed sign, (−μ, Eᵀ).",
+        ],
         sources: &["chapter §4, example “2D block on the ground”"],
         check: example_form,
     },
@@ -125,7 +138,7 @@ pub const CLAIMS: &[Claim] = &[
             which size is meant; leaving σ out would lose the row of the friction cone the exercise asks for, and the three scalars (λ, \
             β₁, σ) of d₁ alone brake one sense of sliding only: \
             a slide at 2 m/s to 3/2 m/s in one sense, not at all in the other.",
-        controls: &["The three scalars (λ, β₁, σ) of the direction d₁ alone."],
+        controls: &["The three scalars (λ, β₁, σ) of the direction d₁ alone.", "No directions at all."],
         sources: &["chapter §4, exercise 1"],
         check: example_size,
     },
@@ -133,11 +146,13 @@ pub const CLAIMS: &[Claim] = &[
 
 fn groups(reading: Reading) -> Result<Vec<Finding>> {
     let system = chapter_example(ratio(0, 1), [ratio(2, 1), ratio(-1, 1)]);
-    let set = all_solutions(&reference(&system)?)?;
+    let mut other = chapter_example(ratio(0, 1), [ratio(3, 1), ratio(-2, 1)]);
+    other.friction = vec![ratio(1, 1)];
+    let set = all_solutions(&reference(reading.only(1).pick(&system, &other))?)?;
     let z = &set.points[0];
     let velocity = &system.free_velocity + system.impulse(z).component_div(&system.mass);
     // λE, as printed, or σE
-    let added = reading.pick(&z[0], &z[3]);
+    let added = reading.only(0).pick(&z[0], &z[3]);
     let second = [0, 1].map(|j| added + system.direction(0, j).dot(&velocity));
     let normal = system.normal(0).dot(&velocity);
     let left = &system.friction[0] * &z[0] - &z[1] - &z[2];
@@ -152,7 +167,9 @@ fn groups(reading: Reading) -> Result<Vec<Finding>> {
 
 fn reduced_block(reading: Reading) -> Result<Vec<Finding>> {
     let columns = DMatrix::from_row_slice(2, 3, &[0, 1, -1, 1, 0, 0].map(|x| ratio(x, 1)));
-    let inverse_mass = DMatrix::from_diagonal(&integers(reading.pick(&[1, 1], &[1, -1])));
+    let coupling = reading.only(1).pick(ratio(0, 1), ratio(1, 2));
+    let last = reading.only(0).pick(ratio(1, 1), ratio(-1, 1));
+    let inverse_mass = DMatrix::from_row_slice(2, 2, &[ratio(1, 1), coupling, ratio(0, 1), last]);
     let block = columns.transpose() * inverse_mass * &columns;
     let rank = match definiteness(&block) {
         Definiteness::Semidefinite { rank, .. } => rank,
@@ -166,22 +183,28 @@ fn reduced_block(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 fn lever_arm(reading: Reading) -> Result<Vec<Finding>> {
-    // Velocity of the material point (0, −r): (vₓ + rω, v_y).
-    let delassus_at = |arm: Rational| {
-        let jacobian = DMatrix::from_row_slice(2, 3, &[ratio(0, 1), ratio(1, 1), ratio(0, 1), ratio(1, 1), ratio(0, 1), arm]);
+    // Velocity of the material point (x, −r): (vₓ + rω, v_y + xω).
+    let delassus_at = |[beside, below]: [i64; 2]| {
+        let jacobian = DMatrix::from_row_slice(2, 3, &[0, 1, beside, 1, 0, below].map(|x| ratio(x, 1)));
         delassus(&DMatrix::identity(3, 3), &jacobian)
     };
-    let block = delassus_at(reading.pick(ratio(1, 1), ratio(0, 1)))?;
+    let corner = |place: [i64; 2]| reading.only(1).pick(place, [1, 1]);
+    let below = delassus_at(corner(reading.only(0).pick([0, 1], [0, 0])))?;
+    let simplified = delassus_at(corner([0, 0]))?;
+    let (follows, declared) = ("it follows from the place of the contact", "it is declared as a simplification");
     Ok(vec![
-        Finding::exact("W_tt at r = 1, m = I = 1", &block[(1, 1)], &ratio(2, 1), "1/kg").says(ratio(1, 1)),
-        Finding::exact("W_nt", &block[(0, 1)], &ratio(0, 1), "1/kg"),
+        Finding::exact("W_tt at r = 1, m = I = 1", &below[(1, 1)], &ratio(2, 1), "1/kg").says(ratio(1, 1)).reading(follows),
+        Finding::exact("W_nt at r = 1", &below[(0, 1)], &ratio(0, 1), "1/kg").reading(follows),
+        Finding::exact("W_tt at r = 0", &simplified[(1, 1)], &ratio(1, 1), "1/kg").reading(declared),
     ])
 }
 
 fn example_delassus(reading: Reading) -> Result<Vec<Finding>> {
-    let second = reading.pick(ratio(-1, 1), ratio(1, 1));
-    let generators = generators(1, 2, &[[ratio(1, 1), ratio(0, 1)], [second, ratio(0, 1)]]);
-    let jacobian = generators.transpose() * DMatrix::from_row_slice(2, 3, &[0, 1, 0, 1, 0, 0].map(|x| ratio(x, 1)));
+    let second = reading.only(1).pick([reading.only(0).pick(ratio(-1, 1), ratio(1, 1)), ratio(0, 1)], [ratio(0, 1), ratio(1, 1)]);
+    let frame = DMatrix::from_row_slice(3, 3, &[0, 1, 0, 1, 0, 0, 0, 0, 1].map(|x| ratio(x, 1)));
+    let rows = reading.only(1).pick(2, 3);
+    let generators = generators(1, rows, &[[ratio(1, 1), ratio(0, 1)], second]);
+    let jacobian = generators.transpose() * frame.rows(0, rows);
     let block = delassus(&DMatrix::identity(3, 3), &jacobian)?;
     let printed = DMatrix::from_row_slice(3, 3, &[1, 0, 0, 0, 1, -1, 0, -1, 1].map(|x| ratio(x, 1)));
     let differing = block.iter().zip(printed.iter()).filter(|(ours, theirs)| ours != theirs).count();
@@ -203,14 +226,14 @@ fn symmetric_matrix() -> Result<DMatrix<Rational>> {
 }
 
 fn asymmetry(reading: Reading) -> Result<Vec<Finding>> {
-    let matrix = reading.pick(chapter_matrix()?, symmetric_matrix()?);
+    let matrix = reading.only(1).pick(reading.only(0).pick(chapter_matrix()?, symmetric_matrix()?), chapter_matrix()?.transpose());
     let entry = |i: usize, j: usize, expected| Finding::exact(format!("M_{i}{j}"), &matrix[(i - 1, j - 1)], &expected, "1");
     Ok(vec![entry(4, 1, ratio(1, 2)), entry(1, 4, ratio(0, 1)), entry(2, 4, ratio(1, 1)), entry(4, 2, ratio(-1, 1))])
 }
 
 fn example_form(reading: Reading) -> Result<Vec<Finding>> {
-    let mut matrix = chapter_matrix()?;
-    if reading.is_control() {
+    let mut matrix = reading.only(1).pick(chapter_matrix()?, reversed(chapter_matrix()?, 1));
+    if reading.only(0).is_control() {
         matrix[(3, 0)] = ratio(0, 1);
     }
     let printed = |x: &DVector<Rational>| {
@@ -251,7 +274,7 @@ fn block_form(reading: Reading) -> Result<Vec<Finding>> {
 fn example_size(reading: Reading) -> Result<Vec<Finding>> {
     let posed = |speed: i64| {
         let mut system = chapter_example(ratio(0, 1), [ratio(speed, 1), ratio(-1, 1)]);
-        system.directions.truncate(reading.pick(2, 1));
+        system.directions.truncate(reading.only(1).pick(reading.only(0).pick(2, 1), 0));
         system
     };
     let slide = |speed: i64| -> Result<(usize, Rational)> {

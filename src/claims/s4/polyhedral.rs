@@ -68,7 +68,7 @@ pub const CLAIMS: &[Claim] = &[
             along a direction and along the bisector loses speed in exactly this ratio. In a slide between them friction points along one \
             direction; in a slide along the bisector it is a combination of two, π/d beside either; and a slide that starts a quarter of \
             the way from direction to bisector turns towards the bisector.",
-        controls: &["Coulomb's circular cone."],
+        controls: &["Coulomb's circular cone.", "Two directions more.", "A floor with half the coefficient of friction."],
         sources: &["chapter §4, pitfall on the polyhedral cone"],
         check: anisotropy,
     },
@@ -86,7 +86,10 @@ pub const CLAIMS: &[Claim] = &[
             max_j(−D_j·u_t) by duality. \
             For eight rational directions, a coupled rational W and four free velocities the exact Lemke solution dissipates exactly that, \
             and σ = 0 when it sticks.",
-        controls: &["An LCP whose cone rows carry 2Eᵀ, which halves the available friction."],
+        controls: &[
+            "An LCP whose cone rows carry 2Eᵀ, which halves the available friction.",
+            "An LCP whose tangential rows carry 2E, which halves the slip rate.",
+        ],
         sources: &["chapter §4, the LCP matrix and σ"],
         check: maximal_dissipation,
     },
@@ -111,10 +114,9 @@ fn order(reading: Reading) -> Result<Vec<Finding>> {
     let mut findings = Vec::new();
     for d in [8, 16, 32, 64] {
         let square = (d * d) as f64;
-        let (scaled, roundoff) = (square * error(d), rounding(8, square));
-        let least = PI * PI / 2.0 * (1.0 - PI * PI / (12.0 * square)) - roundoff;
-        findings.push(Finding::at_least(format!("d² × error of the shape, d = {d}"), scaled, least, "1"));
-        findings.push(Finding::at_most(format!("d² × error of the shape, d = {d}"), scaled, PI * PI / 2.0 + roundoff, "1"));
+        let width = PI.powi(4) / (24.0 * square);
+        let (centre, bound) = (PI * PI / 2.0 - 0.5 * width, 0.5 * width + rounding(8, square));
+        findings.push(Finding::equal(format!("d² × error of the shape, d = {d}"), square * error(d), centre, bound, "1"));
     }
     // (1 − cos 2x)/(1 − cos x) = 2 (1 + cos x); both errors are rounded to 8 ulp of 1
     let (halved, bound) = (2.0 * (1.0 + (PI / 64.0).cos()), 5.0 * rounding(8, 1.0) / error(64));
@@ -139,7 +141,11 @@ struct Slide {
 
 impl Slide {
     fn new(scheme: Box<dyn Scheme>, angle: f64) -> Result<Self> {
-        let floor = Plane::new(dvector![0.0, 0.0, 1.0], 0.0, FRICTION, 0.0)?;
+        Self::on_a_floor(FRICTION, scheme, angle)
+    }
+
+    fn on_a_floor(friction: f64, scheme: Box<dyn Scheme>, angle: f64) -> Result<Self> {
+        let floor = Plane::new(dvector![0.0, 0.0, 1.0], 0.0, friction, 0.0)?;
         let mechanism = PointMass::new("sliding point", 1.0, dvector![0.0, 0.0, -GRAVITY], vec![floor])?;
         let position = dvector![0.0, 0.0, 0.0];
         let tangents = mechanism.contacts(&position)[0].jacobian.rows(1, 2).into_owned();
@@ -162,18 +168,19 @@ impl Slide {
     }
 }
 
-/// Stewart–Trinkle with d directions, or for the control Coulomb's circular cone.
+/// Stewart–Trinkle with d directions; for the controls Coulomb's circular cone, or two directions more.
 fn scheme(reading: Reading, d: usize) -> Box<dyn Scheme> {
     match reading {
-        Reading::Recorded => Box::new(StewartTrinkle { directions: d }),
-        Reading::Control(_) => Box::new(MoreauJean { theta: 1.0, ..MoreauJean::default() }),
+        Reading::Control(0) => Box::new(MoreauJean { theta: 1.0, ..MoreauJean::default() }),
+        Reading::Control(1) => Box::new(StewartTrinkle { directions: d + 2 }),
+        Reading::Recorded | Reading::Control(_) => Box::new(StewartTrinkle { directions: d }),
     }
 }
 
 /// Friction's share of μ g h in one step from unit speed at an angle, and the angle \[rad\] between it and −u⁺.
 fn friction_of_one_step(reading: Reading, d: usize, angle: f64) -> Result<(f64, f64)> {
     let h = ONE_STEP;
-    let mut slide = Slide::new(scheme(reading, d), angle)?;
+    let mut slide = Slide::on_a_floor(reading.only(2).pick(FRICTION, 0.5 * FRICTION), scheme(reading, d), angle)?;
     let before = slide.velocity();
     slide.advance(h)?;
     let friction = before - slide.velocity();
@@ -284,7 +291,8 @@ fn maximal_dissipation(reading: Reading) -> Result<Vec<Finding>> {
         let mut problem = PlanarProblem::new(delassus.clone(), free.clone()).polyhedral(std::slice::from_ref(&mu), &directions)?;
         let cone_row = problem.generators.ncols();
         for beta in 1..cone_row {
-            problem.lcp.matrix[(cone_row, beta)] *= reading.pick(ratio(1, 1), ratio(2, 1));
+            problem.lcp.matrix[(cone_row, beta)] *= reading.only(0).pick(ratio(1, 1), ratio(2, 1));
+            problem.lcp.matrix[(beta, cone_row)] *= reading.only(1).pick(ratio(1, 1), ratio(2, 1));
         }
         let LemkeOutcome::Solution { z, .. } = lemke(&problem.lcp, &DVector::from_element(problem.lcp.size(), ratio(1, 1)))? else {
             findings.push(Finding::decision("the LCP is solved", false, true));

@@ -23,7 +23,10 @@ pub const CLAIMS: &[Claim] = &[
         argument: "At zero the normal slack is φ/h + n·v_free, negative whenever the free motion would penetrate. A point between two \
             walls that both penetrate it (normals ±y, φ₁ = φ₂ = −1, h = 1): the two normal rows demand v_y ≥ 1 and −v_y ≥ 1; their sum is \
             a Farkas certificate against any v_y, with any λ, β, σ. With φ₁ = φ₂ = 0 the same walls are feasible.",
-        controls: &["The same two walls with gaps 0, and a contact that opens in place of the closing one."],
+        controls: &[
+            "The same two walls with gaps 0, and a contact that opens in place of the closing one.",
+            "Gaps −1 in place of 0, and a friction row with the sign of μ wrong.",
+        ],
         sources: &["chapter §4, corollary “every step is solvable”"],
         check: feasible,
     },
@@ -37,13 +40,16 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "A step is solvable if bᵀλ ≥ 0 for all λ, β ≥ 0 with nλ + Dβ = 0 and Eᵀβ ≤ μλ (b = φ/h); in particular if all \
             gaps are ≥ 0 (any μ, redundancy, jamming) or the friction cone is pointed (any gap). Otherwise it may be feasible and \
             unsolvable.",
-        argument: "One contact with n = 3/5, d = ±4/5 on a unit mass with one velocity, μ = 1, φ/h = −1: M = [[9, 12, −12, 0], [12, 16, \
-            −16, 25], [−12, −16, 16, 25], [25, −25, −25, 0]]/25 and q = (−1, 0, 0, 0). z = (3, 0, 0, 2) is feasible, none of the 16 \
+        argument: "One contact with n = 3/5, d = ±4/5 on a unit mass with one velocity, μ = 1, φ/h = −1: q = (−1, 0, 0, 0). z = (3, 0, 0, 2) is feasible, none of the 16 \
             complementary cones contains q, and Lemke ends on a ray: to separate, friction must point against the motion, and β₂ = λ takes \
             back 4/5 of every 3/5 that λ gives. A point in a wedge with normals (±4/5, 3/5) and φ = −h on both sides is solvable for μ = \
             7/10 and not for μ = 3/4. Newton's law on the normal alone (φ = 0, e = 1/2, v = −1, so q = (−9/10, −4/5, 4/5, 0)) is \
             unsolvable with the same matrix; with e on the full vector it is solvable.",
-        controls: &["No friction, μ = 0 in the jamming matrix and in the wedge: copositive-plus, and every step has a solution."],
+        controls: &[
+            "No friction, μ = 0 in the jamming matrix and in the wedge: copositive-plus, and every step has a solution.",
+            "In place of what can be solved: two walls that overlap, restitution of the normal alone, the wedge with μ = 3/4, a point \
+                inside it.",
+        ],
         sources: &["chapter §4, corollary “every step is solvable”", "proof: module certificate::existence"],
         check: solvable,
     },
@@ -64,37 +70,44 @@ fn between_walls(gap: i64) -> RationalStep {
 }
 
 fn feasible(reading: Reading) -> Result<Vec<Finding>> {
-    let walls = reference(&between_walls(reading.pick(-1, 0)))?;
-    let touching = reference(&chapter_example(ratio(0, 1), [ratio(0, 1), ratio(reading.pick(-1, 1), 1)]))?;
+    let walls = reference(&between_walls(reading.only(0).pick(-1, 0)))?;
+    let open = reference(&between_walls(reading.only(1).pick(0, -1)))?;
+    let mut contact = chapter_example(ratio(0, 1), [ratio(0, 1), ratio(reading.only(0).pick(-1, 1), 1)]);
+    contact.friction = vec![reading.only(1).pick(ratio(1, 2), ratio(-1, 2))];
+    let touching = reference(&contact)?;
     Ok(vec![
         Finding::decision("the step between two penetrating walls is feasible", is_feasible(&walls), false).says(true),
         Finding::decision("zero is feasible at a closing contact", touching.vector.iter().all(|q| *q >= ratio(0, 1)), false).says(true),
         Finding::decision("the closing contact is feasible", is_feasible(&touching), true),
-        Finding::decision("the same walls with gaps 0 are solvable", solves(&reference(&between_walls(0))?)?, true),
+        Finding::decision("the same walls with gaps 0 are solvable", solves(&open)?, true),
     ])
 }
 
 fn solvable(reading: Reading) -> Result<Vec<Finding>> {
     const CONDITION: &str = "no gap is negative, or the friction cone is pointed";
     let mut matrix = jamming_matrix();
-    if reading.is_control() {
+    if reading.only(0).is_control() {
         matrix[(3, 0)] = ratio(0, 1);
     }
     let with = |vector: DVector<Rational>| Lcp::new(matrix.clone(), vector);
     let jammed = with(integers(&[-1, 0, 0, 0]));
-    let newton = with(DVector::from_vec([-9, -8, 8, 0].map(|x| ratio(x, 10)).to_vec()));
-    let moreau = with(DVector::from_vec([-9, -12, 12, 0].map(|x| ratio(x, 10)).to_vec()));
+    let newton = with(DVector::from_vec(vec![ratio(-9, 10), ratio(-4, 5), ratio(4, 5), ratio(0, 1)]));
+    let full = with(DVector::from_vec(vec![ratio(-9, 10), ratio(-6, 5), ratio(6, 5), ratio(0, 1)]));
+    let reversed = reading.only(1).pick(&full, &newton);
+    let overlapping = reference(&between_walls(-1))?;
+    let pushed = reading.only(1).pick(&jammed, &overlapping);
     let solved = !all_solutions(&jammed)?.is_empty();
     let by_newton = all_solutions(&newton)?.points.len();
     let mut findings = vec![
         Finding::decision("the jammed step has a solution in one of the 16 cones", solved, false).says(true).violating(CONDITION),
-        Finding::decision("it is feasible", is_feasible(&jammed), true),
+        Finding::decision("it is feasible", is_feasible(pushed), true),
         Finding::decision("Lemke solves it", solves(&jammed)?, false).says(true).violating(CONDITION),
         Finding::count("solutions with Newton's law on the normal alone", by_newton, 0).context(),
-        Finding::decision("Lemke solves it with restitution on the full vector", solves(&moreau)?, true),
+        Finding::decision("Lemke solves it with restitution on the full vector", solves(reversed)?, true),
     ];
-    let friction = |mu: Rational| reading.pick(mu, ratio(0, 1));
-    let (pointed, flat) = (wedge(friction(ratio(7, 10))), wedge(friction(ratio(3, 4))));
+    let friction = |mu: Rational| reading.only(0).pick(mu, ratio(0, 1));
+    let pointed = wedge(friction(reading.only(1).pick(ratio(7, 10), ratio(3, 4))));
+    let flat = wedge(friction(ratio(3, 4)));
     let is_pointed = |system: &RationalStep| -> Result<bool> { Ok(existence::pointed(&reduced(system)?.0, &system.friction).holds()) };
     let is_solvable = |system: &RationalStep| -> Result<bool> { Ok(!all_solutions(&reference(system)?)?.is_empty()) };
     findings.extend([
@@ -103,8 +116,8 @@ fn solvable(reading: Reading) -> Result<Vec<Finding>> {
         Finding::decision("the wedge is pointed with μ = 7/10 only", is_pointed(&pointed)? && !is_pointed(&flat)?, true).context(),
     ]);
     let mut open = wedge(ratio(1, 1));
-    open.gap = vec![ratio(0, 1), ratio(1, 100)];
-    open.free_velocity = integers(&[1, -2]);
+    open.gap = reading.only(1).pick(vec![ratio(0, 1), ratio(1, 100)], open.gap);
+    open.free_velocity = reading.only(1).pick(integers(&[1, -2]), open.free_velocity);
     findings.push(Finding::decision("wedge with μ = 1 and gaps ≥ 0: Lemke solves it", solves(&reference(&open)?)?, true));
     Ok(findings)
 }

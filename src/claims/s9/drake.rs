@@ -15,7 +15,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
     correct_statement: "Not found: the documentation of its plant does not know the term, and its contacts are left with the depth that \
         carries the load. Discrete constraints are compliant, near rigid where they should be hard.",
     argument: "The phrase occurs 0 times in the documentation of 1.51.1's multibody plant (“contact” 1356 times). A ball of 1 kg at rest \
-        under SAP, k = 1e5 N/m, stays at m g/k = 98.1 µm below the ground; a projection would end at 0.",
+        under SAP, k = 1e5 N/m, stays at m g/k = 9.81e-5 m below the ground; a projection would end at 0.",
     controls: &["A body that coordinate projection holds against its weight, and the word “contact”."],
     sources: &[
         "chapter §9, constraint drift, (4)",
@@ -37,8 +37,10 @@ fn projection(reading: Reading) -> Result<Vec<Finding>> {
         Reading::Control(_) => projected_depth()?,
     };
     let phrase = reading.pick("coordinate projection", "contact");
+    let mentions = facts()?.mentions;
     Ok(vec![
-        Finding::equal("depth of the resting ball", depth, 9.81 / 1e5, rest(9.81), "m").says(0.0),
-        Finding::count("mentions of the phrase in the documentation of the plant", facts()?.mentions[phrase], 0).says_at_least(1usize),
+        Finding::equal("depth of the resting ball", depth, 9.81 / 1e5, rest(9.81), "m").says(0.0).experiment(),
+        Finding::count("mentions of the phrase in the documentation of the plant", mentions[phrase], 0).says_at_least(1usize).looked_up(),
+        Finding::count("mentions of “contact” there", mentions["contact"], 1356).context(),
     ])
 }
