@@ -33,6 +33,9 @@ pub const REPEATS: &[(&str, &str)] = &[
     ("S11.impulse-infinite", "S11.bv"),
     ("S11.ex3", "S11.reflection-symplectic"),
     ("S11.ten-years", "S2.dzonou"),
+    ("S7.e1-single-conserves", "S7.ex2"),
+    ("S7.ex3", "S7.moreau-no-split"),
+    ("S7.four-corners", "S7.multi-nonunique"),
 ];
 
 /// The claim that this one repeats.
