@@ -143,12 +143,23 @@ fn laws(reading: Reading) -> [RoundedLaw; 3] {
     reading.pick([newton, poisson, stronge::along], [poisson, stronge::along, newton])
 }
 
+/// U_n⁺² under Stronge's law on two straight pieces whose slip stops in restitution, at U_n = v: the first one stores w²/(2s₁), releases
+/// v²/(2s₁), and the second, with the slope s₂, the rest.
+fn stopped_in_restitution(closed: &RoughImpact<f64>, restitution: f64) -> Option<f64> {
+    let (stop, at_stop) = (closed.stop()?, closed.normal_velocity_at_stop()?);
+    let due = (restitution * closed.approach).powi(2) - at_stop * at_stop;
+    let first = (at_stop + closed.approach) / stop;
+    let second = 1.0 / (closed.impulse_reaching(&(at_stop + 1.0)) - stop);
+    (at_stop > 0.0).then(|| if due > 0.0 { at_stop * at_stop + due * second / first } else { due + at_stop * at_stop })
+}
+
 /// ΔT \[J\] under Newton, Poisson and Stronge by the formulas by regime.
 fn formulas(impact: &PlanarProblem<f64>, friction: f64, restitution: f64) -> Result<[f64; 3]> {
     let w = &impact.delassus;
     let delassus = [w[(0, 0)], w[(0, 1)], w[(1, 1)]];
     let closed = RoughImpact { delassus, approach: -impact.velocity[0], slide: impact.velocity[1], friction };
-    let squared = closed.stronge_speed_squared(&restitution).ok_or_else(|| Error::Unsupported("the slip stops in compression".into()))?;
+    let squared = closed.stronge_speed_squared(&restitution).or_else(|| stopped_in_restitution(&closed, restitution));
+    let squared = squared.ok_or_else(|| Error::Unsupported("the slip stops".into()))?;
     let stronge = closed.impulse(closed.impulse_reaching(&squared.sqrt()));
     Ok([closed.newton(&restitution), closed.poisson(&restitution), stronge].map(|end| closed.energy_change(&end)))
 }

@@ -17,9 +17,9 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "v_n⁺ = −e v_n⁻ where P > 0, v_n⁺ ≥ −e v_n⁻ elsewhere. A contact that separated before may so leave into the \
             ground.",
-        argument: "0 ≤ U⁺ + eU⁻ ⟂ P ≥ 0. W = (2, 1; 1, 2), e = 1/2, U⁻ = (−1, −1/4): no impulse at the second contact, U₂⁺ = 1/2 and \
-            −eU₂⁻ = 1/8. W = (2, −1; −1, 2), e = 1, U⁻ = (−1, 1/2): U⁺ = (1, −1/2); the second contact approaches, and no impulse acts \
-            there.",
+        argument: "0 ≤ U⁺ + eU⁻ ⟂ P ≥ 0. W = (2, 1; 1, 2), e = 1/2, U⁻ = (−1, −1/4): no impulse at the second contact, and U₂⁺ = 1/2, \
+            more than −eU₂⁻. W = (2, −1; −1, 2), e = 1, U⁻ = (−1, 1/2): U⁺ = (1, −1/2); the second contact approaches, and no impulse \
+            acts there.",
         controls: &["Poisson's law in Moreau's place, and a pair with U⁻ = (−1, −1), where both contacts take an impulse."],
         sources: &["chapter §7, Moreau's law"],
         check: definition,

@@ -48,7 +48,8 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "The impulses are not unique: W has rank 3 with null vector (1, −1, 1, −1), so that any multiple of it may be \
             added while P stays ≥ 0. The velocities are (S7.multi-nonunique).",
         argument: "Cube of 1 kg and 1 m: W_ij = 4, 1 and −2 for a corner with itself, its neighbours and the opposite one. U⁻ = −1 \
-            everywhere, e = 1/2: every solution has one U⁺. e = 0: P = (1, 1, 1, 1)/4 + t(1, −1, 1, −1), |t| ≤ 1/4, all with U⁺ = 0.",
+            everywhere, e = 1/2: every solution has one U⁺. e = 0: P = (1, 1, 1, 1)/4 + t(1, −1, 1, −1) as long as P ≥ 0, all with U⁺ = \
+            0.",
         controls: &["The corners hit one after the other, in every order.", "Three corners, whose W is nonsingular."],
         sources: &["chapter §7, simultaneous impacts"],
         check: four_corners,
