@@ -10,6 +10,11 @@ use super::siconos::Facts as Siconos;
 use crate::claims::prelude::*;
 use std::collections::BTreeSet;
 
+/// The findings, each of them a look-up.
+fn looked_up(findings: Vec<Finding>) -> Result<Vec<Finding>> {
+    Ok(findings.into_iter().map(Finding::looked_up).collect())
+}
+
 /// The files of Siconos that the chapter names.
 const SICONOS_PRINTED: [&str; 4] = [
     "numerics/src/FrictionContact/fc3d_nsgs.c",
@@ -36,7 +41,7 @@ pub fn siconos(reading: Reading) -> Result<Vec<Finding>> {
     let [nsgs, newton, _, integrator] = printed;
     let function = reading.only(1).pick("gfc3d_ipm_set_default", "fc3d_ipm_set_default");
     let later = reading.only(0).pick(SICONOS_2026, SICONOS_450);
-    Ok(vec![
+    looked_up(vec![
         Finding::decision("4.4.0: MoreauJeanOSI.cpp", facts.compiled(integrator), true),
         Finding::decision("4.4.0: fc3d_nsgs.c", facts.compiled(nsgs), true),
         Finding::decision("4.4.0: the Alart–Curnier file", facts.compiled(newton), true),
@@ -73,7 +78,7 @@ pub fn mujoco(reading: Reading) -> Result<Vec<Finding>> {
             .says(true)
             .violating("a path that starts at the Python package"),
     ]);
-    Ok(findings)
+    looked_up(findings)
 }
 
 /// How many contact solvers are left of those that 1.51.1 offers, on a day after which deprecated ones are removed as announced.
@@ -93,7 +98,7 @@ pub fn drake(reading: Reading) -> Result<Vec<Finding>> {
     let printed = ["multibody/plant/tamsi_solver.cc", "multibody/contact_solvers/sap/sap_solver.cc"];
     let exchanged = ["multibody/contact_solvers/sap/tamsi_solver.cc", "multibody/plant/sap_solver.cc"];
     let paths = reading.only(1).pick(printed, exchanged);
-    Ok(vec![
+    looked_up(vec![
         Finding::count("Drake at be259df7: printed paths", DRAKE.count(&paths), 2),
         Finding::count("contact solvers that day", solvers_on(&facts, reading.only(0).pick(that_day, later)), 2),
         Finding::count("contact solvers later", solvers_on(&facts, later), 1).context(),
@@ -109,7 +114,7 @@ pub fn drake_default(reading: Reading) -> Result<Vec<Finding>> {
     let default = reading.pick(&facts.default_solver, &facts.default_approximation);
     let convex: &[&str] = reading.pick(&["kSap", "kSimilar", "kLagged"], &["kSap", "kSimilar", "kLagged", "kTamsi"]);
     let takes_sap = convex.iter().all(|name| facts.solvers[*name] == "kSap");
-    Ok(vec![
+    looked_up(vec![
         Finding::decision("the default is kSap", default == "kSap", true),
         Finding::decision("every approximation but TAMSI takes the solver kSap", takes_sap, true),
     ])
@@ -122,7 +127,7 @@ pub fn drake_default(reading: Reading) -> Result<Vec<Finding>> {
 pub fn chrono(reading: Reading) -> Result<Vec<Finding>> {
     let folder = reading.pick("src/chrono/solver/", "src/chrono_multicore/solver/");
     let names = ["ChSolverAPGD.cpp", "ChSolverADMM.cpp", "ChSolverPSOR.cpp"];
-    Ok(names.map(|name| Finding::decision(format!("Chrono at 7689fbc: {name}"), CHRONO.has_below(folder, name), true)).to_vec())
+    looked_up(names.map(|name| Finding::decision(format!("Chrono at 7689fbc: {name}"), CHRONO.has_below(folder, name), true)).to_vec())
 }
 
 /// The source distribution of PyBullet 3.2.7.
@@ -134,7 +139,7 @@ pub fn bullet(reading: Reading) -> Result<Vec<Finding>> {
     let other = "src/BulletDynamics/MLCPSolvers/btSequentialImpulseConstraintSolver.cpp";
     let multibody = "src/BulletDynamics/Featherstone/btMultiBodyConstraintSolver.cpp";
     let package = facts::bullet()?.stated;
-    Ok(vec![
+    looked_up(vec![
         Finding::decision(printed, package.has(reading.pick(printed, other)), true),
         Finding::decision(multibody, package.has(multibody), true).context(),
     ])
@@ -153,7 +158,7 @@ pub fn pinocchio(reading: Reading) -> Result<Vec<Finding>> {
     let of_release = reading.pick(PINOCCHIO_3.count(&PINOCCHIO_PRINTED), of_package);
     let moved = package.has("include/pinocchio/algorithm/solvers/admm-solver.hpp")
         && package.has("deprecated/pinocchio/algorithm/contact-cholesky.hpp");
-    Ok(vec![
+    looked_up(vec![
         Finding::count("Pinocchio 3.7.0: printed paths", of_release, 2),
         Finding::count("Pinocchio 4.1.0: printed paths", of_package, 0).context(),
         Finding::decision("4.1.0: the new places", moved, true).context(),

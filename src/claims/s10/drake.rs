@@ -24,7 +24,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Certified,
+        evidence: Evidence::Cited,
         correct_statement: "As stated where contacts slip faster than the stiction tolerance v_s. Below it friction is regularised: it \
             lies inside the cone although the contact slips, which no complementarity allows. The step is a nonlinear equation that no \
             function has as its gradient. Drake 1.51.1 has TAMSI, and announces its removal from 2026-09-01 on.",
@@ -44,7 +44,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Certified,
+        evidence: Evidence::Cited,
         correct_statement: "Kelvin–Voigt contact and its rigid limit belong to the approximation kSap, which is not the default; the \
             default, kLagged, has Hunt–Crossley contact and does not glide. A discrete plant steps by semi-implicit Euler only: the \
             midpoint rule is in the paper. The lift of a sliding block is (δt + τ) μ v, which vanishes with δt only where τ = 0.",
@@ -142,8 +142,8 @@ fn tamsi(reading: Reading) -> Result<Vec<Finding>> {
         Finding::equal("‖r_t‖/(μ r_n) at a slower slip", share_of_cone(slow), 0.75, tolerance::regularised(slow), "1")
             .says(1.0)
             .violating("slip faster than the stiction tolerance"),
-        Finding::decision("documented as non-convex, and able to fail", facts.may_fail == named, true),
-        Finding::decision("announced for removal from 2026-09-01 on", facts.tamsi_removed_from == "2026-09-01", true).context(),
+        Finding::decision("documented as non-convex, and able to fail", facts.may_fail == named, true).looked_up(),
+        Finding::decision("announced for removal from 2026-09-01 on", facts.tamsi_removed_from == "2026-09-01", true).looked_up().context(),
     ])
 }
 
@@ -178,16 +178,18 @@ fn sap(reading: Reading) -> Result<Vec<Finding>> {
             .violating("a contact without τ"),
         Finding::equal("r_n − h k(−φ⁺ − τ u_n⁺)", impulse - spring, 0.0, tolerance::spring_balance(), "N·s"),
         Finding::equal("v⁺ at k = 1e10 less that at 1e9 N/m", stiffer? - softer?, 0.0, STOP, "m/s"),
-        Finding::at_most("q⁺ − q − h v⁺ in the stored fall", other.pick(with_new, with_old), rounding(64, 1.0), "m"),
+        Finding::at_most("q⁺ − q − h v⁺ in the stored fall", other.pick(with_new, with_old), rounding(64, 1.0), "m").experiment(),
         Finding::count("mentions of a midpoint in the plant's documentation", facts.mentions[other.pick("midpoint", "contact")], 0)
             .says_at_least(1)
-            .violating("SAP as published, not as a plant steps"),
+            .violating("SAP as published, not as a plant steps")
+            .looked_up(),
         Finding::decision(
             "dissipation of kSap is Kelvin–Voigt",
             facts.dissipation_of_sap == other.pick("Kelvin–Voigt", "Hunt–Crossley"),
             true,
-        ),
-        Finding::decision("the default approximation is kLagged", facts.default_approximation == "kLagged", true).context(),
+        )
+        .looked_up(),
+        Finding::decision("the default approximation is kLagged", facts.default_approximation == "kLagged", true).looked_up().context(),
     ])
 }
 

@@ -18,7 +18,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
     verdict: ClaimVerdict::Ambiguous,
     kind: Kind::Assertion,
     severity: None,
-    evidence: Evidence::Measured,
+    evidence: Evidence::Cited,
     correct_statement: "Which release of which software runs what was not checked here for RaiSim, early Drake, PhysX, Havok and ODE, \
         which stands in two rows (it has two solvers). Of the use that is named, rolling contact, Anitescu's relaxation is right about \
         the end and wrong on the way: a sphere thrown along the floor rolls at 5/7 of its speed, but hops first, by a height that no \
@@ -58,9 +58,11 @@ fn rolling(reading: Reading) -> Result<Vec<Finding>> {
         Finding::equal("speed at the end", last[0], 5.0 / 7.0, slide_rounding(steps), "m/s").reading("as the rolling at the end"),
         Finding::equal("surface speed at the end", 0.1 * last[2], 5.0 / 7.0, slide_rounding(steps), "m/s")
             .reading("as the rolling at the end"),
-        Finding::decision("Siconos has a Moreau–Jean step", has(first, "MoreauJeanOSI"), true),
-        Finding::decision("Bullet has solvers of LCPs", has(second, "/btLemkeSolver.h") && has(second, "/btDantzigSolver.h"), true),
-        Finding::decision("Bullet has sequential impulses", has(second, sequential), true),
-        Finding::decision("Chrono has APGD", CHRONO.has_below(reading.only(1).pick("", "src/chrono_multicore/solver/"), APGD), true),
+        Finding::decision("Siconos has a Moreau–Jean step", has(first, "MoreauJeanOSI"), true).looked_up(),
+        Finding::decision("Bullet has solvers of LCPs", has(second, "/btLemkeSolver.h") && has(second, "/btDantzigSolver.h"), true)
+            .looked_up(),
+        Finding::decision("Bullet has sequential impulses", has(second, sequential), true).looked_up(),
+        Finding::decision("Chrono has APGD", CHRONO.has_below(reading.only(1).pick("", "src/chrono_multicore/solver/"), APGD), true)
+            .looked_up(),
     ])
 }

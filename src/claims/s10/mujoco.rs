@@ -36,7 +36,7 @@ const ROW: Claim = Claim {
     verdict: ClaimVerdict::Conditional,
     kind: Kind::Assertion,
     severity: Some(Severity::MissingHypothesis),
-    evidence: Evidence::Measured,
+    evidence: Evidence::Cited,
     correct_statement: "As stated, with implicit and discrete added to the integrators, and differentiable only where no contact touches \
         or lets go within the step (S6.mjx-gradients).",
     argument: "Integrators, solvers and the default h = 2 ms are the pinned release's. A step with pyramids has one-sided rows only, a \
@@ -64,9 +64,9 @@ fn row(reading: Reading) -> Result<Vec<Finding>> {
     let mut findings = vec![
         Finding::decision("a quadratic program with pyramids", law(pyramids)? == Law::PolyhedralAssociated { directions: 4 }, true),
         Finding::decision("a second-order cone program with elliptic cones", law(elliptic)? == Law::Associated, true),
-        Finding::decision("the three integrators", has("integrators", &integrators), true),
-        Finding::decision("the three solvers", has("solvers", &solvers), true),
-        Finding::decision("the default step is between 1 and 10 ms", (0.001..=0.01).contains(&h), true),
+        Finding::decision("the three integrators", has("integrators", &integrators), true).looked_up(),
+        Finding::decision("the three solvers", has("solvers", &solvers), true).looked_up(),
+        Finding::decision("the default step is between 1 and 10 ms", (0.001..=0.01).contains(&h), true).looked_up(),
     ];
     findings.extend(differentiable(reading));
     Ok(findings)

@@ -92,25 +92,28 @@ fn row(reading: Reading) -> Result<Vec<Finding>> {
     let fremond = |tree: Tree| tree.count_named(&["FremondImpactFrictionNSL.cpp"]) == 1;
     let (later, earlier) = (other.pick(SICONOS_450, SICONOS_440), reading.only(0).pick(SICONOS_440, SICONOS_450));
     let mut findings = vec![
-        Finding::decision("a Frémond law in 4.5.0", fremond(later), true),
-        Finding::decision("a Frémond law in 4.4.0", fremond(earlier), false).says(true).violating("release 4.5.0 or later"),
+        Finding::decision("a Frémond law in 4.5.0", fremond(later), true).looked_up(),
+        Finding::decision("a Frémond law in 4.4.0", fremond(earlier), false)
+            .says(true)
+            .violating("release 4.5.0 or later")
+            .looked_up(),
     ];
     for class in
         ["MoreauJeanOSI", "SchatzmanPaoliOSI", "LsodarOSI", "EventDriven", "NewMarkAlphaOSI", "NewtonImpactNSL", "NewtonImpactFrictionNSL"]
     {
-        findings.push(Finding::decision(format!("has {class}"), has(class), true));
+        findings.push(Finding::decision(format!("has {class}"), has(class), true).looked_up());
     }
     for solver in ["NSGS", "NSN_AC", "NSN_FB", "NSN_NM", "PROX", "VI_EG"] {
-        findings.push(Finding::decision(format!("has the solver {solver}"), solves_with(&format!("FRICTION_3D_{solver}")), true));
+        findings.push(Finding::decision(format!("has the solver {solver}"), solves_with(&format!("FRICTION_3D_{solver}")), true).looked_up());
     }
-    findings.push(Finding::decision("has an interior-point solver", solves_with("GLOBAL_FRICTION_3D_IPM"), true));
+    findings.push(Finding::decision("has an interior-point solver", solves_with("GLOBAL_FRICTION_3D_IPM"), true).looked_up());
     let impact = alpha_impact()?;
     let shown = |class: &&str| facts.python.iter().any(|name| name == class);
     let reachable = ["SchatzmanPaoliOSI", "NewMarkAlphaOSI"].iter().filter(|class| shown(class)).count();
     findings.extend([
-        Finding::equal("v⁺ of an impact under NewMarkAlphaOSI", impact.leaving, impact.predicted, impact.rounding, "m/s").context(),
+        Finding::equal("v⁺ of an impact under NewMarkAlphaOSI", impact.leaving, impact.predicted, impact.rounding, "m/s").experiment().context(),
         Finding::equal("|v⁺ + e v⁻| under our nonsmooth generalised-α", nonsmooth_impact()?, 0.0, impact.rounding, "m/s").context(),
-        Finding::count("of SchatzmanPaoliOSI and NewMarkAlphaOSI, those that Python shows", reachable, 0).context(),
+        Finding::count("of SchatzmanPaoliOSI and NewMarkAlphaOSI, those that Python shows", reachable, 0).looked_up().context(),
     ]);
     Ok(findings)
 }
@@ -120,8 +123,10 @@ fn school(reading: Reading) -> Result<Vec<Finding>> {
     let [slip, start] = found.tangential;
     let rigour = "rigour and completeness";
     Ok(vec![
-        Finding::equal("largest |u_n⁺ + e u_n| of a sliding block", found.normal, 0.0, SICONOS_PER_STEP, "m/s").opinion(rigour),
-        Finding::at_least("smallest u_t⁺ of the steps, that of the start being 0.3 m/s", slip, start, "m/s"),
-        Finding::equal("largest |r_t/r_n + μ|", found.cone, 0.0, SICONOS_PER_STEP, "1"),
+        Finding::equal("largest |u_n⁺ + e u_n| of a sliding block", found.normal, 0.0, SICONOS_PER_STEP, "m/s")
+            .opinion(rigour)
+            .experiment(),
+        Finding::at_least("smallest u_t⁺ of the steps, that of the start being 0.3 m/s", slip, start, "m/s").experiment(),
+        Finding::equal("largest |r_t/r_n + μ|", found.cone, 0.0, SICONOS_PER_STEP, "1").experiment(),
     ])
 }

@@ -12,7 +12,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
     verdict: ClaimVerdict::Ambiguous,
     kind: Kind::Assertion,
     severity: None,
-    evidence: Evidence::Measured,
+    evidence: Evidence::NotDecidable,
     correct_statement: "What is typical is usage and not decidable. The defaults that can be read are MuJoCo 2e-3, Drake's plant 1e-3, \
         Bullet's stepping 1/60 (PyBullet 1/240), all within. One end of a range means something in the code: beyond 1e-2 s MuJoCo's \
         default contact, timeconst 0.02 s, is no longer the one that was asked for, because refsafe stretches timeconst to 2h.",
@@ -46,11 +46,14 @@ fn stretched(reading: Reading) -> Result<Vec<Finding>> {
     let typical = "which step sizes are typical";
     Ok(vec![
         Finding::decision("the creep at 1/60 s, beyond MuJoCo's range, differs", (coarse / middle - 1.0).abs() > SAME_CREEP, true)
-            .opinion(typical),
-        Finding::at_most("relative difference of the creep at 1/240 and 1/1000 s, within it", (fine / middle - 1.0).abs(), SAME_CREEP, "1"),
-        Finding::equal("timeconst/2 of MuJoCo's default contact", time_constant / 2.0, 0.01, 0.0, "s"),
-        Finding::decision("MuJoCo's default lies in its range", (0.001..=0.01).contains(&h), true),
-        Finding::decision("1/60 s is Bullet's default", bullet.says(file, "m_timeStep = btScalar(1.f / 60.f);"), true),
-        Finding::at_least("creep at 1/60 s over that at 1/240 s", creep(60.0)? / middle, 1.5, "1").context(),
+            .opinion(typical)
+            .experiment(),
+        Finding::at_most("relative difference of the creep at 1/240 and 1/1000 s, within it", (fine / middle - 1.0).abs(), SAME_CREEP, "1")
+            .experiment(),
+        Finding::equal("timeconst/2 of MuJoCo's default contact", time_constant / 2.0, 0.01, 0.0, "s").looked_up(),
+        Finding::decision("MuJoCo's default lies in its range", (0.001..=0.01).contains(&h), true).looked_up(),
+        Finding::decision("1/60 s is Bullet's default", bullet.says(file, "m_timeStep = btScalar(1.f / 60.f);"), true)
+            .looked_up(),
+        Finding::at_least("creep at 1/60 s over that at 1/240 s", creep(60.0)? / middle, 1.5, "1").experiment().context(),
     ])
 }

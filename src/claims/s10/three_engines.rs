@@ -29,7 +29,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Certified,
+        evidence: Evidence::Cited,
         correct_statement: "NSC is Anitescu's step, with a maximal recovery speed for penetrations and with rebounds, and the four \
             algorithms solve its convex problem. HHT integrates smooth forces: it belongs to Chrono's other system, of penalty contacts \
             (SMC).",
@@ -72,7 +72,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
-        evidence: Evidence::Measured,
+        evidence: Evidence::Cited,
         correct_statement: "As stated. The bias is e|u_n| + ERP d/h for a depth d, and e|u_n| − d/h for a gap d, u_n after gravity \
             (multibodies) or before (rigid bodies): a rebound equals e only up to these terms. ERP of contacts is 0.2 in Bullet and 0.08 \
             in PyBullet.",
@@ -90,7 +90,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Certified,
+        evidence: Evidence::Cited,
         correct_statement: "All but the CCP in release 3: its ADMM (v3.7.0) always solves Coulomb's law. In 4.1.0 Coulomb's law is the \
             default and the convex problem a switch of ADMM (`solve_ncp` = false), which PGS does not heed. And Pinocchio is no \
             simulator: a step, its contacts and their stabilisation come from elsewhere (Simple was not looked at).",
@@ -114,7 +114,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Inconsistent,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
-        evidence: Evidence::Certified,
+        evidence: Evidence::Cited,
         correct_statement: "Of SAP it holds. Pinocchio's ADMM solves Coulomb's law unless told otherwise, as the chapter's own table says \
             (NCP); with `solve_ncp` = false it solves the relaxation.",
         argument: "A box that slides on four corners: by default the loaded corners stay on the ground, u_n = 0; relaxed they leave it \
@@ -232,7 +232,7 @@ fn chrono_row(reading: Reading) -> Result<Vec<Finding>> {
         Finding::equal("speed at which a depth is undone", rising(&Chrono::default())?, 0.6, tolerance::same_answer(1.0), "m/s")
             .says(rising(&Anitescu)?)
             .violating("no depth beyond v_r h"),
-        Finding::count("sources of the four solvers", sources, 4),
+        Finding::count("sources of the four solvers", sources, 4).looked_up(),
     ]);
     Ok(findings)
 }
@@ -255,8 +255,12 @@ fn granular(reading: Reading) -> Result<Vec<Finding>> {
     Ok(vec![
         Finding::count("sources for GPUs in the package", for_gpus(&["src/"], other.pick(".cu", ".cl")), 2)
             .says_at_least(1)
-            .reading("of Chrono"),
-        Finding::count("sources for GPUs where NSC is", for_gpus(folders, ".cu"), 0).says_at_least(1).reading("of NSC"),
+            .reading("of Chrono")
+            .looked_up(),
+        Finding::count("sources for GPUs where NSC is", for_gpus(folders, ".cu"), 0)
+            .says_at_least(1)
+            .reading("of NSC")
+            .looked_up(),
         Finding::at_most("H of a million bodies", of_jacobian, terabyte, "GB"),
         Finding::at_most("W of a million bodies, without its zeros", of_operator, terabyte, "GB"),
     ])
@@ -281,16 +285,20 @@ fn bullet_row(reading: Reading) -> Result<Vec<Finding>> {
     let package = reading.pick(facts::bullet()?, facts::pinocchio()?).stated;
     let ratio = (sunk[1][0] + scheme.slop) / (sunk[0][0] + scheme.slop);
     Ok(vec![
-        Finding::equal("first rebound less e(|v| + g h) less the term of the depth", after - bias, 0.0, tolerance::stored(1.0 / h), "m/s"),
+        Finding::equal("first rebound less e(|v| + g h) less the term of the depth", after - bias, 0.0, tolerance::stored(1.0 / h), "m/s")
+            .experiment(),
         Finding::equal(
             "depth after a step over that before it",
             ratio,
             1.0 - scheme.error_reduction,
             tolerance::stored(1.0 / sunk[0][0].abs()),
             "1",
-        ),
-        Finding::decision("the solvers' files", package.has("/btLemkeSolver.h") && package.has("/btDantzigSolver.h"), true),
-        Finding::decision("h = 1/60 s unless set", package.says("/btContactSolverInfo.h", "m_timeStep = btScalar(1.f / 60.f);"), true),
+        )
+        .experiment(),
+        Finding::decision("the solvers' files", package.has("/btLemkeSolver.h") && package.has("/btDantzigSolver.h"), true)
+            .looked_up(),
+        Finding::decision("h = 1/60 s unless set", package.says("/btContactSolverInfo.h", "m_timeStep = btScalar(1.f / 60.f);"), true)
+            .looked_up(),
     ])
 }
 
@@ -307,7 +315,8 @@ fn pinocchio_row(reading: Reading) -> Result<Vec<Finding>> {
         let problem = other.pick(Ok as fn(ContactProblem) -> Result<ContactProblem>, other_law)(problem)?;
         let ours = AlternatingDirections::default().solve(&problem, None)?;
         let difference = (&ours.velocity - &answer.velocity).amax();
-        findings.push(Finding::at_most(format!("our ADMM against Pinocchio's, {name}"), difference, tolerance::SAME_VELOCITY, "m/s"));
+        let name = format!("our ADMM against Pinocchio's, {name}");
+        findings.push(Finding::at_most(name, difference, tolerance::SAME_VELOCITY, "m/s").experiment());
     }
     let package = other.pick(facts::pinocchio()?, facts::bullet()?).stated;
     let takes = |name: &str| PINOCCHIO_3_TAKES.contains(&name);
@@ -315,10 +324,13 @@ fn pinocchio_row(reading: Reading) -> Result<Vec<Finding>> {
     let switched = reading.only(0).pick(takes("solve_ncp"), switches("solve_ncp"));
     let settings = ["mu_prox", other.pick("rho_power", "admm_update_rule"), "R"];
     findings.extend([
-        Finding::decision("3.7.0: proximal term, power of ρ, compliance", settings.into_iter().all(takes), true),
-        Finding::decision("4.1.0: projected Gauss–Seidel", package.has("/pgs-solver.hpp"), true),
-        Finding::decision("4.1.0: ADMM solves the CCP as well", switches("solve_ncp"), true),
-        Finding::decision("3.7.0: ADMM solves the CCP as well", switched, false).says(true).violating("release 4"),
+        Finding::decision("3.7.0: proximal term, power of ρ, compliance", settings.into_iter().all(takes), true).looked_up(),
+        Finding::decision("4.1.0: projected Gauss–Seidel", package.has("/pgs-solver.hpp"), true).looked_up(),
+        Finding::decision("4.1.0: ADMM solves the CCP as well", switches("solve_ncp"), true).looked_up(),
+        Finding::decision("3.7.0: ADMM solves the CCP as well", switched, false)
+            .says(true)
+            .violating("release 4")
+            .looked_up(),
     ]);
     Ok(findings)
 }
@@ -346,13 +358,13 @@ fn route(reading: Reading) -> Result<Vec<Finding>> {
     let default = stored(reading.only(0).pick(by_default, BOX_STICK))?;
     let lifted = lift(&default, 0.0) > tolerance::SAME_VELOCITY;
     let slides = relaxation_lifts(&default);
-    let loaded = || Finding::decision("the loaded corners leave the ground, by default", lifted, false);
+    let loaded = || Finding::decision("the loaded corners leave the ground, by default", lifted, false).experiment();
     let switch = &settings[other.pick("solve_ncp", "mu_prox")];
     Ok(vec![
         loaded().says(slides).passage("the four routes: the relaxation"),
         loaded().says(false).passage("the table: NCP"),
         Finding::decision("a loaded corner slides, so that the relaxation lifts it", slides, true).context(),
-        Finding::at_most("u_n − μ‖u_t‖ there, relaxed", lift(&stored(relaxed)?, 1.0), tolerance::SAME_VELOCITY, "m/s"),
-        Finding::decision("the switch to the NCP is on unless set", *switch == Value::Bool(true), true),
+        Finding::at_most("u_n − μ‖u_t‖ there, relaxed", lift(&stored(relaxed)?, 1.0), tolerance::SAME_VELOCITY, "m/s").experiment(),
+        Finding::decision("the switch to the NCP is on unless set", *switch == Value::Bool(true), true).looked_up(),
     ])
 }

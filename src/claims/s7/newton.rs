@@ -31,7 +31,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
-        evidence: Evidence::Cited,
+        evidence: Evidence::Exact,
         correct_statement: "As stated: each mends what another leaves. Newton's law gains energy with friction, Poisson's does \
             not; Poisson's e = 1 still loses normal work, Stronge's does not; Newton's law for all contacts may pull, Moreau's \
             never does. As a chronology Moreau stands before Stronge, whose energetic restitution was published in 1990.",

@@ -1,6 +1,7 @@
 //! Several contacts at once: what is unique, and what the order of impacts decides.
 
 use super::impacts::{ContactsLaw, cradle, ends, frictionless_grid, impact, middle, rod};
+use crate::claims::experiments::repositories::{SICONOS_440, SICONOS_450};
 use crate::claims::prelude::*;
 use crate::closed_forms::newtons_cradle::{after_two_impacts, at_once};
 use crate::closed_forms::rocking_block::landing;
@@ -87,7 +88,7 @@ pub const CLAIMS: &[Claim] = &[
             number of them. It does not settle the order: without friction it is Moreau's law.",
         argument: "ΔT = −½Σ(1−e)P_n|U_n⁻| − Σ μP_n½|U_t⁺ + U_t⁻|. The rod, μ = 1, e = 1: 0 where e on the normal component gains 9/80. \
             Two contacts with μ = 1/8, e = 1: −3/8 J, as the formula says. Three balls: (−1/3, 2/3, 2/3).",
-        controls: &["Coulomb friction on U_t⁺ alone.", "The balls one after the other."],
+        controls: &["Coulomb friction on U_t⁺ alone.", "The balls one after the other; Siconos 4.4.0 in the place of 4.5.0."],
         sources: &[
             "chapter §7, simultaneous impacts",
             "Siconos, kernel/src/modelingTools/FremondImpactFrictionNSL.hpp and MoreauJeanOSI.cpp, source of 2024 or later",
@@ -293,6 +294,7 @@ fn fremond_law(reading: Reading) -> Result<Vec<Finding>> {
         Reading::Recorded => settled(law)?,
         Reading::Control(_) => one_after_the_other(&cradle(), &[e.clone(), e.clone()])?.after,
     };
+    let release = reading.only(1).pick(SICONOS_450, SICONOS_440);
     Ok(vec![
         Finding::exact("ΔT of the rod, e = 1", &mean, &ratio(0, 1), "J").says_at_most(ratio(0, 1)).reading("as a law that gains no energy"),
         Finding::exact("ΔT of two rough contacts against −Σ μP_n½|U_t⁺ + U_t⁻|", &pair.energy_change(&rough), &predicted, "J"),
@@ -300,6 +302,7 @@ fn fremond_law(reading: Reading) -> Result<Vec<Finding>> {
         Finding::decision("three balls: (0, 0, 1), as one after the other", normal == relative(after_two_impacts(&e)), false)
             .says(true)
             .reading("as what settles the order of the impacts"),
+        Finding::count("files of a Frémond law in Siconos 4.5.0", release.count_named(&["FremondImpactFrictionNSL.cpp"]), 1).looked_up(),
         Finding::exact("ΔT of the rod with Coulomb friction on U_t⁺", &after, &ratio(9, 80), "J").context(),
     ])
 }
