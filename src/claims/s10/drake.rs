@@ -49,8 +49,8 @@ pub const CLAIMS: &[Claim] = &[
             default, kLagged, has Hunt–Crossley contact and does not glide. A discrete plant steps by semi-implicit Euler only: the \
             midpoint rule is in the paper. The lift of a sliding block is (δt + τ) μ v, which vanishes with δt only where τ = 0.",
         argument: "Stored fall at h = 1/100 s: q⁺ − q − h v⁺ = 0 to rounding. One step of our SAP on a contact 1 mm deep: r_n = h k(−φ⁺ \
-            − τ u_n⁺). With k = 1e9 and 1e10 N/m the step is the same. Sliding at 0.7 instead of 0.2 m/s: lifted by 0.0012 m = h μ Δv \
-            for τ = 0 and h = 8 ms, but by 0.00135 m for τ = 5 ms and h = 4 ms, more than twice h μ Δv.",
+            − τ u_n⁺). With k = 1e9 and 1e10 N/m the step is the same. Sliding at 0.7 instead of 0.2 m/s: lifted by 0.00135 m for τ = \
+            0.005 s and h = 0.004 s, more than twice h μ Δv; by 0.0012 m = h μ Δv for τ = 0 at twice that step.",
         controls: &[
             "kLagged's lift in place of kSap's: none.",
             "The damper forgotten, a contact that is not stiff, the old velocity in the update, another word, another law.",
@@ -103,8 +103,8 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Cited,
         correct_statement: "As stated up to the removal of TAMSI, announced for 2026-09-01 and later, of which the printed caveat warns. \
             The Python package holds neither file; it offers both solvers.",
-        argument: "The tree of the repository at be259df7 of 2026-08-20 has both files. 1.51.1 offers the solvers kSap and kTamsi, and \
-            documents the second as deprecated, to be removed from 2026-09-01 on; one solver is left then.",
+        argument: "The tree of the repository at be259df7 of August 2026 has both files. 1.51.1 offers the solvers kSap and kTamsi, and \
+            documents the second as deprecated, to be removed from September 2026 on; one solver is left then.",
         controls: &["A day after the announced removal.", "The two folders exchanged."],
         sources: &["chapter §10, source files", PACKAGE, "Drake's repository at be259df7; pull request 24831 for the removal"],
         check: releases::drake,

@@ -22,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
     correct_statement: "Which release of which software runs what was not checked here for RaiSim, early Drake, PhysX, Havok and ODE, \
         which stands in two rows (it has two solvers). Of the use that is named, rolling contact, Anitescu's relaxation is right about \
         the end and wrong on the way: a sphere thrown along the floor rolls at 5/7 of its speed, but hops first, by a height that no \
-        smaller step removes.",
+        smaller step removes. Chrono itself was not run: its step is rebuilt here.",
     argument: "Chrono's step, rebuilt, of a sphere with μ = 0.2 thrown at 1 m/s: it rolls at 5/7 m/s to rounding, friction keeping the \
         angular momentum about the floor. At the first step u_n = μ|u_t| with W_tt = 7/(2m) makes it leave at w = μ v/(1 + 7/2 μ²), to \
         w²/(2g) = 1.57e-3 m. Stewart–Trinkle's sphere ends at the same speed and stays on the floor.",

@@ -63,7 +63,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "All four for the releases up to 4.5.0 of March 2024. On the main branch of August 2026 two have moved: \
             MoreauJeanOSI.cpp to kernel/src/simulation/, and the Alart–Curnier file to FrictionContact/nsn_formulation/.",
         argument: "The names of three are in Debian's libraries 4.4.0+dfsg-2 as the compiler left them, the fourth by its functions; all \
-            four are in the tree of the tag 4.5.0, and two in that of commit 6070f0f6.",
+            four are in the tree of the tag 4.5.0, and two in that of August 2026.",
         controls: &[
             "The tree of 4.5.0 in place of that of August 2026.",
             "Other folders: that of the LCPs, and simulation/ for simulationTools/; fc3d_ipm for gfc3d_ipm.",
@@ -93,10 +93,7 @@ fn row(reading: Reading) -> Result<Vec<Finding>> {
     let (later, earlier) = (other.pick(SICONOS_450, SICONOS_440), reading.only(0).pick(SICONOS_440, SICONOS_450));
     let mut findings = vec![
         Finding::decision("a Frémond law in 4.5.0", fremond(later), true).looked_up(),
-        Finding::decision("a Frémond law in 4.4.0", fremond(earlier), false)
-            .says(true)
-            .violating("release 4.5.0 or later")
-            .looked_up(),
+        Finding::decision("a Frémond law in 4.4.0", fremond(earlier), false).says(true).violating("release 4.5.0 or later").looked_up(),
     ];
     for class in
         ["MoreauJeanOSI", "SchatzmanPaoliOSI", "LsodarOSI", "EventDriven", "NewMarkAlphaOSI", "NewtonImpactNSL", "NewtonImpactFrictionNSL"]
@@ -104,14 +101,17 @@ fn row(reading: Reading) -> Result<Vec<Finding>> {
         findings.push(Finding::decision(format!("has {class}"), has(class), true).looked_up());
     }
     for solver in ["NSGS", "NSN_AC", "NSN_FB", "NSN_NM", "PROX", "VI_EG"] {
-        findings.push(Finding::decision(format!("has the solver {solver}"), solves_with(&format!("FRICTION_3D_{solver}")), true).looked_up());
+        findings
+            .push(Finding::decision(format!("has the solver {solver}"), solves_with(&format!("FRICTION_3D_{solver}")), true).looked_up());
     }
     findings.push(Finding::decision("has an interior-point solver", solves_with("GLOBAL_FRICTION_3D_IPM"), true).looked_up());
     let impact = alpha_impact()?;
     let shown = |class: &&str| facts.python.iter().any(|name| name == class);
     let reachable = ["SchatzmanPaoliOSI", "NewMarkAlphaOSI"].iter().filter(|class| shown(class)).count();
     findings.extend([
-        Finding::equal("v⁺ of an impact under NewMarkAlphaOSI", impact.leaving, impact.predicted, impact.rounding, "m/s").experiment().context(),
+        Finding::equal("v⁺ of an impact under NewMarkAlphaOSI", impact.leaving, impact.predicted, impact.rounding, "m/s")
+            .experiment()
+            .context(),
         Finding::equal("|v⁺ + e v⁻| under our nonsmooth generalised-α", nonsmooth_impact()?, 0.0, impact.rounding, "m/s").context(),
         Finding::count("of SchatzmanPaoliOSI and NewMarkAlphaOSI, those that Python shows", reachable, 0).looked_up().context(),
     ]);

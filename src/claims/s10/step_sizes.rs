@@ -16,8 +16,8 @@ pub const CLAIMS: &[Claim] = &[Claim {
     correct_statement: "What is typical is usage and not decidable. The defaults that can be read are MuJoCo 2e-3, Drake's plant 1e-3, \
         Bullet's stepping 1/60 (PyBullet 1/240), all within. One end of a range means something in the code: beyond 1e-2 s MuJoCo's \
         default contact, timeconst 0.02 s, is no longer the one that was asked for, because refsafe stretches timeconst to 2h.",
-    argument: "Stored runs of MuJoCo 3.17.0, block that Coulomb holds, creep: the same at 1/1000 and 1/240 s, 1.56 times as much at 1/60 \
-        s.",
+    argument: "Stored runs of MuJoCo 3.17.0, block that Coulomb holds, creep: the same at 1000 and at 240 steps per second, more than \
+        1.5 times as much at 60.",
     controls: &[
         "The run at 1/240 s in place of that at 1/60 s.",
         "The run at 1/60 s in place of that at 1/1000 s; dampratio for timeconst, timeconst for the step; PyBullet's server for Bullet's \
@@ -52,8 +52,7 @@ fn stretched(reading: Reading) -> Result<Vec<Finding>> {
             .experiment(),
         Finding::equal("timeconst/2 of MuJoCo's default contact", time_constant / 2.0, 0.01, 0.0, "s").looked_up(),
         Finding::decision("MuJoCo's default lies in its range", (0.001..=0.01).contains(&h), true).looked_up(),
-        Finding::decision("1/60 s is Bullet's default", bullet.says(file, "m_timeStep = btScalar(1.f / 60.f);"), true)
-            .looked_up(),
+        Finding::decision("1/60 s is Bullet's default", bullet.says(file, "m_timeStep = btScalar(1.f / 60.f);"), true).looked_up(),
         Finding::at_least("creep at 1/60 s over that at 1/240 s", creep(60.0)? / middle, 1.5, "1").experiment().context(),
     ])
 }

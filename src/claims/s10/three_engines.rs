@@ -32,10 +32,10 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Cited,
         correct_statement: "NSC is Anitescu's step, with a maximal recovery speed for penetrations and with rebounds, and the four \
             algorithms solve its convex problem. HHT integrates smooth forces: it belongs to Chrono's other system, of penalty contacts \
-            (SMC).",
+            (SMC). Chrono itself was not run: its step and its algorithms are rebuilt here from their sources.",
         argument: "Each of the four, programmed from its equations, gives the velocities of Clarabel's interior point on the step of a \
             sliding block, and the gap μ h v_t of the relaxation, at every step length. Chrono's step is Anitescu's there, but a body \
-            0.1 m deep comes out at 0.6 m/s, not at the 10 m/s that undo the depth in one step. `ChSolver::Type` names PSOR, \
+            0.1 m deep comes out at 0.6 m/s, not at the speed that undoes the depth in one step. `ChSolver::Type` names PSOR, \
             BARZILAIBORWEIN, APGD, ADMM, each with its source; a contact's constraint is loaded by `ChContactNSC`, which HHT does not \
             solve as an inequality.",
         controls: &[
@@ -58,9 +58,9 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Of the package Chrono: its module Chrono::DEM runs on GPUs, but with penalty contacts (SMC), not with NSC; \
             the NSC of Chrono::Multicore is parallel on processors. No run of a million bodies was made or checked here; memory does not \
             forbid it.",
-        argument: "At commit 7689fbc the sources for GPUs (.cu) of contacts are all below src/chrono_dem/, and none is below src/chrono/ \
-            or src/chrono_multicore/. A million bodies with three contacts each, as H and W of a stack of boxes have them: 0.432 and \
-            2.592 GB without zeros. With all zeros both would be out of reach.",
+        argument: "At the commit named below the sources for GPUs (.cu) of contacts are all below src/chrono_dem/, and none is below \
+            src/chrono/ or src/chrono_multicore/. A million bodies with three contacts each, as H and W of a stack of boxes have them: \
+            0.432 and 2.592 GB without zeros. With all zeros both would be out of reach.",
         controls: &["The folder of Chrono::DEM in place of those with NSC.", "H and W with all their zeros; sources in OpenCL."],
         sources: &["chapter §10, table of simulators", "Project Chrono, commit 7689fbc, and the documentation of Chrono::DEM in it"],
         check: granular,
@@ -76,9 +76,9 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated. The bias is e|u_n| + ERP d/h for a depth d, and e|u_n| − d/h for a gap d, u_n after gravity \
             (multibodies) or before (rigid bodies): a rebound equals e only up to these terms. ERP of contacts is 0.2 in Bullet and 0.08 \
             in PyBullet.",
-        argument: "Stored motions of PyBullet 3.2.7: the first rebound of a ball equals e(|v| + g h) + ERP d/h, and a ball 1 cm deep rises \
-            so that its depth shrinks by 0.92 in every step, each to 1e-12; the scheme `bullet` reproduces every sample. The source names \
-            the solvers and 1/60 s.",
+        argument: "Stored motions of PyBullet 3.2.7: the first rebound of a ball equals e(|v| + g h) + ERP d/h, and a ball 1 cm deep \
+            rises so that its depth shrinks by 0.92 in every step, each to rounding; the scheme `bullet` makes the stored samples again \
+            (tests/systems.rs). The source names the solvers and 1/60 s.",
         controls: &["ERP 0.2, Bullet's own default, in the same formulas; Pinocchio's package in the place of Bullet's."],
         sources: &["chapter §10, table of simulators", "PyBullet 3.2.7, source distribution", "references/bullet"],
         check: bullet_row,
@@ -215,9 +215,8 @@ fn chrono_row(reading: Reading) -> Result<Vec<Finding>> {
     let law = reading.only(1).pick(Law::Associated, Law::Coulomb);
     let slides = [0.02, 0.005].map(|step| Sliding { step, law });
     let most = |measure: &dyn Fn(&Sliding) -> Result<f64>| slides.iter().try_fold(0.0, |most: f64, one| Ok(most.max(measure(one)?)));
-    let at_most = |name: String, value: Result<f64>| -> Result<Finding> {
-        Ok(Finding::at_most(name, value?, tolerance::same_answer(1.0), "m/s"))
-    };
+    let at_most =
+        |name: String, value: Result<f64>| -> Result<Finding> { Ok(Finding::at_most(name, value?, tolerance::same_answer(1.0), "m/s")) };
     let mut findings = vec![at_most("step against Anitescu's".into(), most(&Sliding::apart))?];
     for name in ["psor", "bb", "apgd", "admm"] {
         findings.push(at_most(format!("{name} against Clarabel"), most(&|one| Ok(one.solved(name)?[0])))?);
@@ -257,10 +256,7 @@ fn granular(reading: Reading) -> Result<Vec<Finding>> {
             .says_at_least(1)
             .reading("of Chrono")
             .looked_up(),
-        Finding::count("sources for GPUs where NSC is", for_gpus(folders, ".cu"), 0)
-            .says_at_least(1)
-            .reading("of NSC")
-            .looked_up(),
+        Finding::count("sources for GPUs where NSC is", for_gpus(folders, ".cu"), 0).says_at_least(1).reading("of NSC").looked_up(),
         Finding::at_most("H of a million bodies", of_jacobian, terabyte, "GB"),
         Finding::at_most("W of a million bodies, without its zeros", of_operator, terabyte, "GB"),
     ])
@@ -295,8 +291,7 @@ fn bullet_row(reading: Reading) -> Result<Vec<Finding>> {
             "1",
         )
         .experiment(),
-        Finding::decision("the solvers' files", package.has("/btLemkeSolver.h") && package.has("/btDantzigSolver.h"), true)
-            .looked_up(),
+        Finding::decision("the solvers' files", package.has("/btLemkeSolver.h") && package.has("/btDantzigSolver.h"), true).looked_up(),
         Finding::decision("h = 1/60 s unless set", package.says("/btContactSolverInfo.h", "m_timeStep = btScalar(1.f / 60.f);"), true)
             .looked_up(),
     ])
@@ -327,10 +322,7 @@ fn pinocchio_row(reading: Reading) -> Result<Vec<Finding>> {
         Finding::decision("3.7.0: proximal term, power of ρ, compliance", settings.into_iter().all(takes), true).looked_up(),
         Finding::decision("4.1.0: projected Gauss–Seidel", package.has("/pgs-solver.hpp"), true).looked_up(),
         Finding::decision("4.1.0: ADMM solves the CCP as well", switches("solve_ncp"), true).looked_up(),
-        Finding::decision("3.7.0: ADMM solves the CCP as well", switched, false)
-            .says(true)
-            .violating("release 4")
-            .looked_up(),
+        Finding::decision("3.7.0: ADMM solves the CCP as well", switched, false).says(true).violating("release 4").looked_up(),
     ]);
     Ok(findings)
 }

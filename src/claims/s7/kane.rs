@@ -61,7 +61,10 @@ pub const CLAIMS: &[Claim] = &[
             Poisson, Stronge); μ = e = 0.7: +2.11149, −0.46146, −0.42922, each from the path and from the formulas by regime. The same in \
             rationals at sin θ = 12/37, 8/17: Newton gains, Poisson does not.",
         controls: &["The laws exchanged: Poisson's in Newton's place, Stronge's in Poisson's, Newton's in Stronge's."],
-        sources: &["chapter §7, exercise 2, and Kane's counterexample (named only)", "Kane and Levinson 1985 for the mechanism; their table was not found"],
+        sources: &[
+            "chapter §7, exercise 2, and Kane's counterexample (named only)",
+            "Kane and Levinson 1985 for the mechanism; their table was not found",
+        ],
         check: pendulum,
     },
     Claim {

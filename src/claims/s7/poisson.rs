@@ -151,8 +151,7 @@ fn conserved(reading: Reading) -> Result<Vec<Finding>> {
     Ok(vec![
         Finding::exact("energy gained with the impulse ratio 25/16", &path.impact().energy_change(&newton), &ratio(9, 80), "J")
             .says_at_most(ratio(0, 1)),
-        Finding::exact("energy gained by two rough contacts with the ratios (1, 0)", &gained, &ratio(9, 25), "J")
-            .says_at_most(ratio(0, 1)),
+        Finding::exact("energy gained by two rough contacts with the ratios (1, 0)", &gained, &ratio(9, 25), "J").says_at_most(ratio(0, 1)),
         Finding::exact("energy gained with the impulse ratio 1", &path.impact().energy_change(&poisson), &ratio(-9, 125), "J")
             .says_at_most(ratio(0, 1)),
         Finding::exact("U_n⁺ of the ratio 25/16, Newton's with e = 1", &ended(ratio(25, 16)).after[0], &ratio(1, 1), "m/s").context(),
