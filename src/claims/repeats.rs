@@ -40,6 +40,9 @@ pub const REPEATS: &[(&str, &str)] = &[
     ("S9.velocity-drift", "S3.drift"),
     ("S9.velocity-legal", "S2.vel-drift"),
     ("S11.ten-years", "S2.dzonou"),
+    ("S7.e1-single-conserves", "S7.ex2"),
+    ("S7.ex3", "S7.moreau-no-split"),
+    ("S7.four-corners", "S7.multi-nonunique"),
 ];
 
 /// The claim that this one repeats.

@@ -110,6 +110,17 @@ pub fn predicted_damped_lift(relaxation_time: f64, h: f64) -> f64 {
     (h + relaxation_time) * FRICTION * (0.7 - 0.2)
 }
 
+/// Speed \[m/s\] of the block that should stick at the end of the stored run under SAP, or under Lagged.
+///
+/// # Errors
+/// If the stored file is not what it should be.
+pub fn stored_creep(lagged: bool) -> Result<f64> {
+    let path = if lagged { "drake/block_stick__lagged__h0.01.json" } else { "drake/block_stick__sap__h0.01.json" };
+    let run = read_by(&RUNS, path, Trajectory::from_json)?;
+    let last = run.bodies[0].linear_velocity.last().ok_or_else(|| Error::Unsupported("the run has samples".into()))?;
+    Ok(last.iter().map(|v| v * v).sum::<f64>().sqrt())
+}
+
 /// Depth \[m\] at which a ball of 1 kg on k = 1e5 N/m lies at the end of the stored run, SAP, h = 1 ms.
 ///
 /// # Errors

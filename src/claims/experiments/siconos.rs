@@ -16,6 +16,9 @@ const ELASTIC_PROJECTED: &str = "siconos/ball_elastic__projection__h0.01.json";
 const CHAIN_PROJECTED: &str = "siconos/chain__projection__h0.01.json";
 const ALPHA_FALL: &str = "siconos/fall__generalised-alpha__h0.05.json";
 const SLIDE: &str = "siconos/block_slide__moreau-jean__h0.01.json";
+const STICK: &str = "siconos/block_stick__moreau-jean__h0.01.json";
+const BALL: &str = "siconos/ball__moreau-jean__h0.01.json";
+const BALL_PROJECTED: &str = "siconos/ball__projection__h0.01.json";
 
 /// What the Debian packages of Siconos hold.
 #[derive(Debug, Deserialize)]
@@ -126,13 +129,13 @@ pub struct Slide {
     pub cone: f64,
 }
 
-/// The stored steps of the block from the second half on, where its bounces are over: as Siconos made them, or made again by our scheme
-/// from Siconos's states under this law.
+/// The stored steps of the block that slides, or of the one that sticks, from the second half on, where its bounces are over: as Siconos
+/// made them, or made again by our scheme from Siconos's states under this law.
 ///
 /// # Errors
 /// If the stored file is not what it should be, and those of the step.
-pub fn slide(again: Option<Law>) -> Result<Slide> {
-    let run = read_by(&RUNS, SLIDE, SiconosSteps::from_json)?;
+pub fn slide(sticks: bool, again: Option<Law>) -> Result<Slide> {
+    let run = read_by(&RUNS, if sticks { STICK } else { SLIDE }, SiconosSteps::from_json)?;
     let (mechanism, scheme) = (run.mechanism()?, run.scheme(0.0)?);
     let contact = mechanism.contacts(&run.state(0).position).swap_remove(0);
     let mut found = Slide { normal: 0.0, tangential: [f64::INFINITY, run.state(0).velocity[0].abs()], cone: 0.0 };
@@ -152,6 +155,15 @@ pub fn slide(again: Option<Law>) -> Result<Slide> {
         found.cone = found.cone.max((drag / press + contact.friction).abs());
     }
     Ok(found)
+}
+
+/// Depth \[m\] below the floor that Siconos's ball reaches, with combined projection or without.
+///
+/// # Errors
+/// If the stored file is not what it should be.
+pub fn deepest(projected: bool) -> Result<f64> {
+    let run = read_by(&RUNS, if projected { BALL_PROJECTED } else { BALL }, SiconosSteps::from_json)?;
+    Ok(run.positions.iter().map(|place| -place[0]).fold(0.0, f64::max))
 }
 
 /// The impact that ends a run of `NewMarkAlphaOSI`.

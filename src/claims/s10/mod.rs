@@ -3,12 +3,12 @@
 use super::Claim;
 
 mod differences;
-pub(super) mod drake;
+mod drake;
 mod instances;
-pub(super) mod mujoco;
-pub(super) mod siconos;
+mod mujoco;
+mod siconos;
 mod step_sizes;
-pub(super) mod three_engines;
+mod three_engines;
 
 /// The claims, one slice per file.
 pub const CLAIMS: &[&[Claim]] =

@@ -1,10 +1,22 @@
 //! The impacts on which the claims of this section are decided, in exact rationals.
 
 use crate::Result;
+use crate::impact_laws::poisson;
 use crate::impact_laws::routh::Path;
 use crate::problem::{PlanarProblem, Response};
 use crate::scalar::{Rational, ratio};
 use nalgebra::{DMatrix, DVector};
+
+/// An impact law of frictionless contacts, each with its own e.
+pub type ContactsLaw = fn(&PlanarProblem<Rational>, &[Rational]) -> Result<Response<Rational>>;
+
+/// An impact law of one planar contact with friction, along Routh's path.
+pub type PathLaw = fn(&Path<Rational>, &Rational) -> Result<Response<Rational>>;
+
+/// The end of Poisson's two phases.
+pub fn two_phases(impact: &PlanarProblem<Rational>, restitution: &[Rational]) -> Result<Response<Rational>> {
+    poisson::two_problems(impact, restitution).map(|phases| phases.end)
+}
 
 /// The impact with this W, row by row, and U⁻.
 pub fn impact<const N: usize>(delassus: &[i64], before: [Rational; N]) -> PlanarProblem<Rational> {

@@ -1,7 +1,7 @@
 //! Drake's default, as the pinned release states it.
 
+use crate::claims::experiments::releases;
 use crate::claims::prelude::*;
-use crate::claims::s10::drake::default_solver;
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "V.drake",
@@ -13,7 +13,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
     correct_statement: "As stated of the solver, in the release checked here, 1.51.1, the last for Python 3.11; on the contact model that \
         it solves see S10.drake-default-sap.",
     argument: "A plant of 1.51.1 answers kSap when asked for its solver. Later releases were not asked.",
-    controls: &["The default approximation in place of the default solver."],
+    controls: &["The default approximation in place of the default solver, and TAMSI among the approximations."],
     sources: &["chapter, table of versions", "references/facts/drake.json"],
-    check: default_solver,
+    check: releases::drake_default,
 }];

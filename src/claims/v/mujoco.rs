@@ -1,8 +1,8 @@
 //! MuJoCo's version and defaults, as the pinned release states them.
 
 use crate::claims::experiments::mujoco::facts;
+use crate::claims::experiments::touch::differentiable;
 use crate::claims::prelude::*;
-use crate::claims::s10::mujoco::differentiable;
 use crate::closed_forms::mujoco_contact::ContactParameters;
 
 const STORED: &str = "MuJoCo 3.17.0, asked by scripts/generate_references.py, answers in references/facts/mujoco.json";

@@ -1,7 +1,7 @@
 //! The source files the chapter names, in the releases that could be asked.
 
+use crate::claims::experiments::releases;
 use crate::claims::prelude::*;
-use crate::claims::s10::{drake, mujoco, siconos, three_engines};
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "V.paths",
@@ -16,7 +16,11 @@ pub const CLAIMS: &[Claim] = &[Claim {
         others of MuJoCo and Drake, and those of Bullet and Chrono, are in place. See S10.path-*.",
     argument: "Libraries and source distributions of the pinned releases, read by scripts, and trees of the repositories in August 2026: \
         Chrono, Drake, MuJoCo and Bullet have the files, Siconos has two of four at the printed paths, Pinocchio 4.1.0 none of two.",
-    controls: &["The releases that the paths are of: Siconos 4.5.0, Pinocchio 3.7.0, Drake before the announced removal, MJX's package."],
+    controls: &[
+        "Other releases: Siconos 4.5.0, Pinocchio 4.1.0, Drake after the announced removal, MJX's package; other folders of Bullet and \
+            Chrono.",
+        "Other names and folders than the printed ones.",
+    ],
     sources: &[
         "chapter, table of versions",
         "references/facts, references/bullet, references/pinocchio",
@@ -26,12 +30,10 @@ pub const CLAIMS: &[Claim] = &[Claim {
 }];
 
 fn paths(reading: Reading) -> Result<Vec<Finding>> {
+    use releases::{bullet, chrono, drake, mujoco, pinocchio, siconos};
     let mut findings = Vec::new();
-    for moved in [siconos::paths, mujoco::paths, drake::paths, three_engines::path_pinocchio] {
-        findings.extend(moved(reading)?);
-    }
-    for kept in [three_engines::path_bullet, three_engines::path_chrono] {
-        findings.extend(kept(Reading::Recorded)?);
+    for of_engine in [siconos, mujoco, drake, pinocchio, bullet, chrono] {
+        findings.extend(of_engine(reading)?);
     }
     Ok(findings)
 }
