@@ -248,7 +248,7 @@ fn granular(reading: Reading) -> Result<Vec<Finding>> {
     let for_gpus = |folders: &[&str], end: &str| folders.iter().map(|folder| CHRONO.count_ending(folder, end)).sum::<usize>();
     // three contacts to a body, three rows to a contact, six columns to a body; a large machine has a terabyte
     let (rows, columns, terabyte) = (3 * 3 * 1_000_000, 6 * 1_000_000, 1e3);
-    let gigabytes = |entries: usize| 8e-9 * entries as f64 * rows as f64;
+    let gigabytes = |entries: usize| 8.0 * entries as f64 * rows as f64 / 1e9;
     let of_jacobian = gigabytes(other.pick(entries_per_row(jacobian), columns));
     let of_operator = gigabytes(other.pick(entries_per_row(problem.dense()), rows));
     Ok(vec![
