@@ -20,7 +20,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
     argument: "Documentation of 1.51.1: kSap and kSimilar introduce gliding \"in sliding contact\", O(δt); kLagged does not suffer from \
         it. Under kLagged a block at rest creeps (its friction is regularised), and a slide at 0.7 instead of 0.2 m/s, μ = 0.3, is lifted \
         by nothing: so what is documented is the lift and not the creep. Under kSap with τ = 5 ms the same slide is lifted by 1.35e-3 m \
-        at h = 4 ms and by 9e-4 m at 1 ms; the creep at rest halves with h.",
+        at h = 4 ms and by 1.95e-3 m at 8 ms; the creep at rest halves with h.",
     controls: &[
         "The lift of a slide in place of the creep at rest: under kLagged there is none, as the documentation says of gliding.",
         "kSap and kLagged exchanged.",
@@ -49,7 +49,7 @@ fn gliding(reading: Reading) -> Result<Vec<Finding>> {
         Finding::equal("creep at rest at 4 ms over that at 2 ms, SAP", law.stepped(0.004)? / law.stepped(0.002)?, 2.0, 2.0 * AT_REST, "1"),
         Finding::decision("the block at rest creeps under kLagged as well", amount.abs() > bound, true).says(false),
     ];
-    for h in [0.001, 0.004] {
+    for h in [0.004, 0.008] {
         let name = format!("lift of a faster slide at h = {h} s, SAP");
         findings.push(Finding::equal(name, lift("drake-sap", h)?, predicted_lift(h), settled(h), "m").context());
     }

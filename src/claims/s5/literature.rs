@@ -82,8 +82,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         evidence: Evidence::Measured,
         correct_statement: "As stated, of Lemke's method over its dense tableau and of an iteration to a fixed accuracy that uses the zeros \
             of W: the work of the first grows faster with the contacts. (Its answer is exact, that of an iteration is not.)",
-        argument: "Multiplications on a row of pressed masses, doubled from 20 to 40 and from 40 to 80: pivots times the n (2n + 2) \
-            entries of the tableau grow several times as fast as accelerated gradients times the non-zeros of W. Stewart–Trinkle with four \
+        argument: "Multiplications on a row of pressed masses, doubled from 10 to 20 and from 20 to 40: pivots times the n (2n + 2) \
+            entries of the tableau grow faster than accelerated gradients times the non-zeros of W. Stewart–Trinkle with four \
             directions has 6 unknowns per contact: at 10⁵ contacts a tableau takes more than 10¹² bytes.",
         controls: &["Plain gradients in place of accelerated ones, and a tableau of which a pivot touches one row."],
         sources: &["chapter §5, motivation"],
@@ -170,11 +170,11 @@ fn scaling(reading: Reading) -> Result<Vec<Finding>> {
     let momentum = reading.pick(Momentum::Restarted, Momentum::Plain);
     let touched = |masses: usize| reading.pick(masses * (2 * masses + 2), 2 * masses + 2);
     let mut findings = Vec::new();
-    for masses in [20, 40] {
+    for masses in [10, 20] {
         let pivoting = pivoting_work(2 * masses, touched(2 * masses))? / pivoting_work(masses, touched(masses))?;
         let gradients = gradient_work(2 * masses, momentum)? / gradient_work(masses, momentum)?;
-        let name = format!("growth of the work from {masses} to {} masses, pivots over gradients", 2 * masses);
-        findings.push(Finding::at_least(name, pivoting / gradients, 1.0, "1"));
+        let name = format!("growth of the work from {masses} masses to {}, pivots over gradients", 2 * masses);
+        findings.push(Finding::at_least(name, pivoting / gradients, 1.0, "1").experiment());
     }
     let unknowns: f64 = 6.0 * 1e5;
     findings.push(Finding::at_least("dense tableau of 1e5 contacts", 8.0 * unknowns * unknowns, 1e12, "B").context());
