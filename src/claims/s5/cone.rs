@@ -1,7 +1,6 @@
 //! The projection on the friction cone, its dual, and derivatives of solutions – in the plane, where all of it is rational.
 
 use super::planar_step::PlanarStep;
-use crate::checks::cone_projection::{Projection, moreau_decomposition};
 use crate::claims::prelude::*;
 use crate::cones::second_order::project;
 use crate::cones::{Case, decide};
@@ -19,11 +18,14 @@ pub const CLAIMS: &[Claim] = &[
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Exact,
         correct_statement: "n·v + φ/h ≥ μ‖Dᵀv‖: the law velocity lies in the dual cone K_μ*.",
-        argument: "The printed set is −K_μ. It demands n·v ≤ 0, so it excludes separation, and steady sliding: with μ = 1/2 and n·v = \
-            μ‖v_t‖ = 1/2, which is in K_μ* and orthogonal to r = (1, −1/2), it reads 1/4 + 1 ≤ 0. \
-            Reversing n gives K_μ, not K_μ*: μ stands on the wrong factor unless μ = 1. As the polar cone it fails too: (−1, 19/10) is in \
-            K_μ° but not in the printed set.",
-        controls: &["The dual cone K_μ* as the constraint: both velocities meet it."],
+        argument: "The printed set is −K_μ. It demands n·v ≤ 0, so it excludes separation, and steady sliding: with μ = 1/2 the velocity \
+            (1/2, 1) of a relaxed step is in K_μ* and orthogonal to its impulse, and the printed sum of two positive numbers should not \
+            exceed 0. Reversing n gives K_μ, not K_μ*: μ stands on the wrong factor unless μ = 1. As the polar cone it fails too: (−1, \
+            19/10) is in K_μ° but not in the printed set.",
+        controls: &[
+            "The dual cone K_μ* as the constraint: both velocities meet it.",
+            "Coulomb's step in place of the relaxed one: its impulse takes power from the sliding velocity.",
+        ],
         sources: &[
             "chapter §5, section on creep",
             "Anitescu, Optimization-based simulation of nonsmooth rigid multibody dynamics (2006, not read)",
@@ -41,9 +43,13 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Zero iff z is in the polar cone, μ‖z_t‖ ≤ −z_n; on the surface r_n = (z_n + μ‖z_t‖)/(1 + μ²), r_t = μ r_n \
             z_t/‖z_t‖.",
         argument: "Taken as the rule \"z_n < 0 gives 0\" the words are wrong: for μ = 1 and z = (−1/10, 1) the nearest point is (9/20, \
-            9/20), at distance 0.778, while 0 is at distance 1.005. \
-            Taken as the gloss on the standard result the text refers to, they are right: what is sent to 0 has z_n < 0 or is 0.",
-        controls: &["The words as the rule: every z with z_n < 0 goes to 0."],
+            9/20), at the squared distance 121/200, while 0 is at 101/100. Taken as the gloss on the standard result the text refers to, \
+            they are right: what is sent to 0 has z_n < 0 or is 0. On a grid of 81 points the formula in rationals meets the three \
+            conditions that characterise the projection, and the library's projection agrees with it.",
+        controls: &[
+            "The words as the rule: every z with z_n < 0 goes to 0.",
+            "The sign of z_n reversed in the test for zero, μ‖z_t‖ ≤ z_n.",
+        ],
         sources: &["chapter §5, analytic cone projection"],
         check: projection,
     },
@@ -58,8 +64,12 @@ pub const CLAIMS: &[Claim] = &[
             arbitrary iterate the case says nothing about the state.",
         argument: "At solutions: y = 0 gives z = r ∈ K; y ∈ int K* gives r = 0 and z = −η y ∈ K°; y ≠ 0 on ∂K* orthogonal to r ≠ 0 gives z \
             outside both. Away from them: W = I, u_free = (−1, −2), μ = 1/2 slips, r = (8/5, 4/5), \
-            but the iterate r = (4, 0) with η = 1/2 has z = (5/2, 1), inside the cone – \"stick\".",
-        controls: &["The fixed point of a block that sticks in place of the iterate."],
+            but for the iterate r = (4, 0) with η = 1/2 the point z lies inside the cone – \"stick\".",
+        controls: &[
+            "The fixed point of a block that sticks in place of the iterate.",
+            "z = r + η y, the sign of the step reversed.",
+            "μ = 1/5 in the projection, 1/2 in the step.",
+        ],
         sources: &["chapter §5, physical meaning of the three cases"],
         check: projection_states,
     },
@@ -75,8 +85,11 @@ pub const CLAIMS: &[Claim] = &[
             inside a Newton method on velocities; the two projections agree for R_t = R_n only.",
         argument: "argmin over K of ½(γ − y)ᵀR(γ − y), R = diag(R_n, R_t), is characterised by γ ∈ K, R(y − γ) ∈ K°, γ·R(y − γ) = 0; in \
             the third case γ_n = (y_n + μ̂‖y_t‖)/(1 + μ μ̂). With R_t/R_n = 1/1000, μ = 1/2, y = (1, 2): \
-            γ_n = 1.00075 against 8/5 of the Euclidean projection, which violates the characterisation.",
-        controls: &["R_t = R_n: the projection in the R-norm is the Euclidean one."],
+            γ_n = 4004/4001 against 8/5 of the Euclidean projection, which violates the characterisation.",
+        controls: &[
+            "R_t = R_n: the projection in the R-norm is the Euclidean one.",
+            "The two projections exchanged: the Euclidean one for SAP, that in the R-norm for APGD.",
+        ],
         sources: &[
             "chapter §5, analytic cone projection",
             "Castro, Permenter and Han, An unconstrained convex formulation of compliant contact (2022)",
@@ -105,7 +118,7 @@ pub const CLAIMS: &[Claim] = &[
     },
 ];
 
-type Plane = [Rational; 2];
+pub(super) type Plane = [Rational; 2];
 
 fn plane(normal: [i64; 2], tangent: [i64; 2]) -> Plane {
     [ratio(normal[0], normal[1]), ratio(tangent[0], tangent[1])]
@@ -147,7 +160,7 @@ fn project_weighted(z: &Plane, mu: &Rational, weight: &Rational) -> Plane {
     [normal, if z[1] < zero { -tangent } else { tangent }]
 }
 
-fn euclidean(z: &Plane, mu: &Rational) -> Plane {
+pub(super) fn euclidean(z: &Plane, mu: &Rational) -> Plane {
     project_weighted(z, mu, &ratio(1, 1))
 }
 
@@ -155,12 +168,13 @@ fn relaxed_constraint(reading: Reading) -> Result<Vec<Finding>> {
     let mu = ratio(1, 2);
     let printed = |u: &Plane| mu.clone() * u[0].clone() + magnitude(&u[1]) <= ratio(0, 1);
     let meets = |u: &Plane| match reading {
-        Reading::Recorded => printed(u),
-        Reading::Control(_) => in_dual(u, &mu),
+        Reading::Control(0) => in_dual(u, &mu),
+        _ => printed(u),
     };
+    let law = reading.only(1).pick(Law::Associated, Law::Coulomb);
     // velocity and impulse of a relaxed step of a unit point at φ = 0
     let step = |free: Plane| -> Result<(Plane, Plane)> {
-        let answer = PlanarStep::point(free, ratio(0, 1), mu.clone()).solve(Law::Associated)?;
+        let answer = PlanarStep::point(free, ratio(0, 1), mu.clone()).solve(law)?;
         let both = |vector: &DVector<Rational>| [vector[0].clone(), vector[1].clone()];
         Ok((both(&answer.velocity), both(&answer.impulse)))
     };
@@ -170,7 +184,7 @@ fn relaxed_constraint(reading: Reading) -> Result<Vec<Finding>> {
     let as_polar = printed(&beside) == in_polar(&beside, &mu);
     Ok(vec![
         Finding::decision("the velocity of a relaxed step that slides, (1/2, 1), meets the constraint", meets(&sliding), false).says(true),
-        Finding::exact("power of its impulse (1, −1/2) on it", &dot(&impulse, &sliding), &ratio(0, 1), "J"),
+        Finding::exact("power of its impulse on it", &dot(&impulse, &sliding), &ratio(0, 1), "J"),
         Finding::decision("the velocity of one that separates, (1, 0), meets it", meets(&separating), false).says(true),
         Finding::decision("printed set and polar cone agree on (−1, 19/10)", as_polar, false).context(),
     ])
@@ -180,31 +194,51 @@ fn negative_normal_to_zero(z: &Plane, mu: &Rational) -> Plane {
     if z[0] < ratio(0, 1) { plane([0, 1], [0, 1]) } else { euclidean(z, mu) }
 }
 
-fn negative_normal_is_open(z: &mut [f64], mu: f64) {
-    if z[0] < 0.0 { z.fill(0.0) } else { project(z, mu) }
+fn reversed_normal_to_zero(z: &Plane, mu: &Rational) -> Plane {
+    if in_dual(z, mu) { plane([0, 1], [0, 1]) } else { euclidean(z, mu) }
+}
+
+/// Whether p ∈ K, z − p ∈ K° and p·(z − p) = 0, which the projection p of z meets and nothing else does.
+fn is_nearest(p: &Plane, z: &Plane, mu: &Rational) -> bool {
+    let rest = [z[0].clone() - p[0].clone(), z[1].clone() - p[1].clone()];
+    in_cone(p, mu) && in_polar(&rest, mu) && dot(p, &rest) == ratio(0, 1)
+}
+
+/// Distance of the library's projection of z from this point.
+fn beside_the_library(p: &Plane, z: &Plane, mu: &Rational) -> f64 {
+    let rounded = |point: &Plane| [point[0].to_f64().value(), point[1].to_f64().value()];
+    let (mut library, [normal, tangent]) = (rounded(z), rounded(p));
+    project(&mut library, mu.to_f64().value());
+    (library[0] - normal).hypot(library[1] - tangent)
 }
 
 fn projection(reading: Reading) -> Result<Vec<Finding>> {
-    let rule: Projection = reading.pick(project, negative_normal_is_open);
     let (z, mu) = (plane([-1, 10], [1, 1]), ratio(1, 1));
-    let onto: fn(&Plane, &Rational) -> Plane = reading.pick(euclidean, negative_normal_to_zero);
+    let onto: fn(&Plane, &Rational) -> Plane = match reading {
+        Reading::Recorded => euclidean,
+        Reading::Control(0) => negative_normal_to_zero,
+        Reading::Control(_) => reversed_normal_to_zero,
+    };
     let nearest = onto(&z, &mu);
-    let grid = (-4..=4).flat_map(|n| (-4..=4).map(move |t| plane([n, 2], [t, 2])));
-    let pulled = grid.filter(|z| onto(z, &mu) == plane([0, 1], [0, 1]) && z[0] > ratio(0, 1)).count();
-    let rest = [z[0].clone() - nearest[0].clone(), z[1].clone() - nearest[1].clone()];
-    let mut findings = vec![
+    let squared = |from: &Plane| {
+        let apart = [z[0].clone() - from[0].clone(), z[1].clone() - from[1].clone()];
+        dot(&apart, &apart)
+    };
+    let grid: Vec<Plane> = (-4..=4).flat_map(|n| (-4..=4).map(move |t| plane([n, 2], [t, 2]))).collect();
+    let pulled = grid.iter().filter(|z| onto(z, &mu) == plane([0, 1], [0, 1]) && z[0] > ratio(0, 1)).count();
+    let found = grid.iter().filter(|z| is_nearest(&onto(z, &mu), z, &mu)).count();
+    let beside = grid.iter().map(|z| beside_the_library(&onto(z, &mu), z, &mu)).fold(0.0, f64::max);
+    Ok(vec![
         Finding::exact("r_n of the projection of (−1/10, 1), μ = 1", &nearest[0], &ratio(9, 20), "N·s")
             .says(ratio(0, 1))
             .reading("the rule: every z with z_n < 0 goes to zero"),
+        Finding::exact("its squared distance", &squared(&nearest), &ratio(121, 200), "N²·s²")
+            .says(ratio(101, 100))
+            .reading("the rule: every z with z_n < 0 goes to zero"),
         Finding::count("points of a grid that go to zero with z_n > 0", pulled, 0).reading("a gloss on the standard projection"),
-        Finding::decision("the projection lies in the cone", in_cone(&nearest, &mu), true),
-        Finding::decision("the remainder lies in the polar cone", in_polar(&rest, &mu), true),
-        Finding::exact("projection orthogonal to remainder", &dot(&nearest, &rest), &ratio(0, 1), "N²·s²"),
-    ];
-    for z in [[-0.1, 1.0], [-2.0, 1.0], [2.0, 1.0], [0.5, 1.0]] {
-        findings.extend(moreau_decomposition(rule, &z, 1.0));
-    }
-    Ok(findings)
+        Finding::count("points of a grid, of 81, whose image meets the conditions of the projection", found, 81),
+        Finding::at_most("largest distance from the library's projection", beside, rounding(16, 4.0), "N·s"),
+    ])
 }
 
 /// z = r − η y for W = I.
@@ -215,7 +249,8 @@ fn argument(impulse: &Plane, free: &Plane, step: &Rational) -> (Plane, Plane) {
 }
 
 fn projection_states(reading: Reading) -> Result<Vec<Finding>> {
-    let (mu, step) = (ratio(1, 2), ratio(1, 2));
+    let mu = reading.only(2).pick(ratio(1, 2), ratio(1, 5));
+    let step = reading.only(1).pick(ratio(1, 2), ratio(-1, 2));
     let slipping = plane([-1, 1], [-2, 1]);
     let points = [
         ("slip", plane([8, 5], [4, 5]), slipping.clone(), Case::Boundary),
@@ -229,7 +264,7 @@ fn projection_states(reading: Reading) -> Result<Vec<Finding>> {
         findings.push(Finding::decision(format!("{state}: the projection is in the case {case:?}"), decide(&z, &mu) == case, true));
     }
     // an iterate that is no fixed point, or the fixed point of a block that sticks
-    let (iterate, load) = reading.pick((plane([4, 1], [0, 1]), slipping), (plane([2, 1], [1, 2]), plane([-2, 1], [-1, 2])));
+    let (iterate, load) = reading.only(0).pick((plane([4, 1], [0, 1]), slipping), (plane([2, 1], [1, 2]), plane([-2, 1], [-1, 2])));
     let (z, velocity) = argument(&iterate, &load, &step);
     findings.push(Finding::decision("the iterate (4, 0) is in the case Stays", decide(&z, &mu) == Case::Stays, true));
     findings.push(
@@ -241,33 +276,36 @@ fn projection_states(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 fn weighted_projection(reading: Reading) -> Result<Vec<Finding>> {
-    let (mu, weight) = (ratio(1, 2), reading.pick(ratio(1, 1000), ratio(1, 1)));
+    let (mu, weight) = (ratio(1, 2), reading.only(0).pick(ratio(1, 1000), ratio(1, 1)));
+    let in_norm = |y: &Plane| project_weighted(y, &mu, &weight);
+    let without = |y: &Plane| euclidean(y, &mu);
+    let (of_sap, of_apgd): (&dyn Fn(&Plane) -> Plane, &dyn Fn(&Plane) -> Plane) =
+        reading.only(1).pick((&in_norm, &without), (&without, &in_norm));
     let mut findings = Vec::new();
-    for y in [plane([1, 1], [2, 1]), plane([-1, 10_000], [1, 1]), plane([0, 1], [-3, 1])] {
-        let gamma = project_weighted(&y, &mu, &weight);
-        let rest = [y[0].clone() - gamma[0].clone(), weight.clone() * (y[1].clone() - gamma[1].clone())];
+    let (mut beside, mut bound) = (0.0f64, 0.0f64);
+    for (y, normal) in [
+        (plane([1, 1], [2, 1]), ratio(4004, 4001)),
+        (plane([-1, 10_000], [1, 1]), ratio(8, 20_005)),
+        (plane([0, 1], [-3, 1]), ratio(6, 4001)),
+    ] {
+        let gamma = of_sap(&y);
+        // in the norm of R with R_t/R_n = 1/1000, whatever the subject takes
+        let rest = [y[0].clone() - gamma[0].clone(), ratio(1, 1000) * (y[1].clone() - gamma[1].clone())];
+        let nearest = in_cone(&gamma, &mu) && in_polar(&rest, &mu) && dot(&gamma, &rest) == ratio(0, 1);
         let name = format!("y = ({}, {})", y[0], y[1]);
-        findings.push(Finding::exact(format!("γ·R(y − γ), {name}"), &dot(&gamma, &rest), &ratio(0, 1), "J"));
-        findings.push(Finding::decision(format!("γ ∈ K, {name}"), in_cone(&gamma, &mu), true));
-        findings.push(Finding::decision(format!("R(y − γ) ∈ K°, {name}"), in_polar(&rest, &mu), true));
-        let [normal, tangent] = euclidean(&y, &mu);
-        let differs = gamma != [normal.clone(), tangent.clone()];
+        findings.push(Finding::decision(format!("SAP's γ meets the conditions in the norm of R, {name}"), nearest, true));
         findings.push(
-            Finding::decision(format!("it differs from the Euclidean projection, {name}"), differs, true)
-                .says(false)
-                .violating("R_t = R_n"),
+            Finding::exact(format!("SAP's γ_n, {name}"), &gamma[0], &normal, "N·s").says(&euclidean(&y, &mu)[0]).violating("R_t = R_n"),
         );
-        let mut of_apgd = [y[0].to_f64().value(), y[1].to_f64().value()];
-        let bound = rounding(16, of_apgd[0].hypot(of_apgd[1]));
-        project(&mut of_apgd, 0.5);
-        let apart = (of_apgd[0] - normal.to_f64().value()).hypot(of_apgd[1] - tangent.to_f64().value());
-        findings.push(Finding::equal(format!("APGD's projection less the Euclidean one, {name}"), apart, 0.0, bound, "N·s"));
+        beside = beside.max(beside_the_library(&of_apgd(&y), &y, &mu));
+        bound = bound.max(rounding(16, y[0].to_f64().value().hypot(y[1].to_f64().value())));
     }
+    findings.push(Finding::at_most("APGD's projection less that of the library", beside, bound, "N·s"));
     Ok(findings)
 }
 
 /// One-sided difference quotients in the last parameter; exact, as the solutions are piecewise linear.
-fn one_sided<const N: usize>(solution: impl Fn(Rational) -> [Rational; N], at: &Rational) -> [[Rational; N]; 2] {
+pub(super) fn one_sided<const N: usize>(solution: impl Fn(Rational) -> [Rational; N], at: &Rational) -> [[Rational; N]; 2] {
     [ratio(-1, 100), ratio(1, 100)].map(|step| {
         let (here, there) = (solution(at.clone()), solution(at.clone() + step.clone()));
         std::array::from_fn(|i| (there[i].clone() - here[i].clone()) / step.clone())

@@ -8,9 +8,8 @@ use crate::problem::Law;
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.gliding-creep",
-        statement: "Anitescu's relaxation produces a visible artefact: an object that should stick, for instance a block at rest on an \
-            incline, \
-                    slips slowly with a speed of order h (the chapter quotes Drake's SAP documentation for it).",
+        statement: "Anitescu's relaxation produces a visible artefact: when the normal force is large, an object that should stick gets a \
+            tiny tangential slip, of order O(h). (The example, a block at rest on an incline, is given of Drake's SAP.)",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
@@ -22,18 +21,22 @@ pub(super) const CLAIMS: &[Claim] = &[
                             Drake's SAP with its tangential softness R_t.",
         argument: "At φ = 0, v = 0 the impulse r = h m g (cos α, −sin α) lies in K_μ for tan α ≤ μ and makes u = 0 ∈ K_μ*; r·u = 0, so \
             this is the \
-                   step, and v⁺ is unique. 200 exact steps with tan α = 3/4, μ = 751/1000 and h = 1/10, 1/100, 1/1000 give v_t = 0 and φ = \
-                   0. \
+                   step, and v⁺ is unique. 200 exact steps on the 3-4-5 slope, pressed with 8 m/s² as with 8000 m/s², μ = 751/1000 and h = \
+                   1/10, 1/100, 1/1000 give v_t = 0 and φ = 0. \
                    Sliding (μ = 1/2, started at φ = μ h v_t): complementarity puts u + (φ/h) n on the boundary of K*, φ + h v_n = μ h \
                    |v_t|, and \
                    φ/(μ h v_t) = 1 after every step.",
-        controls: &["The same block with the tangential softness R_t = 1/1000 kg⁻¹ of a regularised scheme, which does creep."],
+        controls: &[
+            "The same block with the tangential softness R_t = 1/1000 kg⁻¹ of a regularised scheme, which does creep.",
+            "μ = 1/2, with which the block slides and hovers.",
+        ],
         sources: &["chapter §5, the price of convexity", "KKT conditions of the convex step"],
         check: no_creep,
     },
     Claim {
         id: "S5.gliding-normal",
-        statement: "When the normal force is large the body slips with a speed proportional to the normal force, although it should stick.",
+        statement: "When the normal force is large the body gets a tiny tangential slip proportional to the normal force, although it \
+            should stick.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
@@ -51,9 +54,9 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S5.gliding-mechanism",
-        statement: "The slip arises because the relaxed constraint μ(n·v) + |Dᵀv| ≤ 0 couples the two velocities: through the gap term and \
-            softening a small \
-                    penetration velocity along the normal leaks into tangential slip.",
+        statement: "The slip arises because the relaxed constraint μ(n·v) + |Dᵀv| ≤ 0 couples the two velocities: in sustained contact, n·v \
+            ≈ 0, that does no harm, but through the gap term and softening there is a small penetration velocity along the normal, which \
+            leaks into tangential slip.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
@@ -64,17 +67,17 @@ pub(super) const CLAIMS: &[Claim] = &[
         argument: "A block with μ = 1 that arrives with v_n = −1/10 under the tangential load of the 3-4-5 slope stops: v⁺ = (0, 0). The \
             same block at rest 1/1000 deep leaves with v⁺ = (1/10, 0) for h = 1/100: no slip in that step. (Gravity then acts along the \
             slope while the contact is open, under Coulomb's law as well.) Conversely a tangential velocity of 1 m/s with μ = 1/2 on \
-            level ground without gravity becomes v_t = 1/(1+μ²) = 4/5 and v_n = μ/(1+μ²) = 2/5. The leak needs the sign as printed: the \
-            set μ n·v + |v_t| ≤ 0 contains the velocity (−9/50, 3/50) of the free motion into the slope and lets it pass. (One mistake, \
-            counted at S5.relaxed-constraint.)",
+            level ground without gravity becomes v_t = 1/(1+μ²) and v_n = μ/(1+μ²) = 2/5. The leak needs the sign as printed: the \
+            set μ n·v + |v_t| ≤ 0 contains the velocity of the free motion into the slope and lets it pass. (One mistake, counted at \
+            S5.relaxed-constraint.)",
         controls: &["The printed set: the velocity it leaves to either block is its free one, because the set contains it."],
         sources: &["chapter §5, the price of convexity and exercise 2"],
         check: no_leak,
     },
     Claim {
         id: "S5.glide-h-not-mu",
-        statement: "The slip is inherent to the scheme and proportional to h, not to the friction coefficient; raising μ only treats the \
-            symptom.",
+        statement: "The O(h) gliding is inherent to the scheme and no wrong parameter; the slip is proportional to h and not (exercise 2) \
+            to the friction coefficient, and raising μ only treats the symptom.",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
@@ -86,7 +89,11 @@ pub(super) const CLAIMS: &[Claim] = &[
             = 2 give the same creep, \
                    because u_t⁺ = (u_t + h g_t)·R_t/(1 + R_t) contains no μ. The gap of a hard slide is φ = μ h v_t: 1/2 and 1/4 of h v_t \
                    for μ = 1/2 and μ = 1/4.",
-        controls: &["The same block with R_t = 1/1000 in place of the hard relaxation: it slips."],
+        controls: &[
+            "The same block with R_t = 1/1000 in place of the hard relaxation: it slips.",
+            "μ = 1/2 < tan α in place of 1: the block slides.",
+            "A damper in place of the softness, R_t ∝ 1/h, as in MuJoCo: its creep does not shrink with h.",
+        ],
         sources: &["chapter §5, pitfalls and exercise 2"],
         check: proportional_to_h,
     },
@@ -99,16 +106,19 @@ fn softness() -> Rational {
 
 fn no_creep(reading: Reading) -> Result<Vec<Finding>> {
     let mut findings = Vec::new();
-    for denominator in [10, 100, 1000] {
-        let h = ratio(1, denominator);
-        let mut block = Block::at_rest(ratio(751, 1000));
-        // rationals of the creeping control grow with every step
-        let steps = reading.pick(200, 10);
-        block.tangential_softness = reading.pick(ratio(0, 1), softness());
+    let friction = reading.only(1).pick(ratio(751, 1000), ratio(1, 2));
+    // rationals of the controls grow with every step
+    let steps = reading.pick(200, 10);
+    for (denominator, press) in [(10, 8), (100, 8), (1000, 8), (100, 8000)] {
+        let (h, normal_gravity) = (ratio(1, denominator), ratio(press, 1));
+        let tangential_gravity = ratio(3, 4) * &normal_gravity;
+        let tangential_softness = reading.only(0).pick(ratio(0, 1), softness());
+        let mut block = Block { normal_gravity, tangential_gravity, tangential_softness, ..Block::at_rest(friction.clone()) };
         block.steps(steps, &h)?;
         let slips = block.velocity[1] != ratio(0, 1);
-        findings.push(Finding::decision(format!("a block that should stick slips, h = 1/{denominator}"), slips, false).says(true));
-        findings.push(Finding::exact(format!("φ of a block that should stick, h = 1/{denominator}"), &block.gap, &ratio(0, 1), "m"));
+        let name = format!("pressed with {press} m/s², h = 1/{denominator}");
+        findings.push(Finding::decision(format!("a block that should stick slips, {name}"), slips, false).says(true));
+        findings.push(Finding::exact(format!("φ of a block that should stick, {name}"), &block.gap, &ratio(0, 1), "m"));
     }
     let (h, mu) = (ratio(1, 100), ratio(1, 2));
     let block = slide(&mu, &h)?;
@@ -126,9 +136,12 @@ fn slide(friction: &Rational, h: &Rational) -> Result<Block> {
     Ok(block)
 }
 
-/// Speed after 20 exact steps from rest with h = 1/100 under the given loads.
+/// Speed after 20 exact steps h from rest under the given loads.
 fn creep(friction: Rational, normal_gravity: Rational, tangential_gravity: Rational, h: &Rational) -> Result<Rational> {
-    let mut block = Block { normal_gravity, tangential_gravity, tangential_softness: softness(), ..Block::at_rest(friction) };
+    softened_creep(Block { normal_gravity, tangential_gravity, tangential_softness: softness(), ..Block::at_rest(friction) }, h)
+}
+
+fn softened_creep(mut block: Block, h: &Rational) -> Result<Rational> {
     block.steps(20, h)?;
     Ok(block.velocity[1].clone())
 }
@@ -188,13 +201,19 @@ fn slip(reading: Reading, mut block: Block, h: &Rational) -> Result<Rational> {
 
 fn proportional_to_h(reading: Reading) -> Result<Vec<Finding>> {
     let h = ratio(1, 100);
-    let of_h = |h: &Rational| creep(ratio(1, 1), ratio(8, 1), ratio(6, 1), h);
-    let between = of_h(&h)? / creep(ratio(2, 1), ratio(8, 1), ratio(6, 1), &h)?;
+    // R_t, or one that grows as 1/h and is the same at h = 1/100
+    let softness_at = |h: &Rational| reading.only(2).pick(softness(), softness() / (ratio(100, 1) * h));
+    let creep = |friction: Rational, h: &Rational| {
+        softened_creep(Block { tangential_softness: softness_at(h), ..Block::at_rest(friction) }, h)
+    };
+    let lower = || reading.only(1).pick(ratio(1, 1), ratio(1, 2));
+    let of_h = |h: &Rational| creep(ratio(1, 1), h);
+    let between = creep(lower(), &h)? / creep(ratio(2, 1), &h)?;
     let gaps = relative_gap(ratio(1, 2), &h)? / relative_gap(ratio(1, 4), &h)?;
     Ok(vec![
         Finding::exact("creep with μ = 1 over creep with μ = 2, R_t = 1/1000", &between, &ratio(1, 1), "1"),
         Finding::exact("creep with h/10 over creep with h", &(of_h(&ratio(1, 1000))? / of_h(&h)?), &ratio(1, 10), "1"),
-        Finding::decision("a block that should stick slips under the hard relaxation", rest_slips(reading)?, false).says(true),
+        Finding::decision("a block that should stick slips under the hard relaxation", rest_slips(reading.only(0))?, false).says(true),
         Finding::exact("sliding gap φ/(h v_t) for μ = 1/2 over that for μ = 1/4", &gaps, &ratio(2, 1), "1").context(),
     ])
 }

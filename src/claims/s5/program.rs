@@ -4,41 +4,45 @@ use super::planar_step::{PlanarStep, box_on_two_corners};
 use crate::certificate::definiteness::{Definiteness, definiteness};
 use crate::claims::prelude::*;
 use crate::problem::Law;
+use crate::solvers::enumeration::all_solutions;
 
 /// The claims of this file.
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "S5.strict-qp",
         statement: "Every step solves a strictly convex quadratic program in the contact impulses γ, whose Hessian is the Delassus \
-            operator N = DᵀM⁻¹D.",
-        verdict: ClaimVerdict::Conditional,
+            operator N = DᵀM⁻¹D (step 5: in general N is positive semidefinite; it is definite, and the program strictly convex, when D \
+            has full column rank).",
+        verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
-        severity: Some(Severity::MissingHypothesis),
+        severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "The program is strictly convex in the velocity, so v⁺ and Nγ are unique. In γ it is convex, and strictly \
-            convex only if D has full column rank.",
-        argument: "N = DᵀM⁻¹D is positive semidefinite, and xᵀNx = 0 exactly for Dx = 0. A box on two corners has 4 contact rows and 3 \
-            velocities: LDLᵀ over the rationals gives rank \
-                   3 and a kernel vector k with Nk = 0. A single corner has N positive definite.",
-        controls: &["One corner instead of two, for which N is positive definite."],
+        correct_statement: "As stated with the condition of step 5, which the summaries of the section leave out: for every D the program \
+            is strictly convex in the velocity, so v⁺ and Nγ are unique; in γ it is strictly convex only if D has full column rank.",
+        argument: "N = DᵀM⁻¹D is positive semidefinite, and xᵀNx = 0 exactly for Dx = 0. A single corner of a box has as many columns as \
+            its D has rank, and LDLᵀ over the rationals finds N definite; two corners have 4 columns of rank 3, and N is singular.",
+        controls: &["The two corners in place of the one, and the one in place of the two."],
         sources: &["chapter §5, steps 3 and 5 of the construction"],
         check: strictness,
     },
     Claim {
         id: "S5.D-rank",
-        statement: "D_i = [d_1, …, d_d] collects tangential direction vectors (§4 takes them in pairs ±d); when D has full column rank (no \
-            redundant contact) N is positive definite, so the solution is unique.",
+        statement: "D_i = [d_1, …, d_d] collects tangential direction vectors, whose impulses are β ≥ 0; when D has full column rank (no \
+            redundant contact) N is positive definite, the program strictly convex and the solution unique.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "The implication holds, but its hypothesis needs columns (n, t₁, t₂) per contact and independent contacts. With \
-            direction pairs ±d the columns are \
-                            dependent for every single contact, and N is singular.",
-        argument: "A point of unit mass with columns (n, t): N = I, definite. With columns (n, d, −d): N = (1,0,0; 0,1,−1; 0,−1,1), which \
-            has the kernel (0,1,1): adding the same amount to both \
-                   opposite impulses changes nothing.",
-        controls: &["Columns (n, t) fed in place of the symmetric direction set."],
+        correct_statement: "The implication holds, but its hypothesis is not that no contact is redundant: it needs columns (n, t₁, t₂) \
+            per contact, with tangential impulses of either sign, and independent contacts. Directions whose non-negative impulses reach \
+            every sense are dependent for every single contact, and N is singular.",
+        argument: "Non-negative combinations of k vectors fill a space of k − 1 dimensions at most, so the d directions of one contact \
+            are dependent. A point of unit mass with columns (n, t): N = I, definite. With columns (n, d, −d): N = (1,0,0; 0,1,−1; \
+            0,−1,1), which has the kernel (0,1,1): adding the same amount to both opposite impulses changes nothing.",
+        controls: &[
+            "Columns (n, t) fed in place of the directions for β ≥ 0.",
+            "The same contact taken twice, (n, t, n, t): a redundant contact in place of a single one.",
+        ],
         sources: &["chapter §4, construction of the polyhedral cone", "chapter §5, steps 1 and 5"],
         check: symmetric_directions_are_dependent,
     },
@@ -46,19 +50,23 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "S5.psd-unique",
         statement: "Even if N is only positive semidefinite, the solution is usually still unique once the friction cone is added; or a \
             proximal regularisation guarantees it.",
-        verdict: ClaimVerdict::False,
+        verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
-        severity: Some(Severity::WrongStatement),
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "If N is singular, v⁺ and Nγ stay unique, but the impulses are in general not: a box that sticks on two corners \
-            has a segment of optimal impulses for every load inside the cones. The alternative the text names does hold: a regularised \
-            program is strictly convex in γ.",
+        correct_statement: "If N is singular, v⁺ and Nγ stay unique. The impulses are unique where the contacts slide, for then the cone \
+            fixes their direction; a box that sticks on two corners has a segment of optimal impulses for every load inside the cones. The \
+            alternative the text names does hold: a regularised program is strictly convex in γ.",
         argument: "Both corners of a box have the same tangential row, so k = (0,1,0,−1) has Nk = 0. If γ is optimal with both corners \
             strictly inside their cones, γ + s k is feasible with the same objective, hence optimal, for all small s; and being strictly \
-            inside is an open condition on the load. Checked exactly for 15 loads between −7/20 and 7/20 m/s along the ground: under none \
-            of them is γ alone optimal among γ, γ ± k/20, and all that are optimal give the same v⁺. The text says “usually”; under no \
-            load that the box bears at rest is it so. A proximal term I/1000 makes N definite.",
-        controls: &["A single contact, where the same shift of the tangential impulse is no longer a solution."],
+            inside is an open condition on the load. All optimal impulses are enumerated in rationals for 14 loads along the ground, \
+            that the box bears at rest and for 14 that make it slide: under none of the first is the solution unique, \
+            under all of the second it is. “Usually” counts as more than half. A proximal term I/1000 makes N definite.",
+        controls: &[
+            "A single corner in place of the two: its N is definite, and every load has one solution.",
+            "μ = 4 in place of 1/2, with which the loads that slide stick.",
+            "The proximal term on the normal rows only.",
+        ],
         sources: &["chapter §5, step 5"],
         check: many_optimal_impulses,
     },
@@ -87,8 +95,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "With v⁺ = v_free + M⁻¹Dγ: ½‖v⁺‖²_M − ½‖v_free‖²_M + (φ/h)·γ_n = ½γᵀNγ + rᵀγ, r = Dᵀv_free + φ/h on the normal \
             rows.",
-        argument: "Expand ½(v_free + M⁻¹Dγ)ᵀM(v_free + M⁻¹Dγ). Checked as an identity of rationals on 12 impulses of a box on two corners \
-            with gaps 1/7 and 2/7 m/s.",
+        argument: "Expand ½(v_free + M⁻¹Dγ)ᵀM(v_free + M⁻¹Dγ). Checked as an identity of rationals on a dozen impulses of a box on two \
+            corners with gaps 1/7 and 2/7 m/s.",
         controls: &["r without the gap term."],
         sources: &["chapter §5, step 3 and exercise 1"],
         check: elimination,
@@ -104,8 +112,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         correct_statement: "γ minimises ½γᵀNγ + rᵀγ over K if and only if K ∋ γ ⟂ Nγ + r ∈ K*, with K* = {u_n ≥ μ‖u_t‖}.",
         argument: "f is convex with gradient y = Nγ + r, so γ is optimal iff y·(x − γ) ≥ 0 for all x ∈ K; x = 0 and x = 2γ give y·γ = 0, \
             and then y·x ≥ 0 on K is y ∈ K*. Conversely \
-                   f(x) − f(γ) = y·(x−γ) + ½‖x−γ‖²_N ≥ 0. Checked exactly for a sliding box: the answer is cone complementary, and none of \
-                   the 81 cone points of a grid around it has a smaller objective.",
+                   f(x) − f(γ) = y·(x−γ) + ½‖x−γ‖²_N ≥ 0. Checked exactly for a sliding box: the answer is cone complementary, and no cone \
+                   point of a grid around it has a smaller objective.",
         controls: &["Coulomb's answer to the same step: it satisfies another complementarity and is not optimal."],
         sources: &["chapter §5, step 4", "first-order optimality over a convex cone"],
         check: optimality,
@@ -119,11 +127,14 @@ pub(super) const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "v⁺ is unique and depends on v_free with Lipschitz constant 1 in the M-norm. Continuity in the geometry and in \
             μ needs a pointed cone of generalised impulses (Slater's condition); γ need not be unique.",
-        argument: "v⁺ is the M-projection of v_free on the convex set {v : Dᵀv + φ/h ∈ K*}, and projections do not expand: 32 pairs of \
-            loads on a box, ‖Δv⁺‖²_M ≤ ‖Δv_free‖²_M exactly. Without Slater continuity fails: \
+        argument: "v⁺ is the M-projection of v_free on the convex set {v : Dᵀv + φ/h ∈ K*}, and projections do not expand: for every pair \
+            of loads on a box that is tried, ‖Δv⁺‖²_M ≤ ‖Δv_free‖²_M exactly. Without Slater continuity fails: \
                    constraints v_y ≥ 0 and εv_x − v_y ≥ 0 and v_free = (−1, 0) give v⁺ = (−1, 0) at ε = 0 but v⁺ = (0, 0) for every ε > 0 \
                    (ε = 10⁻³, 10⁻⁶, 10⁻⁹: distance 1).",
-        controls: &["The second constraint as εv_x + v_y ≥ 0, which leaves the cone pointed: the solution moves by O(ε) only."],
+        controls: &[
+            "The second constraint as εv_x + v_y ≥ 0, which leaves the cone pointed: the solution moves by O(ε) only.",
+            "The two wedges, ε = 0 and ε = 10⁻⁶, under one load in place of pairs of loads on the box.",
+        ],
         sources: &["chapter §5, motivation", "non-expansiveness of projections on convex sets"],
         check: continuity,
     },
@@ -144,22 +155,18 @@ fn first_contact(mut step: PlanarStep) -> PlanarStep {
 }
 
 fn strictness(reading: Reading) -> Result<Vec<Finding>> {
-    let both = resting(ratio(0, 1));
-    let step = reading.pick(both.clone(), first_contact(both));
-    let operator = step.delassus();
-    let (rank, image) = match definiteness(&operator) {
-        Definiteness::Semidefinite { kernel, rank } => {
-            (rank, (&operator * kernel).iter().cloned().fold(ratio(0, 1), |sum, x| sum + x.clone() * x))
-        }
-        _ => (operator.nrows(), ratio(0, 1)),
+    let (two, one) = (resting(ratio(0, 1)), first_contact(resting(ratio(0, 1))));
+    let (independent, redundant) = reading.pick((&one, &two), (&two, &one));
+    let definite = |step: &PlanarStep| definiteness(&step.delassus()) == Definiteness::Definite;
+    let rank = match definiteness(&redundant.delassus()) {
+        Definiteness::Semidefinite { rank, .. } => rank,
+        Definiteness::Definite => redundant.jacobian.nrows(),
+        Definiteness::Indefinite { .. } => 0,
     };
-    let single = definiteness(&first_contact(resting(ratio(0, 1))).delassus());
-    const CONDITION: &str = "D of full column rank";
     Ok(vec![
-        Finding::decision("N is singular", rank < operator.nrows(), true).says(false).violating(CONDITION),
-        Finding::count("rank of N", rank, 3).says(operator.nrows()).violating(CONDITION),
-        Finding::decision("N of one corner is positive definite", single == Definiteness::Definite, true),
-        Finding::exact("|N k|² of the kernel vector", &image, &ratio(0, 1), "m²/s²").context(),
+        Finding::decision("N of a box on one corner, D of full column rank, is definite", definite(independent), true),
+        Finding::decision("N of a box on two corners, D not of full column rank, is definite", definite(redundant), false),
+        Finding::count("rank of its N, of 4 columns and 3 velocities", rank, 3),
     ])
 }
 
@@ -168,44 +175,39 @@ fn symmetric_directions_are_dependent(reading: Reading) -> Result<Vec<Finding>> 
         let d = DMatrix::from_fn(2, columns.len(), |i, j| ratio(columns[j][i], 1));
         definiteness(&(d.transpose() * d))
     };
-    let basis: &[[i64; 2]] = &[[1, 0], [0, 1]];
-    let symmetric = of(reading.pick(&[[1, 0], [0, 1], [0, -1]], basis));
+    let (basis, twice): (&[[i64; 2]], &[[i64; 2]]) = (&[[1, 0], [0, 1]], &[[1, 0], [0, 1], [1, 0], [0, 1]]);
+    let symmetric = of(reading.only(0).pick(&[[1, 0], [0, 1], [0, -1]], basis));
+    let single = of(reading.only(1).pick(basis, twice));
     Ok(vec![
-        Finding::decision("N of (n, d, −d) is positive definite", symmetric == Definiteness::Definite, false)
+        Finding::decision("N of one contact with (n, d, −d) is positive definite", symmetric == Definiteness::Definite, false)
             .says(true)
-            .violating("columns (n, t₁, t₂) per contact, no pairs ±d"),
-        Finding::decision("N of (n, t) is positive definite", of(basis) == Definiteness::Definite, true),
+            .violating("columns (n, t₁, t₂) per contact, no directions for β ≥ 0"),
+        Finding::decision("N of (n, t) is positive definite", single == Definiteness::Definite, true),
     ])
 }
 
 fn many_optimal_impulses(reading: Reading) -> Result<Vec<Finding>> {
-    let (mut single, mut apart) = (0, 0);
-    for k in -7..=7 {
-        let both = resting(ratio(k, 20));
-        let step = reading.pick(both.clone(), first_contact(both));
-        // start from the answer with equal tangential impulses, which is strictly inside for these loads
-        let mut answer = step.solve(Law::Associated)?;
-        let rows = step.jacobian.nrows();
-        if rows == 4 {
-            let mean = (answer.impulse[1].clone() + answer.impulse[3].clone()) * ratio(1, 2);
-            (answer.impulse[1], answer.impulse[3]) = (mean.clone(), mean);
+    let friction = reading.only(1).pick(ratio(1, 2), ratio(4, 1));
+    // loads ±k/20 m/s and ±k/4 + 1/2 m/s along the ground, pressed with 1 m/s
+    let unique_among = |size: fn(i64) -> Rational| -> Result<usize> {
+        let mut unique = 0;
+        for k in (-7..=7).filter(|k| *k != 0) {
+            let two = box_on_two_corners([size(k), ratio(-1, 1), ratio(0, 1)], friction.clone());
+            let step = reading.only(0).pick(two.clone(), first_contact(two));
+            unique += usize::from(all_solutions(&step.edge_lcp())?.is_unique());
         }
-        let mut shift = DVector::from_element(rows, ratio(0, 1));
-        shift[1] = ratio(1, 20);
-        if rows == 4 {
-            shift[3] = ratio(-1, 20);
-        }
-        let candidates = [answer.impulse.clone(), &answer.impulse + &shift, &answer.impulse - &shift];
-        let optimal: Vec<_> = candidates.iter().filter(|impulse| step.is_cone_complementary(impulse)).collect();
-        single += usize::from(optimal.len() == 1);
-        apart += usize::from(optimal.iter().any(|impulse| step.velocity(impulse) != answer.velocity));
-    }
-    let resting = resting(ratio(0, 1));
-    let proximal = resting.delassus() + DMatrix::identity(4, 4) * ratio(1, 1000);
+        Ok(unique)
+    };
+    let ones = if reading == Reading::Control(2) { [1, 0, 1, 0] } else { [1; 4] };
+    let term = DMatrix::from_diagonal(&DVector::from_vec(ones.map(|one| ratio(one, 1000)).to_vec()));
+    let proximal = resting(ratio(0, 1)).delassus() + term;
     Ok(vec![
         // usually: under more than half of them
-        Finding::count("loads, of 15 that the box bears at rest, with one optimal impulse among three", single, 0).says_at_least(8usize),
-        Finding::count("loads with optimal impulses that give different v⁺", apart, 0),
+        Finding::count("loads, of 14 that the box bears at rest, with one optimal impulse", unique_among(|k| ratio(k, 20))?, 0)
+            .says_at_least(8usize)
+            .violating("contacts that share a tangent do not stick together"),
+        Finding::count("loads, of 14 that make it slide, with one optimal impulse", unique_among(|k| ratio(k + 2 * k.signum(), 4))?, 14)
+            .says_at_least(8usize),
         Finding::decision("with a proximal term the program is strictly convex", definiteness(&proximal) == Definiteness::Definite, true),
     ])
 }
@@ -273,18 +275,22 @@ fn continuity(reading: Reading) -> Result<Vec<Finding>> {
     let energy = |v: &DVector<Rational>, mass: &[Rational]| {
         v.iter().zip(mass).fold(ratio(0, 1), |sum, (v, m)| sum + m.clone() * v.clone() * v.clone())
     };
+    let pairs: Vec<[PlanarStep; 2]> = match reading {
+        Reading::Control(1) => vec![[squeezed(ratio(0, 1), -1), squeezed(ratio(1, 1_000_000), -1)]],
+        _ => (0..32).map(|k| [load(k), load(k + 101)].map(|load| box_on_two_corners(load, ratio(1, 2)))).collect(),
+    };
     let mut expansions = 0;
-    for k in 0..32 {
-        let (one, other) = (box_on_two_corners(load(k), ratio(1, 2)), box_on_two_corners(load(k + 101), ratio(1, 2)));
+    for [one, other] in pairs {
         let after = one.solve(Law::Associated)?.velocity - other.solve(Law::Associated)?.velocity;
         let before = &one.free_velocity - &other.free_velocity;
         expansions += usize::from(energy(&after, &one.mass) > energy(&before, &one.mass));
     }
     let mut findings = Vec::new();
-    let sign = reading.pick(-1, 1);
-    let zero = squeezed(ratio(0, 1), sign)?;
+    let sign = reading.only(0).pick(-1, 1);
+    let answer = |epsilon: Rational| -> Result<DVector<Rational>> { Ok(squeezed(epsilon, sign).solve(Law::Associated)?.velocity) };
+    let zero = answer(ratio(0, 1))?;
     let moved = |exponent: u32| -> Result<Rational> {
-        let step = squeezed(ratio(1, 10i64.pow(exponent)), sign)? - &zero;
+        let step = answer(ratio(1, 10i64.pow(exponent)))? - &zero;
         Ok(step.dot(&step))
     };
     let coarse = moved(3)?;
@@ -299,10 +305,10 @@ fn continuity(reading: Reading) -> Result<Vec<Finding>> {
     Ok(findings)
 }
 
-/// v⁺ for v_free = (−1, 0) under v_y ≥ 0 and εv_x ± v_y ≥ 0, without friction.
-fn squeezed(epsilon: Rational, sign: i64) -> Result<DVector<Rational>> {
+/// The step from v_free = (−1, 0) under v_y ≥ 0 and εv_x ± v_y ≥ 0, without friction.
+fn squeezed(epsilon: Rational, sign: i64) -> PlanarStep {
     let zero = || ratio(0, 1);
-    let step = PlanarStep {
+    PlanarStep {
         mass: vec![ratio(1, 1); 2],
         // tangential rows without effect: there is no friction
         jacobian: DMatrix::from_row_slice(4, 2, &[zero(), ratio(1, 1), zero(), zero(), epsilon, ratio(sign, 1), zero(), zero()]),
@@ -310,6 +316,5 @@ fn squeezed(epsilon: Rational, sign: i64) -> Result<DVector<Rational>> {
         shift: DVector::from_element(4, zero()),
         friction: vec![zero(); 2],
         softness: DVector::from_element(4, zero()),
-    };
-    Ok(step.solve(Law::Associated)?.velocity)
+    }
 }

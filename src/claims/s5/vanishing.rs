@@ -21,7 +21,10 @@ pub(super) const CLAIMS: &[Claim] = &[
             follows. With μ = 1/2, V = 1 m/s, g = 10 m/s² the gap rises to at least 1/125 m = 8 mm for h = 1/100 and for h = 1/1000 \
                    (exact steps; the limit is exactly 8 mm), while Coulomb's step stays at φ = 0. Started at φ = μhV the gap never exceeds \
                    μhV.",
-        controls: &["The compatible start φ = μhV in place of φ = 0."],
+        controls: &[
+            "The compatible start φ = μhV in place of φ = 0.",
+            "The shock under the relaxation, φ = 0, in place of the compatible slide and of Coulomb's step.",
+        ],
         sources: &["chapter §5, convergence theorem and pitfalls", "exact steps of the convex program"],
         check: hop,
     },
@@ -40,7 +43,11 @@ pub(super) const CLAIMS: &[Claim] = &[
             All gaps are non-negative and all impulses in the cone, which is what the weak inclusion asks. Coulomb's law with e = 0, which \
             the text calls the correct physics, asks v_n = 0; from the gap μ h V the limit is 0. The paper itself was not read; \
             the statement is judged as printed here.",
-        controls: &["Coulomb's step in place of the relaxed one: its limit is v_n = 0."],
+        controls: &[
+            "Coulomb's step in place of the relaxed one: its limit is v_n = 0.",
+            "A penetration of 1 cm that does not shrink with h in place of either gap: it is thrown out, the faster the shorter the step.",
+            "μ = 1 in the step, 1/2 in the cone.",
+        ],
         sources: &["chapter §5, convergence theorem"],
         check: weak_limit,
     },
@@ -75,7 +82,7 @@ const COMPATIBLE: &str = "no tangential velocity meets a closed contact, φ ≥ 
 fn hop(reading: Reading) -> Result<Vec<Finding>> {
     let compatible = |denominator: i64| ratio(1, 2 * denominator);
     let shocked = |denominator: i64| {
-        let start = reading.pick(ratio(0, 1), compatible(denominator));
+        let start = reading.only(0).pick(ratio(0, 1), compatible(denominator));
         largest_gap(shoved(Law::Associated, start), denominator)
     };
     let (fine, coarse) = (shocked(1000)?, shocked(100)?);
@@ -85,22 +92,23 @@ fn hop(reading: Reading) -> Result<Vec<Finding>> {
         Finding::at_least("largest gap after a shock, h = 1/100", coarse, 1.0 / 125.0, "m").context(),
     ];
     for denominator in [1000, 100] {
-        let slide = largest_gap(shoved(Law::Associated, compatible(denominator)), denominator)?;
+        let (start, law) = reading.only(1).pick((compatible(denominator), Law::Coulomb), (ratio(0, 1), Law::Associated));
+        let slide = largest_gap(shoved(Law::Associated, start), denominator)?;
         findings.push(Finding::at_most(
             format!("largest gap of a compatible slide, h = 1/{denominator}"),
             slide,
             0.5 / denominator as f64,
             "m",
         ));
-        let coulomb = largest_gap(shoved(Law::Coulomb, ratio(0, 1)), denominator)?;
+        let coulomb = largest_gap(shoved(law, ratio(0, 1)), denominator)?;
         findings.push(Finding::at_most(format!("largest gap of Coulomb's step, h = 1/{denominator}"), coulomb, 0.0, "m"));
     }
     Ok(findings)
 }
 
-/// v_n after one step of size h from a gap, and whether gap and impulse are admissible.
-fn first_step(law: Law, gap: Rational, h: &Rational) -> Result<(Rational, bool)> {
-    let mut block = shoved(law, gap);
+/// v_n after one step of size h from a gap, and whether gap and impulse are admissible for μ = ½.
+fn first_step(law: Law, friction: &Rational, gap: Rational, h: &Rational) -> Result<(Rational, bool)> {
+    let mut block = Block { friction: friction.clone(), ..shoved(law, gap) };
     let impulse: DVector<Rational> = block.step(h)?;
     let friction = crate::scalar::Scalar::magnitude(&impulse[1]);
     let admissible = block.gap >= ratio(0, 1) && friction <= ratio(1, 2) * impulse[0].clone();
@@ -108,15 +116,18 @@ fn first_step(law: Law, gap: Rational, h: &Rational) -> Result<(Rational, bool)>
 }
 
 fn weak_limit(reading: Reading) -> Result<Vec<Finding>> {
-    let law = reading.pick(Law::Associated, Law::Coulomb);
-    let (coarse, one) = first_step(law, ratio(0, 1), &ratio(1, 100))?;
-    let (fine, other) = first_step(law, ratio(0, 1), &ratio(1, 200))?;
-    let (finest, third) = first_step(law, ratio(0, 1), &ratio(1, 400))?;
+    let law = reading.only(0).pick(Law::Associated, Law::Coulomb);
+    let half = ratio(1, 2);
+    let friction = reading.only(2).pick(half.clone(), ratio(1, 1));
+    let step = |gap: Rational, h: &Rational| first_step(law, &friction, reading.only(1).pick(gap, ratio(-1, 100)), h);
+    let (coarse, one) = step(ratio(0, 1), &ratio(1, 100))?;
+    let (fine, other) = step(ratio(0, 1), &ratio(1, 200))?;
+    let (finest, third) = step(ratio(0, 1), &ratio(1, 400))?;
     // v_n is linear in h, so extrapolation gives the limit exactly
     let limit = |fine: &Rational, coarse: &Rational| ratio(2, 1) * fine - coarse;
-    let (compatible, _) = first_step(law, ratio(1, 200), &ratio(1, 100))?;
-    let (finer, _) = first_step(law, ratio(1, 400), &ratio(1, 200))?;
-    let (coulomb, _) = first_step(Law::Coulomb, ratio(0, 1), &ratio(1, 400))?;
+    let (compatible, _) = step(ratio(1, 200), &ratio(1, 100))?;
+    let (finer, _) = step(ratio(1, 400), &ratio(1, 200))?;
+    let (coulomb, _) = first_step(Law::Coulomb, &half, ratio(0, 1), &ratio(1, 400))?;
     Ok(vec![
         Finding::exact("limit of v_n as h → 0", &limit(&fine, &coarse), &ratio(2, 5), "m/s").says(coulomb).violating(COMPATIBLE),
         Finding::exact("limit of v_n from the gap μ h v_t", &limit(&finer, &compatible), &ratio(0, 1), "m/s"),

@@ -17,14 +17,18 @@ pub const CLAIMS: &[Claim] = &[
             sliding coefficients are equal, as by default; torsion and rolling need condim 4 and 6.",
         argument: "μ = (1/2, 1/2): the forces 1/2 (3/5, 4/5) and 1/2 (1, 0) per unit of normal force are both on the boundary. μ = (1, \
             1/2): (4/5, 0) inside, (0, 4/5) outside, where an isotropic cone has both or none. In rationals.",
-        controls: &["μ = (1, 1) in place of (1, 1/2)."],
+        controls: &[
+            "μ = (1, 1) in place of (1, 1/2).",
+            "μᵢ in place of μᵢ², the square forgotten.",
+            "μ = (1/2, 1), the coefficients exchanged.",
+        ],
         sources: &["chapter §6, step 4", MODEL],
         check: elliptic,
     },
     Claim {
         id: "S6.pyramidal-cone",
-        statement: "The pyramidal cone {f ∈ ℝ^{2(n−1)}, f ≥ 0} is a polyhedral approximation in edge forces, as of Stewart and Trinkle; \
-            faster to compute (see S6.pyr-faster), but anisotropic.",
+        statement: "The pyramidal cone {f ∈ ℝ^{2(n−1)}, f ≥ 0} is a polyhedral approximation in edge forces, as of Stewart and Trinkle, \
+            and anisotropic. (That it is faster to compute is another claim.)",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
@@ -39,16 +43,25 @@ pub const CLAIMS: &[Claim] = &[
     },
 ];
 
-/// f₁² − Σ fᵢ²/μᵢ² for f₁ = 1.
-fn room(tangent: [Rational; 2], friction: [Rational; 2]) -> Rational {
-    let [first, second] = [0, 1].map(|i| &tangent[i] / &friction[i]);
-    ratio(1, 1) - &first * &first - &second * &second
+/// f₁² − Σ fᵢ²/μᵢ² for f₁ = 1; or with μᵢ for μᵢ².
+fn room(tangent: [Rational; 2], friction: [Rational; 2], squared: bool) -> Rational {
+    let [first, second] = [0, 1].map(|i| {
+        let scale = if squared { &friction[i] * &friction[i] } else { friction[i].clone() };
+        &tangent[i] * &tangent[i] / scale
+    });
+    ratio(1, 1) - first - second
 }
 
 fn elliptic(reading: Reading) -> Result<Vec<Finding>> {
     let (half, zero) = (ratio(1, 2), ratio(0, 1));
     let equal = || [half.clone(), half.clone()];
-    let unequal = || [ratio(1, 1), reading.pick(half.clone(), ratio(1, 1))];
+    let squared = reading.only(1).pick(true, false);
+    let room = |tangent: [Rational; 2], friction: [Rational; 2]| room(tangent, friction, squared);
+    let unequal = || match reading {
+        Reading::Control(0) => [ratio(1, 1), ratio(1, 1)],
+        Reading::Control(2) => [half.clone(), ratio(1, 1)],
+        _ => [ratio(1, 1), half.clone()],
+    };
     let inside = |tangent: [Rational; 2]| room(tangent, unequal()) > zero;
     let along_first = inside([ratio(4, 5), zero.clone()]);
     Ok(vec![

@@ -21,17 +21,16 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Certified,
         correct_statement: "As stated: a_ref = −b φ̇ − k d φ. The stiffness k d depends on the depth through the impedance d, so that the \
             spring is linear only where d is constant.",
-        argument: "Default parameters, φ = −1 mm, φ̇ = −3/10 m/s: b = 2000/19 1/s, k d = 50000/19 1/s², a_ref = 650/19 = 34.2105 m/s². In \
-            rationals, and from the rounded formula that reproduces the stored runs of MuJoCo. The stiffness at half a millimetre is \
-            another one.",
+        argument: "Default parameters, φ = −1 mm, φ̇ = −3/10 m/s: a_ref = 650/19 = 34.2105 m/s², in rationals, and from the rounded \
+            formula that reproduces the stored runs of MuJoCo. The stiffness at half a millimetre is another one.",
         controls: &["φ̇ = +3/10 m/s, with the damper's sign reversed."],
         sources: &["chapter §6, step 3", DOCUMENTATION],
         check: form,
     },
     Claim {
         id: "S6.solref-meaning",
-        statement: "solref = (timeconst, dampratio) fixes the natural frequency and the damping ratio of the spring and damper, with ω₀ = \
-            1/timeconst.",
+        statement: "solref = (timeconst, dampratio) defines time constant and damping ratio of the virtual spring and damper, as natural \
+            frequency and damping ratio, with ω₀ = 1/timeconst (so in the rule timeconst ≥ 2h, and in §8 where that rule comes from).",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
@@ -39,8 +38,8 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "ω₀ = 1/(timeconst · dampratio), so 1/timeconst only at dampratio 1; the frequency and the ratio are those of \
             an unloaded row where d = d_w. A negative solref means (−stiffness, −damping) per mass.",
         argument: "From d² k = ω₀² and d b = 2ζω₀ at d = d_w, in rationals: (1/50 s, 1) has ω₀ = 50 1/s; (1/50, 1/2) has ω₀ = 100, ζ = \
-            1/2; (1/50, 2) has 25. (−2500, −100) is the same as (1/50, 1).",
-        controls: &["dampratio 1 in place of 1/2 and 2."],
+            1/2; (1/50, 2) has ω₀² = 625. (−2500, −100) is the same as (1/50, 1).",
+        controls: &["dampratio 1 in place of 1/2 and 2.", "The surface, where d = d₀, in place of a depth beyond the width."],
         sources: &["chapter §6, step 3 and the numerical example of solref", DOCUMENTATION],
         check: meaning,
     },
@@ -53,8 +52,11 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "They are d² k and d b, the coefficients of the motion of a row that carries no load, from a depth of 1 mm on, \
             where d = d_w. At the surface, d = 9/10, they are 810000/361 = 2243.77 1/s² and 1800/19 = 94.74 1/s.",
-        argument: "k = 1000000/361 1/s², b = 2000/19 1/s and the default impedance, in rationals at depths of 0, 1/2, 1 and 5 mm.",
-        controls: &["A depth of 1 mm in place of 1/2 mm and the surface."],
+        argument: "MuJoCo's k and b, which it divides by d_w, and the default impedance, in rationals at depths of 0, 1/2, 1 and 5 mm.",
+        controls: &[
+            "A depth of 1 mm in place of 1/2 mm and the surface.",
+            "2500 and 100 taken for the coefficients of a_ref at d_w: k d_w = 2500, b = 100.",
+        ],
         sources: &["chapter §6, numerical example of solref", DOCUMENTATION],
         check: effective,
     },
@@ -85,9 +87,9 @@ pub const CLAIMS: &[Claim] = &[
             impact leaves the surface at e⁻² = 13.5 % of its speed. Fastest holds for a given ω₀; for a given timeconst, which is what \
             solref holds fixed, every ζ ≤ 1 decays at the same rate 1/timeconst.",
         argument: "Characteristic polynomial λ² + (2/t_c) λ + 1/(t_c ζ)²: discriminant 0 at ζ = 1, complex roots with real part −1/t_c for \
-            ζ < 1, at ζ = 5/4 the slower root is −2/5 of 1/t_c. An impact at ζ = 1 in steps of 2⁻¹⁴ of 1/ω₀: a two-sided row never comes \
+            ζ < 1, at ζ = 5/4 a root −2/5 of 1/t_c. An impact at ζ = 1 in steps of 2⁻¹⁴ of 1/ω₀: a two-sided row never comes \
             back through the surface; the replay of MuJoCo's contact, constant impedance, rebounds at e⁻².",
-        controls: &["The two-sided row in place of the contact."],
+        controls: &["The two-sided row in place of the contact.", "Half the damping ratio, as if the damping were ζω₀ and not 2ζω₀."],
         sources: &[
             "chapter §6, numerical example of solref",
             "Schwager and Pöschel, Coefficient of restitution and linear–dashpot model revisited (2007)",
@@ -103,9 +105,9 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Certified,
         correct_statement: "As stated. The bounce of a contact falls with ζ without vanishing at 1: e(ζ) = exp(−ζ/√(1−ζ²) · acos(2ζ²−1)), \
             e⁻² at 1, and smaller beyond.",
-        argument: "Replay of MuJoCo's contact at ζ = 1/10, 3/10, 1/2, 1, 2: rebound 0.74408, 0.45098, 0.29844, 0.13534, 0.04777. The \
-            slower root at ζ = 5/4 is −1/2 of ω₀ = 4/5 of 1/t_c, that is −2/5 of 1/t_c; at ζ = 1 it is −1/t_c.",
-        controls: &["1/ζ in place of ζ."],
+        argument: "Replay of MuJoCo's contact at ζ = 1/10, 3/10, 1/2, 1, 2: rebound 0.74408, 0.45098, 0.29844, 0.13534, 0.04777. For ζ ≤ \
+            1 the violation decays as 1/t_c; at ζ = 5/4 the slower root is −2/5 of 1/t_c.",
+        controls: &["1/ζ in place of ζ.", "Half the damping ratio, as if the damping were ζω₀ and not 2ζω₀."],
         sources: &["chapter §6, numerical example of solref", "Schwager and Pöschel (2007)"],
         check: bounce,
     },
@@ -134,23 +136,24 @@ fn form(reading: Reading) -> Result<Vec<Finding>> {
     ])
 }
 
-/// ω₀² \[1/s²\] and 2ζω₀ \[1/s\] of `solref` = (1/50 s, ζ) beyond the width.
-fn beyond_the_width(zeta: &Rational) -> [Rational; 2] {
-    SoftReference::unlimited(&ratio(1, 50), zeta, SoftImpedance::standard()).effective(&millimetres(5, 1))
+/// ω₀² \[1/s²\] and 2ζω₀ \[1/s\] of `solref` = (1/50 s, ζ) at a depth.
+fn at_depth(zeta: &Rational, depth: &Rational) -> [Rational; 2] {
+    SoftReference::unlimited(&ratio(1, 50), zeta, SoftImpedance::standard()).effective(depth)
 }
 
 fn meaning(reading: Reading) -> Result<Vec<Finding>> {
     let one = ratio(1, 1);
     // 1/timeconst, squared, and with 2ζ before it
     let printed = |zeta: &Rational| [ratio(2500, 1), ratio(2, 1) * zeta * ratio(50, 1)];
-    let [square, twice] = beyond_the_width(&one);
+    let depth = reading.only(1).pick(millimetres(5, 1), ratio(0, 1));
+    let [square, twice] = at_depth(&one, &depth);
     let mut findings = vec![
         Finding::exact("ω₀² at ζ = 1", &square, &ratio(2500, 1), "1/s²").says(&printed(&one)[0]),
         Finding::exact("2ζω₀ at ζ = 1", &twice, &ratio(100, 1), "1/s").says(&printed(&one)[1]),
     ];
     for (zeta, expected, name) in [(ratio(1, 2), 10_000, "1/2"), (ratio(2, 1), 625, "2")] {
-        let zeta = reading.pick(zeta, one.clone());
-        let [square, twice] = beyond_the_width(&zeta);
+        let zeta = reading.only(0).pick(zeta, one.clone());
+        let [square, twice] = at_depth(&zeta, &depth);
         let [stated, stated_twice] = printed(&zeta);
         findings
             .push(Finding::exact(format!("ω₀² at ζ = {name}"), &square, &ratio(expected, 1), "1/s²").says(stated).violating("dampratio 1"));
@@ -164,9 +167,11 @@ fn meaning(reading: Reading) -> Result<Vec<Finding>> {
 
 fn effective(reading: Reading) -> Result<Vec<Finding>> {
     let (millimetre, half) = (millimetres(1, 1), ratio(37, 40));
+    let undivided = SoftReference { stiffness: ratio(2500, 1) * ratio(20, 19), damping: ratio(100, 1), ..standard() };
+    let contact = reading.only(1).pick(standard(), undivided);
     let mut findings = Vec::new();
     for (place, depth) in [("1 mm", millimetre.clone()), ("5 mm", millimetres(5, 1))] {
-        let [k, b] = standard().effective(&depth);
+        let [k, b] = contact.effective(&depth);
         findings.push(Finding::exact(format!("d² k at {place}"), &k, &ratio(2500, 1), "1/s²"));
         findings.push(Finding::exact(format!("d b at {place}"), &b, &ratio(100, 1), "1/s"));
     }
@@ -175,7 +180,7 @@ fn effective(reading: Reading) -> Result<Vec<Finding>> {
         ("the surface", ratio(0, 1), ratio(810_000, 361), ratio(1800, 19)),
     ];
     for (place, depth, stiffness, damping) in within {
-        let [k, b] = standard().effective(&reading.pick(depth, millimetre.clone()));
+        let [k, b] = contact.effective(&reading.only(0).pick(depth, millimetre.clone()));
         let condition = "a depth of at least the width, where d = d_w";
         findings.push(Finding::exact(format!("d² k at {place}"), &k, &stiffness, "1/s²").says(ratio(2500, 1)).violating(condition));
         findings.push(Finding::exact(format!("d b at {place}"), &b, &damping, "1/s").says(ratio(100, 1)).violating(condition));
@@ -201,24 +206,27 @@ fn coefficients(reading: Reading) -> Result<Vec<Finding>> {
     ])
 }
 
-/// The slower rate of decay of λ² + (2/t_c) λ + 1/(t_c ζ)² for ζ ≥ 1 with √(1 − 1/ζ²) = `root`, in units of 1/t_c; checked to be a root.
-fn slower_rate(zeta: &Rational, root: &Rational) -> (Rational, Rational) {
-    let rate = ratio(1, 1) - root;
-    let residual = &rate * &rate - ratio(2, 1) * &rate + ratio(1, 1) / (zeta * zeta);
-    (rate, residual)
+/// λ² + 2λ + 1/ζ², the characteristic polynomial in units of 1/t_c.
+fn characteristic(rate: &Rational, zeta: &Rational) -> Rational {
+    rate * rate + ratio(2, 1) * rate + ratio(1, 1) / (zeta * zeta)
+}
+
+/// A quarter of its discriminant.
+fn discriminant(zeta: &Rational) -> Rational {
+    ratio(1, 1) - ratio(1, 1) / (zeta * zeta)
 }
 
 fn rebound_at(zeta: f64) -> f64 {
     rebound(zeta, 1.0 / OSCILLATOR_PARTS as f64)
 }
 
-/// Speed [m/s] at which a critically damped row that may pull comes back through the surface after an impact at 1 m/s, in the steps of
-/// [`rebound_at`] and units of ω₀ = 1; 0 if it does not within 40/ω₀.
-fn two_sided_rebound() -> f64 {
+/// Speed [m/s] at which a row that may pull comes back through the surface after an impact at 1 m/s, in the steps of [`rebound_at`] and
+/// units of ω₀ = 1; 0 if it does not within 40/ω₀.
+fn two_sided_rebound(zeta: f64) -> f64 {
     let h = 1.0 / OSCILLATOR_PARTS as f64;
     let (mut depth, mut inwards) = (0.0, 1.0);
     for _ in 0..40 * OSCILLATOR_PARTS {
-        inwards -= h * (depth + 2.0 * inwards);
+        inwards -= h * (depth + 2.0 * zeta * inwards);
         depth += h * inwards;
         if depth < 0.0 {
             return -inwards;
@@ -228,22 +236,23 @@ fn two_sided_rebound() -> f64 {
 }
 
 fn critical(reading: Reading) -> Result<Vec<Finding>> {
-    // a quarter of the discriminant, in units of 1/t_c²
-    let discriminant = |zeta: &Rational| ratio(1, 1) - ratio(1, 1) / (zeta * zeta);
-    let (rate, residual) = slower_rate(&ratio(5, 4), &ratio(3, 5));
+    let share = reading.only(1).pick(ratio(1, 1), ratio(1, 2));
+    let zeta = |numerator: i64, denominator: i64| ratio(numerator, denominator) * &share;
+    let critical = Scalar::to_f64(&zeta(1, 1));
     let contact = match reading {
-        Reading::Recorded => rebound_at(1.0),
-        Reading::Control(_) => two_sided_rebound(),
+        Reading::Control(0) => two_sided_rebound(critical),
+        _ => rebound_at(critical),
     };
+    let zero = ratio(0, 1);
+    let oscillates = [zeta(99, 100), zeta(1, 1), zeta(5, 4)].map(|zeta| discriminant(&zeta) < zero);
     Ok(vec![
         Finding::equal("rebound of an impact at 1 m/s, ζ = 1", contact, (-2.0f64).exp(), oscillator_rebound(1.0), "m/s")
             .says(0.0)
             .violating("the row may pull"),
-        Finding::equal("rebound of an impact on a row that may pull, ζ = 1", two_sided_rebound(), 0.0, 0.0, "m/s"),
-        Finding::exact("discriminant at ζ = 1", &discriminant(&ratio(1, 1)), &ratio(0, 1), "1/t_c²"),
-        Finding::decision("complex roots −1/t_c ± iω at ζ = 99/100", discriminant(&ratio(99, 100)) < ratio(0, 1), true),
-        Finding::exact("slower rate at ζ = 5/4", &rate, &ratio(2, 5), "1/t_c"),
-        Finding::exact("residual of that root", &residual, &ratio(0, 1), "1/t_c²"),
+        Finding::equal("rebound of an impact on a row that may pull, ζ = 1", two_sided_rebound(critical), 0.0, 0.0, "m/s"),
+        Finding::exact("discriminant at ζ = 1", &discriminant(&zeta(1, 1)), &zero, "1/t_c²"),
+        Finding::decision("of ζ = 99/100, 1 and 5/4 the first alone oscillates", oscillates == [true, false, false], true),
+        Finding::exact("characteristic polynomial at −2/5 of 1/t_c, ζ = 5/4", &characteristic(&ratio(-2, 5), &zeta(5, 4)), &zero, "1/t_c²"),
     ])
 }
 
@@ -251,15 +260,25 @@ fn bounce(reading: Reading) -> Result<Vec<Finding>> {
     let mut findings = Vec::new();
     let mut rebounds = Vec::new();
     for zeta in [0.1, 0.3, 0.5, 1.0, 2.0] {
-        let measured = rebound_at(reading.pick(zeta, 1.0 / zeta));
+        let subject = match reading {
+            Reading::Recorded => zeta,
+            Reading::Control(0) => 1.0 / zeta,
+            Reading::Control(_) => 0.5 * zeta,
+        };
+        let measured = rebound_at(subject);
         let expected = spring_damper_restitution(zeta);
         findings.push(Finding::equal(format!("rebound at ζ = {zeta}"), measured, expected, oscillator_rebound(zeta), "m/s"));
         rebounds.push(measured);
     }
     let falls = rebounds.windows(2).all(|pair| pair[1] < pair[0]);
-    let (rate, residual) = slower_rate(&ratio(5, 4), &ratio(3, 5));
+    let over = reading.only(0).pick(ratio(5, 4), ratio(4, 5)) * reading.only(1).pick(ratio(1, 1), ratio(1, 2));
     findings.push(Finding::decision("the rebound falls with ζ", falls, true));
-    findings.push(Finding::decision("ζ = 5/4 returns more slowly than ζ = 1", rate < ratio(1, 1), true));
-    findings.push(Finding::exact("residual of its slower root", &residual, &ratio(0, 1), "1/t_c²"));
+    findings.push(Finding::decision(
+        "ζ = 5/4 returns more slowly than 1/t_c, having two real roots about it",
+        discriminant(&over) > ratio(0, 1),
+        true,
+    ));
+    let root = characteristic(&ratio(-2, 5), &over);
+    findings.push(Finding::exact("characteristic polynomial at −2/5 of 1/t_c, ζ = 5/4", &root, &ratio(0, 1), "1/t_c²"));
     Ok(findings)
 }

@@ -15,8 +15,8 @@ const MODEL: &str = "MuJoCo documentation, Computation: constraint model (3.17)"
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "S6.lcp-nondiff",
-        statement: "Hard contact is not differentiable: the solution of an LCP is not where the active set switches, and even the convex \
-            cone problem is only subdifferentiable at the boundary of the cone, between stick and slip.",
+        statement: "Hard contact is not differentiable, or hard to differentiate: the solution of an LCP is not where the active set \
+            switches, and even the convex cone problem is only subdifferentiable at the boundary of the cone, between stick and slip.",
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
@@ -25,7 +25,10 @@ pub const CLAIMS: &[Claim] = &[
             changes the size of the kinks and does not remove them (S6.smooth-everywhere).",
         argument: "f = max(0, −q/W), W = 2: one-sided derivatives −1/2 and 0 at q = 0. Cone with μ = 1/2 and W = I at the load (−2, 1), \
             where stick becomes slip: ∂f_t/∂b_t = −1 on the side of stick and −1/5 on that of slip. Dual numbers over rationals.",
-        controls: &["q = −1 and the load (−2, 1/2), inside the active sets."],
+        controls: &[
+            "q = −1 and the load (−2, 1/2), inside contact and stick.",
+            "q = 1 and the load (−2, 2), outside contact and inside slip.",
+        ],
         sources: &["chapter §6, hard contact and learning", "Cottle, Pang and Stone, The Linear Complementarity Problem, chapter 7"],
         check: hard_kinks,
     },
@@ -41,7 +44,8 @@ pub const CLAIMS: &[Claim] = &[
             approach speed |v|. As a function of the control it is Lipschitz, with kinks where a contact begins to press and where it \
             begins to slip.",
         argument: "1 kg at −1 m/s under 9.81 m/s², default parameters: 0 above the surface, 9/10 (2000/19 + 981/100) = 103.566 N just \
-            below; with d₀ = 0, which counts as 1/10000, 0.0115 N. Control: ∂f/∂τ is 0 on one side of the onset and d = 9/10 on the other. \
+            below; with d₀ = 0, which MuJoCo raises to its least value, 0.0115 N. Control: ∂f/∂τ is 0 on one side of the onset and d = \
+            9/10 on the other. \
             Load across the change from stick to slip, R = 1/9: ∂f_t/∂b_t = −9/10 and −9/50.",
         controls: &["A quarter of a millimetre inside contact, and a load inside contact and inside stick."],
         sources: &["chapter §6, MuJoCo's choice, bridge, and the pitfall on hard contact", MODEL],
@@ -96,8 +100,13 @@ fn onset(row: &SoftRow<Rational>, load: &Rational) -> [Rational; 2] {
 fn hard_kinks(reading: Reading) -> Result<Vec<Finding>> {
     let zero = ratio(0, 1);
     let row = SoftRow { inverse_inertia: ratio(2, 1), regularisation: zero.clone() };
-    let [above, below] = onset(&row, &reading.pick(zero.clone(), ratio(-1, 1)));
-    let [slip, stick] = slopes(&zero, &reading.pick(ratio(1, 1), ratio(1, 2)));
+    let (load, tangent) = match reading {
+        Reading::Recorded => (zero.clone(), ratio(1, 1)),
+        Reading::Control(0) => (ratio(-1, 1), ratio(1, 2)),
+        Reading::Control(_) => (ratio(1, 1), ratio(2, 1)),
+    };
+    let [above, below] = onset(&row, &load);
+    let [slip, stick] = slopes(&zero, &tangent);
     Ok(vec![
         Finding::exact("∂f/∂q of an LCP, side of no contact", &above, &zero, "kg"),
         Finding::exact("∂f/∂q, side of contact", &below, &ratio(-1, 2), "kg"),

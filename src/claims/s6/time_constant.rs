@@ -6,7 +6,8 @@ use crate::claims::s8::spring::{SEMI_IMPLICIT, both_sides, is_stable, matrix, po
 use crate::closed_forms::soft_impedance::SoftImpedance;
 use crate::closed_forms::soft_reference::SoftReference;
 use crate::closed_forms::spring_damper as closed;
-use crate::integrators::SpringDamper;
+use crate::closed_forms::mujoco_normal::NormalContact;
+use crate::integrators::{SpringDamper, Theta};
 use crate::integrators::stability::{Powers, invariants, spectral_radius};
 use crate::tolerance::claims::pathology as tolerance;
 use crate::tolerance::rounding;
@@ -25,10 +26,8 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "MuJoCo enforces it: with refsafe, the default, a smaller timeconst counts as 2h. The direct form (−stiffness, \
             −damping) is not limited. It keeps contacts with dampratio > 1/(2√2) = 0.354 stable, and no others.",
         argument: "h = 2 ms: timeconst 1, 2 and 3 ms have the k and b of 4 ms, in rationals. At timeconst = 2h, s = hω₀ = 1/(2ζ), which is \
-            below the bound 2(√(1+ζ²) − ζ) iff ζ² > 1/8: decided at ζ = 36/100 and 35/100. MuJoCo 3.17 itself, a ball of 1 kg released 1 \
-            mm above the floor at timeconst = 2h and constant impedance, is calm with dampratio 0.4 and thrown 43 mm high and more with \
-            0.35, 9 m with 0.2.",
-        controls: &["dampratio 0.4 in place of 0.35 and 0.2."],
+            below the bound 2(√(1+ζ²) − ζ) for ζ above 1/(2√2): decided at ζ = 36/100 and 35/100.",
+        controls: &["dampratio 0.4 in place of 0.35 and 0.2.", "refsafe off and timeconst = h."],
         sources: &[STABILITY, REFSAFE],
         check: enforced,
     },
@@ -45,7 +44,10 @@ pub const CLAIMS: &[Claim] = &[
         argument: "w = h/timeconst: z² − (2 − 2w − w²)z + (1 − 2w) = 0. The determinant is 0 at 2h and negative below; decided in \
             rationals: decay at 1.9h, 1.5h, 1.25h, growth at 1.2h, and both sides of 1.2071h. Spectral radius 0.69906 at 1.5h. Replayed \
             contact: at rest with 1.5h, thrown up again and again with 1.2h.",
-        controls: &["timeconst = 1.2h in place of all longer ones."],
+        controls: &[
+            "timeconst = 1.2h in place of all longer ones.",
+            "The implicit rule in place of the semi-implicit one, and refsafe on.",
+        ],
         sources: &[STABILITY],
         check: stability,
     },
@@ -59,7 +61,11 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "For dampratio 1. Since ω₀ = 1/(timeconst · dampratio), timeconst < 2h means ω₀ > 1/(2h · dampratio).",
         argument: "h = 1: timeconst = 3, dampratio 1/2: ω₀ = 2/3 > 1/2 although timeconst ≥ 2h; timeconst = 1, dampratio 4: ω₀ = 1/4 < 1/2 \
             although timeconst < 2h. With dampratio 1, timeconst 199/100 and 201/100 lie on the two sides.",
-        controls: &["dampratio 1 in place of 1/2 and 4."],
+        controls: &[
+            "dampratio 1 in place of 1/2 and 4.",
+            "The impedance of the surface in place of d_w, with which the row is softer.",
+            "The step doubled, h = 2.",
+        ],
         sources: &[STABILITY],
         check: faster_than_the_step,
     },
@@ -74,7 +80,7 @@ pub const CLAIMS: &[Claim] = &[
             does not prevent divergence (S6.timeconst-2h-doc).",
         argument: "h ω₀ = 1/(2ζ) at timeconst = 2h, in rationals from the coefficients: 1/2 at ζ = 1, 5 at ζ = 1/10; three steps per \
             period need hω₀ < 2π/3 < 21/10.",
-        controls: &["ζ = 1 in place of 1/10."],
+        controls: &["ζ = 1 in place of 1/10.", "timeconst = h/4, against the rule."],
         sources: &[STABILITY],
         check: period,
     },
@@ -87,7 +93,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "As stated, at dampratio 1: the default has w = h/timeconst = 1/10 against the bound 0.828.",
         argument: "Powers of the step matrix at w = 1/10 and at w = 1/2 decay; 20 ms is not moved by the limit, 3 ms is.",
-        controls: &["timeconst 2 ms in place of 4 ms."],
+        controls: &["timeconst 2 ms in place of 4 ms.", "h = 20 ms in place of 2 ms."],
         sources: &[STABILITY],
         check: example,
     },
@@ -104,7 +110,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Ball of 1 kg dropped from 1 mm on the replayed contact, h = 1 ms, constant impedance: timeconst = h/2 throws it higher \
             than it fell from without the limit, and not with a tenth of the step; with the limit it rests, at the same depth for \
             timeconst = h/2, h and 2h.",
-        controls: &["The unlimited contact in the place of the limited one."],
+        controls: &["The unlimited contact in the place of the limited one.", "The step and its tenth exchanged."],
         sources: &["chapter §6, pitfall on stiffness", REFSAFE],
         check: stiff,
     },
@@ -118,7 +124,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "By default nothing, for it counts as 4 ms. Without refsafe a two-sided row oscillates with alternating sign \
             and grows by the golden ratio, 1.618, every step; a contact is thrown up.",
         argument: "w = 1, ζ = 1: trace −1, determinant −1, z² + z − 1 = 0, z = −(1+√5)/2.",
-        controls: &["refsafe off."],
+        controls: &["refsafe off.", "The default timeconst, 10h, in place of h."],
         sources: &["chapter §6, exercise 2", REFSAFE],
         check: equal_to_the_step,
     },
@@ -128,94 +134,112 @@ pub const CLAIMS: &[Claim] = &[
 fn at_two_milliseconds(milliseconds: i64, limited: bool) -> SoftReference<Rational> {
     let (time, one) = (ratio(milliseconds, 1000), ratio(1, 1));
     match limited {
-        true => SoftReference::limited(&time, &one, &ratio(2, 1000), SoftImpedance::standard()),
+        true => with_limit(milliseconds, 2),
         false => SoftReference::unlimited(&time, &one, SoftImpedance::standard()),
     }
 }
 
+/// k and b of `solref` = (t_c, 1) with refsafe at a step, both in milliseconds.
+fn with_limit(milliseconds: i64, h: i64) -> SoftReference<Rational> {
+    SoftReference::limited(&ratio(milliseconds, 1000), &ratio(1, 1), &ratio(h, 1000), SoftImpedance::standard())
+}
+
 fn enforced(reading: Reading) -> Result<Vec<Finding>> {
     let limit = at_two_milliseconds(4, false);
-    let mut findings = Vec::new();
-    for milliseconds in [1, 2, 3] {
-        let same = at_two_milliseconds(milliseconds, true) == limit;
-        findings.push(Finding::decision(format!("timeconst {milliseconds} ms counts as 4 ms"), same, true));
+    let refsafe = reading.only(1).pick(true, false);
+    let same = [1, 2, 3].iter().all(|milliseconds| at_two_milliseconds(*milliseconds, refsafe) == limit);
+    let mut findings = vec![Finding::decision("timeconst 1, 2 and 3 ms count as 4 ms", same, true)];
+    // h/timeconst
+    let share = reading.only(1).pick(ratio(1, 2), ratio(1, 1));
+    let stable = |zeta: &Rational| is_stable(&SEMI_IMPLICIT, zeta, &(&share / zeta));
+    for zeta in [ratio(1, 1), ratio(36, 100)] {
+        findings.push(Finding::decision(format!("stable at timeconst = 2h, ζ = {zeta}"), stable(&zeta), true));
     }
-    let stable = |hundredths: i64| {
-        let zeta = ratio(hundredths, 100);
-        is_stable(&SEMI_IMPLICIT, &zeta, &(ratio(1, 2) / &zeta))
-    };
-    for hundredths in [100, 36] {
-        findings.push(Finding::decision(format!("stable at timeconst = 2h, ζ = {hundredths}/100"), stable(hundredths), true));
-    }
-    for hundredths in [35, 20] {
-        let name = format!("stable at timeconst = 2h, ζ = {hundredths}/100");
-        let found = stable(reading.pick(hundredths, 40));
+    for zeta in [ratio(35, 100), ratio(20, 100)] {
+        let name = format!("stable at timeconst = 2h, ζ = {zeta}");
+        let found = stable(&reading.only(0).pick(zeta, ratio(40, 100)));
         findings.push(Finding::decision(name, found, false).says(true).violating("dampratio above 1/(2√2)"));
     }
     Ok(findings)
 }
 
-/// What becomes of the powers at t_c = `tenths` h/100, ζ = 1.
-fn powers_with(hundredths: i64) -> Powers {
-    powers_at(&SEMI_IMPLICIT, &ratio(1, 1), &ratio(100, hundredths))
+/// What becomes of the powers at ζ = 1 and h/t_c.
+fn powers_with(share: &Rational) -> Powers {
+    powers_at(&SEMI_IMPLICIT, &ratio(1, 1), share)
 }
 
 fn stability(reading: Reading) -> Result<Vec<Finding>> {
     let one = ratio(1, 1);
+    let shorter = |time: Rational| reading.only(0).pick(time, ratio(6, 5));
+    let implicit = Theta { theta: ratio(1, 1) };
+    let step = |share: &Rational| match reading {
+        Reading::Control(1) => matrix(&implicit, &SpringDamper::of_ratio(one.clone()), share),
+        _ => matrix(&SEMI_IMPLICIT, &SpringDamper::of_ratio(one.clone()), share),
+    };
+    let powers = |share: &Rational| match reading {
+        Reading::Control(1) => powers_at(&implicit, &one, share),
+        _ => powers_with(share),
+    };
     let mut findings = Vec::new();
-    for hundredths in [190, 150, 125] {
-        let decays = powers_with(reading.pick(hundredths, 120)) == Powers::Decay;
-        findings.push(Finding::decision(format!("t_c = {hundredths}/100 h decays"), decays, true).says(false));
+    for time in [ratio(19, 10), ratio(3, 2), ratio(5, 4)] {
+        let decays = powers(&(&one / shorter(time.clone()))) == Powers::Decay;
+        findings.push(Finding::decision(format!("t_c = {time} h decays"), decays, true).says(false));
     }
-    findings.push(Finding::decision("t_c = 120/100 h grows", powers_with(120) == Powers::GrowExponentially, true));
+    findings.push(Finding::decision("t_c = 6/5 h grows", powers(&ratio(5, 6)) == Powers::GrowExponentially, true));
     let bound = closed::semi_implicit(1.0);
-    let [below, above] = both_sides("critical damping", &SEMI_IMPLICIT, 1.0, reading.pick(bound, 100.0 / 120.0));
+    let place = reading.only(0).pick(bound, 5.0 / 6.0);
+    let [below, above] = match reading {
+        Reading::Control(1) => both_sides("critical damping", &implicit, 1.0, place),
+        _ => both_sides("critical damping", &SEMI_IMPLICIT, 1.0, place),
+    };
     findings.extend([below.says(false), above]);
-    let critical = |w: &Rational| matrix(&SEMI_IMPLICIT, &SpringDamper::of_ratio(one.clone()), w);
-    let [_, under] = invariants(&critical(&ratio(100, 199)));
-    let [_, at] = invariants(&critical(&ratio(1, 2)));
-    let radius = spectral_radius(&critical(&reading.pick(ratio(2, 3), ratio(5, 6))).map(|entry| Scalar::to_f64(&entry)));
+    let [_, under] = invariants(&step(&ratio(100, 199)));
+    let [_, at] = invariants(&step(&ratio(1, 2)));
+    let radius = spectral_radius(&step(&(&one / shorter(ratio(3, 2)))).map(|entry| Scalar::to_f64(&entry)));
     // trace 2 − 4/3 − 4/9 = 2/9 and determinant −1/3: 1/9 + √(1/81 + 1/3)
     let expected = (1.0 + 28f64.sqrt()) / 9.0;
-    let speed = |parts: f64| land(&unlimited_contact(0.001, parts * 0.001), 0.001, 2000).speed;
-    let (step, jitter) = (tolerance::rest_speed(GRAVITY, 0.001), GRAVITY * 0.001);
+    let contact = reading.only(1).pick(unlimited_contact as fn(f64, f64) -> NormalContact, limited_contact);
+    let speed = |time: &Rational| land(&contact(0.001, Scalar::to_f64(time) * 0.001), 0.001, 2000).speed;
+    let (rest, jitter) = (tolerance::rest_speed(GRAVITY, 0.001), GRAVITY * 0.001);
     findings.extend([
+        Finding::equal("bound of t_c/h", 1.0 / bound, 0.5 * (1.0 + 2f64.sqrt()), rounding(4, 2.0), "1").context(),
         Finding::exact("determinant at t_c = 2h", &at, &ratio(0, 1), "1").context(),
         Finding::decision("determinant negative at 1.99h", under < ratio(0, 1), true),
         Finding::equal("spectral radius at t_c = 1.5h", radius, expected, rounding(16, 1.0), "1").says_at_least(1.0),
-        Finding::equal("speed of a ball at rest, t_c = 1.5h", speed(reading.pick(1.5, 1.2)), 0.0, step, "m/s").says_at_least(jitter),
-        Finding::at_least("speed with t_c = 1.25h", speed(1.25), jitter, "m/s"),
-        Finding::at_least("speed with t_c = 1.2h", speed(1.2), jitter, "m/s"),
+        Finding::equal("speed of a ball at rest, t_c = 1.5h", speed(&shorter(ratio(3, 2))), 0.0, rest, "m/s").says_at_least(jitter),
+        Finding::at_least("speed with t_c = 1.25h", speed(&ratio(5, 4)), jitter, "m/s"),
+        Finding::at_least("speed with t_c = 1.2h", speed(&ratio(6, 5)), jitter, "m/s"),
     ]);
     Ok(findings)
 }
 
-/// Whether ω₀ > 1/(2h) with h = 1 s, from d² k = ω₀².
-fn is_faster(time_constant: &Rational, zeta: &Rational) -> bool {
+/// Whether ω₀ > 1/(2h), from d² k = ω₀² at a depth \[m\].
+fn is_faster(time_constant: &Rational, zeta: &Rational, depth: &Rational, h: &Rational) -> bool {
     let unit = SoftReference::unlimited(time_constant, zeta, SoftImpedance::standard());
-    unit.effective(&ratio(1, 1))[0] > ratio(1, 4)
+    unit.effective(depth)[0] > ratio(1, 4) / (h * h)
 }
 
 fn faster_than_the_step(reading: Reading) -> Result<Vec<Finding>> {
     let one = ratio(1, 1);
-    let [light, heavy] = [ratio(1, 2), ratio(4, 1)].map(|zeta| reading.pick(zeta, one.clone()));
+    let [light, heavy] = [ratio(1, 2), ratio(4, 1)].map(|zeta| reading.only(0).pick(zeta, one.clone()));
+    let depth = reading.only(1).pick(one.clone(), ratio(0, 1));
+    let h = reading.only(2).pick(one.clone(), ratio(2, 1));
+    let faster = |time_constant: Rational, zeta: &Rational| is_faster(&time_constant, zeta, &depth, &h);
     Ok(vec![
-        Finding::decision("ω₀ > 1/(2h) at timeconst 3h, ζ = 1/2", is_faster(&ratio(3, 1), &light), true)
-            .says(false)
-            .violating("dampratio 1"),
-        Finding::decision("ω₀ > 1/(2h) at timeconst h, ζ = 4", is_faster(&one, &heavy), false).says(true).violating("dampratio 1"),
-        Finding::decision("ω₀ > 1/(2h) at timeconst 1.99h, ζ = 1", is_faster(&ratio(199, 100), &one), true),
-        Finding::decision("ω₀ > 1/(2h) at timeconst 2.01h, ζ = 1", is_faster(&ratio(201, 100), &one), false),
+        Finding::decision("ω₀ > 1/(2h) at timeconst 3h, ζ = 1/2", faster(ratio(3, 1), &light), true).says(false).violating("dampratio 1"),
+        Finding::decision("ω₀ > 1/(2h) at timeconst h, ζ = 4", faster(one.clone(), &heavy), false).says(true).violating("dampratio 1"),
+        Finding::decision("ω₀ > 1/(2h) at timeconst 1.99h, ζ = 1", faster(ratio(199, 100), &one), true),
+        Finding::decision("ω₀ > 1/(2h) at timeconst 2.01h, ζ = 1", faster(ratio(201, 100), &one), false),
     ])
 }
 
 fn period(reading: Reading) -> Result<Vec<Finding>> {
     // h = 1 s, t_c = 2h: (hω₀)² from the coefficients
-    let square =
-        |zeta: &Rational| SoftReference::unlimited(&ratio(2, 1), zeta, SoftImpedance::standard()).effective(&ratio(1, 1))[0].clone();
-    let light = square(&reading.pick(ratio(1, 10), ratio(1, 1)));
+    let time = reading.only(1).pick(ratio(2, 1), ratio(1, 4));
+    let square = |zeta: &Rational| SoftReference::unlimited(&time, zeta, SoftImpedance::standard()).effective(&ratio(1, 1))[0].clone();
+    let light = square(&reading.only(0).pick(ratio(1, 10), ratio(1, 1)));
     let critical = square(&ratio(1, 1));
-    let three_steps = ratio(21 * 21, 100);
+    let three_steps = ratio(21, 10) * ratio(21, 10);
     let steps = std::f64::consts::TAU / Scalar::to_f64(&critical).sqrt();
     Ok(vec![
         Finding::decision("three steps per period at ζ = 1/10", light < three_steps, false).says(true).violating("dampratio 1"),
@@ -226,14 +250,13 @@ fn period(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 fn example(reading: Reading) -> Result<Vec<Finding>> {
-    let decays = |milliseconds: i64| powers_with(50 * milliseconds) == Powers::Decay;
-    let moved = |milliseconds: i64| at_two_milliseconds(milliseconds, true) != at_two_milliseconds(milliseconds, false);
+    let h = reading.only(1).pick(2, 20);
+    let decays = |milliseconds: i64| powers_with(&ratio(h, milliseconds)) == Powers::Decay;
+    let moved = |milliseconds: i64| with_limit(milliseconds, h) != at_two_milliseconds(milliseconds, false);
     Ok(vec![
-        Finding::decision("timeconst 4 ms decays", decays(reading.pick(4, 2)), true),
+        Finding::decision("timeconst 4 ms decays", decays(reading.only(0).pick(4, 2)), true),
         Finding::decision("timeconst 20 ms decays", decays(20), true),
-        Finding::decision("the limit moves 20 ms", moved(20), false),
-        Finding::decision("the limit moves 4 ms", moved(4), false),
-        Finding::decision("the limit moves 3 ms", moved(3), true),
+        Finding::decision("of 3, 4 and 20 ms the limit moves the first alone", [3, 4, 20].map(moved) == [true, false, false], true),
     ])
 }
 
@@ -243,10 +266,12 @@ fn stiff(reading: Reading) -> Result<Vec<Finding>> {
     let limited = limited_contact(h, 0.5 * h);
     let smaller_step = unlimited_contact(0.1 * h, 0.5 * h);
     let depth = |parts: f64| land(&limited_contact(h, parts * h), height, 3000).depth;
-    let asked = reading.pick(&limited, &unlimited);
+    let asked = reading.only(0).pick(&limited, &unlimited);
+    let [coarse, fine] = reading.only(1).pick([(&unlimited, 2000), (&smaller_step, 20_000)], [(&smaller_step, 20_000), (&unlimited, 2000)]);
+    let reached = |(contact, steps): (&NormalContact, usize)| land(contact, height, steps).height;
     Ok(vec![
-        Finding::at_least("height reached after a drop from 1 mm, t_c = h/2, no limit", land(&unlimited, height, 2000).height, height, "m"),
-        Finding::at_most("height reached with h/10 and the same t_c, no limit", land(&smaller_step, height, 20_000).height, 0.0, "m"),
+        Finding::at_least("height reached after a drop from 1 mm, t_c = h/2, no limit", reached(coarse), height, "m"),
+        Finding::at_most("height reached with h/10 and the same t_c, no limit", reached(fine), 0.0, "m"),
         Finding::at_most("height reached with the limit, t_c = h/2", land(asked, height, 2000).height, 0.0, "m")
             .says_at_least(height)
             .violating("refsafe is off"),
@@ -256,12 +281,14 @@ fn stiff(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 fn equal_to_the_step(reading: Reading) -> Result<Vec<Finding>> {
-    let step = matrix(&SEMI_IMPLICIT, &SpringDamper::of_ratio(ratio(1, 1)), &ratio(1, 1));
+    let share = reading.only(1).pick(ratio(1, 1), ratio(1, 10));
+    let step = matrix(&SEMI_IMPLICIT, &SpringDamper::of_ratio(ratio(1, 1)), &share);
     let [trace, determinant] = invariants(&step);
     let radius = spectral_radius(&step.map(|entry| Scalar::to_f64(&entry)));
     let golden = 0.5 * (1.0 + 5f64.sqrt());
-    let speed = land(&unlimited_contact(0.002, 0.002), 0.001, 1000).speed;
-    let changes = at_two_milliseconds(2, reading.pick(true, false)) != at_two_milliseconds(4, false);
+    let tenfold = reading.only(1).pick(1.0, 10.0);
+    let speed = land(&unlimited_contact(0.002, tenfold * 0.002), 0.001, 1000).speed;
+    let changes = at_two_milliseconds(2, reading.only(0).pick(true, false)) != at_two_milliseconds(4, false);
     Ok(vec![
         Finding::exact("trace", &trace, &ratio(-1, 1), "1").context(),
         Finding::exact("determinant", &determinant, &ratio(-1, 1), "1").context(),
