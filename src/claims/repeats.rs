@@ -4,6 +4,8 @@
 pub const REPEATS: &[(&str, &str)] = &[
     ("M.high-order", "S0.all-Oh"),
     ("M.zeno", "S0.zeno-absorb"),
+    ("S0.orders", "S1.weakstar"),
+    ("S12.energy-limit", "S12.energy"),
     ("R2", "S0.event-stuck"),
     ("M.lcp-nonunique", "S4.nonunique"),
     ("M.cone-error", "S4.poly-order"),

@@ -1,8 +1,8 @@
 //! Which integrators simulators have.
 
 use crate::claims::experiments::mujoco::facts;
+use crate::claims::experiments::runge_kutta;
 use crate::claims::prelude::*;
-use crate::claims::s0::runge_kutta;
 use crate::tolerance::claims::ORDER_GAP;
 use crate::trajectory::{Refinement, fit_order};
 
