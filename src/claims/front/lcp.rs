@@ -19,8 +19,8 @@ pub const PREFACE: &[Claim] = &[Claim {
     kind: Kind::Exercise,
     severity: None,
     evidence: Evidence::Certified,
-    correct_statement: "As stated, since W ⪰ 0 with a positive diagonal; with redundant contacts the impulses depend on the start, and \
-        only the velocity U is unique.",
+    correct_statement: "As stated, since W ⪰ 0 with a positive diagonal, as the contacts of free bodies have it (S3.pgs-ok speaks of any \
+        semidefinite W); with redundant contacts the impulses depend on the start, and only the velocity U is unique.",
     argument: "Block on four frictionless corners (1, ±1, ±1), W of rank 3, U_free = −1: from P = 0 and from P = (1, 0, 0, 1) PGS \
         reaches a solution, min(P, U) = 0 entry by entry, with the same velocity U = 0 and different impulses.",
     controls: &["A single sweep."],
@@ -41,7 +41,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
         impulses and one velocity; the motion changes with the solver only where friction acts (S4.nonunique). (The Stewart–Trinkle \
         matrix itself is not copositive-plus with friction, see S4.copos-plus.)",
     argument: "Unit mass on two equal contacts: W = [[1, 1], [1, 1]] is semidefinite, hence copositive-plus; with q = (−1, −1) every z \
-        ≥ 0 with z₁ + z₂ = 1 is a solution, and all have v⁺ = −1 + z₁ + z₂ = 0. With friction: Painlevé's rod, cos = 3/5, μ = 2, tip \
+        ≥ 0 with z₁ + z₂ = 1 is a solution, and all have v⁺ = −1 + z₁ + z₂ = 0. With friction: Painlevé's rod, μ = 2, tip \
         separating at 1/10 m/s, has 3 solutions with 3 different normal impulses.",
     controls: &[
         "Three balls in a row, W = [[2, −1], [−1, 2]], where the solution is unique.",

@@ -94,7 +94,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Measured,
         correct_statement: "λ = −kφ is smooth but also pulls. The force of a contact that only pushes, max(0, −kφ), is Lipschitz with a \
                             kink at φ = 0: RK4 across the moment of contact is of order 2, not 4.",
-        argument: "Ball of 1 kg, k = 10000 N/m, dropped from 1 m, error of q at 8 ms after touching, against the parabola followed by \
+        argument: "Ball of 1 kg, k = 10000 N/m, dropped from 1 m, error of q at 0.008 s after touching, against the parabola followed by \
                    the oscillation. λ grows like kV(t−t*) after touching, and a rule of any order integrates a kink inside a step with \
                    error O(kV h²) in v. The same spring acting on both sides: order 4.",
         controls: &["The smooth force takes the place of the one-sided one.", "The one-sided force takes the place of the smooth one."],

@@ -27,9 +27,9 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "A limit of a subsequence. For the ball that falls under gravity the limit is unique; where two sliding forces \
             exist a step itself has three answers at every h, which tend to two different motions, \
             and the solver's pivoting decides between them. The chapter's §4 says so: existence is not uniqueness.",
-        argument: "Rod at cos = 3/5, μ = 3/2 > 13/9, upward normal free acceleration b = 5 m/s²: P_n = 0, 125h/2 or 9/25 − 73h/20 for h \
-            = 10⁻³ … 10⁻⁶, exactly three answers. The first two vanish with h, the third tends to the impact (9/25, 13/25) N·s, so the \
-            answers do not come together.",
+        argument: "Rod with μ = 3/2 > μ_P, upward normal free acceleration b = 5 m/s²: P_n = 0, 125h/2 or 9/25 − 73h/20 for h = 10⁻³ … \
+            10⁻⁶, exactly three answers. The first two vanish with h, the third tends to the impact P_n = 9/25, so the answers do not \
+            come together.",
         controls: &["μ = 1 < μ_P: one answer."],
         sources: &["chapter §1, history; the pitfall in the same section; §4, existence and uniqueness"],
         check: several_limits,
@@ -123,11 +123,15 @@ fn several_limits(reading: Reading) -> Result<Vec<Finding>> {
         let h = ratio(1, 10i64.pow(exponent));
         let found = answers(&friction, &(ratio(5, 1) * &h))?;
         findings.push(Finding::count(format!("different answers of the step at h = 1e-{exponent} s"), found.len(), 3).says(1usize));
-        let apart = &found[found.len() - 1] - &found[0];
+        let (last, middle) = (&found[found.len() - 1], &found[found.len() / 2]);
+        let apart = last - &found[0];
         let expected = ratio(9, 25) - ratio(73, 20) * &h;
         findings.push(
             Finding::exact(format!("largest P_n less the smallest, h = 1e-{exponent} s"), &apart, &expected, "N·s").says(ratio(0, 1)),
         );
+        if exponent == 6 {
+            findings.push(Finding::exact("the P_n between them, h = 1e-6 s", middle, &(ratio(125, 2) * &h), "N·s").context());
+        }
     }
     Ok(findings)
 }

@@ -56,7 +56,7 @@ pub const CLAIMS: &[Claim] = &[
                             step, from v = −0.505 m/s, 1.0202 times the rebound, and leaves with 0.2525 m/s.",
         argument: "Free steps from v = 99/200 end one step of gravity beyond −99/200, as Ẽ = E − ½ g h v and not E is conserved: the ratio \
             of the speeds is 101/99 = 1.0202…",
-        controls: &["θ = ½ in the position update, with which the two heights of the exercise differ.", "A livelier ball, e = 3/5."],
+        controls: &["θ = ½ in the position update, with which the two heights of the exercise differ.", "A duller ball, e = 1/3."],
         sources: &["chapter §12, exercise 1"],
         check: two_more_steps,
     },
@@ -134,7 +134,7 @@ fn energy_limit(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 fn two_more_steps(reading: Reading) -> Result<Vec<Finding>> {
-    let ball = Ball { restitution: reading.only(1).pick(ratio(1, 2), ratio(3, 5)), ..worked_ball() };
+    let ball = Ball { restitution: reading.only(1).pick(ratio(1, 2), ratio(1, 3)), ..worked_ball() };
     let (h, theta) = (ratio(1, 100), reading.only(0).pick(ratio(1, 1), ratio(1, 2)));
     let step = |now| ball.moreau_jean(&now, &theta, Activation::FreeVelocityForecast, &h);
     let rebound = worked_step(&ball, &theta).motion;
