@@ -1,8 +1,7 @@
 //! Time-stepping: what its limit is, how it takes an impact, and its order between impacts.
 
-use crate::checks::convergence::{Stop, plastic_ball, study};
+use crate::checks::convergence::study;
 use crate::claims::experiments::corner::{floor_before_wall, leaning, upright};
-use crate::claims::experiments::envelopes::in_short;
 use crate::claims::experiments::wall::{Stepping, approach};
 use crate::claims::prelude::*;
 use crate::claims::s4::painleve::answers;
@@ -44,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Measured,
         correct_statement: "As stated of plastic impacts (e = 0), and under conditions on the friction cone that the chapter does not \
             name. The paper was not read; what it concludes is checked on one motion, and why a subsequence is needed is shown.",
-        argument: "Stewart–Trinkle on a plastic ball: sup|q|, ∫|v| and the graphs converge with order 1 within derived constants. A ball \
+        argument: "Stewart–Trinkle on a plastic ball: sup|q|, ∫|v| and the graphs converge with order 1 (S0.orders has the constants). A ball \
             with e = 0.8 it stops as well, whatever h: sup|q| has order 0. On Painlevé's rod with two sliding forces, μ = 3/2, the step \
             has the answers P_n = 0 and 9/25 − 73h/20, each with its limit: one kind of answer is a subsequence that converges, the two \
             in turn are not.",
@@ -136,13 +135,19 @@ fn several_limits(reading: Reading) -> Result<Vec<Finding>> {
     Ok(findings)
 }
 
+/// Steps to the first impact.
+const LEVELS: &[usize] = &[32, 128, 512];
+
 fn convergence(reading: Reading) -> Result<Vec<Finding>> {
     let (plastic, thrown) = (StewartTrinkle::default(), Altered(Mistake::TrapezoidalPosition));
     let subject: &dyn Scheme = reading.only(1).pick(&plastic, &thrown);
-    let mut findings = in_short("e = 0", plastic_ball(subject, Stop::On)?);
+    let found = study(subject, 0.0, 2.0, LEVELS, 4)?;
+    let metrics = [("sup|q|", found.position.slope), ("∫|v|", found.velocity_l1.slope), ("graph distance", found.graph.slope)];
+    let mut findings: Vec<Finding> =
+        metrics.map(|(metric, slope)| Finding::equal(format!("e = 0, {metric}: order"), slope, 1.0, ORDER_GAP, "1")).into();
     let bouncing = MoreauJean { theta: 0.5, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
     let subject: &dyn Scheme = reading.only(0).pick(&plastic, &bouncing);
-    let slope = study(subject, 0.8, 1.8, &[32, 128, 512], 4)?.position.slope;
+    let slope = study(subject, 0.8, 1.8, LEVELS, 4)?.position.slope;
     findings.push(Finding::equal("e = 0.8, sup|q|: order", slope, 0.0, ORDER_GAP, "1").says(1.0).violating("impacts are plastic, e = 0"));
     findings.push(answers_of_one_kind(reading.only(2))?);
     Ok(findings)
