@@ -19,7 +19,7 @@ pub(super) const PREFACE: &[Claim] = &[
         verdict: ClaimVerdict::False,
         kind: Kind::Exercise,
         severity: Some(Severity::WrongStatement),
-        evidence: Evidence::Measured,
+        evidence: Evidence::Certified,
         correct_statement: "The hard convex step keeps a block with tan α < μ at rest for every h. What is proportional to h is the gap \
             μh|v_t| of a sliding block. (A regularised convex step, as Drake's SAP, does creep proportionally to h.) One mistake, counted \
             at S5.gliding-creep.",

@@ -56,7 +56,7 @@ pub const TABLES: &[Claim] = &[Claim {
     verdict: ClaimVerdict::Conditional,
     kind: Kind::Assertion,
     severity: Some(Severity::MissingHypothesis),
-    evidence: Evidence::Certified,
+    evidence: Evidence::Exact,
     correct_statement: "θ = 1/2: the kinetic energy changes by the work of the scheme's force, and with the potential energy the sum is \
         kept exactly for constant and linear forces, to O(h³) per step otherwise (S3.energy-neutral). θ = 1 loses ½h²FᵀM⁻¹F per step for \
         a constant force – O(h²) per step, O(h) over a fixed time – and loses energy where the potential is convex; where it is concave \

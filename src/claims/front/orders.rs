@@ -51,22 +51,26 @@ fn order_zero(reading: Reading) -> Result<Vec<Finding>> {
     let position = order(reading.only(0).pick(Impacts::Flipped, Impacts::Ignored), Norm::EndPosition, 1)?;
     let ignored = order(Impacts::Ignored, Norm::EndPosition, count)?;
     Ok(vec![
-        Finding::equal("order in sup|v|, flipped after penetration", judged.slope, 0.0, ORDER_GAP, "1"),
+        Finding::equal("order in sup|v|, flipped after penetration", judged.slope, 0.0, ORDER_GAP, "1").experiment(),
         Finding::equal("order in q at the end, flipped after penetration", position.slope, 1.0, ORDER_GAP, "1")
+            .experiment()
             .says(0.0)
             .violating("the error is that of the velocity"),
-        Finding::equal("order in q at the end, impact ignored", ignored.slope, 0.0, ORDER_GAP, "1"),
+        Finding::equal("order in q at the end, impact ignored", ignored.slope, 0.0, ORDER_GAP, "1").experiment(),
     ])
 }
 
 fn high_order(reading: Reading) -> Result<Vec<Finding>> {
     let (locating, blind) = reading.pick((Impacts::Located, Impacts::Flipped), (Impacts::Flipped, Impacts::Located));
     let blind = order(blind, Norm::EndPosition, 1)?;
-    let mut findings = vec![Finding::equal("order of RK4 in q, impact stepped over", blind.slope, 1.0, ORDER_GAP, "1").says_at_most(1.0)];
+    let mut findings =
+        vec![Finding::equal("order of RK4 in q, impact stepped over", blind.slope, 1.0, ORDER_GAP, "1").experiment().says_at_most(1.0)];
     for impacts in 1..=3 {
         let located = order(locating, Norm::EndPosition, impacts)?;
         let name = format!("order of RK4 in q, {impacts} impacts located");
-        findings.push(Finding::equal(name, located.slope, 4.0, ORDER_GAP, "1").says_at_most(1.0).violating("the impact is stepped over"));
+        findings.push(
+            Finding::equal(name, located.slope, 4.0, ORDER_GAP, "1").experiment().says_at_most(1.0).violating("the impact is stepped over"),
+        );
     }
     Ok(findings)
 }

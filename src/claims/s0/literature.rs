@@ -85,9 +85,9 @@ fn survey(reading: Reading) -> Result<Vec<Finding>> {
     let [volume, page, year] =
         printed_reference(printed).ok_or_else(|| Error::invalid("reference", "is not volume:page (year)", printed))?;
     Ok(vec![
-        Finding::count("printed volume, against the record", volume, 42),
-        Finding::count("printed page, against the first page in the record", page, 3),
-        Finding::count("printed year, against the record", year, 2000),
+        Finding::count("printed volume, against the record", volume, 42).looked_up(),
+        Finding::count("printed page, against the first page in the record", page, 3).looked_up(),
+        Finding::count("printed year, against the record", year, 2000).looked_up(),
         Finding::count("printed volume, against one volume a year from 1959 on", volume, year - 1958),
     ])
 }
@@ -96,8 +96,9 @@ fn smooth_pieces(reading: Reading) -> Result<Vec<Finding>> {
     let through = |impacts| order(impacts, Norm::EndPosition, 3);
     let (smooth, broken) = reading.pick((Impacts::Located, Impacts::Flipped), (Impacts::Flipped, Impacts::Located));
     Ok(vec![
-        Finding::equal("order through three located impacts, f smooth in every step", through(smooth)?.slope, 4.0, ORDER_GAP, "1"),
-        Finding::equal("order through three flips, v jumps within a step", through(broken)?.slope, 1.0, ORDER_GAP, "1"),
+        Finding::equal("order through three located impacts, f smooth in every step", through(smooth)?.slope, 4.0, ORDER_GAP, "1")
+            .experiment(),
+        Finding::equal("order through three flips, v jumps within a step", through(broken)?.slope, 1.0, ORDER_GAP, "1").experiment(),
     ])
 }
 

@@ -66,7 +66,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Measured,
+        evidence: Evidence::Certified,
         correct_statement: "Where contacts are reached one after the other, or meet at right angles (S1.weakstar says the same). Through \
             isolated impacts sup|q| and ∫|v| are O(h) for Moreau–Jean with the activation rules A, B, D (A: φ ≤ 0, B: φ + ½hu ≤ 0, D: φ + \
             h u_free ≤ 0) and, for e = 0, for Stewart–Trinkle and Anitescu; the graph distance is O(h), O(h ln 1/h) through a Zeno \
@@ -108,18 +108,23 @@ fn located(reading: Reading) -> Result<Vec<Finding>> {
     let (judged, blind) = (order(located, Norm::EndPosition, 3)?, order(flipped, Norm::EndPosition, 1)?);
     let mut findings = vec![
         Finding::equal("order of RK4 in q through three impacts, impacts located", judged.slope, 4.0, ORDER_GAP, "1")
+            .experiment()
             .says_at_most(1.0)
             .violating("the impact is stepped over"),
         Finding::equal("order of RK4 in q through one impact, flipped after penetration", blind.slope, 1.0, ORDER_GAP, "1")
+            .experiment()
             .says_at_most(1.0),
     ];
     let compare = |finer: usize| errors_over_those_of_first_order(finer).map(|ratios| ratios[0]);
     let (steps, work) = reading.pick((1, 4), (4, 1));
     let name = |what: &str| format!("error of q after one flip, RK4 over semi-implicit Euler, equal {what}");
     findings.push(
-        Finding::at_most(name("steps"), compare(steps)?, 1.0, "1").says_at_least(1.0).violating("methods are compared at equal work"),
+        Finding::at_most(name("steps"), compare(steps)?, 1.0, "1")
+            .experiment()
+            .says_at_least(1.0)
+            .violating("methods are compared at equal work"),
     );
-    findings.push(Finding::at_least(name("work"), compare(work)?, 1.0, "1"));
+    findings.push(Finding::at_least(name("work"), compare(work)?, 1.0, "1").experiment());
     Ok(findings)
 }
 
@@ -129,7 +134,7 @@ fn weaker_norms(reading: Reading) -> Result<Vec<Finding>> {
     let subject: &dyn Scheme = reading.only(0).pick(&scheme, &forgetful);
     let found = study(subject, 0.8, reading.only(1).pick(1.8, 0.9), &[32, 128, 512], 4)?;
     let order = |name: &str, slope: f64, expected: f64| {
-        Finding::equal(format!("order in {name}"), slope, expected, ORDER_GAP, "1").says_at_most(0.0)
+        Finding::equal(format!("order in {name}"), slope, expected, ORDER_GAP, "1").experiment().says_at_most(0.0)
     };
     Ok(vec![
         order("the distance of filled-in graphs", found.graph.slope, 1.0),
@@ -184,8 +189,9 @@ fn soft_contact(reading: Reading) -> Result<Vec<Finding>> {
     let pulling = spring_order(reading.only(1).pick(true, false))?;
     Ok(vec![
         Finding::equal("order of RK4 with the force max(0, −kφ)", pushing, 2.0, ORDER_GAP, "1")
+            .experiment()
             .says(4.0)
             .reading("a contact that only pushes"),
-        Finding::equal("order of RK4 with the force −kφ", pulling, 4.0, ORDER_GAP, "1").reading("a spring that pulls as well"),
+        Finding::equal("order of RK4 with the force −kφ", pulling, 4.0, ORDER_GAP, "1").experiment().reading("a spring that pulls as well"),
     ])
 }

@@ -48,7 +48,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
-        evidence: Evidence::Measured,
+        evidence: Evidence::Certified,
         correct_statement: "As stated; the bouncing ball's velocity has total variation 2 g t₁ (1+e)/(1−e) over [0, T∞], 79.730 m/s for \
                             e = 0.8 and 1 m, and its position the Lipschitz constant g t₁.",
         argument: "Flights contribute g T∞ and impacts Σ(1+e) g t₁ e^{k−1}, both g t₁(1+e)/(1−e). The discrete velocities of Moreau–Jean \

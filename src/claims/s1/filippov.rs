@@ -52,7 +52,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Citation,
         severity: None,
-        evidence: Evidence::Cited,
+        evidence: Evidence::Measured,
         correct_statement: "As stated, “exactly” meaning to the accuracy of the integrator and the root finder. The paper was not read; \
             what its kind of method can do is measured on one of our own.",
         argument: "Belt: releases follow each other after the period of the closed form to 10⁻⁹ s. With fixed steps and located switches \
@@ -150,7 +150,7 @@ fn detection(reading: Reading) -> Result<Vec<Finding>> {
     let delay = begins(&late, Mode::Beside(Side::Below))[0] - release;
     let rest_of_step = (release / LATE_STEP).ceil() * LATE_STEP - release;
     Ok(vec![
-        Finding::at_least("order of q at 8 s", order, LOCATED_ORDER, "1"),
+        Finding::at_least("order of q at 8 s", order, LOCATED_ORDER, "1").experiment(),
         Finding::equal("time between two releases", period, exact.period(), SWITCHING, "s"),
         Finding::equal("delay of a release noticed at the end of a step of 0.13 s", delay, rest_of_step, SWITCHING, "s"),
     ])

@@ -34,8 +34,10 @@ fn routes(reading: Reading) -> Result<Vec<Finding>> {
         _ => (drake.locates_events, integrator.controls_error && integrator.name == "RungeKutta3Integrator"),
     };
     Ok(vec![
-        Finding::decision("Drake locates zeros of witness functions", locates, true).says(false),
-        Finding::decision("Drake's continuous plant is integrated by a Runge–Kutta method under error control", controls, true).says(false),
-        Finding::decision("Siconos has both", siconos.has("TimeStepping") && siconos.has(event_driven), true),
+        Finding::decision("Drake locates zeros of witness functions", locates, true).looked_up().says(false),
+        Finding::decision("Drake's continuous plant is integrated by a Runge–Kutta method under error control", controls, true)
+            .looked_up()
+            .says(false),
+        Finding::decision("Siconos has both", siconos.has("TimeStepping") && siconos.has(event_driven), true).looked_up(),
     ])
 }

@@ -144,11 +144,13 @@ fn convergence(reading: Reading) -> Result<Vec<Finding>> {
     let found = study(subject, 0.0, 2.0, LEVELS, 4)?;
     let metrics = [("sup|q|", found.position.slope), ("∫|v|", found.velocity_l1.slope), ("graph distance", found.graph.slope)];
     let mut findings: Vec<Finding> =
-        metrics.map(|(metric, slope)| Finding::equal(format!("e = 0, {metric}: order"), slope, 1.0, ORDER_GAP, "1")).into();
+        metrics.map(|(metric, slope)| Finding::equal(format!("e = 0, {metric}: order"), slope, 1.0, ORDER_GAP, "1").experiment()).into();
     let bouncing = MoreauJean { theta: 0.5, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
     let subject: &dyn Scheme = reading.only(0).pick(&plastic, &bouncing);
     let slope = study(subject, 0.8, 1.8, LEVELS, 4)?.position.slope;
-    findings.push(Finding::equal("e = 0.8, sup|q|: order", slope, 0.0, ORDER_GAP, "1").says(1.0).violating("impacts are plastic, e = 0"));
+    findings.push(
+        Finding::equal("e = 0.8, sup|q|: order", slope, 0.0, ORDER_GAP, "1").experiment().says(1.0).violating("impacts are plastic, e = 0"),
+    );
     findings.push(answers_of_one_kind(reading.only(2))?);
     Ok(findings)
 }
@@ -223,7 +225,7 @@ fn order(reading: Reading) -> Result<Vec<Finding>> {
     ];
     let finding = |(name, scheme, expected): (&str, &dyn Scheme, f64)| -> Result<Finding> {
         let subject: &dyn Scheme = reading.pick(scheme, &fourth);
-        Ok(Finding::equal(format!("order of {name}"), smooth_order(subject)?, expected, ORDER_GAP, "1"))
+        Ok(Finding::equal(format!("order of {name}"), smooth_order(subject)?, expected, ORDER_GAP, "1").experiment())
     };
     cases.into_iter().map(finding).collect()
 }
