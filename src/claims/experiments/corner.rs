@@ -45,8 +45,8 @@ pub fn error_in_corner(wall: &[Rational; 2], h: &Rational) -> Result<Rational> {
     Ok(worst)
 }
 
-/// The error in the corner with h/4 over that with h = 2/(20N + `remainder`) s: with 0 both walls close in one step, with 5 the floor closes
-/// before the wall.
+/// The error in the corner with h/4 over that with h = 2/(20N + `remainder`) s: with 0 both walls close in one step, with 5
+/// the floor closes before the wall.
 pub fn quartered(wall: &[Rational; 2], remainder: i64) -> Result<Rational> {
     let error = |count: i64| error_in_corner(wall, &ratio(2, 20 * count + remainder));
     Ok(error(256)? / error(64)?)

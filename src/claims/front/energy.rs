@@ -61,9 +61,9 @@ pub const TABLES: &[Claim] = &[Claim {
         kept exactly for constant and linear forces, to O(h³) per step otherwise (S3.energy-neutral). θ = 1 loses ½h²FᵀM⁻¹F per step for \
         a constant force – O(h²) per step, O(h) over a fixed time – and loses energy where the potential is convex; where it is concave \
         it can gain.",
-    argument: "Gravity and a spring, θ = 1/2: change 0 in rationals; a pendulum with h = 0.1: 2.2e-5 J. Free fall, θ = 1: halving h divides \
-        the loss of a step by 4 and that of a fixed time by 2. On q̈ = q, h = 1/2, from q = 0 with v = 1 a step of θ = 1 raises ½v² − ½q² \
-        by 1/6.",
+    argument: "Gravity and a spring, θ = 1/2: change 0 in rationals; a pendulum with h = 0.1: 2.2e-5 J. Free fall, θ = 1: \
+        halving h divides the loss of a step by 4 and that of a fixed time by 2. On q̈ = q, h = 1/2, from q = 0 with v = 1 a step of θ \
+        = 1 raises ½v² − ½q² by 1/6.",
     controls: &[
         "q̈ = −q in the place of q̈ = q: the potential is convex.",
         "θ = 1 in the place of θ = 1/2 on gravity and a spring.",

@@ -114,10 +114,10 @@ pub const TABLES: &[Claim] = &[
             reaches two of them at once may have several limits, since a step may see one before the other. The hypotheses on impact \
             law, friction and activation rule are missing as well, and the attribution has not been verified here.",
         argument: "Bouncing ball, e = 0.8, θ = ½ and 1, activation φ ≤ 0, to the apex after the impact: sup|q_h − q| and ∫|v_h − v| are \
-            within the constants times V h that follow from the shift of the impact. Corner: plastic unit mass with v⁻ = (−1, −1) m/s into the \
-            wedge y ≥ 0, 4x + 3y ≥ 0, g = 10 m/s²; both walls are reached at 1/10 s, −v⁻ lies in the cone of the normals, so it stops. \
-            θ = 1, activation φ ≤ 0: with h = 2/(20N) s both walls close in one step and the error falls with h; with h = \
-            2/(20N + 5) s the floor closes first, the mass slides into the wall and climbs it, for every N.",
+            within the constants times V h that follow from the shift of the impact. Corner: plastic unit mass with v⁻ = \
+            (−1, −1) m/s into the wedge y ≥ 0, 4x + 3y ≥ 0, g = 10 m/s²; both walls are reached at 1/10 s, −v⁻ lies in the cone of the \
+            normals, so it stops. θ = 1, activation φ ≤ 0: with h = 2/(20N) s both walls close in one step and the error falls with h; \
+            with h = 2/(20N + 5) s the floor closes first, the mass slides into the wall and climbs it, for every N.",
         controls: &[
             "Walls at right angles, x ≥ 0 in the place of 4x + 3y ≥ 0.",
             "Steps that close the floor first in the place of those that close both walls at once.",

@@ -43,10 +43,10 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Measured,
         correct_statement: "As stated of plastic impacts (e = 0), and under conditions on the friction cone that the chapter does not \
             name. The paper was not read; what it concludes is checked on one motion, and why a subsequence is needed is shown.",
-        argument: "Stewart–Trinkle on a plastic ball: sup|q|, ∫|v| and the graphs converge with order 1 (S0.orders has the constants). A ball \
-            with e = 0.8 it stops as well, whatever h: sup|q| has order 0. On Painlevé's rod with two sliding forces, μ = 3/2, the step \
-            has the answers P_n = 0 and 9/25 − 73h/20, each with its limit: one kind of answer is a subsequence that converges, the two \
-            in turn are not.",
+        argument: "Stewart–Trinkle on a plastic ball: sup|q|, ∫|v| and the graphs converge with order 1 (S0.orders has the \
+            constants). A ball with e = 0.8 it stops as well, whatever h: sup|q| has order 0. On Painlevé's rod with two sliding \
+            forces, μ = 3/2, the step has the answers P_n = 0 and 9/25 − 73h/20, each with its limit: one kind of answer is a \
+            subsequence that converges, the two in turn are not.",
         controls: &[
             "Moreau–Jean in the place of Stewart–Trinkle on the ball with e = 0.8.",
             "A trapezoidal position update, which throws the plastic ball out at every step size.",

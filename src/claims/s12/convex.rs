@@ -14,8 +14,8 @@ pub const CLAIMS: &[Claim] = &[Claim {
     kind: Kind::Exercise,
     severity: Some(Severity::MissingHypothesis),
     evidence: Evidence::Exact,
-    correct_statement: "They are: the one-dimensional QP and LCP have the same solution. With friction they differ only while the contact slides, by \
-        the gap μh|v_t|; they agree where it sticks, with a horizontal velocity too.",
+    correct_statement: "They are: the one-dimensional QP and LCP have the same solution. With friction they differ only \
+        while the contact slides, by the gap μh|v_t|; they agree where it sticks, with a horizontal velocity too.",
     argument: "QP: min ½P² − 1.585 P over P ≥ 0 has the minimiser max(0, 1.585) = 317/200, which is the solution of the LCP 0 ≤ P ⟂ P − \
         317/200 ≥ 0 of the chapter’s contact step. With 1 m/s along the ground and μ = ½ the ball slides, and the relaxed step lifts it \
         by μ h v_t more, for h = 1/100 and 1/200; with ½ m/s the impact stops it and both laws give the same velocity. On a slope, \
