@@ -3,7 +3,11 @@
 /// The repetition and its original.
 pub const REPEATS: &[(&str, &str)] = &[
     ("M.high-order", "S0.all-Oh"),
+    ("P.zeno-quiz", "S0.tinf"),
+    ("M.force-vs-impulse", "S0.impulse-unit"),
     ("M.zeno", "S0.zeno-absorb"),
+    ("S0.orders", "S1.weakstar"),
+    ("S12.energy-limit", "S12.energy"),
     ("R2", "S0.event-stuck"),
     ("M.lcp-nonunique", "S4.nonunique"),
     ("M.cone-error", "S4.poly-order"),

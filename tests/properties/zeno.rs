@@ -2,7 +2,7 @@
 
 use crate::cases;
 use moreau::checks::zeno::{DroppedBall, absorption, events_grow};
-use moreau::defects::zeno::sinking;
+use moreau::defects::zeno::{RULE_C, sinking};
 use moreau::schemes::{Activation, MoreauJean, RestitutionRule, Scheme};
 use proptest::prelude::*;
 
@@ -46,7 +46,7 @@ proptest! {
         fall in 3.0..10.0f64,
     ) {
         let ball = DroppedBall { mass, gravity, height, restitution };
-        let finding = sinking(&ball, ball.impact_speed() / (gravity * fall)).expect("the ball can be stepped");
+        let finding = sinking(&RULE_C, &ball, ball.impact_speed() / (gravity * fall)).expect("the ball can be stepped");
         prop_assert!(finding.holds(), "{finding}");
     }
 }

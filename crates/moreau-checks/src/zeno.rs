@@ -116,8 +116,9 @@ pub fn absorption(subject: &dyn Scheme, proved: &MoreauJean, ball: &DroppedBall,
         findings.push(Finding::at_most("settling time before T∞", -error, bounds.early, "steps"));
     }
     findings.push(Finding::at_most("penetration on the way", settling.depth, bounds.depth + rounding, "g h²"));
-    findings.push(Finding::at_most("height at rest", settling.height, bounds.rest[1] + rounding, "g h²"));
-    findings.push(Finding::at_least("height at rest", settling.height, bounds.rest[0] - rounding, "g h²"));
+    let [lowest, highest] = bounds.rest;
+    let half = 0.5 * (highest - lowest) + rounding;
+    findings.push(Finding::equal("height at rest", settling.height, 0.5 * (lowest + highest), half, "g h²"));
     findings.push(Finding::at_most("speed at rest", settling.speed, drop.remaining_speed(further), "g h"));
     Ok(findings)
 }

@@ -1,9 +1,11 @@
 //! Small experiments that several claims share: a tower under truncated sweeps, a bead on a curve, energy by projection, a frictional
 //! impact, a wall hit between two steps.
 
+pub(super) mod corner;
 pub(super) mod creep;
 pub(super) mod curve;
 pub(super) mod drake;
+pub(super) mod envelopes;
 pub(super) mod facts;
 pub(super) mod identifiers;
 pub(super) mod mujoco;
@@ -11,6 +13,7 @@ pub(super) mod push_out;
 pub(super) mod releases;
 pub(super) mod repositories;
 pub(super) mod rod;
+pub(super) mod runge_kutta;
 pub(super) mod siconos;
 pub(super) mod soft;
 pub(super) mod soft_stack;

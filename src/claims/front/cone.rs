@@ -22,8 +22,12 @@ pub const PREFACE: &[Claim] = &[Claim {
         the normal cone.",
     argument: "Σ zᵢwᵢ = 0 with every term ≥ 0 makes every term 0. All solutions of three rational LCPs, found by enumerating complementary \
         supports, satisfy it entry by entry. \
-        For C = [0, 2] and v = −1, 1/3, 2, 5 the minimiser of ½(x − v)² on a fine grid is the clamped v, and v − x is in N_C(x).",
-    controls: &["A feasible point of each LCP, shifted off the complementary face."],
+        For C = [0, 2] and v = −1, 1/3, 2, 5 the minimiser x of ½(x − v)² over a fine grid of C leaves v − x in N_C(x).",
+    controls: &[
+        "A feasible point of each LCP, shifted off the complementary face.",
+        "The second matrix with the sign of its lower row changed: that LCP has no solution.",
+        "The two ends of [0, 2] in the place of C, which are not convex.",
+    ],
     sources: &["chapter, recollections before §0", "Cottle, Pang and Stone, The Linear Complementarity Problem (1992), §1.1"],
     check: complementary_slackness,
 }];
@@ -43,7 +47,11 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
         direction by 1/2. Lemke's method in rational arithmetic solves the LCP of a sliding contact with four directions with all \
         residuals zero; its friction has half the squared strength of the circular cone's along the bisector, which is the error of the \
         shape.",
-    controls: &["The error of the direction in the place of that of the radius: it is of order 1/d in either reading."],
+    controls: &[
+        "The errors of the direction and of the radius exchanged: the shape is of order 1/d in either reading.",
+        "d counted as the number of pairs ±, so that the cone has 2d directions.",
+        "Lemke's answer for μ = 1 in the LCP with μ = ½.",
+    ],
     sources: &["chapter, table of misconceptions, polyhedral cone and convex relaxation"],
     check: cone_error,
 }];
@@ -62,36 +70,36 @@ fn problem(matrix: &[i64], vector: &[i64]) -> Lcp<Rational> {
 
 fn complementary_slackness(reading: Reading) -> Result<Vec<Finding>> {
     let zero = ratio(0, 1);
+    let exchange = reading.only(1).pick([0, 1, 1, 0], [0, 1, -1, 0]);
     let problems =
-        [problem(&[2, 1, 1, 2], &[-1, -1]), problem(&[0, 1, 1, 0], &[-1, -1]), problem(&[3, -1, 0, -1, 2, 1, 0, 1, 4], &[-2, 1, -5])];
-    let mut findings = Vec::new();
-    for (index, lcp) in problems.iter().enumerate() {
+        [problem(&[2, 1, 1, 2], &[-1, -1]), problem(&exchange, &[-1, -1]), problem(&[3, -1, 0, -1, 2, 1, 0, 1, 4], &[-2, 1, -5])];
+    let (mut both, mut solved) = (0, 0);
+    for lcp in &problems {
         let solutions = all_solutions(lcp)?.points;
-        let shift = DVector::from_element(lcp.size(), reading.pick(ratio(0, 1), ratio(1, 1)));
+        let shift = DVector::from_element(lcp.size(), reading.only(0).pick(ratio(0, 1), ratio(1, 1)));
         let both_positive = |point: &DVector<Rational>| {
             let z = point + &shift;
             let slack = lcp.slack(&z);
             z.iter().zip(slack.iter()).filter(|(z, w)| **z > zero && **w > zero).count()
         };
-        findings.push(Finding::count(
-            format!("entries with z_i > 0 and w_i > 0, LCP {}", index + 1),
-            solutions.iter().map(both_positive).sum(),
-            0,
-        ));
-        findings.push(Finding::decision(format!("LCP {} has a solution", index + 1), !solutions.is_empty(), true));
+        both += solutions.iter().map(both_positive).sum::<usize>();
+        solved += usize::from(!solutions.is_empty());
     }
-    findings.extend([[-1, 1], [1, 3], [2, 1], [5, 1]].map(|[a, b]| proximal_point_is_normal(&ratio(a, b))));
-    Ok(findings)
+    let set: Vec<Rational> = reading.only(2).pick((0..=24).map(|k| ratio(k, 12)).collect(), vec![ratio(0, 1), ratio(2, 1)]);
+    let points = [[-1, 1], [1, 3], [2, 1], [5, 1]].map(|[a, b]| ratio(a, b));
+    let outside = points.iter().filter(|v| !proximal_point_is_normal(&set, v)).count();
+    Ok(vec![
+        Finding::count("entries with z_i > 0 and w_i > 0 in all solutions of three LCPs", both, 0),
+        Finding::count("LCPs with a solution", solved, 3),
+        Finding::count("points v with v − prox(v) not normal to C at prox(v)", outside, 0),
+    ])
 }
 
-/// Whether the minimiser of ½(x − v)² over the grid of C = \[0, 2\] satisfies `(v − x)(y − x) ≤ 0` for every y of the grid.
-fn proximal_point_is_normal(v: &Rational) -> Finding {
-    let grid: Vec<Rational> = (0..=24).map(|k| ratio(k, 12)).collect();
-    let cost = |x: &Rational| (x.clone() - v.clone()) * (x.clone() - v.clone());
-    let nearest = grid.iter().fold(&grid[0], |best, x| if cost(x) < cost(best) { x } else { best });
-    let g = v.clone() - nearest.clone();
-    let normal = grid.iter().all(|y| g.clone() * (y.clone() - nearest.clone()) <= ratio(0, 1));
-    Finding::decision(format!("v − prox(v) is normal to C at prox(v), v = {v}"), normal, true)
+/// Whether the minimiser x of ½(x − v)² over the points of a set satisfies `(v − x)(y − x) ≤ 0` for every y of the set.
+fn proximal_point_is_normal(set: &[Rational], v: &Rational) -> bool {
+    let cost = |x: &Rational| (x - v) * (x - v);
+    let nearest = set.iter().fold(&set[0], |best, x| if cost(x) < cost(best) { x } else { best });
+    set.iter().all(|y| (v - nearest) * (y - nearest) <= ratio(0, 1))
 }
 
 fn cone_error(reading: Reading) -> Result<Vec<Finding>> {
@@ -102,7 +110,8 @@ fn cone_error(reading: Reading) -> Result<Vec<Finding>> {
             [strength, direction / d as f64]
         };
         let ([strength, direction], [finer_strength, finer_direction]) = (errors(d), errors(2 * d));
-        let (coarse, fine) = reading.pick((strength, finer_strength), (direction, finer_direction));
+        let (radii, angles) = ([strength, finer_strength], [direction, finer_direction]);
+        let ([coarse, fine], angles) = reading.only(0).pick((radii, angles), (angles, radii));
         // the strength is the smallest of the four and a difference of numbers of size 1, known to 8 roundings
         let bound = 2.0 * rounding(8, 1.0) / finer_strength;
         let expected = 0.25 / (std::f64::consts::PI / (4 * d) as f64).cos().powi(2);
@@ -111,20 +120,22 @@ fn cone_error(reading: Reading) -> Result<Vec<Finding>> {
         };
         findings.push(shape().says_at_most(0.5).reading("O(1/d) as an upper bound"));
         findings.push(shape().says(0.5).reading("1/d as the order of the shape"));
-        let ratio = finer_direction / direction;
-        findings.push(Finding::equal(format!("error of the direction with 2d directions over that with d = {d}"), ratio, 0.5, bound, "1"));
+        let halved = angles[1] / angles[0];
+        findings.push(Finding::equal(format!("error of the direction with 2d directions over that with d = {d}"), halved, 0.5, bound, "1"));
     }
     // cos(π/4) = 1/√2 and the half-angle formula, twice
     let half_angle = |cosine: f64| ((1.0 + cosine) / 2.0).sqrt();
     let quarter = 0.5f64.sqrt();
     let eighth = half_angle(quarter);
     for (d, cosine) in [(4, quarter), (8, eighth), (16, half_angle(eighth)), (32, half_angle(half_angle(eighth)))] {
-        findings.push(Finding::equal(format!("missing strength, d = {d}"), strength_error(d), 1.0 - cosine, rounding(8, 1.0), "1"));
+        let missing = strength_error(reading.only(1).pick(d, 2 * d));
+        findings.push(Finding::equal(format!("missing strength, d = {d}"), missing, 1.0 - cosine, rounding(8, 1.0), "1"));
     }
     let directions = [[1, 0], [0, 1], [-1, 0], [0, -1]].map(|axis| axis.map(|entry| ratio(entry, 1)));
     let free = DVector::from_iterator(3, [-1, 1, 1].iter().map(number));
-    let lcp = PlanarProblem::new(DMatrix::identity(3, 3), free).polyhedral(&[ratio(1, 2)], &directions)?.lcp;
-    let exact = match lemke(&lcp, &DVector::from_element(lcp.size(), ratio(1, 1)))? {
+    let posed = |friction| PlanarProblem::new(DMatrix::identity(3, 3), free.clone()).polyhedral(&[friction], &directions);
+    let (lcp, solved) = (posed(ratio(1, 2))?.lcp, posed(reading.only(2).pick(ratio(1, 2), ratio(1, 1)))?.lcp);
+    let exact = match lemke(&solved, &DVector::from_element(lcp.size(), ratio(1, 1)))? {
         LemkeOutcome::Solution { z, .. } => residuals(&lcp, &z).vanish(),
         LemkeOutcome::Ray { .. } => false,
     };

@@ -3,8 +3,9 @@
 use crate::certificate::copositivity::copositive_plus;
 use crate::certificate::definiteness::positive_semidefinite;
 use crate::claims::prelude::*;
+use crate::claims::s4::painleve::answers;
 use crate::contact::delassus::delassus;
-use crate::problem::{ContactProblem, Law, Lcp};
+use crate::problem::{ContactProblem, Law, Lcp, PlanarProblem};
 use crate::solvers::enumeration::all_solutions;
 use crate::solvers::lemke::{LemkeOutcome, lemke};
 use crate::solvers::{ContactSolver, ProjectedGaussSeidel};
@@ -18,8 +19,8 @@ pub const PREFACE: &[Claim] = &[Claim {
     kind: Kind::Exercise,
     severity: None,
     evidence: Evidence::Certified,
-    correct_statement: "As stated, since W ⪰ 0 with a positive diagonal; with redundant contacts the impulses depend on the start, and \
-        only the velocity U is unique.",
+    correct_statement: "As stated, since W ⪰ 0 with a positive diagonal, as the contacts of free bodies have it (S3.pgs-ok speaks of any \
+        semidefinite W); with redundant contacts the impulses depend on the start, and only the velocity U is unique.",
     argument: "Block on four frictionless corners (1, ±1, ±1), W of rank 3, U_free = −1: from P = 0 and from P = (1, 0, 0, 1) PGS \
         reaches a solution, min(P, U) = 0 entry by entry, with the same velocity U = 0 and different impulses.",
     controls: &["A single sweep."],
@@ -40,8 +41,14 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
         impulses and one velocity; the motion changes with the solver only where friction acts (S4.nonunique). (The Stewart–Trinkle \
         matrix itself is not copositive-plus with friction, see S4.copos-plus.)",
     argument: "Unit mass on two equal contacts: W = [[1, 1], [1, 1]] is semidefinite, hence copositive-plus; with q = (−1, −1) every z \
-        ≥ 0 with z₁ + z₂ = 1 is a solution, and all have v⁺ = −1 + z₁ + z₂ = 0.",
-    controls: &["Three balls in a row, W = [[2, −1], [−1, 2]], where the solution is unique."],
+        ≥ 0 with z₁ + z₂ = 1 is a solution, and all have v⁺ = −1 + z₁ + z₂ = 0. With friction: Painlevé's rod, μ = 2, tip \
+        separating at 1/10 m/s, has 3 solutions with 3 different normal impulses.",
+    controls: &[
+        "Three balls in a row, W = [[2, −1], [−1, 2]], where the solution is unique.",
+        "Two opposite contacts that both close: no solution.",
+        "The Stewart–Trinkle matrix of one contact with μ = ½ in the place of W.",
+        "μ = 1 on the rod: one solution.",
+    ],
     sources: &["chapter, table of misconceptions"],
     check: existence_only,
 }];
@@ -57,18 +64,27 @@ pub const TABLES: &[Claim] = &[Claim {
     correct_statement: "True for the LCP of a step with one restitution coefficient, q = H(v_free + e v): it is always feasible, and \
         feasible with W ⪰ 0 is solvable.",
     argument: "If no z ≥ 0 had Wz + q ≥ 0, Farkas would give y ≥ 0 with Wy ≤ 0 and qᵀy < 0; then yᵀWy ≤ 0, so Hᵀy = 0 and qᵀy = (v_free + \
-        ev)ᵀHᵀy = 0. Eight contacts of a block with three velocities, all velocities from {−2, …, 2}³ and e = 1/2: W ⪰ 0 of rank 3, each \
-        of the 125 LCPs solved exactly. (With different coefficients it may fail, see S3.normal-solvable.)",
-    controls: &["Data q that is not of the form Hv: two opposite contacts that both close at 1."],
+        ev)ᵀHᵀy = 0. Eight contacts of a block with three velocities, all velocities from {−2, …, 2}³ and e = 1/2: W ⪰ 0, and the LCP of \
+        each velocity is solved exactly. (With different coefficients it may fail, see S3.normal-solvable.)",
+    controls: &[
+        "Data q that is not of the form Hv: two opposite contacts that both close at 1.",
+        "A mass matrix that is not definite, diag(1, 1, −1).",
+    ],
     sources: &["chapter, table of theorems", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.1"],
     check: normal_lcp,
 }];
 
 fn existence_only(reading: Reading) -> Result<Vec<Finding>> {
     let integers = |rows, columns, entries: &[i64]| DMatrix::from_row_iterator(rows, columns, entries.iter().map(|&x| ratio(x, 1)));
-    let jacobian = reading.pick(integers(2, 1, &[1, 1]), integers(2, 3, &[-1, 1, 0, 0, -1, 1]));
+    let jacobian = match reading {
+        Reading::Control(0) => integers(2, 3, &[-1, 1, 0, 0, -1, 1]),
+        Reading::Control(1) => integers(2, 1, &[1, -1]),
+        _ => integers(2, 1, &[1, 1]),
+    };
     let matrix = &jacobian * jacobian.transpose();
-    let plus = copositive_plus(&matrix)?.holds();
+    let frictional = PlanarProblem::new(DMatrix::identity(2, 2), DVector::from_element(2, ratio(-1, 1))).coulomb(&[ratio(1, 2)])?;
+    let plus = copositive_plus(reading.only(2).pick(&matrix, &frictional.lcp.matrix))?.holds();
+    let rod = answers(&reading.only(3).pick(ratio(2, 1), ratio(1, 1)), &ratio(1, 10))?;
     let set = all_solutions(&Lcp::new(matrix, DVector::from_element(2, ratio(-1, 1))))?;
     let mut changes: Vec<DVector<Rational>> = Vec::new();
     for impulse in &set.points {
@@ -84,6 +100,7 @@ fn existence_only(reading: Reading) -> Result<Vec<Finding>> {
         Finding::count("different velocities among the solutions", changes.len(), 1)
             .says_at_least(2usize)
             .violating("friction acts at the contacts"),
+        Finding::count("different normal impulses of the rod, with friction", rod.len(), 3).says_at_least(2usize),
     ])
 }
 
@@ -94,17 +111,19 @@ fn eight_contacts() -> DMatrix<Rational> {
 }
 
 fn normal_lcp(reading: Reading) -> Result<Vec<Finding>> {
+    let restitution = ratio(1, 2);
     let problems: Vec<Lcp<Rational>> = match reading {
-        Reading::Recorded => {
-            let jacobian = eight_contacts();
-            let matrix = delassus(&DMatrix::identity(3, 3), &jacobian)?;
-            let grid = (0..125i64).map(|k| DVector::from_row_slice(&[k % 5 - 2, k / 5 % 5 - 2, k / 25 - 2].map(|x| ratio(x, 1))));
-            // v_free = v: q = H(v + v/2).
-            grid.map(|v| Lcp::new(matrix.clone(), &jacobian * v * ratio(3, 2))).collect()
-        }
-        Reading::Control(_) => {
+        Reading::Control(0) => {
             let matrix = DMatrix::from_row_slice(2, 2, &[1, -1, -1, 1].map(|x| ratio(x, 1)));
             vec![Lcp::new(matrix, DVector::from_element(2, ratio(-1, 1)))]
+        }
+        _ => {
+            let (jacobian, third) = (eight_contacts(), reading.only(1).pick(1, -1));
+            let inverse_mass = DMatrix::from_diagonal(&DVector::from_row_slice(&[1, 1, third].map(|x| ratio(x, 1))));
+            let matrix = &jacobian * inverse_mass * jacobian.transpose();
+            let grid = (0..125i64).map(|k| DVector::from_row_slice(&[k % 5 - 2, k / 5 % 5 - 2, k / 25 - 2].map(|x| ratio(x, 1))));
+            // v_free = v: q = H(v + e v).
+            grid.map(|v| Lcp::new(matrix.clone(), &jacobian * v * (ratio(1, 1) + &restitution))).collect()
         }
     };
     let mut unsolved = 0;

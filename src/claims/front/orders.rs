@@ -1,7 +1,7 @@
 //! Front matter and table of misconceptions: the order of integrators at impacts.
 
+use crate::claims::experiments::runge_kutta::{Impacts, Norm, order};
 use crate::claims::prelude::*;
-use crate::claims::s0::runge_kutta::{Impacts, Norm, order};
 use crate::tolerance::claims::ORDER_GAP;
 
 /// Claims of the preface.
@@ -18,7 +18,10 @@ pub const PREFACE: &[Claim] = &[Claim {
     argument: "RK4 on q̈ = −g − 4q with e = 0.8, the velocity flipped at the end of the step that penetrates, through one impact: between \
                the impact and that node the velocities differ by the jump (1+e)V for every h; the position at the end is wrong by V(1+e) \
                times the lag, O(h). Without any reaction the ball falls through the floor and the position is wrong by O(1).",
-    controls: &["The integrator that sees no floor in the place of the one that flips: its position has order 0 as well."],
+    controls: &[
+        "The integrator that sees no floor in the place of the one that flips: its position has order 0 as well.",
+        "A run that ends before the impact, where the velocity does not jump.",
+    ],
     sources: &["chapter, preface: what you miss without §0–§1"],
     check: order_zero,
 }];
@@ -37,31 +40,37 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
     argument: "The same RK4, the same ball on a spring: flipped after penetration the end position is of order 1; with the impact \
         bisected, of \
                order 4 through one, two and three impacts.",
-    controls: &["The integrator that steps over the impact takes the place of the one that locates it."],
+    controls: &["The integrator that steps over the impact and the one that locates it, exchanged."],
     sources: &["chapter, table of misconceptions"],
     check: high_order,
 }];
 
 fn order_zero(reading: Reading) -> Result<Vec<Finding>> {
-    let judged = order(Impacts::Flipped, Norm::VelocitySup, 1)?;
-    let position = order(reading.pick(Impacts::Flipped, Impacts::Ignored), Norm::EndPosition, 1)?;
-    let ignored = order(Impacts::Ignored, Norm::EndPosition, 1)?;
+    let count = reading.only(1).pick(1, 0);
+    let judged = order(Impacts::Flipped, Norm::VelocitySup, count)?;
+    let position = order(reading.only(0).pick(Impacts::Flipped, Impacts::Ignored), Norm::EndPosition, 1)?;
+    let ignored = order(Impacts::Ignored, Norm::EndPosition, count)?;
     Ok(vec![
-        Finding::equal("order in sup|v|, flipped after penetration", judged.slope, 0.0, ORDER_GAP, "1"),
+        Finding::equal("order in sup|v|, flipped after penetration", judged.slope, 0.0, ORDER_GAP, "1").experiment(),
         Finding::equal("order in q at the end, flipped after penetration", position.slope, 1.0, ORDER_GAP, "1")
+            .experiment()
             .says(0.0)
             .violating("the error is that of the velocity"),
-        Finding::equal("order in q at the end, impact ignored", ignored.slope, 0.0, ORDER_GAP, "1"),
+        Finding::equal("order in q at the end, impact ignored", ignored.slope, 0.0, ORDER_GAP, "1").experiment(),
     ])
 }
 
 fn high_order(reading: Reading) -> Result<Vec<Finding>> {
-    let blind = order(Impacts::Flipped, Norm::EndPosition, 1)?;
-    let mut findings = vec![Finding::equal("order of RK4 in q, impact stepped over", blind.slope, 1.0, ORDER_GAP, "1").says_at_most(1.0)];
+    let (locating, blind) = reading.pick((Impacts::Located, Impacts::Flipped), (Impacts::Flipped, Impacts::Located));
+    let blind = order(blind, Norm::EndPosition, 1)?;
+    let mut findings =
+        vec![Finding::equal("order of RK4 in q, impact stepped over", blind.slope, 1.0, ORDER_GAP, "1").experiment().says_at_most(1.0)];
     for impacts in 1..=3 {
-        let located = order(reading.pick(Impacts::Located, Impacts::Flipped), Norm::EndPosition, impacts)?;
+        let located = order(locating, Norm::EndPosition, impacts)?;
         let name = format!("order of RK4 in q, {impacts} impacts located");
-        findings.push(Finding::equal(name, located.slope, 4.0, ORDER_GAP, "1").says_at_most(1.0).violating("the impact is stepped over"));
+        findings.push(
+            Finding::equal(name, located.slope, 4.0, ORDER_GAP, "1").experiment().says_at_most(1.0).violating("the impact is stepped over"),
+        );
     }
     Ok(findings)
 }

@@ -1,19 +1,21 @@
 //! Front matter and tables on schemes: misconceptions, the convergence theorem's entry, symbols, the Zeno question, the
 //! comparison with engines.
 
-use crate::checks::energy::{worked_ball, worked_step};
+use crate::checks::convergence::study;
+use crate::checks::energy::{first_impact, worked_ball, worked_step};
 use crate::checks::zeno::{DroppedBall, settle};
+use crate::claims::experiments::corner::{self, floor_before_wall, quartered};
 use crate::claims::prelude::*;
 use crate::closed_forms::bouncing_ball::{BouncingBall, impact_time_ratio};
 use crate::closed_forms::mujoco_normal::spring_damper_restitution;
 use crate::contact::delassus::delassus;
+use crate::defects::energy::{Misassembled, restitution_forgotten};
+use crate::defects::zeno::{Altered, Mistake};
+use crate::elimination::solve;
 use crate::exact_particle::{Ball, BallState};
-use crate::problem::Lcp;
-use crate::schemes::{Activation, MoreauJean, RestitutionRule, simulate};
-use crate::solvers::ProjectedGaussSeidel;
-use crate::solvers::lemke::solution;
-use crate::tolerance::claims::thresholds::NOT_FIRST_ORDER;
-use crate::tolerance::{schemes as tolerance, zeno};
+use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme};
+use crate::tolerance::convergence::{Bounds, Impacts};
+use crate::tolerance::schemes::{self as tolerance, ball_velocity};
 
 /// Claims of the preface and the project.
 pub const PREFACE: &[Claim] = &[
@@ -27,26 +29,30 @@ pub const PREFACE: &[Claim] = &[
         correct_statement: "As stated; the total time is 9 times that of the first fall.",
         argument: "t_k/t₁ = 1 + 2(e + … + e^{k−1}) increases strictly and stays below (1+e)/(1−e) = 9: t_60 and t_240 in rationals. \
                    (e = 0 has one impact, e = 1 an infinite total time.)",
-        controls: &["e = 1, for which impact 60 comes at 119 t₁."],
+        controls: &["e = 1, for which impact 60 comes at 119 t₁.", "e = 0: one impact, no more."],
         sources: &["chapter, self-test question 5"],
         check: zeno_question,
     },
     Claim {
         id: "P.compare",
-        statement: "Project: run the same three scenes in MuJoCo or PyBullet and compare penetration, energy curves and gliding with \
-                    one's own implementation.",
-        verdict: ClaimVerdict::Conditional,
+        statement: "Comparison: run the same three scenes in MuJoCo or PyBullet and compare penetration, energy curves and gliding with \
+            one's own implementation, to understand that another format gives another result (§10).",
+        verdict: ClaimVerdict::True,
         kind: Kind::Exercise,
-        severity: Some(Severity::MissingHypothesis),
+        severity: None,
         evidence: Evidence::Certified,
-        correct_statement: "Meaningful once the restitution is matched: a spring–damper contact that can only push has the \
-                            restitution of its damping ratio, e^{-2} = 0.135 if critically damped, whatever e the rigid \
-                            model was given. Only then do differences of the energy curves speak about the schemes.",
+        correct_statement: "As stated. A good part of the difference is not of the schemes: a spring–damper contact that can only push has \
+            the restitution of its damping ratio, e^{-2} = 0.135 if critically damped, whatever e the rigid model was given. It vanishes \
+            once the damping ratio is matched to e.",
         argument: "ẍ = −2ζẋ − x from x = 0, ẋ = −1 (time in 1/ω), released when the force 2ζẋ + x changes sign. ζ = 1: x = −t e^{−t}, ẍ \
-            = (2−t)e^{−t}, release at t = 2 with ẋ = e^{−2}. So a bounce keeps e^{−4} = 0.018 of its energy, against 0.64 for e = 0.8. \
+            = (2−t)e^{−t}, release at t = 2 with ẋ = e^{−2}, so a bounce keeps e^{−4} of its energy; the rigid step with e = 0.8 keeps e². \
             The damping ratio whose closed form is e = 0.8, found by bisection, does rebound with 0.8. The motion is integrated \
             numerically and held against the closed forms. Engines themselves are not run here.",
-        controls: &["The contact with the matched damping ratio in the place of the critically damped one."],
+        controls: &[
+            "The contact with the matched damping ratio in the place of the critically damped one.",
+            "The damping ratio of a spring that may pull, −ln e/√(π² + ln² e), as if it were the matched one.",
+            "A plastic rigid ball.",
+        ],
         sources: &["chapter, cumulative project, comparison experiment"],
         check: damped_restitution,
     },
@@ -63,10 +69,13 @@ pub const MISCONCEPTIONS: &[Claim] = &[
         severity: None,
         evidence: Evidence::Exact,
         correct_statement: "As stated of time-stepping: one (v⁺, P) satisfies the balance of momentum and the contact law together.",
-        argument: "The worked step of §12: m(v⁺ − v) + m g h − P = 0 and P·(v⁺ + e v) = 0 with P = 317/200. Predicting v_free and then \
-                   reversing it gives v⁺ = 109/200, P = 327/200 and P·(v⁺ + e v) = 327/4000 J: the patch satisfies the \
-                   balance but not the law.",
-        controls: &["The patch: integrate freely, then replace v_free by −e v_free."],
+        argument: "The worked step of §12: m(v⁺ − v) + m g h − P = 0 and P·(v⁺ + e v) = 0 with P = 317/200, v⁺ and P those of the step. A \
+            patch satisfies one or the other: v_free reversed the balance but not the law, v reversed with the impulse of an impact the \
+            law but not the balance.",
+        controls: &[
+            "The patch: integrate freely, then replace v_free by −e v_free.",
+            "The other patch: reverse v with the impulse (1+e) m |v| of an impact, which leaves out gravity's.",
+        ],
         sources: &["chapter, table of misconceptions, row 1"],
         check: simultaneous,
     },
@@ -82,7 +91,10 @@ pub const MISCONCEPTIONS: &[Claim] = &[
         argument: "v⁺ = −e v in every step once |v| ≤ g h/(1+e) at an active contact, so n steps leave eⁿ of the speed and it takes \
                    40 steps to divide it by 2⁴⁰ if e = ½. The ball of §12 in rationals (h = 1/100) and in floats (h = 10⁻², 10⁻³) \
                    under φ + ½hv ≤ 0; the plastic ball has v = 0 after its impact.",
-        controls: &["e = 0 in the place of e = ½: the ball stands still at once."],
+        controls: &[
+            "e = 0 and e = ½ exchanged: the ball with e = 0 stands still at once.",
+            "The rule φ + hv ≤ 0 with v ≤ 0, under which the ball is never absorbed.",
+        ],
         sources: &["chapter §1, comparison table; chapter, cumulative project, scene (a)"],
         check: micro_bounces,
     },
@@ -101,13 +113,16 @@ pub const TABLES: &[Claim] = &[
         correct_statement: "For one contact, or contacts that meet at right angles (in the metric of M). Otherwise a motion that \
             reaches two of them at once may have several limits, since a step may see one before the other. The hypotheses on impact \
             law, friction and activation rule are missing as well, and the attribution has not been verified here.",
-        argument: "Bouncing ball: the error of v_h is at most (1+e)δ₀ + 2 units of g h away from the impact and of the order of V \
-            during δ₀ + 1 steps around it; summed, |q_h − q| ≤ C h V with an explicit C (derived in the source). Run with h = 10⁻², \
-            10⁻³, 10⁻⁴ for θ = ½ and 1. Corner: plastic unit mass with v⁻ = (−1, −1) m/s into the wedge y ≥ 0, 4x + 3y ≥ 0, g = 10 \
-            m/s²; both walls are reached at 1/10 s, −v⁻ lies in the cone of the normals, so it stops. θ = 1, activation φ ≤ 0: with h = \
-            1/(10N) s both walls close in one step and the error is h/2; with h = 1/(10N + 5/2) s the floor closes first, the mass \
-            slides into the wall and climbs it at 3/5 m/s, for every N.",
-        controls: &["Walls at right angles, x ≥ 0 in the place of 4x + 3y ≥ 0."],
+        argument: "Bouncing ball, e = 0.8, θ = ½ and 1, activation φ ≤ 0, to the apex after the impact: sup|q_h − q| and ∫|v_h − v| are \
+            within the constants times V h that follow from the shift of the impact. Corner: plastic unit mass with v⁻ = \
+            (−1, −1) m/s into the wedge y ≥ 0, 4x + 3y ≥ 0, g = 10 m/s²; both walls are reached at 1/10 s, −v⁻ lies in the cone of the \
+            normals, so it stops. θ = 1, activation φ ≤ 0: with h = 2/(20N) s both walls close in one step and the error falls with h; \
+            with h = 2/(20N + 5) s the floor closes first, the mass slides into the wall and climbs it, for every N.",
+        controls: &[
+            "Walls at right angles, x ≥ 0 in the place of 4x + 3y ≥ 0.",
+            "Steps that close the floor first in the place of those that close both walls at once.",
+            "The restitution left out of the scheme.",
+        ],
         sources: &["chapter, table of theorems", "chapter §3"],
         check: converges_on_the_ball,
     },
@@ -123,23 +138,26 @@ pub const TABLES: &[Claim] = &[
                             normals included, in §5, N as a matrix there but as a cone in §2, and E as a vector in §4 but as an energy in \
                             §3: with the D of the table, \
                             DᵀM⁻¹D is not the Delassus operator. (§5 itself says that its D stacks normals and tangents.)",
-        argument: "Planar contact of a unit mass: the D of §4 is [t, −t], so DᵀM⁻¹D = [[1, −1], [−1, 1]], singular; the Delassus operator \
-            of \
-                   (n, t) is the identity. With D = [n, t] both agree.",
-        controls: &["D read as [n, t] in both places, for which the two matrices agree."],
+        argument: "Planar contact of a mass of 2 kg: the D of §4 is [t, −t], so DᵀM⁻¹D = ½ [[1, −1], [−1, 1]] is singular; the velocities \
+            that unit impulses along n and t give, the Delassus operator, are half the identity. With D = [n, t] both agree.",
+        controls: &["D read as [n, t] in both places, for which the two matrices agree.", "D read as [t, −t] in both places."],
         sources: &["chapter, table of symbols; chapter §4 and §5"],
         check: two_meanings_of_d,
     },
 ];
 
 fn zeno_question(reading: Reading) -> Result<Vec<Finding>> {
-    let e = reading.pick(ratio(4, 5), ratio(1, 1));
+    let e = match reading {
+        Reading::Control(0) => ratio(1, 1),
+        Reading::Control(_) => ratio(0, 1),
+        Reading::Recorded => ratio(4, 5),
+    };
     let times = [60, 61, 240].map(|impact| impact_time_ratio(&e, impact));
     let mut findings = vec![Finding::decision("impact 240 comes before 9 t₁", times[2] < ratio(9, 1), true)];
     findings.push(Finding::decision("impact 61 comes after impact 60", times[0] < times[1], true));
     let remaining = ratio(9, 1) - times[0].clone();
-    let expected = (0..60).fold(ratio(10, 1), |product, _| product * &e);
-    findings.push(Finding::exact("(T∞ − t_60)/(10 e^60) in t₁", &(remaining / expected), &ratio(1, 1), "1"));
+    let expected = (0..60).fold(ratio(10, 1), |product, _| product * ratio(4, 5));
+    findings.push(Finding::exact("(T∞ − t_60)/(10 (4/5)^60) in t₁", &(remaining / expected), &ratio(1, 1), "1"));
     Ok(findings)
 }
 
@@ -174,18 +192,22 @@ fn damping_of(restitution: f64) -> f64 {
 
 fn damped_restitution(reading: Reading) -> Result<Vec<Finding>> {
     let h = 1.0 / 1024.0;
-    let (rigid, matched) = (0.8, damping_of(0.8));
-    let measured = released_speed(reading.pick(1.0, matched), h);
+    let (rigid, matched) = (0.8f64, damping_of(0.8));
+    let pulling = -rigid.ln() / std::f64::consts::PI.hypot(rigid.ln());
+    let soft = released_speed(reading.only(0).pick(1.0, matched), h);
+    let fitted = released_speed(reading.only(1).pick(matched, pulling), h);
     let predicted = (-2f64).exp();
     let tolerance = tolerance::released_speed(h);
-    let same_scene = "the engine's contact has the restitution of the rigid model";
+    let ball = DroppedBall { mass: 1.0, gravity: 9.81, height: 1.0, restitution: reading.only(2).pick(rigid, 0.0) };
+    let [before, after] = first_impact(&MoreauJean::default(), &ball, h)?.map(|state| state.velocity[0]);
+    let kept = (after / before).powi(2);
+    let rounded = 2.0 * ball_velocity(before.abs(), ball.gravity * h) / before.abs();
     Ok(vec![
-        Finding::equal("restitution of a contact matched to e = 0.8", released_speed(matched, h), rigid, tolerance, "1"),
-        Finding::equal("restitution of a critically damped contact", measured, predicted, tolerance, "1").says(rigid).violating(same_scene),
         // |m² − p²| ≤ 2|m − p| for speeds of at most 1
-        Finding::equal("its energy ratio", measured * measured, predicted * predicted, 2.0 * tolerance, "1")
-            .says(rigid * rigid)
-            .violating(same_scene),
+        Finding::at_least("energy ratio of the rigid step less that of the soft contact", kept - soft * soft, 2.0 * tolerance, "1"),
+        Finding::equal("energy ratio of the critically damped contact", soft * soft, predicted * predicted, 2.0 * tolerance, "1"),
+        Finding::equal("energy ratio of the rigid step with e = 0.8", kept, rigid * rigid, rounded, "1"),
+        Finding::equal("restitution of a contact matched to e = 0.8", fitted, rigid, tolerance, "1"),
     ])
 }
 
@@ -193,8 +215,11 @@ fn simultaneous(reading: Reading) -> Result<Vec<Finding>> {
     let (ball, h, before) = (worked_ball(), ratio(1, 100), ratio(-99, 100));
     let solved = worked_step(&ball, &ratio(1, 1));
     let patched = -ball.restitution.clone() * &solved.free_velocity;
-    let velocity = reading.pick(solved.motion.velocity.clone(), patched);
-    let impulse = ball.mass.clone() * (velocity.clone() - &solved.free_velocity);
+    let (velocity, impulse) = match reading {
+        Reading::Recorded => (solved.motion.velocity.clone(), solved.impulse.clone()),
+        Reading::Control(0) => (patched.clone(), &ball.mass * (patched - &solved.free_velocity)),
+        Reading::Control(_) => (-&ball.restitution * &before, -(ratio(1, 1) + &ball.restitution) * &ball.mass * &before),
+    };
     let law_velocity = velocity.clone() + ball.restitution.clone() * &before;
     let momentum: Rational = ball.mass.clone() * (velocity - before + ball.gravity.clone() * h) - &impulse;
     Ok(vec![
@@ -224,8 +249,9 @@ fn speeds_after_absorption(restitution: Rational) -> [Rational; 2] {
 
 fn micro_bounces(reading: Reading) -> Result<Vec<Finding>> {
     const FURTHER: usize = 40;
-    let [absorbed, later] = speeds_after_absorption(reading.pick(ratio(1, 2), ratio(0, 1)));
-    let plastic = speeds_after_absorption(ratio(0, 1));
+    let (bouncing, plastic) = reading.only(0).pick((ratio(1, 2), ratio(0, 1)), (ratio(0, 1), ratio(1, 2)));
+    let [absorbed, later] = speeds_after_absorption(bouncing);
+    let plastic = speeds_after_absorption(plastic);
     let decay = (0..20).fold(absorbed, |speed, _| speed / ratio(2, 1));
     let mut findings = vec![
         Finding::decision("the ball still moves 20 steps after its last bounce", later > ratio(0, 1), true).says(false).violating("e = 0"),
@@ -233,11 +259,13 @@ fn micro_bounces(reading: Reading) -> Result<Vec<Finding>> {
         Finding::exact("the same with e = 0", &plastic[1], &ratio(0, 1), "m/s"),
     ];
     let scheme = MoreauJean { theta: 1.0, activation: Activation::HalfStepForecast, restitution: RestitutionRule::NormalOnly };
+    let never = Altered { base: scheme, mistake: Mistake::ApproachingOnly };
+    let subject: &dyn Scheme = reading.only(1).pick(&scheme, &never);
     let ball = DroppedBall { mass: 1.0, gravity: 10.0, height: 0.05, restitution: 0.5 };
     for h in [0.01, 0.001] {
         let drop = ball.drop(&scheme, h);
         let limit = (drop.accumulation() + drop.bounds().late).ceil() as usize;
-        let settling = settle(&scheme, &ball, h, limit, FURTHER)?;
+        let settling = settle(subject, &ball, h, limit, FURTHER)?;
         let absorbed = settling.absorbed.map_or(f64::INFINITY, |steps| steps as f64);
         findings.push(Finding::at_most(format!("steps to absorption, h = {h}"), absorbed, limit as f64, "1"));
         let speed = drop.remaining_speed(FURTHER);
@@ -246,83 +274,64 @@ fn micro_bounces(reading: Reading) -> Result<Vec<Finding>> {
     Ok(findings)
 }
 
-fn converges_on_the_ball(reading: Reading) -> Result<Vec<Finding>> {
-    let ball = DroppedBall { mass: 1.0, gravity: 10.0, height: 0.05, restitution: 0.5 };
-    let exact = BouncingBall::new(ball.gravity, ball.height, ball.restitution)?;
-    let second_apex = exact.first_impact_time() * (1.0 + ball.restitution);
+/// sup|q_h − q| and ∫|v_h − v| of a scheme to the apex after the impact of a ball with e = 0.8, in units of V h, against what is derived
+/// for Moreau–Jean with activation φ ≤ 0: the largest of six phases of the impact, with 64 and 256 steps to it.
+fn errors_of_one_impact(subject: &dyn Scheme, theta: f64) -> Result<Vec<Finding>> {
+    const SHIFTS: usize = 6;
+    let (restitution, horizon) = (0.8, 1.8);
+    let derived = Impacts { theta, forecast: 0.0, restitution, shifts: SHIFTS, impacts: Some(1), horizon };
+    let found = study(subject, restitution, horizon, &[64, 256], SHIFTS)?;
+    // of the study's ball, dropped from 1 m
+    let exact = BouncingBall::new(9.81, 1.0, restitution)?;
+    let (fall, speed) = (exact.first_impact_time(), exact.impact_speed(1));
     let mut findings = Vec::new();
-    for theta in [0.5, 1.0] {
-        let scheme = MoreauJean { theta, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
-        for h in [0.0001, 0.001, 0.01] {
-            let (mechanism, initial) = ball.at_rest();
-            let steps = (second_apex / h) as usize;
-            let recording = simulate(&scheme, &ProjectedGaussSeidel::default(), &mechanism, initial, h, steps)?;
-            let error = |k: usize| (recording.samples[k].position[0] - exact.state(k as f64 * h).0).abs();
-            let largest = (0..=steps).map(error).fold(0.0, f64::max);
-            let drop: zeno::Drop = ball.drop(&scheme, h);
-            let bound = drop.position_error() * ball.gravity * h * h;
-            findings.push(Finding::at_most(format!("sup |q_h − q|, θ = {theta}, h = {h}"), largest, bound, "m"));
+    for (metric, estimate, bounds) in [
+        ("sup|q_h − q|", &found.position, Impacts::position as fn(&Impacts, f64) -> Bounds),
+        ("∫|v_h − v|", &found.velocity_l1, Impacts::velocity_l1),
+    ] {
+        for (level, steps) in estimate.levels.iter().zip([64, 256]) {
+            let Bounds { lower, upper } = bounds(&derived, fall / level.time_step);
+            let name = format!("{metric}, θ = {theta}, {steps} steps to the impact");
+            let constant = level.error / (speed * level.time_step);
+            findings.push(Finding::equal(name, constant, 0.5 * (lower + upper), 0.5 * (upper - lower), "V h"));
         }
     }
-    let wall = reading.pick([ratio(4, 5), ratio(3, 5)], [ratio(1, 1), ratio(0, 1)]);
-    let fall = |denominator: i64| error_in_corner(&wall, &ratio(2, denominator));
-    let together = fall(20 * 256)? / fall(20 * 64)?;
-    let apart = fall(20 * 256 + 5)? / fall(20 * 64 + 5)?;
-    findings.push(Finding::exact("sup |q_h − q| with h/4 over that with h, walls closed in one step", &together, &ratio(1, 4), "1"));
-    findings.push(
-        Finding::at_least(
-            "sup |q_h − q| with h/4 over that with h, floor closed before the wall",
-            apart.to_f64().value(),
-            NOT_FIRST_ORDER,
-            "1",
-        )
-        .says_at_most(NOT_FIRST_ORDER)
-        .violating("one contact, or contacts that meet at right angles"),
-    );
     Ok(findings)
 }
 
-/// max |q_h − q| up to 1/5 s of a plastic unit mass, g = 10 m/s², that reaches the floor y ≥ 0 and a wall, given by its normal, both at
-/// 1/10 s with v = (−1, −1) m/s, and stays in the corner. Moreau–Jean with θ = 1 and activation φ ≤ 0.
-fn error_in_corner(wall: &[Rational; 2], h: &Rational) -> Result<Rational> {
-    let normals = [[ratio(0, 1), ratio(1, 1)], wall.clone()];
-    let (mut place, mut velocity) =
-        (DVector::from_vec(vec![ratio(1, 10), ratio(1, 20)]), DVector::from_vec(vec![ratio(-1, 1), ratio(0, 1)]));
-    let (mut time, mut worst) = (ratio(0, 1), ratio(0, 1));
-    while time < ratio(1, 5) {
-        let free = &velocity - DVector::from_vec(vec![ratio(0, 1), ratio(10, 1) * h]);
-        let closed: Vec<&[Rational; 2]> = normals.iter().filter(|n| &n[0] * &place[0] + &n[1] * &place[1] <= ratio(0, 1)).collect();
-        let jacobian = DMatrix::from_fn(closed.len(), 2, |i, j| closed[i][j].clone());
-        velocity = if closed.is_empty() {
-            free
-        } else {
-            let step = Lcp::new(&jacobian * jacobian.transpose(), &jacobian * &free);
-            free + jacobian.transpose() * solution(&step)?
-        };
-        place += &velocity * h.clone();
-        time += h;
-        let left = (ratio(1, 10) - &time).max(ratio(0, 1));
-        let height = if left > ratio(0, 1) { ratio(1, 20) - ratio(5, 1) * &time * &time } else { ratio(0, 1) };
-        worst = worst.max((&place[0] - left).magnitude()).max((&place[1] - height).magnitude());
+fn converges_on_the_ball(reading: Reading) -> Result<Vec<Finding>> {
+    let mut findings = Vec::new();
+    for theta in [0.5, 1.0] {
+        let scheme = MoreauJean { theta, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
+        let forgetful = Misassembled { base: scheme, alter: restitution_forgotten };
+        let subject: &dyn Scheme = reading.only(2).pick(&scheme, &forgetful);
+        findings.extend(errors_of_one_impact(subject, theta)?);
     }
-    Ok(worst)
+    let together = quartered(&corner::leaning(), reading.only(1).pick(0, 5))?;
+    findings.push(Finding::exact("sup |q_h − q| with h/4 over that with h, walls closed in one step", &together, &ratio(1, 4), "1"));
+    findings.push(floor_before_wall(&reading.only(0).pick(corner::leaning(), corner::upright()))?);
+    Ok(findings)
 }
 
 fn two_meanings_of_d(reading: Reading) -> Result<Vec<Finding>> {
     let integers = |rows, columns, entries: &[i64]| DMatrix::from_row_iterator(rows, columns, entries.iter().map(|&entry| ratio(entry, 1)));
     // Rows are directions in (n, t) coordinates: Dᵀ of §4 holds t and −t, the contact Jacobian n and t.
-    let jacobian = integers(2, 2, &[1, 0, 0, 1]);
-    let directions = reading.pick(integers(2, 2, &[0, 1, 0, -1]), jacobian.clone());
-    let mass = integers(2, 2, &[1, 0, 0, 1]);
-    let (of_table, of_contact) = (delassus(&mass, &directions)?, delassus(&mass, &jacobian)?);
+    let (tangents, stacked) = (integers(2, 2, &[0, 1, 0, -1]), integers(2, 2, &[1, 0, 0, 1]));
+    let mass = integers(2, 2, &[2, 0, 0, 2]);
+    let (of_table, of_section) =
+        (delassus(&mass, reading.only(0).pick(&tangents, &stacked))?, delassus(&mass, reading.only(1).pick(&stacked, &tangents))?);
+    // by its meaning: the velocity (n, t) that unit impulses along n and t give
+    let unit_impulse =
+        |k: usize| solve(&mass, &stacked.row(k).transpose()).ok_or_else(|| Error::invalid("mass", "is singular", "give masses"));
+    let operator = DMatrix::from_columns(&[unit_impulse(0)?, unit_impulse(1)?]);
     let determinant = |w: &DMatrix<Rational>| w[(0, 0)].clone() * &w[(1, 1)] - w[(0, 1)].clone() * &w[(1, 0)];
     Ok(vec![
-        Finding::decision("DᵀM⁻¹D is the Delassus operator, D of §5", delassus(&mass, &jacobian)? == of_contact, true),
-        Finding::decision("DᵀM⁻¹D is the Delassus operator, D of §4", of_table == of_contact, false)
+        Finding::decision("DᵀM⁻¹D is the Delassus operator, D of §5", of_section == operator, true),
+        Finding::decision("DᵀM⁻¹D is the Delassus operator, D of §4", of_table == operator, false)
             .says(true)
             .violating("D stacks normals and tangents"),
         Finding::exact("det DᵀM⁻¹D, D of §4", &determinant(&of_table), &ratio(0, 1), "1/kg²")
-            .says(determinant(&of_contact))
+            .says(determinant(&operator))
             .violating("D stacks normals and tangents"),
     ])
 }

@@ -8,7 +8,6 @@ mod mechanics;
 pub mod one_step;
 pub mod orders;
 mod rattle;
-pub(crate) mod runge_kutta;
 pub mod solutions;
 pub mod zeno;
 

@@ -20,7 +20,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated, for one surface, which the chapter says: α = ∇s·f₋/(∇s·f₋ − ∇s·f₊) ∈ (0, 1). Where one field \
             crosses the surface there is no such α in [0, 1]; where two surfaces meet, four fields and three conditions leave a \
             family.",
-        argument: "ṡ = α∇s·f₊ + (1−α)∇s·f₋ is affine in α, positive at α = 0 and negative at α = 1: one zero, inside. Three pairs of \
+        argument: "ṡ = α∇s·f₊ + (1−α)∇s·f₋ is affine in α, positive at α = 0 and negative at α = 1: one zero, inside. Several pairs of \
             rational fields. That the combination is what happens: a relay with a hysteresis ±ε zigzags across the surface, 2ε/|∇s·f₊| \
             above and 2ε/(∇s·f₋) below, and its mean velocity along the surface is exactly that of the combination.",
         controls: &["Fields of which one crosses the surface."],
@@ -35,10 +35,13 @@ pub const CLAIMS: &[Claim] = &[
         severity: None,
         evidence: Evidence::Certified,
         correct_statement: "As stated.",
-        argument: "The dry-friction oscillator (δ = 0.15, q₀ = 1) integrated as a Filippov system enters the sliding mode after 3 \
-            half-cycles and stays, with α = ½(1 − q/δ); on the belt it is in the mode for 2Δ/v_b in each period: both as the closed forms \
+        argument: "The dry-friction oscillator (δ = 0.15, q₀ = 1) integrated as a Filippov system enters the sliding mode at the end of a \
+            half-cycle and stays, with α = ½(1 − q/δ); on the belt it is in the mode for 2Δ/v_b in each period: both as the closed forms \
             of Coulomb's law say.",
-        controls: &["A belt with less sticking friction, 0.6 in the place of 0.7, in the simulation."],
+        controls: &[
+            "A belt with less sticking friction, 0.6 in the place of 0.7, in the simulation.",
+            "A third of the friction on the oscillator: it still swings at the end.",
+        ],
         sources: &["chapter §1, relation to contact"],
         check: sticking,
     },
@@ -49,12 +52,12 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Citation,
         severity: None,
-        evidence: Evidence::Cited,
+        evidence: Evidence::Measured,
         correct_statement: "As stated, “exactly” meaning to the accuracy of the integrator and the root finder. The paper was not read; \
             what its kind of method can do is measured on one of our own.",
         argument: "Belt: releases follow each other after the period of the closed form to 10⁻⁹ s. With fixed steps and located switches \
-            the state has order 5, with switches noticed at the end of a step they are late by a part of h.",
-        controls: &["Switches noticed at the end of a step."],
+            the state has the order of the integrator, with switches noticed at the end of a step they are late by the rest of the step.",
+        controls: &["Switches that are located and those noticed at the end of a step, exchanged."],
         sources: &["chapter §1, advantage of event-driven methods", "Piiroinen and Kuznetsov, ACM TOMS 34(3), 2008 (not read)"],
         check: detection,
     },
@@ -79,10 +82,9 @@ fn convex_combination(reading: Reading) -> Result<Vec<Finding>> {
         let below = [ratio(below, 5), ratio(slip[1], 1)];
         let name = format!("∇s·f₊ = {}, ∇s·f₋ = {}", above[0], below[0]);
         let share = &below[0] / (&below[0] - &above[0]);
-        let [across, along] = combined(&share, &above, &below);
+        let [_, along] = combined(&share, &above, &below);
         let inside = share > ratio(0, 1) && share < ratio(1, 1);
         let changes = combined(&ratio(0, 1), &above, &below)[0] > ratio(0, 1) && combined(&ratio(1, 1), &above, &below)[0] < ratio(0, 1);
-        findings.push(Finding::exact(format!("ṡ, {name}"), &across, &ratio(0, 1), "1"));
         findings.push(Finding::decision(format!("α in (0, 1), {name}"), inside, true));
         findings.push(Finding::decision(format!("ṡ falls through 0 from α = 0 to α = 1, {name}"), changes, true));
         findings.push(Finding::exact(format!("mean velocity of a relay along the surface, {name}"), &relay(&above, &below), &along, "1"));
@@ -102,12 +104,13 @@ fn begins(switches: &[Switch], mode: Mode) -> Vec<f64> {
 }
 
 fn sticking(reading: Reading) -> Result<Vec<Finding>> {
-    let friction = DryFriction { frequency: 2.0, belt: 0.0, sticking: 0.15, slipping: 0.15 };
+    let delta = reading.only(1).pick(0.15, 0.05);
+    let friction = DryFriction { frequency: 2.0, belt: 0.0, sticking: delta, slipping: delta };
     let exact = DryFrictionOscillator::new(1.0, 4.0, 0.6, 1.0)?;
     let (end, switches) = advance(&EventDriven::default(), &friction, &dvector![1.0, 0.0], 7.0)?;
     let entered = begins(&switches, Mode::Sliding);
     let belt = BeltOscillator::new(BELT.frequency, BELT.belt, BELT.sticking, BELT.slipping)?;
-    let simulated = DryFriction { sticking: reading.pick(BELT.sticking, 0.6), ..BELT };
+    let simulated = DryFriction { sticking: reading.only(0).pick(BELT.sticking, 0.6), ..BELT };
     let (_, cycles) = carried(&simulated, &EventDriven::default(), 10.0)?;
     let (stuck, released) = (begins(&cycles, Mode::Sliding), begins(&cycles, Mode::Beside(Side::Below)));
     // the first sliding phase begins at the start, the second after the first slip
@@ -115,7 +118,13 @@ fn sticking(reading: Reading) -> Result<Vec<Finding>> {
     Ok(vec![
         Finding::equal("length of a sticking phase on the belt", duration, belt.stick_duration(), SWITCHING, "s"),
         Finding::count("sliding modes of the dry-friction oscillator", entered.len(), 1),
-        Finding::equal("begin of its sliding mode", entered[0], exact.sticking_time(), SWITCHING, "s"),
+        Finding::equal(
+            "begin of its sliding mode",
+            entered.first().copied().unwrap_or(f64::INFINITY),
+            exact.sticking_time(),
+            SWITCHING,
+            "s",
+        ),
         Finding::equal("where it sticks", end[0], exact.state(7.0).0, ACCURACY, "m"),
         Finding::equal("α there", share_above(&friction, &end), 0.5 * (1.0 - exact.state(7.0).0 / 0.15), SWITCHING, "1"),
     ])
@@ -126,21 +135,23 @@ const LATE_STEP: f64 = 0.13;
 
 fn detection(reading: Reading) -> Result<Vec<Finding>> {
     let exact = BeltOscillator::new(BELT.frequency, BELT.belt, BELT.sticking, BELT.slipping)?;
-    let location = reading.pick(Location::Root, Location::EndOfStep);
+    let (located, noticed) = reading.pick((Location::Root, Location::EndOfStep), (Location::EndOfStep, Location::Root));
     let method = |control, location| EventDriven { control, location, ..EventDriven::default() };
-    let (_, cycles) = carried(&BELT, &EventDriven::default(), 10.0)?;
+    let (_, cycles) = carried(&BELT, &EventDriven { location: located, ..EventDriven::default() }, 10.0)?;
     let released = begins(&cycles, Mode::Beside(Side::Below));
+    let period = released.windows(2).next().map_or(f64::INFINITY, |pair| pair[1] - pair[0]);
     let level = |h: f64| -> Result<Refinement> {
-        let (end, _) = carried(&BELT, &method(Control::Fixed(h), location), 8.0)?;
+        let (end, _) = carried(&BELT, &method(Control::Fixed(h), located), 8.0)?;
         Ok(Refinement { time_step: h, error: (end[0] - exact.carried_from_zero(8.0).0).abs() })
     };
     let order = fit_order([0.1, 0.05, 0.025].into_iter().map(level).collect::<Result<_>>()?)?.slope;
-    let (_, late) = carried(&BELT, &method(Control::Fixed(LATE_STEP), Location::EndOfStep), 4.0)?;
-    let delay = begins(&late, Mode::Beside(Side::Below))[0] - BELT.sticking / BELT.belt;
+    let (_, late) = carried(&BELT, &method(Control::Fixed(LATE_STEP), noticed), 4.0)?;
+    let release = BELT.sticking / BELT.belt;
+    let delay = begins(&late, Mode::Beside(Side::Below))[0] - release;
+    let rest_of_step = (release / LATE_STEP).ceil() * LATE_STEP - release;
     Ok(vec![
-        Finding::at_least("order of q at 8 s", order, LOCATED_ORDER, "1"),
-        Finding::equal("time between two releases", released[1] - released[0], exact.period(), SWITCHING, "s"),
-        Finding::at_least("delay of a release noticed at the end of a step of 0.13 s", delay, SWITCHING, "s"),
-        Finding::at_most("delay of a release noticed at the end of a step of 0.13 s", delay, LATE_STEP, "s"),
+        Finding::at_least("order of q at 8 s", order, LOCATED_ORDER, "1").experiment(),
+        Finding::equal("time between two releases", period, exact.period(), SWITCHING, "s"),
+        Finding::equal("delay of a release noticed at the end of a step of 0.13 s", delay, rest_of_step, SWITCHING, "s"),
     ])
 }

@@ -1,8 +1,8 @@
 //! Which integrators simulators have.
 
 use crate::claims::experiments::mujoco::facts;
+use crate::claims::experiments::runge_kutta;
 use crate::claims::prelude::*;
-use crate::claims::s0::runge_kutta;
 use crate::tolerance::claims::ORDER_GAP;
 use crate::trajectory::{Refinement, fit_order};
 
@@ -44,7 +44,7 @@ fn integrators(reading: Reading) -> Result<Vec<Finding>> {
     let facts = facts()?;
     let (default, number) = (facts.number(&["stated", "defaults", "integrator"])?, facts.number(&["stated", "integrators", name])?);
     Ok(vec![
-        Finding::equal("number of the integrator, against the default", number, default, 0.0, "1"),
-        Finding::equal("its order", fit_order((6..=9).map(level).collect())?.slope, 1.0, ORDER_GAP, "1"),
+        Finding::equal("number of the integrator, against the default", number, default, 0.0, "1").looked_up(),
+        Finding::equal("its order", fit_order((6..=9).map(level).collect())?.slope, 1.0, ORDER_GAP, "1").experiment(),
     ])
 }

@@ -1,9 +1,5 @@
 //! One-sided thresholds of claims: from where on a number is what a sentence calls it.
 
-/// Share of an error with h that is left with h/4 and that first order does not reach: O(h) leaves a quarter, O(√h) a half.
-/// Derived.
-pub const NOT_FIRST_ORDER: f64 = 0.5;
-
 /// Order above which an error converges rather than not, halfway between the orders 0 and 1.
 /// Derived.
 pub const CONVERGES: f64 = 0.5;
@@ -15,10 +11,6 @@ pub const DOUBLED: f64 = 2.0;
 /// Share of what a model does from which on a motion follows that model and not the other one, which does nothing of it: halfway.
 /// Derived.
 pub const FOLLOWS: f64 = 0.5;
-
-/// Ratio of the work for twice the size from which on the work grows with the size: halfway between 1 (it does not) and 2 (in proportion).
-/// Derived.
-pub const GROWS: f64 = 1.5;
 
 /// Bytes that no computer of a reader holds: a terabyte.
 /// Set.

@@ -63,8 +63,8 @@ pub(super) fn metric(
         let (h, constant) = (level.time_step, level.error / unit(level.time_step));
         let Bounds { lower, upper } = bounds(h);
         constants.push([lower, upper]);
-        findings.push(Finding::at_most(format!("{name}: constant at h = {h:.3e}"), constant, upper, "1"));
-        findings.push(Finding::at_least(format!("{name}: constant at h = {h:.3e}"), constant, lower, "1"));
+        let [centre, half] = [0.5 * (upper + lower), 0.5 * (upper - lower)];
+        findings.push(Finding::equal(format!("{name}: constant at h = {h:.3e}"), constant, centre, half, "1"));
     }
     let deviation = estimate.slope_deviation(&constants);
     if deviation < 0.5 {

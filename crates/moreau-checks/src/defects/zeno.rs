@@ -18,7 +18,7 @@ pub const DEFECTS: &[Defect] = &[
     Defect {
         name: "zeno/rule-c",
         mistake: "contacts are active when φ + h v ≤ 0 and v ≤ 0: at rest every second step is free and the ball sinks",
-        defective: || family(&Altered { base: JUDGED, mistake: Mistake::ApproachingOnly }),
+        defective: || family(&RULE_C),
         reference: || family(&JUDGED),
     },
     Defect {
@@ -37,16 +37,17 @@ fn family(subject: &dyn Scheme) -> Result<Vec<Finding>> {
     absorption(subject, &JUDGED, &ball, 0.01, 100)
 }
 
-/// The speed at which a ball sinks under rule C, over the last two of [`zeno::SINKING_STEPS`] steps, against
-/// g h (1−e)/(2(1+e)).
+/// Rule C on Moreau–Jean with θ = 1.
+pub const RULE_C: Altered = Altered { base: JUDGED, mistake: Mistake::ApproachingOnly };
+
+/// The speed at which a ball sinks, over the last two of [`zeno::SINKING_STEPS`] steps, against g h (1−e)/(2(1+e)) of rule C.
 ///
 /// # Errors
 /// Those of the scheme and the solver.
-pub fn sinking(ball: &DroppedBall, h: f64) -> Result<Finding> {
-    let rule = Altered { base: JUDGED, mistake: Mistake::ApproachingOnly };
+pub fn sinking(rule: &dyn Scheme, ball: &DroppedBall, h: f64) -> Result<Finding> {
     let (mechanism, initial) = ball.at_rest();
     let steps = zeno::SINKING_STEPS;
-    let recording = simulate(&rule, &ProjectedGaussSeidel::default(), &mechanism, initial, h, steps)?;
+    let recording = simulate(rule, &ProjectedGaussSeidel::default(), &mechanism, initial, h, steps)?;
     let position = |k: usize| recording.samples[k].position[0];
     let fall = ball.gravity * h;
     let speed = (position(steps - 2) - position(steps)) / (2.0 * h);

@@ -109,7 +109,7 @@ pub(crate) enum Norm {
     VelocitySup,
 }
 
-/// The order of the method in a norm, up to a quarter of the flight after the given number of impacts.
+/// The order of the method in a norm, up to a quarter of the flight after the given number of impacts, or half the first fall.
 ///
 /// Not to its apex: there v = 0 and an error of time, the method's leading one on a spring, does not show in q.
 pub(crate) fn order(impacts: Impacts, norm: Norm, count: usize) -> Result<OrderEstimate> {
@@ -126,7 +126,7 @@ pub(crate) fn errors_over_those_of_first_order(finer: usize) -> Result<Vec<f64>>
 
 fn order_of(method: Method, impacts: Impacts, norm: Norm, count: usize, finer: usize) -> Result<OrderEstimate> {
     let fall = first_impact_time();
-    let mut end = fall;
+    let mut end = if count == 0 { 0.5 * fall } else { fall };
     for k in 1..=count {
         let flight = flight_time(k);
         end += if k == count { 0.25 * flight } else { flight };
