@@ -4,6 +4,7 @@
 //! planted
 //! [`defects`]: references with one textbook mistake each, which its checks must catch.
 
+pub mod answers;
 mod bearing;
 pub mod cone_projection;
 pub mod convergence;
@@ -11,6 +12,7 @@ pub mod defects;
 pub mod delassus;
 pub mod energy;
 mod finding;
+pub mod planted;
 pub mod plot;
 mod relation;
 mod says;

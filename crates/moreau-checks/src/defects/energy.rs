@@ -1,6 +1,6 @@
 //! Planted defects of the family `energy`: the assembled problem of Moreau–Jean, altered.
 
-use super::Defect;
+use crate::planted::{Beside, Kind, Planted};
 use crate::energy::impact;
 use crate::finding::Finding;
 use crate::zeno::DroppedBall;
@@ -10,30 +10,46 @@ use moreau_exact::Result;
 use nalgebra::DVector;
 
 /// The defects of this family.
-pub const DEFECTS: &[Defect] = &[
-    Defect {
+pub const DEFECTS: &[Planted<Beside>] = &[
+    Planted {
         name: "energy/restitution-on-the-wrong-side",
         mistake: "0 ≤ e v⁺ + v⁻ ⟂ r ≥ 0: the ball leaves with v⁻/e and gains the factor 1/e² of energy",
-        defective: || family(&Misassembled { base: SCHEME, alter: restitution_on_the_wrong_side }),
-        reference: || family(&SCHEME),
+        kind: Kind::Assembly,
+        subject: Beside {
+            check: "properties/energy",
+            defective: || family(&Misassembled { base: SCHEME, alter: restitution_on_the_wrong_side }),
+            reference: || family(&SCHEME),
+        },
     },
-    Defect {
+    Planted {
         name: "energy/delassus-with-mass",
         mistake: "W = H M Hᵀ instead of H M⁻¹ Hᵀ: right only for m = 1",
-        defective: || family(&Misassembled { base: SCHEME, alter: delassus_with_mass }),
-        reference: || family(&SCHEME),
+        kind: Kind::Assembly,
+        subject: Beside {
+            check: "properties/energy",
+            defective: || family(&Misassembled { base: SCHEME, alter: delassus_with_mass }),
+            reference: || family(&SCHEME),
+        },
     },
-    Defect {
+    Planted {
         name: "energy/restitution-of-the-free-velocity",
         mistake: "e multiplies v_free instead of v: each bounce gains e g h of speed",
-        defective: || family(&Misassembled { base: SCHEME, alter: restitution_of_the_free_velocity }),
-        reference: || family(&SCHEME),
+        kind: Kind::Scheme,
+        subject: Beside {
+            check: "properties/energy",
+            defective: || family(&Misassembled { base: SCHEME, alter: restitution_of_the_free_velocity }),
+            reference: || family(&SCHEME),
+        },
     },
-    Defect {
+    Planted {
         name: "energy/restitution-forgotten",
         mistake: "the shift e v is left out: every impact is plastic",
-        defective: || family(&Misassembled { base: SCHEME, alter: restitution_forgotten }),
-        reference: || family(&SCHEME),
+        kind: Kind::Scheme,
+        subject: Beside {
+            check: "properties/energy",
+            defective: || family(&Misassembled { base: SCHEME, alter: restitution_forgotten }),
+            reference: || family(&SCHEME),
+        },
     },
 ];
 

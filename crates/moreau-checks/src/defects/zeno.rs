@@ -1,6 +1,6 @@
 //! Planted defects of the family `zeno`.
 
-use super::Defect;
+use crate::planted::{Beside, Kind, Planted};
 use crate::finding::Finding;
 use crate::tolerance::zeno;
 use crate::zeno::{DroppedBall, absorption};
@@ -14,18 +14,26 @@ use moreau_exact::Result;
 use nalgebra::DVector;
 
 /// The defects of this family.
-pub const DEFECTS: &[Defect] = &[
-    Defect {
+pub const DEFECTS: &[Planted<Beside>] = &[
+    Planted {
         name: "zeno/rule-c",
         mistake: "contacts are active when φ + h v ≤ 0 and v ≤ 0: at rest every second step is free and the ball sinks",
-        defective: || family(&Altered { base: JUDGED, mistake: Mistake::ApproachingOnly }),
-        reference: || family(&JUDGED),
+        kind: Kind::Scheme,
+        subject: Beside {
+            check: "properties/zeno",
+            defective: || family(&Altered { base: JUDGED, mistake: Mistake::ApproachingOnly }),
+            reference: || family(&JUDGED),
+        },
     },
-    Defect {
+    Planted {
         name: "zeno/restitution-of-the-free-velocity",
         mistake: "e multiplies v_free instead of v: gravity's g h per step is reflected and the ball never rests",
-        defective: || family(&Altered { base: JUDGED, mistake: Mistake::FreeVelocity }),
-        reference: || family(&JUDGED),
+        kind: Kind::Scheme,
+        subject: Beside {
+            check: "properties/zeno",
+            defective: || family(&Altered { base: JUDGED, mistake: Mistake::FreeVelocity }),
+            reference: || family(&JUDGED),
+        },
     },
 ];
 

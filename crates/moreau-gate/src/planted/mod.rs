@@ -1,5 +1,17 @@
 //! Planted engines: our own engine with one realistic mistake each, and the checks that must catch it.
 
+/// A solver of [`moreau_checks::defects::solvers`] behind the engine's door.
+macro_rules! solver {
+    ($mistake:ident, $caught_by:expr) => {
+        Planted {
+            name: solvers::$mistake.name,
+            mistake: solvers::$mistake.mistake,
+            kind: solvers::$mistake.kind,
+            subject: Faulty { engine: || with_solver(|| Box::new(Answers(solvers::$mistake.subject))), caught_by: $caught_by },
+        }
+    };
+}
+
 mod determinism;
 mod flight;
 mod friction;
@@ -14,14 +26,15 @@ mod stack;
 mod tumbling;
 mod wrapped;
 
-pub use mistake::Planted;
+pub use mistake::Faulty;
+pub use moreau_checks::planted::{Kind, Planted};
 
 use crate::runner::{self, Plan, QUICK};
 use crate::{Check, Options, Report};
 use moreau_exact::{Error, Result};
 
 /// Every planted engine.
-pub fn all() -> impl Iterator<Item = &'static Planted> {
+pub fn all() -> impl Iterator<Item = &'static Planted<Faulty>> {
     [
         flight::PLANTED,
         impact::PLANTED,
@@ -39,7 +52,7 @@ pub fn all() -> impl Iterator<Item = &'static Planted> {
 }
 
 /// The planted engine with this name.
-pub fn find(name: &str) -> Option<&'static Planted> {
+pub fn find(name: &str) -> Option<&'static Planted<Faulty>> {
     all().find(|planted| planted.name == name)
 }
 
@@ -47,7 +60,7 @@ pub fn find(name: &str) -> Option<&'static Planted> {
 ///
 /// # Errors
 /// If the engine does not describe itself.
-pub fn judge(planted: &Planted, checks: &[&'static Check]) -> Result<Report> {
+pub fn judge(planted: &Planted<Faulty>, checks: &[&'static Check]) -> Result<Report> {
     let plan = Plan { checks: checks.to_vec(), sweep: QUICK.to_vec(), options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };
-    runner::run(&planted.engine, &plan).map_err(|refusal| Error::Unsupported(format!("{}: {refusal}", planted.name)))
+    runner::run(&planted.subject.engine, &plan).map_err(|refusal| Error::Unsupported(format!("{}: {refusal}", planted.name)))
 }

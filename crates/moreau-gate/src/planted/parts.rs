@@ -27,7 +27,7 @@ pub(super) fn with_mechanism(mechanism: Mechanics) -> Box<dyn Engine> {
 }
 
 /// A solver that is a function of the problem and the impulses to start from; polyhedral laws are left to the reference.
-pub(super) struct Answers(pub fn(&ContactProblem, &DVector<f64>) -> Result<Solution>);
+pub(super) struct Answers(pub moreau_checks::answers::Answers);
 
 impl ContactSolver for Answers {
     /// The name of the solver it stands in for.
@@ -48,30 +48,6 @@ impl ContactSolver for Answers {
         let finite = solution.impulse.iter().chain(&solution.velocity).all(|x| x.is_finite());
         if finite { Ok(solution) } else { Err(Error::breakdown("auto", "ended with impulses that are not finite")) }
     }
-}
-
-/// These impulses with the velocity that belongs to them.
-pub(super) fn answer(problem: &ContactProblem, impulse: DVector<f64>, iterations: usize) -> Solution {
-    let velocity = problem.velocity(&impulse);
-    Solution::new("auto", impulse, velocity, iterations)
-}
-
-/// Gauss–Seidel row by row: r_i ← r_i − y_i/W_ii, then the contact's impulse is limited.
-pub(super) fn row_by_row(problem: &ContactProblem, start: &DVector<f64>, sweeps: usize, limit: fn(&mut [f64], f64)) -> DVector<f64> {
-    let rows = problem.rows_per_contact();
-    let mut impulse = start.clone();
-    for _ in 0..sweeps {
-        for i in 0..problem.rows() {
-            let y = problem.dense().row(i).tr_dot(&impulse) + problem.free_velocity()[i] + problem.shift()[i];
-            if problem.entry(i, i) > 0.0 {
-                impulse[i] -= y / problem.entry(i, i);
-            }
-            let contact = i / rows;
-            let mu = if problem.law() == moreau_contact::problem::Law::Frictionless { 0.0 } else { problem.friction()[contact] };
-            limit(&mut impulse.as_mut_slice()[contact * rows..(contact + 1) * rows], mu);
-        }
-    }
-    impulse
 }
 
 /// Moreau–Jean with what is assembled and how positions advance changed.

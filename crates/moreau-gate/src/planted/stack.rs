@@ -1,13 +1,15 @@
 //! Mistakes that make stacks move or lose their weight.
 
-use crate::planted::Planted;
+use crate::planted::{Faulty, Kind, Planted};
 use crate::planted::parts::with_mechanism;
 
 /// The mistakes of this family.
-pub const PLANTED: &[Planted] = &[Planted {
-    name: "stack/mass-ratio-clamped",
-    mistake: "lightens bodies to a hundred times the lightest, so that the solver has it easier",
-    engine: || {
+pub const PLANTED: &[Planted<Faulty>] = &[Planted {
+        name: "stack/mass-ratio-clamped",
+        mistake: "lightens bodies to a hundred times the lightest, so that the solver has it easier",
+        kind: Kind::Reader,
+        subject: Faulty {
+            engine: || {
         with_mechanism(|scene| {
             let lightest = scene.bodies.iter().map(|body| body.mass).fold(f64::INFINITY, f64::min);
             let mut clamped = scene.clone();
@@ -15,5 +17,6 @@ pub const PLANTED: &[Planted] = &[Planted {
             clamped.spatial_mechanism()
         })
     },
-    caught_by: &["stack/mass-ratio"],
+            caught_by: &["stack/mass-ratio"],
+        },
 }];
