@@ -152,3 +152,12 @@ impl<S: Sync> Family<S> {
 fn fails(findings: &[Finding]) -> bool {
     findings.is_empty() || !findings.iter().all(Finding::holds)
 }
+
+/// Holds a family to what it promises: the reference passes every check, and every planted mistake fails one.
+#[cfg(test)]
+pub(crate) fn passes<S: Sync>(family: &'static Family<S>) {
+    assert_eq!(family.failing(&family.reference).expect("computed"), Vec::<String>::new());
+    for trial in family.trials() {
+        assert!(!(trial.caught_by)().expect("computed").is_empty(), "{} is not caught", trial.name);
+    }
+}

@@ -3,8 +3,10 @@
 pub mod certificates;
 pub mod cone_projection;
 pub mod convergence;
+pub mod decisions;
 pub mod delassus;
 pub mod energy;
+pub mod readers;
 pub mod solvers;
 pub mod stewart_trinkle;
 pub mod zeno;
