@@ -29,16 +29,8 @@ pub enum Kind {
 }
 
 /// Every kind, in the order in which they are shown.
-pub const KINDS: [Kind; 8] = [
-    Kind::Assembly,
-    Kind::Projection,
-    Kind::Solver,
-    Kind::Certificate,
-    Kind::Scheme,
-    Kind::ClosedForm,
-    Kind::Reader,
-    Kind::Report,
-];
+pub const KINDS: [Kind; 8] =
+    [Kind::Assembly, Kind::Projection, Kind::Solver, Kind::Certificate, Kind::Scheme, Kind::ClosedForm, Kind::Reader, Kind::Report];
 
 impl Kind {
     /// Its name in the plural.

@@ -5,7 +5,7 @@ use crate::checks::convergence::{Horizon, Stop, bouncing_ball, plastic_ball, stu
 use crate::claims::prelude::*;
 use crate::closed_forms::BouncingBall;
 use crate::defects::convergence::{Altered, Mistake};
-use crate::defects::energy::{Misassembled, restitution_forgotten};
+use crate::defects::schemes::RESTITUTION_FORGOTTEN;
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StewartTrinkle};
 use crate::tolerance::claims::ORDER_GAP;
 use crate::trajectory::estimate_order;
@@ -115,7 +115,7 @@ fn located(reading: Reading) -> Result<Vec<Finding>> {
 
 fn weaker_norms(reading: Reading) -> Result<Vec<Finding>> {
     let scheme = MoreauJean { theta: 0.5, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
-    let forgetful = Misassembled { base: scheme, alter: restitution_forgotten };
+    let forgetful = RESTITUTION_FORGOTTEN.subject.of(scheme);
     let subject: &dyn Scheme = reading.pick(&scheme, &forgetful);
     let found = study(subject, 0.8, 1.8, &[32, 128, 512], 4)?;
     let order = |name: &str, slope: f64, expected: f64| {

@@ -3,30 +3,18 @@
 //! A certificate accepts every exact answer and refuses every one that is changed at one contact. A solver's answer is accepted by the
 //! certificate, does not depend on the impulses it starts from, and follows the contacts when they are renumbered.
 
+mod accepts;
 pub mod near;
 pub mod posed;
 mod solving;
 
+pub use accepts::{Accepts, accepts};
 pub use solving::{Answers, certified, forgets_its_start, in_any_order};
 
 use crate::finding::Finding;
-use moreau_contact::certificate::residuals;
-use moreau_contact::problem::{ContactProblem, Solution};
-use moreau_contact::tolerance::certificate::CERTIFY;
 use moreau_exact::Result;
 use near::{CHANGES, Change, SIZES, changed, exact};
 use posed::Posed;
-
-/// A certificate: whether an answer is a solution.
-pub type Accepts = fn(&ContactProblem, &Solution) -> Result<bool>;
-
-/// The certificate of this workspace.
-///
-/// # Errors
-/// If the answer does not fit the problem.
-pub fn accepts(problem: &ContactProblem, solution: &Solution) -> Result<bool> {
-    Ok(residuals(problem, solution)?.is_solution(CERTIFY))
-}
 
 /// Every exact answer is accepted: one finding per problem.
 ///

@@ -1,6 +1,6 @@
 //! Checks of a solver: its answer is certified, from any start and in any order of the contacts.
 
-use super::accepts;
+use super::accepts::accepts;
 use super::posed::{self, Posed};
 use crate::finding::Finding;
 use moreau_contact::problem::{ContactProblem, Law, Solution};

@@ -18,9 +18,11 @@ pub static CERTIFICATES: Family<Accepts> = Family {
         planted("certificate/normal-dropped", "asks for r_n y_n = 0 and no more: both may be small without either being zero", |p, s| {
             without(p, s, "normal")
         }),
-        planted("certificate/tangential-dropped", "asks how much energy friction takes, not where it points: a turn by δ costs δ²", |p, s| {
-            without(p, s, "tangential")
-        }),
+        planted(
+            "certificate/tangential-dropped",
+            "asks how much energy friction takes, not where it points: a turn by δ costs δ²",
+            |p, s| without(p, s, "tangential"),
+        ),
         planted("certificate/velocity-dropped", "does not compare the velocity that is told with the one the impulses give", |p, s| {
             without(p, s, "velocity")
         }),
@@ -68,9 +70,7 @@ fn is_finite(residuals: &Residuals) -> bool {
 /// Every clause but one.
 fn without(problem: &ContactProblem, solution: &Solution, dropped: &str) -> Result<bool> {
     let residuals = residuals(problem, solution)?;
-    let asked = |(name, worst, _): &(&str, moreau_contact::certificate::Worst, &str)| {
-        *name == dropped || worst.part.relative() <= CERTIFY
-    };
+    let asked = |(name, worst, _): &(&str, moreau_contact::certificate::Worst, &str)| *name == dropped || worst.part.relative() <= CERTIFY;
     Ok(is_finite(&residuals) && residuals.judged.entries().iter().all(asked))
 }
 

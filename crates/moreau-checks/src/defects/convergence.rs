@@ -1,8 +1,8 @@
 //! Planted defects of the family `convergence`.
 
-use crate::planted::{Beside, Kind, Planted};
 use crate::convergence::{Horizon, Stop, bouncing_ball, plastic_ball};
 use crate::finding::Finding;
+use crate::planted::{Beside, Kind, Planted};
 use moreau_contact::problem::Law;
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
 use moreau_dynamics::schemes::{
@@ -14,8 +14,8 @@ use nalgebra::DVector;
 /// The defects of this family.
 pub const DEFECTS: &[Planted<Beside>] = &[
     Planted {
-        name: "convergence/gap-times-step",
-        mistake: "the constraint reads φ·h + u⁺ ≥ 0 instead of φ/h + u⁺ ≥ 0: far above the floor it already brakes the ball",
+        name: "stewart-trinkle/gap-times-step",
+        mistake: "the gap enters as φ·h instead of φ/h",
         kind: Kind::Assembly,
         subject: Beside {
             check: "properties/convergence",

@@ -1,8 +1,8 @@
 //! Planted defects of the family `delassus`: W = H M⁻¹ Hᵀ with one mistake each.
 
-use crate::planted::{Beside, Kind, Planted};
 use crate::delassus::{DelassusRule, Library, check};
 use crate::finding::Finding;
+use crate::planted::{Beside, Kind, Planted};
 use moreau_exact::Result;
 use moreau_exact::scalar::{Rational, Scalar, ratio};
 use nalgebra::DMatrix;

@@ -7,6 +7,7 @@ pub mod decisions;
 pub mod delassus;
 pub mod energy;
 pub mod readers;
+pub mod schemes;
 pub mod solvers;
 pub mod stewart_trinkle;
 pub mod zeno;

@@ -1,6 +1,6 @@
 //! Closed forms of bodies that turn or deform, against point masses and balances.
 
-use super::wrong;
+use super::parts::wrong;
 use crate::finding::Finding;
 use crate::planted::Family;
 use moreau_exact::Result;
@@ -19,7 +19,9 @@ pub static LANDING: Family<Landing> = Family {
     reference: |b, c| Ok(RockingBlock::new(b, c, 9.81)?.landing_ratio()),
     checks: &[("forms/rocking-block", landing)],
     planted: &[
-        wrong("forms/landing-spin-alone", "leaves the motion of the centre out of the angular momentum before the landing", |_, _| Ok(0.25)),
+        wrong("forms/landing-spin-alone", "leaves the motion of the centre out of the angular momentum before the landing", |_, _| {
+            Ok(0.25)
+        }),
         wrong("forms/landing-inertia-of-the-centre", "turns the block about the edge with its moment about the centre", |b, c| {
             Ok((c * c - b * b + (b * b + c * c) / 3.0) / ((b * b + c * c) / 3.0))
         }),

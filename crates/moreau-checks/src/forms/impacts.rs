@@ -1,6 +1,6 @@
 //! Closed forms of impacts against the laws they solve, in rationals.
 
-use super::{whole, wrong};
+use super::parts::{whole, wrong};
 use crate::finding::Finding;
 use crate::planted::Family;
 use moreau_contact::problem::PlanarProblem;
@@ -144,4 +144,3 @@ fn rough(subject: &Rough) -> Result<Vec<Finding>> {
     }
     Ok(findings)
 }
-

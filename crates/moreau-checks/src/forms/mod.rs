@@ -5,20 +5,8 @@
 pub mod bodies;
 pub mod impacts;
 pub mod motions;
+mod parts;
 pub mod soft;
-
-use crate::planted::{Kind, Planted};
-use moreau_exact::scalar::{Rational, ratio};
-
-/// A closed form with one mistake.
-const fn wrong<S>(name: &'static str, mistake: &'static str, subject: S) -> Planted<S> {
-    Planted { name, mistake, kind: Kind::ClosedForm, subject }
-}
-
-/// A whole number.
-fn whole(number: i64) -> Rational {
-    ratio(number, 1)
-}
 
 #[cfg(test)]
 mod tests {

@@ -1,16 +1,16 @@
 //! Closed forms of motions against their flights, their works and their conserved quantities.
 
-use super::{whole, wrong};
+use super::parts::{whole, wrong};
 use crate::finding::Finding;
 use crate::planted::Family;
 use moreau_exact::Result;
 use moreau_exact::scalar::{Rational, Scalar, ratio};
 use moreau_exact::tolerance::rounding;
+use moreau_forms::baumgarte_decay;
 use moreau_forms::bouncing_ball::impact_time_ratio;
 use moreau_forms::dry_friction_oscillator::turning_points;
 use moreau_forms::incline_block::InclineBlock;
 use moreau_forms::sliding_to_rolling::rolling_speed;
-use moreau_forms::baumgarte_decay;
 
 /// t_k/t₁ for a coefficient e and an impact k.
 pub type ImpactTimes = fn(&Rational, usize) -> Rational;
@@ -55,10 +55,14 @@ pub static SLOPE: Family<Slope> = Family {
     reference: |[g, angle, mu, v], time| Ok(InclineBlock::new(g, angle, mu, v)?.state(time)),
     checks: &[("forms/incline-block", slope)],
     planted: &[
-        wrong("forms/friction-always-uphill", "lets friction push up the slope, also where the block slides up", |[g, angle, mu, v], time| {
-            let slide = g * (angle.sin() - mu * angle.cos());
-            Ok((time * (v + 0.5 * slide * time), v + slide * time))
-        }),
+        wrong(
+            "forms/friction-always-uphill",
+            "lets friction push up the slope, also where the block slides up",
+            |[g, angle, mu, v], time| {
+                let slide = g * (angle.sin() - mu * angle.cos());
+                Ok((time * (v + 0.5 * slide * time), v + slide * time))
+            },
+        ),
         wrong("forms/whole-weight-presses", "takes m g for the normal force on a slope", |[g, angle, mu, v], time| {
             Ok(InclineBlock::new(g, angle, mu / angle.cos(), v)?.state(time))
         }),

@@ -1,6 +1,6 @@
 //! Closed forms of soft contact against what they are to mean: an oscillator, a least cost, an implicit step.
 
-use super::{whole, wrong};
+use super::parts::{whole, wrong};
 use crate::finding::Finding;
 use crate::planted::Family;
 use moreau_exact::Result;
@@ -19,9 +19,11 @@ pub static IMPEDANCE: Family<Impedance> = Family {
     reference: SoftImpedance::at,
     checks: &[("forms/soft-impedance", impedance)],
     planted: &[
-        wrong("forms/impedance-not-limited", "leaves d₀ = 0 and d_w = 1 as they are, where an impedance stays within 10⁻⁴ of them", |curve, depth| {
-            curve.start.clone() + share(curve, depth) * (&curve.end - &curve.start)
-        }),
+        wrong(
+            "forms/impedance-not-limited",
+            "leaves d₀ = 0 and d_w = 1 as they are, where an impedance stays within 10⁻⁴ of them",
+            |curve, depth| curve.start.clone() + share(curve, depth) * (&curve.end - &curve.start),
+        ),
         wrong("forms/impedance-goes-on", "lets the curve go on beyond its width", |curve, depth| {
             if curve.width <= whole(0) || *depth <= curve.width {
                 return curve.at(depth);
@@ -109,10 +111,14 @@ pub static REFERENCE: Family<Reference> = Family {
             let [k, b] = coefficients(given);
             [k, b * ratio(1, 2)]
         }),
-        wrong("forms/reference-ratio-in-the-damping", "multiplies the damping by ζ and leaves the stiffness without", |[time, zeta, h, d]| {
-            let [k, b] = coefficients(&[time.clone(), whole(1), h.clone(), d.clone()]);
-            [k, b * zeta]
-        }),
+        wrong(
+            "forms/reference-ratio-in-the-damping",
+            "multiplies the damping by ζ and leaves the stiffness without",
+            |[time, zeta, h, d]| {
+                let [k, b] = coefficients(&[time.clone(), whole(1), h.clone(), d.clone()]);
+                [k, b * zeta]
+            },
+        ),
         wrong("forms/reference-not-limited", "lets a time constant be shorter than two steps", |[time, zeta, _, d]| {
             coefficients(&[time.clone(), zeta.clone(), whole(0), d.clone()])
         }),
@@ -186,15 +192,19 @@ pub static HUNT_CROSSLEY: Family<NormalImpulse> = Family {
         wrong("forms/hunt-crossley-force", "gives the force where the impulse is asked for", |law, [mass, depth, velocity]| {
             law.normal_impulse(mass, depth, velocity) / law.time_step
         }),
-        wrong("forms/hunt-crossley-not-cut-off", "cuts neither factor off at zero, so that two negative ones push", |law, [mass, depth, velocity]| {
-            let (h, k, d) = (law.time_step, law.stiffness, law.dissipation);
-            let newton = |r: f64, _| {
-                let u = velocity + r / mass;
-                let slope = -h * k * (h + d * depth - 2.0 * h * d * u) / mass - 1.0;
-                r - (h * k * (depth - h * u) * (1.0 - d * u) - r) / slope
-            };
-            (0..60).fold(0.0, newton)
-        }),
+        wrong(
+            "forms/hunt-crossley-not-cut-off",
+            "cuts neither factor off at zero, so that two negative ones push",
+            |law, [mass, depth, velocity]| {
+                let (h, k, d) = (law.time_step, law.stiffness, law.dissipation);
+                let newton = |r: f64, _| {
+                    let u = velocity + r / mass;
+                    let slope = -h * k * (h + d * depth - 2.0 * h * d * u) / mass - 1.0;
+                    r - (h * k * (depth - h * u) * (1.0 - d * u) - r) / slope
+                };
+                (0..60).fold(0.0, newton)
+            },
+        ),
     ],
 };
 

@@ -55,7 +55,10 @@ pub fn refusals(subject: &ReadsScene) -> Result<Vec<Finding>> {
         ("a quaternion that is no rotation", with(SCENE, "[0.1, 0.5, 0.7, 0.5]", "[0.1, 0.5, 0.7, 0.6]")),
         ("a normal that is no direction", with(SCENE, "[0, 0.6, 0.8]", "[0, 0.6, 0.9]")),
         ("two bodies of one name", with(SCENE, "\"name\": \"block\"", "\"name\": \"ball\"")),
-        ("a body with two shapes", with(SCENE, "\"sphere\": {\"radius\": 0.5}", "\"sphere\": {\"radius\": 0.5}, \"box\": {\"half_extents\": [1, 1, 1]}")),
+        (
+            "a body with two shapes",
+            with(SCENE, "\"sphere\": {\"radius\": 0.5}", "\"sphere\": {\"radius\": 0.5}, \"box\": {\"half_extents\": [1, 1, 1]}"),
+        ),
         ("a coefficient of restitution above one", with(SCENE, "0.35", "1.35")),
         ("negative friction", with(SCENE, "0.45", "-0.45")),
         ("a pair that is not there", with(SCENE, "[\"ball\", \"block\"]", "[\"ball\", \"brick\"]")),

@@ -1,7 +1,7 @@
 //! Mistakes that make an answer depend on more than the question.
 
-use crate::planted::{Faulty, Kind, Planted};
 use crate::planted::parts::{Answers, with_solver};
+use crate::planted::{Faulty, Kind, Planted};
 use moreau_checks::defects::solvers::answer;
 use moreau_contact::problem::{ContactProblem, Solution};
 use moreau_contact::solvers::{ContactSolver, ProjectedGaussSeidel};
@@ -25,10 +25,7 @@ pub const PLANTED: &[Planted<Faulty>] = &[
         name: "determinism/impulses-kept",
         mistake: "starts new contacts from a buffer of impulses that is not cleared between requests, and stops early",
         kind: Kind::Solver,
-        subject: Faulty {
-            engine: || with_solver(|| Box::new(Answers(impulses_kept))),
-            caught_by: &["determinism/company"],
-        },
+        subject: Faulty { engine: || with_solver(|| Box::new(Answers(impulses_kept))), caught_by: &["determinism/company"] },
     },
     Planted {
         name: "determinism/memory-not-written",

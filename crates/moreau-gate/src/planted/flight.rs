@@ -1,7 +1,7 @@
 //! Mistakes of free flight.
 
-use crate::planted::{Faulty, Kind, Planted};
 use crate::planted::wrapped::{EachStep, Misreport, Moment};
+use crate::planted::{Faulty, Kind, Planted};
 use moreau_dynamics::scenes::Scene;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
@@ -47,19 +47,13 @@ pub const PLANTED: &[Planted<Faulty>] = &[
         name: "flight/spin-in-the-body-frame",
         mistake: "reports the angular velocity in the body's frame",
         kind: Kind::Report,
-        subject: Faulty {
-            engine: || Box::new(Misreport(spin_in_the_body_frame)),
-            caught_by: &["flight/spinning-box"],
-        },
+        subject: Faulty { engine: || Box::new(Misreport(spin_in_the_body_frame)), caught_by: &["flight/spinning-box"] },
     },
     Planted {
         name: "flight/samples-a-step-late",
         mistake: "reports the state at the beginning of a step for its end",
         kind: Kind::Report,
-        subject: Faulty {
-            engine: || Box::new(Misreport(a_step_late)),
-            caught_by: &["flight/projectile", "flight/momentum"],
-        },
+        subject: Faulty { engine: || Box::new(Misreport(a_step_late)), caught_by: &["flight/projectile", "flight/momentum"] },
     },
 ];
 

@@ -2,8 +2,8 @@
 
 use crate::Engine;
 use crate::own::OwnParameters;
-use crate::planted::{Faulty, Kind, Planted};
 use crate::planted::wrapped::{EachStep, Misdeclare, Misread, Moment, declare_springs, moreau_jean};
+use crate::planted::{Faulty, Kind, Planted};
 use moreau_checks::defects::zeno::{Altered, Mistake};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::schemes::{MoreauJean, Scheme};
@@ -18,12 +18,12 @@ pub const PLANTED: &[Planted<Faulty>] = &[
         kind: Kind::Scheme,
         subject: Faulty {
             engine: || {
-            Box::new(Misread(|scene, h| {
-                if h > 0.002 {
-                    scene.material.restitution = 0.0
-                }
-            }))
-        },
+                Box::new(Misread(|scene, h| {
+                    if h > 0.002 {
+                        scene.material.restitution = 0.0
+                    }
+                }))
+            },
             caught_by: &["ball/restitution", "ball/energy"],
         },
     },
@@ -36,15 +36,7 @@ pub const PLANTED: &[Planted<Faulty>] = &[
             caught_by: &["ball/restitution", "ball/energy", "impact/two-spheres"],
         },
     },
-    Planted {
-        name: "ball/restitution-of-the-free-velocity",
-        mistake: "multiplies e with the velocity after gravity, so that every contact also reverses one step of gravity",
-        kind: Kind::Scheme,
-        subject: Faulty {
-            engine: || altered(|_| Ok(Box::new(Altered { base: MoreauJean::default(), mistake: Mistake::FreeVelocity }))),
-            caught_by: &["ball/energy", "rest/jitter"],
-        },
-    },
+    scheme!(RESTITUTION_OF_FREE, &["ball/energy", "rest/jitter"]),
     Planted {
         name: "ball/asleep-at-the-apex",
         mistake: "puts a body to sleep when it is slower than 0.2 m/s in one step, where rest takes contact",
@@ -60,15 +52,15 @@ pub const PLANTED: &[Planted<Faulty>] = &[
         kind: Kind::Scheme,
         subject: Faulty {
             engine: || {
-            Box::new(EachStep {
-                before: |scene, step| {
-                    if step % 4 != 0 {
-                        scene.ground = None
-                    }
-                },
-                ..EachStep::NOTHING
-            })
-        },
+                Box::new(EachStep {
+                    before: |scene, step| {
+                        if step % 4 != 0 {
+                            scene.ground = None
+                        }
+                    },
+                    ..EachStep::NOTHING
+                })
+            },
             caught_by: &["ball/penetration", "rest/jitter", "tumbling/depth"],
         },
     },
@@ -94,10 +86,7 @@ pub const PLANTED: &[Planted<Faulty>] = &[
         name: "impact/averaged-mass",
         mistake: "gives every body of an island their mean mass",
         kind: Kind::Reader,
-        subject: Faulty {
-            engine: || Box::new(Misread(averaged_mass)),
-            caught_by: &["impact/two-spheres", "impact/plastic"],
-        },
+        subject: Faulty { engine: || Box::new(Misread(averaged_mass)), caught_by: &["impact/two-spheres", "impact/plastic"] },
     },
     Planted {
         name: "rest/rule-c",
@@ -112,10 +101,7 @@ pub const PLANTED: &[Planted<Faulty>] = &[
         name: "rest/undeclared-slop",
         mistake: "leaves 5 mm of depth uncorrected, and declares nothing",
         kind: Kind::Scheme,
-        subject: Faulty {
-            engine: || Box::new(Misread(|scene, _| lower_the_floor(scene, 0.005))),
-            caught_by: &["rest/depth"],
-        },
+        subject: Faulty { engine: || Box::new(Misread(|scene, _| lower_the_floor(scene, 0.005))), caught_by: &["rest/depth"] },
     },
     Planted {
         name: "rest/springs-that-are-not-there",
@@ -130,10 +116,7 @@ pub const PLANTED: &[Planted<Faulty>] = &[
         name: "rest/floor-slightly-tilted",
         mistake: "keeps the floor's normal with an error of 0.002 and moves bodies along it out of the floor",
         kind: Kind::Scheme,
-        subject: Faulty {
-            engine: || Box::new(EachStep { after: pushed_out, ..EachStep::NOTHING }),
-            caught_by: &["rest/drift"],
-        },
+        subject: Faulty { engine: || Box::new(EachStep { after: pushed_out, ..EachStep::NOTHING }), caught_by: &["rest/drift"] },
     },
 ];
 

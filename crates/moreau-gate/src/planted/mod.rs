@@ -4,10 +4,39 @@
 macro_rules! solver {
     ($mistake:ident, $caught_by:expr) => {
         Planted {
-            name: solvers::$mistake.name,
-            mistake: solvers::$mistake.mistake,
-            kind: solvers::$mistake.kind,
-            subject: Faulty { engine: || with_solver(|| Box::new(Answers(solvers::$mistake.subject))), caught_by: $caught_by },
+            name: moreau_checks::defects::solvers::$mistake.name,
+            mistake: moreau_checks::defects::solvers::$mistake.mistake,
+            kind: moreau_checks::defects::solvers::$mistake.kind,
+            subject: Faulty {
+                engine: || {
+                    $crate::planted::parts::with_solver(|| {
+                        Box::new($crate::planted::parts::Answers(moreau_checks::defects::solvers::$mistake.subject))
+                    })
+                },
+                caught_by: $caught_by,
+            },
+        }
+    };
+}
+
+/// A scheme of [`moreau_checks::defects::schemes`] behind the engine's door.
+macro_rules! scheme {
+    ($mistake:ident, $caught_by:expr) => {
+        Planted {
+            name: moreau_checks::defects::schemes::$mistake.name,
+            mistake: moreau_checks::defects::schemes::$mistake.mistake,
+            kind: moreau_checks::defects::schemes::$mistake.kind,
+            subject: Faulty {
+                engine: || {
+                    $crate::planted::parts::moreau_jean(|engine| {
+                        engine.scheme = |_| {
+                            let right = moreau_dynamics::schemes::MoreauJean::default();
+                            Ok(Box::new(moreau_checks::defects::schemes::$mistake.subject.of(right)))
+                        }
+                    })
+                },
+                caught_by: $caught_by,
+            },
         }
     };
 }
@@ -21,6 +50,7 @@ mod mistake;
 mod parts;
 mod projection;
 mod rocking;
+mod scheme;
 mod solver;
 mod stack;
 mod tumbling;
@@ -44,6 +74,7 @@ pub fn all() -> impl Iterator<Item = &'static Planted<Faulty>> {
         stack::PLANTED,
         rocking::PLANTED,
         solver::PLANTED,
+        scheme::PLANTED,
         projection::PLANTED,
         tumbling::PLANTED,
     ]

@@ -1,8 +1,8 @@
 //! Mistakes of cone projections; those of [`moreau_checks::defects::cone_projection`], behind the engine's door.
 
 use crate::Engine;
-use crate::planted::{Faulty, Kind, Planted};
 use crate::planted::parts::moreau_jean;
+use crate::planted::{Faulty, Kind, Planted};
 use moreau_checks::defects::cone_projection::clamp_the_tangent;
 use moreau_contact::cones::second_order::{contains, polar_contains, project, tangential_norm};
 
@@ -21,28 +21,19 @@ pub const PLANTED: &[Planted<Faulty>] = &[
         name: "projection/along-the-normal",
         mistake: "lifts a point along the normal until it is in the cone, instead of going the shortest way",
         kind: Kind::Projection,
-        subject: Faulty {
-            engine: || with_projection(along_the_normal),
-            caught_by: &["projection/regions", "projection/optimality"],
-        },
+        subject: Faulty { engine: || with_projection(along_the_normal), caught_by: &["projection/regions", "projection/optimality"] },
     },
     Planted {
         name: "projection/clamp-the-tangent",
         mistake: "keeps max(z_n, 0) and shortens the tangent to μ z_n",
         kind: Kind::Projection,
-        subject: Faulty {
-            engine: || with_projection(clamp_the_tangent),
-            caught_by: &["projection/regions", "projection/optimality"],
-        },
+        subject: Faulty { engine: || with_projection(clamp_the_tangent), caught_by: &["projection/regions", "projection/optimality"] },
     },
     Planted {
         name: "projection/absolute-threshold",
-        mistake: "takes impulses below 2⁻³⁰ N·s for zero, whatever the unit",
+        mistake: "takes small impulses for zero, whatever the unit",
         kind: Kind::Projection,
-        subject: Faulty {
-            engine: || with_projection(absolute_threshold),
-            caught_by: &["projection/boundaries", "projection/optimality"],
-        },
+        subject: Faulty { engine: || with_projection(absolute_threshold), caught_by: &["projection/boundaries", "projection/optimality"] },
     },
 ];
 

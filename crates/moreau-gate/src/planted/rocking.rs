@@ -1,8 +1,7 @@
 //! Mistakes at impacts that turn a body: rocking blocks and Painlevé's rod.
 
-use crate::planted::parts::{Answers, with_mechanism, with_solver};
+use crate::planted::parts::with_mechanism;
 use crate::planted::{Faulty, Kind, Planted};
-use moreau_checks::defects::solvers;
 use moreau_dynamics::mechanics::{Mechanism, State};
 use moreau_dynamics::scenes::Scene;
 use moreau_exact::Result;
@@ -14,10 +13,7 @@ pub const PLANTED: &[Planted<Faulty>] = &[
         name: "rocking/full-edges",
         mistake: "takes half edges for edges in the box's moments of inertia, which become a quarter of the right ones",
         kind: Kind::Reader,
-        subject: Faulty {
-            engine: || with_mechanism(full_edges),
-            caught_by: &["rocking/fall-time"],
-        },
+        subject: Faulty { engine: || with_mechanism(full_edges), caught_by: &["rocking/fall-time"] },
     },
     solver!(SLIP_FIXED, &["painleve/rod", "solver/certificate"]),
 ];

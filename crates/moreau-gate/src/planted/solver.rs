@@ -1,12 +1,13 @@
 //! Mistakes of contact solvers. They show in scenes as well as in problems.
 
-use crate::planted::parts::{Answers, with_solver};
 use crate::planted::{Faulty, Planted};
-use moreau_checks::defects::solvers;
 
 /// The mistakes of this family.
 pub const PLANTED: &[Planted<Faulty>] = &[
-    solver!(THREE_SWEEPS, &["solver/redundant", "solver/conditioning", "stack/five", "stack/ten", "stack/mass-ratio", "metamorphic/body-order"]),
+    solver!(
+        THREE_SWEEPS,
+        &["solver/redundant", "solver/conditioning", "stack/five", "stack/ten", "stack/mass-ratio", "metamorphic/body-order"]
+    ),
     solver!(A_THOUSANDTH_LEFT, UNSOLVED),
     solver!(NO_IMPULSE, &["solver/certificate", "solver/redundant", "solver/jamming", "stack/five"]),
     solver!(NORMALS_CLIPPED, &["solver/certificate", "solver/jamming"]),
@@ -22,9 +23,10 @@ const UNSOLVED: &[&str] = &["rest/jitter", "incline/stick", "incline/stick-thres
 mod tests {
     use super::*;
     use crate::check::Level;
+    use crate::planted::parts::{Answers, with_solver};
     use crate::planted::{Kind, judge};
-    use moreau_checks::defects::solvers::left_over;
     use crate::{Verdict, checks};
+    use moreau_checks::defects::solvers::left_over;
 
     /// The other side of the boundary: with a tenth of what the planted solver leaves, every question about motion is answered as the ideal
     /// demands.

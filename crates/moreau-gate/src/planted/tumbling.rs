@@ -36,10 +36,7 @@ pub const PLANTED: &[Planted<Faulty>] = &[
         name: "tumbling/deeper-than-its-springs",
         mistake: "declares contact springs of 60 Hz, which carry a body at 0.07 mm, and lets it lie 2 cm deep",
         kind: Kind::Report,
-        subject: Faulty {
-            engine: || sprung(|| with_mechanism(sunk)),
-            caught_by: &["tumbling/rest"],
-        },
+        subject: Faulty { engine: || sprung(|| with_mechanism(sunk)), caught_by: &["tumbling/rest"] },
     },
 ];
 

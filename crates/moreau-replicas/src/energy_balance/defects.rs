@@ -112,8 +112,8 @@ pub const DEFECTS: &[Planted<Beside>] = &[
         subject: Beside {
             check: "properties/energy-balance",
             defective: || {
-            made("moreau-jean", spring, |before, step, h| shift_velocity(step, &(&before.velocity * (0.5 * h * h * STIFFNESS / MASS))))
-        },
+                made("moreau-jean", spring, |before, step, h| shift_velocity(step, &(&before.velocity * (0.5 * h * h * STIFFNESS / MASS))))
+            },
             reference: || made("moreau-jean", spring, |_, _, _| ()),
         },
     },

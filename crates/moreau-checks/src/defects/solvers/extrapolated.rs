@@ -1,6 +1,6 @@
 //! Sweeps that are extrapolated without a look at what comes out.
 
-use super::answer;
+use super::answer::answer;
 use moreau_contact::problem::{ContactProblem, Solution};
 use moreau_contact::solvers::{ContactSolver, ProjectedGaussSeidel};
 use moreau_exact::Result;

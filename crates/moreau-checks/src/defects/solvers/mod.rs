@@ -1,7 +1,10 @@
 //! Solvers of contact problems with one mistake each. They show in problems as well as in scenes.
 
+mod answer;
 mod extrapolated;
 mod row_by_row;
+
+pub use answer::answer;
 
 use crate::answers::{Answers, certified, forgets_its_start, in_any_order};
 use crate::planted::{Family, Kind, Planted};
@@ -16,11 +19,7 @@ use std::f64::consts::PI;
 /// Solvers, held against the certificate of their answers.
 pub static SOLVERS: Family<Answers> = Family {
     reference: |problem, start| Auto.solve(problem, Some(start)),
-    checks: &[
-        ("answers/certificate", certified),
-        ("answers/any-start", forgets_its_start),
-        ("answers/any-order", in_any_order),
-    ],
+    checks: &[("answers/certificate", certified), ("answers/any-start", forgets_its_start), ("answers/any-order", in_any_order)],
     planted: LIST,
 };
 
@@ -126,12 +125,6 @@ mistakes! {
     PULLS = "solver/equations",
         "solves y = 0 for every row by elimination, so that contacts pull and friction is without a bound",
         equations;
-}
-
-/// These impulses with the velocity that belongs to them.
-pub fn answer(problem: &ContactProblem, impulse: DVector<f64>, iterations: usize) -> Solution {
-    let velocity = problem.velocity(&impulse);
-    Solution::new("auto", impulse, velocity, iterations)
 }
 
 /// The solution, but for a part of every impulse.

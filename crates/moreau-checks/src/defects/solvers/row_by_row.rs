@@ -1,6 +1,6 @@
 //! Projected Gauss–Seidel row by row and contact by contact, with the limit of friction left open.
 
-use super::answer;
+use super::answer::answer;
 use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::{Auto, ContactSolver};
 use moreau_exact::Result;

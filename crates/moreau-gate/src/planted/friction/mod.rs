@@ -6,8 +6,6 @@ mod world;
 use crate::Engine;
 use crate::own::{OwnEngine, OwnScheme, by_name};
 use crate::planted::{Faulty, Kind, Planted};
-use crate::planted::parts::{Answers, with_solver};
-use moreau_checks::defects::solvers;
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::trajectory::Trajectory;
 use reports::Reporting;
@@ -60,10 +58,7 @@ pub const PLANTED: &[Planted<Faulty>] = &[
         name: "contact/inertia-of-full-extents",
         mistake: "computes a box's inertia from its edges instead of half of them, four times too much",
         kind: Kind::Reader,
-        subject: Faulty {
-            engine: || misread(world::full_extents),
-            caught_by: &["contact/momentum"],
-        },
+        subject: Faulty { engine: || misread(world::full_extents), caught_by: &["contact/momentum"] },
     },
     Planted {
         name: "rolling/resistance",
@@ -83,15 +78,7 @@ pub const PLANTED: &[Planted<Faulty>] = &[
             caught_by: &["rolling/five-sevenths", "contact/momentum"],
         },
     },
-    Planted {
-        name: "energy/baumgarte",
-        mistake: "pushes bodies out of the floor within one step, with a velocity that stays",
-        kind: Kind::Scheme,
-        subject: Faulty {
-            engine: || Box::new(OwnEngine { scheme: |_| Ok(Box::new(world::Baumgarte)), ..own("moreau-jean") }),
-            caught_by: &["energy/passive"],
-        },
-    },
+    scheme!(BAUMGARTE, &["energy/passive"]),
     Planted {
         name: "contact/early",
         mistake: "activates contacts 3 cm above the floor",
@@ -114,26 +101,22 @@ pub const PLANTED: &[Planted<Faulty>] = &[
         name: "contact/force-as-impulse",
         mistake: "reports forces where impulses are asked for",
         kind: Kind::Report,
-        subject: Faulty {
-            engine: || reported(reports::forces),
-            caught_by: &["contact/momentum"],
-        },
+        subject: Faulty { engine: || reported(reports::forces), caught_by: &["contact/momentum"] },
     },
     Planted {
         name: "contact/late",
         mistake: "reports every impulse one sample late",
         kind: Kind::Report,
-        subject: Faulty {
-            engine: || reported(reports::late),
-            caught_by: &["contact/momentum", "tumbling/momentum"],
-        },
+        subject: Faulty { engine: || reported(reports::late), caught_by: &["contact/momentum", "tumbling/momentum"] },
     },
     Planted {
         name: "contact/normal-reversed",
         mistake: "reports normals from the first body to the second",
         kind: Kind::Report,
         subject: Faulty {
-            engine: || reported(|trajectory| trajectory.contacts.iter_mut().for_each(|contact| contact.normal = contact.normal.map(|n| -n))),
+            engine: || {
+                reported(|trajectory| trajectory.contacts.iter_mut().for_each(|contact| contact.normal = contact.normal.map(|n| -n)))
+            },
             caught_by: &["contact/cone"],
         },
     },
