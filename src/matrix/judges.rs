@@ -6,10 +6,10 @@ use crate::checks::planted::{Family, Kind, Planted};
 use crate::claims::{ClaimVerdict, Status, conclude, derive};
 
 /// What the findings of a claim and of its controls say of a recorded verdict; `derived` as in [`conclude`].
-pub type Judge = fn(ClaimVerdict, bool, &[Finding], &[Vec<Finding>]) -> Status;
+pub type Concludes = fn(ClaimVerdict, bool, &[Finding], &[Vec<Finding>]) -> Status;
 
 /// Judgements, held against claims whose judgement is known.
-pub static JUDGES: Family<Judge> = Family {
+pub static JUDGES: Family<Concludes> = Family {
     reference: conclude,
     checks: &[("claims/judgement", judgement)],
     planted: &[
@@ -82,12 +82,12 @@ pub static JUDGES: Family<Judge> = Family {
     ],
 };
 
-const fn planted(name: &'static str, mistake: &'static str, subject: Judge) -> Planted<Judge> {
+const fn planted(name: &'static str, mistake: &'static str, subject: Concludes) -> Planted<Concludes> {
     Planted { name, mistake, kind: Kind::Certificate, subject }
 }
 
 /// Claims made of findings “x is 1”, each with the judgement that it must have.
-fn judgement(subject: &Judge) -> Result<Vec<Finding>> {
+fn judgement(subject: &Concludes) -> Result<Vec<Finding>> {
     let found = |value: usize| Finding::count("x", value, 1);
     let named = |name: &str, value: usize| Finding::count(name, value, 1);
     let (right, wrong) = (vec![found(1)], vec![vec![found(2)]]);

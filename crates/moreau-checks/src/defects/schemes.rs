@@ -101,33 +101,28 @@ mistakes! {
             if change.len() == position.len() { position + change * (0.5 * at.h()) } else { position }
         },
         settled: |position| position.add_scalar(f64::EPSILON.sqrt());
-    RESTITUTION_FORGOTTEN = Assembly "energy/restitution-forgotten", "the shift e v is left out: every impact is plastic", posed: |_, step| {
-        problem(step, restitution_forgotten)
-    };
+    RESTITUTION_FORGOTTEN = Assembly "energy/restitution-forgotten",
+        "the shift e v is left out: every impact is plastic",
+        posed: |_, step| problem(step, restitution_forgotten);
     RESTITUTION_OF_FREE = Scheme "ball/restitution-of-the-free-velocity",
         "multiplies e with the velocity after gravity, so that every contact also reverses one step of gravity",
         posed: restitution_of_the_free_velocity;
-    MASS_FOR_INVERSE = Assembly "energy/delassus-with-mass", "W = H M Hᵀ instead of H M⁻¹ Hᵀ: right only for m = 1", posed: |_, step| {
-        problem(step, |problem| {
-            let Some(dynamics) = problem.dynamics() else { return Ok(problem) };
-            let delassus = &dynamics.jacobian * &dynamics.mass * dynamics.jacobian.transpose();
-            problem.into_builder().dynamics(None).delassus(delassus).build()
-        })
-    };
-    RESTITUTION_OF_THE_SLIP = Assembly "scheme/restitution-of-the-slip", "reverses a share e of the slip as well, where e is that of normals",
+    MASS_FOR_INVERSE = Assembly "energy/delassus-with-mass", "W = H M Hᵀ instead of H M⁻¹ Hᵀ: right only for m = 1",
+        posed: |_, step| problem(step, mass_for_its_inverse);
+    RESTITUTION_OF_THE_SLIP = Assembly "scheme/restitution-of-the-slip",
+        "reverses a share e of the slip as well, where e is that of normals",
         posed: restitution_of_the_slip;
-    BLIND_TO_FORCES = Assembly "scheme/contact-blind-to-forces", "poses the contact for v in place of v_free, without the forces of the step",
+    BLIND_TO_FORCES = Assembly "scheme/contact-blind-to-forces",
+        "poses the contact for v in place of v_free, without the forces of the step",
         posed: |at, step| {
             let free = &step.jacobian * &at.state().velocity;
             problem(step, |problem| problem.into_builder().free_velocity(free).build())
         };
-    ROWS_APART = Assembly "scheme/coupling-dropped", "leaves the coupling of rows and of contacts out of W", posed: |_, step| {
-        problem(step, |problem| {
-            let delassus = DMatrix::from_diagonal(&problem.dense().diagonal());
-            problem.into_builder().dynamics(None).delassus(delassus).build()
-        })
-    };
-    FIRST_CONTACT = Assembly "scheme/first-contact-only", "holds the first of the active contacts and forgets the others", posed: first_contact;
+    ROWS_APART = Assembly "scheme/coupling-dropped", "leaves the coupling of rows and of contacts out of W",
+        posed: |_, step| problem(step, rows_apart);
+    FIRST_CONTACT = Assembly "scheme/first-contact-only",
+        "holds the first of the active contacts and forgets the others",
+        posed: first_contact;
     FRICTION_REVERSED = Scheme "scheme/friction-applied-in-reverse", "applies friction to the body in the sense it has for the ground",
         posed: |at, mut step| {
             let rows = at.mechanism().rows_per_contact();
@@ -166,6 +161,17 @@ fn problem(mut step: StepProblem, change: impl FnOnce(ContactProblem) -> Result<
 pub fn restitution_forgotten(problem: ContactProblem) -> Result<ContactProblem> {
     let shift = DVector::zeros(problem.rows());
     problem.into_builder().shift(shift).build()
+}
+
+fn mass_for_its_inverse(problem: ContactProblem) -> Result<ContactProblem> {
+    let Some(dynamics) = problem.dynamics() else { return Ok(problem) };
+    let delassus = &dynamics.jacobian * &dynamics.mass * dynamics.jacobian.transpose();
+    problem.into_builder().dynamics(None).delassus(delassus).build()
+}
+
+fn rows_apart(problem: ContactProblem) -> Result<ContactProblem> {
+    let delassus = DMatrix::from_diagonal(&problem.dense().diagonal());
+    problem.into_builder().dynamics(None).delassus(delassus).build()
 }
 
 fn heavy(at: &StepContext, mut step: StepProblem) -> Result<StepProblem> {

@@ -25,7 +25,8 @@ pub(crate) const SPATIAL: &str = r#"{"schema": "contact-problem/1", "name": "one
 
 /// A soft pyramid.
 pub(crate) const PYRAMID: &str = r#"{"schema": "contact-problem/1", "name": "pyramid", "dimension": 3, "law": "polyhedral-associated",
-    "directions": 5, "friction": [0.5], "free_velocity": [-1, 2, 3], "delassus": {"shape": [3, 3], "rows": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]},
+    "directions": 5, "friction": [0.5], "free_velocity": [-1, 2, 3],
+    "delassus": {"shape": [3, 3], "rows": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]},
     "compliance": {"coordinates": "edge", "diagonal": [1, 2, 3, 4, 5]}}"#;
 
 /// Every number of three problems stands where the format says.
