@@ -111,3 +111,16 @@ fn judgement(subject: &Concludes) -> Result<Vec<Finding>> {
         is("another verdict than recorded", of(ClaimVerdict::True, &refuted, &wrong), |status| matches!(status, Status::OtherVerdict(_))),
     ])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_judgement_of_claims_passes_its_check_and_every_wrong_one_does_not() {
+        assert_eq!(JUDGES.failing(&JUDGES.reference).expect("judged"), Vec::<String>::new());
+        for trial in JUDGES.trials() {
+            assert!(!(trial.caught_by)().expect("judged").is_empty(), "{} is not caught", trial.name);
+        }
+    }
+}
