@@ -1,4 +1,3 @@
-//! The gate: any simulator, in any language, judged by one set of checks ([`moreau_gate`]), with the matrix of planted mistakes.
+//! The gate: any simulator, in any language, judged by one set of checks ([`moreau_gate`]).
 
-pub use crate::defects::matrix;
 pub use moreau_gate::*;

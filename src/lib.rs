@@ -69,6 +69,7 @@ pub mod claims;
 pub mod cli;
 pub mod defects;
 pub mod gate;
+pub mod matrix;
 pub mod prelude;
 pub mod report;
 pub mod schemes;

@@ -4,10 +4,11 @@
 mod regression;
 
 use moreau::checks::Expectation;
+use moreau::checks::planted::{Kind, Planted};
 use moreau::report::systems::{BEGIN, END, markdown};
 use moreau::schemes::NAMES;
 use moreau::stored::{Folder, RUNS, StoredRuns};
-use moreau::systems::{ALL, Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, Report, System, SystemReport};
+use moreau::systems::{ALL, Agreement, Cone, ConstraintLevel, ContactLaw, Measure, Measured, Report, System, SystemReport};
 use rayon::prelude::*;
 use regression::{Number, complaints, stored};
 use std::borrow::Cow;
@@ -109,7 +110,7 @@ fn missed(system: &System) -> Vec<String> {
         let place = format!("{}, {}", system.name, agreement.quantity);
         let mut found = if agreement.planted.is_empty() { vec![format!("{place}: nothing is planted")] } else { vec![] };
         found.extend(agreement.planted.iter().filter_map(|planted| {
-            let measured = (planted.measure)(&RUNS).expect("the mistake changes numbers only");
+            let measured = (planted.subject)(&RUNS).expect("the mistake changes numbers only");
             measured.holds().then(|| format!("{place}: {}: {measured:?}", planted.mistake))
         }));
         found
@@ -135,6 +136,10 @@ fn every_system_has_a_scheme_and_an_agreement_and_every_scheme_has_a_system() {
     assert_eq!(names.len(), ALL.len(), "one name, one system");
 }
 
+const fn planted(mistake: &'static str, subject: Measure) -> Planted<Measure> {
+    Planted { name: "wrong", mistake, kind: Kind::Scheme, subject }
+}
+
 static WRONG: System = System {
     name: "wrong",
     level: ConstraintLevel::Velocity,
@@ -151,10 +156,7 @@ static WRONG: System = System {
             quantity: "lost",
             unit: "m",
             measure: |_| Ok(Measured::within(f64::NAN, 1.0)),
-            planted: &[
-                PlantedMistake { mistake: "large", measure: |_| Ok(Measured::within(2.0, 1.0)) },
-                PlantedMistake { mistake: "small", measure: |_| Ok(Measured::within(0.5, 1.0)) },
-            ],
+            planted: &[planted("large", |_| Ok(Measured::within(2.0, 1.0))), planted("small", |_| Ok(Measured::within(0.5, 1.0)))],
         },
     ],
 };

@@ -28,7 +28,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         None => Box::new(OwnEngine { solvers: solvers::ALL.clone(), ..own::by_name(&arguments.scheme)? }),
         Some(name) => {
             let unknown = || Error::Unsupported(format!("no planted mistake `{name}`; `moreau defects` lists them"));
-            (planted::find(name).ok_or_else(unknown)?.engine)()
+            (planted::find(name).ok_or_else(unknown)?.subject.engine)()
         }
     };
     let failed = |source| Error::Write { file: Path::new("standard output").into(), source };

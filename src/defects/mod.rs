@@ -1,14 +1,15 @@
-//! Planted defects: each is a reference with one textbook mistake, and the check that exists to catch it.
+//! Planted mistakes: each is a subject with one line of reasoning wrong, and the checks that exist to catch it.
 //!
-//! A check that no defect can fail is not a check. `tests/defects.rs` shows every defect caught and its reference passed.
+//! A check that no planted mistake can fail is not a check. `tests/defects.rs` shows every mistake caught and every reference passed.
 
-pub mod matrix;
-
-pub use moreau_checks::defects::{Defect, cone_projection, convergence, delassus, energy, stewart_trinkle, zeno};
+pub use moreau_checks::defects::{
+    certificates, cone_projection, convergence, decisions, delassus, energy, readers, schemes, solvers, stewart_trinkle, zeno,
+};
+pub use moreau_checks::planted::{Beside, Family, Kind, Planted, Trial};
 pub use moreau_replicas::energy_balance::defects as energy_balance;
 
-/// Every planted defect, family by family.
-pub fn all() -> impl Iterator<Item = &'static Defect> {
+/// Every mistake that stands beside its own reference.
+pub fn beside() -> impl Iterator<Item = &'static Planted<Beside>> {
     let families = [
         delassus::DEFECTS,
         stewart_trinkle::DEFECTS,

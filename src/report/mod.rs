@@ -3,6 +3,7 @@
 pub mod certificate;
 pub mod comparison;
 pub mod json;
+pub mod matrix;
 pub mod motion;
 pub mod no_answer;
 pub mod schemas;

@@ -142,7 +142,8 @@ pub fn unaccounted(outcome: &JudgedClaim, sources: &Sources) -> Vec<String> {
     let claim = outcome.claim;
     let mut data = sources.data(claim);
     data.extend(NUMBER.captures_iter(claim.statement).filter_map(|found| Number::read(&found)).map(|number| number.value));
-    let found: Vec<f64> = outcome.findings.iter().flat_map(|finding| [finding.measured, finding.expected, finding.tolerance]).collect();
+    let found: Vec<f64> =
+        outcome.findings.iter().flat_map(|finding| [finding.measured, finding.expectation.value, finding.expectation.tolerance]).collect();
     let accounted = |number: Number| {
         number.value <= 2.0 && number.value.fract() == 0.0
             || data.iter().any(|datum| number.is(*datum))

@@ -73,7 +73,7 @@ fn controls_pass_and_fail(name: &str) {
         assert_eq!(outcome.verdict, Verdict::Pass, "{}", details(outcome));
         let mistake =
             planted::find(check.control.fails).unwrap_or_else(|| panic!("{}: nothing planted as `{}`", check.name, check.control.fails));
-        let outcome = &judge(&mistake.engine, vec![check])[0];
+        let outcome = &judge(&mistake.subject.engine, vec![check])[0];
         assert_eq!(outcome.verdict, Verdict::Fail, "{} does not catch {}: {}", check.name, mistake.name, details(outcome));
     }
 }

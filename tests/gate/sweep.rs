@@ -9,7 +9,7 @@ fn restitution_lost_at_large_steps_is_caught_by_the_sweep_and_missed_by_its_smal
     let mistake = planted::find("ball/restitution-lost-at-large-steps").expect("planted");
     let checks = vec![checks::find("ball/restitution").expect("registered")];
     let large: Vec<f64> = time_steps().into_iter().filter(|h| *h > QUICK[2]).collect();
-    assert_eq!(judge(&mistake.engine, checks.clone())[0].fails_at, large);
+    assert_eq!(judge(&mistake.subject.engine, checks.clone())[0].fails_at, large);
     let smallest = Plan { checks, sweep: vec![QUICK[2]], options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };
-    assert_eq!(run(&mistake.engine, &smallest).expect("it describes itself").checks[0].verdict, Verdict::Pass);
+    assert_eq!(run(&mistake.subject.engine, &smallest).expect("it describes itself").checks[0].verdict, Verdict::Pass);
 }

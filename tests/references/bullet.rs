@@ -26,8 +26,8 @@ pub fn check(document: &Document, trajectory: &Trajectory) -> Result<Vec<Finding
     let found = replay(trajectory, &scheme, samples)?;
     let (position, velocity) = (found.position, found.velocity);
     let mut findings = vec![
-        Finding::at_most("velocities of our model against the engine's", velocity.difference, velocity.tolerance, "m/s"),
-        Finding::at_most("positions of our model against the engine's", position.difference, position.tolerance, "m"),
+        Finding::at_most("velocities of our model against the engine's", velocity.difference, velocity.expectation.tolerance, "m/s"),
+        Finding::at_most("positions of our model against the engine's", position.difference, position.expectation.tolerance, "m"),
     ];
     let same = |other: Replay| other.position.holds() && other.velocity.holds();
     let other = replay(trajectory, &Bullet { error_reduction: 0.2, ..scheme }, samples)?;

@@ -4,15 +4,20 @@
 //! planted
 //! [`defects`]: references with one textbook mistake each, which its checks must catch.
 
+pub mod answers;
 mod bearing;
 pub mod cone_projection;
 pub mod convergence;
+pub mod decisions;
 pub mod defects;
 pub mod delassus;
 pub mod energy;
 mod expectation;
 mod finding;
+pub mod forms;
+pub mod planted;
 pub mod plot;
+pub mod readers;
 mod relation;
 mod says;
 pub mod stewart_trinkle;

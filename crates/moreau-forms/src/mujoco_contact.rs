@@ -36,7 +36,7 @@ impl ContactParameters {
     /// d(δ) at a depth δ ≥ 0 below the margin.
     pub fn impedance_at(&self, depth: f64) -> f64 {
         let [start, end, width, midpoint, power] = self.impedance;
-        let [start, end] = [start, end].map(|value| value.clamp(IMPEDANCE_LIMITS[0], IMPEDANCE_LIMITS[1]));
+        let [start, end, midpoint] = [start, end, midpoint].map(|value| value.clamp(IMPEDANCE_LIMITS[0], IMPEDANCE_LIMITS[1]));
         if width <= 0.0 {
             return 0.5 * (start + end);
         }
@@ -118,7 +118,9 @@ impl ContactParameters {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::soft_impedance::SoftImpedance;
     use crate::tolerance::PRINTED_DIGITS;
+    use moreau_exact::scalar::{Rational, Scalar, ratio};
 
     #[test]
     fn rest_depth_of_one_kilogram_is_the_documented_number() {
@@ -158,6 +160,19 @@ mod tests {
         assert!((at(0.0, 0.95, 0.001) - 0.076092).abs() <= moreau_exact::tolerance::rounding(8, 1.0));
         assert!((at(0.0, 1.0, 0.001) - 0.080084).abs() <= moreau_exact::tolerance::rounding(8, 1.0));
         assert_eq!(at(0.2, 0.8, 0.0), 0.5);
+    }
+
+    #[test]
+    fn the_midpoint_is_limited_as_the_curve_in_rationals_limits_it() {
+        for midpoint in [0, 1] {
+            let curve = SoftImpedance { midpoint: ratio(midpoint, 1), ..SoftImpedance::<Rational>::standard() };
+            let solimp = [0.9, 0.95, 0.001, midpoint as f64, 2.0];
+            for depth in [1, 5, 9] {
+                let rounded = ContactParameters { impedance: solimp, ..ContactParameters::default() }.impedance_at(f64::from(depth) / 1e4);
+                let exact = Scalar::to_f64(&curve.at(&ratio(i64::from(depth), 10_000)));
+                assert!((rounded - exact).abs() <= moreau_exact::tolerance::rounding(16, 1.0), "{midpoint} {depth}");
+            }
+        }
     }
 
     #[test]

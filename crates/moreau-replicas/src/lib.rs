@@ -4,6 +4,7 @@
 //! [`schemes`] lists every scheme by name, those of the literature and the engines'; [`energy_balance`] states what each of them may gain
 //! in a step. [`systems`] holds the simulators of the chapter against closed forms, exact rationals and [`stored`] runs of the engines.
 
+pub mod altered;
 pub mod bullet;
 pub mod chrono;
 pub mod drake;

@@ -9,7 +9,7 @@ use crate::claims::prelude::*;
 use crate::closed_forms::bouncing_ball::{BouncingBall, impact_time_ratio};
 use crate::closed_forms::mujoco_normal::spring_damper_restitution;
 use crate::contact::delassus::delassus;
-use crate::defects::energy::{Misassembled, restitution_forgotten};
+use crate::defects::schemes::RESTITUTION_FORGOTTEN;
 use crate::defects::zeno::{Altered, Mistake};
 use crate::elimination::solve;
 use crate::exact_particle::{Ball, BallState};
@@ -303,7 +303,7 @@ fn converges_on_the_ball(reading: Reading) -> Result<Vec<Finding>> {
     let mut findings = Vec::new();
     for theta in [0.5, 1.0] {
         let scheme = MoreauJean { theta, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
-        let forgetful = Misassembled { base: scheme, alter: restitution_forgotten };
+        let forgetful = RESTITUTION_FORGOTTEN.subject.of(scheme);
         let subject: &dyn Scheme = reading.only(2).pick(&scheme, &forgetful);
         findings.extend(errors_of_one_impact(subject, theta)?);
     }

@@ -7,7 +7,7 @@ use crate::claims::experiments::runge_kutta::{Impacts, Norm, errors_over_those_o
 use crate::claims::prelude::*;
 use crate::closed_forms::BouncingBall;
 use crate::defects::convergence::{Altered, Mistake};
-use crate::defects::energy::{Misassembled, restitution_forgotten};
+use crate::defects::schemes::RESTITUTION_FORGOTTEN;
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, StewartTrinkle};
 use crate::tolerance::claims::ORDER_GAP;
 use crate::trajectory::estimate_order;
@@ -130,7 +130,7 @@ fn located(reading: Reading) -> Result<Vec<Finding>> {
 
 fn weaker_norms(reading: Reading) -> Result<Vec<Finding>> {
     let scheme = MoreauJean { theta: 0.5, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
-    let forgetful = Misassembled { base: scheme, alter: restitution_forgotten };
+    let forgetful = RESTITUTION_FORGOTTEN.subject.of(scheme);
     let subject: &dyn Scheme = reading.only(0).pick(&scheme, &forgetful);
     let found = study(subject, 0.8, reading.only(1).pick(1.8, 0.9), &[32, 128, 512], 4)?;
     let order = |name: &str, slope: f64, expected: f64| {

@@ -3,7 +3,7 @@
 use crate::claims::prelude::*;
 use crate::closed_forms::BouncingBall;
 use crate::closed_forms::bouncing_ball::{accumulation_time_ratio, impact_time_ratio};
-use crate::defects::energy::{Misassembled, restitution_on_the_wrong_side};
+use crate::defects::energy::RESTITUTION_ON_THE_WRONG_SIDE;
 use crate::defects::zeno::{Altered, Mistake};
 use crate::mechanics::{PointMass, State};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, simulate};
@@ -128,7 +128,7 @@ fn bounded_variation(reading: Reading) -> Result<Vec<Finding>> {
     let ball = BouncingBall::new(gravity, height, e)?;
     let base = MoreauJean { theta: 0.5, activation: Activation::FreeVelocityForecast, restitution: RestitutionRule::NormalOnly };
     let sinking = Altered { base, mistake: Mistake::ApproachingOnly };
-    let gaining = Misassembled { base, alter: restitution_on_the_wrong_side };
+    let gaining = RESTITUTION_ON_THE_WRONG_SIDE.of(base);
     let subject: &dyn Scheme = match reading {
         Reading::Recorded => &base,
         Reading::Control(0) => &sinking,

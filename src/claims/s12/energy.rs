@@ -4,7 +4,7 @@ use super::motion::before_contact;
 use crate::checks::energy::{ENERGY_OF_BOUNCE, impact, worked_ball, worked_step};
 use crate::checks::zeno::DroppedBall;
 use crate::claims::prelude::*;
-use crate::defects::energy::{Misassembled, restitution_on_the_wrong_side};
+use crate::defects::energy::RESTITUTION_ON_THE_WRONG_SIDE;
 use crate::exact_particle::Ball;
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme};
 
@@ -119,7 +119,7 @@ fn energy_ratio(reading: Reading) -> Result<Vec<Finding>> {
 
 fn energy_limit(reading: Reading) -> Result<Vec<Finding>> {
     let right = MoreauJean { theta: 1.0, activation: Activation::FreeVelocityForecast, restitution: RestitutionRule::NormalOnly };
-    let wrong = Misassembled { base: right, alter: restitution_on_the_wrong_side };
+    let wrong = RESTITUTION_ON_THE_WRONG_SIDE.of(right);
     let subject: &dyn Scheme = reading.pick(&right, &wrong);
     let ball = DroppedBall { mass: 1.0, gravity: 10.0, height: 0.05, restitution: 0.5 };
     let mut findings = Vec::new();

@@ -98,11 +98,6 @@ fn work_residual(theta: &Rational, weight: &Rational) -> Rational {
     system.kinetic_energy(&next) - system.kinetic_energy(&start) - mean.dot(&force) * &h
 }
 
-/// Change of energy of the gravity-and-springs system over 100 steps with θ = 1/2.
-pub fn linear_energy_change() -> Rational {
-    energy_change_under(&ratio(1, 2))
-}
-
 /// Size of the change of energy of two coupled masses over 3 steps, and of a fall over 100.
 pub(super) fn energy_change_under(theta: &Rational) -> Rational {
     let (system, start) = coupled_pair();

@@ -232,9 +232,8 @@ fn conjugate_directions(reading: Reading) -> Result<Vec<Finding>> {
             .says(true)
             .violating("a release before 3.10"),
     ];
-    let [conjugate, descent] = reading
-        .only(1)
-        .pick([Direction::PolakRibierePlus, Direction::Steepest], [Direction::Steepest, Direction::PolakRibierePlus]);
+    let [conjugate, descent] =
+        reading.only(1).pick([Direction::PolakRibierePlus, Direction::Steepest], [Direction::Steepest, Direction::PolakRibierePlus]);
     for (cone, name) in [(Cone::Elliptic, "elliptic"), (Cone::Pyramidal, "pyramidal")] {
         let distance = |direction: Direction| iterates(cone, name, direction);
         let (printed, newer) = (distance(conjugate)?, distance(Direction::HagerZhang)?);

@@ -57,11 +57,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "d at 0, 1/4, 1/2, 3/4 and 1 mm is 0.9, 0.90625, 0.925, 0.94375 and 0.95, in rationals. One-sided derivatives by dual \
             numbers agree at both ends, and are 100 1/m on both sides of the midpoint. The second derivative jumps there from 200000 to \
             −200000 1/m².",
-        controls: &[
-            "The straight line, power 1.",
-            "d₀ and d_w exchanged.",
-            "1 mm taken for half of the width.",
-        ],
+        controls: &["The straight line, power 1.", "d₀ and d_w exchanged.", "1 mm taken for half of the width."],
         sources: &[CURVE, PARAMETERS],
         check: curve,
     },

@@ -3,12 +3,12 @@
 use crate::claims::experiments::soft::{GRAVITY, land, limited_contact, unlimited_contact};
 use crate::claims::prelude::*;
 use crate::claims::s8::spring::{SEMI_IMPLICIT, both_sides, is_stable, matrix, powers_at};
+use crate::closed_forms::mujoco_normal::NormalContact;
 use crate::closed_forms::soft_impedance::SoftImpedance;
 use crate::closed_forms::soft_reference::SoftReference;
 use crate::closed_forms::spring_damper as closed;
-use crate::closed_forms::mujoco_normal::NormalContact;
-use crate::integrators::{SpringDamper, Theta};
 use crate::integrators::stability::{Powers, invariants, spectral_radius};
+use crate::integrators::{SpringDamper, Theta};
 use crate::tolerance::claims::pathology as tolerance;
 use crate::tolerance::rounding;
 

@@ -23,7 +23,7 @@ struct Entry {
 impl From<&Check> for Entry {
     fn from(check: &Check) -> Self {
         let mut failed_by = vec![check.control.fails];
-        let others = planted::all().filter(|planted| planted.caught_by.contains(&check.name)).map(|planted| planted.name);
+        let others = planted::all().filter(|planted| planted.subject.caught_by.contains(&check.name)).map(|planted| planted.name);
         failed_by.extend(others.filter(|name| *name != check.control.fails));
         Entry {
             check: check.name,

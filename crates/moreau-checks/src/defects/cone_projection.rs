@@ -1,52 +1,56 @@
 //! Planted mistakes in the projection on the friction cone.
 
-use super::Defect;
 use crate::cone_projection::battery;
+use crate::planted::{Beside, Kind, Planted};
 use moreau_contact::cones::second_order::{contains, polar_contains, project, tangential_norm};
 
 /// The defects of this family.
-pub const DEFECTS: &[Defect] = &[
-    Defect {
-        name: "cone-projection/negative-normal-is-open",
-        mistake: "every point with z_n < 0 is sent to the apex, instead of those in the polar cone μ‖z_t‖ ≤ −z_n",
-        defective: || battery(negative_normal_is_open),
-        reference: || battery(project),
+pub const DEFECTS: &[Planted<Beside>] = &[
+    Planted {
+        name: "projection/negative-normal-is-open",
+        mistake: "sends every point with z_n < 0 to the apex, instead of those with μ‖z_t‖ ≤ −z_n",
+        kind: Kind::Projection,
+        subject: Beside {
+            check: "properties/cone-projection",
+            defective: || battery(negative_normal_is_open),
+            reference: || battery(project),
+        },
     },
-    Defect {
+    Planted {
         name: "cone-projection/linear-denominator",
         mistake: "r_n = (z_n + μ‖z_t‖)/(1 + μ) instead of /(1 + μ²)",
-        defective: || battery(linear_denominator),
-        reference: || battery(project),
+        kind: Kind::Projection,
+        subject: Beside { check: "properties/cone-projection", defective: || battery(linear_denominator), reference: || battery(project) },
     },
-    Defect {
+    Planted {
         name: "cone-projection/tangent-without-mu",
         mistake: "‖r_t‖ = r_n instead of ‖r_t‖ = μ r_n",
-        defective: || battery(tangent_without_mu),
-        reference: || battery(project),
+        kind: Kind::Projection,
+        subject: Beside { check: "properties/cone-projection", defective: || battery(tangent_without_mu), reference: || battery(project) },
     },
-    Defect {
+    Planted {
         name: "cone-projection/dual-cone",
         mistake: "projects on the dual cone K_{1/μ} instead of K_μ",
-        defective: || battery(dual_cone),
-        reference: || battery(project),
+        kind: Kind::Projection,
+        subject: Beside { check: "properties/cone-projection", defective: || battery(dual_cone), reference: || battery(project) },
     },
-    Defect {
-        name: "cone-projection/clamp-the-tangent",
-        mistake: "keeps max(z_n, 0) and shortens the tangent to μ z_n: in the cone, but not the nearest point",
-        defective: || battery(clamp_the_tangent),
-        reference: || battery(project),
+    Planted {
+        name: "projection/clamp-the-tangent",
+        mistake: "keeps max(z_n, 0) and shortens the tangent to μ z_n",
+        kind: Kind::Projection,
+        subject: Beside { check: "properties/cone-projection", defective: || battery(clamp_the_tangent), reference: || battery(project) },
     },
-    Defect {
+    Planted {
         name: "cone-projection/box",
         mistake: "each tangential entry is clamped to ±μ z_n by itself, so the result depends on the tangent axes",
-        defective: || battery(tangent_box),
-        reference: || battery(project),
+        kind: Kind::Projection,
+        subject: Beside { check: "properties/cone-projection", defective: || battery(tangent_box), reference: || battery(project) },
     },
-    Defect {
-        name: "cone-projection/absolute-threshold",
-        mistake: "impulses below 2⁻¹⁰ N·s count as zero, so the answer depends on the unit",
-        defective: || battery(absolute_threshold),
-        reference: || battery(project),
+    Planted {
+        name: "projection/absolute-threshold",
+        mistake: "takes small impulses for zero, whatever the unit",
+        kind: Kind::Projection,
+        subject: Beside { check: "properties/cone-projection", defective: || battery(absolute_threshold), reference: || battery(project) },
     },
 ];
 

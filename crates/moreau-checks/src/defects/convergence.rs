@@ -1,8 +1,8 @@
 //! Planted defects of the family `convergence`.
 
-use super::Defect;
 use crate::convergence::{Horizon, Stop, bouncing_ball, plastic_ball};
 use crate::finding::Finding;
+use crate::planted::{Beside, Kind, Planted};
 use moreau_contact::problem::Law;
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
 use moreau_dynamics::schemes::{
@@ -12,25 +12,37 @@ use moreau_exact::Result;
 use nalgebra::DVector;
 
 /// The defects of this family.
-pub const DEFECTS: &[Defect] = &[
-    Defect {
-        name: "convergence/gap-times-step",
-        mistake: "the constraint reads φ·h + u⁺ ≥ 0 instead of φ/h + u⁺ ≥ 0: far above the floor it already brakes the ball",
-        defective: || plastic_ball(&Altered(Mistake::GapTimesStep), Stop::On),
-        reference: || plastic_ball(&StewartTrinkle::default(), Stop::On),
+pub const DEFECTS: &[Planted<Beside>] = &[
+    Planted {
+        name: "stewart-trinkle/gap-times-step",
+        mistake: "the gap enters as φ·h instead of φ/h",
+        kind: Kind::Assembly,
+        subject: Beside {
+            check: "properties/convergence",
+            defective: || plastic_ball(&Altered(Mistake::GapTimesStep), Stop::On),
+            reference: || plastic_ball(&StewartTrinkle::default(), Stop::On),
+        },
     },
-    Defect {
+    Planted {
         name: "convergence/trapezoidal-position",
         mistake: "the constraint holds for q + h v⁺ but the position moves by ½h(v + v⁺): the ball sinks and is thrown out, at every h",
-        defective: || plastic_ball(&Altered(Mistake::TrapezoidalPosition), Stop::On),
-        reference: || plastic_ball(&StewartTrinkle::default(), Stop::On),
+        kind: Kind::Scheme,
+        subject: Beside {
+            check: "properties/convergence",
+            defective: || plastic_ball(&Altered(Mistake::TrapezoidalPosition), Stop::On),
+            reference: || plastic_ball(&StewartTrinkle::default(), Stop::On),
+        },
     },
-    Defect {
+    Planted {
         name: "convergence/fixed-margin",
         mistake: "contacts are active at φ ≤ 1 cm instead of φ ≤ 0: the ball bounces above the floor by a length that does not shrink with \
             h",
-        defective: || one_impact(&Altered(Mistake::FixedMargin)),
-        reference: || one_impact(&JUDGED),
+        kind: Kind::Scheme,
+        subject: Beside {
+            check: "properties/convergence",
+            defective: || one_impact(&Altered(Mistake::FixedMargin)),
+            reference: || one_impact(&JUDGED),
+        },
     },
 ];
 

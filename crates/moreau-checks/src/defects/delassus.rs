@@ -1,43 +1,63 @@
 //! Planted defects of the family `delassus`: W = H M⁻¹ Hᵀ with one mistake each.
 
-use super::Defect;
 use crate::delassus::{DelassusRule, Library, check};
 use crate::finding::Finding;
+use crate::planted::{Beside, Kind, Planted};
 use moreau_exact::Result;
 use moreau_exact::scalar::{Rational, Scalar, ratio};
 use nalgebra::DMatrix;
 
 /// The defects of this family.
-pub const DEFECTS: &[Defect] = &[
-    Defect {
+pub const DEFECTS: &[Planted<Beside>] = &[
+    Planted {
         name: "delassus/mass-instead-of-its-inverse",
         mistake: "W = H M Hᵀ: symmetric, positive semidefinite, and not what an impulse does",
-        defective: || on_the_coupled_pair(&MassNotInverted),
-        reference: || on_the_coupled_pair(&Library),
+        kind: Kind::Assembly,
+        subject: Beside {
+            check: "properties/delassus",
+            defective: || on_the_coupled_pair(&MassNotInverted),
+            reference: || on_the_coupled_pair(&Library),
+        },
     },
-    Defect {
+    Planted {
         name: "delassus/lumped-mass",
         mistake: "W = H diag(M)⁻¹ Hᵀ: the inertial coupling of the velocities is forgotten",
-        defective: || on_the_coupled_pair(&LumpedMass),
-        reference: || on_the_coupled_pair(&Library),
+        kind: Kind::Assembly,
+        subject: Beside {
+            check: "properties/delassus",
+            defective: || on_the_coupled_pair(&LumpedMass),
+            reference: || on_the_coupled_pair(&Library),
+        },
     },
-    Defect {
+    Planted {
         name: "delassus/sign-dropped-in-transpose",
         mistake: "the reaction of the second contact acts in the wrong sense: row 2 of Hᵀ has the wrong sign",
-        defective: || on_the_coupled_pair(&SignDropped),
-        reference: || on_the_coupled_pair(&Library),
+        kind: Kind::Assembly,
+        subject: Beside {
+            check: "properties/delassus",
+            defective: || on_the_coupled_pair(&SignDropped),
+            reference: || on_the_coupled_pair(&Library),
+        },
     },
-    Defect {
+    Planted {
         name: "delassus/asymmetry-averaged-away",
         mistake: "the wrong sign again, hidden by taking ½(W + Wᵀ)",
-        defective: || on_the_coupled_pair(&Averaged),
-        reference: || on_the_coupled_pair(&Library),
+        kind: Kind::Assembly,
+        subject: Beside {
+            check: "properties/delassus",
+            defective: || on_the_coupled_pair(&Averaged),
+            reference: || on_the_coupled_pair(&Library),
+        },
     },
-    Defect {
+    Planted {
         name: "delassus/triangle-not-mirrored",
         mistake: "only the lower triangle is filled in",
-        defective: || on_the_coupled_pair(&NotMirrored),
-        reference: || on_the_coupled_pair(&Library),
+        kind: Kind::Assembly,
+        subject: Beside {
+            check: "properties/delassus",
+            defective: || on_the_coupled_pair(&NotMirrored),
+            reference: || on_the_coupled_pair(&Library),
+        },
     },
 ];
 

@@ -1,7 +1,7 @@
 //! Planted defects of the family `stewart_trinkle`: four ways to write the LCP down wrongly.
 
-use super::Defect;
 use crate::finding::Finding;
+use crate::planted::{Beside, Kind, Planted};
 use crate::stewart_trinkle::{Assembly, RationalStep, chapter_example, decisions, identity, reduced, reference, solvability, wedge};
 use moreau_contact::problem::{Lcp, stewart_trinkle};
 use moreau_exact::Result;
@@ -9,30 +9,30 @@ use moreau_exact::scalar::{Rational, ratio};
 use nalgebra::DVector;
 
 /// The defects of this family.
-pub const DEFECTS: &[Defect] = &[
-    Defect {
+pub const DEFECTS: &[Planted<Beside>] = &[
+    Planted {
         name: "stewart-trinkle/cone-row-reversed",
         mistake: "the last row reads (−μ, Eᵀ) instead of (μ, −Eᵀ): friction is asked to exceed its bound",
-        defective: || family(cone_row_reversed),
-        reference: || family(reference),
+        kind: Kind::Assembly,
+        subject: Beside { check: "properties/stewart-trinkle", defective: || family(cone_row_reversed), reference: || family(reference) },
     },
-    Defect {
+    Planted {
         name: "stewart-trinkle/symmetric-blocks",
         mistake: "the matrix is written [[W̃, b], [bᵀ, 0]] with b = (0, E), as in the chapter's proof",
-        defective: || family(symmetric_blocks),
-        reference: || family(reference),
+        kind: Kind::Assembly,
+        subject: Beside { check: "properties/stewart-trinkle", defective: || family(symmetric_blocks), reference: || family(reference) },
     },
-    Defect {
+    Planted {
         name: "stewart-trinkle/gap-times-step",
         mistake: "the gap enters as φ·h instead of φ/h",
-        defective: || family(gap_times_step),
-        reference: || family(reference),
+        kind: Kind::Assembly,
+        subject: Beside { check: "properties/stewart-trinkle", defective: || family(gap_times_step), reference: || family(reference) },
     },
-    Defect {
+    Planted {
         name: "stewart-trinkle/friction-forgotten",
         mistake: "μ is missing from the last row, so no friction is ever allowed",
-        defective: || family(friction_forgotten),
-        reference: || family(reference),
+        kind: Kind::Assembly,
+        subject: Beside { check: "properties/stewart-trinkle", defective: || family(friction_forgotten), reference: || family(reference) },
     },
 ];
 

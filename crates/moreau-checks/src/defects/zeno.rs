@@ -1,7 +1,7 @@
 //! Planted defects of the family `zeno`.
 
-use super::Defect;
 use crate::finding::Finding;
+use crate::planted::{Beside, Kind, Planted};
 use crate::tolerance::zeno;
 use crate::zeno::{DroppedBall, absorption};
 use moreau_contact::problem::Law;
@@ -14,25 +14,26 @@ use moreau_exact::Result;
 use nalgebra::DVector;
 
 /// The defects of this family.
-pub const DEFECTS: &[Defect] = &[
-    Defect {
-        name: "zeno/rule-c",
-        mistake: "contacts are active when φ + h v ≤ 0 and v ≤ 0: at rest every second step is free and the ball sinks",
-        defective: || family(&RULE_C),
-        reference: || family(&JUDGED),
-    },
-    Defect {
-        name: "zeno/restitution-of-the-free-velocity",
-        mistake: "e multiplies v_free instead of v: gravity's g h per step is reflected and the ball never rests",
-        defective: || family(&Altered { base: JUDGED, mistake: Mistake::FreeVelocity }),
-        reference: || family(&JUDGED),
-    },
-];
+pub const DEFECTS: &[Planted<Beside>] = &[Planted {
+    name: "rest/rule-c",
+    mistake: "activates a contact when φ + h v ≤ 0 and v ≤ 0: at rest every second step is free and the body sinks",
+    kind: Kind::Scheme,
+    subject: Beside { check: "properties/zeno", defective: || family(&RULE_C), reference: || family(&JUDGED) },
+}];
 
 const JUDGED: MoreauJean =
     MoreauJean { theta: 1.0, activation: Activation::FreeVelocityForecast, restitution: RestitutionRule::NormalOnly };
 
-fn family(subject: &dyn Scheme) -> Result<Vec<Finding>> {
+/// The scheme that the family's check is about.
+pub fn judged() -> MoreauJean {
+    JUDGED
+}
+
+/// The family's check of a scheme on a ball with e = ½.
+///
+/// # Errors
+/// Those of the scheme.
+pub fn family(subject: &dyn Scheme) -> Result<Vec<Finding>> {
     let ball = DroppedBall { mass: 1.0, gravity: 9.81, height: 1.0, restitution: 0.5 };
     absorption(subject, &JUDGED, &ball, 0.01, 100)
 }

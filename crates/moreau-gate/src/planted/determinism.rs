@@ -1,7 +1,8 @@
 //! Mistakes that make an answer depend on more than the question.
 
-use crate::planted::Planted;
-use crate::planted::parts::{Answers, answer, with_solver};
+use crate::planted::parts::{Answers, with_solver};
+use crate::planted::{Faulty, Kind, Planted};
+use moreau_checks::defects::solvers::answer;
 use moreau_contact::problem::{ContactProblem, Solution};
 use moreau_contact::solvers::{ContactSolver, ProjectedGaussSeidel};
 use moreau_exact::Result;
@@ -10,24 +11,30 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The mistakes of this family.
-pub const PLANTED: &[Planted] = &[
+pub const PLANTED: &[Planted<Faulty>] = &[
     Planted {
         name: "determinism/random-order",
         mistake: "sweeps over the contacts in an order drawn from a global state that is not reset, and stops early",
-        engine: || with_solver(|| Box::new(Answers(random_order))),
-        caught_by: &["determinism/repeat", "determinism/company"],
+        kind: Kind::Solver,
+        subject: Faulty {
+            engine: || with_solver(|| Box::new(Answers(random_order))),
+            caught_by: &["determinism/repeat", "determinism/company"],
+        },
     },
     Planted {
         name: "determinism/impulses-kept",
         mistake: "starts new contacts from a buffer of impulses that is not cleared between requests, and stops early",
-        engine: || with_solver(|| Box::new(Answers(impulses_kept))),
-        caught_by: &["determinism/company"],
+        kind: Kind::Solver,
+        subject: Faulty { engine: || with_solver(|| Box::new(Answers(impulses_kept))), caught_by: &["determinism/company"] },
     },
     Planted {
         name: "determinism/memory-not-written",
         mistake: "the last digits of the impulses come from memory that holds what was there before",
-        engine: || with_solver(|| Box::new(Answers(memory_not_written))),
-        caught_by: &["determinism/repeat", "determinism/company"],
+        kind: Kind::Solver,
+        subject: Faulty {
+            engine: || with_solver(|| Box::new(Answers(memory_not_written))),
+            caught_by: &["determinism/repeat", "determinism/company"],
+        },
     },
 ];
 

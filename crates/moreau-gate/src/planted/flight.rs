@@ -1,47 +1,59 @@
 //! Mistakes of free flight.
 
-use crate::planted::Planted;
 use crate::planted::wrapped::{EachStep, Misreport, Moment};
+use crate::planted::{Faulty, Kind, Planted};
 use moreau_dynamics::scenes::Scene;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// The mistakes of this family.
-pub const PLANTED: &[Planted] = &[
+pub const PLANTED: &[Planted<Faulty>] = &[
     Planted {
         name: "flight/half-g-h-squared-twice",
         mistake: "adds ½ g h² to a position that already moves with the velocity after the step",
-        engine: || Box::new(EachStep { after: half_g_h_squared_twice, ..EachStep::NOTHING }),
-        caught_by: &["flight/projectile"],
+        kind: Kind::Scheme,
+        subject: Faulty {
+            engine: || Box::new(EachStep { after: half_g_h_squared_twice, ..EachStep::NOTHING }),
+            caught_by: &["flight/projectile"],
+        },
     },
     Planted {
         name: "flight/undeclared-damping",
         mistake: "multiplies every velocity by 0.96^h, which is Bullet's default, and declares no damping",
-        engine: || Box::new(EachStep { after: damped, ..EachStep::NOTHING }),
-        caught_by: &["flight/projectile", "flight/momentum"],
+        kind: Kind::Scheme,
+        subject: Faulty {
+            engine: || Box::new(EachStep { after: damped, ..EachStep::NOTHING }),
+            caught_by: &["flight/projectile", "flight/momentum"],
+        },
     },
     Planted {
         name: "flight/no-gyroscopic-term",
         mistake: "leaves ω of a free body constant, as if its inertia were that of a sphere",
-        engine: || Box::new(EachStep { after: |scene, moment| turned(scene, moment, 0.0), ..EachStep::NOTHING }),
-        caught_by: &["flight/spinning-box"],
+        kind: Kind::Scheme,
+        subject: Faulty {
+            engine: || Box::new(EachStep { after: |scene, moment| turned(scene, moment, 0.0), ..EachStep::NOTHING }),
+            caught_by: &["flight/spinning-box"],
+        },
     },
     Planted {
         name: "flight/gyroscopic-sign",
         mistake: "adds ω × Jω where it is to be subtracted",
-        engine: || Box::new(EachStep { after: |scene, moment| turned(scene, moment, -1.0), ..EachStep::NOTHING }),
-        caught_by: &["flight/spinning-box"],
+        kind: Kind::Scheme,
+        subject: Faulty {
+            engine: || Box::new(EachStep { after: |scene, moment| turned(scene, moment, -1.0), ..EachStep::NOTHING }),
+            caught_by: &["flight/spinning-box"],
+        },
     },
     Planted {
         name: "flight/spin-in-the-body-frame",
         mistake: "reports the angular velocity in the body's frame",
-        engine: || Box::new(Misreport(spin_in_the_body_frame)),
-        caught_by: &["flight/spinning-box"],
+        kind: Kind::Report,
+        subject: Faulty { engine: || Box::new(Misreport(spin_in_the_body_frame)), caught_by: &["flight/spinning-box"] },
     },
     Planted {
         name: "flight/samples-a-step-late",
         mistake: "reports the state at the beginning of a step for its end",
-        engine: || Box::new(Misreport(a_step_late)),
-        caught_by: &["flight/projectile", "flight/momentum"],
+        kind: Kind::Report,
+        subject: Faulty { engine: || Box::new(Misreport(a_step_late)), caught_by: &["flight/projectile", "flight/momentum"] },
     },
 ];
 

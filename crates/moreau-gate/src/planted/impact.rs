@@ -2,102 +2,121 @@
 
 use crate::Engine;
 use crate::own::OwnParameters;
-use crate::planted::Planted;
 use crate::planted::wrapped::{EachStep, Misdeclare, Misread, Moment, declare_springs, moreau_jean};
+use crate::planted::{Faulty, Kind, Planted};
 use moreau_checks::defects::zeno::{Altered, Mistake};
 use moreau_dynamics::scenes::Scene;
 use moreau_dynamics::schemes::{MoreauJean, Scheme};
 use moreau_exact::Result;
 
 /// The mistakes of this family.
-pub const PLANTED: &[Planted] = &[
+pub const PLANTED: &[Planted<Faulty>] = &[
     Planted {
         name: "ball/restitution-lost-at-large-steps",
         mistake: "takes an impact for resting contact when a step is longer than 2 ms, and returns nothing: what rapier 0.35.0-beta.0 \
             shows from some heights",
-        engine: || {
-            Box::new(Misread(|scene, h| {
-                if h > 0.002 {
-                    scene.material.restitution = 0.0
-                }
-            }))
+        kind: Kind::Scheme,
+        subject: Faulty {
+            engine: || {
+                Box::new(Misread(|scene, h| {
+                    if h > 0.002 {
+                        scene.material.restitution = 0.0
+                    }
+                }))
+            },
+            caught_by: &["ball/restitution", "ball/energy"],
         },
-        caught_by: &["ball/restitution", "ball/energy"],
     },
     Planted {
         name: "ball/restitution-multiplied",
         mistake: "multiplies the restitution of both bodies of a pair, where the pair's is given",
-        engine: || Box::new(Misread(|scene, _| scene.material.restitution *= scene.material.restitution)),
-        caught_by: &["ball/restitution", "ball/energy", "impact/two-spheres"],
+        kind: Kind::Reader,
+        subject: Faulty {
+            engine: || Box::new(Misread(|scene, _| scene.material.restitution *= scene.material.restitution)),
+            caught_by: &["ball/restitution", "ball/energy", "impact/two-spheres"],
+        },
     },
-    Planted {
-        name: "ball/restitution-of-the-free-velocity",
-        mistake: "multiplies e with the velocity after gravity, so that every contact also reverses one step of gravity",
-        engine: || altered(|_| Ok(Box::new(Altered { base: MoreauJean::default(), mistake: Mistake::FreeVelocity }))),
-        caught_by: &["ball/energy", "rest/jitter"],
-    },
+    scheme!(RESTITUTION_OF_FREE, &["ball/energy", "rest/jitter"]),
     Planted {
         name: "ball/asleep-at-the-apex",
         mistake: "puts a body to sleep when it is slower than 0.2 m/s in one step, where rest takes contact",
-        engine: || Box::new(EachStep { after: asleep, ..EachStep::NOTHING }),
-        caught_by: &["ball/zeno", "ball/penetration"],
+        kind: Kind::Scheme,
+        subject: Faulty {
+            engine: || Box::new(EachStep { after: asleep, ..EachStep::NOTHING }),
+            caught_by: &["ball/zeno", "ball/penetration"],
+        },
     },
     Planted {
         name: "ball/contacts-every-fourth-step",
         mistake: "looks for contacts in every fourth step only",
-        engine: || {
-            Box::new(EachStep {
-                before: |scene, step| {
-                    if step % 4 != 0 {
-                        scene.ground = None
-                    }
-                },
-                ..EachStep::NOTHING
-            })
+        kind: Kind::Scheme,
+        subject: Faulty {
+            engine: || {
+                Box::new(EachStep {
+                    before: |scene, step| {
+                        if step % 4 != 0 {
+                            scene.ground = None
+                        }
+                    },
+                    ..EachStep::NOTHING
+                })
+            },
+            caught_by: &["ball/penetration", "rest/jitter", "tumbling/depth"],
         },
-        caught_by: &["ball/penetration", "rest/jitter", "tumbling/depth"],
     },
     Planted {
         name: "ball/baumgarte-velocity-kept",
         mistake: "corrects a fifth of the depth per step by a velocity that the body keeps",
-        engine: || Box::new(EachStep { after: baumgarte, ..EachStep::NOTHING }),
-        caught_by: &["ball/effective-restitution"],
+        kind: Kind::Scheme,
+        subject: Faulty {
+            engine: || Box::new(EachStep { after: baumgarte, ..EachStep::NOTHING }),
+            caught_by: &["ball/effective-restitution"],
+        },
     },
     Planted {
         name: "impact/one-sided-impulse",
         mistake: "applies the impulse between two bodies to the first of them only",
-        engine: || Box::new(EachStep { after: one_sided, ..EachStep::NOTHING }),
-        caught_by: &["impact/two-spheres", "impact/cradle", "impact/plastic"],
+        kind: Kind::Scheme,
+        subject: Faulty {
+            engine: || Box::new(EachStep { after: one_sided, ..EachStep::NOTHING }),
+            caught_by: &["impact/two-spheres", "impact/cradle", "impact/plastic"],
+        },
     },
     Planted {
         name: "impact/averaged-mass",
         mistake: "gives every body of an island their mean mass",
-        engine: || Box::new(Misread(averaged_mass)),
-        caught_by: &["impact/two-spheres", "impact/plastic"],
+        kind: Kind::Reader,
+        subject: Faulty { engine: || Box::new(Misread(averaged_mass)), caught_by: &["impact/two-spheres", "impact/plastic"] },
     },
     Planted {
         name: "rest/rule-c",
         mistake: "activates a contact when φ + h v ≤ 0 and v ≤ 0: at rest every second step is free and the body sinks",
-        engine: || altered(|_| Ok(Box::new(Altered { base: MoreauJean::default(), mistake: Mistake::ApproachingOnly }))),
-        caught_by: &["rest/depth", "rest/jitter"],
+        kind: Kind::Scheme,
+        subject: Faulty {
+            engine: || altered(|_| Ok(Box::new(Altered { base: MoreauJean::default(), mistake: Mistake::ApproachingOnly }))),
+            caught_by: &["rest/depth", "rest/jitter"],
+        },
     },
     Planted {
         name: "rest/undeclared-slop",
         mistake: "leaves 5 mm of depth uncorrected, and declares nothing",
-        engine: || Box::new(Misread(|scene, _| lower_the_floor(scene, 0.005))),
-        caught_by: &["rest/depth"],
+        kind: Kind::Scheme,
+        subject: Faulty { engine: || Box::new(Misread(|scene, _| lower_the_floor(scene, 0.005))), caught_by: &["rest/depth"] },
     },
     Planted {
         name: "rest/springs-that-are-not-there",
         mistake: "declares contact springs of 5 Hz, and lies on the floor",
-        engine: || Box::new(Misdeclare { engine: moreau_jean, declare: |description| declare_springs(description, 5.0) }),
-        caught_by: &["rest/depth"],
+        kind: Kind::Report,
+        subject: Faulty {
+            engine: || Box::new(Misdeclare { engine: moreau_jean, declare: |description| declare_springs(description, 5.0) }),
+            caught_by: &["rest/depth"],
+        },
     },
     Planted {
         name: "rest/floor-slightly-tilted",
         mistake: "keeps the floor's normal with an error of 0.002 and moves bodies along it out of the floor",
-        engine: || Box::new(EachStep { after: pushed_out, ..EachStep::NOTHING }),
-        caught_by: &["rest/drift"],
+        kind: Kind::Scheme,
+        subject: Faulty { engine: || Box::new(EachStep { after: pushed_out, ..EachStep::NOTHING }), caught_by: &["rest/drift"] },
     },
 ];
 

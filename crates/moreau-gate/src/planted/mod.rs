@@ -1,5 +1,46 @@
 //! Planted engines: our own engine with one realistic mistake each, and the checks that must catch it.
 
+/// A solver of [`moreau_checks::defects::solvers`] behind the engine's door.
+macro_rules! solver {
+    ($mistake:ident, $caught_by:expr) => {
+        Planted {
+            name: moreau_checks::defects::solvers::$mistake.name,
+            mistake: moreau_checks::defects::solvers::$mistake.mistake,
+            kind: moreau_checks::defects::solvers::$mistake.kind,
+            subject: Faulty {
+                engine: || {
+                    $crate::planted::parts::with_solver(|| {
+                        Box::new($crate::planted::parts::Answers(moreau_checks::defects::solvers::$mistake.subject))
+                    })
+                },
+                caught_by: $caught_by,
+            },
+        }
+    };
+}
+
+/// A scheme of [`moreau_checks::defects::schemes`] behind the engine's door.
+macro_rules! scheme {
+    ($mistake:ident, $caught_by:expr) => {
+        Planted {
+            name: moreau_checks::defects::schemes::$mistake.name,
+            mistake: moreau_checks::defects::schemes::$mistake.mistake,
+            kind: moreau_checks::defects::schemes::$mistake.kind,
+            subject: Faulty {
+                engine: || {
+                    $crate::planted::parts::moreau_jean(|engine| {
+                        engine.scheme = |_| {
+                            let right = moreau_dynamics::schemes::MoreauJean::default();
+                            Ok(Box::new(moreau_checks::defects::schemes::$mistake.subject.of(right)))
+                        }
+                    })
+                },
+                caught_by: $caught_by,
+            },
+        }
+    };
+}
+
 mod determinism;
 mod flight;
 mod friction;
@@ -9,19 +50,21 @@ mod mistake;
 mod parts;
 mod projection;
 mod rocking;
+mod scheme;
 mod solver;
 mod stack;
 mod tumbling;
 mod wrapped;
 
-pub use mistake::Planted;
+pub use mistake::Faulty;
+pub use moreau_checks::planted::{Kind, Planted};
 
 use crate::runner::{self, Plan, QUICK};
 use crate::{Check, Options, Report};
 use moreau_exact::{Error, Result};
 
 /// Every planted engine.
-pub fn all() -> impl Iterator<Item = &'static Planted> {
+pub fn all() -> impl Iterator<Item = &'static Planted<Faulty>> {
     [
         flight::PLANTED,
         impact::PLANTED,
@@ -31,6 +74,7 @@ pub fn all() -> impl Iterator<Item = &'static Planted> {
         stack::PLANTED,
         rocking::PLANTED,
         solver::PLANTED,
+        scheme::PLANTED,
         projection::PLANTED,
         tumbling::PLANTED,
     ]
@@ -39,7 +83,7 @@ pub fn all() -> impl Iterator<Item = &'static Planted> {
 }
 
 /// The planted engine with this name.
-pub fn find(name: &str) -> Option<&'static Planted> {
+pub fn find(name: &str) -> Option<&'static Planted<Faulty>> {
     all().find(|planted| planted.name == name)
 }
 
@@ -47,7 +91,7 @@ pub fn find(name: &str) -> Option<&'static Planted> {
 ///
 /// # Errors
 /// If the engine does not describe itself.
-pub fn judge(planted: &Planted, checks: &[&'static Check]) -> Result<Report> {
+pub fn judge(planted: &Planted<Faulty>, checks: &[&'static Check]) -> Result<Report> {
     let plan = Plan { checks: checks.to_vec(), sweep: QUICK.to_vec(), options: Options::new(), jobs: 1, repeats: 1, progress: &|| {} };
-    runner::run(&planted.engine, &plan).map_err(|refusal| Error::Unsupported(format!("{}: {refusal}", planted.name)))
+    runner::run(&planted.subject.engine, &plan).map_err(|refusal| Error::Unsupported(format!("{}: {refusal}", planted.name)))
 }

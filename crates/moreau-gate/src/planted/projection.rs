@@ -1,36 +1,39 @@
 //! Mistakes of cone projections; those of [`moreau_checks::defects::cone_projection`], behind the engine's door.
 
 use crate::Engine;
-use crate::planted::Planted;
 use crate::planted::parts::moreau_jean;
+use crate::planted::{Faulty, Kind, Planted};
 use moreau_checks::defects::cone_projection::clamp_the_tangent;
 use moreau_contact::cones::second_order::{contains, polar_contains, project, tangential_norm};
 
 /// The mistakes of this family.
-pub const PLANTED: &[Planted] = &[
+pub const PLANTED: &[Planted<Faulty>] = &[
     Planted {
         name: "projection/negative-normal-is-open",
         mistake: "sends every point with z_n < 0 to the apex, instead of those with μ‖z_t‖ ≤ −z_n",
-        engine: || with_projection(|z, mu| if z[0] < 0.0 { z.fill(0.0) } else { project(z, mu) }),
-        caught_by: &["projection/regions", "projection/optimality"],
+        kind: Kind::Projection,
+        subject: Faulty {
+            engine: || with_projection(|z, mu| if z[0] < 0.0 { z.fill(0.0) } else { project(z, mu) }),
+            caught_by: &["projection/regions", "projection/optimality"],
+        },
     },
     Planted {
         name: "projection/along-the-normal",
         mistake: "lifts a point along the normal until it is in the cone, instead of going the shortest way",
-        engine: || with_projection(along_the_normal),
-        caught_by: &["projection/regions", "projection/optimality"],
+        kind: Kind::Projection,
+        subject: Faulty { engine: || with_projection(along_the_normal), caught_by: &["projection/regions", "projection/optimality"] },
     },
     Planted {
         name: "projection/clamp-the-tangent",
         mistake: "keeps max(z_n, 0) and shortens the tangent to μ z_n",
-        engine: || with_projection(clamp_the_tangent),
-        caught_by: &["projection/regions", "projection/optimality"],
+        kind: Kind::Projection,
+        subject: Faulty { engine: || with_projection(clamp_the_tangent), caught_by: &["projection/regions", "projection/optimality"] },
     },
     Planted {
         name: "projection/absolute-threshold",
-        mistake: "takes impulses below 2⁻³⁰ N·s for zero, whatever the unit",
-        engine: || with_projection(absolute_threshold),
-        caught_by: &["projection/boundaries", "projection/optimality"],
+        mistake: "takes small impulses for zero, whatever the unit",
+        kind: Kind::Projection,
+        subject: Faulty { engine: || with_projection(absolute_threshold), caught_by: &["projection/boundaries", "projection/optimality"] },
     },
 ];
 

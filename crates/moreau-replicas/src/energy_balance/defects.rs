@@ -4,7 +4,7 @@ use crate::energy_balance::reach::Reach;
 use crate::energy_balance::{Balance, Taken};
 use crate::schemes::{SchemeParameters, by_name};
 use moreau_checks::Finding;
-use moreau_checks::defects::Defect;
+use moreau_checks::planted::{Beside, Kind, Planted};
 use moreau_contact::problem::ContactProblem;
 use moreau_contact::solvers::Auto;
 use moreau_dynamics::mechanics::spatial::{Shape, SpatialBody};
@@ -14,92 +14,148 @@ use moreau_exact::{Error, Result};
 use nalgebra::{DVector, dvector};
 
 /// The defects of this family.
-pub const DEFECTS: &[Defect] = &[
-    Defect {
+pub const DEFECTS: &[Planted<Beside>] = &[
+    Planted {
         name: "energy-balance/restitution-twice",
         mistake: "y = u⁺ + 2 e u⁻: the ball leaves with 2 e of its speed",
-        defective: || posed("moreau-jean", ball, twice),
-        reference: || posed("moreau-jean", ball, as_it_is),
+        kind: Kind::Assembly,
+        subject: Beside {
+            check: "properties/energy-balance",
+            defective: || posed("moreau-jean", ball, twice),
+            reference: || posed("moreau-jean", ball, as_it_is),
+        },
     },
-    Defect {
+    Planted {
         name: "energy-balance/gap-with-the-wrong-sign",
         mistake: "y = u⁺ − φ/h: a depth pulls and a distance throws",
-        defective: || posed("stewart-trinkle", ball, reversed),
-        reference: || posed("stewart-trinkle", ball, as_it_is),
+        kind: Kind::Assembly,
+        subject: Beside {
+            check: "properties/energy-balance",
+            defective: || posed("stewart-trinkle", ball, reversed),
+            reference: || posed("stewart-trinkle", ball, as_it_is),
+        },
     },
-    Defect {
+    Planted {
         name: "energy-balance/reference-acceleration-against-the-velocity",
         mistake: "MuJoCo's h a_ref is compared with u⁺ instead of the change of u over the step",
-        defective: || posed("mujoco", tumbling_box, free_velocity_twice),
-        reference: || posed("mujoco", tumbling_box, as_it_is),
+        kind: Kind::Scheme,
+        subject: Beside {
+            check: "properties/energy-balance",
+            defective: || posed("mujoco", tumbling_box, free_velocity_twice),
+            reference: || posed("mujoco", tumbling_box, as_it_is),
+        },
     },
-    Defect {
+    Planted {
         name: "energy-balance/gravity-in-the-contact",
         mistake: "the impulse of gravity is added again after the contact: v⁺ = v_free + M⁻¹Hᵀr + h g",
-        defective: || made("moreau-jean", ball, |_, step, h| step.state.velocity[0] -= GRAVITY * h),
-        reference: || made("moreau-jean", ball, |_, _, _| ()),
+        kind: Kind::Scheme,
+        subject: Beside {
+            check: "properties/energy-balance",
+            defective: || made("moreau-jean", ball, |_, step, h| step.state.velocity[0] -= GRAVITY * h),
+            reference: || made("moreau-jean", ball, |_, _, _| ()),
+        },
     },
-    Defect {
+    Planted {
         name: "energy-balance/gravity-twice",
         mistake: "v_free = v + 2 h g, with the contact solved for it",
-        defective: || made("moreau-jean", flying_box, gravity_twice),
-        reference: || made("moreau-jean", flying_box, |_, _, _| ()),
+        kind: Kind::Scheme,
+        subject: Beside {
+            check: "properties/energy-balance",
+            defective: || made("moreau-jean", flying_box, gravity_twice),
+            reference: || made("moreau-jean", flying_box, |_, _, _| ()),
+        },
     },
-    Defect {
+    Planted {
         name: "energy-balance/impulse-scaled",
         mistake: "the solver's impulses are 1 % too large, and so is their effect",
-        defective: || made("moreau-jean", ball, |_, step, _| scaled(step, 1.01)),
-        reference: || made("moreau-jean", ball, |_, _, _| ()),
+        kind: Kind::Solver,
+        subject: Beside {
+            check: "properties/energy-balance",
+            defective: || made("moreau-jean", ball, |_, step, _| scaled(step, 1.01)),
+            reference: || made("moreau-jean", ball, |_, _, _| ()),
+        },
     },
-    Defect {
+    Planted {
         name: "energy-balance/impulse-misreported",
         mistake: "the reported impulses are 1 % larger than those that acted",
-        defective: || made("anitescu", tumbling_box, |_, step, _| step.impulses.iter_mut().for_each(|one| one.impulse[0] *= 1.01)),
-        reference: || made("anitescu", tumbling_box, |_, _, _| ()),
+        kind: Kind::Report,
+        subject: Beside {
+            check: "properties/energy-balance",
+            defective: || made("anitescu", tumbling_box, |_, step, _| step.impulses.iter_mut().for_each(|one| one.impulse[0] *= 1.01)),
+            reference: || made("anitescu", tumbling_box, |_, _, _| ()),
+        },
     },
-    Defect {
+    Planted {
         name: "energy-balance/positions-of-another-theta",
         mistake: "q⁺ = q + h v⁺ where the scheme declares θ = ½",
-        defective: || made("moreau-jean", ball, |before, step, h| step.state.position = &before.position + &step.state.velocity * h),
-        reference: || made("moreau-jean", ball, |_, _, _| ()),
+        kind: Kind::Scheme,
+        subject: Beside {
+            check: "properties/energy-balance",
+            defective: || made("moreau-jean", ball, |before, step, h| step.state.position = &before.position + &step.state.velocity * h),
+            reference: || made("moreau-jean", ball, |_, _, _| ()),
+        },
     },
-    Defect {
+    Planted {
         name: "energy-balance/explicit-gyroscopic-torque",
         mistake: "−Ω × JΩ at the start of the step instead of its mean: ½ h²‖Ω̇‖²_J a step",
-        defective: || made("moreau-jean", flying_box, explicit_torque),
-        reference: || made("moreau-jean", flying_box, |_, _, _| ()),
+        kind: Kind::Scheme,
+        subject: Beside {
+            check: "properties/energy-balance",
+            defective: || made("moreau-jean", flying_box, explicit_torque),
+            reference: || made("moreau-jean", flying_box, |_, _, _| ()),
+        },
     },
-    Defect {
+    Planted {
         name: "energy-balance/spring-explicit-in-an-implicit-step",
         mistake: "v_free without the term −h θ K v of the θ step",
-        defective: || {
-            made("moreau-jean", spring, |before, step, h| shift_velocity(step, &(&before.velocity * (0.5 * h * h * STIFFNESS / MASS))))
+        kind: Kind::Scheme,
+        subject: Beside {
+            check: "properties/energy-balance",
+            defective: || {
+                made("moreau-jean", spring, |before, step, h| shift_velocity(step, &(&before.velocity * (0.5 * h * h * STIFFNESS / MASS))))
+            },
+            reference: || made("moreau-jean", spring, |_, _, _| ()),
         },
-        reference: || made("moreau-jean", spring, |_, _, _| ()),
     },
-    Defect {
+    Planted {
         name: "energy-balance/spring-contact-too-strong",
         mistake: "Hunt and Crossley's impulse acts twice",
-        defective: || made("drake-lagged", sunken, |_, step, _| scaled(step, 2.0)),
-        reference: || made("drake-lagged", sunken, |_, _, _| ()),
+        kind: Kind::Scheme,
+        subject: Beside {
+            check: "properties/energy-balance",
+            defective: || made("drake-lagged", sunken, |_, step, _| scaled(step, 2.0)),
+            reference: || made("drake-lagged", sunken, |_, _, _| ()),
+        },
     },
-    Defect {
+    Planted {
         name: "energy-balance/elastic-impact-that-gains",
         mistake: "the impact of the variational integrator leaves with 1 % more speed",
-        defective: || made("variational", elastic, |_, step, _| step.state.velocity *= 1.01),
-        reference: || made("variational", elastic, |_, _, _| ()),
+        kind: Kind::Scheme,
+        subject: Beside {
+            check: "properties/energy-balance",
+            defective: || made("variational", elastic, |_, step, _| step.state.velocity *= 1.01),
+            reference: || made("variational", elastic, |_, _, _| ()),
+        },
     },
-    Defect {
+    Planted {
         name: "energy-balance/event-that-gains",
         mistake: "a located impact leaves with more than the speed it had",
-        defective: || made("event-driven", ball, |before, step, h| step.state.velocity[0] = before.velocity[0].abs() + GRAVITY * h),
-        reference: || made("event-driven", ball, |_, _, _| ()),
+        kind: Kind::Scheme,
+        subject: Beside {
+            check: "properties/energy-balance",
+            defective: || made("event-driven", ball, |before, step, h| step.state.velocity[0] = before.velocity[0].abs() + GRAVITY * h),
+            reference: || made("event-driven", ball, |_, _, _| ()),
+        },
     },
-    Defect {
+    Planted {
         name: "energy-balance/a-body-elsewhere",
         mistake: "a position is corrected sideways by a metre, which no energy notices",
-        defective: || made("moreau-jean", flying_box, |_, step, _| step.state.position[0] += 1.0),
-        reference: || made("moreau-jean", flying_box, |_, _, _| ()),
+        kind: Kind::Scheme,
+        subject: Beside {
+            check: "properties/energy-balance",
+            defective: || made("moreau-jean", flying_box, |_, step, _| step.state.position[0] += 1.0),
+            reference: || made("moreau-jean", flying_box, |_, _, _| ()),
+        },
     },
 ];
 
@@ -280,7 +336,7 @@ mod tests {
     /// Which findings fail on a planted step.
     fn caught(name: &str) -> Vec<String> {
         let defect = DEFECTS.iter().find(|defect| defect.name == format!("energy-balance/{name}")).expect("a planted step");
-        let findings = (defect.defective)().expect("judged");
+        let findings = (defect.subject.defective)().expect("judged");
         findings.into_iter().filter(|finding| !finding.holds()).map(|finding| finding.name).collect()
     }
 

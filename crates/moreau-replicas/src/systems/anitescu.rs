@@ -4,8 +4,9 @@
 //!     K_μ ∋ r ⟂ u⁺ + (φ/h) n ∈ K_μ*
 //! ```
 
-use super::planted::{Mistake, planted};
-use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, on_a_ball, on_a_slope};
+use super::planted::{Kind, half_friction, heavy, mistake};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, System, on_a_ball, on_a_slope};
+use moreau_checks::defects::schemes::{HALF_FRICTION, HEAVY};
 use moreau_contact::certificate::{natural_map, residuals};
 use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::{Auto, ClarabelPolished, ContactSolver, largest_eigenvalue_bound};
@@ -31,30 +32,21 @@ pub static SYSTEM: System = System {
             quantity: "gap of a sliding block, μ h v",
             unit: "m",
             measure: |_| on_a_slope::sliding_gap(&Anitescu),
-            planted: &[PlantedMistake {
-                mistake: "half of every μ",
-                measure: |_| on_a_slope::sliding_gap(&planted(Anitescu, Mistake::HalfFriction)),
-            }],
+            planted: &[half_friction(|_| on_a_slope::sliding_gap(&HALF_FRICTION.subject.of(Anitescu)))],
         },
         Agreement {
             against: "closed form",
             quantity: "creep of a block that sticks",
             unit: "m/s",
             measure: |_| on_a_slope::creep(&Anitescu),
-            planted: &[PlantedMistake {
-                mistake: "half of every μ",
-                measure: |_| on_a_slope::creep(&planted(Anitescu, Mistake::HalfFriction)),
-            }],
+            planted: &[half_friction(|_| on_a_slope::creep(&HALF_FRICTION.subject.of(Anitescu)))],
         },
         Agreement {
             against: "exact rationals",
             quantity: "velocity after each step of a landing ball",
             unit: "m/s",
             measure: |_| on_a_ball::velocities(&Anitescu, |ball, now, h| ball.stewart_trinkle(now, h).motion),
-            planted: &[PlantedMistake {
-                mistake: "forces 10 % too strong",
-                measure: |_| on_a_ball::velocities(&planted(Anitescu, Mistake::Heavy), |ball, now, h| ball.stewart_trinkle(now, h).motion),
-            }],
+            planted: &[heavy(|_| on_a_ball::velocities(&HEAVY.subject.of(Anitescu), |ball, now, h| ball.stewart_trinkle(now, h).motion))],
         },
         Agreement {
             against: "Clarabel 0.11, polished",
@@ -62,14 +54,12 @@ pub static SYSTEM: System = System {
             unit: "m/s",
             measure: |_| stack_against_clarabel(&Anitescu, &Auto, 20),
             planted: &[
-                PlantedMistake {
-                    mistake: "the answer to a problem with 10 % more free velocity",
-                    measure: |_| stack_answered_wrongly(&Anitescu, &Auto),
-                },
-                PlantedMistake {
-                    mistake: "velocities before the impulses",
-                    measure: |_| stack_against_clarabel(&Anitescu, &Untouched(Box::new(Auto)), 1),
-                },
+                mistake(Kind::Solver, "systems/another-problem", "the answer to a problem with 10 % more free velocity", |_| {
+                    stack_answered_wrongly(&Anitescu, &Auto)
+                }),
+                mistake(Kind::Solver, "systems/velocities-before", "velocities before the impulses", |_| {
+                    stack_against_clarabel(&Anitescu, &Untouched(Box::new(Auto)), 1)
+                }),
             ],
         },
     ],

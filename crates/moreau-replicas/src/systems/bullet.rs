@@ -4,13 +4,14 @@
 //!     K_μ ∋ r ⟂ u⁺ + (ERP d/h − e|u_n|) n + μ‖u_t⁺‖n ∈ K_μ* ,     d/h in place of ERP d/h while d = φ + slop > 0
 //! ```
 
-use super::planted::{Mistake, planted};
+use super::planted::{Kind, half_friction, mistake};
 use super::replay::{self, Replay};
-use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, System};
 use crate::bullet::SequentialImpulses;
 use crate::bullet::steps::BulletSteps;
 use crate::bullet::{Bodies, Bullet, Friction};
 use crate::stored::{StoredRuns, read_by};
+use moreau_checks::defects::schemes::HALF_FRICTION;
 use moreau_contact::problem::{ContactProblem, Law, Solution};
 use moreau_contact::solvers::{ContactSolver, ProjectedGaussSeidel};
 use moreau_dynamics::schemes::Scheme;
@@ -45,44 +46,41 @@ pub static SYSTEM: System = System {
             quantity: "velocity of a sunken ball, every step",
             unit: "m/s",
             measure: |runs| velocity(runs, SUNK, &Bullet::default()),
-            planted: &[PlantedMistake { mistake: "ERP = 0.2", measure: |runs| velocity(runs, SUNK, &eager(Bullet::default())) }],
+            planted: &[mistake(Kind::Assembly, "systems/error-reduction", "ERP = 0.2", |runs| {
+                velocity(runs, SUNK, &eager(Bullet::default()))
+            })],
         },
         Agreement {
             against: ENGINE,
             quantity: "velocity of a bouncing multibody, every step",
             unit: "m/s",
             measure: |runs| velocity(runs, BOUNCE, &Bullet::default()),
-            planted: &[PlantedMistake {
-                mistake: "a rigid body in place of the multibody",
-                measure: |runs| velocity(runs, BOUNCE, &rigid()),
-            }],
+            planted: &[mistake(Kind::Scheme, "systems/rigid-for-multibody", "a rigid body in place of the multibody", |runs| {
+                velocity(runs, BOUNCE, &rigid())
+            })],
         },
         Agreement {
             against: ENGINE,
             quantity: "velocity of a bouncing rigid body, every step",
             unit: "m/s",
             measure: |runs| velocity(runs, RIGID_BOUNCE, &rigid()),
-            planted: &[PlantedMistake {
-                mistake: "a multibody in place of the rigid body",
-                measure: |runs| velocity(runs, RIGID_BOUNCE, &Bullet::default()),
-            }],
+            planted: &[mistake(Kind::Scheme, "systems/multibody-for-rigid", "a multibody in place of the rigid body", |runs| {
+                velocity(runs, RIGID_BOUNCE, &Bullet::default())
+            })],
         },
         Agreement {
             against: ENGINE,
             quantity: "position under split impulses, every step",
             unit: "m",
             measure: |runs| position(runs, DEEP, &rigid()),
-            planted: &[PlantedMistake { mistake: "ERP = 0.2", measure: |runs| position(runs, DEEP, &eager(rigid())) }],
+            planted: &[mistake(Kind::Assembly, "systems/error-reduction", "ERP = 0.2", |runs| position(runs, DEEP, &eager(rigid())))],
         },
         Agreement {
             against: ENGINE,
             quantity: "velocity of a block sliding on a box, every second step",
             unit: "m/s",
             measure: |runs| velocity(runs, SLIDE, &boxes()),
-            planted: &[PlantedMistake {
-                mistake: "half of every μ",
-                measure: |runs| velocity(runs, SLIDE, &planted(boxes(), Mistake::HalfFriction)),
-            }],
+            planted: &[half_friction(|runs| velocity(runs, SLIDE, &HALF_FRICTION.subject.of(boxes())))],
         },
         Agreement {
             against: ENGINE,
@@ -90,14 +88,12 @@ pub static SYSTEM: System = System {
             unit: "N·s",
             measure: |runs| by_sweeps(runs, STEPS),
             planted: &[
-                PlantedMistake {
-                    mistake: "sweeps to the end, whatever the residual",
-                    measure: |runs| swept(runs, STEPS, |scheme| scheme, |right| Box::new(SequentialImpulses { residual: 0.0, ..right })),
-                },
-                PlantedMistake {
-                    mistake: "the solution in place of its sweeps",
-                    measure: |runs| swept(runs, STEPS, |scheme| scheme, |_| Box::new(ProjectedGaussSeidel::accelerated())),
-                },
+                mistake(Kind::Solver, "systems/residual-ignored", "sweeps to the end, whatever the residual", |runs| {
+                    swept(runs, STEPS, |scheme| scheme, |right| Box::new(SequentialImpulses { residual: 0.0, ..right }))
+                }),
+                mistake(Kind::Solver, "systems/solution-for-sweeps", "the solution in place of its sweeps", |runs| {
+                    swept(runs, STEPS, |scheme| scheme, |_| Box::new(ProjectedGaussSeidel::accelerated()))
+                }),
             ],
         },
         Agreement {
@@ -106,21 +102,12 @@ pub static SYSTEM: System = System {
             unit: "N·s",
             measure: |runs| by_sweeps(runs, FIVE_SWEEPS),
             planted: &[
-                PlantedMistake {
-                    mistake: "friction before the normals of each sweep",
-                    measure: |runs| swept(runs, FIVE_SWEEPS, |scheme| scheme, |right| Box::new(FrictionFirst(right))),
-                },
-                PlantedMistake {
-                    mistake: "one sweep more",
-                    measure: |runs| {
-                        swept(
-                            runs,
-                            FIVE_SWEEPS,
-                            |scheme| scheme,
-                            |right| Box::new(SequentialImpulses { sweeps: right.sweeps + 1, ..right }),
-                        )
-                    },
-                },
+                mistake(Kind::Solver, "systems/friction-first", "friction before the normals of each sweep", |runs| {
+                    swept(runs, FIVE_SWEEPS, |scheme| scheme, |right| Box::new(FrictionFirst(right)))
+                }),
+                mistake(Kind::Solver, "systems/one-sweep-more", "one sweep more", |runs| {
+                    swept(runs, FIVE_SWEEPS, |scheme| scheme, |right| Box::new(SequentialImpulses { sweeps: right.sweeps + 1, ..right }))
+                }),
             ],
         },
         Agreement {
@@ -129,14 +116,12 @@ pub static SYSTEM: System = System {
             unit: "N·s",
             measure: |runs| by_sweeps(runs, PYRAMID),
             planted: &[
-                PlantedMistake {
-                    mistake: "the round cone in place of the pyramid",
-                    measure: |runs| swept(runs, PYRAMID, |scheme| Bullet { friction: Friction::Cone, ..scheme }, |right| Box::new(right)),
-                },
-                PlantedMistake {
-                    mistake: "a rigid body in place of the multibody",
-                    measure: |runs| swept(runs, PYRAMID, |scheme| Bullet { bodies: Bodies::Rigid, ..scheme }, |right| Box::new(right)),
-                },
+                mistake(Kind::Assembly, "systems/round-for-pyramid", "the round cone in place of the pyramid", |runs| {
+                    swept(runs, PYRAMID, |scheme| Bullet { friction: Friction::Cone, ..scheme }, |right| Box::new(right))
+                }),
+                mistake(Kind::Scheme, "systems/rigid-for-multibody", "a rigid body in place of the multibody", |runs| {
+                    swept(runs, PYRAMID, |scheme| Bullet { bodies: Bodies::Rigid, ..scheme }, |right| Box::new(right))
+                }),
             ],
         },
         Agreement {
@@ -144,10 +129,9 @@ pub static SYSTEM: System = System {
             quantity: "the same of rigid bodies, warm start 0.85",
             unit: "N·s",
             measure: |runs| by_sweeps(runs, WARM),
-            planted: &[PlantedMistake {
-                mistake: "warm start 0.1",
-                measure: |runs| swept(runs, WARM, |scheme| scheme, |right| Box::new(SequentialImpulses { warm_start: 0.1, ..right })),
-            }],
+            planted: &[mistake(Kind::Solver, "systems/warm-start", "warm start 0.1", |runs| {
+                swept(runs, WARM, |scheme| scheme, |right| Box::new(SequentialImpulses { warm_start: 0.1, ..right }))
+            })],
         },
     ],
 };

@@ -4,9 +4,10 @@
 //!     K_μ ∋ r ⟂ u⁺ + max(φ/h, −v_r) n ∈ K_μ*
 //! ```
 
-use super::planted::{Mistake, planted};
-use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, anitescu, on_a_slope};
+use super::planted::{Kind, half_friction, mistake};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, System, anitescu, on_a_slope};
 use crate::chrono::Chrono;
+use moreau_checks::defects::schemes::HALF_FRICTION;
 use moreau_contact::solvers::{Auto, Solvers};
 use moreau_dynamics::mechanics::{PointMass, State};
 use moreau_dynamics::schemes::{Anitescu, Scheme, simulate};
@@ -29,27 +30,23 @@ pub static SYSTEM: System = System {
             quantity: "gap of a sliding block, μ h v",
             unit: "m",
             measure: |_| on_a_slope::sliding_gap(&Chrono::default()),
-            planted: &[PlantedMistake {
-                mistake: "half of every μ",
-                measure: |_| on_a_slope::sliding_gap(&planted(Chrono::default(), Mistake::HalfFriction)),
-            }],
+            planted: &[half_friction(|_| on_a_slope::sliding_gap(&HALF_FRICTION.subject.of(Chrono::default())))],
         },
         Agreement {
             against: "closed form",
             quantity: "creep of a block that sticks",
             unit: "m/s",
             measure: |_| on_a_slope::creep(&Chrono::default()),
-            planted: &[PlantedMistake {
-                mistake: "half of every μ",
-                measure: |_| on_a_slope::creep(&planted(Chrono::default(), Mistake::HalfFriction)),
-            }],
+            planted: &[half_friction(|_| on_a_slope::creep(&HALF_FRICTION.subject.of(Chrono::default())))],
         },
         Agreement {
             against: "closed form",
             quantity: "depth undone at the recovery speed",
             unit: "m",
             measure: |_| recovery(&Chrono::default()),
-            planted: &[PlantedMistake { mistake: "Anitescu, which undoes any depth at once", measure: |_| recovery(&Anitescu) }],
+            planted: &[mistake(Kind::Scheme, "systems/anitescu-in-its-place", "Anitescu, which undoes any depth at once", |_| {
+                recovery(&Anitescu)
+            })],
         },
         Agreement {
             against: "Clarabel 0.11, polished",
@@ -57,16 +54,15 @@ pub static SYSTEM: System = System {
             unit: "m/s",
             measure: |_| four_algorithms(&Chrono::default()),
             planted: &[
-                PlantedMistake {
-                    mistake: "one of them answers a problem with 10 % more free velocity",
-                    measure: |_| anitescu::stack_answered_wrongly(&Chrono::default(), Solvers::own().by_name("apgd")?.as_ref()),
-                },
-                PlantedMistake {
-                    mistake: "one of them tells velocities before its impulses",
-                    measure: |_| {
-                        anitescu::stack_against_clarabel(&Chrono::default(), &anitescu::Untouched(Solvers::own().by_name("apgd")?), 1)
-                    },
-                },
+                mistake(
+                    Kind::Solver,
+                    "systems/one-answers-another-problem",
+                    "one of them answers a problem with 10 % more free velocity",
+                    |_| anitescu::stack_answered_wrongly(&Chrono::default(), Solvers::own().by_name("apgd")?.as_ref()),
+                ),
+                mistake(Kind::Solver, "systems/one-tells-velocities-before", "one of them tells velocities before its impulses", |_| {
+                    anitescu::stack_against_clarabel(&Chrono::default(), &anitescu::Untouched(Solvers::own().by_name("apgd")?), 1)
+                }),
             ],
         },
     ],

@@ -5,7 +5,8 @@
 //!     Similar, Lagged, TAMSI     r_n = h k (δ − h u_n)₊ (1 − d u_n)₊ ,   friction regularised below a slip v_s
 //! ```
 
-use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System};
+use super::planted::{Kind, Measure, Planted, mistake};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, System};
 use crate::drake::replay::Replay;
 use crate::drake::{Material, by_name};
 use crate::stored::{StoredRuns, read_by};
@@ -42,18 +43,18 @@ const fn drake(
 const fn velocity(
     quantity: &'static str,
     measure: fn(&dyn StoredRuns) -> Result<Measured>,
-    planted: &'static [PlantedMistake],
+    planted: &'static [Planted<Measure>],
 ) -> Agreement {
     Agreement { against: ENGINE, quantity, unit: "kg^½·m/s", measure, planted }
 }
 
 /// The agreement of a stored motion, whole or step by step, with schemes that are not the one that made it.
 macro_rules! agreement {
-    ($how:ident, $name:literal, $quantity:literal, $($mistake:literal => $scheme:expr),+) => {
+    ($how:ident, $name:literal, $quantity:literal, $($kind:ident $slug:literal $mistake:literal => $scheme:expr),+) => {
         velocity(
             $quantity,
             |runs| $how(runs, $name, None),
-            &[$(PlantedMistake { mistake: $mistake, measure: |runs| $how(runs, $name, Some($scheme)) }),+],
+            &[$(mistake(Kind::$kind, $slug, $mistake, |runs| $how(runs, $name, Some($scheme)))),+],
         )
     };
 }
@@ -65,9 +66,9 @@ macro_rules! landing {
             "velocity after every step of five boxes that land on each other, h = 5 ms",
             |runs| one_step(runs, $name, None),
             &[
-                PlantedMistake { mistake: "friction 1 % larger", measure: |runs| altered(runs, $name, rougher) },
-                PlantedMistake { mistake: "corners of 6 mm", measure: |runs| altered(runs, $name, rounder) },
-                PlantedMistake { mistake: "the first box a tenth narrower", measure: |runs| altered(runs, $name, narrower) },
+                mistake(Kind::Reader, "systems/friction-larger", "friction 1 % larger", |runs| altered(runs, $name, rougher)),
+                mistake(Kind::Reader, "systems/rounded-corners", "corners of 6 mm", |runs| altered(runs, $name, rounder)),
+                mistake(Kind::Reader, "systems/narrower-box", "the first box a tenth narrower", |runs| altered(runs, $name, narrower)),
             ],
         )
     };
@@ -82,30 +83,30 @@ pub static SAP: System = drake(
             whole,
             "block_stick__sap__h0.01",
             "velocity of a block that sticks and creeps, whole motion, h = 10 ms",
-            "stiffness 1 % larger" => |material| by_name("drake-sap", stiffer(material)),
-            "no relaxation time" => |material| by_name("drake-sap", prompt(material))
+            Assembly "systems/stiffness-larger" "stiffness 1 % larger" => |material| by_name("drake-sap", stiffer(material)),
+            Assembly "systems/no-relaxation-time" "no relaxation time" => |material| by_name("drake-sap", prompt(material))
         ),
         agreement!(
             whole,
             "block_slide__sap__h0.001",
             "velocity of a sliding block, whole motion, h = 1 ms",
-            "stiffness 1 % larger" => |material| by_name("drake-sap", stiffer(material)),
-            "Lagged's law" => |material| by_name("drake-lagged", material)
+            Assembly "systems/stiffness-larger" "stiffness 1 % larger" => |material| by_name("drake-sap", stiffer(material)),
+            Scheme "systems/lagged-law" "Lagged's law" => |material| by_name("drake-lagged", material)
         ),
         agreement!(
             one_step,
             "block_slide__sap__h0.01",
             "velocity after a step from each sample, sliding and hopping, h = 10 ms",
-            "stiffness 1 % larger" => |material| by_name("drake-sap", stiffer(material)),
-            "no relaxation time" => |material| by_name("drake-sap", prompt(material)),
-            "Lagged's law" => |material| by_name("drake-lagged", material)
+            Assembly "systems/stiffness-larger" "stiffness 1 % larger" => |material| by_name("drake-sap", stiffer(material)),
+            Assembly "systems/no-relaxation-time" "no relaxation time" => |material| by_name("drake-sap", prompt(material)),
+            Scheme "systems/lagged-law" "Lagged's law" => |material| by_name("drake-lagged", material)
         ),
         agreement!(
             one_step,
             "block_impact__sap__h0.001",
             "velocity after every step of a block that falls on three corners in turn, h = 1 ms",
-            "stiffness 1 % larger" => |material| by_name("drake-sap", stiffer(material)),
-            "Lagged's law" => |material| by_name("drake-lagged", material)
+            Assembly "systems/stiffness-larger" "stiffness 1 % larger" => |material| by_name("drake-sap", stiffer(material)),
+            Scheme "systems/lagged-law" "Lagged's law" => |material| by_name("drake-lagged", material)
         ),
         landing!("stack_landing__sap__h0.005"),
     ],
@@ -120,25 +121,25 @@ pub static SIMILAR: System = drake(
             whole,
             "block_slide__similar__h0.001",
             "velocity of a sliding block, whole motion, h = 1 ms",
-            "stiffness 1 % larger" => |material| by_name("drake-similar", stiffer(material)),
-            "Lagged's law" => |material| by_name("drake-lagged", material),
-            "TAMSI's law" => |material| by_name("drake-tamsi", material)
+            Assembly "systems/stiffness-larger" "stiffness 1 % larger" => |material| by_name("drake-similar", stiffer(material)),
+            Scheme "systems/lagged-law" "Lagged's law" => |material| by_name("drake-lagged", material),
+            Scheme "systems/tamsi-law" "TAMSI's law" => |material| by_name("drake-tamsi", material)
         ),
         agreement!(
             one_step,
             "block_stick__similar__h0.01",
             "velocity after a step from each sample, sticking, h = 10 ms",
-            "stiffness 1 % larger" => |material| by_name("drake-similar", stiffer(material)),
-            "Lagged's law" => |material| by_name("drake-lagged", material),
-            "TAMSI's law" => |material| by_name("drake-tamsi", material)
+            Assembly "systems/stiffness-larger" "stiffness 1 % larger" => |material| by_name("drake-similar", stiffer(material)),
+            Scheme "systems/lagged-law" "Lagged's law" => |material| by_name("drake-lagged", material),
+            Scheme "systems/tamsi-law" "TAMSI's law" => |material| by_name("drake-tamsi", material)
         ),
         agreement!(
             one_step,
             "block_impact__similar__h0.001",
             "velocity after every step of a block that falls on three corners in turn, h = 1 ms",
-            "stiffness 1 % larger" => |material| by_name("drake-similar", stiffer(material)),
-            "Lagged's law" => |material| by_name("drake-lagged", material),
-            "TAMSI's law" => |material| by_name("drake-tamsi", material)
+            Assembly "systems/stiffness-larger" "stiffness 1 % larger" => |material| by_name("drake-similar", stiffer(material)),
+            Scheme "systems/lagged-law" "Lagged's law" => |material| by_name("drake-lagged", material),
+            Scheme "systems/tamsi-law" "TAMSI's law" => |material| by_name("drake-tamsi", material)
         ),
         landing!("stack_landing__similar__h0.005"),
     ],
@@ -153,25 +154,25 @@ pub static LAGGED: System = drake(
             whole,
             "block_slide__lagged__h0.001",
             "velocity of a sliding block, whole motion, h = 1 ms",
-            "stiffness 1 % larger" => |material| by_name("drake-lagged", stiffer(material)),
-            "TAMSI's law" => |material| by_name("drake-tamsi", material),
-            "Similar's law" => |material| by_name("drake-similar", material)
+            Assembly "systems/stiffness-larger" "stiffness 1 % larger" => |material| by_name("drake-lagged", stiffer(material)),
+            Scheme "systems/tamsi-law" "TAMSI's law" => |material| by_name("drake-tamsi", material),
+            Scheme "systems/similar-law" "Similar's law" => |material| by_name("drake-similar", material)
         ),
         agreement!(
             one_step,
             "block_stick__lagged__h0.01",
             "velocity after a step from each sample, sticking, h = 10 ms",
-            "stiffness 1 % larger" => |material| by_name("drake-lagged", stiffer(material)),
-            "TAMSI's law" => |material| by_name("drake-tamsi", material),
-            "Similar's law" => |material| by_name("drake-similar", material)
+            Assembly "systems/stiffness-larger" "stiffness 1 % larger" => |material| by_name("drake-lagged", stiffer(material)),
+            Scheme "systems/tamsi-law" "TAMSI's law" => |material| by_name("drake-tamsi", material),
+            Scheme "systems/similar-law" "Similar's law" => |material| by_name("drake-similar", material)
         ),
         agreement!(
             one_step,
             "block_impact__lagged__h0.001",
             "velocity after every step of a block that falls on three corners in turn, h = 1 ms",
-            "stiffness 1 % larger" => |material| by_name("drake-lagged", stiffer(material)),
-            "TAMSI's law" => |material| by_name("drake-tamsi", material),
-            "Similar's law" => |material| by_name("drake-similar", material)
+            Assembly "systems/stiffness-larger" "stiffness 1 % larger" => |material| by_name("drake-lagged", stiffer(material)),
+            Scheme "systems/tamsi-law" "TAMSI's law" => |material| by_name("drake-tamsi", material),
+            Scheme "systems/similar-law" "Similar's law" => |material| by_name("drake-similar", material)
         ),
         landing!("stack_landing__lagged__h0.005"),
     ],
@@ -186,25 +187,25 @@ pub static TAMSI: System = drake(
             whole,
             "block_slide__tamsi__h0.001",
             "velocity of a sliding block, whole motion, h = 1 ms",
-            "stiffness 1 % larger" => |material| by_name("drake-tamsi", stiffer(material)),
-            "Lagged's law" => |material| by_name("drake-lagged", material),
-            "Similar's law" => |material| by_name("drake-similar", material)
+            Assembly "systems/stiffness-larger" "stiffness 1 % larger" => |material| by_name("drake-tamsi", stiffer(material)),
+            Scheme "systems/lagged-law" "Lagged's law" => |material| by_name("drake-lagged", material),
+            Scheme "systems/similar-law" "Similar's law" => |material| by_name("drake-similar", material)
         ),
         agreement!(
             one_step,
             "block_stick__tamsi__h0.01",
             "velocity after a step from each sample, sticking, h = 10 ms",
-            "stiffness 1 % larger" => |material| by_name("drake-tamsi", stiffer(material)),
-            "Lagged's law" => |material| by_name("drake-lagged", material),
-            "Similar's law" => |material| by_name("drake-similar", material)
+            Assembly "systems/stiffness-larger" "stiffness 1 % larger" => |material| by_name("drake-tamsi", stiffer(material)),
+            Scheme "systems/lagged-law" "Lagged's law" => |material| by_name("drake-lagged", material),
+            Scheme "systems/similar-law" "Similar's law" => |material| by_name("drake-similar", material)
         ),
         agreement!(
             one_step,
             "block_impact__tamsi__h0.001",
             "velocity after every step of a block that falls on three corners in turn, h = 1 ms",
-            "stiffness 1 % larger" => |material| by_name("drake-tamsi", stiffer(material)),
-            "Lagged's law" => |material| by_name("drake-lagged", material),
-            "Similar's law" => |material| by_name("drake-similar", material)
+            Assembly "systems/stiffness-larger" "stiffness 1 % larger" => |material| by_name("drake-tamsi", stiffer(material)),
+            Scheme "systems/lagged-law" "Lagged's law" => |material| by_name("drake-lagged", material),
+            Scheme "systems/similar-law" "Similar's law" => |material| by_name("drake-similar", material)
         ),
         landing!("stack_landing__tamsi__h0.005"),
     ],

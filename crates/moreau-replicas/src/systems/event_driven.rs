@@ -4,7 +4,8 @@
 //!     ẋ = f(x) between events ,   impacts  y = H v⁺ + e min(u_n⁻, 0) n ,   forces  0 ≤ λ ⟂ H v̇ + Ḣ v ≥ 0
 //! ```
 
-use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System};
+use super::planted::{Kind, mistake};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, System};
 use crate::siconos::events::SiconosEvents;
 use crate::stored::{StoredRuns, read_by};
 use moreau_contact::solvers::Auto;
@@ -32,35 +33,45 @@ pub static SYSTEM: System = System {
             quantity: "position of a ball through all its impacts to rest",
             unit: "m",
             measure: |_| ball(&EventDriven::default()),
-            planted: &[PlantedMistake { mistake: "events noticed at the end of a step of 13 ms", measure: |_| ball(&late()) }],
+            planted: &[mistake(Kind::Scheme, "systems/events-noticed-late", "events noticed at the end of a step of 13 ms", |_| {
+                ball(&late())
+            })],
         },
         Agreement {
             against: "closed form",
             quantity: "position of oscillators with a stop whose impacts end, go on or accumulate",
             unit: "m",
             measure: |_| stops(&EventDriven::default()),
-            planted: &[PlantedMistake { mistake: "events noticed at the end of a step of 13 ms", measure: |_| stops(&late()) }],
+            planted: &[mistake(Kind::Scheme, "systems/events-noticed-late", "events noticed at the end of a step of 13 ms", |_| {
+                stops(&late())
+            })],
         },
         Agreement {
             against: "Siconos 4.4.0",
             quantity: "instant of every impact of balls and oscillators with a stop, times the speed",
             unit: "m",
             measure: |runs| siconos(runs, &EventDriven::default()),
-            planted: &[PlantedMistake { mistake: "events noticed at the end of a step of 13 ms", measure: |runs| siconos(runs, &late()) }],
+            planted: &[mistake(Kind::Scheme, "systems/events-noticed-late", "events noticed at the end of a step of 13 ms", |runs| {
+                siconos(runs, &late())
+            })],
         },
         Agreement {
             against: "closed form",
             quantity: "speed of a block that friction stops on a slope and that slides back or stays",
             unit: "m/s",
             measure: |_| block(&EventDriven::default()),
-            planted: &[PlantedMistake { mistake: "events noticed at the end of a step of 13 ms", measure: |_| block(&late()) }],
+            planted: &[mistake(Kind::Scheme, "systems/events-noticed-late", "events noticed at the end of a step of 13 ms", |_| {
+                block(&late())
+            })],
         },
         Agreement {
             against: "closed form",
             quantity: "position of a mass that sticks and slips on a belt, through Filippov's sliding mode",
             unit: "m",
             measure: |_| belt(&EventDriven::default()),
-            planted: &[PlantedMistake { mistake: "events noticed at the end of a step of 13 ms", measure: |_| belt(&late()) }],
+            planted: &[mistake(Kind::Scheme, "systems/events-noticed-late", "events noticed at the end of a step of 13 ms", |_| {
+                belt(&late())
+            })],
         },
     ],
 };

@@ -4,8 +4,9 @@
 //!     v⁺ = v + h M⁻¹F(q, v) + M⁻¹Hᵀr ,   q⁺ = q + h v          spring: |R|² = 1 + s²
 //! ```
 
-use super::planted::{Mistake, planted};
-use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, on_a_ball, on_a_spring};
+use super::planted::ahead;
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, System, on_a_ball, on_a_spring};
+use moreau_checks::defects::schemes::AHEAD;
 use moreau_dynamics::integrators::ExplicitEuler;
 use moreau_dynamics::schemes::{Activation, Euler, Scheme};
 use moreau_exact::Result;
@@ -26,30 +27,21 @@ pub static SYSTEM: System = System {
             quantity: "state after each step of a spring, relative",
             unit: "1",
             measure: |_| on_a_spring::steps(&Euler::Explicit, &ExplicitEuler),
-            planted: &[PlantedMistake {
-                mistake: "positions moved on by half the change of velocity as well",
-                measure: |_| on_a_spring::steps(&planted(Euler::Explicit, Mistake::Ahead), &ExplicitEuler),
-            }],
+            planted: &[ahead(|_| on_a_spring::steps(&AHEAD.subject.of(Euler::Explicit), &ExplicitEuler))],
         },
         Agreement {
             against: "closed form",
             quantity: "growth of the spring's energy, (1 + s²)ⁿ, relative",
             unit: "1",
             measure: |_| on_a_spring::energy(&Euler::Explicit, 1.0 + on_a_spring::STEP.powi(2), 0.0),
-            planted: &[PlantedMistake {
-                mistake: "positions moved on by half the change of velocity as well",
-                measure: |_| on_a_spring::energy(&planted(Euler::Explicit, Mistake::Ahead), 1.0 + on_a_spring::STEP.powi(2), 0.0),
-            }],
+            planted: &[ahead(|_| on_a_spring::energy(&AHEAD.subject.of(Euler::Explicit), 1.0 + on_a_spring::STEP.powi(2), 0.0))],
         },
         Agreement {
             against: "exact rationals",
             quantity: "position after each step of a bouncing ball",
             unit: "m",
             measure: |_| positions(&Euler::Explicit),
-            planted: &[PlantedMistake {
-                mistake: "positions moved on by half the change of velocity as well",
-                measure: |_| positions(&planted(Euler::Explicit, Mistake::Ahead)),
-            }],
+            planted: &[ahead(|_| positions(&AHEAD.subject.of(Euler::Explicit)))],
         },
     ],
 };

@@ -7,10 +7,11 @@
 //! Siconos's class of that name is the smooth method within its event-driven strategy: single steps in flight are compared, see
 //! [`crate::siconos::alpha`].
 
-use super::planted::{Mistake, planted};
-use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, on_a_ball, on_a_spring};
+use super::planted::{Kind, heavy, mistake};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, System, on_a_ball, on_a_spring};
 use crate::siconos::alpha::SiconosAlpha;
 use crate::stored::{StoredRuns, read_by};
+use moreau_checks::defects::schemes::HEAVY;
 use moreau_dynamics::schemes::{GeneralisedAlpha, Scheme};
 use moreau_exact::{Error, Result};
 
@@ -29,24 +30,23 @@ pub static SYSTEM: System = System {
             quantity: "the spring's energy at ρ = 1, where it stays, relative",
             unit: "1",
             measure: |_| kept(&trapezoidal()?),
-            planted: &[PlantedMistake { mistake: "damped, ρ below 1", measure: |_| kept(&GeneralisedAlpha::default()) }],
+            planted: &[mistake(Kind::Scheme, "systems/damped", "damped, ρ below 1", |_| kept(&GeneralisedAlpha::default()))],
         },
         Agreement {
             against: "Siconos 4.4.0",
             quantity: "velocity after single steps between contacts of springs and a fall, NewMarkAlphaOSI at ρ = 1, 0.8 and 0.2",
             unit: "m/s",
             measure: |runs| siconos(runs, |run| run.scheme()),
-            planted: &[PlantedMistake { mistake: "ρ = 0.79 throughout", measure: |runs| siconos(runs, |_| GeneralisedAlpha::new(0.79)) }],
+            planted: &[mistake(Kind::Scheme, "systems/spectral-radius", "ρ = 0.79 throughout", |runs| {
+                siconos(runs, |_| GeneralisedAlpha::new(0.79))
+            })],
         },
         Agreement {
             against: "exact rationals",
             quantity: "velocity after each step of a bouncing ball",
             unit: "m/s",
             measure: |_| bounced(&GeneralisedAlpha::default()),
-            planted: &[PlantedMistake {
-                mistake: "forces 10 % too strong",
-                measure: |_| bounced(&planted(GeneralisedAlpha::default(), Mistake::Heavy)),
-            }],
+            planted: &[heavy(|_| bounced(&HEAVY.subject.of(GeneralisedAlpha::default())))],
         },
     ],
 };

@@ -20,8 +20,8 @@ mod generalised_alpha;
 mod measured;
 mod moreau_jean;
 mod mujoco;
-mod on_a_ball;
-mod on_a_slope;
+pub(crate) mod on_a_ball;
+pub(crate) mod on_a_slope;
 mod on_a_spring;
 mod pinocchio;
 mod planted;
@@ -37,8 +37,9 @@ mod theta;
 mod variational;
 
 pub use measured::Measured;
+pub use planted::Measure;
 pub use report::{AgreementReport, Report, SystemReport};
-pub use system::{Agreement, Cone, ConstraintLevel, ContactLaw, PlantedMistake, System};
+pub use system::{Agreement, Cone, ConstraintLevel, ContactLaw, System};
 
 /// Every system, in the order of the chapter; a new one is one more line.
 pub static ALL: &[&System] = &[

@@ -4,8 +4,9 @@
 //!     K_μ ∋ r ⟂ y + μ‖y_t‖ n ∈ K_μ* ,   y = u⁺ + e u   at active contacts
 //! ```
 
-use super::planted::{Mistake, planted};
-use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, on_a_ball, on_a_slope};
+use super::planted::{half_friction, heavy};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, System, on_a_ball, on_a_slope};
+use moreau_checks::defects::schemes::{HALF_FRICTION, HEAVY};
 use moreau_dynamics::schemes::{Activation, MoreauJean, RestitutionRule, Scheme};
 use moreau_exact::Result;
 use moreau_exact::scalar::exact;
@@ -25,40 +26,28 @@ pub static SYSTEM: System = System {
             quantity: "velocity after each step of a bouncing ball, three activation rules",
             unit: "m/s",
             measure: |_| all_rules(|scheme| Box::new(scheme)),
-            planted: &[PlantedMistake {
-                mistake: "forces 10 % too strong",
-                measure: |_| all_rules(|scheme| Box::new(planted(scheme, Mistake::Heavy))),
-            }],
+            planted: &[heavy(|_| all_rules(|scheme| Box::new(HEAVY.subject.of(scheme))))],
         },
         Agreement {
             against: "closed form",
             quantity: "position of a ball through all impacts to rest, h = 1/1024 s",
             unit: "m",
             measure: |_| on_a_ball::drop_to_rest(&MoreauJean::default(), &MoreauJean::default()),
-            planted: &[PlantedMistake {
-                mistake: "forces 10 % too strong",
-                measure: |_| on_a_ball::drop_to_rest(&planted(MoreauJean::default(), Mistake::Heavy), &MoreauJean::default()),
-            }],
+            planted: &[heavy(|_| on_a_ball::drop_to_rest(&HEAVY.subject.of(MoreauJean::default()), &MoreauJean::default()))],
         },
         Agreement {
             against: "closed form",
             quantity: "speed of a block sliding down a slope",
             unit: "m/s",
             measure: |_| on_a_slope::sliding_speed(&MoreauJean::default()),
-            planted: &[PlantedMistake {
-                mistake: "forces 10 % too strong",
-                measure: |_| on_a_slope::sliding_speed(&planted(MoreauJean::default(), Mistake::Heavy)),
-            }],
+            planted: &[heavy(|_| on_a_slope::sliding_speed(&HEAVY.subject.of(MoreauJean::default())))],
         },
         Agreement {
             against: "closed form",
             quantity: "creep of a block that sticks",
             unit: "m/s",
             measure: |_| on_a_slope::creep(&MoreauJean::default()),
-            planted: &[PlantedMistake {
-                mistake: "half of every μ",
-                measure: |_| on_a_slope::creep(&planted(MoreauJean::default(), Mistake::HalfFriction)),
-            }],
+            planted: &[half_friction(|_| on_a_slope::creep(&HALF_FRICTION.subject.of(MoreauJean::default())))],
         },
     ],
 };

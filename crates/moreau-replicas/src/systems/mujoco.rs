@@ -4,13 +4,14 @@
 //!     min ½‖a − a₀‖²_M + s(H a − a_ref)   ⇔   K ∋ f ⟂ (W + R) f + H a₀ − a_ref ∈ K* ,   R > 0
 //! ```
 
-use super::planted::{Mistake, planted};
-use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System};
+use super::planted::{Kind, half_friction, heavy, mistake};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, System};
 use crate::mujoco::GaussSweeps;
 use crate::mujoco::Mujoco;
 use crate::mujoco::{Cone as Shape, Integrator, Rotational};
 use crate::stored::{StoredRuns, problem_and_answer, read_by};
 use crate::tolerance::references::{self as tolerance, REPLAYED_STEP, stored_number};
+use moreau_checks::defects::schemes::{HALF_FRICTION, HEAVY};
 use moreau_contact::solvers::{ContactSolver, GaussNewton};
 use moreau_dynamics::mechanics::{PointMass, State};
 use moreau_dynamics::schemes::{Scheme, Step, run};
@@ -55,70 +56,53 @@ pub static SYSTEM: System = System {
             quantity: "impulses of a stored step, block on a slope, relative",
             unit: "",
             measure: |runs| stored_step(runs, STEP, &GaussNewton::default(), REPLAYED_STEP),
-            planted: &[PlantedMistake {
-                mistake: "no step of Newton",
-                measure: |runs| stored_step(runs, STEP, &GaussNewton { steps: 0, ..GaussNewton::default() }, REPLAYED_STEP),
-            }],
+            planted: &[mistake(Kind::Solver, "systems/no-newton-step", "no step of Newton", |runs| {
+                stored_step(runs, STEP, &GaussNewton { steps: 0, ..GaussNewton::default() }, REPLAYED_STEP)
+            })],
         },
         Agreement {
             against: "MuJoCo 3.17.0",
             quantity: "place of a dropped ball over 2 s",
             unit: "m",
             measure: |runs| replay(runs, BALL, &ELLIPTIC),
-            planted: &[PlantedMistake {
-                mistake: "forces 10 % too strong",
-                measure: |runs| replay(runs, BALL, &planted(ELLIPTIC, Mistake::Heavy)),
-            }],
+            planted: &[heavy(|runs| replay(runs, BALL, &HEAVY.subject.of(ELLIPTIC)))],
         },
         Agreement {
             against: "MuJoCo 3.17.0",
             quantity: "place of a block that creeps on a slope over 1 s, round cone",
             unit: "m",
             measure: |runs| replay(runs, STICKING, &ELLIPTIC),
-            planted: &[PlantedMistake {
-                mistake: "forces 10 % too strong",
-                measure: |runs| replay(runs, STICKING, &planted(ELLIPTIC, Mistake::Heavy)),
-            }],
+            planted: &[heavy(|runs| replay(runs, STICKING, &HEAVY.subject.of(ELLIPTIC)))],
         },
         Agreement {
             against: "MuJoCo 3.17.0",
             quantity: "place of a block that slides and hops over 1 s, pyramid",
             unit: "m",
             measure: |runs| replay(runs, SLIDING, &PYRAMIDAL),
-            planted: &[PlantedMistake {
-                mistake: "half of every μ",
-                measure: |runs| replay(runs, SLIDING, &planted(PYRAMIDAL, Mistake::HalfFriction)),
-            }],
+            planted: &[half_friction(|runs| replay(runs, SLIDING, &HALF_FRICTION.subject.of(PYRAMIDAL)))],
         },
         Agreement {
             against: "MuJoCo 3.17.0",
             quantity: "places of a stack of five boxes over 1 s, pyramid",
             unit: "m",
             measure: |runs| replay(runs, STACK, &PYRAMIDAL),
-            planted: &[PlantedMistake {
-                mistake: "forces 10 % too strong",
-                measure: |runs| replay(runs, STACK, &planted(PYRAMIDAL, Mistake::Heavy)),
-            }],
+            planted: &[heavy(|runs| replay(runs, STACK, &HEAVY.subject.of(PYRAMIDAL)))],
         },
         Agreement {
             against: "MuJoCo 3.17.0, run to the end",
             quantity: "impulses of a stored step, sliding block, round cone, relative",
             unit: "",
             measure: |runs| stored_step(runs, CONVERGED_STEP, &GaussNewton::default(), tolerance::CONVERGED_STEP),
-            planted: &[PlantedMistake {
-                mistake: "no step of Newton",
-                measure: |runs| stored_step(runs, CONVERGED_STEP, &GaussNewton { steps: 0, ..GaussNewton::default() }, REPLAYED_STEP),
-            }],
+            planted: &[mistake(Kind::Solver, "systems/no-newton-step", "no step of Newton", |runs| {
+                stored_step(runs, CONVERGED_STEP, &GaussNewton { steps: 0, ..GaussNewton::default() }, REPLAYED_STEP)
+            })],
         },
         Agreement {
             against: "MuJoCo 3.17.0, run to the end",
             quantity: "place of a block that slides and hops over 1 s, round cone",
             unit: "m",
             measure: |runs| replay(runs, CONVERGED_SLIDE, &ELLIPTIC),
-            planted: &[PlantedMistake {
-                mistake: "half of every μ",
-                measure: |runs| replay(runs, CONVERGED_SLIDE, &planted(ELLIPTIC, Mistake::HalfFriction)),
-            }],
+            planted: &[half_friction(|runs| replay(runs, CONVERGED_SLIDE, &HALF_FRICTION.subject.of(ELLIPTIC)))],
         },
         Agreement {
             against: "MuJoCo 3.17.0, run to the end",
@@ -126,11 +110,10 @@ pub static SYSTEM: System = System {
             unit: "m",
             measure: |runs| replay(runs, TUMBLE, &FAST),
             planted: &[
-                PlantedMistake { mistake: "Euler in its place", measure: |runs| replay(runs, TUMBLE, &ELLIPTIC) },
-                PlantedMistake {
-                    mistake: "RK4 in its place",
-                    measure: |runs| replay(runs, TUMBLE, &Mujoco { integrator: Integrator::RungeKutta, ..ELLIPTIC }),
-                },
+                mistake(Kind::Scheme, "systems/euler-in-its-place", "Euler in its place", |runs| replay(runs, TUMBLE, &ELLIPTIC)),
+                mistake(Kind::Scheme, "systems/runge-kutta-in-its-place", "RK4 in its place", |runs| {
+                    replay(runs, TUMBLE, &Mujoco { integrator: Integrator::RungeKutta, ..ELLIPTIC })
+                }),
             ],
         },
         Agreement {
@@ -138,7 +121,7 @@ pub static SYSTEM: System = System {
             quantity: "place of a box that tumbles and lands, RK4, pyramid",
             unit: "m",
             measure: |runs| replay(runs, STAGES, &RK4),
-            planted: &[PlantedMistake { mistake: "Euler in its place", measure: |runs| replay(runs, STAGES, &PYRAMIDAL) }],
+            planted: &[mistake(Kind::Scheme, "systems/euler-in-its-place", "Euler in its place", |runs| replay(runs, STAGES, &PYRAMIDAL))],
         },
         Agreement {
             against: "MuJoCo 3.17.0, run to the end",
@@ -146,11 +129,12 @@ pub static SYSTEM: System = System {
             unit: "m",
             measure: |runs| replay(runs, ROLL, &ROLLING),
             planted: &[
-                PlantedMistake { mistake: "no torsional and rolling friction", measure: |runs| replay(runs, ROLL, &ELLIPTIC) },
-                PlantedMistake {
-                    mistake: "rolling friction 1 % larger",
-                    measure: |runs| replay(runs, ROLL, &Mujoco { rotational: Rotational { torsional: 0.01, rolling: 0.0101 }, ..ELLIPTIC }),
-                },
+                mistake(Kind::Assembly, "systems/no-rolling-friction", "no torsional and rolling friction", |runs| {
+                    replay(runs, ROLL, &ELLIPTIC)
+                }),
+                mistake(Kind::Reader, "systems/rolling-friction", "rolling friction 1 % larger", |runs| {
+                    replay(runs, ROLL, &Mujoco { rotational: Rotational { torsional: 0.01, rolling: 0.0101 }, ..ELLIPTIC })
+                }),
             ],
         },
         Agreement {
@@ -158,17 +142,16 @@ pub static SYSTEM: System = System {
             quantity: "depth of a ball at rest",
             unit: "m",
             measure: |_| rest_depth(&ELLIPTIC),
-            planted: &[PlantedMistake { mistake: "forces 10 % too strong", measure: |_| rest_depth(&planted(ELLIPTIC, Mistake::Heavy)) }],
+            planted: &[heavy(|_| rest_depth(&HEAVY.subject.of(ELLIPTIC)))],
         },
         Agreement {
             against: "MuJoCo 3.17.0",
             quantity: "impulses of Gauss–Seidel along rays and discs, the same stored step, relative",
             unit: "",
             measure: |runs| stored_step(runs, STEP, &GaussSweeps::default(), REPLAYED_STEP),
-            planted: &[PlantedMistake {
-                mistake: "one sweep",
-                measure: |runs| stored_step(runs, STEP, &GaussSweeps { sweeps: 1, ..GaussSweeps::default() }, REPLAYED_STEP),
-            }],
+            planted: &[mistake(Kind::Solver, "systems/one-sweep", "one sweep", |runs| {
+                stored_step(runs, STEP, &GaussSweeps { sweeps: 1, ..GaussSweeps::default() }, REPLAYED_STEP)
+            })],
         },
     ],
 };

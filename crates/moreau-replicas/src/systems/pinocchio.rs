@@ -5,7 +5,8 @@
 //! ```
 //! Its step here is Moreau–Jean's with θ = 1, activation A and e = 0: `--theta 1 --activation A --solver admm`.
 
-use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System};
+use super::planted::{Kind, mistake};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, System};
 use crate::stored::{StoredRuns, problem_and_answer};
 use crate::tolerance::references as tolerance;
 use moreau_contact::problem::{ContactProblem, Law, Solution};
@@ -41,21 +42,27 @@ pub static SYSTEM: System = System {
             quantity: "contact velocities of six hard problems",
             unit: "m/s",
             measure: |runs| compare(runs, &HARD, &AlternatingDirections::default()),
-            planted: &[PlantedMistake { mistake: "μ a thousandth too large", measure: |runs| compare(runs, &HARD, &Rougher) }],
+            planted: &[mistake(Kind::Reader, "systems/friction-slightly-larger", "μ a thousandth too large", |runs| {
+                compare(runs, &HARD, &Rougher)
+            })],
         },
         Agreement {
             against: ENGINE,
             quantity: "contact velocities of two compliant problems",
             unit: "m/s",
             measure: |runs| compare(runs, &SOFT, &AlternatingDirections::default()),
-            planted: &[PlantedMistake { mistake: "μ a thousandth too large", measure: |runs| compare(runs, &SOFT, &Rougher) }],
+            planted: &[mistake(Kind::Reader, "systems/friction-slightly-larger", "μ a thousandth too large", |runs| {
+                compare(runs, &SOFT, &Rougher)
+            })],
         },
         Agreement {
             against: "Pinocchio 4.1.0, ADMM with solve_ncp = false",
             quantity: "contact velocities of three relaxed problems",
             unit: "m/s",
             measure: |runs| compare(runs, &RELAXED, &AlternatingDirections::default()),
-            planted: &[PlantedMistake { mistake: "μ a thousandth too large", measure: |runs| compare(runs, &RELAXED, &Rougher) }],
+            planted: &[mistake(Kind::Reader, "systems/friction-slightly-larger", "μ a thousandth too large", |runs| {
+                compare(runs, &RELAXED, &Rougher)
+            })],
         },
     ],
 };

@@ -1,71 +1,38 @@
-//! Schemes with a mistake: what agreements plant, to show that they can fail.
+//! What agreements plant, to show that they can fail: a measurement of the same thing with a mistake in it.
 
-use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist, passes_the_waist};
+use super::Measured;
+use crate::stored::StoredRuns;
+use moreau_checks::defects::schemes::{AHEAD, Alteration, HALF_FRICTION, HEAVY};
+pub use moreau_checks::planted::{Kind, Planted};
 use moreau_exact::Result;
-use nalgebra::DVector;
 
-/// What is wrong.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Mistake {
-    /// Forces act 10 % too strongly.
-    Heavy,
-    /// Half of every μ.
-    HalfFriction,
-    /// Positions move on by half the change of velocity as well.
-    Ahead,
+/// Measures an agreement; with a planted mistake it must exceed its tolerance.
+///
+/// # Errors
+/// Those of the agreement: a mistake changes numbers only.
+pub type Measure = fn(&dyn StoredRuns) -> Result<Measured>;
+
+/// A measurement with a planted mistake of this name.
+pub const fn mistake(kind: Kind, name: &'static str, mistake: &'static str, subject: Measure) -> Planted<Measure> {
+    Planted { name, mistake, kind, subject }
 }
 
-/// A scheme with a mistake.
-pub struct Mistaken<S> {
-    scheme: S,
-    mistake: Mistake,
+/// A measurement under one of the mistakes that every scheme through the waist can have.
+pub const fn altered(mistake: Planted<Alteration>, subject: Measure) -> Planted<Measure> {
+    Planted { name: mistake.name, mistake: mistake.mistake, kind: mistake.kind, subject }
 }
 
-/// The scheme with this mistake.
-pub fn planted<S: Waist>(scheme: S, mistake: Mistake) -> Mistaken<S> {
-    Mistaken { scheme, mistake }
+/// Forces 10 % too strong.
+pub const fn heavy(subject: Measure) -> Planted<Measure> {
+    altered(HEAVY, subject)
 }
 
-impl<S: Waist> Scheme for Mistaken<S> {
-    fn name(&self) -> String {
-        format!("{} with a mistake: {:?}", self.scheme.name(), self.mistake)
-    }
-
-    fn has_restitution(&self) -> bool {
-        self.scheme.has_restitution()
-    }
-
-    fn is_truncated(&self) -> bool {
-        self.scheme.is_truncated()
-    }
-
-    passes_the_waist!();
+/// Half of every μ.
+pub const fn half_friction(subject: Measure) -> Planted<Measure> {
+    altered(HALF_FRICTION, subject)
 }
 
-impl<S: Waist> Waist for Mistaken<S> {
-    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
-        let state = at.state();
-        let mut step = self.scheme.assemble(at)?;
-        let more = (&step.free_velocity - &state.velocity) * if self.mistake == Mistake::Heavy { 0.1 } else { 0.0 };
-        step.free_velocity += &more;
-        if let Some(problem) = step.problem.take() {
-            let free_velocity = problem.free_velocity() + &step.jacobian * more;
-            let factor = if self.mistake == Mistake::HalfFriction { 0.5 } else { 1.0 };
-            let friction = problem.friction().iter().map(|mu| mu * factor).collect();
-            step.problem = Some(problem.into_builder().free_velocity(free_velocity).friction(friction).build()?);
-        }
-        Ok(step)
-    }
-
-    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
-        let (state, h) = (at.state(), at.h());
-        let reached = self.scheme.advance(at, velocity_post);
-        // only where positions have as many entries as velocities: not with quaternions
-        if self.mistake == Mistake::Ahead { reached + (velocity_post - &state.velocity) * (0.5 * h) } else { reached }
-    }
-
-    fn settle(&self, at: &StepContext, assembled: &StepProblem, position: DVector<f64>) -> Result<DVector<f64>> {
-        let ahead = if self.mistake == Mistake::Ahead { f64::EPSILON.sqrt() } else { 0.0 };
-        Ok(self.scheme.settle(at, assembled, position)?.add_scalar(ahead))
-    }
+/// Positions moved on by half the change of velocity as well.
+pub const fn ahead(subject: Measure) -> Planted<Measure> {
+    altered(AHEAD, subject)
 }

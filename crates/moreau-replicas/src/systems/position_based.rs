@@ -4,7 +4,8 @@
 //!     q⁺ = q + h v_free + M⁻¹HᵀΛ ,   0 ≤ Λ ⟂ φ(q⁺) + (α/h²) Λ ≥ 0 ,   v = (q⁺ − q)/h
 //! ```
 
-use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System};
+use super::planted::{Kind, mistake};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, System};
 use moreau_contact::solvers::Auto;
 use moreau_dynamics::mechanics::{PointMass, State};
 use moreau_dynamics::schemes::{PositionBased, Softness, simulate, step};
@@ -28,27 +29,25 @@ pub static SYSTEM: System = System {
             quantity: "rest depth under XPBD, α m g at every h",
             unit: "m",
             measure: |_| depth(xpbd(COMPLIANCE), |contact| contact.rest_depth_of_compliance(COMPLIANCE)),
-            planted: &[PlantedMistake {
-                mistake: "a compliance 1 % larger",
-                measure: |_| depth(xpbd(1.01 * COMPLIANCE), |contact| contact.rest_depth_of_compliance(COMPLIANCE)),
-            }],
+            planted: &[mistake(Kind::Assembly, "systems/compliance-larger", "a compliance 1 % larger", |_| {
+                depth(xpbd(1.01 * COMPLIANCE), |contact| contact.rest_depth_of_compliance(COMPLIANCE))
+            })],
         },
         Agreement {
             against: "closed form",
             quantity: "rest depth under PBD, g h² (1−s)^k/(1−(1−s)^k)",
             unit: "m",
             measure: |_| depth(pbd(3), |contact| contact.rest_depth_of_share(0.5, 3)),
-            planted: &[PlantedMistake {
-                mistake: "four sweeps in place of three",
-                measure: |_| depth(pbd(4), |contact| contact.rest_depth_of_share(0.5, 3)),
-            }],
+            planted: &[mistake(Kind::Solver, "systems/four-sweeps", "four sweeps in place of three", |_| {
+                depth(pbd(4), |contact| contact.rest_depth_of_share(0.5, 3))
+            })],
         },
         Agreement {
             against: "closed form",
             quantity: "velocity after the step of an impact, e|v − g h|",
             unit: "m/s",
             measure: |_| rebound(xpbd(0.0), 0.5),
-            planted: &[PlantedMistake { mistake: "e = 0.5 taken for 0.51", measure: |_| rebound(xpbd(0.0), 0.51) }],
+            planted: &[mistake(Kind::Reader, "systems/restitution-off", "e = 0.5 taken for 0.51", |_| rebound(xpbd(0.0), 0.51))],
         },
     ],
 };

@@ -4,8 +4,9 @@
 //!     (q⁺, v_free) = RK4(q, v) ,   v⁺ = −e v_free if φ(q⁺) ≤ 0 and v_free < 0         spring: |R|² = 1 − s⁶/72 + s⁸/576
 //! ```
 
-use super::planted::{Mistake, planted};
-use super::{Agreement, Cone, ConstraintLevel, ContactLaw, PlantedMistake, System, on_a_ball, on_a_spring};
+use super::planted::{ahead, heavy};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, System, on_a_ball, on_a_spring};
+use moreau_checks::defects::schemes::{AHEAD, HEAVY};
 use moreau_dynamics::exact_particle::{Ball, BallState};
 use moreau_dynamics::integrators::RungeKutta;
 use moreau_dynamics::schemes::RungeKuttaFlip;
@@ -26,30 +27,21 @@ pub static SYSTEM: System = System {
             quantity: "state after each step of a spring, relative",
             unit: "1",
             measure: |_| on_a_spring::steps(&RungeKuttaFlip, &RungeKutta),
-            planted: &[PlantedMistake {
-                mistake: "positions moved on by half the change of velocity as well",
-                measure: |_| on_a_spring::steps(&planted(RungeKuttaFlip, Mistake::Ahead), &RungeKutta),
-            }],
+            planted: &[ahead(|_| on_a_spring::steps(&AHEAD.subject.of(RungeKuttaFlip), &RungeKutta))],
         },
         Agreement {
             against: "closed form",
             quantity: "the spring's energy, (1 − s⁶/72 + s⁸/576)ⁿ, relative",
             unit: "1",
             measure: |_| on_a_spring::energy(&RungeKuttaFlip, amplification(), 0.0),
-            planted: &[PlantedMistake {
-                mistake: "positions moved on by half the change of velocity as well",
-                measure: |_| on_a_spring::energy(&planted(RungeKuttaFlip, Mistake::Ahead), amplification(), 0.0),
-            }],
+            planted: &[ahead(|_| on_a_spring::energy(&AHEAD.subject.of(RungeKuttaFlip), amplification(), 0.0))],
         },
         Agreement {
             against: "exact rationals",
             quantity: "velocity after each step of a bouncing ball",
             unit: "m/s",
             measure: |_| on_a_ball::velocities(&RungeKuttaFlip, flip),
-            planted: &[PlantedMistake {
-                mistake: "forces 10 % too strong",
-                measure: |_| on_a_ball::velocities(&planted(RungeKuttaFlip, Mistake::Heavy), flip),
-            }],
+            planted: &[heavy(|_| on_a_ball::velocities(&HEAVY.subject.of(RungeKuttaFlip), flip))],
         },
     ],
 };

@@ -4,8 +4,9 @@
 //!     v⁺ = v + h M⁻¹F(q, v) + M⁻¹Hᵀr ,   q⁺ = q + h v⁺         spring: q² + v² − s q v is constant
 //! ```
 
-use super::planted::{Mistake, planted};
-use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, on_a_ball, on_a_spring};
+use super::planted::{ahead, heavy};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, System, on_a_ball, on_a_spring};
+use moreau_checks::defects::schemes::{AHEAD, HEAVY};
 use moreau_dynamics::integrators::{Damping, SemiImplicitEuler};
 use moreau_dynamics::schemes::{Activation, Euler, Scheme};
 use moreau_exact::Result;
@@ -26,32 +27,23 @@ pub static SYSTEM: System = System {
             quantity: "state after each step of a spring, relative",
             unit: "1",
             measure: |_| on_a_spring::steps(&Euler::SemiImplicit, &SemiImplicitEuler { damping: Damping::Explicit }),
-            planted: &[PlantedMistake {
-                mistake: "positions moved on by half the change of velocity as well",
-                measure: |_| {
-                    on_a_spring::steps(&planted(Euler::SemiImplicit, Mistake::Ahead), &SemiImplicitEuler { damping: Damping::Explicit })
-                },
-            }],
+            planted: &[ahead(|_| {
+                on_a_spring::steps(&AHEAD.subject.of(Euler::SemiImplicit), &SemiImplicitEuler { damping: Damping::Explicit })
+            })],
         },
         Agreement {
             against: "closed form",
             quantity: "the spring's invariant q² + v² − s q v, relative",
             unit: "1",
             measure: |_| on_a_spring::energy(&Euler::SemiImplicit, 1.0, -on_a_spring::STEP),
-            planted: &[PlantedMistake {
-                mistake: "positions moved on by half the change of velocity as well",
-                measure: |_| on_a_spring::energy(&planted(Euler::SemiImplicit, Mistake::Ahead), 1.0, -on_a_spring::STEP),
-            }],
+            planted: &[ahead(|_| on_a_spring::energy(&AHEAD.subject.of(Euler::SemiImplicit), 1.0, -on_a_spring::STEP))],
         },
         Agreement {
             against: "exact rationals",
             quantity: "position after each step of a bouncing ball",
             unit: "m",
             measure: |_| positions(&Euler::SemiImplicit),
-            planted: &[PlantedMistake {
-                mistake: "forces 10 % too strong",
-                measure: |_| positions(&planted(Euler::SemiImplicit, Mistake::Heavy)),
-            }],
+            planted: &[heavy(|_| positions(&HEAVY.subject.of(Euler::SemiImplicit)))],
         },
     ],
 };

@@ -8,10 +8,11 @@
 //! ```
 
 use super::event_driven::{late, siconos};
-use super::planted::{Mistake, Mistaken, planted};
-use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, on_a_ball};
+use super::planted::{Kind, heavy, mistake};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, System, on_a_ball};
 use crate::siconos::steps::SiconosSteps;
 use crate::stored::{StoredRuns, read_by};
+use moreau_checks::defects::schemes::{AHEAD, HEAVY, Mistaken};
 use moreau_dynamics::event_driven::EventDriven;
 use moreau_dynamics::schemes::{MoreauJean, MoreauJeanProjection, SchatzmanPaoli, Scheme, StewartTrinkle};
 use moreau_exact::{Error, Result};
@@ -32,32 +33,26 @@ pub static SYSTEM: System = System {
                 Moreau–Jean",
             unit: "m/s",
             measure: |runs| steps(runs, MOREAU_JEAN, 1, |run| run.scheme(0.0)),
-            planted: &[PlantedMistake {
-                mistake: "forces 10 % too strong",
-                measure: |runs| steps(runs, MOREAU_JEAN, 1, heavy_moreau_jean),
-            }],
+            planted: &[heavy(|runs| steps(runs, MOREAU_JEAN, 1, heavy_moreau_jean))],
         },
         Agreement {
             against: "Siconos 4.4.0",
             quantity: "impulse in every step, Moreau–Jean",
             unit: "N·s",
             measure: |runs| steps(runs, MOREAU_JEAN, 2, |run| run.scheme(0.0)),
-            planted: &[PlantedMistake {
-                mistake: "forces 10 % too strong",
-                measure: |runs| steps(runs, MOREAU_JEAN, 2, heavy_moreau_jean),
-            }],
+            planted: &[heavy(|runs| steps(runs, MOREAU_JEAN, 2, heavy_moreau_jean))],
         },
         Agreement {
             against: "Siconos 4.4.0",
             quantity: "position after every step, combined projection",
             unit: "m",
             measure: |runs| steps(runs, PROJECTION, 0, |run| run.scheme(0.0)),
-            planted: &[PlantedMistake {
-                mistake: "the first run: positions moved on by half the change of velocity as well",
-                measure: |runs| {
-                    steps(runs, &PROJECTION[..1], 0, |_| Ok(Box::new(planted(MoreauJeanProjection { theta: 0.5 }, Mistake::Ahead))))
-                },
-            }],
+            planted: &[mistake(
+                Kind::Scheme,
+                "systems/first-run-ahead",
+                "the first run: positions moved on by half the change of velocity as well",
+                |runs| steps(runs, &PROJECTION[..1], 0, |_| Ok(Box::new(AHEAD.subject.of(MoreauJeanProjection { theta: 0.5 })))),
+            )],
         },
         Agreement {
             against: "Siconos 4.4.0",
@@ -65,14 +60,10 @@ pub static SYSTEM: System = System {
             unit: "m/s",
             measure: |runs| steps(runs, SCHATZMAN_PAOLI, 1, |run| run.scheme(0.0)),
             planted: &[
-                PlantedMistake {
-                    mistake: "forces 10 % too strong",
-                    measure: |runs| steps(runs, SCHATZMAN_PAOLI, 1, |_| Ok(Box::new(heavy_schatzman_paoli()))),
-                },
-                PlantedMistake {
-                    mistake: "Stewart–Trinkle in its place",
-                    measure: |runs| steps(runs, SCHATZMAN_PAOLI, 1, |_| Ok(Box::new(StewartTrinkle::default()))),
-                },
+                heavy(|runs| steps(runs, SCHATZMAN_PAOLI, 1, |_| Ok(Box::new(heavy_schatzman_paoli())))),
+                mistake(Kind::Scheme, "systems/stewart-trinkle-in-its-place", "Stewart–Trinkle in its place", |runs| {
+                    steps(runs, SCHATZMAN_PAOLI, 1, |_| Ok(Box::new(StewartTrinkle::default())))
+                }),
             ],
         },
         Agreement {
@@ -80,17 +71,16 @@ pub static SYSTEM: System = System {
             quantity: "instant of every impact of balls and oscillators with a stop, times the speed, event-driven",
             unit: "m",
             measure: |runs| siconos(runs, &EventDriven::default()),
-            planted: &[PlantedMistake { mistake: "events noticed at the end of a step of 13 ms", measure: |runs| siconos(runs, &late()) }],
+            planted: &[mistake(Kind::Scheme, "systems/events-noticed-late", "events noticed at the end of a step of 13 ms", |runs| {
+                siconos(runs, &late())
+            })],
         },
         Agreement {
             against: "exact rationals",
             quantity: "velocity after each step of a bouncing ball, Schatzman–Paoli",
             unit: "m/s",
             measure: |_| on_a_ball::velocities(&SchatzmanPaoli, |ball, now, h| ball.schatzman_paoli(now, h).motion),
-            planted: &[PlantedMistake {
-                mistake: "forces 10 % too strong",
-                measure: |_| on_a_ball::velocities(&heavy_schatzman_paoli(), |ball, now, h| ball.schatzman_paoli(now, h).motion),
-            }],
+            planted: &[heavy(|_| on_a_ball::velocities(&heavy_schatzman_paoli(), |ball, now, h| ball.schatzman_paoli(now, h).motion))],
         },
     ],
 };
@@ -151,9 +141,9 @@ fn steps(
 }
 
 fn heavy_moreau_jean(_: &SiconosSteps) -> Result<Box<dyn Scheme>> {
-    Ok(Box::new(planted(MoreauJean::default(), Mistake::Heavy)))
+    Ok(Box::new(HEAVY.subject.of(MoreauJean::default())))
 }
 
 fn heavy_schatzman_paoli() -> Mistaken<SchatzmanPaoli> {
-    planted(SchatzmanPaoli, Mistake::Heavy)
+    HEAVY.subject.of(SchatzmanPaoli)
 }

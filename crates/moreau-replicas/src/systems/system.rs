@@ -1,6 +1,7 @@
 //! A system: where it stands on the four axes, what it agrees with, and the mistakes that each agreement catches.
 
 use super::Measured;
+use super::planted::{Measure, Planted};
 use crate::stored::StoredRuns;
 use moreau_exact::Result;
 use serde::Serialize;
@@ -83,19 +84,14 @@ pub struct Agreement {
     /// Those of the scheme, and a stored run that is missing or malformed.
     pub measure: fn(&dyn StoredRuns) -> Result<Measured>,
     /// Mistakes that it catches, at least one.
-    pub planted: &'static [PlantedMistake],
+    pub planted: &'static [Planted<Measure>],
 }
 
-/// A planted mistake in the compared scheme or solver. With it the agreement must exceed its tolerance.
-#[derive(Clone, Copy, Debug)]
-pub struct PlantedMistake {
-    /// What is wrong.
-    pub mistake: &'static str,
-    /// Measures the agreement with the mistake.
-    ///
-    /// # Errors
-    /// Those of the agreement: the mistake changes numbers only.
-    pub measure: fn(&dyn StoredRuns) -> Result<Measured>,
+impl Agreement {
+    /// What it is called among the checks, as one of its system.
+    pub fn check(&self, system: &System) -> String {
+        format!("systems/{}: {}", system.name, self.quantity)
+    }
 }
 
 impl fmt::Display for ConstraintLevel {

@@ -4,8 +4,9 @@
 //!     x⁺ = x + h f((1−θ) x + θ x⁺)                              spring: |R|² = (1 + (1−θ)² s²)/(1 + θ² s²)
 //! ```
 
-use super::planted::{Mistake, planted};
-use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, on_a_spring};
+use super::planted::heavy;
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, System, on_a_spring};
+use moreau_checks::defects::schemes::HEAVY;
 use moreau_dynamics::integrators::Theta;
 use moreau_dynamics::schemes::{MoreauJean, Scheme};
 use moreau_exact::Result;
@@ -26,20 +27,14 @@ pub static SYSTEM: System = System {
             quantity: "state after each step of a spring, θ = 0, ½ and 1, relative",
             unit: "1",
             measure: |_| over_theta(|scheme| Box::new(scheme), |scheme, theta| on_a_spring::steps(scheme, &Theta { theta: exact(theta) })),
-            planted: &[PlantedMistake {
-                mistake: "forces 10 % too strong",
-                measure: |_| over_theta(heavy, |scheme, theta| on_a_spring::steps(scheme, &Theta { theta: exact(theta) })),
-            }],
+            planted: &[heavy(|_| over_theta(too_heavy, |scheme, theta| on_a_spring::steps(scheme, &Theta { theta: exact(theta) })))],
         },
         Agreement {
             against: "closed form",
             quantity: "the spring's energy, |R|²ⁿ, θ = 0, ½ and 1, relative",
             unit: "1",
             measure: |_| over_theta(|scheme| Box::new(scheme), |scheme, theta| on_a_spring::energy(scheme, amplification(theta), 0.0)),
-            planted: &[PlantedMistake {
-                mistake: "forces 10 % too strong",
-                measure: |_| over_theta(heavy, |scheme, theta| on_a_spring::energy(scheme, amplification(theta), 0.0)),
-            }],
+            planted: &[heavy(|_| over_theta(too_heavy, |scheme, theta| on_a_spring::energy(scheme, amplification(theta), 0.0)))],
         },
     ],
 };
@@ -56,6 +51,6 @@ fn over_theta(subject: impl Fn(MoreauJean) -> Box<dyn Scheme>, measure: impl Fn(
     Ok(Measured::worst(measured).expect("three values of θ"))
 }
 
-fn heavy(scheme: MoreauJean) -> Box<dyn Scheme> {
-    Box::new(planted(scheme, Mistake::Heavy))
+fn too_heavy(scheme: MoreauJean) -> Box<dyn Scheme> {
+    Box::new(HEAVY.subject.of(scheme))
 }

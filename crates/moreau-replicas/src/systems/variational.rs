@@ -5,7 +5,8 @@
 //!     ball, impact after τ:     w⁺² = w² + ¼ g² h (h − 2τ)                         w, w⁺: speeds at the floor before and after
 //! ```
 
-use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, PlantedMistake, System, on_a_spring};
+use super::planted::{Kind, mistake};
+use super::{Agreement, Cone, ConstraintLevel, ContactLaw, Measured, System, on_a_spring};
 use crate::tolerance::systems::{variational_speed, variational_state};
 use moreau_contact::solvers::Auto;
 use moreau_dynamics::integrators::Method;
@@ -34,44 +35,45 @@ pub static SYSTEM: System = System {
             quantity: "state after each step of a spring, relative",
             unit: "1",
             measure: |_| on_a_spring::steps(&Variational, &Verlet),
-            planted: &[PlantedMistake {
-                mistake: "semi-implicit Euler in its place",
-                measure: |_| on_a_spring::steps(&Euler::SemiImplicit, &Verlet),
-            }],
+            planted: &[mistake(Kind::Scheme, "systems/semi-implicit-in-its-place", "semi-implicit Euler in its place", |_| {
+                on_a_spring::steps(&Euler::SemiImplicit, &Verlet)
+            })],
         },
         Agreement {
             against: "closed form",
             quantity: "speed of a ball after each of its elastic impacts",
             unit: "m/s",
             measure: |_| speeds_of_a_ball(&Variational),
-            planted: &[PlantedMistake { mistake: "Moreau–Jean with θ = ½ in its place", measure: |_| speeds_of_a_ball(&midpoint()) }],
+            planted: &[mistake(Kind::Scheme, "systems/moreau-jean-in-its-place", "Moreau–Jean with θ = ½ in its place", |_| {
+                speeds_of_a_ball(&midpoint())
+            })],
         },
         Agreement {
             against: "Newton's method on dual numbers",
             quantity: "state after a step in which a spring hits its stop, relative",
             unit: "1",
             measure: |_| spring_at_its_stop(&Variational),
-            planted: &[PlantedMistake { mistake: "Moreau–Jean with θ = ½ in its place", measure: |_| spring_at_its_stop(&midpoint()) }],
+            planted: &[mistake(Kind::Scheme, "systems/moreau-jean-in-its-place", "Moreau–Jean with θ = ½ in its place", |_| {
+                spring_at_its_stop(&midpoint())
+            })],
         },
         Agreement {
             against: "exact rationals",
             quantity: "DᵀJD − J of a step with an impact, forward-mode differentiation",
             unit: "1",
             measure: |_| largest(|jacobian| defect(jacobian, &DMatrix::identity(1, 1)), |velocity| velocity),
-            planted: &[PlantedMistake {
-                mistake: "one fifth of the velocity lost in the impact",
-                measure: |_| largest(|jacobian| defect(jacobian, &DMatrix::identity(1, 1)), slowed),
-            }],
+            planted: &[mistake(Kind::Scheme, "systems/impact-loses-speed", "one fifth of the velocity lost in the impact", |_| {
+                largest(|jacobian| defect(jacobian, &DMatrix::identity(1, 1)), slowed)
+            })],
         },
         Agreement {
             against: "exact rationals",
             quantity: "det D − 1 of the same step",
             unit: "1",
             measure: |_| largest(|jacobian| DMatrix::from_element(1, 1, volume(jacobian) - ratio(1, 1)), |velocity| velocity),
-            planted: &[PlantedMistake {
-                mistake: "one fifth of the velocity lost in the impact",
-                measure: |_| largest(|jacobian| DMatrix::from_element(1, 1, volume(jacobian) - ratio(1, 1)), slowed),
-            }],
+            planted: &[mistake(Kind::Scheme, "systems/impact-loses-speed", "one fifth of the velocity lost in the impact", |_| {
+                largest(|jacobian| DMatrix::from_element(1, 1, volume(jacobian) - ratio(1, 1)), slowed)
+            })],
         },
     ],
 };

@@ -4,7 +4,6 @@ use delegate::delegate;
 use moreau_contact::contact::Contact;
 use moreau_dynamics::mechanics::{BodyState, Mechanism, State};
 use moreau_dynamics::scenes::Scene;
-use moreau_dynamics::schemes::{MoreauJean, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 
@@ -103,43 +102,4 @@ pub(super) fn friction_at_centre(scene: &Scene) -> Result<Start> {
 /// Every gap is taken for 3 cm less.
 pub(super) fn thick_floor(scene: &Scene) -> Result<Start> {
     changed(scene, |_, _, _| {}, |contact| contact.gap -= 0.03)
-}
-
-/// Moreau–Jean with u_n ≥ −φ/h asked of every active contact below the floor.
-pub(super) struct Baumgarte;
-
-impl Baumgarte {
-    fn scheme() -> MoreauJean {
-        MoreauJean::default()
-    }
-}
-
-impl Scheme for Baumgarte {
-    fn name(&self) -> String {
-        "moreau-jean".into()
-    }
-
-    passes_the_waist!();
-}
-
-impl Waist for Baumgarte {
-    fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
-        let (mechanism, state, h) = (at.mechanism(), at.state(), at.h());
-        let mut step = Baumgarte::scheme().assemble(at)?;
-        let contacts = mechanism.contacts(&state.position);
-        if let Some(problem) = step.problem.take() {
-            let mut shift = problem.shift().clone();
-            for (k, &index) in step.active.iter().enumerate() {
-                let gap = contacts.get(index).map_or(0.0, |contact| contact.gap);
-                shift[problem.rows_per_contact() * k] += gap.min(0.0) / h;
-            }
-            step.problem = Some(problem.into_builder().shift(shift).build()?);
-        }
-        Ok(step)
-    }
-
-    fn advance(&self, at: &StepContext, velocity_post: &DVector<f64>) -> DVector<f64> {
-        let scheme = Baumgarte::scheme();
-        scheme.advance(at, velocity_post)
-    }
 }

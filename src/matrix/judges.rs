@@ -1,0 +1,126 @@
+//! Planted mistakes in the judgement of a claim, which decides from findings and controls whether the recorded verdict is supported.
+
+use crate::Result;
+use crate::checks::Finding;
+use crate::checks::planted::{Family, Kind, Planted};
+use crate::claims::{ClaimVerdict, Status, conclude, derive};
+
+/// What the findings of a claim and of its controls say of a recorded verdict; `derived` as in [`conclude`].
+pub type Concludes = fn(ClaimVerdict, bool, &[Finding], &[Vec<Finding>]) -> Status;
+
+/// Judgements, held against claims whose judgement is known.
+pub static JUDGES: Family<Concludes> = Family {
+    reference: conclude,
+    checks: &[("claims/judgement", judgement)],
+    planted: &[
+        planted("claims/passed-control-ignored", "does not look at what a control says", |verdict, derived, findings, controls| {
+            match conclude(verdict, derived, findings, controls) {
+                Status::ControlPassed => Status::Supported,
+                other => other,
+            }
+        }),
+        planted(
+            "claims/nothing-found-is-support",
+            "takes a check that finds nothing for support",
+            |verdict, derived, findings, controls| {
+                if findings.is_empty() { Status::Supported } else { conclude(verdict, derived, findings, controls) }
+            },
+        ),
+        planted(
+            "claims/control-that-finds-nothing",
+            "takes a control that finds nothing for one that bites",
+            |verdict, derived, findings, controls| {
+                let found: Vec<_> = controls.iter().filter(|control| !control.is_empty()).cloned().collect();
+                if found.len() < controls.len() { Status::Supported } else { conclude(verdict, derived, findings, controls) }
+            },
+        ),
+        planted(
+            "claims/failing-finding-ignored",
+            "does not look whether what was measured is as expected",
+            |verdict, derived, findings, controls| match conclude(verdict, derived, findings, controls) {
+                Status::Contradicted => Status::Supported,
+                other => other,
+            },
+        ),
+        planted(
+            "claims/recorded-verdict-believed",
+            "takes the recorded verdict, whatever the findings say of the sentence",
+            |verdict, derived, findings, controls| match conclude(verdict, derived, findings, controls) {
+                Status::OtherVerdict(_) => Status::Supported,
+                other => other,
+            },
+        ),
+        planted(
+            "claims/false-for-conditional",
+            "takes a refutation where the omitted condition is violated for one of the sentence",
+            |verdict, derived, findings, controls| {
+                let unconditional = |finding: &Finding| {
+                    let mut finding = finding.clone();
+                    finding.bearing.violated = None;
+                    finding
+                };
+                let findings: Vec<_> = findings.iter().map(unconditional).collect();
+                conclude(verdict, derived, &findings, controls)
+            },
+        ),
+        planted("claims/context-decides", "lets what is told beside the sentence decide", |verdict, derived, findings, controls| {
+            let deciding = |finding: &Finding| {
+                let mut finding = finding.clone();
+                finding.bearing.context = false;
+                finding
+            };
+            let findings: Vec<_> = findings.iter().map(deciding).collect();
+            if derive(&findings) == Ok(verdict) {
+                conclude(verdict, derived, &findings, controls)
+            } else {
+                Status::OtherVerdict(String::new())
+            }
+        }),
+        planted("claims/first-control-alone", "does not look at any control but the first", |verdict, derived, findings, controls| {
+            conclude(verdict, derived, findings, &controls[..controls.len().min(1)])
+        }),
+    ],
+};
+
+const fn planted(name: &'static str, mistake: &'static str, subject: Concludes) -> Planted<Concludes> {
+    Planted { name, mistake, kind: Kind::Certificate, subject }
+}
+
+/// Claims made of findings “x is 1”, each with the judgement that it must have.
+fn judgement(subject: &Concludes) -> Result<Vec<Finding>> {
+    let found = |value: usize| Finding::count("x", value, 1);
+    let named = |name: &str, value: usize| Finding::count(name, value, 1);
+    let (right, wrong) = (vec![found(1)], vec![vec![found(2)]]);
+    let refuted = vec![found(1).says(2)];
+    let conditional = vec![found(1), named("y", 1).says(2).violating("c")];
+    let beside = vec![found(1), named("y", 1).says(2).context()];
+    // the second control moves what the first one moves, and nothing else
+    let twice = [vec![found(2)], vec![found(2)]];
+    let of = |verdict, findings: &[Finding], controls: &[Vec<Finding>]| subject(verdict, true, findings, controls);
+    let is = |what: &str, found: Status, expected: fn(&Status) -> bool| Finding::decision(what, expected(&found), true);
+    Ok(vec![
+        is("a true claim", of(ClaimVerdict::True, &right, &wrong), |status| *status == Status::Supported),
+        is("a false claim", of(ClaimVerdict::False, &refuted, &[vec![found(2).says(2)]]), |status| *status != Status::ControlPassed),
+        is("a conditional claim", of(ClaimVerdict::Conditional, &conditional, &wrong), |status| *status == Status::Supported),
+        is("context beside a true claim", of(ClaimVerdict::True, &beside, &wrong), |status| *status == Status::Supported),
+        is("a control that passed", of(ClaimVerdict::True, &right, &[right.clone()]), |status| *status == Status::ControlPassed),
+        is("two controls of one effect", of(ClaimVerdict::True, &right, &twice), |status| *status == Status::ControlPassed),
+        is("a check that finds nothing", of(ClaimVerdict::True, &[], &wrong), |status| matches!(status, Status::Failed(_))),
+        is("a control that finds nothing", of(ClaimVerdict::True, &right, &[vec![]]), |status| matches!(status, Status::Failed(_))),
+        is("another finding than expected", of(ClaimVerdict::True, &wrong[0], &wrong), |status| *status == Status::Contradicted),
+        is("another verdict than recorded", of(ClaimVerdict::True, &refuted, &wrong), |status| matches!(status, Status::OtherVerdict(_))),
+    ])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_judgement_of_claims_passes_its_check_and_every_wrong_one_does_not() {
+        assert_eq!(JUDGES.failing(&JUDGES.reference).expect("judged"), Vec::<String>::new());
+        for trial in JUDGES.trials() {
+            assert!(!(trial.caught_by)().expect("judged").is_empty(), "{} is not caught", trial.name);
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! A planted mistake and what catches it.
+
+use super::repeats::original;
+use super::sources::Source;
+use crate::Result;
+use crate::checks::planted::{Kind, Trial};
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// A planted mistake and the checks that catch it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Row {
+    /// `family/mistake`.
+    pub name: &'static str,
+    /// The mistake in one sentence.
+    pub mistake: &'static str,
+    /// What it is a mistake of.
+    pub kind: Kind,
+    /// The row with the same line of reasoning, if this one differs from it in a constant or in its place only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub repeats: Option<&'static str>,
+    /// The checks that catch it, in the order in which they were asked.
+    pub caught_by: Vec<String>,
+}
+
+/// The rows of all sources, in parallel: mistakes of one name are one row.
+///
+/// # Errors
+/// If a check cannot be computed on a planted subject.
+pub fn rows(sources: &[Source], progress: &(dyn Fn() + Sync)) -> Result<Vec<Row>> {
+    let trials: Vec<&Trial> = sources.iter().flat_map(|source| &source.trials).collect();
+    let caught = trials.par_iter().map(|trial| (trial.caught_by)()).inspect(|_| progress()).collect::<Result<Vec<_>>>()?;
+    let mut rows: Vec<Row> = Vec::new();
+    for (trial, caught_by) in trials.into_iter().zip(caught) {
+        match rows.iter_mut().find(|row| row.name == trial.name) {
+            Some(row) => {
+                let new: Vec<String> = caught_by.into_iter().filter(|check| !row.caught_by.contains(check)).collect();
+                row.caught_by.extend(new);
+            }
+            None => rows.push(Row { name: trial.name, mistake: trial.mistake, kind: trial.kind, repeats: original(trial.name), caught_by }),
+        }
+    }
+    rows.sort_by_key(|row| row.kind);
+    Ok(rows)
+}
