@@ -8,7 +8,7 @@ fn every_id_is_a_group_of_the_chapter_and_a_name() {
     for claim in claims::all() {
         let group = claim.section();
         let name = claim.id.strip_prefix(group).expect("the group is a prefix").trim_start_matches('.');
-        assert!(claims::place(group).is_some(), "{}: no section `{group}`", claim.id);
+        assert!(claims::order(group).is_some(), "{}: no section `{group}`", claim.id);
         let plain = |letter: char| letter.is_ascii_alphanumeric() || letter == '-';
         assert!(!name.is_empty() && name.chars().all(plain), "{}: the name is not letters, digits and hyphens", claim.id);
     }
@@ -16,7 +16,7 @@ fn every_id_is_a_group_of_the_chapter_and_a_name() {
 
 #[test]
 fn claims_are_registered_in_the_order_of_the_chapter() {
-    let places: Vec<_> = claims::all().map(|claim| (claims::place(claim.section()), claim.id)).collect();
+    let places: Vec<_> = claims::all().map(|claim| (claims::order(claim.section()), claim.id)).collect();
     for pair in places.windows(2) {
         assert!(pair[0].0 <= pair[1].0, "{} is registered before {}", pair[0].1, pair[1].1);
     }
