@@ -21,8 +21,8 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "As stated. Of the discretisations, Stewart–Trinkle imposes it on the linearised gap at the end of a step; \
             Moreau–Jean imposes a velocity-level law instead.",
-        argument: "φλ = 0 with both factors ≥ 0 leaves only these cases. A ball stepped by Stewart–Trinkle in rationals from 12 states \
-            satisfies φ⁺ r = 0 exactly, and r > 0 where the free step ends below the floor.",
+        argument: "φλ = 0 with both factors ≥ 0 leaves only these cases. A ball stepped by Stewart–Trinkle in rationals from several \
+            states satisfies φ⁺ r = 0 exactly, and r > 0 where the free step ends below the floor.",
         controls: &["A Moreau–Jean step with e = 1/2, which ends with φ⁺ > 0 and r > 0.", "A step that does not see the floor."],
         sources: &["chapter §0, opening"],
         check: signorini,
