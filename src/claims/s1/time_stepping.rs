@@ -1,9 +1,9 @@
 //! Time-stepping: what its limit is, how it takes an impact, and its order between impacts.
 
 use crate::checks::convergence::{Stop, plastic_ball};
+use crate::claims::experiments::painleve::answers;
 use crate::claims::experiments::wall::{Stepping, approach};
 use crate::claims::prelude::*;
-use crate::claims::s4::painleve::answers;
 use crate::claims::s11::compactness::{mass_apart, weakly};
 use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{OscillatorWithStop, State};

@@ -1,8 +1,8 @@
 //! Orders of the θ scheme: two and one where the motion is smooth, one through impacts.
 
-use super::pendulum::Swing;
-use super::smooth_energy::energy_change_under;
-use super::theta_step::{LinearSystem, phase};
+use crate::claims::experiments::pendulum::Swing;
+use crate::claims::experiments::theta_energy::energy_change_under;
+use crate::claims::experiments::theta_step::{LinearSystem, phase};
 use crate::claims::prelude::*;
 use crate::closed_forms::bouncing_ball::BouncingBall;
 use crate::mechanics::{OscillatorWithStop, PointMass, State};

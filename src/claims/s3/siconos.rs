@@ -84,8 +84,10 @@ fn founding_papers(reading: Reading) -> Result<Vec<Finding>> {
             .looked_up()
             .opinion(point),
         Finding::decision("Jean wrote of the contact dynamics method", cited("M. Jean", titles[1]), true).looked_up().opinion(point),
-        Finding::decision("pages 329–349 of volume 177, 1999, are cited", facts.cites(&format!("{volume}:329–349, 1999")), true).looked_up(),
-        Finding::decision("pages 235–257 of volume 177, 1999, are cited", facts.cites(&format!("{volume}:235–257, 1999")), true).looked_up(),
+        Finding::decision("pages 329–349 of volume 177, 1999, are cited", facts.cites(&format!("{volume}:329–349, 1999")), true)
+            .looked_up(),
+        Finding::decision("pages 235–257 of volume 177, 1999, are cited", facts.cites(&format!("{volume}:235–257, 1999")), true)
+            .looked_up(),
     ])
 }
 

@@ -68,9 +68,7 @@ fn combined_projection(reading: Reading) -> Result<Vec<Finding>> {
     let [moved, mass_moved] = reading.only(1).pick(moves, [moves[1], moves[0]]);
     Ok(vec![
         Finding::decision("4.4.0 has a class of the printed name", facts.has(name), false).says(true).looked_up(),
-        Finding::equal("E(5 s)/E(0) of Siconos's elastic ball", kept, 1.0 - taken, elastic_drop(500), "1")
-            .says_at_most(1.0)
-            .experiment(),
+        Finding::equal("E(5 s)/E(0) of Siconos's elastic ball", kept, 1.0 - taken, elastic_drop(500), "1").says_at_most(1.0).experiment(),
         // onto φ = 0, the nearest place in the coordinates: (2/3, −1/3, −1/3) of the gap
         Finding::equal("sum of the balls' moves", moved, 0.0, rounding(64, 1.0), "m").experiment(),
         Finding::equal("the same, each times its mass", mass_moved, -1.0 / 300.0, rounding(64, 1.0), "kg·m").context(),
