@@ -9,6 +9,14 @@
 //! # Source
 //! ISO 3297 (ISSN); ANSI/NISO Z39.56 (SICI).
 
+/// The SICI in the DOI of Stewart and Trinkle's paper.
+pub const SICI: &str = "1097-0207(19960815)39:15<2673::AID-NME972>3.0.CO;2-I";
+
+/// The year in that SICI.
+pub fn scheme_year() -> Option<usize> {
+    SICI.split_once('(')?.1.get(..4)?.parse().ok()
+}
+
 /// Whether the check character of an ISSN agrees with its digits.
 pub fn issn_agrees(issn: &str) -> bool {
     let digits: Vec<u32> = issn.chars().filter(|c| *c != '-').map(|c| c.to_digit(10).unwrap_or(10)).collect();

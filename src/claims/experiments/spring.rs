@@ -5,7 +5,7 @@
 //!     semi-implicit Euler   v⁺ = v − h ω²q , q⁺ = q + h v⁺   conserves  v² + ω²q² − h ω² q v
 //! ```
 
-use crate::claims::s3::theta_step::{LinearSystem, phase};
+use super::theta_step::{LinearSystem, phase};
 use crate::scalar::{Rational, ratio};
 
 /// E/E₀ after a number of θ steps with s = 1/10, from q = 1, v = 1/3, ω = 1.

@@ -108,6 +108,18 @@ impl Approach {
     }
 }
 
+/// Velocity after two steps from φ = h/5, v = −1, with the constraint φ + hv⁺ ≥ 0 but q⁺ = q + ½h(v + v⁺).
+pub fn trapezoidal_rebound(h: &Rational) -> Rational {
+    let ball = Ball { mass: ratio(1, 1), gravity: ratio(0, 1), restitution: ratio(0, 1) };
+    let mut now = BallState { position: h / ratio(5, 1), velocity: ratio(-1, 1) };
+    for _ in 0..2 {
+        let velocity = ball.stewart_trinkle(&now, h).motion.velocity;
+        let position = &now.position + h * (&now.velocity + &velocity) / ratio(2, 1);
+        now = BallState { position, velocity };
+    }
+    now.velocity
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

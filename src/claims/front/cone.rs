@@ -1,8 +1,8 @@
 //! Complementarity, normal cone and proximal operator as the preface recalls them; the cone's errors in the misconception table.
 
 use crate::certificate::lcp::residuals;
+use crate::claims::experiments::polygon::scaled_errors;
 use crate::claims::prelude::*;
-use crate::claims::s4::polyhedral::scaled_errors;
 use crate::cones::polyhedral::strength_error;
 use crate::problem::{Lcp, PlanarProblem};
 use crate::solvers::enumeration::all_solutions;

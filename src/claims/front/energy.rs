@@ -1,9 +1,8 @@
 //! Energy of the θ scheme and the unknown impulse, as the front matter and the tables put them.
 
+use crate::claims::experiments::theta_energy::{chain_energies, distinct, oscillator_energy_ratio, pendulum_energy_change};
+use crate::claims::experiments::theta_step::{LinearSystem, Phase, phase};
 use crate::claims::prelude::*;
-use crate::claims::s3::elastic::{chain_energies, distinct, oscillator_energy_ratio};
-use crate::claims::s3::smooth_energy::pendulum_energy_change;
-use crate::claims::s3::theta_step::{LinearSystem, Phase, phase};
 use crate::closed_forms::ElasticBall;
 use crate::exact_particle::{Ball, BallState};
 use crate::schemes::Activation;

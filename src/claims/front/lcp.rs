@@ -2,8 +2,8 @@
 
 use crate::certificate::copositivity::copositive_plus;
 use crate::certificate::definiteness::positive_semidefinite;
+use crate::claims::experiments::painleve::answers;
 use crate::claims::prelude::*;
-use crate::claims::s4::painleve::answers;
 use crate::contact::delassus::delassus;
 use crate::problem::{ContactProblem, Law, Lcp, PlanarProblem};
 use crate::solvers::enumeration::all_solutions;

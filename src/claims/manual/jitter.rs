@@ -3,9 +3,9 @@
 use crate::claims::experiments::creep::Creeping;
 use crate::claims::experiments::soft::{GRAVITY, land, unlimited_contact};
 use crate::claims::experiments::spring::energy_ratio;
+use crate::claims::experiments::theta_energy::effect_of_theta_on_a_tower;
 use crate::claims::experiments::tower::{Sweeps, Tower, approach_left};
 use crate::claims::prelude::*;
-use crate::claims::s9::jitter::effect_of_theta_on_a_tower;
 use crate::tolerance::claims::pathology as tolerance;
 
 pub(super) const CLAIMS: &[Claim] = &[

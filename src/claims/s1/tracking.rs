@@ -1,7 +1,7 @@
 //! Event-driven methods: where they are defined, and what many contacts cost them.
 
+use crate::claims::experiments::painleve::rod;
 use crate::claims::prelude::*;
-use crate::claims::s4::painleve::rod;
 use crate::closed_forms::BouncingBall;
 use crate::event_driven::EventDriven;
 use crate::mechanics::planar::{PlanarBody, Shape};

@@ -1,9 +1,9 @@
 //! §11, the four steps of a convergence proof: bounded variation, Helly, weak* compactness, passage to the limit.
 
 use crate::certificate::copositivity::copositive_plus;
+use crate::claims::experiments::wall::trapezoidal_rebound;
 use crate::claims::experiments::wall::{Approach, Stepping, approach};
 use crate::claims::prelude::*;
-use crate::claims::s4::stepping::trapezoidal_rebound;
 use crate::exact_particle::{Ball, BallState};
 use crate::problem::Lcp;
 use crate::schemes::Activation;

@@ -1,8 +1,8 @@
 //! §11, convergence with friction: what Painlevé's configurations need, and who proved what when.
 
+use crate::claims::experiments::identifiers::scheme_year;
+use crate::claims::experiments::painleve::{answers, sliding_forces};
 use crate::claims::prelude::*;
-use crate::claims::s4::literature::scheme_year;
-use crate::claims::s4::painleve::{answers, sliding_forces};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {

@@ -1,11 +1,9 @@
 //! Does θ = 1 bring everything to rest? Pendulum, satellite, elastic collisions.
 
-use super::theta_step::{LinearSystem, phase};
+use crate::claims::experiments::theta_energy::{chain_energies, distinct, oscillator_under};
 use crate::claims::prelude::*;
 use crate::exact_particle::{Ball, BallState};
-use crate::mechanics::{BallChain, Mechanism, State};
-use crate::schemes::{Activation, MoreauJean, RestitutionRule, simulate};
-use crate::solvers::LemkePivoting;
+use crate::schemes::Activation;
 use crate::tolerance::claims::theta_scheme::{elastic_energy_swing, fewest_bounces};
 use crate::tolerance::rounding;
 use std::collections::BTreeSet;
@@ -49,36 +47,6 @@ fn elastic_ball(activation: Activation, steps: usize) -> (usize, usize, Rational
         values.insert(ball.scheme_energy(&now, &theta, &h));
     }
     (values.len(), bounces, ball.energy(&now) / start)
-}
-
-/// E(end)/E(0) of q̈ = −q under θ = 1.
-pub fn oscillator_energy_ratio(steps: usize) -> f64 {
-    oscillator_under(&ratio(1, 1), steps)
-}
-
-/// E(end)/E(0) of q̈ = −q, h = 1/100.
-fn oscillator_under(theta: &Rational, steps: usize) -> f64 {
-    let oscillator = LinearSystem::scalar(ratio(1, 1), ratio(1, 1), ratio(0, 1));
-    let start = phase(ratio(1, 1), ratio(0, 1));
-    let next = oscillator.step(&start, theta, &ratio(1, 100)).0;
-    let factor = Scalar::to_f64(&(oscillator.energy(&next) / oscillator.energy(&start)));
-    factor.powi(steps as i32)
-}
-
-/// Kinetic energies, sample by sample, of three equal balls in line, the first at 1 m/s, e = 1.
-pub fn chain_energies(theta: f64) -> Result<Vec<f64>> {
-    let chain = BallChain::new(vec![1.0; 3], vec![0.125; 3], 1.0)?;
-    let scheme = MoreauJean { theta, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
-    let start = State { time: 0.0, position: dvector![0.0, 0.5, 1.0], velocity: dvector![1.0, 0.0, 0.0] };
-    let recording = simulate(&scheme, &LemkePivoting, &chain, start, 0.03125, 64)?;
-    let moved = recording.last().velocity == dvector![0.0, 0.0, 1.0];
-    let energies = recording.samples.iter().map(|state| chain.kinetic_energy(state)).collect();
-    if moved { Ok(energies) } else { Err(crate::Error::Unsupported("the last ball should carry the motion away".into())) }
-}
-
-/// How many different numbers there are in a list.
-pub fn distinct(values: &[f64]) -> usize {
-    values.iter().map(|value| value.to_bits()).collect::<BTreeSet<u64>>().len()
 }
 
 /// (energy lost, radius, speed) of a satellite from a circular orbit of radius and speed 1.

@@ -5,15 +5,13 @@ use super::Claim;
 mod contact_energy;
 mod delassus;
 mod drift;
-pub(super) mod elastic;
+mod elastic;
 mod lcp;
 mod order;
-mod pendulum;
 mod siconos;
-pub(super) mod smooth_energy;
+mod smooth_energy;
 mod solvers;
 mod step;
-pub(super) mod theta_step;
 
 /// The claims, one slice per file.
 pub const CLAIMS: &[&[Claim]] = &[

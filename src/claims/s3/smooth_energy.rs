@@ -6,8 +6,9 @@
 //!     linear spring:    E⁺/E = (1 + (1−θ)²h²ω²)/(1 + θ²h²ω²)
 //! ```
 
-use super::pendulum::Swing;
-use super::theta_step::{LinearSystem, Phase, coupled_pair, phase};
+use crate::claims::experiments::pendulum::Swing;
+use crate::claims::experiments::theta_energy::{energy_change_under, pendulum_energy_change};
+use crate::claims::experiments::theta_step::{LinearSystem, Phase, coupled_pair, phase};
 use crate::claims::prelude::*;
 use crate::tolerance::claims::theta_scheme::pendulum_energy;
 use num_traits::Zero;
@@ -96,30 +97,6 @@ fn work_residual(theta: &Rational, weight: &Rational) -> Rational {
     let (next, force) = system.step(&start, theta, &h);
     let mean = &start.velocity + (&next.velocity - &start.velocity) * weight.clone();
     system.kinetic_energy(&next) - system.kinetic_energy(&start) - mean.dot(&force) * &h
-}
-
-/// Size of the change of energy of two coupled masses over 3 steps, and of a fall over 100.
-pub(super) fn energy_change_under(theta: &Rational) -> Rational {
-    let (system, start) = coupled_pair();
-    let mut now = start.clone();
-    for _ in 0..3 {
-        now = system.step(&now, theta, &ratio(1, 10)).0;
-    }
-    let gravity_only = LinearSystem::scalar(ratio(1, 1), ratio(0, 1), ratio(-981, 100));
-    let mut falling = phase(ratio(1, 1), ratio(0, 1));
-    let before = gravity_only.energy(&falling);
-    for _ in 0..100 {
-        falling = gravity_only.step(&falling, theta, &ratio(1, 100)).0;
-    }
-    let springs = system.energy(&now) - system.energy(&start);
-    let fall = gravity_only.energy(&falling) - before;
-    springs.magnitude() + fall.magnitude()
-}
-
-/// Change of energy of the pendulum over one step from (1.3, 0.7).
-pub fn pendulum_energy_change(h: f64) -> f64 {
-    let swing = Swing { angle: 1.3, rate: 0.7 };
-    swing.step(h).energy() - swing.energy()
 }
 
 fn neutral(reading: Reading) -> Result<Vec<Finding>> {

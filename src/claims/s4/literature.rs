@@ -5,7 +5,7 @@ use crate::certificate::copositivity::copositive;
 use crate::certificate::definiteness::quadratic_form;
 use crate::checks::stewart_trinkle::{RationalStep, chapter_example, reference, wedge};
 use crate::claims::experiments::drake::facts;
-use crate::claims::experiments::identifiers::{issn_agrees, sici_agrees, volume_and_page};
+use crate::claims::experiments::identifiers::{SICI, issn_agrees, sici_agrees, volume_and_page};
 use crate::claims::prelude::*;
 use crate::solvers::lemke::{LemkeOutcome, lemke};
 
@@ -77,14 +77,6 @@ pub const CLAIMS: &[Claim] = &[
         check: not_definite,
     },
 ];
-
-/// The SICI in the DOI of Stewart and Trinkle's paper.
-const SICI: &str = "1097-0207(19960815)39:15<2673::AID-NME972>3.0.CO;2-I";
-
-/// The year in that SICI.
-pub(in crate::claims) fn scheme_year() -> Option<usize> {
-    SICI.split_once('(')?.1.get(..4)?.parse().ok()
-}
 
 fn places(reading: Reading) -> Result<Vec<Finding>> {
     let sici = SICI.replace("<2673", reading.only(0).pick("<2673", "<2763"));

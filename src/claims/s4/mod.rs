@@ -3,14 +3,14 @@
 use super::Claim;
 
 mod copositive;
-pub(in crate::claims) mod literature;
+mod literature;
 mod matrices;
 mod matrix;
-pub(in crate::claims) mod painleve;
-pub(in crate::claims) mod polyhedral;
+mod painleve;
+mod polyhedral;
 mod solutions;
 mod solvability;
-pub(in crate::claims) mod stepping;
+mod stepping;
 
 /// The claims, one slice per file, in the order of the section.
 pub const CLAIMS: &[&[Claim]] = &[

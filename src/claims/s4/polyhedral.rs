@@ -1,8 +1,9 @@
 //! The friction cone with d directions: how far it is from the circular one, and what sliding on it looks like.
 
 use super::matrices::integers;
+use crate::claims::experiments::polygon::scaled_errors;
 use crate::claims::prelude::*;
-use crate::cones::polyhedral::{direction, direction_error, strength_error};
+use crate::cones::polyhedral::{direction_error, strength_error};
 use crate::mechanics::{Mechanism, Plane, PointMass, State};
 use crate::problem::PlanarProblem;
 use crate::schemes::{MoreauJean, Scheme, StewartTrinkle, step};
@@ -94,16 +95,6 @@ pub const CLAIMS: &[Claim] = &[
         check: maximal_dissipation,
     },
 ];
-
-/// d^order times the measured defect of strength, and d times the measured direction and force-vector errors.
-///
-/// They are measured on the vertices and the middle of a side, where support function and chord are extreme.
-pub(in crate::claims) fn scaled_errors(order: i32, d: usize) -> [f64; 3] {
-    let ([x, y], [a, b]) = (direction(0, d), direction(1, 2 * d));
-    let reach = x * a + y * b;
-    let count = d as f64;
-    [count.powi(order) * (1.0 - reach), count * reach.acos(), count * (x - a).hypot(y - b)]
-}
 
 fn order(reading: Reading) -> Result<Vec<Finding>> {
     // of the shape, or of the direction of the force

@@ -1,9 +1,10 @@
 //! How many solutions a step has, what σ is, and where solutions have kinks.
 
 use super::matrices::{chapter_matrix, integers};
-use super::painleve::{rod, velocities};
+use super::painleve::velocities;
 use crate::certificate::p_matrix::p_matrix;
 use crate::checks::stewart_trinkle::{chapter_example, reference};
+use crate::claims::experiments::painleve::rod;
 use crate::claims::prelude::*;
 use crate::contact::delassus::delassus;
 use crate::problem::Lcp;

@@ -179,18 +179,6 @@ fn plastic_ball(gravity: Rational) -> Ball<Rational> {
     Ball { mass: ratio(1, 1), gravity, restitution: ratio(0, 1) }
 }
 
-/// Velocity after two steps from φ = h/5, v = −1, with the constraint φ + hv⁺ ≥ 0 but q⁺ = q + ½h(v + v⁺).
-pub(in crate::claims) fn trapezoidal_rebound(h: &Rational) -> Rational {
-    let ball = plastic_ball(ratio(0, 1));
-    let mut now = BallState { position: h / ratio(5, 1), velocity: ratio(-1, 1) };
-    for _ in 0..2 {
-        let velocity = ball.stewart_trinkle(&now, h).motion.velocity;
-        let position = &now.position + h * (&now.velocity + &velocity) / ratio(2, 1);
-        now = BallState { position, velocity };
-    }
-    now.velocity
-}
-
 /// One exact step of Stewart–Trinkle, or, for a first control, of Moreau–Jean with activation φ ≤ 0.
 fn particle_step(reading: Reading, ball: &Ball<Rational>, now: &BallState<Rational>, h: &Rational) -> BallStep<Rational> {
     match reading.only(0) {

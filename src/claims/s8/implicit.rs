@@ -1,9 +1,9 @@
 //! Implicit Euler and the θ method: stability at every step, what it costs, and where semi-implicit Euler stands.
 
 use super::spring::{SEMI_IMPLICIT, energy, matrix, powers_at, theta, undamped};
+use crate::claims::experiments::theta_energy::elastic_invariant;
+use crate::claims::experiments::theta_step::{LinearSystem, phase};
 use crate::claims::prelude::*;
-use crate::claims::s3::theta_step::{LinearSystem, phase};
-use crate::claims::s9::energy::elastic_invariant;
 use crate::closed_forms::spring_damper::theta_energy_ratio;
 use crate::exact_particle::{Ball, BallState};
 use crate::integrators::stability::{Powers, invariants, spectral_radius};

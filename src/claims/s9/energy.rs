@@ -1,11 +1,11 @@
 //! Where energy comes from and where it goes.
 
-use crate::claims::experiments::push_out::{ball, biased_gain, elastic_drop, projected_gain};
+use crate::claims::experiments::push_out::{biased_gain, elastic_drop, projected_gain};
 use crate::claims::experiments::rod::energy_gained;
 use crate::claims::experiments::spring::{energy_ratio, explicit_peak, semi_implicit_peak};
+use crate::claims::experiments::theta_energy::{elastic_invariant, first_impact};
 use crate::claims::experiments::tower::energy_of_stale_impulses;
 use crate::claims::prelude::*;
-use crate::exact_particle::BallState;
 use crate::schemes::{Activation, RestitutionRule};
 use crate::tolerance;
 
@@ -75,27 +75,6 @@ fn causes_of_growth(reading: Reading) -> Result<Vec<Finding>> {
         Finding::exact("E⁺/E of an explicit step on a spring", &energy_ratio(&explicit, 1), &ratio(101, 100), "1"),
         Finding::exact("kinetic energy from Baumgarte", &by_baumgarte, &ratio(9, 125_000), "J"),
     ])
-}
-
-/// (E − ½ m g h v)/E₀ of the elastic ball after 2000 steps with θ = 1.
-pub(in crate::claims) fn elastic_invariant() -> Rational {
-    let (ball, theta, h) = (ball(ratio(1, 1)), ratio(1, 1), ratio(1, 100));
-    let start = BallState { position: ratio(1, 1), velocity: ratio(0, 1) };
-    let end = (0..2000).fold(start.clone(), |now, _| ball.moreau_jean(&now, &theta, Activation::Gap, &h).motion);
-    ball.scheme_energy(&end, &theta, &h) / ball.energy(&start)
-}
-
-/// Kinetic energy after the first impact over that before it, e = 1/2, dropped from 1 m with h = 1/100 s.
-pub(in crate::claims) fn first_impact(theta: &Rational) -> Rational {
-    let (ball, h) = (ball(ratio(1, 2)), ratio(1, 100));
-    let mut now = BallState { position: ratio(1, 1), velocity: ratio(0, 1) };
-    loop {
-        let outcome = ball.moreau_jean(&now, theta, Activation::Gap, &h);
-        if outcome.impulse > ratio(0, 1) {
-            return ball.kinetic_energy(&outcome.motion.velocity) / ball.kinetic_energy(&now.velocity);
-        }
-        now = outcome.motion;
-    }
 }
 
 fn causes_of_loss(reading: Reading) -> Result<Vec<Finding>> {

@@ -1,8 +1,8 @@
 //! The exercises of §9 that are diagnoses: the melting stack and the trembling gripper.
 
-use super::jitter::effect_of_theta_on_a_tower;
 use crate::claims::experiments::soft::{GRAVITY, default_contact, land, unlimited_contact};
 use crate::claims::experiments::spring::{energy_ratio, explicit_peak, semi_implicit_peak};
+use crate::claims::experiments::theta_energy::effect_of_theta_on_a_tower;
 use crate::claims::experiments::tower::{Sweeps, Tower, approach_left};
 use crate::claims::prelude::*;
 use crate::solvers::ProjectedGaussSeidel;

@@ -3,6 +3,7 @@
 use crate::claims::experiments::curve::{Side, drift, slide};
 use crate::claims::experiments::soft::{GRAVITY, default_contact, land, limited_contact, stiffest_contact, unlimited_contact};
 use crate::claims::experiments::spring::energy_ratio;
+use crate::claims::experiments::theta_energy::effect_of_theta_on_a_tower;
 use crate::claims::experiments::tower::{Sweeps, Tower};
 use crate::claims::prelude::*;
 use crate::closed_forms::mujoco_contact::ContactParameters;
@@ -134,15 +135,6 @@ fn jitter(reading: Reading) -> Result<Vec<Finding>> {
         Finding::equal("speed at rest with t_c = 2h", speed(2.0), 0.0, calm, "m/s"),
         Finding::equal("speed at rest with t_c = h under MuJoCo's limit", limited, 0.0, calm, "m/s"),
     ])
-}
-
-/// Largest difference of the velocities of a tower, 10 cold sweeps a step, between θ = ½ and θ = 1 over 100 steps \[m/s\].
-pub(in crate::claims) fn effect_of_theta_on_a_tower() -> Result<f64> {
-    let tower = Tower { bodies: 5, gravity: GRAVITY };
-    let run = |theta: f64| tower.simulate(&Sweeps::cold(10), theta, 0.01, 100);
-    let (half, one) = (run(0.5)?, run(1.0)?);
-    let pairs = half.samples.iter().zip(&one.samples);
-    Ok(pairs.map(|(a, b)| (&a.velocity - &b.velocity).amax()).fold(0.0, f64::max))
 }
 
 fn damping(reading: Reading) -> Result<Vec<Finding>> {

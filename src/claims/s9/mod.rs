@@ -5,9 +5,9 @@ use super::Claim;
 mod constraint_drift;
 mod drake;
 mod drift;
-pub(super) mod energy;
+mod energy;
 mod exercises;
-pub(super) mod jitter;
+mod jitter;
 mod literature;
 mod stabilisation;
 

@@ -1,0 +1,99 @@
+//! What θ does to an energy: of springs and falls, of a pendulum, of collisions, of a tower.
+
+use super::pendulum::Swing;
+use super::push_out::ball;
+use super::soft::GRAVITY;
+use super::theta_step::{LinearSystem, coupled_pair, phase};
+use super::tower::{Sweeps, Tower};
+use crate::Result;
+use crate::exact_particle::BallState;
+use crate::mechanics::{BallChain, Mechanism, State};
+use crate::scalar::{Rational, Scalar, ratio};
+use crate::schemes::{Activation, MoreauJean, RestitutionRule, simulate};
+use crate::solvers::LemkePivoting;
+use nalgebra::dvector;
+use std::collections::BTreeSet;
+
+/// E(end)/E(0) of q̈ = −q under θ = 1.
+pub fn oscillator_energy_ratio(steps: usize) -> f64 {
+    oscillator_under(&ratio(1, 1), steps)
+}
+
+/// E(end)/E(0) of q̈ = −q, h = 1/100.
+pub fn oscillator_under(theta: &Rational, steps: usize) -> f64 {
+    let oscillator = LinearSystem::scalar(ratio(1, 1), ratio(1, 1), ratio(0, 1));
+    let start = phase(ratio(1, 1), ratio(0, 1));
+    let next = oscillator.step(&start, theta, &ratio(1, 100)).0;
+    let factor = Scalar::to_f64(&(oscillator.energy(&next) / oscillator.energy(&start)));
+    factor.powi(steps as i32)
+}
+
+/// Kinetic energies, sample by sample, of three equal balls in line, the first at 1 m/s, e = 1.
+pub fn chain_energies(theta: f64) -> Result<Vec<f64>> {
+    let chain = BallChain::new(vec![1.0; 3], vec![0.125; 3], 1.0)?;
+    let scheme = MoreauJean { theta, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
+    let start = State { time: 0.0, position: dvector![0.0, 0.5, 1.0], velocity: dvector![1.0, 0.0, 0.0] };
+    let recording = simulate(&scheme, &LemkePivoting, &chain, start, 0.03125, 64)?;
+    let moved = recording.last().velocity == dvector![0.0, 0.0, 1.0];
+    let energies = recording.samples.iter().map(|state| chain.kinetic_energy(state)).collect();
+    if moved { Ok(energies) } else { Err(crate::Error::Unsupported("the last ball should carry the motion away".into())) }
+}
+
+/// How many different numbers there are in a list.
+pub fn distinct(values: &[f64]) -> usize {
+    values.iter().map(|value| value.to_bits()).collect::<BTreeSet<u64>>().len()
+}
+
+/// Size of the change of energy of two coupled masses over 3 steps, and of a fall over 100.
+pub fn energy_change_under(theta: &Rational) -> Rational {
+    let (system, start) = coupled_pair();
+    let mut now = start.clone();
+    for _ in 0..3 {
+        now = system.step(&now, theta, &ratio(1, 10)).0;
+    }
+    let gravity_only = LinearSystem::scalar(ratio(1, 1), ratio(0, 1), ratio(-981, 100));
+    let mut falling = phase(ratio(1, 1), ratio(0, 1));
+    let before = gravity_only.energy(&falling);
+    for _ in 0..100 {
+        falling = gravity_only.step(&falling, theta, &ratio(1, 100)).0;
+    }
+    let springs = system.energy(&now) - system.energy(&start);
+    let fall = gravity_only.energy(&falling) - before;
+    springs.magnitude() + fall.magnitude()
+}
+
+/// Change of energy of the pendulum over one step from (1.3, 0.7).
+pub fn pendulum_energy_change(h: f64) -> f64 {
+    let swing = Swing { angle: 1.3, rate: 0.7 };
+    swing.step(h).energy() - swing.energy()
+}
+
+/// (E − ½ m g h v)/E₀ of the elastic ball after 2000 steps with θ = 1.
+pub fn elastic_invariant() -> Rational {
+    let (ball, theta, h) = (ball(ratio(1, 1)), ratio(1, 1), ratio(1, 100));
+    let start = BallState { position: ratio(1, 1), velocity: ratio(0, 1) };
+    let end = (0..2000).fold(start.clone(), |now, _| ball.moreau_jean(&now, &theta, Activation::Gap, &h).motion);
+    ball.scheme_energy(&end, &theta, &h) / ball.energy(&start)
+}
+
+/// Kinetic energy after the first impact over that before it, e = 1/2, dropped from 1 m with h = 1/100 s.
+pub fn first_impact(theta: &Rational) -> Rational {
+    let (ball, h) = (ball(ratio(1, 2)), ratio(1, 100));
+    let mut now = BallState { position: ratio(1, 1), velocity: ratio(0, 1) };
+    loop {
+        let outcome = ball.moreau_jean(&now, theta, Activation::Gap, &h);
+        if outcome.impulse > ratio(0, 1) {
+            return ball.kinetic_energy(&outcome.motion.velocity) / ball.kinetic_energy(&now.velocity);
+        }
+        now = outcome.motion;
+    }
+}
+
+/// Largest difference of the velocities of a tower, 10 cold sweeps a step, between θ = ½ and θ = 1 over 100 steps \[m/s\].
+pub fn effect_of_theta_on_a_tower() -> Result<f64> {
+    let tower = Tower { bodies: 5, gravity: GRAVITY };
+    let run = |theta: f64| tower.simulate(&Sweeps::cold(10), theta, 0.01, 100);
+    let (half, one) = (run(0.5)?, run(1.0)?);
+    let pairs = half.samples.iter().zip(&one.samples);
+    Ok(pairs.map(|(a, b)| (&a.velocity - &b.velocity).amax()).fold(0.0, f64::max))
+}
