@@ -7,6 +7,7 @@ pub(super) mod drake;
 pub(super) mod facts;
 pub(super) mod identifiers;
 pub(super) mod mujoco;
+pub(super) mod planar_step;
 pub(super) mod push_out;
 pub(super) mod repositories;
 pub(super) mod rod;

@@ -10,8 +10,8 @@ use crate::certificate::residuals;
 use crate::claims::prelude::*;
 use crate::problem::{ContactProblem, Law};
 use crate::solvers::{AlternatingDirections, ContactSolver, LemkePivoting, ProjectedGaussSeidel};
-use crate::tolerance::cli::CERTIFY;
 use crate::tolerance::claims::pathology as tolerance;
+use crate::tolerance::cli::CERTIFY;
 use crate::tolerance::solvers::STOP;
 
 pub(super) const CLAIMS: &[Claim] = &[Claim {

@@ -1,9 +1,9 @@
 //! What simulators have in common, and by how much they differ on one scene.
 
 use crate::claims::experiments::creep::Creeping;
+use crate::claims::experiments::planar_step::Block;
 use crate::claims::experiments::soft::{default_contact, land, rebound};
 use crate::claims::prelude::*;
-use crate::claims::s5::planar_step::Block;
 use crate::closed_forms::mujoco_normal::spring_damper_restitution;
 use crate::elimination::solve;
 use crate::exact_particle::{Ball, BallState};

@@ -1,6 +1,6 @@
 //! Claims of §5 on the price of the relaxation: creep where a block should stick, and what really happens.
 
-use super::planar_step::{Block, magnitude};
+use crate::claims::experiments::planar_step::{Block, magnitude};
 use crate::claims::prelude::*;
 use crate::problem::Law;
 
@@ -203,9 +203,8 @@ fn proportional_to_h(reading: Reading) -> Result<Vec<Finding>> {
     let h = ratio(1, 100);
     // R_t, or one that grows as 1/h and is the same at h = 1/100
     let softness_at = |h: &Rational| reading.only(2).pick(softness(), softness() / (ratio(100, 1) * h));
-    let creep = |friction: Rational, h: &Rational| {
-        softened_creep(Block { tangential_softness: softness_at(h), ..Block::at_rest(friction) }, h)
-    };
+    let creep =
+        |friction: Rational, h: &Rational| softened_creep(Block { tangential_softness: softness_at(h), ..Block::at_rest(friction) }, h);
     let lower = || reading.only(1).pick(ratio(1, 1), ratio(1, 2));
     let of_h = |h: &Rational| creep(ratio(1, 1), h);
     let between = creep(lower(), &h)? / creep(ratio(2, 1), &h)?;

@@ -3,12 +3,12 @@
 use crate::claims::experiments::soft::{GRAVITY, land, limited_contact, unlimited_contact};
 use crate::claims::prelude::*;
 use crate::claims::s8::spring::{SEMI_IMPLICIT, both_sides, is_stable, matrix, powers_at};
+use crate::closed_forms::mujoco_normal::NormalContact;
 use crate::closed_forms::soft_impedance::SoftImpedance;
 use crate::closed_forms::soft_reference::SoftReference;
 use crate::closed_forms::spring_damper as closed;
-use crate::closed_forms::mujoco_normal::NormalContact;
-use crate::integrators::{SpringDamper, Theta};
 use crate::integrators::stability::{Powers, invariants, spectral_radius};
+use crate::integrators::{SpringDamper, Theta};
 use crate::tolerance::claims::pathology as tolerance;
 use crate::tolerance::rounding;
 
@@ -59,7 +59,7 @@ pub const CLAIMS: &[Claim] = &[
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "For dampratio 1. Since ω₀ = 1/(timeconst · dampratio), timeconst < 2h means ω₀ > 1/(2h · dampratio).",
-        argument: "h = 1: timeconst = 3, dampratio 1/2: ω₀ = 2/3 > 1/2 although timeconst ≥ 2h; timeconst = 1, dampratio 4: ω₀ = 1/4 < 1/2 \
+        argument: "h = 1: timeconst = 3, dampratio 1/2: ω₀ > 1/(2h) although timeconst ≥ 2h; timeconst = 1, dampratio 4: ω₀ < 1/(2h) \
             although timeconst < 2h. With dampratio 1, timeconst 199/100 and 201/100 lie on the two sides.",
         controls: &[
             "dampratio 1 in place of 1/2 and 4.",
