@@ -34,6 +34,8 @@ pub const REPEATS: &[(&str, &str)] = &[
     ("S6.steps-per-period", "S6.solref-meaning"),
     ("S6.mjx-gradients", "S6.smooth-everywhere"),
     ("S6.cone-softened", "S6.smooth-everywhere"),
+    ("S6.semi-implicit-update", "S8.semi-much-better"),
+    ("S6.solver-dependence", "S6.same-optimum"),
     ("S11.impulse-infinite", "S11.bv"),
     ("S11.ex3", "S11.reflection-symplectic"),
     ("S3.theta-mid", "S3.energy-one"),

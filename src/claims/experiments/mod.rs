@@ -12,6 +12,7 @@ pub(super) mod mujoco;
 pub(super) mod painleve;
 pub(super) mod pendulum;
 pub(super) mod polygon;
+pub(super) mod planar_step;
 pub(super) mod push_out;
 pub(super) mod releases;
 pub(super) mod repositories;

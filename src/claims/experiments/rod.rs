@@ -2,8 +2,8 @@
 //!
 //! Coordinates in which its mass matrix is the identity: W = H Hᵀ with H = (3/2, 1/2; −1/2, −3/2) and v⁻ = (−3/5, −1/5).
 
+use super::planar_step::PlanarStep;
 use crate::Result;
-use crate::claims::s5::planar_step::PlanarStep;
 use crate::problem::Law;
 use crate::scalar::{Rational, ratio};
 use crate::schemes::RestitutionRule;

@@ -1,7 +1,7 @@
 //! Claims of the front matter on the convex relaxation: the project's module B and its scenes, the table of misconceptions.
 
+use crate::claims::experiments::planar_step::Block;
 use crate::claims::prelude::*;
-use crate::claims::s5::planar_step::Block;
 use crate::closed_forms::bouncing_ball::BouncingBall;
 use crate::mechanics::{PointMass, State};
 use crate::problem::{Compliance, Coordinates, Law, Lcp};

@@ -1,7 +1,7 @@
 //! Row 7: another solver or simulator, another result.
 
+use crate::claims::experiments::planar_step::{Block, painleve_rod};
 use crate::claims::prelude::*;
-use crate::claims::s5::planar_step::{Block, painleve_rod};
 use crate::problem::{Law, Lcp};
 use crate::solvers::enumeration::all_solutions;
 

@@ -1,7 +1,7 @@
 //! Claims of §12 on exercise 3: the worked example as a convex program, and a tangential direction beside it.
 
+use crate::claims::experiments::planar_step::{Block, PlanarStep};
 use crate::claims::prelude::*;
-use crate::claims::s5::planar_step::{Block, PlanarStep};
 use crate::problem::{Law, Lcp};
 use crate::solvers::lemke::solution;
 

@@ -1,6 +1,6 @@
 //! The projection on the friction cone, its dual, and derivatives of solutions – in the plane, where all of it is rational.
 
-use super::planar_step::PlanarStep;
+use crate::claims::experiments::planar_step::PlanarStep;
 use crate::claims::prelude::*;
 use crate::cones::second_order::project;
 use crate::cones::{Case, decide};

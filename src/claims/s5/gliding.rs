@@ -1,6 +1,6 @@
 //! Claims of §5 on the price of the relaxation: creep where a block should stick, and what really happens.
 
-use super::planar_step::{Block, magnitude};
+use crate::claims::experiments::planar_step::{Block, magnitude};
 use crate::claims::prelude::*;
 use crate::problem::Law;
 

@@ -34,7 +34,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::False,
         kind: Kind::Citation,
         severity: Some(Severity::WrongStatement),
-        evidence: Evidence::Cited,
+        evidence: Evidence::Measured,
         correct_statement: "The paper of 2011 has an iterated fixed point with separable projections, which its abstract calls a \
             contractive mapping. Accelerated gradients for these problems came with Mazhar, Heyn, Negrut and Tasora (2015). That they are \
             in Chrono is so.",
@@ -96,7 +96,7 @@ fn journal(reading: Reading) -> Result<Vec<Finding>> {
     let claimed = ["2006", "105", reading.pick("113", "131")];
     let numbers = |record: &'static str| record.split(|letter: char| !letter.is_ascii_digit());
     let agrees = |record: &&&'static str| claimed.iter().all(|number| numbers(record).any(|other| other == *number));
-    Ok(vec![Finding::count("records, of two, with this year, volume and page", RECORDS.iter().filter(agrees).count(), 2)])
+    Ok(vec![Finding::count("records, of two, with this year, volume and page", RECORDS.iter().filter(agrees).count(), 2).looked_up()])
 }
 
 /// How others cite the paper: Drake's documentation of contact models, and a kernel of waLBerla.
@@ -110,8 +110,10 @@ fn contraction(reading: Reading) -> Result<Vec<Finding>> {
     let accelerated = grown(&problem, reading.only(0).pick(Momentum::Nesterov, Momentum::Plain))?;
     let plain = grown(&problem, reading.only(1).pick(Momentum::Plain, Momentum::Nesterov))?;
     Ok(vec![
-        Finding::decision("the accelerated iteration moves away from the solution at times", accelerated > 0, true).says(false),
-        Finding::count("iterations of the plain one that do", plain, 0),
+        Finding::decision("the accelerated iteration moves away from the solution at times", accelerated > 0, true)
+            .experiment()
+            .says(false),
+        Finding::count("iterations of the plain one that do", plain, 0).experiment(),
     ])
 }
 
@@ -129,10 +131,10 @@ fn users(reading: Reading) -> Result<Vec<Finding>> {
     let [round, polyhedral] =
         reading.only(1).pick(["FRICTION_3D_SOCLCP", "FRICTION_3D_GAMS_LCP_PATH"], ["mjCONE_ELLIPTIC", "mjCONE_PYRAMIDAL"]);
     Ok(vec![
-        Finding::at_least("rise of Drake's block with its speed, over that of the relaxation", rise(run)?, FOLLOWS, "1"),
+        Finding::at_least("rise of Drake's block with its speed, over that of the relaxation", rise(run)?, FOLLOWS, "1").experiment(),
         Finding::decision("Chrono poses the associated law over round cones", law("chrono")? == relaxed, true).context(),
-        Finding::decision("Siconos solves over second-order cones", siconos.solves_with(round), true),
-        Finding::decision("Siconos solves over polyhedral cones", siconos.solves_with(polyhedral), true),
+        Finding::decision("Siconos solves over second-order cones", siconos.solves_with(round), true).looked_up(),
+        Finding::decision("Siconos solves over polyhedral cones", siconos.solves_with(polyhedral), true).looked_up(),
     ])
 }
 

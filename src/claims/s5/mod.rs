@@ -8,7 +8,6 @@ mod gliding;
 mod gradient;
 mod literature;
 mod nonconvexity;
-pub(in crate::claims) mod planar_step;
 mod program;
 mod vanishing;
 

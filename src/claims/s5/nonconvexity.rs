@@ -1,8 +1,8 @@
 //! Claims of §5 on what the relaxation buys: convex solution sets, uniqueness, derivatives, and its independence of the shape of the cone.
 
 use super::cone::{euclidean, one_sided};
-use super::planar_step::{PlanarStep, box_on_two_corners, painleve_rod};
 use crate::certificate::residuals;
+use crate::claims::experiments::planar_step::{PlanarStep, box_on_two_corners, magnitude, painleve_rod};
 use crate::claims::prelude::*;
 use crate::problem::{ContactProblem, Law, Lcp};
 use crate::scalar::exact;
@@ -134,7 +134,7 @@ fn is_coulomb(step: &PlanarStep, impulse: &DVector<Rational>) -> bool {
     let y = step.law_velocity(impulse);
     let mut corrected = step.clone();
     for (contact, mu) in step.friction.iter().enumerate() {
-        corrected.shift[2 * contact] += mu.clone() * super::planar_step::magnitude(&y[2 * contact + 1]);
+        corrected.shift[2 * contact] += mu.clone() * magnitude(&y[2 * contact + 1]);
     }
     corrected.is_cone_complementary(impulse)
 }

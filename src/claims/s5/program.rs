@@ -1,7 +1,7 @@
 //! Claims of §5 on the convex program of one step: its form, its optimality conditions and the uniqueness of its solution.
 
-use super::planar_step::{PlanarStep, box_on_two_corners};
 use crate::certificate::definiteness::{Definiteness, definiteness};
+use crate::claims::experiments::planar_step::{PlanarStep, box_on_two_corners, magnitude};
 use crate::claims::prelude::*;
 use crate::problem::Law;
 use crate::solvers::enumeration::all_solutions;
@@ -234,7 +234,7 @@ fn elimination(reading: Reading) -> Result<Vec<Finding>> {
     for k in 0..12i64 {
         let impulse = DVector::from_fn(4, |i, _| ratio((7 * k + 3 * i as i64) % 11 - 5, 4 + i as i64));
         let primal = kinetic(&step.velocity(&impulse)) - kinetic(&step.free_velocity) + gap_rate.dot(&impulse);
-        let difference = super::planar_step::magnitude(&(primal - step.objective(&impulse)));
+        let difference = magnitude(&(primal - step.objective(&impulse)));
         largest = if difference > largest { difference } else { largest };
     }
     Ok(vec![Finding::exact("largest difference of the two objectives", &largest, &ratio(0, 1), "J")])

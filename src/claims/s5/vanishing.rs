@@ -1,6 +1,6 @@
 //! Claims of §5 on h → 0: what vanishes, what does not, and what the relaxation converges to.
 
-use super::planar_step::Block;
+use crate::claims::experiments::planar_step::Block;
 use crate::claims::prelude::*;
 use crate::problem::Law;
 

@@ -12,7 +12,11 @@ use crate::schemes::{Activation, Anitescu, MoreauJean, StewartTrinkle, Waist, as
 use crate::solvers::gauss::{GaussProgram, Minimiser, SoftPiece};
 use crate::solvers::{ContactSolver, Direction, GaussConjugateGradient, GaussNewton, GaussSweeps};
 use crate::tolerance::claims::soft::{COUNTED, FEW, INDISTINGUISHABLE, ITERATES, LOW, SAME_LEVER, SOLVED, TOUCH};
+<<<<<<< HEAD
 use crate::tolerance::claims::thresholds::{DIFFERENT, MORE_WORK, SQUARINGS};
+=======
+use crate::tolerance::rounding;
+>>>>>>> cc
 
 const SOURCE: &str = "MuJoCo documentation, Computation: solver algorithms (3.17)";
 
@@ -74,7 +78,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
-        evidence: Evidence::Cited,
+        evidence: Evidence::Certified,
         correct_statement: "As stated.",
         argument: "That MuJoCo does it is read from its source (engine_solver.c, solPGS). That the two substeps suffice is shown by ours: \
             from zero to the optimum of the stored sliding block, by the certificate; one sweep does not get there.",
@@ -123,7 +127,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Multiplications until the change of velocity is right to a low accuracy, a tenth, and to a high one, counted from \
             iterations, rows n and velocities n_v: n²n_v once and n²/2 per sweep for PGS, n n_v² + n_v³/3 per Newton step, 2n n_v + n_v² \
             per step of CG. A stack of ten boxes costs PGS more than twice what CG needs, a single ball less.",
-        controls: &["The stack and the ball exchanged."],
+        controls: &["The ball in place of the stack.", "A stack of five in place of either."],
         sources: &["chapter §6, pitfall on solvers", SOURCE],
         check: work,
     },
@@ -254,13 +258,15 @@ fn piecewise_quadratic(reading: Reading) -> Result<Vec<Finding>> {
         SoftPiece::OneSided { .. } => piece.curvature(&[-1.0 - second])[(0, 0)],
         SoftPiece::Cone { .. } => piece.curvature(&[-0.1, 1.0, second])[(2, 2)],
     };
-    let same = |piece: &SoftPiece| bend(piece, 0.5) == bend(piece, 0.75);
+    let change = |piece: &SoftPiece| (bend(piece, 0.5) - bend(piece, 0.75)).abs();
+    // curvatures are at most 1/R
+    let bound = rounding(16, 1.0 / 0.02);
     let (slipping, pressed) = reading.pick((&cone, &row), (&row, &cone));
     Ok(vec![
-        Finding::decision("curvature of a slipping contact is the same all over its zone", same(slipping), false)
-            .says(true)
+        Finding::at_least("change of curvature in its zone, slipping contact", change(slipping), bound, "kg")
+            .says_at_most(bound)
             .violating("no slip on a round cone"),
-        Finding::decision("curvature of a one-sided row is", same(pressed), true),
+        Finding::equal("change of curvature in its zone, one-sided row", change(pressed), 0.0, bound, "kg"),
     ])
 }
 
@@ -371,18 +377,29 @@ fn multiplications(problem: &ContactProblem, accuracy: f64) -> Result<f64> {
 }
 
 fn work(reading: Reading) -> Result<Vec<Finding>> {
-    let (ball, stack) = (soft_stack::ball(Cone::Elliptic)?, soft_stack::problem(10, 1.0, Cone::Pyramidal)?);
-    let (many, single) = reading.pick((&stack, &ball), (&ball, &stack));
+    let ball = soft_stack::ball(Cone::Elliptic)?;
+    let many = match reading {
+        Reading::Control(0) => ball.clone(),
+        _ => soft_stack::problem(reading.only(1).pick(10, 5), 1.0, Cone::Pyramidal)?,
+    };
+    let single = match reading {
+        Reading::Control(1) => many.clone(),
+        _ => ball,
+    };
     let mut findings = Vec::new();
     for accuracy in [LOW, COUNTED] {
         let name = |model: &str| format!("multiplications of sweeps over the least of the others, to {accuracy:.0e}, {model}");
         findings.push(
+<<<<<<< HEAD
             Finding::at_least(name("stack"), multiplications(many, accuracy)?, MORE_WORK, "1")
+=======
+            Finding::at_least(name("stack"), multiplications(&many, accuracy)?, 2.0, "1")
+>>>>>>> cc
                 .experiment()
                 .says_at_most(1.0)
                 .violating("few contacts"),
         );
-        findings.push(Finding::at_most(name("one ball"), multiplications(single, accuracy)?, 1.0, "1").experiment());
+        findings.push(Finding::at_most(name("one ball"), multiplications(&single, accuracy)?, 1.0, "1").experiment());
     }
     let default = facts()?.number(&["stated", "defaults", "timestep"])?;
     findings.push(Finding::equal("time step", STEP, default, 0.0, "s").context());

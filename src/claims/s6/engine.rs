@@ -78,7 +78,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Path,
         severity: None,
-        evidence: Evidence::Measured,
+        evidence: Evidence::Cited,
         correct_statement: "As stated. With damping at joints Euler is not the textbook's rule with forces at the old velocity: dampers \
             are implicit. There are also implicit and, in newer versions, discrete.",
         argument: "integrator = 0 = Euler; implicitfast and RK4 are in the list. The stored fall has q⁺ − q − h v⁺ = 0. A mass of 1 kg at \

@@ -98,8 +98,8 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Measured by the depth at rest: against Siconos, whose contact is rigid, always. Against SAP with MuJoCo's \
             defaults and 1e5 N/m: both are soft, by parameters, and either can be made the softer one. (The force at rest is the weight in \
             all three.)",
-        argument: "Depth of 1 kg on one contact: 3.67e-4 m in MuJoCo by default, 9.81e-5 m in SAP with 1e5 N/m, 0 after 100 rigid steps of \
-            Moreau–Jean in rationals; with solref (−10⁶, −10³) MuJoCo's is smaller than SAP's.",
+        argument: "Depth of 1 kg on one contact: 3.67e-4 m in MuJoCo by default, 9.81e-5 m in SAP with 1e5 N/m, 0 after a hundred rigid \
+            steps of Moreau–Jean in rationals; with solref (−10⁶, −10³) MuJoCo's is smaller than SAP's.",
         controls: &[
             "MuJoCo's default in both comparisons.",
             "SAP with 1e4 N/m, and a start 1 mm deep, which a velocity-level scheme keeps.",

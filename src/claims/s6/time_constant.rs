@@ -59,7 +59,7 @@ pub const CLAIMS: &[Claim] = &[
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "For dampratio 1. Since ω₀ = 1/(timeconst · dampratio), timeconst < 2h means ω₀ > 1/(2h · dampratio).",
-        argument: "h = 1: timeconst = 3, dampratio 1/2: ω₀ = 2/3 > 1/2 although timeconst ≥ 2h; timeconst = 1, dampratio 4: ω₀ = 1/4 < 1/2 \
+        argument: "h = 1: timeconst = 3, dampratio 1/2: ω₀ > 1/(2h) although timeconst ≥ 2h; timeconst = 1, dampratio 4: ω₀ < 1/(2h) \
             although timeconst < 2h. With dampratio 1, timeconst 199/100 and 201/100 lie on the two sides.",
         controls: &[
             "dampratio 1 in place of 1/2 and 4.",

@@ -1,4 +1,4 @@
-//! One planar step in exact rationals, under the associated law or under Coulomb's, for the checks of this section.
+//! One planar step in exact rationals, under the associated law or under Coulomb's, for the checks of several sections.
 //!
 //! ```text
 //!     v⁺ = v_free + M⁻¹Hᵀr ,   y = H v⁺ + (φ/h) n + R r
@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// The data of one step; rows of H in the order (n, t) per contact.
 #[derive(Clone, Debug)]
-pub(in crate::claims) struct PlanarStep {
+pub struct PlanarStep {
     /// Diagonal of M \[kg\].
     pub mass: Vec<Rational>,
     /// H.
@@ -31,7 +31,7 @@ pub(in crate::claims) struct PlanarStep {
 
 /// Impulses and the velocity after the step.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::claims) struct Answer {
+pub struct Answer {
     /// r \[N·s\].
     pub impulse: DVector<Rational>,
     /// v⁺ \[m/s\].
@@ -131,13 +131,13 @@ impl PlanarStep {
 }
 
 /// |x|.
-pub(in crate::claims) fn magnitude(x: &Rational) -> Rational {
+pub fn magnitude(x: &Rational) -> Rational {
     crate::scalar::Scalar::magnitude(x)
 }
 
 /// A block (as a point of unit mass) on a slope, stepped exactly; gravity 10 m/s².
 #[derive(Clone, Debug)]
-pub(in crate::claims) struct Block {
+pub struct Block {
     /// Acceleration into the slope \[m/s²\].
     pub normal_gravity: Rational,
     /// Acceleration down the slope \[m/s²\].
@@ -191,7 +191,7 @@ impl Block {
 /// A box of unit mass, 2 m wide and 1 m high, inertia ⅓ kg·m², on its two lower corners: velocities (x, y, ω).
 ///
 /// Both corners have the tangential row (1, 0, ½): the impulse (0, 1, 0, −1) moves nothing.
-pub(in crate::claims) fn box_on_two_corners(free_velocity: [Rational; 3], friction: Rational) -> PlanarStep {
+pub fn box_on_two_corners(free_velocity: [Rational; 3], friction: Rational) -> PlanarStep {
     let row = |a: i64, b: i64, c: (i64, i64)| [ratio(a, 1), ratio(b, 1), ratio(c.0, c.1)];
     let rows = [row(0, 1, (-1, 1)), row(1, 0, (1, 2)), row(0, 1, (1, 1)), row(1, 0, (1, 2))];
     PlanarStep {
@@ -207,7 +207,7 @@ pub(in crate::claims) fn box_on_two_corners(free_velocity: [Rational; 3], fricti
 /// Painlevé's rod (unit mass and half-length, cos θ = 4/5) sliding at −1 m/s while its tip separates at 1/10 m/s.
 ///
 /// W = (73, −36; −36, 52)/25. With μ > 73/36 Coulomb's step has three solutions: none, a jam that slides on, a jam that sticks.
-pub(in crate::claims) fn painleve_rod(friction: Rational) -> PlanarStep {
+pub fn painleve_rod(friction: Rational) -> PlanarStep {
     // velocities (x, y, ω), tip at (−4/5, −3/5) from the centre, inertia 1/3
     let rows = [[ratio(0, 1), ratio(1, 1), ratio(-4, 5)], [ratio(1, 1), ratio(0, 1), ratio(3, 5)]];
     PlanarStep {
