@@ -18,7 +18,7 @@ fn another_activation_rule_is_not_siconos_s() {
     for (activation, same) in [(Activation::HalfStepForecast, true), (Activation::Gap, false), (Activation::FreeVelocityForecast, false)] {
         let scheme = MoreauJean { activation, ..MoreauJean::default() };
         let used = run.deviations(&scheme).expect("steps").map(|apart| apart / run.tolerance());
-        println!("{activation:?}: position, velocity and impulse use {used:.1e?} of the bound");
+        println!("{activation:?}: position, velocity and impulse use {used:?} of the bound");
         assert_eq!(used.iter().all(|one| *one <= 1.0), same, "{activation:?}: {used:?} of the bound");
     }
 }
