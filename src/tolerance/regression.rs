@@ -16,10 +16,11 @@ use moreau_checks::Expectation;
 /// Required: of every number that uses a bound, by the next one to change the program.
 pub const TIMES: f64 = 10.0;
 
-/// The regression bound of an expectation whose stored share is `stored`, as a share of the derived bound; `None` if a mistake of twice that
+/// The regression bound where `stored` is the stored share, as a share of the derived bound; `None` if a mistake of twice that
 /// breaks the derived bound too.
 ///
-/// The floor is the rounding of 32 operations on numbers of the size of what is compared: even a distance of 0 is not 0 on a processor that rounds elementary functions or fused products otherwise.
+/// The floor is the rounding of 32 operations on numbers of the size of what is compared: even a distance of 0 is not 0 on a processor
+/// that rounds elementary functions or fused products otherwise.
 /// Measured: scripts/measure_regression.py, which stores the shares.
 pub fn share(expectation: &Expectation, stored: f64) -> Option<f64> {
     let floor = rounding(32, expectation.value.abs().max(1.0)) / expectation.size();
