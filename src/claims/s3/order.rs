@@ -58,10 +58,10 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Certified,
         correct_statement: "As stated, for smooth motions: on linear systems the θ = 1/2 step preserves area; on nonlinear ones it does \
             not, but it is conjugate to the midpoint rule, which does, and so behaves like it.",
-        argument: "The step is (I − hf/2)⁻¹∘(I + hf/2), so its Jacobian determinant is (1 + h²V''(q)/4)/(1 + h²V''(q⁺)/4) for q̈ = \
-            −V'(q): exactly 1 for the oscillator, 1.00016 for the pendulum at (1.3, 0.7), h = 0.1. Conjugating with half a step swaps \
-            the factors and gives the midpoint rule, of determinant 1. Pendulum, h = 0.1, 200 times 100 steps: the largest |E − E₀| of the last \
-            100 is that of the first 100, which take it to and fro.",
+        argument: "The step is (I − hf/2)⁻¹∘(I + hf/2), so its Jacobian determinant is (1 + h²V''(q)/4)/(1 + h²V''(q⁺)/4) for q̈ = −V'(q): \
+            exactly 1 for the oscillator, 1.00016 for the pendulum at (1.3, 0.7), h = 0.1. Conjugating with half a step swaps the factors \
+            and gives the midpoint rule, of determinant 1. Pendulum, h = 0.1, 200 times 100 steps: the largest |E − E₀| of the last 100 is \
+            that of the first 100, which take it to and fro.",
         controls: &["θ = 1."],
         sources: &["chapter §3, essential insight on θ", "Hairer, Lubich, Wanner, Geometric Numerical Integration, VI.8"],
         check: area,

@@ -31,9 +31,9 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S4.painleve-atom",
-        statement: "(Stewart 1998) The limit h → 0 of Stewart–Trinkle solutions exists (§4: of a subsequence) but contains impulsive atoms, \
-            “impact without collision”: in a Painlevé configuration the system produces an instantaneous impulse by itself; time stepping \
-            delivers this measure solution automatically.",
+        statement: "(Stewart 1998) The limit h → 0 of Stewart–Trinkle solutions exists (§4: of a subsequence) but contains impulsive \
+            atoms, “impact without collision”: in a Painlevé configuration the system produces an instantaneous impulse by itself; time \
+            stepping delivers this measure solution automatically.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
@@ -41,9 +41,9 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "Where no sliding force exists the step has one solution, whose impulse does not vanish with h: P_n = \
             |W_nt||v_t|/det W, P_t = W_nn|v_t|/det W, and the end sticks. Where two forces exist the step has three solutions, and the \
             solver's pivoting rule decides whether there is an atom.",
-        argument: "cos = 3/5, μ = 2, v_t = −1, gravity 9.81, h = 1/100, then a hundredth of it twice: one solution each, P = W⁻¹(g h, 1) → (9/25, \
-            13/25). At the last h P = (0.3600072, 0.5200035). With an upward normal free velocity, where two sliding forces exist (a Painlevé \
-            configuration as well): 3 solutions (open, sliding, impact).",
+        argument: "cos = 3/5, μ = 2, v_t = −1, gravity 9.81, h = 1/100, then a hundredth of it twice: one solution each, P = W⁻¹(g h, 1) → \
+            (9/25, 13/25). At the last h P = (0.3600072, 0.5200035). With an upward normal free velocity, where two sliding forces exist \
+            (a Painlevé configuration as well): 3 solutions (open, sliding, impact).",
         controls: &["μ = 1 < μ_P: the impulse is of order h and there is no atom."],
         sources: &["chapter §4, resolution of Painlevé's paradox", "Stewart 1998 (not read)"],
         check: atom,

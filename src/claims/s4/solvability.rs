@@ -40,11 +40,11 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "A step is solvable if bᵀλ ≥ 0 for all λ, β ≥ 0 with nλ + Dβ = 0 and Eᵀβ ≤ μλ (b = φ/h); in particular if all \
             gaps are ≥ 0 (any μ, redundancy, jamming) or the friction cone is pointed (any gap). Otherwise it may be feasible and \
             unsolvable.",
-        argument: "One contact with n = 3/5, d = ±4/5 on a unit mass with one velocity, μ = 1, φ/h = −1: q = (−1, 0, 0, 0). z = (3, 0, 0, 2) is feasible, none of the \
-            complementary cones contains q, and Lemke ends on a ray: to separate, friction must point against the motion, and β₂ = λ takes \
-            back 4/5 of every 3/5 that λ gives. A point in a wedge with normals (±4/5, 3/5) and φ = −h on both sides is solvable for μ = \
-            7/10 and not for μ = 3/4. Newton's law on the normal alone (φ = 0, e = 1/2, v = −1, so q = (−9/10, −4/5, 4/5, 0)) is \
-            unsolvable with the same matrix; with e on the full vector it is solvable.",
+        argument: "One contact with n = 3/5, d = ±4/5 on a unit mass with one velocity, μ = 1, φ/h = −1: q = (−1, 0, 0, 0). z = (3, 0, 0, \
+            2) is feasible, none of the complementary cones contains q, and Lemke ends on a ray: to separate, friction must point against \
+            the motion, and β₂ = λ takes back 4/5 of every 3/5 that λ gives. A point in a wedge with normals (±4/5, 3/5) and φ = −h on \
+            both sides is solvable for μ = 7/10 and not for μ = 3/4. Newton's law on the normal alone (φ = 0, e = 1/2, v = −1, so q = \
+            (−9/10, −4/5, 4/5, 0)) is unsolvable with the same matrix; with e on the full vector it is solvable.",
         controls: &[
             "No friction, μ = 0 in the jamming matrix and in the wedge: copositive-plus, and every step has a solution.",
             "In place of what can be solved: two walls that overlap, restitution of the normal alone, the wedge with μ = 3/4, a point \

@@ -20,7 +20,8 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Certified,
         correct_statement: "φ/h + ∇φᵀv⁺ ≥ 0, with a residual of O(h²) per step, −½h²v²/R on a circle of radius R.",
         argument: "A bead h/4 inside the unit circle that moves at 1 m/s along it and at 1 m/s towards it: the linearised constraint is \
-            met with 0 and the gap after the step is 1 − √(1 + h²) ∈ (−½h², −½h² + h⁴/8). A contact at φ = 1/4 with h = 1/64 enters the law with the shift φ/h = 16.",
+            met with 0 and the gap after the step is 1 − √(1 + h²) ∈ (−½h², −½h² + h⁴/8). A contact at φ = 1/4 with h = 1/64 enters the \
+            law with the shift φ/h = 16.",
         controls: &["Moreau–Jean, whose shift e·u_n does not contain the gap."],
         sources: &["chapter §4, step 1 of the construction"],
         check: linearised,

@@ -26,10 +26,9 @@ pub const CLAIMS: &[Claim] = &[
             exercise 2 \
             tells the overdamped case apart. The semi-implicit step of it decays if and only if, besides, 4αh + β²h² < 4: above that the \
             violation grows.",
-        argument: "Roots −α ± √(α² − β²). From φ̇ = 0 and β = 5/s, φ crosses zero nine times in 10 s for α = 4/s and never in 2 s for α = 6/s, \
-            and \
-            stays below its envelope. \
-            The step has determinant 1 − 2αh and trace 2 − 2αh − β²h²: for 2αh = 1, β²h² = 2 − 10⁻⁶ decays and 2 does not.",
+        argument: "Roots −α ± √(α² − β²). From φ̇ = 0 and β = 5/s, φ crosses zero nine times in 10 s for α = 4/s and never in 2 s for α = \
+            6/s, and stays below its envelope. The step has determinant 1 − 2αh and trace 2 − 2αh − β²h²: for 2αh = 1, β²h² = 2 − 10⁻⁶ \
+            decays and 2 does not.",
         controls: &["The equation without damping, α = 0, in place of α = 4/s.", "The sign of the damping wrong."],
         sources: &["chapter §9, constraint drift, (1)", "Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1"],
         check: equation,
@@ -58,8 +57,8 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::NotDecidable,
-        correct_statement: "Of the violation of a joint it is so: the bias lets it decay by 4/5 a step without oscillation. The motion that \
-            the joint allows is not flattened: on a circle it keeps the angular momentum exactly, and settles with more energy than \
+        correct_statement: "Of the violation of a joint it is so: the bias lets it decay by 4/5 a step without oscillation. The motion \
+            that the joint allows is not flattened: on a circle it keeps the angular momentum exactly, and settles with more energy than \
             projection leaves. How large a gap to a real robot is cannot be decided here.",
         argument: "Point on a circle, hv/R = 1/100, 10000 steps: bias −0.2 φ/h keeps the angular momentum and E/E₀ = 0.9995 and \
             stays h²v²/(2·0.2 R) outside; coordinate projection keeps 1/(1 + n h²v²/R²) = 1/2 of the energy. On a linear constraint the \

@@ -14,8 +14,8 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Path,
         severity: Some(Severity::Misprint),
         evidence: Evidence::Cited,
-        correct_statement: "The class is MoreauJeanCombinedProjectionOSI. It injects no energy but takes it: the step of an impact ends \
-            on φ = 0 from whatever height q it started, and an elastic ball loses m g q each time. And it moves bodies along H_nᵀ, not along \
+        correct_statement: "The class is MoreauJeanCombinedProjectionOSI. It injects no energy but takes it: the step of an impact ends on \
+            φ = 0 from whatever height q it started, and an elastic ball loses m g q each time. And it moves bodies along H_nᵀ, not along \
             M⁻¹H_nᵀ: the nearest place in the coordinates, not in the kinetic metric.",
         argument: "Siconos 4.4.0 has no class of the printed name. Elastic ball from 1 m, θ = 1/2: after 500 steps E/E₀ = 0.8778, \
             less by exactly Σ m g q over the steps that were projected. Masses 1, 2, 4 kg in a row: the moves by the projection add up to \
