@@ -3,17 +3,18 @@
 //! Ties in the ratio test are broken lexicographically on the rows of (q, B⁻¹), so in exact arithmetic no basis is
 //! visited twice and the path ends: at a solution of 0 ≤ z ⟂ M z + q ≥ 0, or on a secondary ray.
 //!
-//! With rounded numbers redundant contacts make bases that are singular up to rounding, and an updated tableau soon pivots on
-//! noise. There the tableau B⁻¹(I, −M, −d, q) is computed afresh from the data after every pivot, and entries below its
-//! error are zero. The problem should be scaled so that M and q have entries of order one.
+//! With rounded numbers the order of ties is lost where two rows that tie differ by rounding: the path then takes another row each time
+//! it comes by, and cycles. So every number that a choice rests on carries a bound of its error, computed afresh from the data at every
+//! basis, and rows tie that these bounds cannot tell apart. A ray is reported only if it satisfies its equations to the rounding of its
+//! own data. The problem should be scaled so that M and q have entries of order one.
 
+use super::lemke_tableau::Tableau;
 use crate::problem::{ImpulseLcp, Lcp};
-use crate::tolerance::solvers::{cancellation, lemke_pivot_limit, smallest_pivot, tableau_zero};
+use crate::tolerance::solvers::lemke_pivot_limit;
 use moreau_exact::scalar::{Rational, Scalar};
 use moreau_exact::witness::{Part, Witness, decided, rational};
-use moreau_exact::{Error, Result, elimination};
-use nalgebra::{DMatrix, DVector};
-use std::cmp::Ordering;
+use moreau_exact::{Error, Result};
+use nalgebra::DVector;
 
 /// How the path of Lemke's method ended.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,7 +46,7 @@ pub enum LemkeOutcome<T: Scalar> {
 ///
 /// # Errors
 /// [`Error::Invalid`] if d has the wrong size or an entry that is not positive, or if M or q is not finite;
-/// [`Error::Solver`] if rounding makes the path cycle or a basis singular (never over exact rationals).
+/// [`Error::Solver`] if rounding makes the path cycle, a basis singular or a ray doubtful (never over exact rationals).
 ///
 /// # Source
 /// Cottle, Pang, Stone, *The Linear Complementarity Problem*, chapter 4 (Lemke's method, lexicographic degeneracy resolution).
@@ -71,17 +72,20 @@ fn follow<T: Scalar>(lcp: &Lcp<T>, covering: &DVector<T>) -> Result<LemkeOutcome
         return Ok(LemkeOutcome::Solution { z: DVector::from_element(size, T::zero()), pivots: 0 });
     }
     let mut tableau = Tableau::new(lcp, covering);
-    let mut row = tableau.first_row(covering);
     let mut entering = tableau.artificial();
+    let mut column = tableau.column(entering);
+    let mut row = tableau.first_row(covering);
     for pivots in 1..=lemke_pivot_limit::<T>(size) {
-        let leaving = tableau.pivot(row, entering)?;
-        if tableau.artificial_is_zero() {
-            return Ok(LemkeOutcome::Solution { z: tableau.solution()?, pivots });
+        let leaving = tableau.pivot(row, entering, &column)?;
+        let right_side = tableau.right_side();
+        if tableau.artificial_is_zero(&right_side) {
+            return Ok(LemkeOutcome::Solution { z: tableau.solution(&right_side), pivots });
         }
         entering = tableau.complement(leaving);
-        match tableau.ratio_test(entering) {
+        column = tableau.column(entering);
+        match tableau.ratio_test(&right_side, &column) {
             Some(next) => row = next,
-            None => return Ok(tableau.ray(entering, pivots)),
+            None => return tableau.ray(&right_side, entering, &column, pivots),
         }
     }
     let limit = lemke_pivot_limit::<T>(size);
@@ -147,166 +151,11 @@ fn is_finite<T: Scalar>(x: &T) -> bool {
     (x.clone() - x.clone()).is_zero()
 }
 
-/// B⁻¹ (I, −M, −d, q) with the names of its basic variables: w is 0..n, z is n..2n, z₀ is 2n.
-struct Tableau<T: Scalar> {
-    data: DMatrix<T>,
-    entries: DMatrix<T>,
-    basis: Vec<usize>,
-}
-
-impl<T: Scalar> Tableau<T> {
-    fn new(lcp: &Lcp<T>, covering: &DVector<T>) -> Self {
-        let size = lcp.size();
-        let data = DMatrix::from_fn(size, 2 * size + 2, |i, j| match j {
-            j if j < size => T::ratio(i64::from(i == j), 1),
-            j if j < 2 * size => -lcp.matrix[(i, j - size)].clone(),
-            j if j == 2 * size => -covering[i].clone(),
-            _ => lcp.vector[i].clone(),
-        });
-        Tableau { entries: data.clone(), data, basis: (0..size).collect() }
-    }
-
-    fn size(&self) -> usize {
-        self.basis.len()
-    }
-
-    fn artificial(&self) -> usize {
-        2 * self.size()
-    }
-
-    fn complement(&self, variable: usize) -> usize {
-        if variable < self.size() { variable + self.size() } else { variable - self.size() }
-    }
-
-    fn right_side(&self, row: usize) -> &T {
-        &self.entries[(row, 2 * self.size() + 1)]
-    }
-
-    /// The row whose w leaves when z₀ enters: lexicographic minimum of (q, I)ᵢ / dᵢ, after which every row is positive.
-    fn first_row(&self, covering: &DVector<T>) -> usize {
-        let rows = 0..self.size();
-        rows.min_by(|&i, &k| self.compare(i, &covering[i], k, &covering[k])).expect("a problem with a negative q has a row")
-    }
-
-    /// Row of the lexicographically smallest ratio (q, B⁻¹)ᵢ / aᵢ over the positive entries a of a column.
-    fn ratio_test(&self, column: usize) -> Option<usize> {
-        let scale =
-            self.entries.column(column).iter().fold(T::one(), |largest, x| if x.magnitude() > largest { x.magnitude() } else { largest });
-        let floor = smallest_pivot::<T>() * scale;
-        let rows = (0..self.size()).filter(|&i| self.entries[(i, column)] > floor);
-        rows.min_by(|&i, &k| self.compare(i, &self.entries[(i, column)], k, &self.entries[(k, column)]))
-    }
-
-    /// Lexicographic order of (q, B⁻¹)ᵢ / aᵢ and (q, B⁻¹)ₖ / aₖ for positive aᵢ, aₖ.
-    fn compare(&self, i: usize, a_i: &T, k: usize, a_k: &T) -> Ordering {
-        let columns = std::iter::once(2 * self.size() + 1).chain(0..self.size());
-        for j in columns {
-            let (left, right) = (self.entries[(i, j)].clone() * a_k.clone(), self.entries[(k, j)].clone() * a_i.clone());
-            match difference(left, right, self.size()).partial_cmp(&T::zero()) {
-                Some(Ordering::Equal) | None => {}
-                Some(order) => return order,
-            }
-        }
-        Ordering::Equal
-    }
-
-    /// Brings a variable into the basis in place of the one in this row, and names the one that left.
-    fn pivot(&mut self, row: usize, entering: usize) -> Result<usize> {
-        let leaving = std::mem::replace(&mut self.basis[row], entering);
-        if T::spacing().is_zero() {
-            self.update(row, entering)
-        } else {
-            self.recompute()?
-        }
-        Ok(leaving)
-    }
-
-    /// One step of Gauss–Jordan elimination, for exact numbers.
-    fn update(&mut self, row: usize, entering: usize) {
-        let pivot = self.entries[(row, entering)].clone();
-        for j in 0..self.entries.ncols() {
-            self.entries[(row, j)] /= pivot.clone();
-        }
-        for i in (0..self.size()).filter(|&i| i != row) {
-            let factor = self.entries[(i, entering)].clone();
-            if factor.is_zero() {
-                continue;
-            }
-            for j in 0..self.entries.ncols() {
-                let change = factor.clone() * self.entries[(row, j)].clone();
-                self.entries[(i, j)] -= change;
-            }
-        }
-    }
-
-    /// B⁻¹ times the data, entries within its error set to zero, for rounded numbers.
-    fn recompute(&mut self) -> Result<()> {
-        let fresh = elimination::solve_columns(&self.basis_columns(), &self.data).ok_or_else(singular)?;
-        let zero = tableau_zero::<T>();
-        self.entries = fresh.map(|x| if x.magnitude() <= zero { T::zero() } else { x });
-        Ok(())
-    }
-
-    /// Whether z₀ = 0: it left the basis, or sits in it at zero.
-    fn artificial_is_zero(&self) -> bool {
-        self.basis.iter().position(|&variable| variable == self.artificial()).is_none_or(|row| *self.right_side(row) <= T::zero())
-    }
-
-    /// z of the last basis, B x = q; data of order one leave a basic variable that is zero within 2nε of it, on either side.
-    fn solution(&self) -> Result<DVector<T>> {
-        let right_side = self.data.column(2 * self.size() + 1).into_owned();
-        let basic = elimination::solve(&self.basis_columns(), &right_side).ok_or_else(singular)?;
-        let rounding = cancellation(self.size(), T::one());
-        Ok(self.values(|row| basic[row].clone()).map(|value| if value <= rounding { T::zero() } else { value }))
-    }
-
-    fn basis_columns(&self) -> DMatrix<T> {
-        DMatrix::from_fn(self.size(), self.size(), |i, j| self.data[(i, self.basis[j])].clone())
-    }
-
-    fn ray(&self, entering: usize, pivots: usize) -> LemkeOutcome<T> {
-        let mut direction = self.values(|row| -self.entries[(row, entering)].clone());
-        if entering >= self.size() {
-            direction[entering - self.size()] = T::one();
-        }
-        let row = self.basis.iter().position(|&variable| variable == self.artificial()).expect("z₀ is basic until the path ends");
-        LemkeOutcome::Ray {
-            point: self.values(|row| self.right_side(row).clone()),
-            artificial: self.right_side(row).clone(),
-            direction,
-            artificial_direction: -self.entries[(row, entering)].clone(),
-            pivots,
-        }
-    }
-
-    /// A vector over z with the given value where zⱼ is basic and zero elsewhere.
-    fn values(&self, value: impl Fn(usize) -> T) -> DVector<T> {
-        let size = self.size();
-        let mut z = DVector::from_element(size, T::zero());
-        for (row, &variable) in self.basis.iter().enumerate() {
-            if (size..2 * size).contains(&variable) {
-                z[variable - size] = value(row);
-            }
-        }
-        z
-    }
-}
-
-fn singular() -> Error {
-    Error::breakdown("lemke", "a basis is singular in rounded arithmetic; use exact rationals")
-}
-
-/// a − b, read as zero where only rounding is left.
-fn difference<T: Scalar>(a: T, b: T, rows: usize) -> T {
-    let rounding = cancellation(rows, a.magnitude() + b.magnitude());
-    let result = a - b;
-    if result.magnitude() <= rounding { T::zero() } else { result }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use moreau_exact::scalar::{Rational, ratio};
+    use nalgebra::DMatrix;
 
     fn ones<T: Scalar>(size: usize) -> DVector<T> {
         DVector::from_element(size, T::one())

@@ -13,6 +13,7 @@ use crate::certificate::Judge;
 use crate::cones::polyhedral;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Lcp, Solution};
 use crate::tolerance::solvers::ENOUGH;
+use moreau_exact::error::Failure;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -44,7 +45,7 @@ impl ContactSolver for LemkePivoting {
             let (z, pivots) = match lcp.solve(&covering) {
                 Ok(answer) => answer,
                 Err(error) => {
-                    failure = failure.or(Some(error));
+                    failure = Some(failure.filter(|first| !is_ray(first)).unwrap_or(error));
                     continue;
                 }
             };
@@ -224,8 +225,8 @@ impl Scaled {
         Scaled { lcp: Lcp::new(matrix, vector / size), scale, size }
     }
 
-    /// The theorem holds for every positive covering vector; a ray that rounding made does not survive a change of it, nor does a basis
-    /// that rounding spoilt.
+    /// The theorem holds for every positive covering vector; a basis that rounding spoils on one path is not on the others. A problem
+    /// without the hypotheses may have a solution at the end of one path and a ray at the end of another.
     fn coverings(&self) -> [DVector<f64>; 5] {
         let n = self.lcp.size();
         let rising = DVector::from_fn(n, |i, _| 1.0 + i as f64 / n as f64);
@@ -242,6 +243,10 @@ impl Scaled {
             LemkeOutcome::Ray { .. } => Err(Error::ray(NAME, SECONDARY_RAY)),
         }
     }
+}
+
+fn is_ray(error: &Error) -> bool {
+    matches!(error, Error::Solver { failure: Failure::Ray, .. })
 }
 
 const SECONDARY_RAY: &str = "the LCP ended on a secondary ray for five covering vectors; it may have no solution";

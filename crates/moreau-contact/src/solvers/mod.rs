@@ -43,11 +43,13 @@ mod auto;
 mod barzilai_borwein;
 #[cfg(feature = "clarabel")]
 mod clarabel;
+mod doubled;
 pub mod enumeration;
 mod friction_set;
 pub mod gauss;
 pub mod lemke;
 mod lemke_pivoting;
+mod lemke_tableau;
 mod line_root;
 mod nonsmooth_newton;
 mod one_contact;

@@ -3,30 +3,40 @@
 use moreau_exact::scalar::Scalar;
 use moreau_exact::tolerance::EPSILON;
 
-/// A difference a − b of tableau entries with |a| + |b| = `magnitude` is rounding, hence zero, up to this size.
-///
-/// An entry of a tableau with n rows is an entry of B⁻¹A for a basis B, a sum of n products; its two parts carry
-/// relative errors of up to 2 n ε each ([`moreau_exact::tolerance::rounding`]). Zero for exact rationals, where only 0 is 0.
+/// A sum of n products whose absolute values sum to `magnitude` is rounding, hence zero, up to 2nε times that
+/// ([`moreau_exact::tolerance::rounding`]). Zero for exact rationals, where only 0 is 0.
 /// Derived.
-pub fn cancellation<T: Scalar>(rows: usize, magnitude: T) -> T {
-    T::ratio(2 * rows as i64, 1) * T::spacing() * magnitude
+pub fn cancellation<T: Scalar>(terms: usize, magnitude: T) -> T {
+    T::ratio(2 * terms as i64, 1) * T::spacing() * magnitude
 }
 
-/// Smallest entry that may become a pivot in a tableau B⁻¹A scaled to entries of order one, √ε. Zero for exact rationals.
-///
-/// A pivot p multiplies the condition of the basis by up to 1/p. The relative error ε of the next tableau, which is computed afresh from
-/// the data, grows by the same factor. At p = √ε half of the digits are left. Below it an entry cannot be told from the error ε/p of a
-/// basis whose last pivot was p.
+/// What rounding of the data changes in an equation Σ Bᵢⱼxⱼ = aᵢ of n terms, whose absolute values and |aᵢ| sum to `magnitude`:
+/// (n + 1) ε times that. Every entry of B and a is itself the rounded result of a few operations, W = H M⁻¹Hᵀ of at most n. Zero for exact
+/// rationals.
+/// Derived.
+pub fn sum_of_data<T: Scalar>(rows: usize, magnitude: T) -> T {
+    T::ratio(rows as i64 + 1, 1) * T::spacing() * magnitude
+}
+
+/// The mean of what [`sum_of_data`] bounds, its 4(n + 1)th part: roundings lie anywhere in \[0, ε/2\], ε/4 in the mean, and those of a sum
+/// cancel rather than add up. It decides which rows tie; a tie that is none, or a missed one, costs a longer path, and what ends it is
+/// checked.
+/// Derived.
+pub fn mean_of_data<T: Scalar>(rows: usize, largest: T) -> T {
+    largest / T::ratio(4 * (rows as i64 + 1), 1)
+}
+
+/// How many times its uncertainty an entry must be to become a pivot, 2¹⁰. The relative error of a pivot is that of all numbers of its row
+/// at the next basis, so that three digits of them are left. A smaller entry is left out; what that costs is its size times the step, 2¹⁰
+/// roundings of the data.
+/// Set.
+pub const KNOWN_PIVOT: i64 = 1 << 10;
+
+/// Part of one that is left when half of the digits are lost, √ε. Zero for exact rationals. z₀ counts as zero below it, if rounding of the
+/// data may have made it, and so does an entry of a matrix whose rank is asked for, relative to the largest.
 /// Derived.
 pub fn smallest_pivot<T: Scalar>() -> T {
     if T::spacing().is_zero() { T::zero() } else { T::ratio(1, 1 << 26) }
-}
-
-/// Size up to which an entry of a tableau counts as zero in the choice of pivots, √ε. It is the error ε·cond(B) of the worst basis that
-/// [`smallest_pivot`] admits, cond(B) = 1/√ε. Zero for exact rationals.
-/// Derived.
-pub fn tableau_zero<T: Scalar>() -> T {
-    smallest_pivot()
 }
 
 /// Pivots after which Lemke's method on rounded numbers is declared to cycle.

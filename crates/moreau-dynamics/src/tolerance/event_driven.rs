@@ -28,7 +28,7 @@ pub const TOUCHING: f64 = 1.0 / (1u64 << 36) as f64;
 
 /// Share of the largest force or acceleration up to which a complementary unknown counts as zero, 2⁻³⁰ ≈ 10⁻⁹. It is above the error 10⁻¹⁰
 /// of Ḣv by central differences ([`moreau_contact::tolerance::cones::DIFFERENCE_STEP`]²), and above the square of
-/// [`moreau_contact::tolerance::solvers::tableau_zero`].
+/// [`moreau_contact::tolerance::solvers::smallest_pivot`].
 /// Set.
 pub const DEGENERATE: f64 = 1.0 / (1u64 << 30) as f64;
 
