@@ -12,11 +12,8 @@ use crate::schemes::{Activation, Anitescu, MoreauJean, StewartTrinkle, Waist, as
 use crate::solvers::gauss::{GaussProgram, Minimiser, SoftPiece};
 use crate::solvers::{ContactSolver, Direction, GaussConjugateGradient, GaussNewton, GaussSweeps};
 use crate::tolerance::claims::soft::{COUNTED, FEW, INDISTINGUISHABLE, ITERATES, LOW, SAME_LEVER, SOLVED, TOUCH};
-<<<<<<< HEAD
 use crate::tolerance::claims::thresholds::{DIFFERENT, MORE_WORK, SQUARINGS};
-=======
 use crate::tolerance::rounding;
->>>>>>> cc
 
 const SOURCE: &str = "MuJoCo documentation, Computation: solver algorithms (3.17)";
 
@@ -390,11 +387,7 @@ fn work(reading: Reading) -> Result<Vec<Finding>> {
     for accuracy in [LOW, COUNTED] {
         let name = |model: &str| format!("multiplications of sweeps over the least of the others, to {accuracy:.0e}, {model}");
         findings.push(
-<<<<<<< HEAD
-            Finding::at_least(name("stack"), multiplications(many, accuracy)?, MORE_WORK, "1")
-=======
-            Finding::at_least(name("stack"), multiplications(&many, accuracy)?, 2.0, "1")
->>>>>>> cc
+            Finding::at_least(name("stack"), multiplications(&many, accuracy)?, MORE_WORK, "1")
                 .experiment()
                 .says_at_most(1.0)
                 .violating("few contacts"),
