@@ -103,7 +103,9 @@ fn judgement(subject: &Concludes) -> Result<Vec<Finding>> {
         is("a false claim", of(ClaimVerdict::False, &refuted, &[vec![found(2).says(2)]]), |status| *status != Status::ControlPassed),
         is("a conditional claim", of(ClaimVerdict::Conditional, &conditional, &wrong), |status| *status == Status::Supported),
         is("context beside a true claim", of(ClaimVerdict::True, &beside, &wrong), |status| *status == Status::Supported),
-        is("a control that passed", of(ClaimVerdict::True, &right, &[right.clone()]), |status| *status == Status::ControlPassed),
+        is("a control that passed", of(ClaimVerdict::True, &right, std::slice::from_ref(&right)), |status| {
+            *status == Status::ControlPassed
+        }),
         is("two controls of one effect", of(ClaimVerdict::True, &right, &twice), |status| *status == Status::ControlPassed),
         is("a check that finds nothing", of(ClaimVerdict::True, &[], &wrong), |status| matches!(status, Status::Failed(_))),
         is("a control that finds nothing", of(ClaimVerdict::True, &right, &[vec![]]), |status| matches!(status, Status::Failed(_))),

@@ -3,7 +3,7 @@
 use super::accepts::accepts;
 use super::posed::{self, Posed};
 use crate::finding::Finding;
-use moreau_contact::problem::{ContactProblem, Law, Solution};
+use moreau_contact::problem::{Compliance, ContactProblem, Solution};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 
@@ -71,11 +71,10 @@ fn permuted(problem: &ContactProblem, vector: &DVector<f64>) -> DVector<f64> {
 fn reversed(problem: &ContactProblem) -> Result<ContactProblem> {
     let delassus = DMatrix::from_fn(problem.rows(), problem.rows(), |i, j| problem.entry(row(problem, i), row(problem, j)));
     let softness = DVector::from_fn(problem.rows(), |i, _| problem.row_compliance(row(problem, i)));
-    let compliance = problem.compliance().map(|soft| moreau_contact::problem::Compliance { diagonal: softness, ..soft.clone() });
-    let law: Law = problem.law();
+    let compliance = problem.compliance().map(|soft| Compliance { diagonal: softness, ..soft.clone() });
     ContactProblem::new(delassus, permuted(problem, problem.free_velocity()))
         .name(problem.name())
-        .law(law)
+        .law(problem.law())
         .rows_per_contact(problem.rows_per_contact())
         .friction(problem.friction().iter().rev().copied().collect())
         .shift(permuted(problem, problem.shift()))

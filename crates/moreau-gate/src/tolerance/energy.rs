@@ -8,6 +8,7 @@ use super::SOLVED;
 /// - (g h)²/8 in each of T/h steps, the largest ½ p_n u⁻ with p_n = g h − u⁻;
 /// - ½ P u, where P = v + g T is the whole normal impulse and u = ½ ω²ρ h pushes out corners that turned below the floor, with the
 ///   lever ρ = √3 a and the spin ω = v/a of a corner that takes up the speed of the fall.
+///
 /// Derived.
 pub fn rise(gravity: f64, h: f64, height: f64, half: f64, time: f64) -> f64 {
     let speed = (2.0 * gravity * height).sqrt();

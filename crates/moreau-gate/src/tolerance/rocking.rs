@@ -7,6 +7,7 @@
 ///   height differs by sin α · 3/2 h ω, before and after: 3 sin α;
 /// - the angular speed of an explicit step lags by h/2: energy ½ h ω sin α on each side: sin α;
 /// - the edge leaves its circle by ½(hω)²R a step and falls back: it lifts the centre by ½ h ω times the angle turned.
+///
 /// Derived.
 pub fn regained(sine: f64, angle: f64, landing_speed: f64, h: f64, energy: f64) -> f64 {
     h * landing_speed * (4.0 * sine + 0.5 * angle) / energy
