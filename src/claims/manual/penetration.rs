@@ -15,7 +15,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "R1",
         statement: "Bodies pass through the floor or into each other: possible causes (a) the step is too large, (b) a velocity-level \
             scheme drifts, (c) soft contact penetrates by nature, (d) a collision is missed. Reduce h: if the penetration shrinks linearly \
-            it is discretisation error; is the simulator soft (penetration is normal) or rigid (project)? project the position in velocity-level \
+            it is discretisation error; is the simulator soft (penetration is normal) or rigid (project)? project the position in \
+            velocity-level \
             schemes; check the collision margin.",
         verdict: ClaimVerdict::True,
         kind: Kind::Advice,
@@ -24,7 +25,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         correct_statement: "As stated: a linear decrease means discretisation error. The converse does not hold: the exponent p of \
             penetration ∝ hᵖ is 0 for the depth of a soft law, 1 for the drift of a velocity-level scheme along a curve or the \
             overshoot of an impact, 2 for the linearised gap of Stewart–Trinkle, which is discretisation error too.",
-        argument: "h against h/2. MuJoCo's ball at rest, 10 and 5 ms: ratio 1. Bead in a circle under Moreau–Jean for 1 s, h \
+        argument: "h against h/2. MuJoCo's ball at rest, steps of a hundredth of a second and of half of that: ratio 1. Bead in a circle \
+            under Moreau–Jean for 1 s, h \
             = 1/100: 2 up to the enclosure |q|⁴ ∈ 1 + 2nh² + [0, nh⁴]. The same under Stewart–Trinkle: 4 (½h²). Plastic ball that crosses \
             the floor in the middle of a step at 1 m/s: exactly 2 (h/2).",
         controls: &[

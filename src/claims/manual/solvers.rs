@@ -25,7 +25,8 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
     evidence: Evidence::Certified,
     correct_statement: "For Gauss–Seidel the sweeps follow the coupling q = W₁₂²/(W₁₁W₂₂), not cond(W): a heavy body on a light one needs \
         20 to 26 m₂/m₁ sweeps, a light one on a heavy one a dozen at most, with condition numbers of the same order. Pivoting is \
-        indifferent to both, and ADMM solves them. Large μ makes pyramidal (edge) formulations ill-conditioned, cond = μ², and so does small μ; a contact solved \
+        indifferent to both, and ADMM solves them. Large μ makes pyramidal (edge) formulations ill-conditioned, cond = μ², and so does \
+        small μ; a contact solved \
         as a cone needs one sweep at every μ. (TAMSI was removed from Drake in 1.57.)",
     argument: "Two bodies under gravity, m₂/m₁ = 10, 100, 1000: sweeps as predicted by q = m₂/(m₁+m₂), 266, 2323 and 20828; Lemke: \
         3 pivots each time; ADMM solves all to the certificate. Exchanged masses: 12, 7, 5. cond(W) at 1000: 4002, exchanged 1002. One \

@@ -19,8 +19,8 @@ pub const CLAIMS: &[Claim] = &[Claim {
         regularised friction, for which Drake has no such name.",
     argument: "Documentation of 1.51.1: kSap and kSimilar introduce gliding \"in sliding contact\", O(δt); kLagged does not suffer from \
         it. Under kLagged a block at rest creeps (its friction is regularised), and a slide at 0.7 instead of 0.2 m/s, μ = 0.3, is lifted \
-        by nothing: so what is documented is the lift and not the creep. Under kSap with τ = 5 ms the same slide is lifted by 1.35e-3 m \
-        at h = 4 ms and by 1.95e-3 m at 8 ms; the creep at rest halves with h.",
+        by nothing: so what is documented is the lift and not the creep. Under kSap with τ = 0.005 s the same slide is lifted by 1.35e-3 m \
+        at h = 0.004 s and by 1.95e-3 m at 0.008 s; the creep at rest halves with h.",
     controls: &[
         "The lift of a slide in place of the creep at rest: under kLagged there is none, as the documentation says of gliding.",
         "kSap and kLagged exchanged.",

@@ -54,7 +54,8 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S5.gliding-mechanism",
-        statement: "The slip arises because the relaxed constraint μ(n·v) + |Dᵀv| ≤ 0 couples the two velocities: in sustained contact, n·v \
+        statement: "The slip arises because the relaxed constraint μ(n·v) + |Dᵀv| ≤ 0 couples the two velocities: in sustained contact, \
+            n·v \
             ≈ 0, that does no harm, but through the gap term and softening there is a small penetration velocity along the normal, which \
             leaks into tangential slip.",
         verdict: ClaimVerdict::False,

@@ -75,8 +75,10 @@ fn step_length(reading: Reading) -> Result<Vec<Finding>> {
     Ok(vec![
         Finding::exact("error after 10 steps with η = 1/‖N‖, relative", &error_after_ten_steps(&allowed), &ratio(0, 1), "1"),
         Finding::exact("the same with η = 1/(2‖N‖)", &error_after_ten_steps(&(&allowed * ratio(1, 2))), &power(ratio(1, 2)), "1"),
-        Finding::exact("the same with η = 1.9/‖N‖", &error_after_ten_steps(&ratio(19, 30)), &power(ratio(9, 10)), "1").context(),
-        Finding::exact("the same with η = 2.1/‖N‖", &error_after_ten_steps(&ratio(21, 30)), &power(ratio(11, 10)), "1").context(),
+        Finding::exact("the same with η = 1.9/‖N‖", &error_after_ten_steps(&(ratio(19, 10) * ratio(1, 3))), &power(ratio(9, 10)), "1")
+            .context(),
+        Finding::exact("the same with η = 2.1/‖N‖", &error_after_ten_steps(&(ratio(21, 10) * ratio(1, 3))), &power(ratio(11, 10)), "1")
+            .context(),
     ])
 }
 

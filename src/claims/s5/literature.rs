@@ -81,7 +81,8 @@ pub(super) const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Measured,
-        correct_statement: "As stated, of Lemke's method over its dense tableau and of an iteration to a fixed accuracy that uses the zeros \
+        correct_statement: "As stated, of Lemke's method over its dense tableau and of an iteration to a fixed accuracy that uses the \
+            zeros \
             of W: the work of the first grows faster with the contacts. (Its answer is exact, that of an iteration is not.)",
         argument: "Multiplications on a row of pressed masses, doubled from 10 to 20 and from 20 to 40: pivots times the n (2n + 2) \
             entries of the tableau grow faster than accelerated gradients times the non-zeros of W. Stewart–Trinkle with four \

@@ -18,7 +18,8 @@ pub(super) const CLAIMS: &[Claim] = &[
             the body hop by \
                             (μV)²/(2g(1+μ²)²), whatever h.",
         argument: "From φ = 0, v = (0, V) the step projects on u_n ≥ μ|u_t|: v_n = (μV − μ²hg)/(1+μ²), v_t = (V − μhg)/(1+μ²), and flight \
-            follows. With μ = 1/2, V = 1 m/s, g = 10 m/s² the gap rises to at least 1/125 m = 8 mm for h = 1/100 and for h = 1/1000 \
+            follows. With μ = 1/2, V = 1 m/s, g = 10 m/s² the gap rises to at least 1/125 m = 8 mm for steps of a hundredth and of a \
+            thousandth of a second \
                    (exact steps; the limit is exactly 8 mm), while Coulomb's step stays at φ = 0. Started at φ = μhV the gap never exceeds \
                    μhV.",
         controls: &[

@@ -29,7 +29,8 @@ pub const CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "S6.primal-terms",
-        statement: "The primal problem adds to Gauss' term a_ref, a diagonal R that softens the constraints, the dual of the friction cone, \
+        statement: "The primal problem adds to Gauss' term a_ref, a diagonal R that softens the constraints, the dual of the friction \
+            cone, \
             and a Huber function for friction loss. (The display is not legible in the source; that the penalty is on J x − a_ref in the \
             norm of R⁻¹ is taken from MuJoCo's documentation, which it follows.)",
         verdict: ClaimVerdict::True,
@@ -340,6 +341,6 @@ fn invertible(reading: Reading) -> Result<Vec<Finding>> {
     Ok(vec![
         Finding::decision("loads of 5, 20 and 50 N have accelerations that differ", light > medium && medium > heavy, true),
         Finding::exact("∂τ/∂a at d = 0.9", &gain(ratio(9, 10)), &ratio(10, 1), "kg"),
-        Finding::exact("∂τ/∂a at d = 0.9999", &gain(ratio(9999, 10_000)), &ratio(10_000, 1), "kg"),
+        Finding::exact("∂τ/∂a at d = 0.9999", &gain(ratio(9999, 10000)), &ratio(10_000, 1), "kg"),
     ])
 }

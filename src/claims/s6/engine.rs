@@ -52,8 +52,8 @@ pub const CLAIMS: &[Claim] = &[
         severity: None,
         evidence: Evidence::Cited,
         correct_statement: "As stated. That updates are incremental is a matter of the source code and does not show in results.",
-        argument: "opt.solver of an empty model is Newton. On a stack of three that slides and turns, elliptic, our own Newton goes from a \
-            relative gradient of 1e-2 to 1e-10 in at most three steps, conjugate gradients need more.",
+        argument: "opt.solver of an empty model is Newton. On a stack of three that slides and turns, elliptic, our own Newton goes from \
+            a relative gradient of 1e-2 to rest in at most three steps, conjugate gradients need more.",
         controls: &["Conjugate gradients in place of Newton."],
         sources: &["chapter §6, table of solvers", STORED],
         check: super::algorithms::second_order,

@@ -86,8 +86,8 @@ pub const CLAIMS: &[Claim] = &[
             every contact point. Only where Â is the true diagonal does a single row move with d a_ref + (1−d) a_u. Friction rows have \
             R/impratio.",
         argument: "R d/((1−d) Â) = 1 on stored rows of MuJoCo 3.17.0: a ball 1 mm deep, d = 0.95, blocks that slide and stick over round \
-            cones, and one over pyramids, each with a d of its own; R itself differs. At the corner of a cube A = 4/m, so that with R = \
-            1/9 the weight of a_ref is 36/37, not 9/10.",
+            cones, and one over pyramids, each with a d of its own; R itself differs. At the corner of a cube A = 4/m, so that with the \
+            R of d = 9/10 the weight of a_ref is 36/37, not 9/10.",
         controls: &["The d of the surface, 9/10, in place of the d of the row."],
         sources: &[CURVE, MODEL, "stored step problems of MuJoCo 3.17.0"],
         check: regularisation,
@@ -171,7 +171,8 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "As stated: beyond the width the motion without load is that of solref, for d_w cancels; a_ref contains d(δ) and \
+        correct_statement: "As stated: beyond the width the motion without load is that of solref, for d_w cancels; a_ref contains d(δ) \
+            and \
             d_w from solimp, and under load the depth at rest depends on both.",
         argument: "solimp (1/2, 1/2, …) in place of (19/20, 19/20, …), solref (1/50, 1): d² k = 2500 and d b = 100 both times, but a_ref \
             at φ = −1 mm is 5 m/s² in place of 50/19, and 1 kg rests under g = 10 m/s² at 2/1000 m in place of 1/5000 m.",

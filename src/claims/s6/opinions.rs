@@ -31,7 +31,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "The optimum is a Lipschitz function of the step's data while the set of contacts stays the same. The step as a \
             function of the state jumps where a moving contact enters that set, so it has no gradient there.",
         argument: "A ball of 1 kg that falls at 1 m/s, 10⁻¹² m above and below touch: v⁺ differs by d₀ h (g + b v) = 0.207 m/s, the same \
-            at a thousandth of the distance. MJX itself was not run; its issue tracker reports NaN gradients (1517, 2841).",
+            at a thousandth of the distance. MJX itself was not run; its issue tracker reports NaN gradients.",
         controls: &["The ball at rest without weight, where nothing jumps."],
         sources: &["chapter §6, consequences", MODEL, "github.com/google-deepmind/mujoco, issues 1517 and 2841"],
         check: jump_at_touch,

@@ -78,7 +78,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "They coincide for R = 0, b = 1/h, k d = 1/h² and equal cones, with γ = h f. MuJoCo's parameters do not reach \
             that: R ≥ Â/9999, and timeconst ≥ 2h gives k d h² ≤ 1/(4d) at ζ = 1, a quarter, while b h is at most 1/d.",
         argument: "h (a_u − a_ref) = v_free + φ/h for b = 1/h and k d = 1/h², in rationals at φ = −1 mm, v = −3 m/s, a_u = −10 m/s², h = \
-            1/100 s. At timeconst 2h, ζ = 1 and d = 9999/10000: b h = 10000/9999, k d h² = 2500/9999, R/Â = 1/9999.",
+            1/100 s. At timeconst 2h, ζ = 1 and the largest d: b h = 10000/9999, k d h² = 2500/9999, R/Â = 1/9999.",
         controls: &["b = 1/h and k d = 1/h² in place of MuJoCo's stiffest parameters.", "k = 0, the gap term φ/h forgotten."],
         sources: &[
             "chapter §6, insight on Anitescu's problem",
