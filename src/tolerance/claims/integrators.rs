@@ -9,6 +9,7 @@ pub use moreau_dynamics::tolerance::integrators::BESIDE;
 pub const BISECTED: f64 = 1.0 / (1u64 << 46) as f64;
 
 /// What 40 bisections of (0, 16) leave of s = hω, and the rounding of a closed form of s below 9 in fewer than 32 operations.
+/// Derived.
 pub fn end_of_stable_steps() -> f64 {
     16.0 / (1u64 << 40) as f64 + rounding(32, 9.0)
 }
