@@ -123,6 +123,9 @@ pub const CHRONO: Tree = Tree {
 /// Pinocchio, tag v2.7.0: none of the files.
 pub const PINOCCHIO_2: Tree = Tree { files: &[] };
 
+/// What an ADMM solver of v2.7.0 takes: it has none.
+pub const PINOCCHIO_2_TAKES: [&str; 0] = [];
+
 /// Pinocchio, tag v3.7.0 of May 2025.
 pub const PINOCCHIO_3: Tree = Tree {
     files: &[

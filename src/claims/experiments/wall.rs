@@ -6,8 +6,9 @@
 //! ```
 //! ⅓ = (n + c) h with c = ⅓ for even k and ⅔ for odd k: no step of a power of two ends at the impact.
 
+use crate::checks::Finding;
 use crate::exact_particle::{Ball, BallState, BallStep};
-use crate::scalar::{Rational, ratio};
+use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::Activation;
 
 /// How the steps are made.
@@ -17,6 +18,8 @@ pub enum Stepping {
     StewartTrinkle,
     /// Moreau–Jean with activation at φ ≤ 0 and e = ½, θ = ½.
     MoreauJean,
+    /// The same, plastic.
+    PlasticMoreauJean,
 }
 
 /// The motion in steps.
@@ -31,12 +34,13 @@ pub struct Approach {
 pub fn approach(stepping: Stepping, k: u32) -> Approach {
     let (steps, half) = (1usize << k, ratio(1, 2));
     let step = ratio(1, steps as i64);
-    let ball = Ball { mass: ratio(1, 1), gravity: ratio(0, 1), restitution: half.clone() };
+    let restitution = if stepping == Stepping::PlasticMoreauJean { ratio(0, 1) } else { half.clone() };
+    let ball = Ball { mass: ratio(1, 1), gravity: ratio(0, 1), restitution };
     let mut now = BallState { position: ratio(1, 3), velocity: ratio(-1, 1) };
     let outcomes = (0..steps).map(|_| {
         let outcome = match stepping {
             Stepping::StewartTrinkle => ball.stewart_trinkle(&now, &step),
-            Stepping::MoreauJean => ball.moreau_jean(&now, &half, Activation::Gap, &step),
+            Stepping::MoreauJean | Stepping::PlasticMoreauJean => ball.moreau_jean(&now, &half, Activation::Gap, &step),
         };
         now = outcome.motion.clone();
         outcome
@@ -108,16 +112,37 @@ impl Approach {
     }
 }
 
-/// Velocity after two steps from φ = h/5, v = −1, with the constraint φ + hv⁺ ≥ 0 but q⁺ = q + ½h(v + v⁺).
-pub fn trapezoidal_rebound(h: &Rational) -> Rational {
-    let ball = Ball { mass: ratio(1, 1), gravity: ratio(0, 1), restitution: ratio(0, 1) };
-    let mut now = BallState { position: h / ratio(5, 1), velocity: ratio(-1, 1) };
-    for _ in 0..2 {
-        let velocity = ball.stewart_trinkle(&now, h).motion.velocity;
-        let position = &now.position + h * (&now.velocity + &velocity) / ratio(2, 1);
-        now = BallState { position, velocity };
-    }
-    now.velocity
+/// A continuous function of slope at most 2 on \[0, 1\], with its name.
+type Test = (&'static str, fn(&Rational) -> Rational);
+
+/// What the impulses are tested with; none of them vanishes at ⅓.
+pub const TESTS: [Test; 3] =
+    [("t", |t| t.clone()), ("t²", |t| t * t), ("|t − 1/2|", |t| if *t > ratio(1, 2) { t - ratio(1, 2) } else { ratio(1, 2) - t })];
+
+/// |∫g dP_h − m g(⅓)| \[N·s\].
+pub fn weak_error(approach: &Approach, g: fn(&Rational) -> Rational, mass: &Rational) -> Rational {
+    (approach.tested(g) - g(&ratio(1, 3)) * mass).magnitude()
+}
+
+/// What [`weak_error`] may be for a slope of at most 2: all of P_h lies within 2h of ⅓, which makes 4 h m \[N·s\].
+pub fn weak_bound(approach: &Approach, mass: &Rational) -> Rational {
+    ratio(4, 1) * &approach.step * mass
+}
+
+/// The error of a motion for each of the three functions, against its bound.
+pub fn weakly(approach: &Approach, mass: &Rational, label: &str) -> Vec<Finding> {
+    let bound = Scalar::to_f64(&weak_bound(approach, mass));
+    let finding = |(name, g): Test| {
+        let error = Scalar::to_f64(&weak_error(approach, g, mass));
+        Finding::at_most(format!("error of ∫g dP_h, g = {name}, {label}"), error, bound, "N·s")
+    };
+    TESTS.map(finding).to_vec()
+}
+
+/// The mass of P_h − m δ_⅓: no step ends at ⅓.
+pub fn mass_apart(approach: &Approach, mass: &Rational) -> Rational {
+    let at_impact = approach.window(&ratio(1, 3), &ratio(0, 1));
+    approach.tested(|_| ratio(1, 1)) - &at_impact + (at_impact - mass).magnitude()
 }
 
 #[cfg(test)]

@@ -3,9 +3,8 @@
 use crate::checks::convergence::study;
 use crate::claims::experiments::corner::{floor_before_wall, leaning, upright};
 use crate::claims::experiments::painleve::answers;
-use crate::claims::experiments::wall::{Stepping, approach};
+use crate::claims::experiments::wall::{Stepping, approach, mass_apart, weakly};
 use crate::claims::prelude::*;
-use crate::claims::s11::compactness::{mass_apart, weakly};
 use crate::defects::convergence::{Altered, Mistake};
 use crate::exact_particle::{Ball, BallState};
 use crate::mechanics::{OscillatorWithStop, State};

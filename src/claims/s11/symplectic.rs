@@ -1,14 +1,14 @@
 //! §11, why contact and the symplectic form do not go together: projections, reflections, and what is between them.
 
+use crate::claims::experiments::phase_maps::{
+    Coupled, Floor, about_to_penetrate, across, ball_flow, entries, identity, kept_step, loaded, mirror_step, projected_step, vanishes,
+};
+use crate::claims::experiments::spring_damper::{OneStep, theta};
 use crate::claims::prelude::*;
-use crate::claims::s8::impact::{ball_flow, loaded};
-use crate::claims::s8::spring::{SEMI_IMPLICIT, theta};
-use crate::claims::s8::symplectic::{kept_step, vanishes};
-use crate::claims::s8::systems::{Coupled, Floor, across, entries, identity, mirror_step, projected_step};
 use crate::integrators::impact_flow::{ImpactFlow, Tangent};
 use crate::integrators::jacobian::jacobian;
 use crate::integrators::symplectic::{defect, volume};
-use crate::integrators::{ExplicitEuler, Method, Phase, SpringDamper};
+use crate::integrators::{Method, Phase, SpringDamper};
 use crate::scalar::Dual;
 
 pub const CLAIMS: &[Claim] = &[
@@ -23,7 +23,10 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "As stated: v ↦ v − M⁻¹n (nᵀM⁻¹n)⁻¹ nᵀv has the eigenvalue 0, and DᵀJD = J gives (det D)² = 1.",
         argument: "Two coupled masses, M = (2, 1; 1, 3), n = (0, 1), in rationals: det D = 0, and DᵀJD ≠ J. In one dimension D = diag(1, \
             0).",
-        controls: &["The reflection v ↦ v − 2M⁻¹n (nᵀM⁻¹n)⁻¹ nᵀv."],
+        controls: &[
+            "The reflection v ↦ v − 2M⁻¹n (nᵀM⁻¹n)⁻¹ nᵀv.",
+            "A velocity that already points away from the wall, which the projection leaves alone.",
+        ],
         sources: &["chapter §11, symplectic incompatibility"],
         check: velocity_projection,
     },
@@ -54,29 +57,34 @@ pub const CLAIMS: &[Claim] = &[
             difference.",
         argument: "Ball on a floor, e = 1, in rationals: the flow from before to after the impact has det D = 1 and DᵀJD = J; the \
             reflection det D = −1 and DᵀJD = −J.",
-        controls: &["The flow in the place of the reflection."],
+        controls: &["The flow in the place of the reflection.", "e = 4/5 in the flow."],
         sources: &["chapter §11, symplectic incompatibility; exercise 3(d)"],
         check: reflection,
     },
     Claim {
         id: "S11.no-symplectic-contact",
-        statement: "That is why no improved symplectic contact integrator can succeed completely: the obstacle is geometric, not \
-            technical.",
-        verdict: ClaimVerdict::Conditional,
+        statement: "Projection loses information and the symplectic form cannot: so, but for e = 1 without correction, no improved \
+            symplectic contact integrator can succeed completely; the obstacle is geometric, not technical.",
+        verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
-        severity: Some(Severity::MissingHypothesis),
+        severity: None,
         evidence: Evidence::Exact,
-        correct_statement: "For e < 1 the motion itself does not keep the form, so no method should; and no projection can. For e = 1 such \
-            integrators exist: variational ones, and those whose correction is a mirror image.",
-        argument: "The exact flow across an impact with e = 4/5 has det D = 16/25. For e = 1 a variational step with an impact in it, two \
-            coordinates, cubic potential, curved wall: DᵀJD − J = 0 in rationals; a mirrored step the same.",
-        controls: &["A step put back on the wall in place of the mirrored one."],
+        correct_statement: "As stated: for e < 1 the motion itself does not keep the form, so no method should, and no projection can. For \
+            e = 1 such integrators exist, with and without a correction of the penetration (S8.kmow, S8.cirak-west).",
+        argument: "The exact flow across an impact with e = 4/5 has det D = 16/25, and a step put back on the wall is singular. For e = 1, \
+            the case excepted, a variational step with an impact in it, two coordinates, cubic potential, curved wall: DᵀJD − J = 0 in \
+            rationals.",
+        controls: &[
+            "e = 1 in the flow, and a mirrored step in place of the one that is put back on the wall.",
+            "The variational step with its velocity at the end cut to 4/5.",
+        ],
         sources: &["chapter §11, essential insight on symplecticity", "S8.kmow", "S8.cirak-west"],
         check: exceptions,
     },
     Claim {
         id: "S11.explicit-or-implicit",
-        statement: "Every operation that corrects penetration destroys symplecticity, whether explicit or implicit.",
+        statement: "Every operation that corrects penetration destroys symplecticity, whether explicit or implicit. (What is excepted is \
+            e = 1 without such a correction.)",
         verdict: ClaimVerdict::False,
         kind: Kind::Assertion,
         severity: Some(Severity::WrongStatement),
@@ -86,7 +94,11 @@ pub const CLAIMS: &[Claim] = &[
         argument: "A spring stepped by explicit Euler, semi-implicit Euler, the midpoint rule and implicit Euler, h ω = 1/4, then \
             projected: det D = 0 for all four. Mirrored: det D = 1 after semi-implicit Euler and the midpoint rule, not after the other \
             two.",
-        controls: &["A correction that puts the state on the wall and sends it back, in place of the mirror image."],
+        controls: &[
+            "A correction that puts the state on the wall and sends it back, in place of the mirror image.",
+            "The mirror image in place of the projection.",
+            "A step of semi-implicit Euler in place of those of explicit and of implicit Euler.",
+        ],
         sources: &["chapter §11, pitfalls"],
         check: either,
     },
@@ -101,7 +113,7 @@ pub const CLAIMS: &[Claim] = &[
         correct_statement: "The projection: diag(1, 0). The reflection: diag(1, −1), determinant −1, which is not symplectic. The \
             exception is the flow across the impact: over a time T without forces −(1, T; 0, 1), determinant 1.",
         argument: "One dimension, in rationals with dual numbers: determinants 0, −1 and 1.",
-        controls: &["The flow in the place of the reflection."],
+        controls: &["The flow in the place of the reflection.", "e = 4/5 in the flow and in the projection, which is e = 0."],
         sources: &["chapter §11, exercise 3"],
         check: exercise,
     },
@@ -120,21 +132,30 @@ fn is_symplectic(d: &DMatrix<Rational>, mass: &DMatrix<Rational>) -> bool {
 }
 
 fn velocity_projection(reading: Reading) -> Result<Vec<Finding>> {
-    let map = pushed(reading.pick(1, 2));
+    let (share, factor) = match reading {
+        Reading::Recorded => (1, ratio(0, 1)),
+        Reading::Control(0) => (2, ratio(-1, 1)),
+        Reading::Control(_) => (0, ratio(1, 1)),
+    };
+    let map = pushed(share);
     Ok(vec![
         Finding::exact("det D of the projection", &volume(&map), &ratio(0, 1), "1"),
         Finding::decision("the projection is symplectic", is_symplectic(&map, &Coupled::mass()), false),
-        Finding::exact("det D in one dimension", &volume(&in_one_dimension(0)), &ratio(0, 1), "1"),
+        Finding::exact("det D in one dimension", &volume(&in_one_dimension(factor)), &ratio(0, 1), "1"),
     ])
 }
 
-fn position_projection(reading: Reading) -> Result<Vec<Finding>> {
-    let now = entries(&[(1, 2), (1, 100), (2, 1), (-3, 1)]);
+/// D of a step of 1/20 s that penetrates and is corrected: put back on the wall, or mirrored in it.
+fn corrected_step(mirrored: bool) -> DMatrix<Rational> {
     let h = Dual::constant(ratio(1, 20));
-    let subject = jacobian(&now, |x| {
+    jacobian(&about_to_penetrate().stacked(), |x| {
         let before = Phase::from_stacked(x);
-        reading.pick(projected_step(&before, &h), mirror_step(&before, &h)).stacked()
-    });
+        if mirrored { mirror_step(&before, &h) } else { projected_step(&before, &h) }.stacked()
+    })
+}
+
+fn position_projection(reading: Reading) -> Result<Vec<Finding>> {
+    let subject = corrected_step(reading.is_control());
     Ok(vec![
         Finding::exact("det D of the corrected step", &volume(&subject), &ratio(0, 1), "1"),
         Finding::decision("the corrected step is symplectic", is_symplectic(&subject, &Coupled::mass()), false),
@@ -142,36 +163,33 @@ fn position_projection(reading: Reading) -> Result<Vec<Finding>> {
 }
 
 /// D of (q, v) ↦ (q, factor · v).
-fn in_one_dimension(factor: i64) -> DMatrix<Rational> {
-    jacobian(&entries(&[(0, 1), (-2, 1)]), |x| DVector::from_vec(vec![x[0].clone(), x[1].clone() * Dual::ratio(factor, 1)]))
+fn in_one_dimension(factor: Rational) -> DMatrix<Rational> {
+    let factor = Dual::constant(factor);
+    jacobian(&entries(&[(0, 1), (-2, 1)]), |x| DVector::from_vec(vec![x[0].clone(), x[1].clone() * factor.clone()]))
 }
 
 fn reflection(reading: Reading) -> Result<Vec<Finding>> {
-    let (flow, reflected) = (ball_flow(&ratio(1, 1), &ratio(1, 10)), in_one_dimension(-1));
-    let alone = reading.pick(&reflected, &flow);
+    let elastic = ball_flow(&ratio(1, 1), &ratio(1, 10));
+    let flow = reading.only(1).pick(elastic.clone(), ball_flow(&ratio(4, 5), &ratio(1, 10)));
+    let alone = reading.only(0).pick(in_one_dimension(ratio(-1, 1)), elastic);
     let at_fixed_place = "the flow across the impact, of which the reflection is a part";
     // in one dimension DᵀJD = (det D) J
     Ok(vec![
         Finding::exact("det D across the impact", &volume(&flow), &ratio(1, 1), "1"),
         vanishes("DᵀJD − J across the impact", &defect(&flow, &identity(1))),
-        Finding::exact("det D of the reflection", &volume(alone), &ratio(-1, 1), "1").says(ratio(1, 1)).violating(at_fixed_place),
-        Finding::decision("the reflection is symplectic", is_symplectic(alone, &identity(1)), false).says(true).violating(at_fixed_place),
+        Finding::exact("det D of the reflection", &volume(&alone), &ratio(-1, 1), "1").says(ratio(1, 1)).violating(at_fixed_place),
+        Finding::decision("the reflection is symplectic", is_symplectic(&alone, &identity(1)), false).says(true).violating(at_fixed_place),
     ])
 }
 
 fn exceptions(reading: Reading) -> Result<Vec<Finding>> {
-    let h = Dual::constant(ratio(1, 20));
-    let now = entries(&[(1, 2), (1, 100), (2, 1), (-3, 1)]);
-    let corrected = jacobian(&now, |x| {
-        let before = Phase::from_stacked(x);
-        reading.pick(mirror_step(&before, &h), projected_step(&before, &h)).stacked()
-    });
+    let e = reading.only(0).pick(ratio(4, 5), ratio(1, 1));
+    let corrected = corrected_step(reading.only(0).is_control());
+    let kept = reading.only(1).pick(ratio(1, 1), ratio(4, 5));
     Ok(vec![
-        Finding::exact("det D of the flow, e = 4/5", &volume(&loaded(ratio(4, 5))), &ratio(16, 25), "1"),
-        vanishes("DᵀJD − J of the variational step, e = 1", &defect(&kept_step(&ratio(1, 1)), &identity(2))),
-        Finding::decision("the mirrored step, e = 1, is symplectic", is_symplectic(&corrected, &Coupled::mass()), true)
-            .says(false)
-            .violating("a correction that projects"),
+        Finding::exact("det D of the flow, e = 4/5", &volume(&loaded(e)), &ratio(16, 25), "1"),
+        Finding::decision("the step put back on the wall is symplectic", is_symplectic(&corrected, &Coupled::mass()), false),
+        vanishes("DᵀJD − J of the variational step, e = 1", &defect(&kept_step(&kept), &identity(2))),
     ])
 }
 
@@ -184,38 +202,38 @@ fn corrected(method: &impl Method, [depth, speed]: [i64; 2]) -> Rational {
 }
 
 fn either(reading: Reading) -> Result<Vec<Finding>> {
-    let all = |correction| {
-        [
-            ("explicit Euler", corrected(&ExplicitEuler, correction), false),
-            ("semi-implicit Euler", corrected(&SEMI_IMPLICIT, correction), true),
-            ("midpoint rule", corrected(&theta(1, 2), correction), true),
-            ("implicit Euler", corrected(&theta(1, 1), correction), false),
-        ]
-    };
+    const MIRROR: [i64; 2] = [-1, -1];
+    let (explicit, implicit) = reading.only(2).pick((OneStep::Explicit, theta(1, 1)), (OneStep::SemiImplicit, OneStep::SemiImplicit));
+    let methods = [
+        ("explicit Euler", explicit, false),
+        ("semi-implicit Euler", OneStep::SemiImplicit, true),
+        ("midpoint rule", theta(1, 2), true),
+        ("implicit Euler", implicit, false),
+    ];
+    let (projection, mirror) = (reading.only(1).pick([0, 1], MIRROR), reading.only(0).pick(MIRROR, [0, -1]));
     let mut findings = Vec::new();
-    for (name, found, _) in all([0, 1]) {
-        findings.push(Finding::exact(format!("det D of {name}, projected"), &found, &ratio(0, 1), "1"));
-    }
-    // in one dimension a map is symplectic if and only if its determinant is 1
-    for (name, found, kept) in all(reading.pick([-1, -1], [0, -1])) {
-        findings.push(Finding::decision(format!("{name}, mirrored, is symplectic"), found == ratio(1, 1), kept).says(false));
+    for (name, method, kept) in methods {
+        let projected = corrected(&method, projection);
+        findings.push(Finding::exact(format!("det D of {name}, projected"), &projected, &ratio(0, 1), "1"));
+        // in one dimension a map is symplectic if and only if its determinant is 1
+        let symplectic = corrected(&method, mirror) == ratio(1, 1);
+        findings.push(Finding::decision(format!("{name}, mirrored, is symplectic"), symplectic, kept).says(false));
     }
     Ok(findings)
 }
 
 fn exercise(reading: Reading) -> Result<Vec<Finding>> {
-    let free = ImpactFlow {
-        gap: Floor,
-        acceleration: entries(&[(0, 1)]),
-        restitution: ratio(1, 1),
-        tangent: Tangent::Frictionless,
-        friction: ratio(0, 1),
+    let (restitution, projection) = reading.only(1).pick((ratio(1, 1), ratio(0, 1)), (ratio(4, 5), ratio(-4, 5)));
+    let free = |restitution: Rational| {
+        let gap_and_law =
+            ImpactFlow { gap: Floor, acceleration: entries(&[(0, 1)]), restitution, tangent: Tangent::Frictionless, friction: ratio(0, 1) };
+        across(&gap_and_law, &entries(&[(0, 1)]), &entries(&[(-2, 1)]), &ratio(1, 3), &ratio(1, 2))
     };
-    let flow = across(&free, &entries(&[(0, 1)]), &entries(&[(-2, 1)]), &ratio(1, 3), &ratio(1, 2));
+    let flow = free(restitution);
     let expected = DMatrix::from_row_slice(2, 2, &[ratio(-1, 1), ratio(-1, 2), ratio(0, 1), ratio(-1, 1)]);
-    let alone = reading.pick(in_one_dimension(-1), flow.clone());
+    let alone = reading.only(0).pick(in_one_dimension(ratio(-1, 1)), free(ratio(1, 1)));
     Ok(vec![
-        Finding::exact("det D of the projection", &volume(&in_one_dimension(0)), &ratio(0, 1), "1"),
+        Finding::exact("det D of the projection", &volume(&in_one_dimension(projection)), &ratio(0, 1), "1"),
         Finding::exact("det D of the reflection", &volume(&alone), &ratio(-1, 1), "1")
             .says(ratio(1, 1))
             .violating("the flow across the impact, of which the reflection is a part"),

@@ -1,8 +1,8 @@
 //! The rule timeconst ≥ 2h: what it keeps away from, what it guarantees, and for which damping ratios.
 
 use crate::claims::experiments::soft::{GRAVITY, land, limited_contact, unlimited_contact};
+use crate::claims::experiments::spring_damper::{SEMI_IMPLICIT, both_sides, is_stable, matrix, powers_at};
 use crate::claims::prelude::*;
-use crate::claims::s8::spring::{SEMI_IMPLICIT, both_sides, is_stable, matrix, powers_at};
 use crate::closed_forms::mujoco_normal::NormalContact;
 use crate::closed_forms::soft_impedance::SoftImpedance;
 use crate::closed_forms::soft_reference::SoftReference;

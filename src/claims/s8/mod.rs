@@ -5,12 +5,10 @@ use super::Claim;
 mod damped;
 mod engines;
 mod explicit;
-pub(in crate::claims) mod impact;
+mod impact;
 mod implicit;
 mod semi_implicit;
-pub(in crate::claims) mod spring;
-pub(in crate::claims) mod symplectic;
-pub(in crate::claims) mod systems;
+mod symplectic;
 
 /// The claims, one slice per file.
 pub const CLAIMS: &[&[Claim]] =

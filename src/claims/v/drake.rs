@@ -5,7 +5,7 @@ use crate::claims::prelude::*;
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "V.drake",
-    statement: "Drake: SAP is the current default.",
+    statement: "As of 2026 SAP is Drake's current default contact solver.",
     verdict: ClaimVerdict::True,
     kind: Kind::Path,
     severity: None,

@@ -1,84 +1,116 @@
 //! MuJoCo's version and defaults, as the pinned release states them.
 
+use crate::claims::experiments::facts::pinocchio;
 use crate::claims::experiments::mujoco::facts;
+use crate::claims::experiments::spring_damper::{SEMI_IMPLICIT, is_stable, matrix};
 use crate::claims::experiments::touch::differentiable;
 use crate::claims::prelude::*;
 use crate::closed_forms::mujoco_contact::ContactParameters;
+use crate::integrators::SpringDamper;
+use crate::integrators::stability::invariants;
 
 const STORED: &str = "MuJoCo 3.17.0, asked by scripts/generate_references.py, answers in references/facts/mujoco.json";
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
         id: "V.mujoco",
-        statement: "MuJoCo 3.x, open source; MJX is differentiable.",
+        statement: "As of 2026, the repository prevails: MuJoCo is at 3.x, open source; MJX supports differentiation.",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Path,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Certified,
+        evidence: Evidence::Cited,
         correct_statement: "The version is a matter of date: 3.x is what this repository pins (3.17.0), 4.0.0 appeared in November 2026. \
             The step that MJX differentiates has a derivative where no contact touches or lets go within it (S6.mjx-gradients).",
-        argument: "The pinned package calls itself 3.17.0. Of 4.0.0 only the package index was consulted, on 2026-11-21. Of the step: \
-            S10.mujoco-row; MJX itself was not run.",
-        controls: &["A ball without weight that rests at touch, where nothing jumps."],
+        argument: "The pinned package calls itself 3.17.0. Of 4.0.0 only the package index was consulted, in November 2026. MJX \
+            itself was not run: the step is that of MuJoCo's default contact, h = 2 ms, whose velocity after a step jumps where a ball \
+            touches and not where it is 1 mm deep.",
+        controls: &[
+            "A ball without weight that rests at touch, where nothing jumps.",
+            "A ball at touch in place of one 1 mm deep.",
+            "Pinocchio's release in place of MuJoCo's.",
+        ],
         sources: &["chapter, table of versions", STORED],
         check: version,
     },
     Claim {
         id: "V.defaults",
-        statement: "MuJoCo's defaults: solref (0.02, 1), solimp (0.9, 0.95, 0.001, 0.5, 2), Newton, semi-implicit Euler; timeconst ≥ 2h; a \
-            spring needs h ≤ 2√(m/k).",
+        statement: "MuJoCo's defaults: solref (0.02, 1), solimp (0.9, 0.95, 0.001, 0.5, 2), Newton, semi-implicit Euler. Empirical bounds \
+            of stability: timeconst ≥ 2h, h ≤ 2/ω₀ = 2√(m/k).",
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Cited,
         correct_statement: "The defaults are right. The bound on h is that of the undamped spring; with an explicit damper c it is h²k + \
             2hc ≤ 4m, and smaller.",
-        argument: "Asked of the pinned release. Semi-implicit step on k = m = 1, c = 1 at h = 3/2 < 2: det = −1/2, trace = −7/4, and 1 + \
-            trace + det = −5/4 < 0: an eigenvalue below −1.",
-        controls: &["c = 0."],
+        argument: "Asked of the pinned release. A semi-implicit step on k = m = 1 at h = 3/2 < 2, decided in rationals: stable without \
+            damper, and not with c = 1, where 1 + trace + det = −5/4 < 0: an eigenvalue below −1.",
+        controls: &[
+            "c = 0.",
+            "h = 5/2, beyond the bound.",
+            "Other names asked for (solref and solimp exchanged, CG, RK4), and a time constant above 2h.",
+        ],
         sources: &["chapter, table of defaults", STORED],
         check: defaults,
     },
 ];
 
 fn version(reading: Reading) -> Result<Vec<Finding>> {
-    let mut findings = vec![Finding::decision("the pinned release is 3.x", facts()?.text(&["version"]).starts_with("3."), true)];
+    let release = match reading.only(2) {
+        Reading::Recorded => facts()?.text(&["version"]),
+        Reading::Control(_) => pinocchio()?.version,
+    };
+    let mut findings = vec![Finding::decision("the pinned release is 3.x", release.starts_with("3."), true).looked_up()];
     findings.extend(differentiable(reading));
     Ok(findings)
 }
 
-/// 1 + trace + det of the semi-implicit step with an explicit damper, k = m = 1: negative where an eigenvalue is below −1.
-fn below(step: &Rational, damping: &Rational) -> Rational {
-    // v⁺ = (1 − hc) v − h x, x⁺ = x + h v⁺
-    let (one, pull) = (ratio(1, 1), ratio(1, 1) - step * damping);
-    let trace = (&one - step * step) + &pull;
-    one + trace + pull
-}
-
 fn defaults(reading: Reading) -> Result<Vec<Finding>> {
     let facts = facts()?;
-    let number = |key: &str| facts.number(&["stated", "defaults", key]);
-    let ours = ContactParameters::default();
+    let asked = reading.only(2).is_control();
+    let [reference, impedance] = if asked { ["solimp", "solref"] } else { ["solref", "solimp"] };
+    let [solver, integrator] = if asked { ["CG", "RK4"] } else { ["NEWTON", "EULER"] };
+    let default = |key: &str| facts.number(&["stated", "defaults", key]);
     let list = |key: &str| facts.numbers(&["stated", "defaults", key]);
-    let shortest = ContactParameters { reference: [0.001, 1.0], ..ours }.stiffness_and_damping(0.01);
-    let two_steps = ContactParameters { reference: [0.02, 1.0], ..ours }.stiffness_and_damping(0.01);
-    let damping = reading.pick(ratio(1, 1), ratio(0, 1));
+    let numbered = |kind: &str, name: &str| facts.number(&["stated", kind, name]);
+    let ours = ContactParameters::default();
+    let counts_as = |time_constant: f64| ContactParameters { reference: [time_constant, 1.0], ..ours }.stiffness_and_damping(0.01);
+    // k = m = 1: c = 1 is ζ = 1/2
+    let damping_ratio = reading.only(0).pick(ratio(1, 2), ratio(0, 1));
+    let h = reading.only(1).pick(ratio(3, 2), ratio(5, 2));
     Ok(vec![
-        Finding::exact("1 + trace + det at h = 3/2 without damper", &below(&ratio(3, 2), &ratio(0, 1)), &ratio(7, 4), "1")
-            .says_at_least(ratio(0, 1)),
-        Finding::exact("1 + trace + det at h = 3/2", &below(&ratio(3, 2), &damping), &ratio(-5, 4), "1")
-            .says_at_least(ratio(0, 1))
+        Finding::decision("stable at h = 3/2 without damper, k = m = 1", is_stable(&SEMI_IMPLICIT, &ratio(0, 1), &h), true),
+        Finding::decision("stable at h = 3/2 with c = 1", is_stable(&SEMI_IMPLICIT, &damping_ratio, &h), false)
+            .says(true)
             .violating("no damper"),
         Finding::decision(
             "solref and solimp",
-            list("solref")?.as_slice() == ours.reference && list("solimp")?.as_slice() == ours.impedance,
+            list(reference)?.as_slice() == [0.02, 1.0] && list(impedance)?.as_slice() == [0.9, 0.95, 0.001, 0.5, 2.0],
             true,
-        ),
+        )
+        .looked_up(),
         Finding::decision(
             "Newton and Euler",
-            number("solver")? == facts.number(&["stated", "solvers", "NEWTON"])? && number("integrator")? == 0.0,
+            default("solver")? == numbered("solvers", solver)? && default("integrator")? == numbered("integrators", integrator)?,
+            true,
+        )
+        .looked_up(),
+        Finding::decision(
+            "timeconst counts as 2h where it is shorter",
+            counts_as(if asked { 0.03 } else { 0.001 }) == counts_as(0.02),
             true,
         ),
-        Finding::decision("timeconst counts as 2h where it is shorter", shortest == two_steps, true),
+        Finding::exact(
+            "1 + trace + det at h = 3/2 with c = 1",
+            &beyond(&SpringDamper::of_ratio(ratio(1, 2)), &ratio(3, 2)),
+            &ratio(-5, 4),
+            "1",
+        )
+        .context(),
     ])
+}
+
+/// 1 + trace + det of a semi-implicit step h: negative where an eigenvalue is below −1.
+fn beyond(spring: &SpringDamper, h: &Rational) -> Rational {
+    let [trace, determinant] = invariants(&matrix(&SEMI_IMPLICIT, spring, h));
+    ratio(1, 1) + trace + determinant
 }

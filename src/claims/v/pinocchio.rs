@@ -1,6 +1,6 @@
 //! The version of Pinocchio.
 
-use crate::claims::experiments::repositories::{PINOCCHIO_2, PINOCCHIO_3, PINOCCHIO_3_TAKES};
+use crate::claims::experiments::repositories::{PINOCCHIO_2, PINOCCHIO_2_TAKES, PINOCCHIO_3, PINOCCHIO_3_TAKES};
 use crate::claims::prelude::*;
 
 pub const CLAIMS: &[Claim] = &[Claim {
@@ -15,16 +15,16 @@ pub const CLAIMS: &[Claim] = &[Claim {
         default law, other folders (S10.path-pinocchio).",
     argument: "The tree of the tag v3.7.0 has both files, and its ADMM takes a proximal term and a compliance; it adds De Saxcé's shift in \
         every iteration, which makes the cone problem Coulomb's.",
-    controls: &["Release 2.7.0."],
+    controls: &["Release 2.7.0, which has no such solver."],
     sources: &["chapter, table of software", "Pinocchio, tags v2.7.0 and v3.7.0: admm-solver.hpp and .hxx"],
     check: release,
 }];
 
 fn release(reading: Reading) -> Result<Vec<Finding>> {
-    let tree = reading.pick(PINOCCHIO_3, PINOCCHIO_2);
-    let takes = |name: &str| Finding::decision(format!("ADMM takes {name}"), PINOCCHIO_3_TAKES.contains(&name), true);
+    let (tree, settings) = reading.pick((PINOCCHIO_3, &PINOCCHIO_3_TAKES[..]), (PINOCCHIO_2, &PINOCCHIO_2_TAKES[..]));
+    let takes = |name: &str| Finding::decision(format!("ADMM takes {name}"), settings.contains(&name), true).looked_up();
     Ok(vec![
-        Finding::count("files of the printed names", tree.count_named(&["admm-solver.hxx", "contact-cholesky.hpp"]), 2),
+        Finding::count("files of the printed names", tree.count_named(&["admm-solver.hxx", "contact-cholesky.hpp"]), 2).looked_up(),
         takes("mu_prox"),
         takes("R"),
     ])

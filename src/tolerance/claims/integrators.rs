@@ -8,6 +8,12 @@ pub use moreau_dynamics::tolerance::integrators::BESIDE;
 /// Derived.
 pub const BISECTED: f64 = 1.0 / (1u64 << 46) as f64;
 
+/// What 40 bisections of (0, 16) leave of s = hω, and the rounding of a closed form of s below 9 in fewer than 32 operations.
+/// Derived.
+pub fn end_of_stable_steps() -> f64 {
+    16.0 / (1u64 << 40) as f64 + rounding(32, 9.0)
+}
+
 /// How far the loss of energy of implicit Euler at h = 1/32 over that at 1/64 may be from 2 (over a fixed time) or 4 (in a step): with
 /// ln(1 + h²)/h = h − h³/2 + … the loss is h − h²/2 + O(h³) over a unit time and h² − h⁴ + … in a step, so that the ratios are
 /// 2 − h/2 + O(h²) and 4 − 3h² + …; 2h covers both.

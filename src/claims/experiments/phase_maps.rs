@@ -1,11 +1,12 @@
 //! Systems with rational steps on which symplecticity and impacts are decided exactly.
 
-use super::spring::SEMI_IMPLICIT;
+use super::spring_damper::SEMI_IMPLICIT;
+use crate::checks::Finding;
 use crate::integrators::impact_flow::{ImpactFlow, Tangent};
 use crate::integrators::jacobian::jacobian;
-use crate::integrators::variational::{InPotential, ScalarField, Variational, Verlet};
+use crate::integrators::variational::{Guess, InPotential, ScalarField, Variational, Verlet};
 use crate::integrators::{Method, Phase, SmoothSystem};
-use crate::scalar::{Rational, Scalar, ratio};
+use crate::scalar::{Dual, Rational, Scalar, ratio};
 use nalgebra::{DMatrix, DVector};
 
 /// A vector of ratios.
@@ -137,6 +138,53 @@ impl ScalarField for Floor {
     fn value<T: Scalar>(&self, position: &DVector<T>) -> T {
         position[position.len() - 1].clone()
     }
+}
+
+/// One finding for the entries of a matrix that should vanish.
+pub fn vanishes(name: &str, matrix: &DMatrix<Rational>) -> Finding {
+    let largest = matrix.iter().map(Scalar::magnitude).fold(ratio(0, 1), |a, b| if a > b { a } else { b });
+    Finding::exact(format!("largest entry of {name}"), &largest, &ratio(0, 1), "1")
+}
+
+/// The variational integrator, a start whose step of ½ hits the wall, and the impact's unknowns.
+pub fn hitting() -> (Variational<Bowl, CurvedFloor>, Phase<Rational>, Guess<Rational>) {
+    let integrator = Variational { potential: Bowl, gap: Bowl::wall() };
+    let time = ratio(1, 4);
+    let (start, jump) = variational_start(&integrator, &time);
+    (integrator, start, Guess { time, jump, newton_steps: 1 })
+}
+
+/// D of that step with its velocity at the end multiplied by `kept`.
+pub fn kept_step(kept: &Rational) -> DMatrix<Rational> {
+    let (integrator, start, guess) = hitting();
+    let constant = Guess { time: Dual::constant(guess.time), jump: Dual::constant(guess.jump), newton_steps: 1 };
+    jacobian(&start.stacked(), |x| {
+        let after = integrator.step_with_impact(&Phase::from_stacked(x), &Dual::constant(ratio(1, 2)), &constant);
+        Phase { velocity: after.velocity * Dual::constant(kept.clone()), ..after }.stacked()
+    })
+}
+
+/// Two coupled masses, a step of 1/20 s above the wall that they penetrate in it.
+pub fn about_to_penetrate() -> Phase<Rational> {
+    Phase { position: entries(&[(1, 2), (1, 100)]), velocity: entries(&[(2, 1), (-3, 1)]) }
+}
+
+/// A flow without friction across the disk, under the acceleration (1/2, −3).
+pub fn loaded(restitution: Rational) -> DMatrix<Rational> {
+    disk_flow(restitution, Tangent::Frictionless, ratio(0, 1), &[(1, 2), (-3, 1)])
+}
+
+/// The flow of a ball across its impact at a speed, g = 10 m/s², from `speed`/1000 s before it to as long after.
+pub fn ball_flow(restitution: &Rational, speed: &Rational) -> DMatrix<Rational> {
+    let flow = ImpactFlow {
+        gap: Floor,
+        acceleration: entries(&[(-10, 1)]),
+        restitution: restitution.clone(),
+        tangent: Tangent::Frictionless,
+        friction: ratio(0, 1),
+    };
+    let time = speed / ratio(1000, 1);
+    across(&flow, &entries(&[(0, 1)]), &DVector::from_element(1, -speed.clone()), &time, &(&time * ratio(2, 1)))
 }
 
 /// The flow across an impact on the disk at (3/5, 4/5), arriving there with a velocity after 1/3 s, to t = 1/2 s.
