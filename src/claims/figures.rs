@@ -1,5 +1,6 @@
 //! How hard the evidence is, in numbers: verdicts that follow from their findings, findings that decide, findings that a control moves.
 
+use super::moved::is_moved;
 use super::{JudgedClaim, Kind, is_derived, original};
 use crate::checks::Finding;
 use serde::Serialize;
@@ -53,15 +54,7 @@ impl Figures {
 
     /// Whether a control finds this finding of the outcome otherwise.
     pub fn moves(finding: &Finding, outcome: &JudgedClaim) -> bool {
-        outcome.controls.iter().any(|control| Figures::is_moved(finding, &outcome.findings, control))
-    }
-
-    /// Whether the other list has another finding in the place of this one: the one of its name, and of its turn among those of that name.
-    pub fn is_moved(finding: &Finding, findings: &[Finding], others: &[Finding]) -> bool {
-        let namesakes = |all: &[Finding]| all.iter().filter(|other| other.name == finding.name).cloned().collect::<Vec<_>>();
-        let turn = findings.iter().filter(|other| other.name == finding.name).position(|other| std::ptr::eq(other, finding));
-        let counterpart = turn.and_then(|turn| namesakes(others).into_iter().nth(turn));
-        counterpart.is_none_or(|other| other.supports() != finding.supports() || other.holds() != finding.holds())
+        outcome.controls.iter().any(|control| is_moved(finding, &outcome.findings, control))
     }
 }
 

@@ -1,6 +1,6 @@
 //! What nearly every claim names: `use crate::claims::prelude::*;`.
 
-pub(crate) use super::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity};
+pub(crate) use super::{Claim, ClaimVerdict, Evidence, Kind, Reading, Severity, check};
 pub(crate) use crate::checks::Finding;
 pub(crate) use crate::scalar::{Rational, Scalar, ratio};
 pub(crate) use crate::{Error, Result};

@@ -1,6 +1,7 @@
 //! All claims in the chapter's order, and how one is judged.
 
-use super::{Claim, ClaimVerdict, Figures, Reading, UNDERIVED, derive, group_of};
+use super::moved::is_moved;
+use super::{Claim, ClaimVerdict, Reading, UNDERIVED, derive, group_of};
 use crate::checks::{Finding, Voice};
 use moreau_exact::witness::{Witness, collect};
 use serde::Serialize;
@@ -14,8 +15,8 @@ pub enum Status {
     Supported,
     /// A finding fails: the evidence speaks against the recorded verdict.
     Contradicted,
-    /// A control passed as well, leads to the same verdict, or moves nothing that another one does not: the check cannot tell the verdict from
-    /// its opposite.
+    /// A control passed as well, leads to the same verdict, or moves nothing that another one does not: the check cannot tell the verdict
+    /// from its opposite.
     ControlPassed,
     /// What the findings say of the sentence is another verdict than the recorded one; in words.
     OtherVerdict(String),
@@ -74,8 +75,8 @@ pub fn matches_group(id: &str, group: &str) -> bool {
 /// Runs the check of a claim on the recorded reading and on its control.
 pub fn judge(claim: &'static Claim) -> JudgedClaim {
     let start = Instant::now();
-    let recorded = (claim.check)(Reading::Recorded);
-    let controls = (0..claim.controls.len()).map(|place| (claim.check)(Reading::Control(place))).collect::<crate::Result<Vec<_>>>();
+    let recorded = (claim.check.run)(Reading::Recorded);
+    let controls = (0..claim.controls.len()).map(|place| (claim.check.run)(Reading::Control(place))).collect::<crate::Result<Vec<_>>>();
     let status = match (&recorded, &controls) {
         (Err(error), _) => Status::Failed(error.to_string()),
         (_, Err(error)) => Status::Failed(format!("control: {error}")),
@@ -95,7 +96,7 @@ pub fn judge(claim: &'static Claim) -> JudgedClaim {
 /// # Errors
 /// That of a check that cannot be carried out.
 pub fn witnesses(claim: &Claim) -> crate::Result<(Vec<Finding>, Vec<Witness>)> {
-    let (findings, all) = collect(|| (claim.check)(Reading::Recorded));
+    let (findings, all) = collect(|| (claim.check.run)(Reading::Recorded));
     let mut told: Vec<Witness> = Vec::new();
     for witness in all {
         if !told.contains(&witness) {
@@ -132,8 +133,8 @@ pub fn conclude(verdict: ClaimVerdict, derived: bool, findings: &[Finding], cont
 /// Whether a control after the first moves no deciding finding but those that one before it moves.
 fn idle(findings: &[Finding], controls: &[Vec<Finding>]) -> bool {
     let moved = |control: &[Finding]| {
-        let moves = |finding: &&Finding| !finding.bearing.context && Figures::is_moved(finding, findings, control);
-        findings.iter().filter(moves).map(|finding| std::ptr::from_ref(finding)).collect::<Vec<_>>()
+        let moves = |finding: &&Finding| !finding.bearing.context && is_moved(finding, findings, control);
+        findings.iter().filter(moves).map(std::ptr::from_ref).collect::<Vec<_>>()
     };
     let mut before = moved(&controls[0]);
     controls[1..].iter().any(|control| {

@@ -148,6 +148,8 @@ pub struct ExplanationEntry<'a> {
     #[serde(flatten)]
     outcome: OutcomeEntry<'a>,
     argument: &'static str,
+    /// Path of the function that checks it.
+    check: &'static str,
     controls: Vec<ControlEntry<'a>>,
     sources: &'static [&'static str],
 }
@@ -156,6 +158,7 @@ impl<'a> From<&'a JudgedClaim> for ExplanationEntry<'a> {
     fn from(outcome: &'a JudgedClaim) -> Self {
         ExplanationEntry {
             argument: outcome.claim.argument,
+            check: outcome.claim.check.path,
             controls: outcome.claim.controls.iter().zip(&outcome.controls).map(ControlEntry::from).collect(),
             sources: outcome.claim.sources,
             outcome: outcome.into(),

@@ -3,7 +3,7 @@
 pub use crate::checks::text::Style;
 use crate::checks::{Finding, Voice};
 use crate::claims::{
-    Claim, ClaimVerdict, Figures, JudgedClaim, Kind, PLACES, SECTIONS, Section, Status, derive, is_derived, order, original,
+    Claim, ClaimVerdict, Figures, JudgedClaim, Kind, PLACES, SECTIONS, Section, Status, derive, is_derived, is_moved, order, original,
 };
 use crate::number::{significant, two_digits, with_unit};
 use std::fmt::Write;
@@ -72,6 +72,7 @@ pub fn explanation(outcome: &JudgedClaim, style: Style) -> String {
         part("Control", &control(outcome, place, findings, style));
     }
     part("Sources", &claim.sources.iter().map(|source| wrap(source)).collect::<Vec<_>>());
+    part("Check", &[wrap(claim.check.path)]);
     line(&mut text, "");
     complain(&mut text, outcome, style);
     if outcome.status == Status::Supported {
@@ -185,7 +186,7 @@ fn complain(text: &mut String, outcome: &JudgedClaim, style: Style) {
 
 /// A control: what it changes, the findings that come out otherwise, and what follows.
 fn control(outcome: &JudgedClaim, place: usize, findings: &[Finding], style: Style) -> Vec<String> {
-    let moved = |finding: &&Finding| Figures::is_moved(finding, findings, &outcome.findings);
+    let moved = |finding: &&Finding| is_moved(finding, findings, &outcome.findings);
     let mut lines = vec![wrap(outcome.claim.controls[place])];
     lines.extend(findings.iter().filter(moved).map(bearing));
     lines.push(match (&outcome.status, derive(findings)) {
@@ -256,7 +257,7 @@ fn wrap(prose: &str) -> String {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::claims::{Evidence, Reading, Severity};
+    use crate::claims::{Check, Evidence, Reading, Severity};
 
     pub(crate) const CLAIM: Claim = Claim {
         id: "S4.example",
@@ -269,11 +270,14 @@ pub(crate) mod tests {
         argument: "1 ≠ 2",
         controls: &["two is fed through"],
         sources: &["chapter §4"],
-        check: |reading| Ok(vec![Finding::equal("length", reading.pick(1.0, 2.0), 1.0, 0.0, "m").says(2.0)]),
+        check: Check {
+            run: |reading| Ok(vec![Finding::equal("length", reading.pick(1.0, 2.0), 1.0, 0.0, "m").says(2.0)]),
+            path: "moreau::claims::example",
+        },
     };
 
     pub(crate) fn outcome(status: Status) -> JudgedClaim {
-        let findings = |reading| (CLAIM.check)(reading).expect("the example cannot fail");
+        let findings = |reading| (CLAIM.check.run)(reading).expect("the example cannot fail");
         JudgedClaim {
             claim: &CLAIM,
             findings: findings(Reading::Recorded),

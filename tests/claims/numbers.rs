@@ -23,8 +23,10 @@ static LITERAL: LazyLock<Regex> = LazyLock::new(|| Regex::new(r"\b\d[\d_]*(?:\.[
 static RATIO: LazyLock<Regex> = LazyLock::new(|| Regex::new(r"\b(\d+)(?:\.0)?\s*[,/]\s*(\d+)(?:\.0)?").expect("a pattern"));
 static NAMED: LazyLock<Regex> = LazyLock::new(|| Regex::new(r"(super|experiments)::(\w+)").expect("a pattern"));
 static PLACE: LazyLock<Regex> = LazyLock::new(|| {
-    let before = "§|[Ee]xercises?|[Ss]ections?|[Cc]hapter|[Tt]heorem|[Ee]q\\.|[Ff]igure|[Tt]able|pages?|pp?\\.|[Ll]ines?|[Vv]ol\\.|No\\.|[Rr]ow|DOI|MuJoCo|Drake|Siconos|Pinocchio|Chrono|Bullet|PyBullet";
-    Regex::new(&format!("(?:{before}) ?\\(?(?:\\d+–)?$")).expect("a pattern")
+    let before =
+        "§|[Ee]xercises?|[Ss]ections?|[Cc]hapter|[Tt]heorem|[Ee]q\\.|[Ff]igure|[Tt]able|pages?|pp?\\.|[Ll]ines?|[Vv]ol\\.|No\\.|[Rr]ow|DOI";
+    let releases = "MuJoCo|Drake|Siconos|Pinocchio|Chrono|Bullet|PyBullet";
+    Regex::new(&format!("(?:{before}|{releases}) ?\\(?(?:\\d+–)?$")).expect("a pattern")
 });
 
 /// A number of a text: its value, and half a unit of its last digit.

@@ -29,7 +29,7 @@ pub const PREFACE: &[Claim] = &[Claim {
         "The two ends of [0, 2] in the place of C, which are not convex.",
     ],
     sources: &["chapter, recollections before §0", "Cottle, Pang and Stone, The Linear Complementarity Problem (1992), §1.1"],
-    check: complementary_slackness,
+    check: check!(complementary_slackness),
 }];
 
 /// Claims of the table of misconceptions.
@@ -53,7 +53,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
         "Lemke's answer for μ = 1 in the LCP with μ = ½.",
     ],
     sources: &["chapter, table of misconceptions, polyhedral cone and convex relaxation"],
-    check: cone_error,
+    check: check!(cone_error),
 }];
 
 fn number(entry: &i64) -> Rational {

@@ -27,7 +27,7 @@ pub(super) const PREFACE: &[Claim] = &[
             the module asks for: block of 1 kg at 20°, μ = 0.5, one second in 50, 100 and 200 steps: distance 0 to rounding.",
         controls: &["The same scheme with the tangential softness R_t = 1/1000 kg⁻¹: it creeps."],
         sources: &["chapter, cumulative project, module B"],
-        check: block_at_rest,
+        check: check!(block_at_rest),
     },
     Claim {
         id: "P.scenes",
@@ -49,7 +49,7 @@ pub(super) const PREFACE: &[Claim] = &[
             "Coulomb's law for the block that slides: it stays on the slope.",
         ],
         sources: &["chapter, cumulative project, reference scenes"],
-        check: scenes,
+        check: check!(scenes),
     },
 ];
 
@@ -73,7 +73,7 @@ pub(super) const MISCONCEPTIONS: &[Claim] = &[Claim {
         "Coulomb's law on the slope: no error, no gap.",
     ],
     sources: &["chapter, table of misconceptions, §5"],
-    check: error_of_a_slide,
+    check: check!(error_of_a_slide),
 }];
 
 /// Anitescu's step with a tangential softness.

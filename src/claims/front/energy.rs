@@ -27,7 +27,7 @@ pub const PREFACE: &[Claim] = &[Claim {
         "That oscillator, at θ = 1, in the place of the chain at θ = 1/2.",
     ],
     sources: &["chapter, cumulative project, module A"],
-    check: elastic_chain,
+    check: check!(elastic_chain),
 }];
 
 pub const MISCONCEPTIONS: &[Claim] = &[Claim {
@@ -46,7 +46,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
         "A ball on its way up in the place of the one at rest: no contact lasts.",
     ],
     sources: &["chapter, table of misconceptions"],
-    check: force_or_atom,
+    check: check!(force_or_atom),
 }];
 
 pub const TABLES: &[Claim] = &[Claim {
@@ -69,7 +69,7 @@ pub const TABLES: &[Claim] = &[Claim {
         "A fixed time in the place of a step.",
     ],
     sources: &["chapter, table of theorems", "chapter §3, energy estimate"],
-    check: theta_table,
+    check: check!(theta_table),
 }];
 
 fn elastic_chain(reading: Reading) -> Result<Vec<Finding>> {

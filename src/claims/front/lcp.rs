@@ -25,7 +25,7 @@ pub const PREFACE: &[Claim] = &[Claim {
         reaches a solution, min(P, U) = 0 entry by entry, with the same velocity U = 0 and different impulses.",
     controls: &["A single sweep."],
     sources: &["chapter, cumulative project, module A"],
-    check: gauss_seidel,
+    check: check!(gauss_seidel),
 }];
 
 /// Claims of the table of misconceptions.
@@ -50,7 +50,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
         "μ = 1 on the rod: one solution.",
     ],
     sources: &["chapter, table of misconceptions"],
-    check: existence_only,
+    check: check!(existence_only),
 }];
 
 /// Claims of the tables of theorems.
@@ -71,7 +71,7 @@ pub const TABLES: &[Claim] = &[Claim {
         "A mass matrix that is not definite, diag(1, 1, −1).",
     ],
     sources: &["chapter, table of theorems", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.1"],
-    check: normal_lcp,
+    check: check!(normal_lcp),
 }];
 
 fn existence_only(reading: Reading) -> Result<Vec<Finding>> {

@@ -23,7 +23,7 @@ pub const PREFACE: &[Claim] = &[Claim {
         "A run that ends before the impact, where the velocity does not jump.",
     ],
     sources: &["chapter, preface: what you miss without §0–§1"],
-    check: order_zero,
+    check: check!(order_zero),
 }];
 
 /// Claims of the table of misconceptions.
@@ -42,7 +42,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
                order 4 through one, two and three impacts.",
     controls: &["The integrator that steps over the impact and the one that locates it, exchanged."],
     sources: &["chapter, table of misconceptions"],
-    check: high_order,
+    check: check!(high_order),
 }];
 
 fn order_zero(reading: Reading) -> Result<Vec<Finding>> {

@@ -31,7 +31,7 @@ pub const PREFACE: &[Claim] = &[
                    (e = 0 has one impact, e = 1 an infinite total time.)",
         controls: &["e = 1, for which impact 60 comes at 119 t₁.", "e = 0: one impact, no more."],
         sources: &["chapter, self-test question 5"],
-        check: zeno_question,
+        check: check!(zeno_question),
     },
     Claim {
         id: "P.compare",
@@ -54,7 +54,7 @@ pub const PREFACE: &[Claim] = &[
             "A plastic rigid ball.",
         ],
         sources: &["chapter, cumulative project, comparison experiment"],
-        check: damped_restitution,
+        check: check!(damped_restitution),
     },
 ];
 
@@ -77,7 +77,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[
             "The other patch: reverse v with the impulse (1+e) m |v| of an impact, which leaves out gravity's.",
         ],
         sources: &["chapter, table of misconceptions, row 1"],
-        check: simultaneous,
+        check: check!(simultaneous),
     },
     Claim {
         id: "M.zeno",
@@ -96,7 +96,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[
             "The rule φ + hv ≤ 0 with v ≤ 0, under which the ball is never absorbed.",
         ],
         sources: &["chapter §1, comparison table; chapter, cumulative project, scene (a)"],
-        check: micro_bounces,
+        check: check!(micro_bounces),
     },
 ];
 
@@ -124,7 +124,7 @@ pub const TABLES: &[Claim] = &[
             "The restitution left out of the scheme.",
         ],
         sources: &["chapter, table of theorems", "chapter §3"],
-        check: converges_on_the_ball,
+        check: check!(converges_on_the_ball),
     },
     Claim {
         id: "T.symbols",
@@ -142,7 +142,7 @@ pub const TABLES: &[Claim] = &[
             that unit impulses along n and t give, the Delassus operator, are half the identity. With D = [n, t] both agree.",
         controls: &["D read as [n, t] in both places, for which the two matrices agree.", "D read as [t, −t] in both places."],
         sources: &["chapter, table of symbols; chapter §4 and §5"],
-        check: two_meanings_of_d,
+        check: check!(two_meanings_of_d),
     },
 ];
 

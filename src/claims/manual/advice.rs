@@ -17,7 +17,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         ms; Lagged, which does not glide, takes the same steps and lifts it by nothing.",
     controls: &["SAP and Lagged exchanged."],
     sources: &["chapter, advice for research practice", "S5.sap-doc"],
-    check: gliding,
+    check: check!(gliding),
 }];
 
 fn gliding(reading: Reading) -> Result<Vec<Finding>> {

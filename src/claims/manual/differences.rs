@@ -26,7 +26,7 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
         "Three corners in place of four, μ = 1 for the rod, e = 1/2 for the balls, and the two laws of the slide exchanged.",
     ],
     sources: &["chapter, troubleshooting manual, row 7"],
-    check: differences,
+    check: check!(differences),
 }];
 
 /// The velocities v = v_free + M⁻¹Hᵀr of these solutions, each once.

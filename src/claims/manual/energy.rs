@@ -36,7 +36,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "The remedies in place of the causes: θ = 1/2, ERP = 0, e = 1 and fifty warm sweeps; and a projection where there is none.",
         ],
         sources: &["chapter, troubleshooting manual, row 3"],
-        check: growth,
+        check: check!(growth),
     },
     Claim {
         id: "R4",
@@ -54,7 +54,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             0.298, 0.135, 0.048 for ζ = 0.1, 0.3, 0.5, 1, 2, within the first-order bound of the step.",
         controls: &["The spring in the place of both balls.", "θ = 1/2 and 1 exchanged on the spring, and twice the damping ratio."],
         sources: &["chapter, troubleshooting manual, row 4", "Schwager and Pöschel 2007"],
-        check: loss,
+        check: check!(loss),
     },
 ];
 

@@ -30,7 +30,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "Twice the sweeps in the halved step, no warm start, and the two time constants exchanged.",
         ],
         sources: &["chapter, troubleshooting manual, row 5"],
-        check: trembling,
+        check: check!(trembling),
     },
     Claim {
         id: "R6",
@@ -52,7 +52,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "Another law's steps: MuJoCo's for SAP's, the hard block's for MuJoCo's, SAP's for the regularised.",
         ],
         sources: &["chapter, troubleshooting manual, row 6", "S5.gliding-creep", "stored runs of block_stick, see tests/references"],
-        check: creeping,
+        check: check!(creeping),
     },
 ];
 

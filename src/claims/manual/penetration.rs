@@ -34,7 +34,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "A soft contact as stiff as its step allows, t_c = 2h, and a ball that starts at the same height for both steps.",
         ],
         sources: &["chapter, troubleshooting manual, row 1"],
-        check: exponents,
+        check: check!(exponents),
     },
     Claim {
         id: "R2",
@@ -54,7 +54,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "Single precision, and Anitescu's plastic step in place of Moreau–Jean's.",
         ],
         sources: &["chapter, troubleshooting manual, row 2", "chapter §0 and §1"],
-        check: stall,
+        check: check!(stall),
     },
 ];
 

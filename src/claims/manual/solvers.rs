@@ -37,7 +37,7 @@ pub(super) const CLAIMS: &[Claim] = &[Claim {
         "A hundred sweeps of Gauss–Seidel in place of Lemke's method and of ADMM.",
     ],
     sources: &["chapter, troubleshooting manual, row 8", "Drake, pull request 24831, for the removal of TAMSI"],
-    check: conditioning,
+    check: check!(conditioning),
 }];
 
 /// Two bodies on the floor falling by u_free = −1 m/s.

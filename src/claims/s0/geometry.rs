@@ -22,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
             happens to be convex.",
         controls: &["The inside of the disk, where the midpoint is admissible."],
         sources: &["chapter §0, table of the three difficulties", "chapter §2, step 1"],
-        check: convexity,
+        check: check!(convexity),
     },
     Claim {
         id: "S0.gjk",
@@ -38,7 +38,7 @@ pub const CLAIMS: &[Claim] = &[
             0.7) the enclosure closes on φ = 0.3 m; at depths 0.05 and 0.1 m below the upper face it closes on 0 both times.",
         controls: &["Disks beside a corner of the box in the place of those inside it.", "The algorithm stopped after its first step."],
         sources: &["chapter §0, gap function", "Gilbert, Johnson, Keerthi, IEEE J. Robotics and Automation 4 (1988)"],
-        check: distance_is_not_depth,
+        check: check!(distance_is_not_depth),
     },
 ];
 

@@ -29,7 +29,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §0, three kinds of integrators",
             "HAL hal-01570533; title page of the paper: SIAM Review, Vol. 42, No. 1, pp. 3–39, 2000, DOI 10.1137/S0036144599360110",
         ],
-        check: survey,
+        check: check!(survey),
     },
     Claim {
         id: "S0.hlw",
@@ -46,7 +46,7 @@ pub const CLAIMS: &[Claim] = &[
             f is smooth in every step; order 1 with the velocity flipped at the end of the step, within which it jumps.",
         controls: &["The flip and the located impacts exchanged."],
         sources: &["chapter §0, (a) solutions of bounded variation"],
-        check: smooth_pieces,
+        check: check!(smooth_pieces),
     },
     Claim {
         id: "S0.fetecau",
@@ -65,7 +65,7 @@ pub const CLAIMS: &[Claim] = &[
             after the step times 4/5: the determinant is 4/5. With the position after the step set to 0, the determinant is 0.",
         controls: &["The step that keeps 4/5 of the velocity.", "The position left where it is in the place of that set onto the surface."],
         sources: &["chapter §0, variational integrators", "Fetecau, Marsden, Ortiz and West, SIAM J. Appl. Dyn. Syst. 2 (2003) 381"],
-        check: variational,
+        check: check!(variational),
     },
 ];
 

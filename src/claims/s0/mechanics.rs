@@ -25,7 +25,7 @@ pub const CLAIMS: &[Claim] = &[
             states satisfies φ⁺ r = 0 exactly, and r > 0 where the free step ends below the floor.",
         controls: &["A Moreau–Jean step with e = 1/2, which ends with φ⁺ > 0 and r > 0.", "A step that does not see the floor."],
         sources: &["chapter §0, opening"],
-        check: signorini,
+        check: check!(signorini),
     },
     Claim {
         id: "S0.phidot",
@@ -39,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
             with J v, rotation included, and so does its sign.",
         controls: &["J without its column for the rotation."],
         sources: &["chapter §0, gap function and contact Jacobian"],
-        check: gap_rate,
+        check: check!(gap_rate),
     },
     Claim {
         id: "S0.JT",
@@ -53,7 +53,7 @@ pub const CLAIMS: &[Claim] = &[
             of mass, computed from the corner's place.",
         controls: &["The pseudo-inverse Jᵀ(JJᵀ)⁻¹ in place of Jᵀ."],
         sources: &["chapter §0, contact Jacobian"],
-        check: virtual_work,
+        check: check!(virtual_work),
     },
     Claim {
         id: "S0.delassus-ij",
@@ -67,7 +67,7 @@ pub const CLAIMS: &[Claim] = &[
             by (−1/2, 3/4), in rationals, with M Δv = Jᵀe_i solved by elimination.",
         controls: &["J M Jᵀ."],
         sources: &["chapter §0, several contacts"],
-        check: unit_impulses,
+        check: check!(unit_impulses),
     },
     Claim {
         id: "S0.impulse-unit",
@@ -80,7 +80,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "A 2 kg ball at rest under both schemes: P/(m g h) = 1, and halving h halves P.",
         controls: &["A ball that arrives at 1 m/s, whose impulse does not halve with h."],
         sources: &["chapter §0 and §3"],
-        check: impulses,
+        check: check!(impulses),
     },
 ];
 

@@ -19,7 +19,7 @@ pub const CLAIMS: &[Claim] = &[
                    e = 0.8, u = 4.43 m/s.",
         controls: &["An impact one step later: the step does not straddle it and the error formulas must fail."],
         sources: &["chapter §0, the thought experiment with RK4"],
-        check: runge_kutta,
+        check: check!(runge_kutta),
     },
     Claim {
         id: "S0.flip-inconsistent",
@@ -37,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
                    step does v → −e(v − g h), with the fixed point v = e g h/(1+e), and moves by h(v − ½ g h) = −(1−e) g h²/(2(1+e)).",
         controls: &["e = 1/2 in the place of the elastic ball.", "A ball thrown down at 1 m/s without gravity: no flip costs anything."],
         sources: &["chapter §0, common pitfall"],
-        check: flipping,
+        check: check!(flipping),
     },
 ];
 

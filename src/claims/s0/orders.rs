@@ -36,7 +36,7 @@ pub const CLAIMS: &[Claim] = &[
             "RK4 with the velocity flipped after penetration and the one that locates impacts, exchanged, and equal work and equal steps.",
         ],
         sources: &["chapter §0, the trap of judging contact integrators by their order"],
-        check: located,
+        check: check!(located),
     },
     Claim {
         id: "S0.order-meaningless",
@@ -57,7 +57,7 @@ pub const CLAIMS: &[Claim] = &[
             "A run that ends before the impact, where sup|v| has order 1 as well.",
         ],
         sources: &["chapter §0, on solutions of bounded variation", "Moreau's filled-in graphs"],
-        check: weaker_norms,
+        check: check!(weaker_norms),
     },
     Claim {
         id: "S0.orders",
@@ -82,7 +82,7 @@ pub const CLAIMS: &[Claim] = &[
             "Contacts that are active at φ ≤ 1 cm in the place of Moreau–Jean's rule.",
         ],
         sources: &["chapter §0, Zeno phenomenon and the trap of judging by the order; §1, table; §4"],
-        check: time_stepping,
+        check: check!(time_stepping),
     },
     Claim {
         id: "S0.soft-smooth",
@@ -99,7 +99,7 @@ pub const CLAIMS: &[Claim] = &[
                    error O(kV h²) in v. The same spring acting on both sides: order 4.",
         controls: &["The smooth force takes the place of the one-sided one.", "The one-sided force takes the place of the smooth one."],
         sources: &["chapter §0, exercise 3"],
-        check: soft_contact,
+        check: check!(soft_contact),
     },
 ];
 

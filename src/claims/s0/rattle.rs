@@ -26,7 +26,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         "chapter §0, essential insight on equality constraints",
         "Hairer, Lubich, Wanner, Geometric Numerical Integration, II.4 and VII.1",
     ],
-    check: order,
+    check: check!(order),
 }];
 
 /// Place and velocity of the bob.

@@ -25,7 +25,7 @@ pub const CLAIMS: &[Claim] = &[
                    launch is e w. In rationals, for e = 16/25: heights 256/625, times 16/25.",
         controls: &["A law that keeps the fraction e of the energy instead of the speed: the speed ratio is √e = 4/5."],
         sources: &["chapter §0, bouncing ball"],
-        check: shrinking,
+        check: check!(shrinking),
     },
     Claim {
         id: "S0.tinf",
@@ -40,7 +40,7 @@ pub const CLAIMS: &[Claim] = &[
                    every bound. For e = 4/5, T∞ = 9 t₁.",
         controls: &["t₀ = 2 t₁, the first flight without its loss: T∞ = 11 t₁."],
         sources: &["chapter §0, bouncing ball and exercise 1"],
-        check: total_time,
+        check: check!(total_time),
     },
     Claim {
         id: "S0.bv-regularity",
@@ -61,7 +61,7 @@ pub const CLAIMS: &[Claim] = &[
             "The shift e v⁻ of the impact law four times too large: the ball leaves faster than it comes.",
         ],
         sources: &["chapter §0, table and item (a)"],
-        check: bounded_variation,
+        check: check!(bounded_variation),
     },
     Claim {
         id: "S0.measure-split",
@@ -82,7 +82,7 @@ pub const CLAIMS: &[Claim] = &[
             "Cantor's floor in the place of the uniform one, and the uniform one in the place of the jump.",
         ],
         sources: &["chapter §0, item (b), and §2, base measure dμ = dt + Σδ", "Lebesgue's decomposition of a measure"],
-        check: cantor_floor,
+        check: check!(cantor_floor),
     },
 ];
 

@@ -26,7 +26,7 @@ pub const CLAIMS: &[Claim] = &[
                    2⁻⁴⁹ of the floats near 9 at k = 159, and the clock stops.",
         controls: &["An elastic ball, whose flights do not shrink.", "A plastic ball, which has one landing."],
         sources: &["chapter §0, Zeno phenomenon"],
-        check: event_loop,
+        check: check!(event_loop),
     },
     Claim {
         id: "S0.adhoc",
@@ -43,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
                    u²/(2g). Checked in rationals for e = 4/5 and thresholds of 1/10, 1/100 and 1/1000 of the impact speed.",
         controls: &["A patch that stops the ball at V/2 whatever threshold it was given: its error does not vanish with the threshold."],
         sources: &["chapter §0, Zeno phenomenon"],
-        check: threshold,
+        check: check!(threshold),
     },
     Claim {
         id: "S0.zeno-absorb",
@@ -68,7 +68,7 @@ pub const CLAIMS: &[Claim] = &[
             "The rule φ + ½hv ≤ 0 in the place of that with v ≤ 0: the ball does not sink.",
         ],
         sources: &["chapter §0, Zeno phenomenon; chapter §12 for the rule with v_free"],
-        check: absorbs,
+        check: check!(absorbs),
     },
     Claim {
         id: "S0.ex1",
@@ -84,7 +84,7 @@ pub const CLAIMS: &[Claim] = &[
                    δ e/(1−e) ≤ T∞ − t < δ/(1−e) since the next flight lasts between eδ and δ.",
         controls: &["Flights of t₁ eᵏ, which forgets that the ball goes up and comes down."],
         sources: &["chapter §0, exercise 1"],
-        check: accumulation_time,
+        check: check!(accumulation_time),
     },
 ];
 

@@ -25,7 +25,7 @@ pub const CLAIMS: &[Claim] = &[
             above and 2ε/(∇s·f₋) below, and its mean velocity along the surface is exactly that of the combination.",
         controls: &["Fields of which one crosses the surface."],
         sources: &["chapter §1, Filippov systems and sliding modes", "Filippov 1988, §4"],
-        check: convex_combination,
+        check: check!(convex_combination),
     },
     Claim {
         id: "S1.stick-sliding",
@@ -43,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
             "A third of the friction on the oscillator: it still swings at the end.",
         ],
         sources: &["chapter §1, relation to contact"],
-        check: sticking,
+        check: check!(sticking),
     },
     Claim {
         id: "S1.pk",
@@ -59,7 +59,7 @@ pub const CLAIMS: &[Claim] = &[
             the state has the order of the integrator, with switches noticed at the end of a step they are late by the rest of the step.",
         controls: &["Switches that are located and those noticed at the end of a step, exchanged."],
         sources: &["chapter §1, advantage of event-driven methods", "Piiroinen and Kuznetsov, ACM TOMS 34(3), 2008 (not read)"],
-        check: detection,
+        check: check!(detection),
     },
 ];
 

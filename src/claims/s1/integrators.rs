@@ -19,7 +19,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         q̈ = −4q, error of q at 2 s for h = 2⁻⁶ … 2⁻⁹ s: order 1.",
     controls: &["RK4, another integrator of MuJoCo."],
     sources: &["chapter §1 and the list of defaults at its end", "MuJoCo 3.17.0, answers in references/facts/mujoco.json"],
-    check: integrators,
+    check: check!(integrators),
 }];
 
 fn stiffness(q: f64) -> f64 {

@@ -22,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         "“EventTracking” in the place of EventDriven, the chapter's other word for it, which is no class of Siconos.",
     ],
     sources: &["chapter §1, table of the two routes", "references/facts/siconos.json", "references/facts/drake.json"],
-    check: routes,
+    check: check!(routes),
 }];
 
 fn routes(reading: Reading) -> Result<Vec<Finding>> {

@@ -30,7 +30,7 @@ pub const CLAIMS: &[Claim] = &[
             come together.",
         controls: &["μ = 1 < μ_P: one answer."],
         sources: &["chapter §1, history; the pitfall in the same section; §4, existence and uniqueness"],
-        check: several_limits,
+        check: check!(several_limits),
     },
     Claim {
         id: "S1.stewart98",
@@ -55,7 +55,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §1, pitfalls; §4",
             "Stewart, Convergence of a time-stepping scheme for rigid-body dynamics and resolution of Painlevé's problem (1998), not read",
         ],
-        check: convergence,
+        check: check!(convergence),
     },
     Claim {
         id: "S1.weakstar",
@@ -78,7 +78,7 @@ pub const CLAIMS: &[Claim] = &[
             "Stewart–Trinkle's plastic impulses on the wall, which tend to another measure.",
         ],
         sources: &["chapter §1, table"],
-        check: robust,
+        check: check!(robust),
     },
     Claim {
         id: "S1.implicit-impact",
@@ -97,7 +97,7 @@ pub const CLAIMS: &[Claim] = &[
             "A ball thrown up in the place of the one at rest, and one at the floor in the place of the one in flight.",
         ],
         sources: &["chapter §1, pitfalls"],
-        check: atom,
+        check: check!(atom),
     },
     Claim {
         id: "S1.order12",
@@ -110,7 +110,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "q̈ = −4q, stop out of reach, error of q at 2 s for h = 2⁻⁶ … 2⁻⁹ s.",
         controls: &["The classical Runge–Kutta method in the place of each."],
         sources: &["chapter §1, table"],
-        check: order,
+        check: check!(order),
     },
 ];
 

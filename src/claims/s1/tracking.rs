@@ -29,7 +29,7 @@ pub const CLAIMS: &[Claim] = &[
             With μ = 1 it goes on.",
         controls: &["The rod with μ = 1 < μ_P = 13/9.", "A livelier ball, e = 9/10."],
         sources: &["chapter §1, history and table", "Champneys and Várkonyi, The Painlevé paradox in contact mechanics (2016)"],
-        check: undefined,
+        check: check!(undefined),
     },
     Claim {
         id: "S1.scale",
@@ -45,7 +45,7 @@ pub const CLAIMS: &[Claim] = &[
             their impacts, as many events as the closed forms count, and stays within 10⁻¹⁰ of them. One ball alone meets its own.",
         controls: &["A floor with e = 1/2 in the simulation."],
         sources: &["chapter §1, table and bridge to robotics"],
-        check: many_contacts,
+        check: check!(many_contacts),
     },
 ];
 

@@ -39,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §10, essential insight",
             "Siconos 4.4.0 and Drake 1.51.1, stored runs in references/siconos and references/drake",
         ],
-        check: four_dimensions,
+        check: check!(four_dimensions),
     },
     Claim {
         id: "S10.results-differ",
@@ -58,7 +58,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §10, pitfall “another simulator, the same result”",
             "stored runs of MuJoCo 3.17.0 and Drake 1.51.1 agree with these models, see tests/references",
         ],
-        check: differences,
+        check: check!(differences),
     },
     Claim {
         id: "S10.mujoco-gliding",
@@ -75,7 +75,7 @@ pub const CLAIMS: &[Claim] = &[
             rounding, the hard block does not move. On level ground the blocks of drake-sap, mujoco and anitescu stay where they are.",
         controls: &["The slope of 20° in place of level ground.", "The simulators exchanged on the slope."],
         sources: &["chapter §10, exercise 3", "stored runs of MuJoCo 3.17.0 and Drake 1.51.1, see tests/references"],
-        check: gliding,
+        check: check!(gliding),
     },
 ];
 

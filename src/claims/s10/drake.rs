@@ -35,7 +35,7 @@ pub const CLAIMS: &[Claim] = &[
             "A contact without friction, one that slips at v_s/2 in place of 8 v_s, and kLagged asked whether it may fail.",
         ],
         sources: &["chapter §10, table of simulators", PACKAGE],
-        check: tamsi,
+        check: check!(tamsi),
     },
     Claim {
         id: "S10.drake-sap-row",
@@ -56,7 +56,7 @@ pub const CLAIMS: &[Claim] = &[
             "kLagged's contact, one that is not stiff, the old velocity in the update, another word, another law.",
         ],
         sources: &["chapter §10, table of simulators", PACKAGE, SAP_PAPER],
-        check: sap,
+        check: check!(sap),
     },
     Claim {
         id: "S10.drake-default-sap",
@@ -70,7 +70,7 @@ pub const CLAIMS: &[Claim] = &[
             and kLagged all take the solver kSap.",
         controls: &["The default approximation in place of the default solver, and TAMSI among the approximations."],
         sources: &["chapter §10, table of choices", PACKAGE],
-        check: releases::drake_default,
+        check: check!(releases::drake_default),
     },
     Claim {
         id: "S10.sap-theorem",
@@ -91,7 +91,7 @@ pub const CLAIMS: &[Claim] = &[
             "Points across the boundary in the place of two that slip; no iteration from the impulses far off.",
         ],
         sources: &["chapter §11, table of theorems", SAP_PAPER],
-        check: theorem,
+        check: check!(theorem),
     },
     Claim {
         id: "S10.path-drake",
@@ -107,7 +107,7 @@ pub const CLAIMS: &[Claim] = &[
             documents the second as deprecated, to be removed from September 2026 on; one solver is left then.",
         controls: &["A day after the announced removal.", "The two folders exchanged."],
         sources: &["chapter §10, source files", PACKAGE, "Drake's repository at be259df7; pull request 24831 for the removal"],
-        check: releases::drake,
+        check: check!(releases::drake),
     },
 ];
 

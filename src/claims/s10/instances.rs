@@ -31,7 +31,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         "A run that ends before the sphere rolls; each package asked for what the other has.",
     ],
     sources: &["chapter §10, table of mathematical objects, instances and simulators"],
-    check: rolling,
+    check: check!(rolling),
 }];
 
 /// The file of Chrono's solver.

@@ -26,7 +26,7 @@ const PATH: Claim = Claim {
         "The names without their prefixes, `engine_`, `mj_` and `mjx/`.",
     ],
     sources: &["chapter §10, source files", "MuJoCo 3.17.0, answers in references/facts/mujoco.json", "MuJoCo's repository at a725507"],
-    check: releases::mujoco,
+    check: check!(releases::mujoco),
 };
 
 const ROW: Claim = Claim {
@@ -48,7 +48,7 @@ const ROW: Claim = Claim {
             mm deep.",
     ],
     sources: &["chapter §10, table", "MuJoCo 3.17.0, answers in references/facts/mujoco.json"],
-    check: row,
+    check: check!(row),
 };
 
 fn row(reading: Reading) -> Result<Vec<Finding>> {

@@ -33,7 +33,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §10, table of simulators",
             "Siconos 4.4.0 in Debian; github.com/siconos/siconos, tags 4.4.0 and 4.5.0, and 6070f0f6",
         ],
-        check: row,
+        check: check!(row),
     },
     Claim {
         id: "S10.siconos-not-avoid",
@@ -49,7 +49,7 @@ pub const CLAIMS: &[Claim] = &[
             while u_t⁺ is above the 0.3 m/s of the start. The relaxation would have u_n⁺ + e u_n = μ u_t⁺.",
         controls: &["The same steps made again under the relaxed law.", "A block that sticks."],
         sources: &["chapter §10, three schools"],
-        check: school,
+        check: check!(school),
     },
     Claim {
         id: "S10.path-siconos",
@@ -72,7 +72,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §10, where to look in the sources",
             "Siconos 4.4.0 in Debian; github.com/siconos/siconos, tag 4.5.0 and 6070f0f6",
         ],
-        check: releases::siconos,
+        check: check!(releases::siconos),
     },
 ];
 

@@ -24,7 +24,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
             solver.",
     ],
     sources: &["chapter §10, table of simulators", "the packages mujoco 3.17.0, drake 1.51.1 and pybullet 3.2.7, for the defaults"],
-    check: stretched,
+    check: check!(stretched),
 }];
 
 const MUJOCO: &str = "scoreboard/mujoco-elliptic.json";

@@ -46,7 +46,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §10, table of simulators",
             "Project Chrono, commit 7689fbc: ChSolver.h, ChContactNSC.cpp, ChTimestepperImplicit.cpp",
         ],
-        check: chrono_row,
+        check: check!(chrono_row),
     },
     Claim {
         id: "S10.chrono-granular",
@@ -63,7 +63,7 @@ pub const CLAIMS: &[Claim] = &[
             0.432 and 2.592 GB without zeros. With all zeros both would be out of reach.",
         controls: &["The folder of Chrono::DEM in place of those with NSC.", "H and W with all their zeros; sources in OpenCL."],
         sources: &["chapter §10, table of simulators", "Project Chrono, commit 7689fbc, and the documentation of Chrono::DEM in it"],
-        check: granular,
+        check: check!(granular),
     },
     Claim {
         id: "S10.bullet-row",
@@ -81,7 +81,7 @@ pub const CLAIMS: &[Claim] = &[
             (tests/systems.rs). The source names the solvers and 1/60 s.",
         controls: &["ERP 0.2, Bullet's own default, in the same formulas; Pinocchio's package in the place of Bullet's."],
         sources: &["chapter §10, table of simulators", "PyBullet 3.2.7, source distribution", "references/bullet"],
-        check: bullet_row,
+        check: check!(bullet_row),
     },
     Claim {
         id: "S10.pinocchio-row",
@@ -106,7 +106,7 @@ pub const CLAIMS: &[Claim] = &[
             "Pinocchio 4.1.0: ADMMConstraintSolver; v3.7.0: admm-solver.hpp and .hxx",
             "references/pinocchio",
         ],
-        check: pinocchio_row,
+        check: check!(pinocchio_row),
     },
     Claim {
         id: "S10.route-pinocchio",
@@ -124,7 +124,7 @@ pub const CLAIMS: &[Claim] = &[
             "The default answer and the relaxed one exchanged; another setting.",
         ],
         sources: &["chapter §10, four routes, against its table of simulators", "references/pinocchio"],
-        check: route,
+        check: check!(route),
     },
     Claim {
         id: "S10.path-chrono",
@@ -138,7 +138,7 @@ pub const CLAIMS: &[Claim] = &[
             does not list, is ChSolverBB.cpp.",
         controls: &["The folder of Chrono::Multicore, whose solvers have other files."],
         sources: &["chapter §10, source files", "Project Chrono, commit 7689fbc, src/chrono/solver"],
-        check: releases::chrono,
+        check: check!(releases::chrono),
     },
     Claim {
         id: "S10.path-bullet",
@@ -152,7 +152,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Both are in the source distribution of PyBullet 3.2.7.",
         controls: &["The file in the folder of the MLCP solvers."],
         sources: &["chapter §10, source files", "PyBullet 3.2.7, source distribution: references/bullet/package.json"],
-        check: releases::bullet,
+        check: check!(releases::bullet),
     },
     Claim {
         id: "S10.path-pinocchio",
@@ -167,7 +167,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The tree of the tag v3.7.0 has both, the wheel libpinocchio 4.1.0, listed, has neither.",
         controls: &["The package 4.1.0 in place of the tree of 3.7.0."],
         sources: &["chapter §10, source files", "Pinocchio, tag v3.7.0", "libpinocchio 4.1.0: references/pinocchio/package.json"],
-        check: releases::pinocchio,
+        check: check!(releases::pinocchio),
     },
 ];
 

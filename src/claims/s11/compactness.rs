@@ -27,7 +27,7 @@ pub const CLAIMS: &[Claim] = &[
             "Moreau–Jean with e = 1/2 in place of the plastic step.",
         ],
         sources: &["chapter §11, step 1", "Stewart 1998 (not read)"],
-        check: bounded_variation,
+        check: check!(bounded_variation),
     },
     Claim {
         id: "S11.impulse-infinite",
@@ -43,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
             (±3/5, 4/5): P₁ + P₂ ≤ (5/4)‖HᵀP‖, since both normals have the component 4/5 along (0, 1).",
         controls: &["Walls at right angles.", "Opposite walls in place of the wedge."],
         sources: &["chapter §11, step 1, intuition"],
-        check: energy_and_impulse,
+        check: check!(energy_and_impulse),
     },
     Claim {
         id: "S11.helly",
@@ -60,7 +60,7 @@ pub const CLAIMS: &[Claim] = &[
             half of the interval, 128 cells: no subsequence converges.",
         controls: &["Those signs in place of the velocities."],
         sources: &["chapter §11, step 2", "Helly's selection theorem, in textbooks of real analysis"],
-        check: helly,
+        check: check!(helly),
     },
     Claim {
         id: "S11.subseq",
@@ -74,7 +74,7 @@ pub const CLAIMS: &[Claim] = &[
             at 1/4 s and 1/2 s, but v_h(⅓) = −⅓ for h = 2⁻ᵏ with even k and −⅔ with odd k: two values in the whole sequence.",
         controls: &["The whole sequence, h = 2⁻⁴, 2⁻⁵, 2⁻⁶ …", "Moreau–Jean with e = 1/2, which has another limit."],
         sources: &["chapter §11, step 2"],
-        check: subsequence,
+        check: check!(subsequence),
     },
     Claim {
         id: "S11.weakstar",
@@ -88,7 +88,7 @@ pub const CLAIMS: &[Claim] = &[
             times the slope; the mass of P_h − δ_⅓ is 2 at every h.",
         controls: &["The impulses of Moreau–Jean with e = 1/2, which tend to another measure."],
         sources: &["chapter §11, step 3"],
-        check: weak_star,
+        check: check!(weak_star),
     },
     Claim {
         id: "S11.atom",
@@ -101,7 +101,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Moreau–Jean on the wall, e = ½: the impulse within 2h of ⅓ s is 3/2 N s for h = 2⁻⁴ … 2⁻⁸, that within 2h of ¾ s is 0.",
         controls: &["The two windows exchanged."],
         sources: &["chapter §11, step 3"],
-        check: atom,
+        check: check!(atom),
     },
     Claim {
         id: "S11.step4",
@@ -120,7 +120,7 @@ pub const CLAIMS: &[Claim] = &[
             "Moreau–Jean's steps with e = 1/2, which lose another energy.",
         ],
         sources: &["chapter §11, step 4"],
-        check: passage,
+        check: check!(passage),
     },
     Claim {
         id: "S11.no-taylor",
@@ -136,7 +136,7 @@ pub const CLAIMS: &[Claim] = &[
             at 2/5 of its speed for h = 1/100 and 1/1000. Its limit exists and violates the impact law.",
         controls: &["Stewart–Trinkle's own position update, whose plastic body stays at the wall."],
         sources: &["chapter §11, essential insight after step 4", "S4.nonpen"],
-        check: template,
+        check: check!(template),
     },
     Claim {
         id: "S11.ex1",
@@ -151,7 +151,7 @@ pub const CLAIMS: &[Claim] = &[
             variation above the bound.",
         controls: &["e = 4, an impact that injects energy."],
         sources: &["chapter §11, exercise 1"],
-        check: exercise,
+        check: check!(exercise),
     },
 ];
 

@@ -32,7 +32,7 @@ pub const CLAIMS: &[Claim] = &[
             "Khenous, Laborde and Renard, Mass redistribution method (2008)",
             "Doyen, Ern and Piperno (2011)",
         ],
-        check: bar,
+        check: check!(bar),
     },
     Claim {
         id: "S11.fem-refs",
@@ -52,7 +52,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §11, infinite-dimensional extension",
             "Laursen and Chawla 1997, Laursen and Love 2002, Hauret and Le Tallec 2006 (not read)",
         ],
-        check: persistency,
+        check: check!(persistency),
     },
 ];
 

@@ -22,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
             "b = +5 m/s² in place of −5 m/s², where the end is being lifted.",
         ],
         sources: &["chapter §11, Painlevé as a by-product", "Stewart 1998 (not read)"],
-        check: painleve,
+        check: check!(painleve),
     },
     Claim {
         id: "S11.friction-split",
@@ -37,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The rod at b = −1: with μ = 0, 1 and 13/9 − 1/100 there is one sliding force, with 13/9 + 1/100 and 2 there is none.",
         controls: &["A by-product at μ = 1/10, where there is no paradox to resolve.", "b = +1 in place of −1: no force is needed."],
         sources: &["chapter §11, four steps; Painlevé as a by-product; convergence with friction"],
-        check: needs_friction,
+        check: check!(needs_friction),
     },
     Claim {
         id: "S11.dmm",
@@ -60,7 +60,7 @@ pub const CLAIMS: &[Claim] = &[
                 year",
             "Dzonou, Monteiro Marques and Paoli, Nonlinear Dynamics 58 (2009) 361 (abstract)",
         ],
-        check: first,
+        check: check!(first),
     },
     Claim {
         id: "S11.discontinuous-friction",
@@ -78,7 +78,7 @@ pub const CLAIMS: &[Claim] = &[
             μ|u_t|, as in the associated law: 0.",
         controls: &["The single-valued law, r_t = 0 at slip 0.", "Friction along the slip in place of against it."],
         sources: &["chapter §11, convergence with friction; exercise 2"],
-        check: closed_graph,
+        check: check!(closed_graph),
     },
     Claim {
         id: "S11.ten-years",
@@ -96,7 +96,7 @@ pub const CLAIMS: &[Claim] = &[
             "The proof that covers the rod at μ = 2 as the first with friction: from that of 1998 to itself.",
         ],
         sources: &["chapter §11, pitfalls", "S11.friction-split", "S4.cites"],
-        check: years,
+        check: check!(years),
     },
 ];
 

@@ -28,7 +28,7 @@ pub const CLAIMS: &[Claim] = &[
             "A velocity that already points away from the wall, which the projection leaves alone.",
         ],
         sources: &["chapter §11, symplectic incompatibility"],
-        check: velocity_projection,
+        check: check!(velocity_projection),
     },
     Claim {
         id: "S11.any-projection",
@@ -42,7 +42,7 @@ pub const CLAIMS: &[Claim] = &[
             exactly.",
         controls: &["The mirror image in the wall in place of the projection: a correction that projects nothing."],
         sources: &["chapter §11, symplectic incompatibility"],
-        check: position_projection,
+        check: check!(position_projection),
     },
     Claim {
         id: "S11.reflection-symplectic",
@@ -59,7 +59,7 @@ pub const CLAIMS: &[Claim] = &[
             reflection det D = −1 and DᵀJD = −J.",
         controls: &["The flow in the place of the reflection.", "e = 4/5 in the flow."],
         sources: &["chapter §11, symplectic incompatibility; exercise 3(d)"],
-        check: reflection,
+        check: check!(reflection),
     },
     Claim {
         id: "S11.no-symplectic-contact",
@@ -79,7 +79,7 @@ pub const CLAIMS: &[Claim] = &[
             "The variational step with its velocity at the end cut to 4/5.",
         ],
         sources: &["chapter §11, essential insight on symplecticity", "S8.kmow", "S8.cirak-west"],
-        check: exceptions,
+        check: check!(exceptions),
     },
     Claim {
         id: "S11.explicit-or-implicit",
@@ -100,7 +100,7 @@ pub const CLAIMS: &[Claim] = &[
             "A step of semi-implicit Euler in place of those of explicit and of implicit Euler.",
         ],
         sources: &["chapter §11, pitfalls"],
-        check: either,
+        check: check!(either),
     },
     Claim {
         id: "S11.ex3",
@@ -115,7 +115,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "One dimension, in rationals with dual numbers: determinants 0, −1 and 1.",
         controls: &["The flow in the place of the reflection.", "e = 4/5 in the flow and in the projection, which is e = 0."],
         sources: &["chapter §11, exercise 3"],
-        check: exercise,
+        check: check!(exercise),
     },
 ];
 

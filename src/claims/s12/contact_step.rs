@@ -30,7 +30,7 @@ pub const CLAIMS: &[Claim] = &[
             "The step from −0.9 m/s, which free fall has there (S12.state).",
         ],
         sources: &["chapter §12, contact step"],
-        check: contact_step,
+        check: check!(contact_step),
     },
     Claim {
         id: "S12.vplus",
@@ -44,7 +44,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "v⁺ + e v_ℓ = 99/200 − 99/200 = 0; with v_free in place of v_ℓ it is −1/20.",
         controls: &["A ball that falls with the same velocity 0.05 m above the floor: the contact takes no part in the step."],
         sources: &["chapter §12, check of the impact law"],
-        check: impact_law,
+        check: check!(impact_law),
     },
     Claim {
         id: "S12.impulse-split",
@@ -59,7 +59,7 @@ pub const CLAIMS: &[Claim] = &[
             it is 99/200 = m v⁺, three times each for m = 3. Both LCPs are solved by Lemke’s method, v⁺ is that of the scheme.",
         controls: &["The ball without gravity: 0.99 N·s stop it.", "m|v_ℓ| in the place of m|v_free| as the part that stops the ball."],
         sources: &["chapter §12, splitting of the impulse"],
-        check: impulse_split,
+        check: check!(impulse_split),
     },
     Claim {
         id: "S12.qplus",
@@ -75,7 +75,7 @@ pub const CLAIMS: &[Claim] = &[
             "The step from 0.01 m below the floor, which it does not leave.",
         ],
         sources: &["chapter §12, new position"],
-        check: new_position,
+        check: check!(new_position),
     },
     Claim {
         id: "S12.unified",
@@ -94,7 +94,7 @@ pub const CLAIMS: &[Claim] = &[
             "An equation in the place of the complementarity, W P + v_free + e v = 0: the contact holds the ball that leaves.",
         ],
         sources: &["chapter §12, central insight"],
-        check: one_problem_for_all,
+        check: check!(one_problem_for_all),
     },
 ];
 

@@ -26,7 +26,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         "Coulomb's law in the place of the relaxation.",
     ],
     sources: &["chapter §12, exercise 3"],
-    check: exercise,
+    check: check!(exercise),
 }];
 
 /// v⁺ of the example's contact step with a velocity along the ground, (normal, tangential), g h = 10 h, μ = ½.

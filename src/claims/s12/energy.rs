@@ -25,7 +25,7 @@ pub const CLAIMS: &[Claim] = &[
             the energy of v_free, 9801/43204 of that of the physical impact; the total energies are those of S12.ex2.",
         controls: &["E⁻ taken with v_free.", "E⁺ taken with the rebound −e v_free."],
         sources: &["chapter §12, energy check"],
-        check: energy_ratio,
+        check: check!(energy_ratio),
     },
     Claim {
         id: "S12.energy-limit",
@@ -42,7 +42,7 @@ pub const CLAIMS: &[Claim] = &[
                    for h = 10⁻², 10⁻³, 10⁻⁴ and held against that bound.",
         controls: &["The restitution coefficient on the other side of the complementarity, 0 ≤ e v⁺ + v⁻ ⟂ P ≥ 0."],
         sources: &["chapter §12, energy check; chapter §7"],
-        check: energy_limit,
+        check: check!(energy_limit),
     },
     Claim {
         id: "S12.ex1",
@@ -58,7 +58,7 @@ pub const CLAIMS: &[Claim] = &[
             of the speeds is 101/99 = 1.0202…",
         controls: &["θ = ½ in the position update, with which the two heights of the exercise differ.", "A duller ball, e = 1/3."],
         sources: &["chapter §12, exercise 1"],
-        check: two_more_steps,
+        check: check!(two_more_steps),
     },
     Claim {
         id: "S12.ex2",
@@ -76,7 +76,7 @@ pub const CLAIMS: &[Claim] = &[
             "An impact law of the velocity at θ, v⁺ = −e(θ v_free + (1−θ) v): it has another kinetic energy for each θ.",
         ],
         sources: &["chapter §12, exercise 2"],
-        check: theta_and_energy,
+        check: check!(theta_and_energy),
     },
 ];
 

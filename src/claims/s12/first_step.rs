@@ -23,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
                    problem that the scheme assembles.",
         controls: &["The same ball with m = 2 kg, for which W = 1/2.", "A ceiling in the place of the floor, φ(q) = −q."],
         sources: &["chapter §12, setting"],
-        check: setup,
+        check: check!(setup),
     },
     Claim {
         id: "S12.h01",
@@ -41,7 +41,7 @@ pub const CLAIMS: &[Claim] = &[
             "h = 1/100 in the place of 1/10, the chapter's own remedy.",
         ],
         sources: &["chapter §12, step 1"],
-        check: coarse_first_step,
+        check: check!(coarse_first_step),
     },
     Claim {
         id: "S12.cause",
@@ -64,7 +64,7 @@ pub const CLAIMS: &[Claim] = &[
             "The velocity-level step in the place of Stewart–Trinkle's.",
         ],
         sources: &["chapter §12, step 1 and the lesson after it"],
-        check: cause,
+        check: check!(cause),
     },
     Claim {
         id: "S12.h001",
@@ -77,7 +77,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "v_free = −1/10, forecast 1/20 + v_free/100 = 49/1000 > 0, hence P₁ = 0, v₁ = −1/10, q₁ = 49/1000.",
         controls: &["θ = ½ instead of 1, which moves the ball by 1/2000 m only.", "h = 1/10, with which the contact is active."],
         sources: &["chapter §12, step 1 repeated with h = 0.01"],
-        check: fine_first_step,
+        check: check!(fine_first_step),
     },
     Claim {
         id: "S12.state",
@@ -94,7 +94,7 @@ pub const CLAIMS: &[Claim] = &[
                    assumed state it serves the computation.",
         controls: &["The state (0.005, −0.9), which is reachable.", "A fall from 0.1 m, twice as high."],
         sources: &["chapter §12, contact step"],
-        check: state_before_contact,
+        check: check!(state_before_contact),
     },
 ];
 

@@ -20,7 +20,7 @@ pub const CLAIMS: &[Claim] = &[
             and on no other of them.",
         controls: &["μ‖v_t‖ r_n without the term ⟨v, r⟩."],
         sources: &["chapter §2, friction by the bipotential", "de Saxcé and Feng, The bipotential method (1998)"],
-        check: bipotential,
+        check: check!(bipotential),
     },
     Claim {
         id: "S2.desaxce-incl",
@@ -37,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
             satisfy the inclusion somewhere.",
         controls: &["The inclusion without the term μ‖u_t‖ n."],
         sources: &["chapter §2, friction by the bipotential", "de Saxcé and Feng, The bipotential method (1998)"],
-        check: inclusion,
+        check: check!(inclusion),
     },
 ];
 

@@ -26,7 +26,7 @@ pub const CLAIMS: &[Claim] = &[
             "The half-space on the wrong side, ∇φ·v < 0, in contact or not.",
         ],
         sources: &["chapter §2, steps 1 and 2", "Rockafellar and Wets, Variational Analysis, §6.D"],
-        check: tangent,
+        check: check!(tangent),
     },
     Claim {
         id: "S2.force-in-cone",
@@ -45,7 +45,7 @@ pub const CLAIMS: &[Claim] = &[
             "The gap counted positive inside the obstacle, so that its gradient points the other way.",
         ],
         sources: &["chapter §2, steps 3 and 4"],
-        check: force_in_cone,
+        check: check!(force_in_cone),
     },
     Claim {
         id: "S2.three-in-one",
@@ -61,7 +61,7 @@ pub const CLAIMS: &[Claim] = &[
             cases.",
         controls: &["The characterisation without λ ∇φ·v⁺ = 0."],
         sources: &["chapter §2, step 3"],
-        check: three_in_one,
+        check: check!(three_in_one),
     },
     Claim {
         id: "S2.mdi",
@@ -78,7 +78,7 @@ pub const CLAIMS: &[Claim] = &[
             the same density times 7, another dμ, is still in the cone.",
         controls: &["The inclusion with the opposite sign, +M dv − F dt ∈ N."],
         sources: &["chapter §2, step 4", "Moreau, Unilateral contact and dry friction in finite freedom dynamics (1988)"],
-        check: mdi,
+        check: check!(mdi),
     },
     Claim {
         id: "S2.must-vplus",
@@ -99,7 +99,7 @@ pub const CLAIMS: &[Claim] = &[
             "A velocity that leaves the wall, v⁻ = 1.",
         ],
         sources: &["chapter §2, pitfall on the argument", "chapter §3 and §7, argument v⁺ + e v⁻"],
-        check: must_v_plus,
+        check: check!(must_v_plus),
     },
 ];
 

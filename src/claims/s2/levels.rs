@@ -31,7 +31,7 @@ pub const CLAIMS: &[Claim] = &[
             joins it.",
         controls: &["The constraint imposed only where φ = 0 exactly, which no step meets."],
         sources: &["chapter §2, from N_C to N_{T_C}"],
-        check: activation,
+        check: check!(activation),
     },
     Claim {
         id: "S2.pos-vel-equiv",
@@ -47,7 +47,7 @@ pub const CLAIMS: &[Claim] = &[
             twenty steps of a block on an incline, sliding (μ = 0.3) and sticking (μ = 0.8), agree to rounding and leave φ = 0.",
         controls: &["The same block started 1/64 m above the incline, about to make contact."],
         sources: &["chapter §2, table of levels", "chapter §4"],
-        check: equivalence,
+        check: check!(equivalence),
     },
     Claim {
         id: "S2.pos-strict",
@@ -65,7 +65,7 @@ pub const CLAIMS: &[Claim] = &[
             seconds. A block that lands on a plane from 1/64 m at 1 m/s is never below it.",
         controls: &["The velocity level (Moreau–Jean, activation φ ≤ 0)."],
         sources: &["chapter §2, table of levels; §4, comparison of the two schemes; §9, what goes wrong"],
-        check: position_level,
+        check: check!(position_level),
     },
     Claim {
         id: "S2.vel-drift",
@@ -82,7 +82,7 @@ pub const CLAIMS: &[Claim] = &[
             drift, as the chapter says, and need not.",
         controls: &["The position level (Stewart–Trinkle).", "MuJoCo's contact with a time constant of 0.2 s, which brakes by and by."],
         sources: &["chapter §2, table of levels", "chapter §3, pitfall on drift"],
-        check: velocity_level,
+        check: check!(velocity_level),
     },
     Claim {
         id: "S2.penetration-zero",
@@ -97,7 +97,7 @@ pub const CLAIMS: &[Claim] = &[
             undamped spring k goes 1/√k below the floor: there the penetration is the force.",
         controls: &["The discrete motion of Moreau–Jean, activation φ ≤ 0, without correction, and a critically damped spring."],
         sources: &["chapter §2, sweeping process and penalty compared"],
-        check: penetration,
+        check: check!(penetration),
     },
 ];
 

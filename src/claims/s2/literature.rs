@@ -17,7 +17,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         K and r·û = 0, so the set-valued law holds there and lacks nothing; the single-valued law does not hold in the limit.",
     controls: &["μ = 0: no reading of the law lacks semicontinuity.", "A coefficient at rest below that of sliding."],
     sources: &["chapter §2, friction by the bipotential, and §7, convergence with friction", "HAL hal-01552482 (abstract)"],
-    check: closed_graph,
+    check: check!(closed_graph),
 }];
 
 /// The coefficients of friction \[1\].

@@ -30,7 +30,7 @@ pub const CLAIMS: &[Claim] = &[
             "The ball with e = 1/2 up to T∞ in place of the elastic one.",
         ],
         sources: &["chapter §2, step 4, term by term", "Ambrosio, Fusco and Pallara, Functions of Bounded Variation (2000), §3.2"],
-        check: base_measure,
+        check: check!(base_measure),
     },
     Claim {
         id: "S2.sweep-theory",
@@ -62,7 +62,7 @@ pub const CLAIMS: &[Claim] = &[
             "Schatzman (1978) and Ballard, The dynamics of discrete mechanical systems with perfect unilateral constraints (2000), for \
             analytic data",
         ],
-        check: sweeping_theory,
+        check: check!(sweeping_theory),
     },
 ];
 

@@ -25,7 +25,7 @@ pub const CLAIMS: &[Claim] = &[
             "A hard contact that never lets go, v⁺ = −e v⁻ at every v⁻.",
         ],
         sources: &["chapter §2, sweeping process and penalty compared"],
-        check: differentiability,
+        check: check!(differentiability),
     },
     Claim {
         id: "S2.soft-limit",
@@ -49,7 +49,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §2, sweeping process and penalty compared",
             "Schwager and Pöschel, Coefficient of restitution and linear–dashpot model revisited (2007)",
         ],
-        check: stiff_limit,
+        check: check!(stiff_limit),
     },
 ];
 

@@ -24,7 +24,7 @@ pub const CLAIMS: &[Claim] = &[
             The text means the two impact laws and labels them by e; only the replacement of the argument is missing.",
         controls: &["The inclusion with the argument v⁺ + e v⁻, whose solution is −e v⁻ for either e.", "The argument v⁻."],
         sources: &["chapter §2, worked example, case two"],
-        check: case_two,
+        check: check!(case_two),
     },
     Claim {
         id: "S2.cone-direction",
@@ -38,7 +38,7 @@ pub const CLAIMS: &[Claim] = &[
             wall push along the inward normal, which is right.",
         controls: &["The force −g in place of the members g of the cone.", "A wall on the other side, C = {q ≤ 0}."],
         sources: &["chapter §2, worked example, case two"],
-        check: cone_direction,
+        check: check!(cone_direction),
     },
     Claim {
         id: "S2.case13",
@@ -53,7 +53,7 @@ pub const CLAIMS: &[Claim] = &[
             = 0. The solution sets for v⁻ = 1/3, 2 are {v⁻}, and of all g = −2 … 2 only 0 is in the cone.",
         controls: &["Case two, v⁻ < 0 at the wall."],
         sources: &["chapter §2, worked example, cases one and three"],
-        check: cases_one_and_three,
+        check: check!(cases_one_and_three),
     },
     Claim {
         id: "S2.branches",
@@ -67,7 +67,7 @@ pub const CLAIMS: &[Claim] = &[
             the point leaves it. These are three of the nine pairs of signs of φ and λ, and the only ones with 0 ≤ φ, 0 ≤ λ and φλ = 0.",
         controls: &["A wall that holds the point fast: leaving has λ < 0.", "A wall at 1/2 in place of 0, its gap measured from 0."],
         sources: &["chapter §2, insight after the worked example"],
-        check: branches,
+        check: check!(branches),
     },
     Claim {
         id: "S2.ex1",
@@ -81,7 +81,7 @@ pub const CLAIMS: &[Claim] = &[
             For m = 3/2 and v⁻ = −2: P = 3, 9/2, 6 N·s for e = 0, 1/2, 1.",
         controls: &["The argument v⁺ instead of v⁺ + e v⁻.", "The argument v⁻ alone, with which there is no impact."],
         sources: &["chapter §2, exercise 1"],
-        check: exercise_one,
+        check: check!(exercise_one),
     },
     Claim {
         id: "S2.ex3",
@@ -102,7 +102,7 @@ pub const CLAIMS: &[Claim] = &[
             "The force along −∇φ, and the planar contact in place of the spatial one.",
         ],
         sources: &["chapter §2, exercise 3"],
-        check: exercise_three,
+        check: check!(exercise_three),
     },
 ];
 

@@ -24,7 +24,7 @@ pub const CLAIMS: &[Claim] = &[
             = −1/4 = +½·½·(−1).",
         controls: &["The minus sign together with the convention of §3.", "The velocity after the impact in place of the mean."],
         sources: &["chapter §3, energy change in the contact phase", "chapter §0 for the sign of dR"],
-        check: work_sign,
+        check: check!(work_sign),
     },
     Claim {
         id: "S3.contact-diss",
@@ -42,7 +42,7 @@ pub const CLAIMS: &[Claim] = &[
             grows by 1/6 J.",
         controls: &["The rod with e = (1, 0).", "A chain that only one sweep of Gauss–Seidel was spent on."],
         sources: &["chapter §3, energy change in the contact phase"],
-        check: dissipation,
+        check: check!(dissipation),
     },
     Claim {
         id: "S3.moreau-diss",
@@ -62,7 +62,7 @@ pub const CLAIMS: &[Claim] = &[
             "Restitution of the normal component alone in place of the full vector.",
         ],
         sources: &["chapter §3 and §7", "Kane and Levinson, Dynamics: Theory and Applications, 1985, for energy gain with friction"],
-        check: moreau_law,
+        check: check!(moreau_law),
     },
 ];
 

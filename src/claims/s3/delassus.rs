@@ -18,7 +18,7 @@ pub const CLAIMS: &[Claim] = &[
             thousand random systems in the property family.",
         controls: &["A symmetric invertible M that is not positive definite.", "The dependent row left out."],
         sources: &["chapter §3, step 5; table of theorems"],
-        check: semidefinite,
+        check: check!(semidefinite),
     },
     Claim {
         id: "S3.delassus-phys",
@@ -37,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
             "H M Hᵀ, the inverse of M forgotten.",
         ],
         sources: &["chapter §3, “what the Delassus operator is”"],
-        check: compliance,
+        check: check!(compliance),
     },
 ];
 

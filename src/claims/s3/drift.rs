@@ -25,7 +25,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         step, so it leaves at h v²/(2R) = 4.9e-4 m/s.",
     controls: &["Activation rule C for the dropped ball in place of A, B and D.", "The position level (Stewart–Trinkle) for the bead."],
     sources: &["chapter §3, common pitfalls (drift)", "chapter §3, exercise 3 (block at rest for 1000 steps)"],
-    check: sinking,
+    check: check!(sinking),
 }];
 
 /// Mean velocity over the last 500 of 1000 steps of a ball dropped from 1/10 m with e = 1/2.

@@ -29,7 +29,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         "Forward Euler, θ = 0, for the oscillator and the satellite.",
     ],
     sources: &["chapter §3, common pitfalls (“the larger θ the better”)"],
-    check: runs_down,
+    check: check!(runs_down),
 }];
 
 /// E of the elastic ball under θ = 1: number of distinct values of the invariant, bounces, and E(end)/E(0).

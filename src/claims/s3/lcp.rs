@@ -25,7 +25,7 @@ pub const CLAIMS: &[Claim] = &[
             {−3, …, 3}²: every feasible one solved, every infeasible one a ray.",
         controls: &["The indefinite matrix [[−1, 1], [0, 1]], for which q = (−1, 0) is feasible and unsolvable."],
         sources: &["chapter §3, step 5", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.1"],
-        check: semidefinite,
+        check: check!(semidefinite),
     },
     Claim {
         id: "S3.normal-solvable",
@@ -41,7 +41,7 @@ pub const CLAIMS: &[Claim] = &[
             rows add up to 0 ≥ 1. With e = (1/2, 1/2) it is feasible and solvable.",
         controls: &["The same step with e = (1, 0)."],
         sources: &["chapter §3, step 5"],
-        check: normal_lcp,
+        check: check!(normal_lcp),
     },
     Claim {
         id: "S3.friction-block",
@@ -56,7 +56,7 @@ pub const CLAIMS: &[Claim] = &[
             copositive-plus; yet Lemke solves both with gaps 0.",
         controls: &["Both without friction: their matrices are copositive-plus.", "The friction row with the sign of μ wrong."],
         sources: &["chapter §3, step 5, parenthesis", "chapter §4, theorem on M_LCP"],
-        check: friction_block,
+        check: check!(friction_block),
     },
     Claim {
         id: "S3.qp-equiv",
@@ -71,7 +71,7 @@ pub const CLAIMS: &[Claim] = &[
             [−1, 2]] the LCP gives (1, 1), where the gradient is (−1, 1).",
         controls: &["The asymmetric matrix [[2, 1], [−1, 2]]."],
         sources: &["chapter §3, the LCP as a quadratic program"],
-        check: quadratic_program,
+        check: check!(quadratic_program),
     },
     Claim {
         id: "S3.projection",
@@ -87,7 +87,7 @@ pub const CLAIMS: &[Claim] = &[
             (1/2, 0), the solution of the LCP; clipping gives (1, 0), where WP + U_free = (1, 2) is not complementary.",
         controls: &["The Euclidean projection in place of that in the metric of W."],
         sources: &["chapter §3, the LCP as a quadratic program"],
-        check: projection,
+        check: check!(projection),
     },
 ];
 

@@ -29,7 +29,7 @@ pub const CLAIMS: &[Claim] = &[
             "The trapezoidal rule in place of backward Euler.",
         ],
         sources: &["chapter §3, history and step 2", "Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I"],
-        check: smooth_orders,
+        check: check!(smooth_orders),
     },
     Claim {
         id: "S3.table-2nd-order",
@@ -47,7 +47,7 @@ pub const CLAIMS: &[Claim] = &[
             that these bounds leave, which two lies outside of. Gravity and springs: the energy is exactly neutral.",
         controls: &["The oscillator of S3.theta-order, without a stop.", "θ = 1 under gravity and springs."],
         sources: &["chapter §3, table of θ"],
-        check: order_through_an_impact,
+        check: check!(order_through_an_impact),
     },
     Claim {
         id: "S3.symplectic-like",
@@ -64,7 +64,7 @@ pub const CLAIMS: &[Claim] = &[
             that of the first 100, which take it to and fro.",
         controls: &["θ = 1."],
         sources: &["chapter §3, essential insight on θ", "Hairer, Lubich, Wanner, Geometric Numerical Integration, VI.8"],
-        check: area,
+        check: check!(area),
     },
 ];
 

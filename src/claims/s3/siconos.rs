@@ -22,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §3, Moreau–Jean in engineering, and pitfall on drift",
             "Siconos 4.4.0 in Debian; github.com/siconos/siconos at 6070f0f6",
         ],
-        check: path,
+        check: check!(path),
     },
     Claim {
         id: "S3.cmame",
@@ -38,7 +38,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Both titles, the volume and the year stand in the bibliography of Siconos's own header MoreauJeanOSI.hpp.",
         controls: &["Volume 167 in place of 177, and the titles as they would be if they named what the text says of them."],
         sources: &["chapter §3", "Siconos 4.4.0, MoreauJeanOSI.hpp"],
-        check: founding_papers,
+        check: check!(founding_papers),
     },
     Claim {
         id: "S3.ab-chapters",
@@ -53,7 +53,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The bibliography of Siconos's headers names the volume of the series.",
         controls: &["Volume 53 in place of 35."],
         sources: &["chapter §3, Moreau–Jean in engineering", "Siconos 4.4.0, MoreauJeanOSI.hpp"],
-        check: chapters,
+        check: check!(chapters),
     },
 ];
 

@@ -26,7 +26,7 @@ pub const CLAIMS: &[Claim] = &[
             on springs under a constant force, θ = 0, 1/4, 1/2, 1.",
         controls: &["v_θ at θ = 1 in place of v_{1/2}."],
         sources: &["chapter §3, energy estimate, and exercise 2"],
-        check: work_of_the_force,
+        check: check!(work_of_the_force),
     },
     Claim {
         id: "S3.energy-neutral",
@@ -44,7 +44,7 @@ pub const CLAIMS: &[Claim] = &[
             0.7) 2.2e-5, 3.1e-6, 4.1e-7 at h = 0.1, 0.05, 0.025 – small, and not zero.",
         controls: &["A spring in place of the pendulum.", "θ = 1."],
         sources: &["chapter §3, energy estimate and table of θ"],
-        check: neutral,
+        check: check!(neutral),
     },
     Claim {
         id: "S3.energy-one",
@@ -61,7 +61,7 @@ pub const CLAIMS: &[Claim] = &[
             of its energy in a step. On the hill q̈ = q, E = ½v² − ½q², a step of h = 1/2 from q = 0 at v = 1 gains 1/6 J.",
         controls: &["θ = 1/2, whose term is zero."],
         sources: &["chapter §3, energy estimate, and exercise 2"],
-        check: backward_euler,
+        check: check!(backward_euler),
     },
     Claim {
         id: "S3.theta-mid",
@@ -76,7 +76,7 @@ pub const CLAIMS: &[Claim] = &[
             4/5. On the hill q̈ = q, E = ½v² − ½q², a step of h = 1/2 with θ = 3/4 from q = 0 at v = 1 gains 4/55 J.",
         controls: &["θ = 1/4, outside the interval: it gains energy."],
         sources: &["chapter §3, table of θ"],
-        check: between,
+        check: check!(between),
     },
 ];
 

@@ -28,7 +28,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "A fifth contact that approaches at 1 m/s, which no impulse prevents.",
         ],
         sources: &["chapter §3, solvability of the normal LCP", "the agreement bound is derived with the tolerance"],
-        check: four_legs,
+        check: check!(four_legs),
     },
     Claim {
         id: "S3.moreau-env",
@@ -45,7 +45,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             It is quadratic on either side of 0, not globally: x²/(2λ) would exceed the indicator on C.",
         controls: &["The global quadratic x²/(2λ) in place of the envelope.", "The apex of the cone in place of the projection."],
         sources: &["chapter §3, LCP as projection", "Moreau (1965)"],
-        check: envelope,
+        check: check!(envelope),
     },
     Claim {
         id: "S3.prox-cond",
@@ -61,7 +61,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             eigenvalues 1.999 and 0.001: the condition number is 1999, 183, 20.8 and 3.0 for ρ = 0, 0.01, 0.1 and 1.",
         controls: &["A scaling (1 + ρ)W in place of the shift, which leaves the condition number as it is."],
         sources: &["chapter §3, proximal view of ADMM"],
-        check: conditioning,
+        check: check!(conditioning),
     },
     Claim {
         id: "S3.R-is-MY",
@@ -78,7 +78,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             the envelope there; so for three values of R. The proximal iteration P ← (1 + ρP)/(W + ρ), ρ = 1, has the fixed point 1000.",
         controls: &["The hard contact, R = 0, held against the envelope."],
         sources: &["chapter §3, closing insight", "elementary"],
-        check: two_centres,
+        check: check!(two_centres),
     },
 ];
 

@@ -26,7 +26,7 @@ pub const CLAIMS: &[Claim] = &[
             (v⁺ = 0). With θ = 1 the same impulse gives q⁺ = 1/100 m.",
         controls: &["The same step with the new velocity, θ = 1.", "Activation by φ ≤ 0, with which no impulse acts in this step."],
         sources: &["chapter §3, “what goes wrong with a naive discretisation”"],
-        check: explicit_position,
+        check: check!(explicit_position),
     },
     Claim {
         id: "S3.mj-condition",
@@ -40,7 +40,7 @@ pub const CLAIMS: &[Claim] = &[
             gives P, and U = H(v⁺ + e v) is zero where P > 0.",
         controls: &["Restitution on the wrong side, the complementarity of H(v⁺ − e v).", "Balls that part."],
         sources: &["chapter §3, step 3 of the θ scheme"],
-        check: complementarity,
+        check: check!(complementarity),
     },
     Claim {
         id: "S3.newton-embedded",
@@ -58,7 +58,7 @@ pub const CLAIMS: &[Claim] = &[
             the second support, which takes no impulse and leaves with 17/10 m/s, not with e times its approach.",
         controls: &["The rod that approaches both at 1 and 5/4 m/s, where both impulses act.", "The argument v⁺, without e v."],
         sources: &["chapter §3, step 3 of the θ scheme"],
-        check: newton_law,
+        check: check!(newton_law),
     },
     Claim {
         id: "S3.ufree",
@@ -78,7 +78,7 @@ pub const CLAIMS: &[Claim] = &[
             "A ball of 1 kg without restitution in place of one of 2 kg with e = 1/2.",
         ],
         sources: &["chapter §3, step 4 and exercise 1"],
-        check: free_velocity,
+        check: check!(free_velocity),
     },
     Claim {
         id: "S3.P-force",
@@ -91,7 +91,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Resting 2 kg block at h = 1/64 and 1/128 s: P halves with h while P/h stays m g = 19.62 N.",
         controls: &["A block that lands at 1 m/s: its impulse does not halve with h, nor is it m g h."],
         sources: &["chapter §3, common pitfalls"],
-        check: impulse_scales_with_the_step,
+        check: check!(impulse_scales_with_the_step),
     },
 ];
 

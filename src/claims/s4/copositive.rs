@@ -22,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
             [[1, −1], [−1, 1]] and [[0, 1], [−1, 0]] satisfy both parts.",
         controls: &["Part (i) alone.", "Positive definite in place of copositive-plus.", "A look at the axes alone, a diagonal ≥ 0."],
         sources: &["chapter §4, definition before the theorem on M_LCP", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.8"],
-        check: definition,
+        check: check!(definition),
     },
     Claim {
         id: "S4.copos",
@@ -36,7 +36,7 @@ pub const CLAIMS: &[Claim] = &[
             chapter's contact, a wedge of two contacts and the jamming 4×4 matrix; on a thousand random systems in the property family.",
         controls: &["The last row with reversed sign, (−μ, Eᵀ)."],
         sources: &["chapter §4, theorem on M_LCP, part (i)"],
-        check: copositivity,
+        check: check!(copositivity),
     },
     Claim {
         id: "S4.copos-plus",
@@ -60,7 +60,7 @@ pub const CLAIMS: &[Claim] = &[
             "The last row with reversed sign, (−μ, Eᵀ).",
         ],
         sources: &["chapter §4, theorem on M_LCP", "proof: module certificate::existence"],
-        check: not_plus,
+        check: check!(not_plus),
     },
     Claim {
         id: "S4.quadratic-general",
@@ -76,7 +76,7 @@ pub const CLAIMS: &[Claim] = &[
             it vanishes with (M + Mᵀ)x = (μσ, 0, 0).",
         controls: &["The matrices without μ in their last rows, for which the printed identity and its consequence hold."],
         sources: &["chapter §4, exercise 2, and the proof of the theorem on M_LCP (whose display is not legible in the source)"],
-        check: general_form,
+        check: check!(general_form),
     },
     Claim {
         id: "S4.cps-thm",
@@ -91,7 +91,7 @@ pub const CLAIMS: &[Claim] = &[
             every feasible one solved. The merely copositive 4×4 matrix of a jammed contact has a feasible q without solution.",
         controls: &["The merely copositive 4×4 matrix with q = (−1, 0, 0, 0)."],
         sources: &["chapter §4, corollary “every step is solvable”", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.8"],
-        check: feasible_is_solvable,
+        check: check!(feasible_is_solvable),
     },
 ];
 

@@ -31,7 +31,7 @@ pub const CLAIMS: &[Claim] = &[
             "doi:10.1002/(SICI)1097-0207(19960815)39:15<2673::AID-NME972>3.0.CO;2-I; doi:10.1023/A:1008292328909; \
                 doi:10.1007/s002050050129",
         ],
-        check: places,
+        check: check!(places),
     },
     Claim {
         id: "S4.drake-name",
@@ -51,7 +51,7 @@ pub const CLAIMS: &[Claim] = &[
             "The LCP with the sign of its rows of the friction cone wrong.",
         ],
         sources: &["chapter §4, motivation", "Drake 1.51.1 (references/facts/drake.json); its repository and its history"],
-        check: early_drake,
+        check: check!(early_drake),
     },
     Claim {
         id: "S4.first-proof",
@@ -74,7 +74,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §4, essential insight on copositive-plus",
             "Pang and Trinkle, Math. Program. 73 (1996) 199, for the title and year",
         ],
-        check: not_definite,
+        check: check!(not_definite),
     },
 ];
 

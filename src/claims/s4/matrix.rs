@@ -27,7 +27,7 @@ pub const CLAIMS: &[Claim] = &[
             "The impulses of another contact, μ = 1 with free velocity (3, −2), kept for this one.",
         ],
         sources: &["chapter §4, step 3 of the construction"],
-        check: groups,
+        check: check!(groups),
     },
     Claim {
         id: "S4.Wtilde",
@@ -44,7 +44,7 @@ pub const CLAIMS: &[Claim] = &[
             "An asymmetric “mass”, as an implicit gyroscopic force leaves it.",
         ],
         sources: &["chapter §4, reading of the matrix block by block"],
-        check: reduced_block,
+        check: check!(reduced_block),
     },
     Claim {
         id: "S4.ex-jacobian",
@@ -64,7 +64,7 @@ pub const CLAIMS: &[Claim] = &[
             "A corner that lies 1 m below the centre of mass and 1 m beside it.",
         ],
         sources: &["chapter §4, example “2D block on the ground”"],
-        check: lever_arm,
+        check: check!(lever_arm),
     },
     Claim {
         id: "S4.ex-W",
@@ -77,7 +77,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "W = H M⁻¹Hᵀ entry by entry; the tangential block has the kernel (1, 1) and the entry 1.",
         controls: &["Two directions that are not opposite, d₁ = d₂.", "Two directions at a right angle, of a contact in space."],
         sources: &["chapter §4, example “2D block on the ground”"],
-        check: example_delassus,
+        check: check!(example_delassus),
     },
     Claim {
         id: "S4.ex-asym",
@@ -90,7 +90,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Read off M = [[W̃, (0; E)], [(μ, −Eᵀ), 0]] with μ = 1/2.",
         controls: &["The symmetric matrix [[W̃, b], [bᵀ, 0]] of the proof's first line.", "The transposed matrix."],
         sources: &["chapter §4, example “2D block on the ground”"],
-        check: asymmetry,
+        check: check!(asymmetry),
     },
     Claim {
         id: "S4.ex-quadratic",
@@ -107,7 +107,7 @@ pub const CLAIMS: &[Claim] = &[
             "The last row with reversed sign, (−μ, Eᵀ).",
         ],
         sources: &["chapter §4, example “2D block on the ground”"],
-        check: example_form,
+        check: check!(example_form),
     },
     Claim {
         id: "S4.block-form",
@@ -124,7 +124,7 @@ pub const CLAIMS: &[Claim] = &[
             "A contact without friction, μ = 0 and no directions: its last row and column are zero in the display and in the words.",
         ],
         sources: &["chapter §4, proof of the theorem on M_LCP"],
-        check: block_form,
+        check: check!(block_form),
     },
     Claim {
         id: "S4.ex1-size",
@@ -140,7 +140,7 @@ pub const CLAIMS: &[Claim] = &[
             a slide at 2 m/s to 3/2 m/s in one sense, not at all in the other.",
         controls: &["The three scalars (λ, β₁, σ) of the direction d₁ alone.", "No directions at all."],
         sources: &["chapter §4, exercise 1"],
-        check: example_size,
+        check: check!(example_size),
     },
 ];
 

@@ -27,7 +27,7 @@ pub const CLAIMS: &[Claim] = &[
             −4/5; b = −1 has no solution, b = 1 has two (0 and 5/4). (4 + t²)/(3t) − 4/3 = (t − 2)²/(3t) ≥ 0, so μ_P is least at tan = 2.",
         controls: &["μ = 1 < μ_P: exactly one solution for either sign of b.", "A rod that leans the other way, cos = 4/5."],
         sources: &["chapter §4, resolution of Painlevé's paradox", "Painlevé 1895; Génot and Brogliato 1999"],
-        check: paradox,
+        check: check!(paradox),
     },
     Claim {
         id: "S4.painleve-atom",
@@ -46,7 +46,7 @@ pub const CLAIMS: &[Claim] = &[
             (a Painlevé configuration as well): 3 solutions (open, sliding, impact).",
         controls: &["μ = 1 < μ_P: the impulse is of order h and there is no atom."],
         sources: &["chapter §4, resolution of Painlevé's paradox", "Stewart 1998 (not read)"],
-        check: atom,
+        check: check!(atom),
     },
     Claim {
         id: "S4.ex3-energy",
@@ -60,7 +60,7 @@ pub const CLAIMS: &[Claim] = &[
             and after.",
         controls: &["A rod whose end starts below the floor: the impulse that pushes it out injects energy."],
         sources: &["chapter §4, exercise 3"],
-        check: dissipation,
+        check: check!(dissipation),
     },
 ];
 

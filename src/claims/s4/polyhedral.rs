@@ -33,7 +33,7 @@ pub const CLAIMS: &[Claim] = &[
             exclude each other.",
         controls: &["The direction of the force, whose error is π/d, in place of the shape: O(1/d²) does not hold of it in any reading."],
         sources: &["chapter §4, compromise, summary and pitfall", "chapter §5, table and insight on the two approximations"],
-        check: order,
+        check: check!(order),
     },
     Claim {
         id: "S4.d8",
@@ -52,7 +52,7 @@ pub const CLAIMS: &[Claim] = &[
             first order of the drift is (π/4)/d, not 1/d².",
         controls: &["The circular cone, which is what quite accurate would mean."],
         sources: &["chapter §4, pitfall on the polyhedral cone"],
-        check: eight_directions,
+        check: check!(eight_directions),
     },
     Claim {
         id: "S4.aniso",
@@ -71,7 +71,7 @@ pub const CLAIMS: &[Claim] = &[
             the way from direction to bisector turns towards the bisector.",
         controls: &["Coulomb's circular cone.", "Two directions more.", "A floor with half the coefficient of friction."],
         sources: &["chapter §4, pitfall on the polyhedral cone"],
-        check: anisotropy,
+        check: check!(anisotropy),
     },
     Claim {
         id: "S4.maxdiss",
@@ -92,7 +92,7 @@ pub const CLAIMS: &[Claim] = &[
             "An LCP whose tangential rows carry 2E, which halves the slip rate.",
         ],
         sources: &["chapter §4, the LCP matrix and σ"],
-        check: maximal_dissipation,
+        check: check!(maximal_dissipation),
     },
 ];
 

@@ -26,7 +26,7 @@ pub const CLAIMS: &[Claim] = &[
             = β = 0 and the family σ ≥ 2.",
         controls: &["The open contact in place of the one that slides.", "A slide at 2 m/s in place of what sticks."],
         sources: &["chapter §4, reading of the complementarity μλ_n − Eᵀβ ≥ 0 ⟂ σ ≥ 0"],
-        check: slip_speed,
+        check: check!(slip_speed),
     },
     Claim {
         id: "S4.nonunique",
@@ -47,7 +47,7 @@ pub const CLAIMS: &[Claim] = &[
             "μ = 1 in place of 2 for the rod, and one corner of the block fewer.",
         ],
         sources: &["chapter §4, pitfall “solvable means unique”"],
-        check: several_solutions,
+        check: check!(several_solutions),
     },
     Claim {
         id: "S4.pmatrix",
@@ -60,7 +60,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Principal minor {σ} = 0, whatever μ and W̃. Uniqueness can only be had for velocities or in the absence of friction.",
         controls: &["The matrix (1, 2; 2, 1), which is no P-matrix, in place of that of three balls."],
         sources: &["chapter §4, pitfall “solvable means unique”", "Cottle, Pang, Stone, The Linear Complementarity Problem, §3.3"],
-        check: never_p,
+        check: check!(never_p),
     },
     Claim {
         id: "S4.lcp-kink",
@@ -75,7 +75,7 @@ pub const CLAIMS: &[Claim] = &[
             −1.",
         controls: &["A point inside one active set, q = −1.", "A point inside the other, q = 1."],
         sources: &["chapter §4, summary"],
-        check: kink,
+        check: check!(kink),
     },
 ];
 

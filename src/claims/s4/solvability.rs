@@ -28,7 +28,7 @@ pub const CLAIMS: &[Claim] = &[
             "Gaps −1 in place of 0, and a friction row with the sign of μ wrong.",
         ],
         sources: &["chapter §4, corollary “every step is solvable”"],
-        check: feasible,
+        check: check!(feasible),
     },
     Claim {
         id: "S4.solvable",
@@ -51,7 +51,7 @@ pub const CLAIMS: &[Claim] = &[
                 inside it.",
         ],
         sources: &["chapter §4, corollary “every step is solvable”", "proof: module certificate::existence"],
-        check: solvable,
+        check: check!(solvable),
     },
 ];
 

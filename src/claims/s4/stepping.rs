@@ -24,7 +24,7 @@ pub const CLAIMS: &[Claim] = &[
             law with the shift φ/h = 16.",
         controls: &["Moreau–Jean, whose shift e·u_n does not contain the gap."],
         sources: &["chapter §4, step 1 of the construction"],
-        check: linearised,
+        check: check!(linearised),
     },
     Claim {
         id: "S4.nonpen",
@@ -40,7 +40,7 @@ pub const CLAIMS: &[Claim] = &[
             v = 1, h = 1/100, 200 steps: gap ≥ −½h²v². A plastic ball that falls on a floor: the least gap of 50 exact steps is 0.",
         controls: &["Moreau–Jean on the same circle, which drifts out by √(1 + nh²v²) − 1."],
         sources: &["chapter §4, table Stewart–Trinkle versus Moreau–Jean"],
-        check: no_drift,
+        check: check!(no_drift),
     },
     Claim {
         id: "S4.brake",
@@ -60,7 +60,7 @@ pub const CLAIMS: &[Claim] = &[
             "A ball that touches already, φ = 0.",
         ],
         sources: &["chapter §4, end of the comparison with Moreau–Jean"],
-        check: brake,
+        check: check!(brake),
     },
     Claim {
         id: "S4.pushout",
@@ -76,7 +76,7 @@ pub const CLAIMS: &[Claim] = &[
             both walls are penetrated: with μ = 7/10 the step pushes the point out, with μ = 3/4 there is no step.",
         controls: &["Moreau–Jean, which leaves the body where it is.", "The two coefficients of the wedge exchanged."],
         sources: &["chapter §4, pitfall “position level versus velocity level”"],
-        check: push_out,
+        check: check!(push_out),
     },
     Claim {
         id: "S4.mj-vs-st",
@@ -93,7 +93,7 @@ pub const CLAIMS: &[Claim] = &[
             at most ½h²v² = 5e-5 m.",
         controls: &["The bead on the circle in place of the block on the incline.", "The two schemes exchanged on the circle."],
         sources: &["chapter §4, end of the comparison with Moreau–Jean; §2, table of the two levels"],
-        check: persistent_contact,
+        check: check!(persistent_contact),
     },
     Claim {
         id: "S4.conv-chain",
@@ -109,7 +109,7 @@ pub const CLAIMS: &[Claim] = &[
             for every h = 2⁻⁴ … 2⁻¹². From a penetration of 1/64 the first step alone makes TV ≥ 1/(64h).",
         controls: &["A start 1/64 m above the floor in place of one as far inside.", "A ball thrown down at 20 m/s."],
         sources: &["chapter §4, convergence; §11, four steps", "Stewart 1998 (not read)"],
-        check: bounded_variation,
+        check: check!(bounded_variation),
     },
 ];
 

@@ -30,7 +30,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §5, section on creep",
             "Anitescu, Optimization-based simulation of nonsmooth rigid multibody dynamics (2006, not read)",
         ],
-        check: relaxed_constraint,
+        check: check!(relaxed_constraint),
     },
     Claim {
         id: "S5.proj",
@@ -51,7 +51,7 @@ pub const CLAIMS: &[Claim] = &[
             "The sign of z_n reversed in the test for zero, μ‖z_t‖ ≤ z_n.",
         ],
         sources: &["chapter §5, analytic cone projection"],
-        check: projection,
+        check: check!(projection),
     },
     Claim {
         id: "S5.proj-states",
@@ -71,7 +71,7 @@ pub const CLAIMS: &[Claim] = &[
             "μ = 1/5 in the projection, 1/2 in the step.",
         ],
         sources: &["chapter §5, physical meaning of the three cases"],
-        check: projection_states,
+        check: check!(projection_states),
     },
     Claim {
         id: "S5.sap-inner",
@@ -94,7 +94,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §5, analytic cone projection",
             "Castro, Permenter and Han, An unconstrained convex formulation of compliant contact (2022)",
         ],
-        check: weighted_projection,
+        check: check!(weighted_projection),
     },
     Claim {
         id: "S5.diff",
@@ -114,7 +114,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §5, differentiability of the relaxed problem",
             "Fiacco, Introduction to Sensitivity and Stability Analysis (1983)",
         ],
-        check: differentiability,
+        check: check!(differentiability),
     },
 ];
 

@@ -29,7 +29,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         "chapter §5, the price of the relaxation",
         "Drake 1.51.1, documentation of DiscreteContactApproximation (references/facts/drake.json)",
     ],
-    check: gliding,
+    check: check!(gliding),
 }];
 
 fn gliding(reading: Reading) -> Result<Vec<Finding>> {

@@ -31,7 +31,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "μ = 1/2, with which the block slides and hovers.",
         ],
         sources: &["chapter §5, the price of convexity", "KKT conditions of the convex step"],
-        check: no_creep,
+        check: check!(no_creep),
     },
     Claim {
         id: "S5.gliding-normal",
@@ -50,7 +50,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             as hard along the slope (g_t 3 → 6 m/s²) by the factor 2. (A heavier block does both at once.)",
         controls: &["A block with R_t = 1/1000, whose whole weight is doubled: its creep is twice as fast."],
         sources: &["chapter §5, the price of convexity"],
-        check: creep_follows_the_tangential_load,
+        check: check!(creep_follows_the_tangential_load),
     },
     Claim {
         id: "S5.gliding-mechanism",
@@ -73,7 +73,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             S5.relaxed-constraint.)",
         controls: &["The printed set: the velocity it leaves to either block is its free one, because the set contains it."],
         sources: &["chapter §5, the price of convexity and exercise 2"],
-        check: no_leak,
+        check: check!(no_leak),
     },
     Claim {
         id: "S5.glide-h-not-mu",
@@ -96,7 +96,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "A damper in place of the softness, R_t ∝ 1/h, as in MuJoCo: its creep does not shrink with h.",
         ],
         sources: &["chapter §5, pitfalls and exercise 2"],
-        check: proportional_to_h,
+        check: check!(proportional_to_h),
     },
 ];
 

@@ -22,7 +22,7 @@ pub(super) const CLAIMS: &[Claim] = &[
                    η = 1/L, (9/10)¹⁰ of itself for η = 1.9/L and (11/10)¹⁰ for η = 2.1/L.",
         controls: &["η = 2.1/‖N‖ in place of 1/‖N‖, and half of that in place of 1/(2‖N‖)."],
         sources: &["chapter §5, APGD iteration"],
-        check: step_length,
+        check: check!(step_length),
     },
     Claim {
         id: "S5.rates",
@@ -43,7 +43,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "chapter §5, APGD",
             "Beck and Teboulle, A fast iterative shrinkage-thresholding algorithm (2009), bounds of both methods",
         ],
-        check: rates,
+        check: check!(rates),
     },
     Claim {
         id: "S5.one-matvec",
@@ -65,7 +65,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "A contact on each link of a chain in joint coordinates: D is a full triangle.",
         ],
         sources: &["chapter §5, APGD iteration"],
-        check: products,
+        check: check!(products),
     },
 ];
 

@@ -26,7 +26,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             volume nor page.",
         controls: &["Page 131, two digits exchanged."],
         sources: &["chapter §5, and the list of papers at its end", "doi:10.1007/s10107-005-0590-7"],
-        check: journal,
+        check: check!(journal),
     },
     Claim {
         id: "S5.apgd-credit",
@@ -47,7 +47,7 @@ pub(super) const CLAIMS: &[Claim] = &[
                 (2015), not read",
             "S10.path-chrono",
         ],
-        check: contraction,
+        check: check!(contraction),
     },
     Claim {
         id: "S5.who-uses",
@@ -71,7 +71,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "Drake 1.51.1 (references/drake/block_slide__sap__h0.001.json and its kLagged counterpart)",
             "references/facts/siconos.json",
         ],
-        check: users,
+        check: check!(users),
     },
     Claim {
         id: "S5.pivot-scale",
@@ -89,7 +89,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             directions has 6 unknowns per contact: at 10⁵ contacts a tableau takes more than 10¹² bytes.",
         controls: &["Plain gradients in place of accelerated ones, and a tableau of which a pivot touches one row."],
         sources: &["chapter §5, motivation"],
-        check: scaling,
+        check: check!(scaling),
     },
 ];
 

@@ -29,7 +29,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "A box that sticks on two corners: midpoints of its solutions are solutions.",
         ],
         sources: &["chapter §5, why the original problem is not convex", "enumeration of the Stewart–Trinkle LCP"],
-        check: three_solutions,
+        check: check!(three_solutions),
     },
     Claim {
         id: "S5.unique-vs-lcp",
@@ -52,7 +52,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "The loads at which derivatives are taken exchanged.",
         ],
         sources: &["chapter §5, pitfalls", "enumeration of both LCPs"],
-        check: uniqueness,
+        check: check!(uniqueness),
     },
     Claim {
         id: "S5.apitfall-poly",
@@ -71,7 +71,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "The box and its sticking impulses in place of the rod and its jams: their midpoint is a solution.",
         ],
         sources: &["chapter §5, pitfalls"],
-        check: midpoints,
+        check: check!(midpoints),
     },
     Claim {
         id: "S5.orthogonal",
@@ -92,7 +92,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "The answers of the other shape, the polyhedral for the round and conversely.",
         ],
         sources: &["chapter §5, two orthogonal approximations"],
-        check: four_combinations,
+        check: check!(four_combinations),
     },
     Claim {
         id: "S5.diff-necessary",
@@ -115,7 +115,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "The factor 2 of the gradient forgotten in the LCP: 0 ≤ z ⟂ z + θ ≥ 0.",
         ],
         sources: &["chapter §5, convexity and differentiable contact", "chapter §3, QP form of the normal LCP", "chapter §6"],
-        check: same_kink,
+        check: check!(same_kink),
     },
 ];
 

@@ -23,7 +23,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             its D has rank, and LDLᵀ over the rationals finds N definite; two corners have 4 columns of rank 3, and N is singular.",
         controls: &["The two corners in place of the one, and the one in place of the two."],
         sources: &["chapter §5, steps 3 and 5 of the construction"],
-        check: strictness,
+        check: check!(strictness),
     },
     Claim {
         id: "S5.D-rank",
@@ -44,7 +44,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "The same contact taken twice, (n, t, n, t): a redundant contact in place of a single one.",
         ],
         sources: &["chapter §4, construction of the polyhedral cone", "chapter §5, steps 1 and 5"],
-        check: symmetric_directions_are_dependent,
+        check: check!(symmetric_directions_are_dependent),
     },
     Claim {
         id: "S5.psd-unique",
@@ -68,7 +68,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "The proximal term on the normal rows only.",
         ],
         sources: &["chapter §5, step 5"],
-        check: many_optimal_impulses,
+        check: check!(many_optimal_impulses),
     },
     Claim {
         id: "S5.gap-term",
@@ -83,7 +83,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             with n·v⁺ = −2/5.",
         controls: &["The constraint without the gap term, n·v ≥ 0, which stops the ball in the air."],
         sources: &["chapter §5, step 2 of the construction"],
-        check: gap_term,
+        check: check!(gap_term),
     },
     Claim {
         id: "S5.qp-form",
@@ -99,7 +99,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             corners with gaps 1/7 and 2/7 m/s.",
         controls: &["r without the gap term."],
         sources: &["chapter §5, step 3 and exercise 1"],
-        check: elimination,
+        check: check!(elimination),
     },
     Claim {
         id: "S5.ccp",
@@ -116,7 +116,7 @@ pub(super) const CLAIMS: &[Claim] = &[
                    point of a grid around it has a smaller objective.",
         controls: &["Coulomb's answer to the same step: it satisfies another complementarity and is not optimal."],
         sources: &["chapter §5, step 4", "first-order optimality over a convex cone"],
-        check: optimality,
+        check: check!(optimality),
     },
     Claim {
         id: "S5.continuous",
@@ -136,7 +136,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "The two wedges, ε = 0 and ε = 10⁻⁶, under one load in place of pairs of loads on the box.",
         ],
         sources: &["chapter §5, motivation", "non-expansiveness of projections on convex sets"],
-        check: continuity,
+        check: check!(continuity),
     },
 ];
 

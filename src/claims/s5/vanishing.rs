@@ -27,7 +27,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "The shock under the relaxation, φ = 0, in place of the compatible slide and of Coulomb's step.",
         ],
         sources: &["chapter §5, convergence theorem and pitfalls", "exact steps of the convex program"],
-        check: hop,
+        check: check!(hop),
     },
     Claim {
         id: "S5.conv2006",
@@ -50,7 +50,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             "μ = 1 in the step, 1/2 in the cone.",
         ],
         sources: &["chapter §5, convergence theorem"],
-        check: weak_limit,
+        check: check!(weak_limit),
     },
 ];
 

@@ -35,7 +35,7 @@ pub const CLAIMS: &[Claim] = &[
             "A single sweep on the dual.",
         ],
         sources: &["chapter §6, step 3", SOURCE],
-        check: primal_and_dual,
+        check: check!(primal_and_dual),
     },
     Claim {
         id: "S6.cg-prp",
@@ -51,7 +51,7 @@ pub const CLAIMS: &[Claim] = &[
             size. Steepest descent does not.",
         controls: &["Release 3.9.0.", "Steepest descent and the conjugate directions exchanged."],
         sources: &["chapter §6, table of solvers", "MuJoCo change log, 3.10.0, item 6 (commit 828052e6)", "references/facts/mujoco.json"],
-        check: conjugate_directions,
+        check: check!(conjugate_directions),
     },
     Claim {
         id: "S6.cg-linesearch",
@@ -66,7 +66,7 @@ pub const CLAIMS: &[Claim] = &[
             one-sided row, different for a slipping cone.",
         controls: &["The one-sided row and the cone exchanged."],
         sources: &["chapter §6, table of solvers", SOURCE],
-        check: piecewise_quadratic,
+        check: check!(piecewise_quadratic),
     },
     Claim {
         id: "S6.pgs-qcqp",
@@ -81,7 +81,7 @@ pub const CLAIMS: &[Claim] = &[
             from zero to the optimum of the stored sliding block, by the certificate; one sweep does not get there.",
         controls: &["One sweep."],
         sources: &["chapter §6, table of solvers", SOURCE],
-        check: rays_and_discs,
+        check: check!(rays_and_discs),
     },
     Claim {
         id: "S6.newton-few",
@@ -95,7 +95,7 @@ pub const CLAIMS: &[Claim] = &[
             relative gradient below 1e-10. A few counts as ten.",
         controls: &["Conjugate gradients."],
         sources: &["chapter §6, table of solvers", SOURCE],
-        check: few_iterations,
+        check: check!(few_iterations),
     },
     Claim {
         id: "S6.pgs-10",
@@ -110,7 +110,7 @@ pub const CLAIMS: &[Claim] = &[
             boxes, 16 % with mass ratio 2, 0.24 % for a single box. One per cent counts as a difference.",
         controls: &["Five thousand sweeps.", "One sweep."],
         sources: &["chapter §6, table of solvers", SOURCE],
-        check: ten_sweeps,
+        check: check!(ten_sweeps),
     },
     Claim {
         id: "S6.pgs-fastest",
@@ -126,7 +126,7 @@ pub const CLAIMS: &[Claim] = &[
             per step of CG. A stack of ten boxes costs PGS more than twice what CG needs, a single ball less.",
         controls: &["The ball in place of the stack.", "A stack of five in place of either."],
         sources: &["chapter §6, pitfall on solvers", SOURCE],
-        check: work,
+        check: check!(work),
     },
     Claim {
         id: "S6.solver-dependence",
@@ -140,7 +140,7 @@ pub const CLAIMS: &[Claim] = &[
             after ten sweeps.",
         controls: &["Ten sweeps.", "Ten steps of conjugate gradients, and the sweeps run to the end."],
         sources: &["chapter §6, pitfall on solvers", SOURCE],
-        check: solver_dependence,
+        check: check!(solver_dependence),
     },
 ];
 

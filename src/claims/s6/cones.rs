@@ -23,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
             "μ = (1/2, 1), the coefficients exchanged.",
         ],
         sources: &["chapter §6, step 4", MODEL],
-        check: elliptic,
+        check: check!(elliptic),
     },
     Claim {
         id: "S6.pyramidal-cone",
@@ -39,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
             the diagonal (1/2, 1/2) and no more, a squared strength of 1/2; all have |t₁| + |t₂| ≤ 1.",
         controls: &["Edges along (±3/5, ±4/5) in place of the axes."],
         sources: &["chapter §6, step 4", MODEL],
-        check: pyramidal,
+        check: check!(pyramidal),
     },
 ];
 

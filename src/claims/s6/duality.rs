@@ -25,7 +25,7 @@ pub const CLAIMS: &[Claim] = &[
             other admissible x + n, J n = 0, deviates by exactly ½ nᵀM n more, in rationals.",
         controls: &["The Euclidean norm in place of that of M."],
         sources: &["chapter §6, Gauss' principle and step 1", "Udwadia and Kalaba, A new perspective on constrained motion (1992)"],
-        check: gauss,
+        check: check!(gauss),
     },
     Claim {
         id: "S6.primal-terms",
@@ -43,7 +43,7 @@ pub const CLAIMS: &[Claim] = &[
             rationals.",
         controls: &["Forces and penalties from twice the regularisation.", "Every row two-sided, without bounds of the forces."],
         sources: &["chapter §6, step 1", MODEL],
-        check: primal,
+        check: check!(primal),
     },
     Claim {
         id: "S6.dual",
@@ -58,7 +58,7 @@ pub const CLAIMS: &[Claim] = &[
             of a grid about it. Its two contacts alone, solved by Clarabel, have the impulses that enumeration finds.",
         controls: &["D and the contacts without R."],
         sources: &["chapter §6, step 2", MODEL],
-        check: dual,
+        check: check!(dual),
     },
     Claim {
         id: "S6.huber-box",
@@ -73,7 +73,7 @@ pub const CLAIMS: &[Claim] = &[
             at y = 100. In the mixed problem the row with friction loss is at its bound.",
         controls: &["The quadratic without the linear part.", "R = 1 in place of 1/2."],
         sources: &["chapter §6, step 1", "Huber, Robust estimation of a location parameter (1964)"],
-        check: huber,
+        check: check!(huber),
     },
     Claim {
         id: "S6.omega-dot",
@@ -88,7 +88,7 @@ pub const CLAIMS: &[Claim] = &[
             open contact and on the row with friction loss, whose bound is reached.",
         controls: &["Twice the regularisation in R f.", "Every row two-sided, without bounds of the forces."],
         sources: &["chapter §6, step 3", MODEL],
-        check: deformation,
+        check: check!(deformation),
     },
     Claim {
         id: "S6.R-uniqueness",
@@ -103,7 +103,7 @@ pub const CLAIMS: &[Claim] = &[
             with R = 1/9 is definite, and enumeration finds one optimum, 81/37 N on each corner. All decided in rationals.",
         controls: &["R = 0.", "Four points on a line, at −1, 0, 1 and 3 m, in place of four corners."],
         sources: &["chapter §6, step 2", MODEL],
-        check: four_corners,
+        check: check!(four_corners),
     },
     Claim {
         id: "S6.inverse-closed-form",
@@ -116,7 +116,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The mixed problem forwards by enumeration and back by the formula: forces and M a₀ come out exactly.",
         controls: &["The forces without their bounds."],
         sources: &["chapter §6, bridge", "Todorov, Convex and analytically-invertible dynamics (2014)"],
-        check: inverse,
+        check: check!(inverse),
     },
     Claim {
         id: "S6.todorov2014-invertible",
@@ -132,7 +132,7 @@ pub const CLAIMS: &[Claim] = &[
             0.9999. With R = 0 all loads have the acceleration a_ref. The round trip of S6.inverse-closed-form is exact.",
         controls: &["The hard row, R = 0.", "R = 1 − d, the division by d forgotten."],
         sources: &["chapter §6, history", "Todorov, Convex and analytically-invertible dynamics (2014)"],
-        check: invertible,
+        check: check!(invertible),
     },
 ];
 

@@ -24,7 +24,7 @@ pub const CLAIMS: &[Claim] = &[
             and changes by 0.32 under discrete.",
         controls: &["The two integrators exchanged."],
         sources: &["chapter §6, philosophy", STORED],
-        check: continuous_time,
+        check: check!(continuous_time),
     },
     Claim {
         id: "S6.au",
@@ -42,7 +42,7 @@ pub const CLAIMS: &[Claim] = &[
             "The normal row in place of that along the spin axis.",
         ],
         sources: &["chapter §6, step 2", STORED],
-        check: omitted_rate,
+        check: check!(omitted_rate),
     },
     Claim {
         id: "S6.newton-desc",
@@ -56,7 +56,7 @@ pub const CLAIMS: &[Claim] = &[
             a relative gradient of 1e-2 to rest in at most three steps, conjugate gradients need more.",
         controls: &["Conjugate gradients in place of Newton."],
         sources: &["chapter §6, table of solvers", STORED],
-        check: super::algorithms::second_order,
+        check: check!(super::algorithms::second_order),
     },
     Claim {
         id: "S6.all-cones",
@@ -70,7 +70,7 @@ pub const CLAIMS: &[Claim] = &[
             agree within a cone to 2.7e-7 m/s², the two cones differ by more than 1 m/s².",
         controls: &["The pyramid's acceleration in place of the elliptic one.", "CG's single iterates in place of the solvers' ends."],
         sources: &["chapter §6, table of solvers", STORED],
-        check: all_twelve,
+        check: check!(all_twelve),
     },
     Claim {
         id: "S6.euler-default",
@@ -85,7 +85,7 @@ pub const CLAIMS: &[Claim] = &[
             1 m/s with a damper of 1000 N·s/m, h = 10 ms: Euler leaves 1/11 m/s, as v/(1 + hC/m).",
         controls: &["RK4 in place of Euler.", "Two of Drake's integrators looked up, and the position moved with the old velocity."],
         sources: &["chapter §6, step 6", STORED],
-        check: default_integrator,
+        check: check!(default_integrator),
     },
     Claim {
         id: "S6.semi-implicit-update",
@@ -102,7 +102,7 @@ pub const CLAIMS: &[Claim] = &[
             other way round.",
         controls: &["The two rules exchanged."],
         sources: &["chapter §6, step 6", "chapter §8", "stored run of MuJoCo 3.17.0, Euler"],
-        check: new_velocity,
+        check: check!(new_velocity),
     },
     Claim {
         id: "S6.implicitfast",
@@ -118,7 +118,7 @@ pub const CLAIMS: &[Claim] = &[
             implicit, it loses.",
         controls: &["A top that floats freely.", "Euler and implicitfast exchanged on the servo."],
         sources: &["chapter §6, step 6", STORED],
-        check: implicit_fast,
+        check: check!(implicit_fast),
     },
 ];
 

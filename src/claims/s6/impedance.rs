@@ -42,7 +42,7 @@ pub const CLAIMS: &[Claim] = &[
             widths.",
         controls: &["solimp = (0, 1, …) in place of the others.", "solimp = (0.95, 0.9, …), which falls, in place of the others."],
         sources: &["chapter §6, step 3", PARAMETERS],
-        check: range,
+        check: check!(range),
     },
     Claim {
         id: "S6.impedance-curve",
@@ -59,7 +59,7 @@ pub const CLAIMS: &[Claim] = &[
             −200000 1/m².",
         controls: &["The straight line, power 1.", "d₀ and d_w exchanged.", "1 mm taken for half of the width."],
         sources: &[CURVE, PARAMETERS],
-        check: curve,
+        check: check!(curve),
     },
     Claim {
         id: "S6.solimp-default",
@@ -73,7 +73,7 @@ pub const CLAIMS: &[Claim] = &[
             the depth that they give with solref = (0.02, 1); power 1 would give another.",
         controls: &["power 1."],
         sources: &[CURVE, "stored step problem ball_rest, newton-elliptic, h = 1 ms (MuJoCo 3.17.0)"],
-        check: default_parameters,
+        check: check!(default_parameters),
     },
     Claim {
         id: "S6.R-formula",
@@ -90,7 +90,7 @@ pub const CLAIMS: &[Claim] = &[
             R of d = 9/10 the weight of a_ref is 36/37, not 9/10.",
         controls: &["The d of the surface, 9/10, in place of the d of the row."],
         sources: &[CURVE, MODEL, "stored step problems of MuJoCo 3.17.0"],
-        check: regularisation,
+        check: check!(regularisation),
     },
     Claim {
         id: "S6.d-to-1",
@@ -103,7 +103,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "R/A = (1−d)/d is 1/9, 1/99, 1/999 at d = 0.9, 0.99, 0.999; with solimp = (1, 1, …) it is 1/9999 and not 0.",
         controls: &["The formula at d = 1, without MuJoCo's limit.", "R = 1 − d, the division by d forgotten."],
         sources: &[CURVE, PARAMETERS],
-        check: hard_limit,
+        check: check!(hard_limit),
     },
     Claim {
         id: "S6.layered-contact",
@@ -118,7 +118,7 @@ pub const CLAIMS: &[Claim] = &[
             default it is 2.23 times. In rationals.",
         controls: &["Constant impedance in place of either curve."],
         sources: &[CURVE],
-        check: layer,
+        check: check!(layer),
     },
     Claim {
         id: "S6.rest-penetration",
@@ -133,7 +133,7 @@ pub const CLAIMS: &[Claim] = &[
             MuJoCo 3.17.0 end there. With constant d = 9/10, δ = g/k_p/10 in rationals.",
         controls: &["A contact with constant impedance 0.95."],
         sources: &["chapter §6, pitfalls on stiffness and on hard contact", MODEL],
-        check: rest,
+        check: check!(rest),
     },
     Claim {
         id: "S6.R-softness",
@@ -148,7 +148,7 @@ pub const CLAIMS: &[Claim] = &[
             a_ref)/(A + R)² by dual numbers.",
         controls: &["A row that wants a_ref = a_u, where R changes nothing."],
         sources: &["chapter §6, step 1", MODEL],
-        check: softness,
+        check: check!(softness),
     },
     Claim {
         id: "S6.push-harder",
@@ -161,7 +161,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "a = d a_ref + (1−d) a_u by dual numbers: ∂τ/∂a = 10, 100, 1000, 10000 kg at m = 1 kg and d = 0.9, 0.99, 0.999, 0.9999.",
         controls: &["The hard row, R = 0.", "A plain spring, whose force does not know the load."],
         sources: &["chapter §6, MuJoCo's choice", MODEL],
-        check: push,
+        check: check!(push),
     },
     Claim {
         id: "S6.solref-solimp-roles",
@@ -178,7 +178,7 @@ pub const CLAIMS: &[Claim] = &[
             at φ = −1 mm is 5 m/s² in place of 50/19, and 1 kg rests under g = 10 m/s² at 2/1000 m in place of 1/5000 m.",
         controls: &["The same solimp twice.", "solref (1/100, 1) with the one of the two solimp."],
         sources: &["chapter §6, step 3 and the pitfall on solref and solimp", PARAMETERS],
-        check: roles,
+        check: check!(roles),
     },
 ];
 

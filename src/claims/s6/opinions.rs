@@ -34,7 +34,7 @@ pub const CLAIMS: &[Claim] = &[
             at a thousandth of the distance. MJX itself was not run; its issue tracker reports NaN gradients.",
         controls: &["The ball at rest without weight, where nothing jumps."],
         sources: &["chapter §6, consequences", MODEL, "github.com/google-deepmind/mujoco, issues 1517 and 2841"],
-        check: jump_at_touch,
+        check: check!(jump_at_touch),
     },
     Claim {
         id: "S6.time-reversible",
@@ -53,7 +53,7 @@ pub const CLAIMS: &[Claim] = &[
             "The push without the contact forces, and the turn with the velocity of the step in place of the middle one.",
         ],
         sources: &["chapter §6, consequences", "Todorov, Convex and analytically-invertible dynamics with contacts and constraints (2014)"],
-        check: reversal,
+        check: check!(reversal),
     },
     Claim {
         id: "S6.hard-engine-cost",
@@ -69,7 +69,7 @@ pub const CLAIMS: &[Claim] = &[
             step is. With Coulomb's law in place of the associated one the method refuses: no convex problem is left.",
         controls: &["Coulomb's law."],
         sources: &["chapter §6, philosophy"],
-        check: hard_and_convex,
+        check: check!(hard_and_convex),
     },
     Claim {
         id: "S6.pyr-faster",
@@ -85,7 +85,7 @@ pub const CLAIMS: &[Claim] = &[
             takes one step over either cone.",
         controls: &["The stack of ten and the ball exchanged."],
         sources: &["chapter §6, step 4", MODEL],
-        check: row_counts,
+        check: check!(row_counts),
     },
     Claim {
         id: "S6.less-rigid-than-sap",
@@ -105,7 +105,7 @@ pub const CLAIMS: &[Claim] = &[
             "SAP with 1e4 N/m, and a start 1 mm deep, which a velocity-level scheme keeps.",
         ],
         sources: &["chapter §6, consequences", MODEL],
-        check: depths,
+        check: check!(depths),
     },
     Claim {
         id: "S6.gpu-scale",
@@ -119,7 +119,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The program of two stacks side by side has the minimisers of the two as its minimiser, to the solver's stopping rule.",
         controls: &["Two stacks coupled by their mass."],
         sources: &["chapter §6, philosophy"],
-        check: independent_worlds,
+        check: check!(independent_worlds),
     },
 ];
 

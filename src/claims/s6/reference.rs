@@ -25,7 +25,7 @@ pub const CLAIMS: &[Claim] = &[
             formula that reproduces the stored runs of MuJoCo. The stiffness at half a millimetre is another one.",
         controls: &["φ̇ = +3/10 m/s, with the damper's sign reversed."],
         sources: &["chapter §6, step 3", DOCUMENTATION],
-        check: form,
+        check: check!(form),
     },
     Claim {
         id: "S6.solref-meaning",
@@ -41,7 +41,7 @@ pub const CLAIMS: &[Claim] = &[
             1/2; (1/50, 2) has ω₀² = 625. (−2500, −100) is the same as (1/50, 1).",
         controls: &["dampratio 1 in place of 1/2 and 2.", "The surface, where d = d₀, in place of a depth beyond the width."],
         sources: &["chapter §6, step 3 and the numerical example of solref", DOCUMENTATION],
-        check: meaning,
+        check: check!(meaning),
     },
     Claim {
         id: "S6.kp-kd",
@@ -58,7 +58,7 @@ pub const CLAIMS: &[Claim] = &[
             "2500 and 100 taken for the coefficients of a_ref at d_w: k d_w = 2500, b = 100.",
         ],
         sources: &["chapter §6, numerical example of solref", DOCUMENTATION],
-        check: effective,
+        check: check!(effective),
     },
     Claim {
         id: "S6.aref-2500-100",
@@ -73,7 +73,7 @@ pub const CLAIMS: &[Claim] = &[
             100 at d = d_w.",
         controls: &["solref = (−2375, −95) with constant impedance 19/20, where the printed coefficients are right."],
         sources: &["chapter §6, numerical example of solref", DOCUMENTATION],
-        check: coefficients,
+        check: check!(coefficients),
     },
     Claim {
         id: "S6.critical-no-overshoot",
@@ -94,7 +94,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §6, numerical example of solref",
             "Schwager and Pöschel, Coefficient of restitution and linear–dashpot model revisited (2007)",
         ],
-        check: critical,
+        check: check!(critical),
     },
     Claim {
         id: "S6.zeta-bounce",
@@ -109,7 +109,7 @@ pub const CLAIMS: &[Claim] = &[
             1 the violation decays as 1/t_c; at ζ = 5/4 the slower root is −2/5 of 1/t_c.",
         controls: &["1/ζ in place of ζ.", "Half the damping ratio, as if the damping were ζω₀ and not 2ζω₀."],
         sources: &["chapter §6, numerical example of solref", "Schwager and Pöschel (2007)"],
-        check: bounce,
+        check: check!(bounce),
     },
 ];
 

@@ -30,7 +30,7 @@ pub const CLAIMS: &[Claim] = &[
             "q = 1 and the load (−2, 2), outside contact and inside slip.",
         ],
         sources: &["chapter §6, hard contact and learning", "Cottle, Pang and Stone, The Linear Complementarity Problem, chapter 7"],
-        check: hard_kinks,
+        check: check!(hard_kinks),
     },
     Claim {
         id: "S6.smooth-everywhere",
@@ -49,7 +49,7 @@ pub const CLAIMS: &[Claim] = &[
             Load across the change from stick to slip, R = 1/9: ∂f_t/∂b_t = −9/10 and −9/50.",
         controls: &["A quarter of a millimetre inside contact, and a load inside contact and inside stick."],
         sources: &["chapter §6, MuJoCo's choice, bridge, and the pitfall on hard contact", MODEL],
-        check: soft_kinks,
+        check: check!(soft_kinks),
     },
     Claim {
         id: "S6.cone-softened",
@@ -65,7 +65,7 @@ pub const CLAIMS: &[Claim] = &[
             the minimum in b, and its slope at b_t = 1 is −1/(1+R) for stick and −1/(5(1+R)) for slip.",
         controls: &["Loads that stick, for which |f_t| < μ f_n and the slopes are equal."],
         sources: &["chapter §6, step 2 and exercise 3", MODEL],
-        check: hard_cone,
+        check: check!(hard_cone),
     },
 ];
 

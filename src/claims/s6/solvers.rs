@@ -33,7 +33,7 @@ pub const CLAIMS: &[Claim] = &[
             steps in tests/references.",
         controls: &["One sweep of Gauss–Seidel.", "The problem without R for the other two solvers."],
         sources: &["chapter §6, step 5 and the pitfall on solvers", MODEL],
-        check: same_optimum,
+        check: check!(same_optimum),
     },
     Claim {
         id: "S6.unique-warmstart",
@@ -49,7 +49,7 @@ pub const CLAIMS: &[Claim] = &[
             need fewer iterations in all than from zero.",
         controls: &["R = 0 in place of 1/9, and 1/9 in place of 0.", "Every step started from zero."],
         sources: &["chapter §6, bridge", MODEL],
-        check: warm_start,
+        check: check!(warm_start),
     },
     Claim {
         id: "S6.pgs-sublinear",
@@ -64,7 +64,7 @@ pub const CLAIMS: &[Claim] = &[
             10 in rationals. The factor of a sublinear sequence rises towards 1.",
         controls: &["Sweeps averaged with the weight 1/(k+1), which do converge sublinearly."],
         sources: &["chapter §6, table of solvers", "Luo and Tseng, On the convergence of the coordinate descent method (1992)"],
-        check: gauss_seidel,
+        check: check!(gauss_seidel),
     },
     Claim {
         id: "S6.same-as-anitescu",
@@ -84,7 +84,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §6, insight on Anitescu's problem",
             "Anitescu, Optimization-based simulation of nonsmooth rigid multibody dynamics (2006)",
         ],
-        check: anitescu,
+        check: check!(anitescu),
     },
     Claim {
         id: "S6.impratio",
@@ -99,7 +99,7 @@ pub const CLAIMS: &[Claim] = &[
             unchanged depth; hence R_n/R_t = 10 and, of the hardness 1/R, a tenth.",
         controls: &["impratio 1."],
         sources: &["chapter §6, step 4", "MuJoCo documentation, option impratio (3.17)"],
-        check: impedance_ratio,
+        check: check!(impedance_ratio),
     },
 ];
 

@@ -29,7 +29,7 @@ pub const CLAIMS: &[Claim] = &[
             below the bound 2(√(1+ζ²) − ζ) for ζ above 1/(2√2): decided at ζ = 36/100 and 35/100.",
         controls: &["dampratio 0.4 in place of 0.35 and 0.2.", "refsafe off and timeconst = h."],
         sources: &[STABILITY, REFSAFE],
-        check: enforced,
+        check: check!(enforced),
     },
     Claim {
         id: "S6.timeconst-lt-2h-unstable",
@@ -49,7 +49,7 @@ pub const CLAIMS: &[Claim] = &[
             "The implicit rule in place of the semi-implicit one, and refsafe on.",
         ],
         sources: &[STABILITY],
-        check: stability,
+        check: check!(stability),
     },
     Claim {
         id: "S6.omega-gt-1-over-2h",
@@ -67,7 +67,7 @@ pub const CLAIMS: &[Claim] = &[
             "The step doubled, h = 2.",
         ],
         sources: &[STABILITY],
-        check: faster_than_the_step,
+        check: check!(faster_than_the_step),
     },
     Claim {
         id: "S6.steps-per-period",
@@ -82,7 +82,7 @@ pub const CLAIMS: &[Claim] = &[
             period need hω₀ < 2π/3 < 21/10.",
         controls: &["ζ = 1 in place of 1/10.", "timeconst = h/4, against the rule."],
         sources: &[STABILITY],
-        check: period,
+        check: check!(period),
     },
     Claim {
         id: "S6.2h-example",
@@ -95,7 +95,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Powers of the step matrix at w = 1/10 and at w = 1/2 decay; 20 ms is not moved by the limit, 3 ms is.",
         controls: &["timeconst 2 ms in place of 4 ms.", "h = 20 ms in place of 2 ms."],
         sources: &[STABILITY],
-        check: example,
+        check: check!(example),
     },
     Claim {
         id: "S6.stiff-needs-small-h",
@@ -112,7 +112,7 @@ pub const CLAIMS: &[Claim] = &[
             timeconst = h/2, h and 2h.",
         controls: &["The unlimited contact in the place of the limited one.", "The step and its tenth exchanged."],
         sources: &["chapter §6, pitfall on stiffness", REFSAFE],
-        check: stiff,
+        check: check!(stiff),
     },
     Claim {
         id: "S6.ex2-tc-eq-h",
@@ -126,7 +126,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "w = 1, ζ = 1: trace −1, determinant −1, z² + z − 1 = 0, z = −(1+√5)/2.",
         controls: &["refsafe off.", "The default timeconst, 10h, in place of h."],
         sources: &["chapter §6, exercise 2", REFSAFE],
-        check: equal_to_the_step,
+        check: check!(equal_to_the_step),
     },
 ];
 

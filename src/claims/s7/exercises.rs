@@ -24,7 +24,7 @@ pub const CLAIMS: &[Claim] = &[
             the formula, in rationals, for masses 2/7, 1, 5 and e = 0, 1/3, 1.",
         controls: &["A second ball that is held on its course, as if its mass were infinite."],
         sources: &["chapter §7, exercise 1"],
-        check: two_balls,
+        check: check!(two_balls),
     },
     Claim {
         id: "S7.ex2",
@@ -44,7 +44,7 @@ pub const CLAIMS: &[Claim] = &[
             "Impulses computed point by point for the rods whose velocities are reversed.",
         ],
         sources: &["chapter §7, exercise 2"],
-        check: rod_on_two_points,
+        check: check!(rod_on_two_points),
     },
     Claim {
         id: "S7.ex3",
@@ -60,7 +60,7 @@ pub const CLAIMS: &[Claim] = &[
             case. Beside a contact that arrives at −4 m/s it leaves at 2 m/s.",
         controls: &["The contact without its neighbour.", "The restitution forgotten."],
         sources: &["chapter §7, exercise 3"],
-        check: two_cases,
+        check: check!(two_cases),
     },
     Claim {
         id: "S7.routh",
@@ -78,7 +78,7 @@ pub const CLAIMS: &[Claim] = &[
             W_nt > 0 it slides on and the laws agree: (8/7, −4/7). Each from the path and from the formulas by regime.",
         controls: &["The rod without friction, where the velocity ratio 1 is the impulse ratio 1.", "W_nt with the wrong sign."],
         sources: &["chapter §7, comparison of Poisson and Newton", "Routh 1905; Wang and Mason, J. Appl. Mech. 59 (1992) 635"],
-        check: routh,
+        check: check!(routh),
     },
 ];
 

@@ -28,7 +28,7 @@ pub const CLAIMS: &[Claim] = &[
             with e = 1 no coupled frictionless impact of a grid gains.",
         controls: &["One e for both contacts, solved together, in the place of uncoupled impulses and of unequal coefficients."],
         sources: &["chapter §7, the energy trap of Newton's law", "Kane and Levinson, Dynamics: Theory and Applications (1985)"],
-        check: several_contacts,
+        check: check!(several_contacts),
     },
     Claim {
         id: "S7.kane-friction",
@@ -44,7 +44,7 @@ pub const CLAIMS: &[Claim] = &[
             less energy to make than friction and compression left unspent.",
         controls: &["Poisson's law in Newton's place."],
         sources: &["chapter §7, the energy trap of Newton's law", "Stronge, J. Appl. Mech. 58 (1991) 1049"],
-        check: friction,
+        check: check!(friction),
     },
     Claim {
         id: "S7.kane-double-pendulum",
@@ -65,7 +65,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §7, exercise 2, and Kane's counterexample (named only)",
             "Kane and Levinson 1985 for the mechanism; their table was not found",
         ],
-        check: pendulum,
+        check: check!(pendulum),
     },
     Claim {
         id: "S7.kane-different-e",
@@ -84,7 +84,7 @@ pub const CLAIMS: &[Claim] = &[
         controls: &["One e in the place of unequal ones, and unequal ones in the place of one; contacts that separate among those that \
             approach."],
         sources: &["chapter §7, the energy trap of Newton's law"],
-        check: unequal_coefficients,
+        check: check!(unequal_coefficients),
     },
 ];
 

@@ -22,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
             acts there.",
         controls: &["Poisson's law in Moreau's place, and a pair with U⁻ = (−1, −1), where both contacts take an impulse."],
         sources: &["chapter §7, Moreau's law"],
-        check: definition,
+        check: check!(definition),
     },
     Claim {
         id: "S7.moreau-dissipative",
@@ -42,7 +42,7 @@ pub const CLAIMS: &[Claim] = &[
             along Routh's path: μ = 1/2 sticks, P_n = 41/40, where Routh's path gives 368/385.",
         controls: &["The whole vector in the place of the normal component.", "The normal component in the place of the whole vector."],
         sources: &["chapter §7, table of impact laws; the chapter's table of symbols for U, the pitfall on tangential restitution for e_t"],
-        check: automatic_dissipation,
+        check: check!(automatic_dissipation),
     },
     Claim {
         id: "S7.moreau-no-split",
@@ -58,7 +58,7 @@ pub const CLAIMS: &[Claim] = &[
             leaves at 1 m/s. v = 1 at zero gap with g h = 13/10: v⁺ = −3/10, into the ground.",
         controls: &["The ball that arrives is not pulled away.", "Balls that are still a metre above the floor."],
         sources: &["chapter §7, the meaning of Moreau's choice"],
-        check: no_distinction,
+        check: check!(no_distinction),
     },
     Claim {
         id: "S7.atom",
@@ -73,7 +73,7 @@ pub const CLAIMS: &[Claim] = &[
             which tends to (1 + e) m|v⁻|.",
         controls: &["The two exchanged: the resting contact read as an atom, the impact as rest."],
         sources: &["chapter §7, the meaning of Moreau's choice"],
-        check: atom,
+        check: check!(atom),
     },
     Claim {
         id: "S7.no-tangential-restitution",
@@ -91,7 +91,7 @@ pub const CLAIMS: &[Claim] = &[
             some.",
         controls: &["The equation U_t⁺ = −e_t U_t⁻ and the inclusion exchanged.", "e_t = e_n = 1 in the place of e_t = 1/2."],
         sources: &["chapter §7, pitfall on tangential restitution"],
-        check: tangential_coefficient,
+        check: check!(tangential_coefficient),
     },
     Claim {
         id: "S7.friction-bound",
@@ -107,7 +107,7 @@ pub const CLAIMS: &[Claim] = &[
             P_t = −4/7.",
         controls: &["The two rods exchanged; the equation U_t⁺ = −½U_t⁻ in the place of Coulomb's law."],
         sources: &["chapter §7, pitfall on tangential restitution"],
-        check: bound_and_direction,
+        check: check!(bound_and_direction),
     },
 ];
 

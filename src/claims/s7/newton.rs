@@ -22,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
             1; 1, 2), U⁻ = (−1, −1/2), e = (1, 0): P₂ = −1/3 and ΔT = +1/12.",
         controls: &["The rod with friction as the one contact.", "Poisson's law in Newton's place where it goes wrong."],
         sources: &["chapter §7, the energy trap of Newton's law"],
-        check: one_contact,
+        check: check!(one_contact),
     },
     Claim {
         id: "S7.four-generations",
@@ -44,7 +44,7 @@ pub const CLAIMS: &[Claim] = &[
             "Moreau's law with e on the normal component alone; contacts that arrive alike, U⁻ = (−1, −1).",
         ],
         sources: &["chapter §7, history", "Stronge, Proc. R. Soc. A 431 (1990), and J. Appl. Mech. 58 (1991) 1049 (titles and dates only)"],
-        check: four_laws,
+        check: check!(four_laws),
     },
     Claim {
         id: "S7.table-newton",
@@ -60,7 +60,7 @@ pub const CLAIMS: &[Claim] = &[
             U⁻ = (−1, −1/2), e = (1, 0) gains 1/12. One contact with friction gains +17/320 at e = 9/10.",
         controls: &["Impulses computed contact by contact; the rod without friction."],
         sources: &["chapter §7, table of impact laws, and the energy trap of Newton's law for friction"],
-        check: table,
+        check: check!(table),
     },
     Claim {
         id: "S7.e0-max-dissipation",
@@ -74,7 +74,7 @@ pub const CLAIMS: &[Claim] = &[
             1/2, 1.",
         controls: &["The particle without friction where there is some, and with friction where there is none."],
         sources: &["chapter §7, Newton's law"],
-        check: most_dissipative,
+        check: check!(most_dissipative),
     },
     Claim {
         id: "S7.newton-pointwise-best",
@@ -89,7 +89,7 @@ pub const CLAIMS: &[Claim] = &[
             three, and Stronge's U_n⁺² is that of Newton.",
         controls: &["The rod with friction, where they differ; two contacts with e = (1/2, 0) in the place of the one."],
         sources: &["chapter §7, Newton's law"],
-        check: same_law,
+        check: check!(same_law),
     },
 ];
 

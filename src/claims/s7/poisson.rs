@@ -22,7 +22,7 @@ pub const CLAIMS: &[Claim] = &[
             would be driven into the ground.",
         controls: &["e = 1 at both contacts, where P_r = e P_c.", "The contact that is driven down without its friction."],
         sources: &["chapter §7, Poisson's law", "Pfeiffer and Glocker, Multibody Dynamics with Unilateral Contacts (1996)"],
-        check: definition,
+        check: check!(definition),
     },
     Claim {
         id: "S7.poisson-conserved",
@@ -40,7 +40,7 @@ pub const CLAIMS: &[Claim] = &[
             9/125 J. Two rough contacts (S7.poisson-better) with the impulse ratios (1, 0): +9/25 J.",
         controls: &["The impulse ratio 1 in the place of 25/16 and of 0.", "Newton's ratio 25/16 in the place of 1."],
         sources: &["chapter §7, Poisson's law and its comparison with Newton's"],
-        check: conserved,
+        check: check!(conserved),
     },
     Claim {
         id: "S7.poisson-better",
@@ -64,7 +64,7 @@ pub const CLAIMS: &[Claim] = &[
             "The work of the normal impulse alone, without that of friction.",
         ],
         sources: &["chapter §7, table of impact laws", "Wang and Mason, J. Appl. Mech. 59 (1992) 635"],
-        check: consistent,
+        check: check!(consistent),
     },
     Claim {
         id: "S7.newton-eq-poisson-single",
@@ -78,7 +78,7 @@ pub const CLAIMS: &[Claim] = &[
             friction, in rationals.",
         controls: &["One contact with friction."],
         sources: &["chapter §7, comparison of Poisson and Newton"],
-        check: one_frictionless_contact,
+        check: check!(one_frictionless_contact),
     },
     Claim {
         id: "S7.newton-neq-poisson-multi",
@@ -99,7 +99,7 @@ pub const CLAIMS: &[Claim] = &[
             "One e, no friction and contacts that arrive alike where the laws differ.",
         ],
         sources: &["chapter §7, comparison of Poisson and Newton"],
-        check: when_different,
+        check: check!(when_different),
     },
     Claim {
         id: "S7.compression-end",
@@ -116,7 +116,7 @@ pub const CLAIMS: &[Claim] = &[
             "The end of restitution, e = 1/2, in the place of that of compression.",
         ],
         sources: &["chapter §7, comparison of Poisson and Newton"],
-        check: end_of_compression,
+        check: check!(end_of_compression),
     },
 ];
 

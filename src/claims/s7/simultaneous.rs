@@ -36,7 +36,7 @@ pub const CLAIMS: &[Claim] = &[
             "At once in the place of one after the other; three corners in the place of four.",
         ],
         sources: &["chapter §7, simultaneous impacts"],
-        check: uniqueness,
+        check: check!(uniqueness),
     },
     Claim {
         id: "S7.four-corners",
@@ -53,7 +53,7 @@ pub const CLAIMS: &[Claim] = &[
             0.",
         controls: &["The corners hit one after the other, in every order.", "Three corners, whose W is nonsingular."],
         sources: &["chapter §7, simultaneous impacts"],
-        check: four_corners,
+        check: check!(four_corners),
     },
     Claim {
         id: "S7.solver-pivot",
@@ -72,7 +72,7 @@ pub const CLAIMS: &[Claim] = &[
             "Impacts one after the other in these orders.",
         ],
         sources: &["chapter §7, simultaneous impacts"],
-        check: order_of_pivots,
+        check: check!(order_of_pivots),
     },
     Claim {
         id: "S7.fremond-2024",
@@ -93,7 +93,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §7, simultaneous impacts",
             "Siconos, kernel/src/modelingTools/FremondImpactFrictionNSL.hpp and MoreauJeanOSI.cpp, source of 2024 or later",
         ],
-        check: fremond_law,
+        check: check!(fremond_law),
     },
     Claim {
         id: "S7.pfeiffer-glocker-proj",
@@ -110,7 +110,7 @@ pub const CLAIMS: &[Claim] = &[
             −√(3/4)/3 < 0. W = (2, −1; −1, 2), U⁻ = (−1, 1/2): the same factor, and P > 0.",
         controls: &["The second pair in the place of the first.", "No projection."],
         sources: &["chapter §7, simultaneous impacts", "Pfeiffer and Glocker 1996 for the two problems"],
-        check: projection,
+        check: check!(projection),
     },
     Claim {
         id: "S7.rocking",
@@ -125,7 +125,7 @@ pub const CLAIMS: &[Claim] = &[
             1/3 the edge slips and the ratio is another.",
         controls: &["A smooth floor throughout, on which e alone determines the outcome.", "A floor with μ = 1 throughout."],
         sources: &["chapter §7, simultaneous impacts", "Housner 1963 for the ratio, derived again here"],
-        check: rocking,
+        check: check!(rocking),
     },
 ];
 

@@ -23,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
             1/5 to 31/200 J, ratio 31/40.",
         controls: &["Newton's law with e = 1 in place of Stronge's."],
         sources: &["chapter §7, Stronge's law", "Stronge, Proc. R. Soc. A 431 (1990)"],
-        check: two_ratios,
+        check: check!(two_ratios),
     },
     Claim {
         id: "S7.stronge-no-gain",
@@ -37,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
             impact of a grid; with e_* = 1 in floating point ΔT < 0 in all of them. The rod, μ = 1: −9/200 J.",
         controls: &["Newton's law in Stronge's place."],
         sources: &["chapter §7, table of impact laws", "Stronge, J. Appl. Mech. 58 (1991) 1049"],
-        check: no_gain,
+        check: check!(no_gain),
     },
     Claim {
         id: "S7.stronge-conserves",
@@ -54,7 +54,7 @@ pub const CLAIMS: &[Claim] = &[
             "The other laws on the rod with friction, Stronge's on the rod without, the projection of an outcome that gains energy.",
         ],
         sources: &["chapter §7, pitfall on e = 1"],
-        check: conservation,
+        check: check!(conservation),
     },
     Claim {
         id: "S7.definitions-differ",
@@ -69,7 +69,7 @@ pub const CLAIMS: &[Claim] = &[
             definition.",
         controls: &["The rod without friction."],
         sources: &["chapter §7, pitfall on e as a material constant"],
-        check: three_numbers,
+        check: check!(three_numbers),
     },
     Claim {
         id: "S7.e-not-material",
@@ -86,7 +86,7 @@ pub const CLAIMS: &[Claim] = &[
             gives three times the impulse under Newton and Poisson.",
         controls: &["The rod with friction and the one without exchanged; an e that falls with the speed, 1/(1 + |U_n⁻|)."],
         sources: &["chapter §7, pitfall on e as a material constant"],
-        check: not_material,
+        check: check!(not_material),
     },
     Claim {
         id: "S7.e1-single-conserves",
@@ -108,7 +108,7 @@ pub const CLAIMS: &[Claim] = &[
             "All velocities reversed together in the place of impulses computed contact by contact.",
         ],
         sources: &["chapter §7, pitfall on e = 1; its exercise 2 asks the same"],
-        check: elastic,
+        check: check!(elastic),
     },
 ];
 

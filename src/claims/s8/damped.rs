@@ -24,7 +24,7 @@ pub const CLAIMS: &[Claim] = &[
             rounding.",
         controls: &["A contact of twice the time constant, against the same spring and damper."],
         sources: &["chapter §8, example on stability bounds", "MuJoCo documentation, solver parameters (3.17)"],
-        check: soft_contact,
+        check: check!(soft_contact),
     },
     Claim {
         id: "S8.damped-bound",
@@ -44,7 +44,7 @@ pub const CLAIMS: &[Claim] = &[
             "Explicit Euler in place of semi-implicit Euler, on the undamped spring as well.",
         ],
         sources: &["chapter §8, essential insight on the bound, and the example before it"],
-        check: bound,
+        check: check!(bound),
     },
     Claim {
         id: "S8.semi-much-better",
@@ -62,7 +62,7 @@ pub const CLAIMS: &[Claim] = &[
             "The position updated with the old velocity: explicit Euler in place of semi-implicit Euler.",
         ],
         sources: &["chapter §8, three levels"],
-        check: comparison,
+        check: check!(comparison),
     },
     Claim {
         id: "S8.timeconst-origin",
@@ -79,7 +79,7 @@ pub const CLAIMS: &[Claim] = &[
             start at 1.2071 h. Why MuJoCo chose 2h is not decided here.",
         controls: &["The contact without damping, where t_c = h/2 is the bound."],
         sources: &["chapter §8, example on stability bounds", "MuJoCo documentation, solver parameters: refsafe (3.17)"],
-        check: time_constant,
+        check: check!(time_constant),
     },
 ];
 

@@ -29,7 +29,7 @@ pub const CLAIMS: &[Claim] = &[
             rounding, q⁺ − q − h v is g h² = 9.81·10⁻⁴ m in every step.",
         controls: &["A fall under explicit Euler in place of the stored ones."],
         sources: &["chapter §8, why explicit Euler fails", "references/mujoco and references/drake, ball_drop at h = 0.01"],
-        check: nobody,
+        check: check!(nobody),
     },
     Claim {
         id: "S8.semi-sim-list",
@@ -51,7 +51,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §8, three levels and table",
             "references/scoreboard, flight/projectile; references/bullet, ball_bounce at h = 0.01",
         ],
-        check: main_integrator,
+        check: check!(main_integrator),
     },
     Claim {
         id: "S8.drake-midpoint",
@@ -69,7 +69,7 @@ pub const CLAIMS: &[Claim] = &[
             1/2.",
         controls: &["θ = 1 in place of the midpoint rule."],
         sources: &["chapter §8, three levels and table", "MuJoCo documentation, computation: numerical integration (3.17)"],
-        check: midpoint,
+        check: check!(midpoint),
     },
     Claim {
         id: "S8.all-sims-semi",
@@ -84,7 +84,7 @@ pub const CLAIMS: &[Claim] = &[
             = 1/2.",
         controls: &["Bullet in place of Siconos.", "Siconos in place of Bullet."],
         sources: &["chapter §8, pitfall: semi-implicit and explicit Euler are nearly the same", "references/scoreboard, flight/projectile"],
-        check: not_all,
+        check: check!(not_all),
     },
     Claim {
         id: "S8.plastic-common",
@@ -99,7 +99,7 @@ pub const CLAIMS: &[Claim] = &[
             determinant 1.",
         controls: &["e = 1 in both impacts.", "Explicit Euler in the free step."],
         sources: &["chapter §8, conclusion of the negative result"],
-        check: common,
+        check: check!(common),
     },
     Claim {
         id: "S8.mujoco-choice",
@@ -122,7 +122,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §8, why MuJoCo does not use variational integrators",
             "MuJoCo documentation, computation: continuous time (3.17)",
         ],
-        check: choice,
+        check: check!(choice),
     },
 ];
 

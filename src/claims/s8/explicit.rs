@@ -25,7 +25,7 @@ pub const CLAIMS: &[Claim] = &[
             2, h = 3/20.",
         controls: &["Semi-implicit Euler in place of explicit Euler."],
         sources: &["chapter §8, explicit Euler"],
-        check: injects,
+        check: check!(injects),
     },
     Claim {
         id: "S8.explicit-bound",
@@ -41,7 +41,7 @@ pub const CLAIMS: &[Claim] = &[
             1/1000, 1, 199/100, all below 2: powers grow. Both sides of the bound at ζ = 0.3, 1, 1.25 and 2.",
         controls: &["Semi-implicit Euler, of which the example, too, says that it is stable below 2/ω."],
         sources: &["chapter §8, why explicit Euler fails, against the example on stability bounds"],
-        check: bound_of_explicit,
+        check: check!(bound_of_explicit),
     },
     Claim {
         id: "S8.explicit-lag",
@@ -56,7 +56,7 @@ pub const CLAIMS: &[Claim] = &[
             already 0 and 1. With θ = 1 the ball ends at 0 and at 1/100 m.",
         controls: &["θ = 1 in the position update.", "A ball 1 cm above the floor, whose contact does not act in this step."],
         sources: &["chapter §8, why explicit Euler fails"],
-        check: lag,
+        check: check!(lag),
     },
     Claim {
         id: "S8.explicit-G",
@@ -70,7 +70,7 @@ pub const CLAIMS: &[Claim] = &[
             at 0.59 and 1.0061 at 0.61.",
         controls: &["The spring with ζ = 3/10 at s = 1/2."],
         sources: &["chapter §8, example on stability bounds"],
-        check: amplification,
+        check: check!(amplification),
     },
     Claim {
         id: "S8.ex1",
@@ -86,7 +86,7 @@ pub const CLAIMS: &[Claim] = &[
             iff s < 2: the powers of the step are bounded at hω = 199/100 and grow at 2.",
         controls: &["hω = 199/100 in place of 2.", "The two methods exchanged."],
         sources: &["chapter §8, exercise 1"],
-        check: exercise,
+        check: check!(exercise),
     },
 ];
 

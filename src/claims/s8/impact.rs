@@ -35,7 +35,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §8, the negative result, intuition",
             "di Bernardo et al., Piecewise-smooth Dynamical Systems (2008), §2.5 on saltation matrices",
         ],
-        check: activation,
+        check: check!(activation),
     },
     Claim {
         id: "S8.e-lt-1",
@@ -50,7 +50,7 @@ pub const CLAIMS: &[Claim] = &[
             trace 2 + 2e² and (A − I)(A − e²I) = 0, A ≠ e²I, exactly. Ball on the floor: DᵀJD = e²J.",
         controls: &["e = 1, which keeps the form.", "A body that slides with friction, μ = 1/2, across the disk."],
         sources: &["chapter §8, the negative result"],
-        check: dissipative,
+        check: check!(dissipative),
     },
     Claim {
         id: "S8.e0",
@@ -64,7 +64,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Impact without load, e = 0, in rationals: det D = 0 on the disk and on a flat floor; rank 3 and 2 of 4.",
         controls: &["e = 1/2."],
         sources: &["chapter §8, conclusion of the negative result"],
-        check: plastic,
+        check: check!(plastic),
     },
     Claim {
         id: "S8.e1-only",
@@ -83,7 +83,7 @@ pub const CLAIMS: &[Claim] = &[
             "The two coefficients of restitution of the flow exchanged.",
         ],
         sources: &["chapter §8, conclusion of the negative result"],
-        check: elastic_only,
+        check: check!(elastic_only),
     },
     Claim {
         id: "S8.friction-det",
@@ -102,7 +102,7 @@ pub const CLAIMS: &[Claim] = &[
             "S8.e-lt-1",
             "Routh's impact with one phase of sliding",
         ],
-        check: friction,
+        check: check!(friction),
     },
     Claim {
         id: "S8.ex2-fold",
@@ -122,7 +122,7 @@ pub const CLAIMS: &[Claim] = &[
             "A step of 1/2000 s, too short to penetrate, in place of the one that is put back.",
         ],
         sources: &["chapter §8, exercise 2"],
-        check: fold,
+        check: check!(fold),
     },
     Claim {
         id: "S8.ex3-tasks",
@@ -143,7 +143,7 @@ pub const CLAIMS: &[Claim] = &[
             "Explicit Euler in place of semi-implicit Euler.",
         ],
         sources: &["chapter §8, exercise 3", "S8.backwards-theta-energy"],
-        check: tasks,
+        check: check!(tasks),
     },
 ];
 

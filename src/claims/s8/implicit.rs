@@ -26,7 +26,7 @@ pub const CLAIMS: &[Claim] = &[
             1/2.",
         controls: &["θ = 1/2 in place of 1: A-stable, not L-stable.", "Semi-implicit Euler in place of θ = 1."],
         sources: &["chapter §8, three levels", "Hairer and Wanner, Solving Ordinary Differential Equations II, IV.3"],
-        check: stiff,
+        check: check!(stiff),
     },
     Claim {
         id: "S8.backward-uncond",
@@ -41,7 +41,7 @@ pub const CLAIMS: &[Claim] = &[
             point.",
         controls: &["θ = 1/2, for which |G| = 1."],
         sources: &["chapter §8, example on stability bounds"],
-        check: backward,
+        check: check!(backward),
     },
     Claim {
         id: "S8.implicit-diss",
@@ -56,7 +56,7 @@ pub const CLAIMS: &[Claim] = &[
             ratio is within 1/16 of 2. Across the top of a hill, q̈ = q, a step of 1/2 with θ = 1 makes 4/3 of the energy.",
         controls: &["A spring in place of the hill.", "A spring with a damper, ζ = 1/2, whose own loss in a step is O(h)."],
         sources: &["chapter §8, three levels and table"],
-        check: dissipation,
+        check: check!(dissipation),
     },
     Claim {
         id: "S8.implicit-not-always",
@@ -71,7 +71,7 @@ pub const CLAIMS: &[Claim] = &[
             to its start after six steps, without solving anything.",
         controls: &["θ = 1/2 in place of 1.", "A spring with a damper, ζ = 1/10, which takes energy under every method."],
         sources: &["chapter §8, pitfall: fully implicit is always best"],
-        check: not_always,
+        check: check!(not_always),
     },
     Claim {
         id: "S8.theta-spectrum",
@@ -86,7 +86,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "hω = 3/10 in rationals, θ = 0, 1/4, 1/2, 3/4, 1: energy ratio and determinant are the formula, and 1 at θ = 1/2.",
         controls: &["θ = 2/5 in the place of 1/2.", "A spring with a damper, ζ = 1/10."],
         sources: &["chapter §8, bridge to §3"],
-        check: spectrum,
+        check: check!(spectrum),
     },
     Claim {
         id: "S8.semi-on-spectrum",
@@ -102,7 +102,7 @@ pub const CLAIMS: &[Claim] = &[
             6/5 against 1. Under a constant force θ = 1 is the same step.",
         controls: &["The step of θ = 1/2 in place of that of semi-implicit Euler.", "The step of explicit Euler."],
         sources: &["chapter §8, bridge to §3"],
-        check: no_theta,
+        check: check!(no_theta),
     },
     Claim {
         id: "S8.backwards-theta-energy",
@@ -120,7 +120,7 @@ pub const CLAIMS: &[Claim] = &[
             ½ g²h² per kilogram. Elastic ball from 1 m, h = 1/100 s, 2000 steps with θ = 1: (E − ½ m g h v)/E₀ = 1.",
         controls: &["A spring in place of the hill.", "θ = 0 in place of 1/2 and of 1."],
         sources: &["chapter §8, bridge to §3", "S3.energy-runs-down"],
-        check: under_gravity,
+        check: check!(under_gravity),
     },
 ];
 

@@ -23,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "One step of h = 1/5 of v̇ = −q − q³ − v/2 from (1/2, −3) in rationals.",
         controls: &["Semi-implicit Euler with implicit damping, which changes the velocity too."],
         sources: &["chapter §8, three levels and essential insight"],
-        check: one_change,
+        check: check!(one_change),
     },
     Claim {
         id: "S8.semi-G-iff",
@@ -37,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Determinant 1 and |2 − s²| ≤ 2 iff s ≤ 2. Decided in rationals at s = 1/1000, 1, 2 − 10⁻⁶, 2 and 2 + 10⁻⁶.",
         controls: &["The spring with ζ = 1/10, on which every step shrinks the phase volume.", "The trapezoidal rule, θ = 1/2."],
         sources: &["chapter §8, example on stability bounds"],
-        check: modulus_one,
+        check: check!(modulus_one),
     },
     Claim {
         id: "S8.semi-bound",
@@ -52,7 +52,7 @@ pub const CLAIMS: &[Claim] = &[
             the amplitude stays below that bound, at 0.01001 m; with s = 201/100 it grows as sinh((n + ½)θ)/sinh(θ/2), 2 cosh θ = s² − 2.",
         controls: &["s = 199/100 in place of 2.", "Explicit Euler in place of semi-implicit Euler."],
         sources: &["chapter §8, example on stability bounds"],
-        check: at_the_bound,
+        check: check!(at_the_bound),
     },
     Claim {
         id: "S8.semi-diverges-beyond",
@@ -65,7 +65,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "|2 − s²| > 2: decided in rationals at s = 2 + 10⁻⁹, 5/2 and 100.",
         controls: &["s = 2 in place of a little more: there the growth is linear.", "The trapezoidal rule, θ = 1/2."],
         sources: &["chapter §8, example on stability bounds"],
-        check: beyond,
+        check: check!(beyond),
     },
     Claim {
         id: "S8.one-over-pi",
@@ -80,7 +80,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Largest stable step found by bisection in rationals for k = 10⁶ N/m, m = 1 kg, over the period 2π/1000 s: 1/π.",
         controls: &["Critical damping."],
         sources: &["chapter §8, example on stability bounds"],
-        check: share_of_the_period,
+        check: check!(share_of_the_period),
     },
     Claim {
         id: "S8.k1e6",
@@ -96,7 +96,7 @@ pub const CLAIMS: &[Claim] = &[
             themselves the powers of the step grow.",
         controls: &["Steps of 1.99·10⁻³ s and 1.99·10⁻⁴ s in place of the bounds themselves.", "Critically damped springs, c = 2√(km)."],
         sources: &["chapter §8, numerical example", "S8.semi-bound"],
-        check: steel,
+        check: check!(steel),
     },
     Claim {
         id: "S8.misc-order",
@@ -114,7 +114,7 @@ pub const CLAIMS: &[Claim] = &[
             1 + s² every step. At s = 2 the powers of the semi-implicit step grow.",
         controls: &["s = 199/100 in place of 2.", "The two methods exchanged."],
         sources: &["chapter §8, pitfall: semi-implicit and explicit Euler are nearly the same"],
-        check: order_of_updates,
+        check: check!(order_of_updates),
     },
 ];
 

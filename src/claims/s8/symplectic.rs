@@ -37,7 +37,7 @@ pub const CLAIMS: &[Claim] = &[
             "Hairer, Lubich, Wanner, Geometric Numerical Integration, VI.3",
             "MuJoCo documentation, computation: numerical integration (3.17)",
         ],
-        check: semi_symplectic,
+        check: check!(semi_symplectic),
     },
     Claim {
         id: "S8.cirak-west",
@@ -60,7 +60,7 @@ pub const CLAIMS: &[Claim] = &[
             "No correction in place of the mirror image.",
         ],
         sources: &["chapter §8, the negative result", "Cirak and West, Int. J. Numer. Meth. Engng 64 (2005) 1078–1110 (abstract)"],
-        check: corrections,
+        check: check!(corrections),
     },
     Claim {
         id: "S8.kmow",
@@ -82,7 +82,7 @@ pub const CLAIMS: &[Claim] = &[
             "Kane, Marsden, Ortiz, West, Int. J. Numer. Meth. Engng 49 (2000) 1295–1325 (abstract)",
             "Fetecau, Marsden, Ortiz, West, SIAM J. Appl. Dyn. Syst. 2 (2003) 381–416",
         ],
-        check: variational,
+        check: check!(variational),
     },
 ];
 

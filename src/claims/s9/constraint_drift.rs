@@ -31,7 +31,7 @@ pub const CLAIMS: &[Claim] = &[
             decays and 2 does not.",
         controls: &["The equation without damping, α = 0, in place of α = 4/s.", "The sign of the damping wrong."],
         sources: &["chapter §9, constraint drift, (1)", "Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1"],
-        check: equation,
+        check: check!(equation),
     },
     Claim {
         id: "S9.baumgarte-tuning",
@@ -47,7 +47,7 @@ pub const CLAIMS: &[Claim] = &[
             α = β has trace² − 4 det = 21/625 > 0, overdamped, and with 2αh = 9/25 exactly 0.",
         controls: &["α = β and α = β(1 − βh/2) exchanged.", "β/α in place of α/β."],
         sources: &["chapter §9, constraint drift, (1), and exercise 2"],
-        check: tuning,
+        check: check!(tuning),
     },
     Claim {
         id: "S9.erp-sim2real",
@@ -65,7 +65,7 @@ pub const CLAIMS: &[Claim] = &[
             bias leaves (4/5)⁵ of the violation after five steps, and never changes its sign.",
         controls: &["Projection in place of the bias and the bias in place of projection.", "A bias without damping."],
         sources: &["chapter §9, constraint drift, (1)", "S9.bullet-erp for the value and its decay"],
-        check: joint_oscillation,
+        check: check!(joint_oscillation),
     },
     Claim {
         id: "S9.ggl",
@@ -80,7 +80,7 @@ pub const CLAIMS: &[Claim] = &[
             and no stabilisation |q| = 1.047 R.",
         controls: &["The bias with ERP = 0.2."],
         sources: &["chapter §9, constraint drift, (2) and table", "Gear, Leimkuhler and Gupta, J. Comput. Appl. Math. 12–13 (1985) 77"],
-        check: index_two,
+        check: check!(index_two),
     },
     Claim {
         id: "S9.poststab-def",
@@ -99,7 +99,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §9, constraint drift, (3)",
             "Ascher, Chin and Reich, Numer. Math. 67 (1994) 131; Eich, SIAM J. Numer. Anal. 30 (1993) 1467 (abstracts only)",
         ],
-        check: two_projections,
+        check: check!(two_projections),
     },
     Claim {
         id: "S9.ex2",
@@ -114,7 +114,7 @@ pub const CLAIMS: &[Claim] = &[
             by e⁻¹ in τ.",
         controls: &["τ = 1/α for α > β.", "The equation with half the β of the formula."],
         sources: &["chapter §9, exercise 2"],
-        check: exercise,
+        check: check!(exercise),
     },
 ];
 

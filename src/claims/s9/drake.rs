@@ -21,7 +21,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         "chapter §9, constraint drift, (4)",
         "Drake 1.51.1 (references/facts/drake.json; references/drake, ball_rest, sap, h = 1 ms)",
     ],
-    check: projection,
+    check: check!(projection),
 }];
 
 /// How far 1 kg that hangs on a rod of 1 m is below the end of the rod after 1 s with coordinate projection, h = 1 ms \[m\].

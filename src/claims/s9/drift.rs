@@ -24,7 +24,7 @@ pub const CLAIMS: &[Claim] = &[
             drifts all the same: a bead in a circle of radius 1 m at 1 m/s is 4.963e-3 m outside after 1 s with h = 1/100 s.",
         controls: &["The constraint v⁺ + e v ≥ 0 with e = 1/2.", "The position level (Stewart–Trinkle) for the bead."],
         sources: &["chapter §9, why stabilisation is needed", "chapter §3, the scheme"],
-        check: admissible_velocity,
+        check: check!(admissible_velocity),
     },
     Claim {
         id: "S9.velocity-drift",
@@ -45,7 +45,7 @@ pub const CLAIMS: &[Claim] = &[
             "A converged solver in place of 10 sweeps, and the position level (Stewart–Trinkle) for the bead.",
         ],
         sources: &["chapter §9, why stabilisation is needed", "S3.drift for the activation rules"],
-        check: velocity_drift,
+        check: check!(velocity_drift),
     },
     Claim {
         id: "S9.ST-residual",
@@ -61,7 +61,7 @@ pub const CLAIMS: &[Claim] = &[
             over 100 steps is √(1 + h²) − 1, that is ½h², for h = 0.02, 0.01 and 0.005 s. For convex φ: φ(q⁺) ≥ φ(q) + ∇φᵀ(q⁺ − q) ≥ 0.",
         controls: &["Moreau–Jean, whose penetration accumulates."],
         sources: &["chapter §9, why stabilisation is needed"],
-        check: linearisation_residual,
+        check: check!(linearisation_residual),
     },
 ];
 

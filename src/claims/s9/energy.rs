@@ -32,7 +32,7 @@ pub const CLAIMS: &[Claim] = &[
             "The causes and the cures exchanged: explicit and semi-implicit, Baumgarte and projection.",
         ],
         sources: &["chapter §9, energy drift", "Kane and Levinson 1985; Stronge 1991 for energy gain with friction"],
-        check: causes_of_growth,
+        check: check!(causes_of_growth),
     },
     Claim {
         id: "S9.energy-down",
@@ -48,7 +48,7 @@ pub const CLAIMS: &[Claim] = &[
             (E − ½ g h v)/E₀ = 1 exactly. Ball with e = 1/2: the first impact keeps 1/4 of ½v² with θ = 1 and with θ = 1/2.",
         controls: &["The spring in the place of the ball.", "θ = 1/2 and θ = 1 exchanged."],
         sources: &["chapter §9, energy drift", "S3.energy-runs-down"],
-        check: causes_of_loss,
+        check: check!(causes_of_loss),
     },
 ];
 

@@ -27,7 +27,7 @@ pub const CLAIMS: &[Claim] = &[
             depth after 300 steps as after 600.",
         controls: &["Moreau–Jean's tower with 10 sweeps a step in place of the three that stand.", "Moreau–Jean's tower solved."],
         sources: &["chapter §9, exercise 1"],
-        check: melting_stack,
+        check: check!(melting_stack),
     },
     Claim {
         id: "S9.ex3",
@@ -48,7 +48,7 @@ pub const CLAIMS: &[Claim] = &[
             "Every switch the other way: explicit and semi-implicit exchanged, θ = 1/2, 300 sweeps, t_c exchanged.",
         ],
         sources: &["chapter §9, exercise 3"],
-        check: four_switches,
+        check: check!(four_switches),
     },
 ];
 

@@ -38,7 +38,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §9, penetration, and the pitfall “every penetration is a bug”",
             "MuJoCo documentation, solver parameters (3.17); stored runs agree with the replay, see tests/references",
         ],
-        check: soft_penetration,
+        check: check!(soft_penetration),
     },
     Claim {
         id: "S9.jitter",
@@ -61,7 +61,7 @@ pub const CLAIMS: &[Claim] = &[
             "The contacts that are calm made stiffer, t_c = 1.2h, without that limit.",
         ],
         sources: &["chapter §9, energy drift and jitter, and the pitfall “jitter is physical”", "MuJoCo documentation, refsafe"],
-        check: jitter,
+        check: check!(jitter),
     },
     Claim {
         id: "S9.theta-damps-jitter",
@@ -76,7 +76,7 @@ pub const CLAIMS: &[Claim] = &[
             spring with hω = 1/10 loses 1/101 of its energy per step at θ = 1 and none at θ = 1/2.",
         controls: &["The spring in the place of the tower.", "θ = 1/2 and θ = 1 exchanged on the spring."],
         sources: &["chapter §9, energy drift and jitter"],
-        check: damping,
+        check: check!(damping),
     },
 ];
 

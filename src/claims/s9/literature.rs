@@ -28,7 +28,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §9, constraint drift, (3)",
             "stored steps of Siconos 4.4.0, see tests/references; S9.projection-energy for clipping at φ ≤ 0",
         ],
-        check: combined_projection,
+        check: check!(combined_projection),
     },
     Claim {
         id: "S9.refs",
@@ -55,7 +55,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §9, higher order",
             "Siconos 4.4.0, MoreauJeanCombinedProjectionOSI.hpp; Chung and Hulbert, J. Appl. Mech. 60 (1993) 371",
         ],
-        check: literature,
+        check: check!(literature),
     },
 ];
 

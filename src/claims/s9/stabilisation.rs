@@ -26,7 +26,7 @@ pub const CLAIMS: &[Claim] = &[
             five steps, and α = 2β is slower than α = β.",
         controls: &["Projection of the position, which leaves the velocity alone.", "1/α taken for the time constant."],
         sources: &["chapter §9, constraint drift, (1); pitfall “Baumgarte solves every drift”", "Baumgarte 1972"],
-        check: injection,
+        check: check!(injection),
     },
     Claim {
         id: "S9.bullet-erp",
@@ -48,7 +48,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §9, constraint drift, (1)",
             "PyBullet 3.2.7, btContactSolverInfo.h and PhysicsServerCommandProcessor.cpp (references/bullet/package.json)",
         ],
-        check: error_reduction,
+        check: check!(error_reduction),
     },
     Claim {
         id: "S9.projection-energy",
@@ -74,7 +74,7 @@ pub const CLAIMS: &[Claim] = &[
                 pendulum.",
         ],
         sources: &["chapter §9, constraint drift, (3) and table of stabilisations"],
-        check: projection,
+        check: check!(projection),
     },
     Claim {
         id: "S9.clean-dirty",
@@ -91,7 +91,7 @@ pub const CLAIMS: &[Claim] = &[
             (ERP = 1) 9/5000 J and the same 1/100 J. Without load: 0 J and 9/5000 J.",
         controls: &["Projection and bias without load.", "Projection and bias exchanged."],
         sources: &["chapter §9, essential insight"],
-        check: comparison,
+        check: check!(comparison),
     },
 ];
 

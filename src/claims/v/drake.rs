@@ -15,5 +15,5 @@ pub const CLAIMS: &[Claim] = &[Claim {
     argument: "A plant of 1.51.1 answers kSap when asked for its solver. Later releases were not asked.",
     controls: &["The default approximation in place of the default solver, and TAMSI among the approximations."],
     sources: &["chapter, table of versions", "references/facts/drake.json"],
-    check: releases::drake_default,
+    check: check!(releases::drake_default),
 }];

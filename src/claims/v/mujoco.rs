@@ -30,7 +30,7 @@ pub const CLAIMS: &[Claim] = &[
             "Pinocchio's release in place of MuJoCo's.",
         ],
         sources: &["chapter, table of versions", STORED],
-        check: version,
+        check: check!(version),
     },
     Claim {
         id: "V.defaults",
@@ -50,7 +50,7 @@ pub const CLAIMS: &[Claim] = &[
             "Other names asked for (solref and solimp exchanged, CG, RK4), and a time constant above 2h.",
         ],
         sources: &["chapter, table of defaults", STORED],
-        check: defaults,
+        check: check!(defaults),
     },
 ];
 

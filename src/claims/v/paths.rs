@@ -26,7 +26,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         "references/facts, references/bullet, references/pinocchio",
         "the repositories, see S10.path-*",
     ],
-    check: paths,
+    check: check!(paths),
 }];
 
 fn paths(reading: Reading) -> Result<Vec<Finding>> {

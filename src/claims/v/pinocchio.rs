@@ -17,7 +17,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         every iteration, which makes the cone problem Coulomb's.",
     controls: &["Release 2.7.0, which has no such solver."],
     sources: &["chapter, table of software", "Pinocchio, tags v2.7.0 and v3.7.0: admm-solver.hpp and .hxx"],
-    check: release,
+    check: check!(release),
 }];
 
 fn release(reading: Reading) -> Result<Vec<Finding>> {
