@@ -42,7 +42,7 @@ def place(lines, headings, line, words):
     below = lines[heading["line"] : line]
     paragraph = sum(1 for text in below if text.strip())
     before = sum(len(text) + 1 for text in lines[: line - 1])
-    percent = round(100 * before / sum(len(text) + 1 for text in lines))
+    percent = int(100 * before / sum(len(text) + 1 for text in lines))
     return {"section": heading["section"], "heading": heading["title"], "paragraph": paragraph, "line": line, "percent": percent, "words": words}
 
 

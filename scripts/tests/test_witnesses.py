@@ -120,7 +120,7 @@ class TestVerdicts(unittest.TestCase):
         self.assertEqual(verdict([finding("1", voice={"opinion": "taste"})]), "AMBIGUOUS")
 
     def test_a_recorded_verdict_that_differs_and_a_finding_that_fails_are_wrong(self):
-        claim = {"findings": [finding("1", "2")], "derived": True, "verdict": "FALSE AS STATED"}
+        claim = {"findings": [finding("1", "2")], "verdict": "FALSE AS STATED"}
         decide(claim)
         with self.assertRaises(Wrong):
             decide({**claim, "verdict": "TRUE"})
@@ -142,7 +142,7 @@ class TestCommand(unittest.TestCase):
                 return check_witnesses.main([str(file)]), out.getvalue()
 
     def test_exit_codes(self):
-        claim = {"id": "S0.x", "verdict": "TRUE", "derived": True, "findings": [finding("1")], "witnesses": [{"kind": "rank", **RIGHT["rank"][0]}]}
+        claim = {"id": "S0.x", "verdict": "TRUE", "findings": [finding("1")], "witnesses": [{"kind": "rank", **RIGHT["rank"][0]}]}
         document = {"schema": "witnesses/1", "claims": [claim]}
         self.assertEqual(self.run_on(json.dumps(document))[0], 0)
         claim["witnesses"][0]["rank"] = [2]

@@ -1,7 +1,7 @@
 //! How hard the evidence is, in numbers: verdicts that follow from their findings, findings that decide, findings that a control moves.
 
 use super::moved::is_moved;
-use super::{JudgedClaim, Kind, is_derived, original};
+use super::{JudgedClaim, Kind, original};
 use crate::checks::Finding;
 use serde::Serialize;
 
@@ -14,8 +14,6 @@ pub struct Figures {
     pub assertions: usize,
     /// Claims that repeat another one, whose mistake is charged there.
     pub repeats: usize,
-    /// Claims whose verdict follows from their findings.
-    pub derived: usize,
     /// Findings that decide.
     pub deciding: usize,
     /// Those of them that a control finds otherwise.
@@ -32,7 +30,6 @@ impl Figures {
             claims: 1,
             assertions: usize::from(outcome.claim.kind == Kind::Assertion),
             repeats: usize::from(original(outcome.claim.id).is_some()),
-            derived: usize::from(is_derived(outcome.claim)),
             deciding: deciding.len(),
             moved: deciding.iter().filter(|finding| Figures::moves(finding, outcome)).count(),
             context: outcome.findings.len() - deciding.len(),
@@ -45,7 +42,6 @@ impl Figures {
             claims: sum.claims + one.claims,
             assertions: sum.assertions + one.assertions,
             repeats: sum.repeats + one.repeats,
-            derived: sum.derived + one.derived,
             deciding: sum.deciding + one.deciding,
             moved: sum.moved + one.moved,
             context: sum.context + one.context,

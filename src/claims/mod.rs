@@ -27,7 +27,6 @@ pub mod s7;
 pub mod s8;
 pub mod s9;
 mod section;
-mod underived;
 pub mod v;
 mod verdict;
 
@@ -37,8 +36,7 @@ pub use figures::Figures;
 pub use grade::grade;
 pub use moved::is_moved;
 pub use places::{PLACES, Place, Places};
-pub use registry::{JudgedClaim, Status, all, conclude, find, is_derived, judge, matches_group, witnesses};
+pub use registry::{JudgedClaim, Status, all, conclude, find, judge, matches_group, witnesses};
 pub use repeats::{REPEATS, original};
 pub use section::{SECTIONS, Section, order};
-pub use underived::UNDERIVED;
 pub use verdict::derive;

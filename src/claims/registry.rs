@@ -1,7 +1,7 @@
 //! All claims in the chapter's order, and how one is judged.
 
 use super::moved::is_moved;
-use super::{Claim, ClaimVerdict, Reading, UNDERIVED, derive, group_of};
+use super::{Claim, ClaimVerdict, Reading, derive, group_of};
 use crate::checks::{Finding, Voice};
 use moreau_exact::witness::{Witness, collect};
 use serde::Serialize;
@@ -80,7 +80,7 @@ pub fn judge(claim: &'static Claim) -> JudgedClaim {
     let status = match (&recorded, &controls) {
         (Err(error), _) => Status::Failed(error.to_string()),
         (_, Err(error)) => Status::Failed(format!("control: {error}")),
-        (Ok(findings), Ok(controls)) => conclude(claim.verdict, is_derived(claim), findings, controls),
+        (Ok(findings), Ok(controls)) => conclude(claim.verdict, findings, controls),
     };
     JudgedClaim {
         claim,
@@ -106,13 +106,8 @@ pub fn witnesses(claim: &Claim) -> crate::Result<(Vec<Finding>, Vec<Witness>)> {
     Ok((findings?, told))
 }
 
-/// Whether the findings of a claim carry its verdict; the others stand in [`UNDERIVED`].
-pub fn is_derived(claim: &Claim) -> bool {
-    !UNDERIVED.contains(&claim.id)
-}
-
-/// What the findings of the claim and of its controls say of the recorded verdict; `derived` is [`is_derived`].
-pub fn conclude(verdict: ClaimVerdict, derived: bool, findings: &[Finding], controls: &[Vec<Finding>]) -> Status {
+/// What the findings of the claim and of its controls say of the recorded verdict.
+pub fn conclude(verdict: ClaimVerdict, findings: &[Finding], controls: &[Vec<Finding>]) -> Status {
     if findings.is_empty() || controls.is_empty() || controls.iter().any(Vec::is_empty) {
         return Status::Failed("the check found nothing".into());
     }
@@ -120,12 +115,12 @@ pub fn conclude(verdict: ClaimVerdict, derived: bool, findings: &[Finding], cont
         return Status::Contradicted;
     }
     match derive(findings) {
-        Ok(found) if derived && found != verdict => return Status::OtherVerdict(found.words().into()),
-        Err(problem) if derived => return Status::OtherVerdict(problem.into()),
+        Ok(found) if found != verdict => return Status::OtherVerdict(found.words().into()),
+        Err(problem) => return Status::OtherVerdict(problem.into()),
         _ => {}
     }
     let opinion = verdict == ClaimVerdict::Ambiguous && findings.iter().any(|finding| matches!(finding.bearing.voice, Voice::Opinion(_)));
-    let same = derived && !opinion && derive(&controls[0]) == Ok(verdict);
+    let same = !opinion && derive(&controls[0]) == Ok(verdict);
     let passed = same || controls[0].iter().all(Finding::holds);
     if passed || controls.len() > 1 && idle(findings, controls) { Status::ControlPassed } else { Status::Supported }
 }
@@ -158,24 +153,24 @@ mod tests {
     #[test]
     fn a_verdict_that_does_not_follow_from_the_findings_is_not_supported() {
         let (refuting, supporting) = ([found(1).says(2)], [found(1)]);
-        assert_eq!(conclude(ClaimVerdict::False, true, &refuting, &[vec![found(2).says(2)]]), Status::Supported);
-        assert!(matches!(conclude(ClaimVerdict::True, true, &refuting, &[vec![found(2)]]), Status::OtherVerdict(_)));
-        assert!(matches!(conclude(ClaimVerdict::False, true, &supporting, &[vec![found(2)]]), Status::OtherVerdict(_)));
-        assert!(matches!(conclude(ClaimVerdict::True, true, &[found(1).context()], &[vec![found(2)]]), Status::OtherVerdict(_)));
+        assert_eq!(conclude(ClaimVerdict::False, &refuting, &[vec![found(2).says(2)]]), Status::Supported);
+        assert!(matches!(conclude(ClaimVerdict::True, &refuting, &[vec![found(2)]]), Status::OtherVerdict(_)));
+        assert!(matches!(conclude(ClaimVerdict::False, &supporting, &[vec![found(2)]]), Status::OtherVerdict(_)));
+        assert!(matches!(conclude(ClaimVerdict::True, &[found(1).context()], &[vec![found(2)]]), Status::OtherVerdict(_)));
     }
 
     #[test]
     fn a_control_that_passes_or_leads_to_the_same_verdict_is_reported() {
-        assert_eq!(conclude(ClaimVerdict::True, true, &[found(1)], &[vec![found(1)]]), Status::ControlPassed);
-        assert_eq!(conclude(ClaimVerdict::True, false, &[found(1)], &[vec![found(1)]]), Status::ControlPassed);
-        assert_eq!(conclude(ClaimVerdict::False, true, &[found(1).says(2)], &[vec![found(3).says(2)]]), Status::ControlPassed);
-        assert_eq!(conclude(ClaimVerdict::True, true, &[found(1)], &[vec![found(1), found(2).context()]]), Status::ControlPassed);
+        assert_eq!(conclude(ClaimVerdict::True, &[found(1)], &[vec![found(1)]]), Status::ControlPassed);
+        assert_eq!(conclude(ClaimVerdict::True, &[found(1)], &[vec![found(1)]]), Status::ControlPassed);
+        assert_eq!(conclude(ClaimVerdict::False, &[found(1).says(2)], &[vec![found(3).says(2)]]), Status::ControlPassed);
+        assert_eq!(conclude(ClaimVerdict::True, &[found(1)], &[vec![found(1), found(2).context()]]), Status::ControlPassed);
     }
 
     #[test]
     fn a_further_control_moves_a_deciding_finding_that_none_before_it_moves() {
         let findings = |a, b| vec![Finding::count("a", a, 1), Finding::count("b", b, 1)];
-        let conclude = |controls: &[Vec<Finding>]| conclude(ClaimVerdict::True, true, &findings(1, 1), controls);
+        let conclude = |controls: &[Vec<Finding>]| conclude(ClaimVerdict::True, &findings(1, 1), controls);
         assert_eq!(conclude(&[findings(2, 1), findings(1, 2)]), Status::Supported);
         assert_eq!(conclude(&[findings(2, 1), findings(2, 1)]), Status::ControlPassed);
         assert_eq!(conclude(&[findings(1, 1), findings(1, 2)]), Status::ControlPassed);
@@ -184,9 +179,9 @@ mod tests {
 
     #[test]
     fn nothing_found_and_a_finding_that_fails_are_reported() {
-        assert!(matches!(conclude(ClaimVerdict::True, true, &[], &[vec![found(2)]]), Status::Failed(_)));
-        assert!(matches!(conclude(ClaimVerdict::True, true, &[found(1)], &[vec![]]), Status::Failed(_)));
-        assert_eq!(conclude(ClaimVerdict::True, true, &[found(2)], &[vec![found(2)]]), Status::Contradicted);
+        assert!(matches!(conclude(ClaimVerdict::True, &[], &[vec![found(2)]]), Status::Failed(_)));
+        assert!(matches!(conclude(ClaimVerdict::True, &[found(1)], &[vec![]]), Status::Failed(_)));
+        assert_eq!(conclude(ClaimVerdict::True, &[found(2)], &[vec![found(2)]]), Status::Contradicted);
     }
 
     #[test]

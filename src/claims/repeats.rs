@@ -47,7 +47,6 @@ pub const REPEATS: &[(&str, &str)] = &[
     ("S9.velocity-legal", "S2.vel-drift"),
     ("S8.implicit-diss", "S3.energy-one"),
     ("S8.explicit-lag", "S3.explicit-bad"),
-    ("S6.semi-implicit-update", "S8.semi-much-better"),
     ("S11.explicit-or-implicit", "S8.cirak-west"),
     ("S11.painleve", "S4.painleve-atom"),
     ("S11.ten-years", "S2.dzonou"),

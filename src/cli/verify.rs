@@ -46,12 +46,11 @@ Examples:
   moreau verify --list                    the claims, without running them
   moreau verify --list --verdict false --severity theorem --section 4
   moreau verify --format json             an array of {id, section, statement, verdict, kind, severity,
-                                          derived, evidence, correct_statement, places, findings,
+                                          evidence, correct_statement, places, findings,
                                           figures, status, seconds}
 
 A verdict is derived from the findings: each says what the sentence says of its instance, and supports
-the sentence or refutes it. `derived` is false where that is still to be written; the recorded verdict
-counts there. The figures count deciding findings, those that a control finds otherwise, and context.
+the sentence or refutes it. The figures count deciding findings, those that a control finds otherwise, and context.
 
 Verdicts: true, conditional (holds under conditions the text omits), false as stated, inconsistent
 (the text says two things that exclude each other), ambiguous (readings differ in truth).

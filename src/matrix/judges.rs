@@ -5,39 +5,35 @@ use crate::checks::Finding;
 use crate::checks::planted::{Family, Kind, Planted};
 use crate::claims::{ClaimVerdict, Status, conclude, derive};
 
-/// What the findings of a claim and of its controls say of a recorded verdict; `derived` as in [`conclude`].
-pub type Concludes = fn(ClaimVerdict, bool, &[Finding], &[Vec<Finding>]) -> Status;
+/// What the findings of a claim and of its controls say of a recorded verdict.
+pub type Concludes = fn(ClaimVerdict, &[Finding], &[Vec<Finding>]) -> Status;
 
 /// Judgements, held against claims whose judgement is known.
 pub static JUDGES: Family<Concludes> = Family {
     reference: conclude,
     checks: &[("claims/judgement", judgement)],
     planted: &[
-        planted("claims/passed-control-ignored", "does not look at what a control says", |verdict, derived, findings, controls| {
-            match conclude(verdict, derived, findings, controls) {
+        planted("claims/passed-control-ignored", "does not look at what a control says", |verdict, findings, controls| {
+            match conclude(verdict, findings, controls) {
                 Status::ControlPassed => Status::Supported,
                 other => other,
             }
         }),
-        planted(
-            "claims/nothing-found-is-support",
-            "takes a check that finds nothing for support",
-            |verdict, derived, findings, controls| {
-                if findings.is_empty() { Status::Supported } else { conclude(verdict, derived, findings, controls) }
-            },
-        ),
+        planted("claims/nothing-found-is-support", "takes a check that finds nothing for support", |verdict, findings, controls| {
+            if findings.is_empty() { Status::Supported } else { conclude(verdict, findings, controls) }
+        }),
         planted(
             "claims/control-that-finds-nothing",
             "takes a control that finds nothing for one that bites",
-            |verdict, derived, findings, controls| {
+            |verdict, findings, controls| {
                 let found: Vec<_> = controls.iter().filter(|control| !control.is_empty()).cloned().collect();
-                if found.len() < controls.len() { Status::Supported } else { conclude(verdict, derived, findings, controls) }
+                if found.len() < controls.len() { Status::Supported } else { conclude(verdict, findings, controls) }
             },
         ),
         planted(
             "claims/failing-finding-ignored",
             "does not look whether what was measured is as expected",
-            |verdict, derived, findings, controls| match conclude(verdict, derived, findings, controls) {
+            |verdict, findings, controls| match conclude(verdict, findings, controls) {
                 Status::Contradicted => Status::Supported,
                 other => other,
             },
@@ -45,7 +41,7 @@ pub static JUDGES: Family<Concludes> = Family {
         planted(
             "claims/recorded-verdict-believed",
             "takes the recorded verdict, whatever the findings say of the sentence",
-            |verdict, derived, findings, controls| match conclude(verdict, derived, findings, controls) {
+            |verdict, findings, controls| match conclude(verdict, findings, controls) {
                 Status::OtherVerdict(_) => Status::Supported,
                 other => other,
             },
@@ -53,31 +49,27 @@ pub static JUDGES: Family<Concludes> = Family {
         planted(
             "claims/false-for-conditional",
             "takes a refutation where the omitted condition is violated for one of the sentence",
-            |verdict, derived, findings, controls| {
+            |verdict, findings, controls| {
                 let unconditional = |finding: &Finding| {
                     let mut finding = finding.clone();
                     finding.bearing.violated = None;
                     finding
                 };
                 let findings: Vec<_> = findings.iter().map(unconditional).collect();
-                conclude(verdict, derived, &findings, controls)
+                conclude(verdict, &findings, controls)
             },
         ),
-        planted("claims/context-decides", "lets what is told beside the sentence decide", |verdict, derived, findings, controls| {
+        planted("claims/context-decides", "lets what is told beside the sentence decide", |verdict, findings, controls| {
             let deciding = |finding: &Finding| {
                 let mut finding = finding.clone();
                 finding.bearing.context = false;
                 finding
             };
             let findings: Vec<_> = findings.iter().map(deciding).collect();
-            if derive(&findings) == Ok(verdict) {
-                conclude(verdict, derived, &findings, controls)
-            } else {
-                Status::OtherVerdict(String::new())
-            }
+            if derive(&findings) == Ok(verdict) { conclude(verdict, &findings, controls) } else { Status::OtherVerdict(String::new()) }
         }),
-        planted("claims/first-control-alone", "does not look at any control but the first", |verdict, derived, findings, controls| {
-            conclude(verdict, derived, findings, &controls[..controls.len().min(1)])
+        planted("claims/first-control-alone", "does not look at any control but the first", |verdict, findings, controls| {
+            conclude(verdict, findings, &controls[..controls.len().min(1)])
         }),
     ],
 };
@@ -96,7 +88,7 @@ fn judgement(subject: &Concludes) -> Result<Vec<Finding>> {
     let beside = vec![found(1), named("y", 1).says(2).context()];
     // the second control moves what the first one moves, and nothing else
     let twice = [vec![found(2)], vec![found(2)]];
-    let of = |verdict, findings: &[Finding], controls: &[Vec<Finding>]| subject(verdict, true, findings, controls);
+    let of = |verdict, findings: &[Finding], controls: &[Vec<Finding>]| subject(verdict, findings, controls);
     let is = |what: &str, found: Status, expected: fn(&Status) -> bool| Finding::decision(what, expected(&found), true);
     Ok(vec![
         is("a true claim", of(ClaimVerdict::True, &right, &wrong), |status| *status == Status::Supported),

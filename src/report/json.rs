@@ -3,7 +3,7 @@
 //! Numbers that are not finite become `null`, never `NaN`.
 
 use crate::checks::{Finding, Origin, Voice};
-use crate::claims::{Claim, ClaimVerdict, Evidence, Figures, JudgedClaim, Kind, PLACES, Place, Severity, Status, is_derived, original};
+use crate::claims::{Claim, ClaimVerdict, Evidence, Figures, JudgedClaim, Kind, PLACES, Place, Severity, Status, original};
 use crate::{Error, Result};
 use serde::Serialize;
 
@@ -19,8 +19,6 @@ pub struct ClaimEntry {
     severity: Option<Severity>,
     #[serde(skip_serializing_if = "Option::is_none")]
     repeats: Option<&'static str>,
-    /// Whether the findings carry the verdict.
-    derived: bool,
     evidence: Evidence,
     correct_statement: &'static str,
     /// The sentences that make it, the main one first; none for what the chapter does not say.
@@ -37,7 +35,6 @@ impl From<&Claim> for ClaimEntry {
             kind: claim.kind,
             severity: claim.severity,
             repeats: original(claim.id),
-            derived: is_derived(claim),
             evidence: claim.evidence,
             correct_statement: claim.correct_statement,
             places: PLACES.of(claim.id),
@@ -224,7 +221,7 @@ mod tests {
         let outcome = outcome(Status::Supported);
         let object = value(&ExplanationEntry::from(&outcome));
         assert_eq!(object["argument"], CLAIM.argument);
-        assert_eq!(object["control_findings"][0]["holds"], false);
+        assert_eq!(object["controls"][0]["findings"][0]["holds"], false);
         assert_eq!(object["sources"][0], CLAIM.sources[0]);
     }
 }

@@ -3,7 +3,7 @@
 pub use crate::checks::text::Style;
 use crate::checks::{Finding, Voice};
 use crate::claims::{
-    Claim, ClaimVerdict, Figures, JudgedClaim, Kind, PLACES, SECTIONS, Section, Status, derive, is_derived, is_moved, order, original,
+    Claim, ClaimVerdict, Figures, JudgedClaim, Kind, PLACES, SECTIONS, Section, Status, derive, is_moved, order, original,
 };
 use crate::number::{significant, two_digits, with_unit};
 use std::fmt::Write;
@@ -65,8 +65,7 @@ pub fn explanation(outcome: &JudgedClaim, style: Style) -> String {
     part("The chapter says", &[wrap(claim.statement)]);
     part("Place in the chapter", &places(claim));
     part(if claim.verdict == ClaimVerdict::True { "Proof" } else { "Proof or counterexample" }, &[wrap(claim.argument)]);
-    let shown = if is_derived(claim) { told } else { judged };
-    part("What this run found", &outcome.findings.iter().map(shown).collect::<Vec<_>>());
+    part("What this run found", &outcome.findings.iter().map(told).collect::<Vec<_>>());
     part("Correct statement", &[wrap(claim.correct_statement)]);
     for (place, findings) in outcome.controls.iter().enumerate() {
         part("Control", &control(outcome, place, findings, style));
@@ -91,9 +90,8 @@ fn places(claim: &Claim) -> Vec<String> {
 fn hardness(outcomes: &[JudgedClaim]) -> String {
     let figures = Figures::sum(outcomes);
     format!(
-        "{} of {} verdicts follow from their findings; {} claims repeat another one; of {} deciding findings the controls move {}; \
+        "{} claims, {} of which repeat another one; of {} deciding findings the controls move {}; \
          {} findings are context\n{} are assertions: {}",
-        figures.derived,
         figures.claims,
         figures.repeats,
         figures.deciding,

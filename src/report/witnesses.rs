@@ -4,7 +4,7 @@
 //! matrices, vectors, solutions, rays, minors, steps. Numbers are texts, fractions of whole numbers, so that nothing is rounded.
 
 use crate::checks::{Finding, Stated, Value, Voice};
-use crate::claims::{Claim, is_derived};
+use crate::claims::Claim;
 use crate::scalar::Rational;
 use moreau_exact::witness::{Part, Witness};
 use serde_json::{Map, Value as Json, json};
@@ -22,7 +22,6 @@ fn entry((claim, findings, witnesses): &Witnessed) -> Json {
         "id": claim.id,
         "verdict": claim.verdict,
         "evidence": claim.evidence,
-        "derived": is_derived(claim),
         "findings": findings.iter().map(finding).collect::<Vec<_>>(),
         "witnesses": witnesses.iter().map(witness).collect::<Vec<_>>(),
     })

@@ -38,7 +38,7 @@ fn supported(outcome: &JudgedClaim) -> Result<(), Failed> {
 /// No other verdict is supported by these findings: recorded verdicts that differ cannot be exchanged.
 fn no_other_verdict(outcome: &JudgedClaim) -> Result<(), Failed> {
     for other in VERDICTS.into_iter().filter(|other| *other != outcome.claim.verdict) {
-        if claims::conclude(other, true, &outcome.findings, &outcome.controls) == Status::Supported {
+        if claims::conclude(other, &outcome.findings, &outcome.controls) == Status::Supported {
             return Err(format!("the findings support {other:?} as well").into());
         }
     }
@@ -97,12 +97,6 @@ fn main() {
             graded(&outcome)?;
             accounted(&outcome, &sources)?;
             unmoved(&outcome, &known)?;
-            if !claims::is_derived(claim) {
-                return match claims::derive(&outcome.findings) {
-                    Ok(verdict) if verdict == claim.verdict => Err("the verdict follows: take the id out of UNDERIVED".into()),
-                    _ => Ok(()),
-                };
-            }
             no_other_verdict(&outcome)?;
             as_stated(&outcome)
         })

@@ -241,10 +241,10 @@ fn depths(reading: Reading) -> Result<Vec<Finding>> {
     let resting = BallState { position: reading.only(1).pick(ratio(0, 1), ratio(-1, 1000)), velocity: ratio(0, 1) };
     let rigid_step = |now| worked_ball().moreau_jean(&now, &ratio(1, 1), Activation::Gap, &ratio(1, 500)).motion;
     let rigid = (0..100).fold(resting, |now, _| rigid_step(now));
-    let bound = crate::tolerance::rounding(64, 1e-3);
+    let bound = crate::tolerance::rounding(64, 0.001);
     Ok(vec![
         Finding::equal("depth of 1 kg, SAP", sap, 9.81 / 1e5, bound, "m").context(),
-        Finding::at_most("depth of 1 kg, MuJoCo's default", depth(standard)?, 1e-3, "m").context(),
+        Finding::at_most("depth of 1 kg, MuJoCo's default", depth(standard)?, 0.001, "m").context(),
         Finding::exact("height of a ball at rest on a rigid contact", &rigid.position, &ratio(0, 1), "m"),
         Finding::at_least("MuJoCo's default depth over SAP's", depth(standard)? / sap, 1.0, "1"),
         Finding::at_most("MuJoCo's stiff depth over SAP's", depth(stiff)? / sap, 1.0, "1")

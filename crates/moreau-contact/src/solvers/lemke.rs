@@ -8,6 +8,7 @@
 //! basis, and rows tie that these bounds cannot tell apart. A ray is reported only if it satisfies its equations to the rounding of its
 //! own data. The problem should be scaled so that M and q have entries of order one.
 
+pub use super::lemke_outcome::LemkeOutcome;
 use super::lemke_tableau::Tableau;
 use crate::problem::{ImpulseLcp, Lcp};
 use crate::tolerance::solvers::lemke_pivot_limit;
@@ -15,32 +16,6 @@ use moreau_exact::scalar::{Rational, Scalar};
 use moreau_exact::witness::{Part, Witness, decided, rational};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
-
-/// How the path of Lemke's method ended.
-#[derive(Clone, Debug, PartialEq)]
-pub enum LemkeOutcome<T: Scalar> {
-    /// 0 ≤ z ⟂ M z + q ≥ 0.
-    Solution {
-        /// z.
-        z: DVector<T>,
-        /// Number of pivots.
-        pivots: usize,
-    },
-    /// A secondary ray: (z, z₀) + t (ẑ, ẑ₀) stays on the path for all t ≥ 0. For a matrix without suitable structure
-    /// this says nothing about solvability.
-    Ray {
-        /// z at the start of the ray.
-        point: DVector<T>,
-        /// z₀ at the start of the ray, positive.
-        artificial: T,
-        /// ẑ ≥ 0.
-        direction: DVector<T>,
-        /// ẑ₀ ≥ 0.
-        artificial_direction: T,
-        /// Number of pivots.
-        pivots: usize,
-    },
-}
 
 /// Runs lexicographic Lemke on 0 ≤ z ⟂ M z + q ≥ 0 with the covering vector d > 0.
 ///

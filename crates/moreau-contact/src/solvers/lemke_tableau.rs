@@ -11,7 +11,7 @@
 //! exact rationals.
 
 use super::doubled::residual;
-use super::lemke::LemkeOutcome;
+use super::lemke_outcome::LemkeOutcome;
 use crate::problem::Lcp;
 use crate::tolerance::solvers::{KNOWN_PIVOT, cancellation, mean_of_data, smallest_pivot, sum_of_data};
 use moreau_exact::scalar::Scalar;

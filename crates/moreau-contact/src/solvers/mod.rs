@@ -48,6 +48,7 @@ pub mod enumeration;
 mod friction_set;
 pub mod gauss;
 pub mod lemke;
+mod lemke_outcome;
 mod lemke_pivoting;
 mod lemke_tableau;
 mod line_root;
