@@ -1,6 +1,7 @@
 //! Every system agrees with what it is held against, every agreement catches the mistakes planted in it, and docs/systems.md shows what is
 //! measured.
 
+#[path = "claims/regression.rs"]
 mod regression;
 
 use moreau::checks::Expectation;

@@ -161,17 +161,17 @@ impl Reading {
 
 /// The check of a claim: a function, and where a reader finds it.
 #[derive(Clone, Copy, Debug)]
-pub struct Check {
+pub struct CheckFunction {
     /// Findings of the recorded reading, or of a control.
     pub run: fn(Reading) -> Result<Vec<Finding>>,
     /// Path of the function, `moreau::claims::s3::drift::sinking`.
     pub path: &'static str,
 }
 
-/// The [`Check`] that a function of this module is.
+/// The [`CheckFunction`] that a function of this module is.
 macro_rules! check {
     ($($function:ident)::+) => {
-        $crate::claims::Check { run: $($function)::+, path: concat!(module_path!(), $("::", stringify!($function)),+) }
+        $crate::claims::CheckFunction { run: $($function)::+, path: concat!(module_path!(), $("::", stringify!($function)),+) }
     };
 }
 pub(crate) use check;
@@ -200,7 +200,7 @@ pub struct Claim {
     /// Where the claim stands and what the argument rests on.
     pub sources: &'static [&'static str],
     /// The check: findings that hold for the recorded reading and not all for a control.
-    pub check: Check,
+    pub check: CheckFunction,
 }
 
 impl Claim {

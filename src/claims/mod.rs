@@ -31,7 +31,7 @@ pub mod v;
 mod verdict;
 
 pub(crate) use claim::check;
-pub use claim::{Check, Claim, ClaimVerdict, Evidence, Kind, Reading, Severity, group_of};
+pub use claim::{CheckFunction, Claim, ClaimVerdict, Evidence, Kind, Reading, Severity, group_of};
 pub use figures::Figures;
 pub use grade::grade;
 pub use moved::is_moved;

@@ -137,7 +137,7 @@ fn conclusion(outcomes: &[JudgedClaim]) -> Answer {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::Check;
+    use crate::claims::CheckFunction;
     use crate::report::text::tests::{CLAIM, outcome};
 
     #[test]
@@ -151,7 +151,7 @@ mod tests {
 
     #[test]
     fn outcomes_keep_the_order_of_the_claims() {
-        static SLOW: Claim = Claim { id: "S4.slow", check: Check { run: slow, path: "slow" }, ..CLAIM };
+        static SLOW: Claim = Claim { id: "S4.slow", check: CheckFunction { run: slow, path: "slow" }, ..CLAIM };
         fn slow(reading: claims::Reading) -> Result<Vec<crate::checks::Finding>> {
             std::thread::sleep(std::time::Duration::from_millis(20));
             (CLAIM.check.run)(reading)
@@ -162,7 +162,7 @@ mod tests {
 
     #[test]
     fn a_panicking_check_fails_alone() {
-        static BROKEN: Claim = Claim { id: "S4.broken", check: Check { run: |_| panic!("on purpose"), path: "broken" }, ..CLAIM };
+        static BROKEN: Claim = Claim { id: "S4.broken", check: CheckFunction { run: |_| panic!("on purpose"), path: "broken" }, ..CLAIM };
         let outcomes = judge_all(&[&BROKEN, &CLAIM]);
         assert!(matches!(outcomes[0].status, Status::Failed(_)));
         assert_eq!(outcomes[1].status, Status::Supported);

@@ -255,7 +255,7 @@ fn wrap(prose: &str) -> String {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::claims::{Check, Evidence, Reading, Severity};
+    use crate::claims::{CheckFunction, Evidence, Reading, Severity};
 
     pub(crate) const CLAIM: Claim = Claim {
         id: "S4.example",
@@ -268,7 +268,7 @@ pub(crate) mod tests {
         argument: "1 ≠ 2",
         controls: &["two is fed through"],
         sources: &["chapter §4"],
-        check: Check {
+        check: CheckFunction {
             run: |reading| Ok(vec![Finding::equal("length", reading.pick(1.0, 2.0), 1.0, 0.0, "m").says(2.0)]),
             path: "moreau::claims::example",
         },

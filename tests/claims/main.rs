@@ -5,7 +5,6 @@
 //! have moved from what is stored.
 
 mod numbers;
-#[path = "../regression/mod.rs"]
 mod regression;
 #[path = "../architecture/strip.rs"]
 mod strip;

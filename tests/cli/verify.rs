@@ -30,6 +30,7 @@ fn json_is_an_array_in_the_order_of_the_registry() {
     let outcomes = outcomes.as_array().expect("an array");
     let ids: Vec<_> = outcomes.iter().map(|outcome| outcome["id"].as_str().expect("a text")).collect();
     assert_eq!(ids, claims::all().map(|claim| claim.id).collect::<Vec<_>>());
+    let (mut context, mut all) = (0, 0);
     for outcome in outcomes {
         for field in ["section", "statement", "verdict", "evidence", "correct_statement", "status"] {
             assert!(outcome[field].is_string(), "{}.{field}", outcome["id"]);
@@ -43,8 +44,12 @@ fn json_is_an_array_in_the_order_of_the_registry() {
             for number in ["measured", "expected", "tolerance"] {
                 assert!(finding[number].is_number(), "{}: {finding}", outcome["id"]);
             }
+            assert!(finding["role"] == "context" || finding["moved"] == true, "{}: no control moves {finding}", outcome["id"]);
+            context += usize::from(finding["role"] == "context");
+            all += 1;
         }
     }
+    assert!(100 * context <= 15 * all, "{context} of {all} findings are context, more than 15 %");
 }
 
 #[test]

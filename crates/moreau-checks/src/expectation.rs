@@ -81,7 +81,7 @@ impl Expectation {
             Relation::AtMost => one_sided(measured, self.value + self.tolerance),
             Relation::AtLeast => one_sided(-measured, self.tolerance - self.value),
         };
-        Some(used).filter(|used| used.is_finite())
+        Some(used).filter(|used| measured.is_finite() && used.is_finite())
     }
 }
 

@@ -74,6 +74,20 @@ pub struct Collision {
     pub normal_velocities: Vec<[f64; 2]>,
 }
 
+/// Events in a row without an impact and without time between them.
+#[derive(Default)]
+struct Stall {
+    events: usize,
+}
+
+impl Stall {
+    /// Counts an event that `moved` something on or did not; whether there are more in a row than so many contact rows can take.
+    fn ends(&mut self, moved: bool, rows: usize) -> bool {
+        self.events = if moved { 0 } else { self.events + 1 };
+        self.events > stalled_events(rows)
+    }
+}
+
 impl EventDriven {
     /// The motion over `duration` \[s\].
     ///
@@ -88,7 +102,7 @@ impl EventDriven {
         let (mut left, mut step) = (duration, duration / 8.0);
         let mut ahead: Option<[DVector<f64>; 2]> = None;
         let mut impacts = Vec::new();
-        let mut stalled = 0;
+        let mut stall = Stall::default();
         for events in 0..EVENT_LIMIT {
             let contacts = mechanism.contacts(&position);
             let arriving = velocity.clone();
@@ -111,8 +125,7 @@ impl EventDriven {
                 let state = State { time: state.time + duration, position, velocity };
                 return Ok(Passage { state, impulses: tally.impulses(), events, impacts });
             };
-            stalled = if struck || arrival.elapsed > LOOK_AHEAD * duration { 0 } else { stalled + 1 };
-            if stalled > stalled_events(mechanism.rows_per_contact() * contacts.len()) {
+            if stall.ends(struck || arrival.elapsed > LOOK_AHEAD * duration, mechanism.rows_per_contact() * contacts.len()) {
                 let reason = format!("events follow each other without any time passing, at t = {} s", state.time + duration - left);
                 return Err(Error::limit("event-driven", reason));
             }
