@@ -279,8 +279,7 @@ fn weighted_projection(reading: Reading) -> Result<Vec<Finding>> {
     let (mu, weight) = (ratio(1, 2), reading.only(0).pick(ratio(1, 1000), ratio(1, 1)));
     let in_norm = |y: &Plane| project_weighted(y, &mu, &weight);
     let without = |y: &Plane| euclidean(y, &mu);
-    let (of_sap, of_apgd): (&dyn Fn(&Plane) -> Plane, &dyn Fn(&Plane) -> Plane) =
-        reading.only(1).pick((&in_norm, &without), (&without, &in_norm));
+    let [of_sap, of_apgd]: [&dyn Fn(&Plane) -> Plane; 2] = reading.only(1).pick([&in_norm, &without], [&without, &in_norm]);
     let mut findings = Vec::new();
     let (mut beside, mut bound) = (0.0f64, 0.0f64);
     for (y, normal) in [
