@@ -3,8 +3,8 @@
 //! A check derives its expected value from a closed form, exact arithmetic or a proven bound – never from the subject.
 
 pub use moreau_checks::{
-    Bearing, Expectation, Finding, Origin, Relation, Stated, Value, Voice, answers, cone_projection, convergence, decisions, delassus,
-    energy, forms, planted, readers, stewart_trinkle, text, zeno,
+    Bearing, Expectation, Finding, FindingOrigin, Relation, Stated, Value, Voice, answers, cone_projection, convergence, decisions,
+    delassus, energy, forms, planted, readers, stewart_trinkle, text, zeno,
 };
 pub use moreau_replicas::bullet::steps as bullet_steps;
 pub use moreau_replicas::drake::replay as drake_replay;

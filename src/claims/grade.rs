@@ -9,16 +9,16 @@
 //! ```
 
 use super::Evidence;
-use crate::checks::{Finding, Origin, Voice};
+use crate::checks::{Finding, FindingOrigin, Voice};
 
 /// The grade that follows from the findings.
 pub fn grade(findings: &[Finding]) -> Evidence {
     let of = |finding: &Finding| match (finding.bearing.voice, finding.bearing.origin) {
         (Voice::Opinion(_), _) => Evidence::NotDecidable,
-        (_, Origin::LookUp) => Evidence::Cited,
-        (_, Origin::Experiment) => Evidence::Measured,
-        (_, Origin::Computed) if finding.exact.is_some() => Evidence::Exact,
-        (_, Origin::Computed) => Evidence::Certified,
+        (_, FindingOrigin::LookUp) => Evidence::Cited,
+        (_, FindingOrigin::Experiment) => Evidence::Measured,
+        (_, FindingOrigin::Computed) if finding.exact.is_some() => Evidence::Exact,
+        (_, FindingOrigin::Computed) => Evidence::Certified,
     };
     findings.iter().filter(|finding| !finding.bearing.context).map(of).max().unwrap_or(Evidence::NotDecidable)
 }

@@ -2,7 +2,7 @@
 //!
 //! Numbers that are not finite become `null`, never `NaN`.
 
-use crate::checks::{Finding, Origin, Voice};
+use crate::checks::{Finding, FindingOrigin, Voice};
 use crate::claims::{Claim, ClaimVerdict, Evidence, Figures, JudgedClaim, Kind, PLACES, Place, Severity, Status, original};
 use crate::{Error, Result};
 use serde::Serialize;
@@ -56,7 +56,7 @@ pub struct FindingEntry<'a> {
     violated: Option<&'static str>,
     #[serde(skip_serializing_if = "is_sentence")]
     voice: Voice,
-    origin: Origin,
+    origin: FindingOrigin,
 }
 
 fn is_sentence(voice: &Voice) -> bool {

@@ -88,7 +88,7 @@ pub enum Voice {
 /// Where the found number comes from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Origin {
+pub enum FindingOrigin {
     /// It follows from the data, exactly or within a derived bound.
     #[default]
     Computed,
@@ -108,7 +108,7 @@ pub struct Bearing {
     /// Who says it.
     pub voice: Voice,
     /// Where the found number comes from.
-    pub origin: Origin,
+    pub origin: FindingOrigin,
     /// Whether the finding decides nothing and is told beside the sentence.
     pub context: bool,
 }

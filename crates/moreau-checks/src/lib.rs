@@ -25,7 +25,7 @@ pub mod text;
 pub mod tolerance;
 pub mod zeno;
 
-pub use bearing::{Bearing, Origin, Stated, Value, Voice};
+pub use bearing::{Bearing, FindingOrigin, Stated, Value, Voice};
 pub use expectation::Expectation;
 pub use finding::Finding;
 pub use relation::Relation;

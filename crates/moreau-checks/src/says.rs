@@ -1,6 +1,6 @@
 //! How a finding is told what the sentence says of its instance, and whether it supports the sentence.
 
-use crate::bearing::{Origin, Stated, Value, Voice};
+use crate::bearing::{FindingOrigin, Stated, Value, Voice};
 use crate::expectation::Expectation;
 use crate::finding::Finding;
 use crate::relation::Relation;
@@ -58,13 +58,13 @@ impl Finding {
 
     /// The found number is the outcome of an experiment.
     pub fn experiment(mut self) -> Self {
-        self.bearing.origin = Origin::Experiment;
+        self.bearing.origin = FindingOrigin::Experiment;
         self
     }
 
     /// The found number was looked up.
     pub fn looked_up(mut self) -> Self {
-        self.bearing.origin = Origin::LookUp;
+        self.bearing.origin = FindingOrigin::LookUp;
         self
     }
 
