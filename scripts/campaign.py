@@ -33,7 +33,7 @@ def commit():
 
 def program():
     """The compiled test program."""
-    for line in output("cargo", "test", "--test", "properties", "--no-run", "--message-format", "json").splitlines():
+    for line in output("cargo", "test", "--profile", "campaign", "--test", "properties", "--no-run", "--message-format", "json").splitlines():
         message = json.loads(line)
         if message.get("executable") and message["target"]["name"] == "properties":
             return message["executable"]
