@@ -2,10 +2,11 @@
 
 use crate::Result;
 use crate::checks::Finding;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// What became of a claim of the text.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub enum ClaimVerdict {
     /// Holds as stated.
     #[serde(rename = "TRUE")]
@@ -38,7 +39,7 @@ impl ClaimVerdict {
 }
 
 /// What kind of sentence a claim is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Kind {
     /// It says that something is so.
@@ -73,7 +74,7 @@ impl Kind {
 }
 
 /// How much is wrong with a claim that does not hold as printed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Severity {
     /// A slip that a reader corrects at sight: a sign, an index, a number, a name.
@@ -102,7 +103,7 @@ impl Severity {
 }
 
 /// How strong the evidence is, from the strongest to the weakest.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Evidence {
     /// Rational arithmetic, no rounding.

@@ -3,10 +3,11 @@
 use super::moved::is_moved;
 use super::{JudgedClaim, Kind, original};
 use crate::checks::Finding;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// The figures of some claims.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Figures {
     /// Claims.
     pub claims: usize,

@@ -2,12 +2,13 @@
 //!
 //! `references/chapter/places.json`, which `scripts/chapter_places.py` completes from the chapter's text, quotes a few words of each.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 /// One sentence of the chapter.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Place {
     /// `§0` to `§12`; empty before the first and after the last.

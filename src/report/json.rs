@@ -5,21 +5,31 @@
 use crate::checks::{Finding, FindingOrigin, Voice};
 use crate::claims::{Claim, ClaimVerdict, Evidence, Figures, JudgedClaim, Kind, PLACES, Place, Severity, Status, original};
 use crate::{Error, Result};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A claim as it stands in the registry, without running its check.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct ClaimEntry {
+    /// Section and name, `S4.copos-plus`.
     id: &'static str,
+    /// The part of the id before its point.
     section: &'static str,
+    /// What the chapter says, with its hedges.
     statement: &'static str,
+    /// What became of it.
     verdict: ClaimVerdict,
+    /// What kind of sentence it is.
     kind: Kind,
+    /// How much is wrong; absent where the statement holds.
     #[serde(skip_serializing_if = "Option::is_none")]
     severity: Option<Severity>,
+    /// The claim that says the same, at which the mistake is charged; absent where there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     repeats: Option<&'static str>,
+    /// How strong the evidence is.
     evidence: Evidence,
+    /// What holds.
     correct_statement: &'static str,
     /// The sentences that make it, the main one first; none for what the chapter does not say.
     places: &'static [Place],
@@ -43,19 +53,25 @@ impl From<&Claim> for ClaimEntry {
 }
 
 /// A finding with what it says about the sentence.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct FindingEntry<'a> {
     #[serde(flatten)]
     finding: &'a Finding,
     /// How much of its bound the found number uses; absent where it is held exactly.
     #[serde(skip_serializing_if = "Option::is_none")]
     used: Option<f64>,
+    /// Whether what was found is what the sentence says; `context` does not decide.
+    #[schemars(extend("enum" = ["supports", "refutes", "context"]))]
     role: &'static str,
+    /// What the sentence says of this instance.
     stated: String,
+    /// The condition that the sentence omits and that this instance violates; absent where there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     violated: Option<&'static str>,
+    /// Who says what is stated; absent where it is the sentence.
     #[serde(skip_serializing_if = "is_sentence")]
     voice: Voice,
+    /// Where the found number comes from.
     origin: FindingOrigin,
 }
 
@@ -83,7 +99,7 @@ impl<'a> From<&'a Finding> for FindingEntry<'a> {
 }
 
 /// A finding of a claim, with whether a control finds it otherwise.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct DecidingEntry<'a> {
     #[serde(flatten)]
     finding: FindingEntry<'a>,
@@ -92,15 +108,21 @@ pub struct DecidingEntry<'a> {
 }
 
 /// A claim with what its check found.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct OutcomeEntry<'a> {
     #[serde(flatten)]
     claim: ClaimEntry,
+    /// What the check found.
     findings: Vec<DecidingEntry<'a>>,
+    /// How many findings decide, and how many of these a control moves.
     figures: Figures,
+    /// Whether the findings support the recorded verdict.
+    #[schemars(extend("enum" = ["supported", "contradicted", "control-passed", "other-verdict", "failed"]))]
     status: &'static str,
+    /// Why the status is `other-verdict` or `failed`; else it is absent.
     #[serde(skip_serializing_if = "Option::is_none")]
     failure: Option<&'a str>,
+    /// Wall-clock time \[s\].
     seconds: f64,
 }
 
@@ -127,9 +149,11 @@ impl<'a> From<&'a JudgedClaim> for OutcomeEntry<'a> {
 }
 
 /// A control: the subject that it feeds through the check, and what the check finds then.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct ControlEntry<'a> {
+    /// The other subject.
     subject: &'static str,
+    /// What the check finds on it.
     findings: Vec<FindingEntry<'a>>,
 }
 
@@ -140,14 +164,17 @@ impl<'a> From<(&&'static str, &'a Vec<Finding>)> for ControlEntry<'a> {
 }
 
 /// A claim with its argument, its controls and its sources: what `verify --explain` writes.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct ExplanationEntry<'a> {
     #[serde(flatten)]
     outcome: OutcomeEntry<'a>,
+    /// The proof, the counterexample or the experiment.
     argument: &'static str,
     /// Path of the function that checks it.
     check: &'static str,
+    /// Other subjects, which must come out otherwise.
     controls: Vec<ControlEntry<'a>>,
+    /// Where the statement and what it is held against are from.
     sources: &'static [&'static str],
 }
 

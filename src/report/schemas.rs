@@ -3,6 +3,7 @@
 //! A schema says which fields there are and of what kind; sizes that must agree, unit lengths and the like are checked by the readers.
 
 use super::comparison::Comparison;
+use super::json::{ClaimEntry, ExplanationEntry, OutcomeEntry};
 use crate::gate::baseline::Baseline;
 use crate::gate::conformance::Conformance;
 use crate::gate::process::messages::{Points, ReplyForm, Request};
@@ -24,7 +25,7 @@ pub struct Format {
 }
 
 /// Every message and file format.
-pub const FORMATS: [Format; 13] = [
+pub const FORMATS: [Format; 16] = [
     Format { name: "request", about: "a line from the gate to an engine", generate: written::<Request> },
     Format { name: "reply", about: "the line that answers it", generate: read::<ReplyForm> },
     Format { name: "description", about: "the result of `describe`", generate: read::<Description> },
@@ -37,6 +38,9 @@ pub const FORMATS: [Format; 13] = [
     Format { name: "gate-baseline", about: "gate-baseline/1, in TOML", generate: read::<Baseline> },
     Format { name: "protocol-check", about: "what `moreau protocol-check` writes", generate: written::<Conformance> },
     Format { name: "systems", about: "what `moreau systems` writes", generate: written::<systems::Report> },
+    Format { name: "verify", about: "what `moreau verify` writes", generate: written::<Vec<OutcomeEntry>> },
+    Format { name: "verify-list", about: "what `moreau verify --list` writes", generate: written::<Vec<ClaimEntry>> },
+    Format { name: "verify-explain", about: "what `moreau verify --explain` writes", generate: written::<ExplanationEntry> },
     Format { name: "comparison", about: "what `moreau compare` writes", generate: written::<Comparison> },
 ];
 

@@ -73,6 +73,47 @@ fn planted(files: &[(&str, &str)]) -> Vec<usize> {
     circles(&files.iter().collect::<Vec<_>>()).iter().map(Vec::len).collect()
 }
 
+/// The section of the claims that a file belongs to: the folder below `claims` whose table of claims the registry lists.
+fn section(file: &File, sections: &BTreeSet<String>) -> Option<String> {
+    let path: Vec<_> = file.path.iter().map(|part| part.to_string_lossy()).collect();
+    let ["claims", section, ..] = path.iter().map(AsRef::as_ref).collect::<Vec<_>>()[..] else { return None };
+    sections.contains(section).then(|| section.to_string())
+}
+
+/// The imports from one section of the claims into another, each as a line; what two share is an experiment.
+fn between_sections(files: &[&File], sections: &BTreeSet<String>) -> Vec<String> {
+    let sources: Vec<_> = files.iter().map(|file| Source { module: module(&file.path), code: file.code.clone() }).collect();
+    let edges = Modules::new(&sources).edges();
+    let of = |file: usize| section(files[file], sections);
+    let crossing = edges.keys().filter(|(from, to)| of(*from).zip(of(*to)).is_some_and(|(from, to)| from != to));
+    crossing.map(|(from, to)| format!("{} -> {}", files[*from].place(), files[*to].place())).collect()
+}
+
+#[test]
+fn no_section_of_the_claims_imports_another() {
+    let files = library();
+    let files: Vec<_> = files.iter().filter(|file| file.room == "moreau" && !file.path.ends_with("main.rs")).collect();
+    let registry = files.iter().find(|file| file.path.ends_with("claims/registry.rs")).expect("the registry");
+    let listed = registry.code.split("super::").filter_map(|rest| rest.split_once("::CLAIMS")).map(|(section, _)| section.to_string());
+    let sections: BTreeSet<_> = listed.filter(|section| section.chars().all(char::is_alphanumeric)).collect();
+    assert_eq!(sections.len(), 16, "{sections:?}");
+    assert_eq!(between_sections(&files, &sections), Vec::<String>::new());
+}
+
+#[test]
+fn a_planted_import_between_sections_is_found() {
+    let file = |(path, code): (&str, &str)| File { room: "planted".into(), path: path.into(), code: code.into() };
+    let claims = ("claims/mod.rs", "mod experiments; mod s1; mod s2;");
+    let shared = ("claims/experiments.rs", "pub fn fall() {}");
+    let first = ("claims/s1/mod.rs", "use crate::claims::experiments::fall; pub fn own() {}");
+    let found = |second: &str| {
+        let files = [("lib.rs", "mod claims;"), claims, shared, first, ("claims/s2/mod.rs", second)].map(file);
+        between_sections(&files.iter().collect::<Vec<_>>(), &["s1".into(), "s2".into()].into())
+    };
+    assert_eq!(found("use crate::claims::experiments::fall;"), Vec::<String>::new());
+    assert_eq!(found("use crate::claims::s1::own;"), ["planted/claims/s2/mod.rs -> planted/claims/s1/mod.rs"]);
+}
+
 #[test]
 fn planted_circles_of_two_and_three_files_are_found() {
     let root = ("lib.rs", "mod a; mod b; mod c;");

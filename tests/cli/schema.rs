@@ -22,3 +22,24 @@ fn an_unknown_format_is_refused_with_the_nearest() {
     moreau(&["schema", "trajectry"]).is_refused(&["`trajectry`", "trajectory"]);
     moreau(&["schema", "--write", "/nowhere/at/all"]).is_refused(&["/nowhere/at/all"]);
 }
+
+#[test]
+fn what_verify_writes_is_as_its_schema_says() {
+    let runs: [(&str, &[&str]); 3] = [
+        ("verify", &["verify", "--filter", "S12"]),
+        ("verify-list", &["verify", "--list"]),
+        ("verify-explain", &["verify", "--explain", "S3.drift"]),
+    ];
+    for (name, command) in runs {
+        let schema = moreau(&["schema", name]).json();
+        let validator = jsonschema::validator_for(&schema).expect("a schema");
+        let written = moreau(&[command, &["--format", "json"]].concat()).json();
+        let errors: Vec<String> = validator.iter_errors(&written).map(|error| format!("{}: {error}", error.instance_path())).collect();
+        assert!(errors.is_empty(), "{name}: {errors:?}");
+        // a verdict that there is none of
+        let mut other = written.clone();
+        let claim = if other.is_array() { &mut other[0] } else { &mut other };
+        claim["verdict"] = "PERHAPS".into();
+        assert!(!validator.is_valid(&other), "{name}");
+    }
+}

@@ -10,6 +10,7 @@
 
 use crate::relation::Relation;
 use moreau_exact::scalar::Rational;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A number or a truth value of a sentence.
@@ -71,7 +72,7 @@ pub struct Stated {
 }
 
 /// Who says what is stated.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Voice {
     /// The sentence.
@@ -86,7 +87,7 @@ pub enum Voice {
 }
 
 /// Where the found number comes from.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum FindingOrigin {
     /// It follows from the data, exactly or within a derived bound.

@@ -5,21 +5,24 @@ use crate::expectation::Expectation;
 use crate::relation::Relation;
 use moreau_exact::number::two_digits;
 use moreau_exact::scalar::Rational;
+use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 /// One measured number, what was expected of it and how far it may differ.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Finding {
     /// What was measured.
     pub name: String,
-    /// The measured value (the nearest `f64` if it is exact).
+    /// The measured value (the nearest `f64` if it is exact); `null` if it is not finite.
+    #[schemars(with = "Option<f64>")]
     pub measured: f64,
     /// What is expected of it; written as `expected`, `tolerance` and `relation`.
     #[serde(flatten, serialize_with = "flat")]
+    #[schemars(with = "Flat")]
     pub expectation: Expectation,
     /// Unit, `1` for pure numbers.
     pub unit: &'static str,
-    /// Measured and expected value as exact rationals or decisions, where the comparison was exact.
+    /// Measured and expected value as exact rationals or decisions, where the comparison was exact; else it is left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exact: Option<[String; 2]>,
     /// What it has to do with the sentence that it belongs to.
@@ -27,17 +30,22 @@ pub struct Finding {
     pub bearing: Bearing,
     #[serde(skip)]
     pub(crate) rational: Option<Rational>,
+    /// Whether the measured value is as expected.
     holds: bool,
 }
 
-/// Writes an expectation under the names that it has in a finding.
+/// An expectation under the names that it has in a finding.
+#[derive(Serialize, JsonSchema)]
+struct Flat {
+    /// The expected number.
+    expected: f64,
+    /// How far the measured one may differ.
+    tolerance: f64,
+    /// How they are compared.
+    relation: Relation,
+}
+
 fn flat<S: Serializer>(expectation: &Expectation, serializer: S) -> Result<S::Ok, S::Error> {
-    #[derive(Serialize)]
-    struct Flat {
-        expected: f64,
-        tolerance: f64,
-        relation: Relation,
-    }
     let Expectation { value, tolerance, relation, .. } = *expectation;
     Flat { expected: value, tolerance, relation }.serialize(serializer)
 }
