@@ -143,6 +143,7 @@ fn said(finding: &Finding) -> String {
     let number = stated.trim_start_matches(['≤', '≥', '=', ' ']);
     let sign = &stated[..stated.len() - number.len()];
     match number.parse::<f64>() {
+        Ok(rounded) if finding.exact.is_none() => format!("{sign}{}", significant(rounded)),
         _ if number.chars().count() <= LONG => stated.clone(),
         Ok(rounded) => format!("{sign}{}", significant(rounded)),
         Err(_) => format!("{sign}{}…", number.chars().take(LONG).collect::<String>()),
@@ -306,6 +307,14 @@ pub(crate) mod tests {
         {
             assert!(text.contains(words), "{words:?} is missing in\n{text}");
         }
+    }
+
+    #[test]
+    fn what_the_sentence_says_has_as_many_digits_as_what_was_found() {
+        assert_eq!(said(&Finding::at_most("x", 1.0, 249.300_678_563, "m")), "≤ 249.301");
+        assert_eq!(said(&Finding::count("k", 3, 3)), "3");
+        let third = moreau_exact::scalar::ratio(1, 3);
+        assert_eq!(said(&Finding::exact("r", &third, &third, "1")), "1/3");
     }
 
     #[test]
