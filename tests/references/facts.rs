@@ -1,5 +1,5 @@
-//! Facts about an engine (`facts/1`) are those of the pinned version, facts about a repository (`repositories/1`) those of one commit, and a
-//! record of literature (`literature/1`) says where it was read; what they say is judged by the claims.
+//! Facts about an engine (`facts/1`) are those of the pinned version, facts about a repository (`repositories/1`)
+//! those of one commit, and a record of literature (`literature/1`) says where it was read; what they say is judged by the claims.
 
 use crate::document::{Document, VERSIONS};
 use crate::siconos;
@@ -50,12 +50,13 @@ pub fn literature(document: &Document) -> Result<Vec<Finding>, Failed> {
     let mut findings = Vec::new();
     for (name, record) in entries(document, "records", "id")? {
         let told = |key: &str| record[key].as_str().is_some_and(|text| !text.is_empty());
+        let stated = record["stated"].as_object().is_some_and(|facts| !facts.is_empty());
         let read = record["read"].as_array().is_some_and(|places| !places.is_empty());
         findings.extend([
             Finding::decision(format!("{name}: an identifier"), told("identifier"), true),
             Finding::decision(format!("{name}: where it was read"), read, true),
             Finding::decision(format!("{name}: how it came here, and when"), told("transcribed") && told("entered"), true),
-            Finding::decision(format!("{name}: something is stated"), record["stated"].as_object().is_some_and(|all| !all.is_empty()), true),
+            Finding::decision(format!("{name}: something is stated"), stated, true),
         ]);
     }
     Ok(findings)
