@@ -9,9 +9,11 @@ from pathlib import Path
 SCRIPTS = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(SCRIPTS)]
 
+import repository_trees  # noqa: E402
 from reference import documents, facts, packages, siconos_package  # noqa: E402
 
 REFERENCES = SCRIPTS.parent / "references"
+LITERATURE = REFERENCES / "facts" / "literature.json"
 SOURCE = {"package": "toy-engine", "read": "wheel"}
 
 
@@ -85,12 +87,23 @@ class Stored(unittest.TestCase):
         expected |= {packages.place(name): name for name in packages.SUBJECTS}
         there = {path.relative_to(REFERENCES).as_posix()
                  for pattern in ("facts/*", "*/package.json") for path in REFERENCES.glob(pattern)}
-        self.assertEqual(there, set(expected))
+        # what is not about an engine has a format of its own
+        others = {path.relative_to(REFERENCES).as_posix() for path in (repository_trees.FILE, LITERATURE)}
+        self.assertEqual(there, set(expected) | others)
         for place, name in expected.items():
             stored = facts.read(REFERENCES / place)
             self.assertEqual(stored["program"], name)
             self.assertEqual(facts.differences_of(stored, stored), [])
             self.assertEqual(documents.render(stored), (REFERENCES / place).read_text(encoding="utf-8"))
+
+    def test_every_record_of_literature_says_where_it_was_read_and_that_no_script_makes_it(self):
+        stored = documents.read(LITERATURE)
+        self.assertEqual(stored["schema"], "literature/1")
+        self.assertEqual(stored["provenance"]["script"], "none")
+        for record in stored["records"]:
+            self.assertEqual(tuple(record), ("id", "identifier", "read", "transcribed", "entered", "stated"))
+            self.assertTrue(record["read"] and record["stated"] and "by hand" in record["transcribed"], record["id"])
+        self.assertEqual(documents.render(stored), LITERATURE.read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":

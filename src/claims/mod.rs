@@ -7,6 +7,7 @@ pub(crate) mod experiments;
 mod figures;
 pub mod front;
 mod grade;
+mod lookups;
 pub mod manual;
 mod moved;
 mod places;

@@ -4,7 +4,8 @@
 //!
 //! ```text
 //!     found       measured or expected by a finding of the claim, to the digits given
-//!     a datum     a literal of the code of the check, of a module that it names in its folder, or of an experiment that it names
+//!     a datum     a literal of the code of the check, of a module that it names in its folder, or of an experiment that it names;
+//!                 where all is looked up, of an experiment that the queries name
 //!     printed     a number of the statement
 //!     a place     a year, a section, a page, a version, an exercise
 //! ```
@@ -113,7 +114,9 @@ impl Sources {
         let (path, _, code) = self.files.iter().find(|(_, text, _)| text.contains(&wanted)).expect("the file of the claim");
         let folder = path.parent().expect("a folder");
         let mut all = data(code);
-        for named in NAMED.captures_iter(code) {
+        let queries = self.files.iter().filter(|(path, ..)| claim.check.path.contains("::lookups::") && path.ends_with("lookups/query.rs"));
+        let asked = queries.flat_map(|(_, _, code)| NAMED.captures_iter(code)).filter(|named| &named[1] == "experiments");
+        for named in NAMED.captures_iter(code).chain(asked) {
             let at = if &named[1] == "super" { folder.to_path_buf() } else { folder.with_file_name("experiments") };
             let file = at.join(format!("{}.rs", &named[2]));
             all.extend(self.files.iter().filter(|(path, _, _)| *path == file).flat_map(|(_, _, code)| data(code)));

@@ -82,6 +82,8 @@ fn judge(file: &Path) -> Result<(), Failed> {
     let findings = match document.schema() {
         "answer/1" => answers::check(&document)?,
         "facts/1" => facts::check(&document)?,
+        "repositories/1" => facts::repositories(&document)?,
+        "literature/1" => facts::literature(&document)?,
         "bullet-steps/1" => [document.provenance()?, bullet_steps::check(&document)?].concat(),
         "dump/1" => [document.provenance()?, dumps::check(&document)?].concat(),
         "contact-geometry/1" => [document.provenance()?, replayed_contacts::check(&document)?].concat(),

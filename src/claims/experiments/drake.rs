@@ -19,40 +19,15 @@ use nalgebra::dvector;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
-/// Names and defaults read from Drake's Python module, and what its own documentation says, in its words.
+/// What Drake's own documentation says, in its words.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Facts {
-    /// Default of a plant.
-    pub default_approximation: String,
-    /// Default of a plant.
-    pub default_solver: String,
-    /// The solver each approximation takes.
-    pub solvers: BTreeMap<String, String>,
-    /// The integrator of a plant without a time step.
-    pub continuous_integrator: Integrator,
-    /// Whether a system may have functions whose zeros are located.
-    pub locates_events: bool,
     /// Which approximations glide.
     pub gliding_of: String,
     /// Which does not.
     pub without_gliding: String,
-    /// Which may fail to find a solution, being non-convex.
-    pub may_fail: String,
-    /// SAP's dissipation.
-    pub dissipation_of_sap: String,
-    /// When TAMSI goes.
-    pub tamsi_removed_from: String,
     /// How often a phrase occurs in the documentation of the plant's module.
     pub mentions: BTreeMap<String, usize>,
-}
-
-/// An integrator of Drake's.
-#[derive(Clone, Debug, Deserialize)]
-pub struct Integrator {
-    /// Its class.
-    pub name: String,
-    /// Whether it chooses its step from an estimate of its error.
-    pub controls_error: bool,
 }
 
 /// The facts of the pinned release, Drake 1.51.1.

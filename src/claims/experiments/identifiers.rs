@@ -9,12 +9,9 @@
 //! # Source
 //! ISO 3297 (ISSN); ANSI/NISO Z39.56 (SICI).
 
-/// The SICI in the DOI of Stewart and Trinkle's paper.
-pub const SICI: &str = "1097-0207(19960815)39:15<2673::AID-NME972>3.0.CO;2-I";
-
-/// The year in that SICI.
-pub fn scheme_year() -> Option<usize> {
-    SICI.split_once('(')?.1.get(..4)?.parse().ok()
+/// The year in a SICI.
+pub fn year(sici: &str) -> Option<usize> {
+    sici.split_once('(')?.1.get(..4)?.parse().ok()
 }
 
 /// Whether the check character of an ISSN agrees with its digits.

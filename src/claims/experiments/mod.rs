@@ -15,8 +15,6 @@ pub(super) mod phase_maps;
 pub(super) mod planar_step;
 pub(super) mod polygon;
 pub(super) mod push_out;
-pub(super) mod releases;
-pub(super) mod repositories;
 pub(super) mod rod;
 pub(super) mod runge_kutta;
 pub(super) mod siconos;

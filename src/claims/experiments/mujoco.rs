@@ -63,16 +63,6 @@ impl Stored {
         numbers.map(DVector::from_vec).ok_or_else(|| Error::invalid(path.join("/"), "are not numbers", "see references/README.md"))
     }
 
-    /// Whether an object at a path has this key.
-    pub fn has(&self, path: &[&str], key: &str) -> bool {
-        self.at(path).is_ok_and(|found| found.get(key).is_some())
-    }
-
-    /// Whether the list at a path holds this text.
-    pub fn lists(&self, path: &[&str], text: &str) -> bool {
-        self.at(path).ok().and_then(Value::as_array).is_some_and(|list| list.iter().any(|entry| entry == text))
-    }
-
     /// The text at a path, empty if there is none.
     pub fn text(&self, path: &[&str]) -> String {
         self.at(path).ok().and_then(Value::as_str).unwrap_or_default().to_string()

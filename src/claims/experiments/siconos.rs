@@ -25,16 +25,6 @@ const BALL_PROJECTED: &str = "siconos/ball__projection__h0.01.json";
 pub struct Facts {
     /// Headers of integrators, laws and simulations, without extension.
     pub headers: Vec<String>,
-    /// Of these, the classes that Python shows.
-    pub python: Vec<String>,
-    /// Names of sources that the compiler left in the libraries.
-    pub sources: Vec<String>,
-    /// Functions of `gfc3d_ipm.c` in the library.
-    pub functions: Vec<String>,
-    /// Identifiers of solvers for friction.
-    pub solvers: Vec<String>,
-    /// Lines of bibliography in the headers.
-    pub cited: Vec<String>,
 }
 
 fn document() -> Result<Document<Facts>> {
@@ -58,24 +48,9 @@ impl Facts {
         Ok(document()?.stated)
     }
 
-    /// Whether one of the headers cites a text that contains these words.
-    pub fn cites(&self, words: &str) -> bool {
-        self.cited.iter().any(|line| line.contains(words))
-    }
-
     /// Whether there is a header of this class.
     pub fn has(&self, class: &str) -> bool {
         self.headers.iter().any(|name| name == class)
-    }
-
-    /// Whether a library was compiled from this source.
-    pub fn compiled(&self, source: &str) -> bool {
-        self.sources.iter().any(|name| name == source)
-    }
-
-    /// Whether there is a solver with this identifier.
-    pub fn solves_with(&self, solver: &str) -> bool {
-        self.solvers.iter().any(|name| name == solver)
     }
 }
 

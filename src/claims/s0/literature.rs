@@ -1,6 +1,7 @@
 //! §0, the literature it leans on: a survey, a book on smooth systems, and variational integrators with contact.
 
 use crate::claims::experiments::runge_kutta::{Impacts, Norm, order};
+use crate::claims::lookups;
 use crate::claims::prelude::*;
 use crate::integrators::Phase;
 use crate::integrators::jacobian::jacobian;
@@ -69,27 +70,11 @@ pub const CLAIMS: &[Claim] = &[
     },
 ];
 
-/// Volume, page and year of a reference printed as “42:3 (2000)”.
-fn printed_reference(text: &str) -> Option<[usize; 3]> {
-    let (volume, rest) = text.split_once(':')?;
-    let (page, year) = rest.trim_end_matches(')').split_once(" (")?;
-    Some([volume.parse().ok()?, page.parse().ok()?, year.parse().ok()?])
-}
-
 fn survey(reading: Reading) -> Result<Vec<Finding>> {
-    let printed = match reading {
-        Reading::Recorded => "42:3 (2000)",
-        Reading::Control(0) => "43:3 (2001)",
-        Reading::Control(_) => "42:1 (2001)",
-    };
-    let [volume, page, year] =
-        printed_reference(printed).ok_or_else(|| Error::invalid("reference", "is not volume:page (year)", printed))?;
-    Ok(vec![
-        Finding::count("printed volume, against the record", volume, 42).looked_up(),
-        Finding::count("printed page, against the first page in the record", page, 3).looked_up(),
-        Finding::count("printed year, against the record", year, 2000).looked_up(),
-        Finding::count("printed volume, against one volume a year from 1959 on", volume, year - 1958),
-    ])
+    let (volume, year) = (reading.only(0).pick(42, 43), reading.pick(2000, 2001));
+    let mut findings = lookups::check("S0.siamrev", reading)?;
+    findings.push(Finding::count("printed volume, against one volume a year from 1959 on", volume, year - 1958));
+    Ok(findings)
 }
 
 fn smooth_pieces(reading: Reading) -> Result<Vec<Finding>> {

@@ -1,7 +1,7 @@
 //! Which integrators simulators have.
 
-use crate::claims::experiments::mujoco::facts;
 use crate::claims::experiments::runge_kutta;
+use crate::claims::lookups;
 use crate::claims::prelude::*;
 use crate::tolerance::claims::ORDER_GAP;
 use crate::trajectory::{Refinement, fit_order};
@@ -34,17 +34,14 @@ fn semi_implicit_euler([q, v]: [f64; 2], h: f64) -> [f64; 2] {
 fn integrators(reading: Reading) -> Result<Vec<Finding>> {
     type Method = fn([f64; 2], f64) -> [f64; 2];
     let fourth: Method = |state, h| runge_kutta::step(&stiffness, state, h);
-    let (name, method) = reading.pick(("EULER", semi_implicit_euler as Method), ("RK4", fourth));
+    let method = reading.pick(semi_implicit_euler as Method, fourth);
     let level = |exponent: i32| {
         let steps = 1usize << (exponent + 1);
         let time_step = 2.0 / steps as f64;
         let [end, _] = (0..steps).fold([1.0, 0.0], |state, _| method(state, time_step));
         Refinement { time_step, error: (end - 4f64.cos()).abs() }
     };
-    let facts = facts()?;
-    let (default, number) = (facts.number(&["stated", "defaults", "integrator"])?, facts.number(&["stated", "integrators", name])?);
-    Ok(vec![
-        Finding::equal("number of the integrator, against the default", number, default, 0.0, "1").looked_up(),
-        Finding::equal("its order", fit_order((6..=9).map(level).collect())?.slope, 1.0, ORDER_GAP, "1").experiment(),
-    ])
+    let mut findings = lookups::check("S1.mujoco-euler", reading)?;
+    findings.push(Finding::equal("its order", fit_order((6..=9).map(level).collect())?.slope, 1.0, ORDER_GAP, "1").experiment());
+    Ok(findings)
 }

@@ -1,6 +1,6 @@
 //! Which simulators step through events and which locate them.
 
-use crate::claims::experiments::{drake, mujoco, siconos};
+use crate::claims::lookups::looked_up;
 use crate::claims::prelude::*;
 
 pub const CLAIMS: &[Claim] = &[Claim {
@@ -22,22 +22,5 @@ pub const CLAIMS: &[Claim] = &[Claim {
         "“EventTracking” in the place of EventDriven, the chapter's other word for it, which is no class of Siconos.",
     ],
     sources: &["chapter §1, table of the two routes", "references/facts/siconos.json", "references/facts/drake.json"],
-    check: check!(routes),
+    check: looked_up!("S1.all-ts"),
 }];
-
-fn routes(reading: Reading) -> Result<Vec<Finding>> {
-    let (siconos, drake, mujoco) = (siconos::Facts::stored()?, drake::facts()?, mujoco::facts()?);
-    let integrator = drake.continuous_integrator;
-    let event_driven = reading.only(1).pick("EventDriven", "EventTracking");
-    let (locates, controls) = match reading {
-        Reading::Control(0) => (mujoco.has(&["stated"], "locates_events"), mujoco.has(&["stated"], "continuous_integrator")),
-        _ => (drake.locates_events, integrator.controls_error && integrator.name == "RungeKutta3Integrator"),
-    };
-    Ok(vec![
-        Finding::decision("Drake locates zeros of witness functions", locates, true).looked_up().says(false),
-        Finding::decision("Drake's continuous plant is integrated by a Runge–Kutta method under error control", controls, true)
-            .looked_up()
-            .says(false),
-        Finding::decision("Siconos has both", siconos.has("TimeStepping") && siconos.has(event_driven), true).looked_up(),
-    ])
-}

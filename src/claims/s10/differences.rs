@@ -1,9 +1,10 @@
 //! What simulators have in common, and by how much they differ on one scene.
 
 use crate::claims::experiments::creep::Creeping;
-use crate::claims::experiments::drake::{Facts, facts, stored_creep};
+use crate::claims::experiments::drake::stored_creep;
 use crate::claims::experiments::siconos::deepest;
 use crate::claims::experiments::soft::{GRAVITY, default_contact, land, rebound};
+use crate::claims::lookups;
 use crate::claims::prelude::*;
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::closed_forms::mujoco_normal::spring_damper_restitution;
@@ -99,18 +100,15 @@ fn four_dimensions(reading: Reading) -> Result<Vec<Finding>> {
     let (free, projected) = (deepest(reading.only(0).pick(false, true))?, deepest(true)?);
     let (sap, lagged) = (stored_creep(reading.only(0).pick(false, true))?, stored_creep(true)?);
     let apart = (sap / lagged - 1.0).abs() > SAME_CREEP;
-    Ok(vec![
+    let mut findings = vec![
         Finding::decision("Siconos's ball sinks more than twice as deep without projection as with it", free > 2.0 * projected, true)
             .says(false)
             .experiment(),
         Finding::decision("Drake's block creeps at another speed under kSap than under kLagged", apart, true).says(false).experiment(),
         Finding::decision("the primal system, without W, gives the velocities of the dual one", primal == dual, true),
-        Finding::decision("kSap and kLagged take one solver", one_solver(&facts()?), true).looked_up().context(),
-    ])
-}
-
-fn one_solver(facts: &Facts) -> bool {
-    facts.solvers["kSap"] == facts.solvers["kLagged"]
+    ];
+    findings.extend(lookups::check("S10.all-delassus", reading)?);
+    Ok(findings)
 }
 
 /// Velocity after a step of a ball that arrives at −1 m/s, without load.

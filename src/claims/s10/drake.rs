@@ -1,8 +1,8 @@
 //! Drake's rows of the comparison.
 
-use crate::claims::experiments::drake::{MATERIAL, damped_lift, facts, predicted_damped_lift};
-use crate::claims::experiments::releases;
+use crate::claims::experiments::drake::{MATERIAL, damped_lift, predicted_damped_lift};
 use crate::claims::experiments::stored::{Faller, update_residuals};
+use crate::claims::lookups::{self, looked_up};
 use crate::claims::prelude::*;
 use crate::cones::projection_jacobian;
 use crate::mechanics::{PointMass, State};
@@ -70,7 +70,7 @@ pub const CLAIMS: &[Claim] = &[
             and kLagged all take the solver kSap.",
         controls: &["The default approximation in place of the default solver, and TAMSI among the approximations."],
         sources: &["chapter §10, table of choices", PACKAGE],
-        check: check!(releases::drake_default),
+        check: looked_up!("S10.drake-default-sap"),
     },
     Claim {
         id: "S10.sap-theorem",
@@ -107,7 +107,7 @@ pub const CLAIMS: &[Claim] = &[
             documents the second as deprecated, to be removed from September 2026 on; one solver is left then.",
         controls: &["A day after the announced removal.", "The two folders exchanged."],
         sources: &["chapter §10, source files", PACKAGE, "Drake's repository at be259df7; pull request 24831 for the removal"],
-        check: check!(releases::drake),
+        check: looked_up!("S10.path-drake"),
     },
 ];
 
@@ -128,23 +128,21 @@ fn share_of_cone(slip: f64) -> f64 {
 }
 
 fn tamsi(reading: Reading) -> Result<Vec<Finding>> {
-    let facts = facts()?;
     let velocity = [0.25, 4.0, 0.0];
     let (_, derivative) = tamsi_law(&Touch { friction: reading.only(1).pick(TOUCH.friction, 0.0), ..TOUCH }, &velocity);
     let (_, slope) = TOUCH.normal(velocity[0]);
     let soft = 4.0 / 4f64.hypot(0.005);
     let asymmetry = derivative[(1, 0)] - derivative[(0, 1)];
     let (fast, slow) = (reading.only(1).pick(8.0, 0.5), reading.only(0).pick(0.5, 8.0));
-    let named = reading.only(1).pick("kTamsi", "kLagged");
-    Ok(vec![
+    let mut findings = vec![
         Finding::equal("∂r_t/∂u_n − ∂r_n/∂u_t", asymmetry, -TOUCH.friction * slope * soft, rounding(16, slope.abs()), "kg"),
         Finding::equal("‖r_t‖/(μ r_n) at the slip 8 v_s", share_of_cone(fast), 1.0, tolerance::regularised(8.0), "1"),
         Finding::equal("‖r_t‖/(μ r_n) at a slower slip", share_of_cone(slow), 0.75, tolerance::regularised(slow), "1")
             .says(1.0)
             .violating("slip faster than the stiction tolerance"),
-        Finding::decision("documented as non-convex, and able to fail", facts.may_fail == named, true).looked_up(),
-        Finding::decision("announced for removal from 2026-09-01 on", facts.tamsi_removed_from == "2026-09-01", true).looked_up().context(),
-    ])
+    ];
+    findings.extend(lookups::check("S10.drake-tamsi-row", reading)?);
+    Ok(findings)
 }
 
 /// φ⁺, u_n⁺ and r_n after one step of a ball of 1 kg that starts 1 mm deep, under this approximation.
@@ -159,7 +157,6 @@ fn one_step(approximation: &str, stiffness: f64, h: f64) -> Result<[f64; 3]> {
 }
 
 fn sap(reading: Reading) -> Result<Vec<Finding>> {
-    let facts = facts()?;
     let (h, other) = (0.004, reading.only(1));
     let [gap, opening, impulse] = one_step(other.pick("drake-sap", "drake-lagged"), MATERIAL.stiffness, h)?;
     let spring = h * MATERIAL.stiffness * (-gap - MATERIAL.relaxation_time * opening);
@@ -173,7 +170,7 @@ fn sap(reading: Reading) -> Result<Vec<Finding>> {
         let expected = predicted_damped_lift(relaxation_time, h);
         Ok(Finding::equal(name, damped_lift(approximation, relaxation_time, h)?, expected, settled, "m"))
     };
-    Ok(vec![
+    let mut findings = vec![
         lifted("lift of a slide, h = 8 ms, τ = 0, μ Δv = 0.15 m/s", no_damping, 2.0 * h)?,
         lifted("lift of a slide, h = 4 ms, τ = 5 ms", damping, h)?
             .says(predicted_damped_lift(no_damping, h))
@@ -181,18 +178,9 @@ fn sap(reading: Reading) -> Result<Vec<Finding>> {
         Finding::equal("r_n − h k(−φ⁺ − τ u_n⁺)", impulse - spring, 0.0, tolerance::spring_balance(), "N·s"),
         Finding::equal("v⁺ at k = 1e10 less that at 1e9 N/m", stiffer? - softer?, 0.0, STOP, "m/s"),
         Finding::at_most("q⁺ − q − h v⁺ in the stored fall", other.pick(with_new, with_old), rounding(64, 1.0), "m").experiment(),
-        Finding::count("mentions of a midpoint in the plant's documentation", facts.mentions[other.pick("midpoint", "contact")], 0)
-            .says_at_least(1)
-            .violating("SAP as published, not as a plant steps")
-            .looked_up(),
-        Finding::decision(
-            "dissipation of kSap is Kelvin–Voigt",
-            facts.dissipation_of_sap == other.pick("Kelvin–Voigt", "Hunt–Crossley"),
-            true,
-        )
-        .looked_up(),
-        Finding::decision("the default approximation is kLagged", facts.default_approximation == "kLagged", true).looked_up().context(),
-    ])
+    ];
+    findings.extend(lookups::check("S10.drake-sap-row", reading)?);
+    Ok(findings)
 }
 
 /// How much the derivative of the projection on K_½ changes between two points `apart` of each other in z_n, around z = (`middle`, 1, 0).

@@ -1,8 +1,6 @@
 //! §10, the table of what each mathematical object is used for, and by whom.
 
-use crate::claims::experiments::facts;
-use crate::claims::experiments::repositories::CHRONO;
-use crate::claims::experiments::siconos::Facts;
+use crate::claims::lookups;
 use crate::claims::prelude::*;
 use crate::scenes::named;
 use crate::schemes::{Chrono, Scheme, StewartTrinkle, simulate};
@@ -34,9 +32,6 @@ pub const CLAIMS: &[Claim] = &[Claim {
     check: check!(rolling),
 }];
 
-/// The file of Chrono's solver.
-const APGD: &str = "src/chrono/solver/ChSolverAPGD.cpp";
-
 fn rolling(reading: Reading) -> Result<Vec<Finding>> {
     let (h, steps, friction, gravity) = (1.0 / 4096.0, 2048, 0.2, 9.81);
     let staged = named("rolling-sphere")?.staged()?;
@@ -47,22 +42,14 @@ fn rolling(reading: Reading) -> Result<Vec<Finding>> {
     let launch = friction / (1.0 + 3.5 * friction * friction);
     let hop = launch * launch / (2.0 * gravity);
     let last = &run.last().velocity;
-    let (siconos, bullet) = (Facts::stored()?, facts::bullet()?.stated);
-    let has = |of_siconos: bool, name: &str| if of_siconos { siconos.has(name) } else { bullet.has(name) };
-    let (first, second) = reading.only(1).pick((true, false), (false, true));
-    let sequential = "/btSequentialImpulseConstraintSolver.cpp";
-    Ok(vec![
+    let mut findings = vec![
         Finding::equal("height of the hop", largest_gap(&gaps), hop, rolling_hop(launch, friction, gravity, h), "m")
             .says(0.0)
             .reading("as the motion all the way"),
         Finding::equal("speed at the end", last[0], 5.0 / 7.0, slide_rounding(steps), "m/s").reading("as the rolling at the end"),
         Finding::equal("surface speed at the end", 0.1 * last[2], 5.0 / 7.0, slide_rounding(steps), "m/s")
             .reading("as the rolling at the end"),
-        Finding::decision("Siconos has a Moreau–Jean step", has(first, "MoreauJeanOSI"), true).looked_up(),
-        Finding::decision("Bullet has solvers of LCPs", has(second, "/btLemkeSolver.h") && has(second, "/btDantzigSolver.h"), true)
-            .looked_up(),
-        Finding::decision("Bullet has sequential impulses", has(second, sequential), true).looked_up(),
-        Finding::decision("Chrono has APGD", CHRONO.has_below(reading.only(1).pick("", "src/chrono_multicore/solver/"), APGD), true)
-            .looked_up(),
-    ])
+    ];
+    findings.extend(lookups::check("S10.table-instances", reading)?);
+    Ok(findings)
 }

@@ -1,8 +1,8 @@
 //! MuJoCo's row of the table of simulators.
 
-use crate::claims::experiments::mujoco::facts;
+use crate::claims::experiments::soft_stack;
 use crate::claims::experiments::touch::differentiable;
-use crate::claims::experiments::{releases, soft_stack};
+use crate::claims::lookups::{self, looked_up};
 use crate::claims::prelude::*;
 use crate::problem::Law;
 use crate::schemes::mujoco::Cone;
@@ -26,7 +26,7 @@ const PATH: Claim = Claim {
         "The names without their prefixes, `engine_`, `mj_` and `mjx/`.",
     ],
     sources: &["chapter §10, source files", "MuJoCo 3.17.0, answers in references/facts/mujoco.json", "MuJoCo's repository at a725507"],
-    check: check!(releases::mujoco),
+    check: looked_up!("S10.path-mujoco"),
 };
 
 const ROW: Claim = Claim {
@@ -52,22 +52,13 @@ const ROW: Claim = Claim {
 };
 
 fn row(reading: Reading) -> Result<Vec<Finding>> {
-    let facts = facts()?;
-    let has = |path: &str, names: &[&str]| names.iter().all(|name| facts.has(&["stated", path], name));
-    let other = reading.only(1);
-    let integrators = other.pick(["EULER", "IMPLICITFAST", "RK4"], ["EULER", "MIDPOINT", "HHT"]);
-    let solvers = other.pick(["PGS", "CG", "NEWTON"], ["NSGS", "ADMM", "LEMKE"]);
-    let number: &[&str] = other.pick(&["stated", "defaults", "timestep"], &["stated", "defaults", "solref", "0"]);
-    let h = facts.number(number)?;
-    let [pyramids, elliptic] = other.pick([Cone::Pyramidal, Cone::Elliptic], [Cone::Elliptic, Cone::Pyramidal]);
+    let [pyramids, elliptic] = reading.only(1).pick([Cone::Pyramidal, Cone::Elliptic], [Cone::Elliptic, Cone::Pyramidal]);
     let law = |cone: Cone| soft_stack::ball(cone).map(|problem| problem.law());
     let mut findings = vec![
         Finding::decision("a quadratic program with pyramids", law(pyramids)? == Law::PolyhedralAssociated { directions: 4 }, true),
         Finding::decision("a second-order cone program with elliptic cones", law(elliptic)? == Law::Associated, true),
-        Finding::decision("the three integrators", has("integrators", &integrators), true).looked_up(),
-        Finding::decision("the three solvers", has("solvers", &solvers), true).looked_up(),
-        Finding::decision("the default step is between 1 and 10 ms", (0.001..=0.01).contains(&h), true).looked_up(),
     ];
+    findings.extend(lookups::check("S10.mujoco-row", reading)?);
     findings.extend(differentiable(reading));
     Ok(findings)
 }

@@ -1,8 +1,7 @@
 //! Siconos in the comparison of simulators: its row, its school, its files.
 
-use crate::claims::experiments::repositories::{SICONOS_440, SICONOS_450, Tree};
-use crate::claims::experiments::siconos::{Facts, alpha_impact, slide};
-use crate::claims::experiments::{facts, releases};
+use crate::claims::experiments::siconos::{alpha_impact, slide};
+use crate::claims::lookups::{self, looked_up};
 use crate::claims::prelude::*;
 use crate::mechanics::{PointMass, State};
 use crate::problem::Law;
@@ -72,7 +71,7 @@ pub const CLAIMS: &[Claim] = &[
             "chapter §10, where to look in the sources",
             "Siconos 4.4.0 in Debian; github.com/siconos/siconos, tag 4.5.0 and 6070f0f6",
         ],
-        check: check!(releases::siconos),
+        check: looked_up!("S10.path-siconos"),
     },
 ];
 
@@ -85,36 +84,17 @@ fn nonsmooth_impact() -> Result<f64> {
 }
 
 fn row(reading: Reading) -> Result<Vec<Finding>> {
-    let (facts, bullet) = (Facts::stored()?, facts::bullet()?.stated);
-    let other = reading.only(1);
-    let has = |class: &str| other.pick(facts.has(class), bullet.has(class));
-    let solves_with = |solver: &str| other.pick(facts.solves_with(solver), bullet.has(solver));
-    let fremond = |tree: Tree| tree.count_named(&["FremondImpactFrictionNSL.cpp"]) == 1;
-    let (later, earlier) = (other.pick(SICONOS_450, SICONOS_440), reading.only(0).pick(SICONOS_440, SICONOS_450));
-    let mut findings = vec![
-        Finding::decision("a Frémond law in 4.5.0", fremond(later), true).looked_up(),
-        Finding::decision("a Frémond law in 4.4.0", fremond(earlier), false).says(true).violating("release 4.5.0 or later").looked_up(),
-    ];
-    for class in
-        ["MoreauJeanOSI", "SchatzmanPaoliOSI", "LsodarOSI", "EventDriven", "NewMarkAlphaOSI", "NewtonImpactNSL", "NewtonImpactFrictionNSL"]
-    {
-        findings.push(Finding::decision(format!("has {class}"), has(class), true).looked_up());
-    }
-    for solver in ["NSGS", "NSN_AC", "NSN_FB", "NSN_NM", "PROX", "VI_EG"] {
-        findings
-            .push(Finding::decision(format!("has the solver {solver}"), solves_with(&format!("FRICTION_3D_{solver}")), true).looked_up());
-    }
-    findings.push(Finding::decision("has an interior-point solver", solves_with("GLOBAL_FRICTION_3D_IPM"), true).looked_up());
     let impact = alpha_impact()?;
-    let shown = |class: &&str| facts.python.iter().any(|name| name == class);
-    let reachable = ["SchatzmanPaoliOSI", "NewMarkAlphaOSI"].iter().filter(|class| shown(class)).count();
+    let mut findings = lookups::check("S10.siconos-row", reading)?;
+    // what Python shows is told last, after what the classes do
+    let shown = findings.pop();
     findings.extend([
         Finding::equal("v⁺ of an impact under NewMarkAlphaOSI", impact.leaving, impact.predicted, impact.rounding, "m/s")
             .experiment()
             .context(),
         Finding::equal("|v⁺ + e v⁻| under our nonsmooth generalised-α", nonsmooth_impact()?, 0.0, impact.rounding, "m/s").context(),
-        Finding::count("of SchatzmanPaoliOSI and NewMarkAlphaOSI, those that Python shows", reachable, 0).looked_up().context(),
     ]);
+    findings.extend(shown);
     Ok(findings)
 }
 

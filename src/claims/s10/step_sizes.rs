@@ -1,7 +1,7 @@
 //! §10, the step sizes of the table.
 
 use crate::claims::experiments::stored::standing;
-use crate::claims::experiments::{facts, mujoco};
+use crate::claims::lookups;
 use crate::claims::prelude::*;
 use crate::tolerance::claims::SAME_CREEP;
 
@@ -35,24 +35,17 @@ fn creep(steps_per_second: f64) -> Result<f64> {
 }
 
 fn stretched(reading: Reading) -> Result<Vec<Finding>> {
-    let other = reading.only(1);
-    let [coarse, fine] = [creep(reading.only(0).pick(60.0, 240.0))?, creep(other.pick(1000.0, 60.0))?];
+    let [coarse, fine] = [creep(reading.only(0).pick(60.0, 240.0))?, creep(reading.only(1).pick(1000.0, 60.0))?];
     let middle = creep(240.0)?;
-    let asked = mujoco::facts()?;
-    let (step, reference) = (asked.number(&["stated", "defaults", "timestep"])?, asked.numbers(&["stated", "defaults", "solref"])?);
-    let (h, time_constant) = other.pick((step, reference[0]), (reference[0], reference[1]));
-    let file = other.pick("/btContactSolverInfo.h", "/PhysicsServerCommandProcessor.cpp");
-    let bullet = facts::bullet()?.stated;
     let typical = "which step sizes are typical";
-    Ok(vec![
+    let mut findings = vec![
         Finding::decision("the creep at 1/60 s, beyond MuJoCo's range, differs", (coarse / middle - 1.0).abs() > SAME_CREEP, true)
             .opinion(typical)
             .experiment(),
         Finding::at_most("relative difference of the creep at 1/240 and 1/1000 s, within it", (fine / middle - 1.0).abs(), SAME_CREEP, "1")
             .experiment(),
-        Finding::equal("timeconst/2 of MuJoCo's default contact", time_constant / 2.0, 0.01, 0.0, "s").looked_up(),
-        Finding::decision("MuJoCo's default lies in its range", (0.001..=0.01).contains(&h), true).looked_up(),
-        Finding::decision("1/60 s is Bullet's default", bullet.says(file, "m_timeStep = btScalar(1.f / 60.f);"), true).looked_up(),
-        Finding::at_least("creep at 1/60 s over that at 1/240 s", creep(60.0)? / middle, 1.5, "1").experiment().context(),
-    ])
+    ];
+    findings.extend(lookups::check("S10.h-ranges", reading)?);
+    findings.push(Finding::at_least("creep at 1/60 s over that at 1/240 s", creep(60.0)? / middle, 1.5, "1").experiment().context());
+    Ok(findings)
 }

@@ -1,7 +1,7 @@
 //! The rows of Chrono, Bullet and Pinocchio: their steps and solvers rebuilt, their packages and stored motions read.
 
-use crate::claims::experiments::repositories::{CHRONO, PINOCCHIO_3_TAKES};
-use crate::claims::experiments::{facts, releases, soft_stack};
+use crate::claims::experiments::soft_stack;
+use crate::claims::lookups::{self, looked_up};
 use crate::claims::prelude::*;
 use crate::mechanics::{PointMass, State};
 use crate::problem::{ContactProblem, Law, Solution};
@@ -11,7 +11,6 @@ use crate::solvers::{self, AlternatingDirections, Auto, ClarabelPolished, Contac
 use crate::stored::{RUNS, problem_and_answer, read_by};
 use crate::tolerance::claims::engines as tolerance;
 use crate::trajectory::Trajectory;
-use serde_json::Value;
 
 const BOX_SLIDE: &str = "pinocchio/box-slide.json";
 const BOX_SLIDE_RELAXED: &str = "pinocchio/box-slide-associated.json";
@@ -138,7 +137,7 @@ pub const CLAIMS: &[Claim] = &[
             does not list, is ChSolverBB.cpp.",
         controls: &["The folder of Chrono::Multicore, whose solvers have other files."],
         sources: &["chapter §10, source files", "Project Chrono, commit 7689fbc, src/chrono/solver"],
-        check: check!(releases::chrono),
+        check: looked_up!("S10.path-chrono"),
     },
     Claim {
         id: "S10.path-bullet",
@@ -152,7 +151,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Both are in the source distribution of PyBullet 3.2.7.",
         controls: &["The file in the folder of the MLCP solvers."],
         sources: &["chapter §10, source files", "PyBullet 3.2.7, source distribution: references/bullet/package.json"],
-        check: check!(releases::bullet),
+        check: looked_up!("S10.path-bullet"),
     },
     Claim {
         id: "S10.path-pinocchio",
@@ -167,7 +166,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The tree of the tag v3.7.0 has both, the wheel libpinocchio 4.1.0, listed, has neither.",
         controls: &["The package 4.1.0 in place of the tree of 3.7.0."],
         sources: &["chapter §10, source files", "Pinocchio, tag v3.7.0", "libpinocchio 4.1.0: references/pinocchio/package.json"],
-        check: check!(releases::pinocchio),
+        check: looked_up!("S10.path-pinocchio"),
     },
 ];
 
@@ -225,14 +224,12 @@ fn chrono_row(reading: Reading) -> Result<Vec<Finding>> {
     let sunk = State { time: 0.0, position: dvector![-reading.only(0).pick(0.1, 0.005)], velocity: dvector![0.0] };
     let ball = PointMass::ball_on_floor(1.0, 9.81, 0.0);
     let rising = |scheme: &dyn Scheme| step(scheme, &ClarabelPolished, &ball, &sunk, 0.01).map(|taken| taken.state.velocity[0]);
-    let folder = reading.only(1).pick("src/chrono/solver", "src/chrono_multicore/solver");
-    let sources = ["PSOR", "BB", "APGD", "ADMM"].iter().filter(|name| CHRONO.has(&format!("{folder}/ChSolver{name}.cpp"))).count();
-    findings.extend([
+    findings.push(
         Finding::equal("speed at which a depth is undone", rising(&Chrono::default())?, 0.6, tolerance::same_answer(1.0), "m/s")
             .says(rising(&Anitescu)?)
             .violating("no depth beyond v_r h"),
-        Finding::count("sources of the four solvers", sources, 4).looked_up(),
-    ]);
+    );
+    findings.extend(lookups::check("S10.chrono-row", reading)?);
     Ok(findings)
 }
 
@@ -244,22 +241,17 @@ fn entries_per_row(matrix: &DMatrix<f64>) -> usize {
 fn granular(reading: Reading) -> Result<Vec<Finding>> {
     let (problem, other) = (soft_stack::problem(12, 1.0, Cone::Elliptic)?, reading.only(1));
     let jacobian = &problem.dynamics().ok_or_else(|| Error::Unsupported("a step has a mass matrix".into()))?.jacobian;
-    let folders: &[&str] = reading.only(0).pick(&["src/chrono/", "src/chrono_multicore/"], &["src/chrono_dem/"]);
-    let for_gpus = |folders: &[&str], end: &str| folders.iter().map(|folder| CHRONO.count_ending(folder, end)).sum::<usize>();
     // three contacts to a body, three rows to a contact, six columns to a body; a large machine has a terabyte
     let (rows, columns, terabyte) = (3 * 3 * 1_000_000, 6 * 1_000_000, 1e3);
     let gigabytes = |entries: usize| 8.0 * entries as f64 * rows as f64 / 1e9;
     let of_jacobian = gigabytes(other.pick(entries_per_row(jacobian), columns));
     let of_operator = gigabytes(other.pick(entries_per_row(problem.dense()), rows));
-    Ok(vec![
-        Finding::count("sources for GPUs in the package", for_gpus(&["src/"], other.pick(".cu", ".cl")), 2)
-            .says_at_least(1)
-            .reading("of Chrono")
-            .looked_up(),
-        Finding::count("sources for GPUs where NSC is", for_gpus(folders, ".cu"), 0).says_at_least(1).reading("of NSC").looked_up(),
+    let mut findings = lookups::check("S10.chrono-granular", reading)?;
+    findings.extend([
         Finding::at_most("H of a million bodies", of_jacobian, terabyte, "GB"),
         Finding::at_most("W of a million bodies, without its zeros", of_operator, terabyte, "GB"),
-    ])
+    ]);
+    Ok(findings)
 }
 
 /// Height above the ground and vertical velocity of a stored ball, sample by sample.
@@ -278,9 +270,8 @@ fn bullet_row(reading: Reading) -> Result<Vec<Finding>> {
     let distance = gap + scheme.slop;
     let bias = 0.5 * (before - 9.81 * h).abs() - if distance > 0.0 { distance } else { scheme.error_reduction * distance } / h;
     let (_, sunk) = ball(SUNK)?;
-    let package = reading.pick(facts::bullet()?, facts::pinocchio()?).stated;
     let ratio = (sunk[1][0] + scheme.slop) / (sunk[0][0] + scheme.slop);
-    Ok(vec![
+    let mut findings = vec![
         Finding::equal("first rebound less e(|v| + g h) less the term of the depth", after - bias, 0.0, tolerance::stored(1.0 / h), "m/s")
             .experiment(),
         Finding::equal(
@@ -291,10 +282,9 @@ fn bullet_row(reading: Reading) -> Result<Vec<Finding>> {
             "1",
         )
         .experiment(),
-        Finding::decision("the solvers' files", package.has("/btLemkeSolver.h") && package.has("/btDantzigSolver.h"), true).looked_up(),
-        Finding::decision("h = 1/60 s unless set", package.says("/btContactSolverInfo.h", "m_timeStep = btScalar(1.f / 60.f);"), true)
-            .looked_up(),
-    ])
+    ];
+    findings.extend(lookups::check("S10.bullet-row", reading)?);
+    Ok(findings)
 }
 
 /// The problem under the other of Coulomb's law and its relaxation.
@@ -304,26 +294,16 @@ fn other_law(problem: ContactProblem) -> Result<ContactProblem> {
 }
 
 fn pinocchio_row(reading: Reading) -> Result<Vec<Finding>> {
-    let (mut findings, other) = (Vec::new(), reading.only(1));
+    let mut findings = Vec::new();
     for (name, path) in [("hard", BOX_SLIDE), ("with compliance", BOX_SOFT), ("relaxed", BOX_SLIDE_RELAXED)] {
         let (problem, answer) = stored(path)?;
-        let problem = other.pick(Ok as fn(ContactProblem) -> Result<ContactProblem>, other_law)(problem)?;
+        let problem = reading.only(1).pick(Ok as fn(ContactProblem) -> Result<ContactProblem>, other_law)(problem)?;
         let ours = AlternatingDirections::default().solve(&problem, None)?;
         let difference = (&ours.velocity - &answer.velocity).amax();
         let name = format!("our ADMM against Pinocchio's, {name}");
         findings.push(Finding::at_most(name, difference, tolerance::SAME_VELOCITY, "m/s").experiment());
     }
-    let package = other.pick(facts::pinocchio()?, facts::bullet()?).stated;
-    let takes = |name: &str| PINOCCHIO_3_TAKES.contains(&name);
-    let switches = |name: &str| package.settings.get(name).is_some();
-    let switched = reading.only(0).pick(takes("solve_ncp"), switches("solve_ncp"));
-    let settings = ["mu_prox", other.pick("rho_power", "admm_update_rule"), "R"];
-    findings.extend([
-        Finding::decision("3.7.0: proximal term, power of ρ, compliance", settings.into_iter().all(takes), true).looked_up(),
-        Finding::decision("4.1.0: projected Gauss–Seidel", package.has("/pgs-solver.hpp"), true).looked_up(),
-        Finding::decision("4.1.0: ADMM solves the CCP as well", switches("solve_ncp"), true).looked_up(),
-        Finding::decision("3.7.0: ADMM solves the CCP as well", switched, false).says(true).violating("release 4").looked_up(),
-    ]);
+    findings.extend(lookups::check("S10.pinocchio-row", reading)?);
     Ok(findings)
 }
 
@@ -344,19 +324,17 @@ fn relaxation_lifts((problem, answer): &(ContactProblem, Solution)) -> bool {
 }
 
 fn route(reading: Reading) -> Result<Vec<Finding>> {
-    let settings = facts::pinocchio()?.stated.settings;
-    let other = reading.only(1);
-    let [by_default, relaxed] = other.pick([BOX_SLIDE, BOX_SLIDE_RELAXED], [BOX_SLIDE_RELAXED, BOX_SLIDE]);
+    let [by_default, relaxed] = reading.only(1).pick([BOX_SLIDE, BOX_SLIDE_RELAXED], [BOX_SLIDE_RELAXED, BOX_SLIDE]);
     let default = stored(reading.only(0).pick(by_default, BOX_STICK))?;
     let lifted = lift(&default, 0.0) > tolerance::SAME_VELOCITY;
     let slides = relaxation_lifts(&default);
     let loaded = || Finding::decision("the loaded corners leave the ground, by default", lifted, false).experiment();
-    let switch = &settings[other.pick("solve_ncp", "mu_prox")];
-    Ok(vec![
+    let mut findings = vec![
         loaded().says(slides).passage("the four routes: the relaxation"),
         loaded().says(false).passage("the table: NCP"),
         Finding::decision("a loaded corner slides, so that the relaxation lifts it", slides, true).context(),
         Finding::at_most("u_n − μ‖u_t‖ there, relaxed", lift(&stored(relaxed)?, 1.0), tolerance::SAME_VELOCITY, "m/s").experiment(),
-        Finding::decision("the switch to the NCP is on unless set", *switch == Value::Bool(true), true).looked_up(),
-    ])
+    ];
+    findings.extend(lookups::check("S10.route-pinocchio", reading)?);
+    Ok(findings)
 }

@@ -1,7 +1,8 @@
 //! §11, convergence with friction: what Painlevé's configurations need, and who proved what when.
 
-use crate::claims::experiments::identifiers::scheme_year;
+use crate::claims::experiments::identifiers::year;
 use crate::claims::experiments::painleve::{answers, sliding_forces};
+use crate::claims::lookups::STEWART_TRINKLE;
 use crate::claims::prelude::*;
 
 pub const CLAIMS: &[Claim] = &[
@@ -205,7 +206,7 @@ fn first_proof(friction: &Rational) -> Result<usize> {
 fn years(reading: Reading) -> Result<Vec<Finding>> {
     let friction = reading.only(0).pick(ratio(2, 1), ratio(1, 10));
     let with_friction = first_proof(&reading.only(1).pick(ratio(1, 10), ratio(2, 1)))?;
-    let covered = first_proof(&friction)? - scheme_year().unwrap_or_default();
+    let covered = first_proof(&friction)? - year(&STEWART_TRINKLE.text("sici")?).unwrap_or_default();
     let nearest_ten = |years: usize| (years + 5) / 10 * 10;
     Ok(vec![
         Finding::count(

@@ -1,6 +1,7 @@
 //! Where the chapter sends its reader: Siconos's sources and the literature they cite.
 
 use crate::claims::experiments::siconos::{Facts, version};
+use crate::claims::lookups::{self, looked_up};
 use crate::claims::prelude::*;
 
 pub const CLAIMS: &[Claim] = &[
@@ -38,7 +39,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Both titles, the volume and the year stand in the bibliography of Siconos's own header MoreauJeanOSI.hpp.",
         controls: &["Volume 167 in place of 177, and the titles as they would be if they named what the text says of them."],
         sources: &["chapter §3", "Siconos 4.4.0, MoreauJeanOSI.hpp"],
-        check: check!(founding_papers),
+        check: looked_up!("S3.cmame"),
     },
     Claim {
         id: "S3.ab-chapters",
@@ -53,46 +54,17 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The bibliography of Siconos's headers names the volume of the series.",
         controls: &["Volume 53 in place of 35."],
         sources: &["chapter §3, Moreau–Jean in engineering", "Siconos 4.4.0, MoreauJeanOSI.hpp"],
-        check: check!(chapters),
+        check: looked_up!("S3.ab-chapters"),
     },
 ];
 
 fn path(reading: Reading) -> Result<Vec<Finding>> {
     let facts = Facts::stored()?;
-    let class = reading.only(0).pick("CombinedProjectedMoreauJeanOSI", "MoreauJeanCombinedProjectionOSI");
-    let path = reading.only(1).pick("kernel/src/simulationTools/MoreauJeanOSI.cpp", "kernel/src/simulation/MoreauJeanOSI.cpp");
     let other = "MoreauJeanCombinedProjectionOSI";
-    Ok(vec![
-        Finding::decision("4.4.0 has a class of the printed name", facts.has(class), false).says(true).looked_up(),
-        Finding::decision("compiled from the printed path", facts.compiled(path), true).looked_up(),
+    let mut findings = lookups::check("S3.siconos-path", reading)?;
+    findings.extend([
         Finding::decision("the facts are those of 4.4.0", version()?.starts_with("4.4.0"), true).context(),
         Finding::decision("4.4.0 has MoreauJeanCombinedProjectionOSI", facts.has(other), true).context(),
-    ])
-}
-
-fn founding_papers(reading: Reading) -> Result<Vec<Finding>> {
-    let facts = Facts::stored()?;
-    let volume = reading.pick("177", "167");
-    let titles = reading.pick(
-        ["Numerical aspects of the sweeping process", "The non smooth contact dynamics method"],
-        ["Convergence of the sweeping process", "Convergence of the contact dynamics method"],
-    );
-    let point = "which papers found the analysis of convergence";
-    let cited = |author: &str, title: &str| facts.cites(&format!("{author}. {title}."));
-    Ok(vec![
-        Finding::decision("Moreau wrote of numerical aspects of the sweeping process", cited("J.J. Moreau", titles[0]), true)
-            .looked_up()
-            .opinion(point),
-        Finding::decision("Jean wrote of the contact dynamics method", cited("M. Jean", titles[1]), true).looked_up().opinion(point),
-        Finding::decision("pages 329–349 of volume 177, 1999, are cited", facts.cites(&format!("{volume}:329–349, 1999")), true)
-            .looked_up(),
-        Finding::decision("pages 235–257 of volume 177, 1999, are cited", facts.cites(&format!("{volume}:235–257, 1999")), true)
-            .looked_up(),
-    ])
-}
-
-fn chapters(reading: Reading) -> Result<Vec<Finding>> {
-    let volume = format!("volume {} of Lecture Notes", reading.pick(35, 53));
-    let cited = Finding::decision("Siconos cites volume 35 of the series", Facts::stored()?.cites(&volume), true);
-    Ok(vec![cited.looked_up().opinion("what is an encyclopaedia")])
+    ]);
+    Ok(findings)
 }

@@ -4,8 +4,7 @@ use super::matrices::{chapter_matrix, integers, reversed};
 use crate::certificate::copositivity::copositive;
 use crate::certificate::definiteness::quadratic_form;
 use crate::checks::stewart_trinkle::{RationalStep, chapter_example, reference, wedge};
-use crate::claims::experiments::drake::facts;
-use crate::claims::experiments::identifiers::{SICI, issn_agrees, sici_agrees, volume_and_page};
+use crate::claims::lookups::{self, looked_up};
 use crate::claims::prelude::*;
 use crate::solvers::lemke::{LemkeOutcome, lemke};
 
@@ -31,7 +30,7 @@ pub const CLAIMS: &[Claim] = &[
             "doi:10.1002/(SICI)1097-0207(19960815)39:15<2673::AID-NME972>3.0.CO;2-I; doi:10.1023/A:1008292328909; \
                 doi:10.1007/s002050050129",
         ],
-        check: check!(places),
+        check: looked_up!("S4.cites"),
     },
     Claim {
         id: "S4.drake-name",
@@ -78,31 +77,15 @@ pub const CLAIMS: &[Claim] = &[
     },
 ];
 
-fn places(reading: Reading) -> Result<Vec<Finding>> {
-    let sici = SICI.replace("<2673", reading.only(0).pick("<2673", "<2763"));
-    let sici = sici.replace(")39:", reading.only(1).pick(")39:", ")93:")).replace("0207(", reading.only(1).pick("0207(", "0270("));
-    let (volume, page) = volume_and_page(&sici).unwrap_or_default();
-    Ok(vec![
-        Finding::decision("the SICI's check character agrees", sici_agrees(&sici), true).looked_up(),
-        Finding::count("its volume", volume as usize, 39).looked_up(),
-        Finding::count("its first page", page as usize, 2673).looked_up(),
-        Finding::decision("the ISSN's check digit agrees", issn_agrees(&sici[..9]), true).looked_up(),
-    ])
-}
-
 fn early_drake(reading: Reading) -> Result<Vec<Finding>> {
-    let facts = facts()?;
-    let mentions = |name: &str| facts.mentions.get(name).copied().unwrap_or_default();
-    let name = reading.only(0).pick("timesteppingrigidbodyplant", "multibodyplant");
     let system = wedge(ratio(1, 2));
     let lcp = reference(&system)?.matrix;
     let ours = reading.only(1).pick(lcp.clone(), reversed(lcp, system.contacts()));
     let theirs = matrix_of_early_drake(&system);
     let differing = ours.iter().zip(theirs.iter()).filter(|(ours, theirs)| ours != theirs).count();
-    Ok(vec![
-        Finding::count("mentions of the name in the present documentation", mentions(name), 0).looked_up(),
-        Finding::count("entries of its documented LCP that differ from Stewart and Trinkle's", differing, 0).looked_up(),
-    ])
+    let mut findings = lookups::check("S4.drake-name", reading)?;
+    findings.push(Finding::count("entries of its documented LCP that differ from Stewart and Trinkle's", differing, 0).looked_up());
+    Ok(findings)
 }
 
 /// The matrix in the documentation of the solver of that class, with C = M⁻¹:

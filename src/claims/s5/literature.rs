@@ -1,7 +1,7 @@
 //! §5, who wrote and who uses what: papers, simulators, and what scales.
 
 use super::gradient::{grown, pressed_row};
-use crate::claims::experiments::siconos::Facts;
+use crate::claims::lookups::{self, looked_up};
 use crate::claims::prelude::*;
 use crate::mechanics::{Plane, PointMass, State};
 use crate::problem::{Law, Lcp};
@@ -26,7 +26,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             volume nor page.",
         controls: &["Page 131, two digits exchanged."],
         sources: &["chapter §5, and the list of papers at its end", "doi:10.1007/s10107-005-0590-7"],
-        check: check!(journal),
+        check: looked_up!("S5.cite"),
     },
     Claim {
         id: "S5.apgd-credit",
@@ -93,19 +93,6 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
 ];
 
-fn journal(reading: Reading) -> Result<Vec<Finding>> {
-    let claimed = ["2006", "105", reading.pick("113", "131")];
-    let numbers = |record: &'static str| record.split(|letter: char| !letter.is_ascii_digit());
-    let agrees = |record: &&&'static str| claimed.iter().all(|number| numbers(record).any(|other| other == *number));
-    Ok(vec![Finding::count("records, of two, with this year, volume and page", RECORDS.iter().filter(agrees).count(), 2).looked_up()])
-}
-
-/// How others cite the paper: Drake's documentation of contact models, and a kernel of waLBerla.
-const RECORDS: [&str; 2] = [
-    "Anitescu, M., 2006. Optimization-based simulation of nonsmooth rigid multibody dynamics. Mathematical Programming, 105, pp.113-143.",
-    "M. Anitescu in Mathematical Programming (Volume 105, Issue 1, January 2006, Pages 113-143)",
-];
-
 fn contraction(reading: Reading) -> Result<Vec<Finding>> {
     let problem = pressed_row(40);
     let accelerated = grown(&problem, reading.only(0).pick(Momentum::Nesterov, Momentum::Plain))?;
@@ -128,15 +115,12 @@ fn users(reading: Reading) -> Result<Vec<Finding>> {
     };
     let relaxed = Some(Law::Associated);
     let run = reading.only(0).pick("drake/block_slide__sap__h0.001.json", "drake/block_slide__lagged__h0.001.json");
-    let siconos = Facts::stored()?;
-    let [round, polyhedral] =
-        reading.only(1).pick(["FRICTION_3D_SOCLCP", "FRICTION_3D_GAMS_LCP_PATH"], ["mjCONE_ELLIPTIC", "mjCONE_PYRAMIDAL"]);
-    Ok(vec![
+    let mut findings = vec![
         Finding::at_least("rise of Drake's block with its speed, over that of the relaxation", rise(run)?, FOLLOWS, "1").experiment(),
         Finding::decision("Chrono poses the associated law over round cones", law("chrono")? == relaxed, true).context(),
-        Finding::decision("Siconos solves over second-order cones", siconos.solves_with(round), true).looked_up(),
-        Finding::decision("Siconos solves over polyhedral cones", siconos.solves_with(polyhedral), true).looked_up(),
-    ])
+    ];
+    findings.extend(lookups::check("S5.who-uses", reading)?);
+    Ok(findings)
 }
 
 /// How much a stored block of Drake's rises from its slope while it slides from 0.3 s to 0.9 s, over (h + τ) μ Δv: 1 under the

@@ -2,6 +2,7 @@
 
 use crate::claims::experiments::mujoco::facts;
 use crate::claims::experiments::stored::{Faller, update_residuals};
+use crate::claims::lookups;
 use crate::claims::prelude::*;
 use crate::integrators::stability::{Powers, powers};
 use crate::tolerance::claims::integrators::FALL;
@@ -174,18 +175,14 @@ fn all_twelve(reading: Reading) -> Result<Vec<Finding>> {
 fn default_integrator(reading: Reading) -> Result<Vec<Finding>> {
     let facts = facts()?;
     let left = facts.number(&["computed", "velocity_after_a_step", "Euler damper"])?;
-    let default = facts.number(&["stated", "defaults", "integrator"])?;
-    let main = facts.number(&["stated", "integrators", reading.only(0).pick("EULER", "RK4")])?;
-    let others = reading.only(1).pick(["IMPLICITFAST", "RK4"], ["IMPLICIT_EULER", "RUNGE_KUTTA3"]);
-    let exist = others.iter().all(|name| facts.has(&["stated", "integrators"], name));
     let [with_new, with_old] = update_residuals(Faller::MuJoCo)?;
     let (h, damper) = (0.01, 1000.0);
-    Ok(vec![
-        Finding::decision("the default is the main integrator of the sentence", default == main, true).looked_up(),
-        Finding::decision("implicitfast and RK4 exist", exist, true).looked_up(),
+    let mut findings = lookups::check("S6.euler-default", reading)?;
+    findings.extend([
         Finding::at_most("|q⁺ − q − h v⁺| of the stored fall", reading.only(1).pick(with_new, with_old), FALL, "m").experiment(),
         Finding::equal("velocity after a step with a damper, Euler", left, 1.0 / (1.0 + h * damper), COMPUTED, "m/s").context(),
-    ])
+    ]);
+    Ok(findings)
 }
 
 /// Whether the powers of the step on a spring with hω = s and a damping ratio stay bounded, with the old or the new velocity moving x.

@@ -1,7 +1,7 @@
 //! Several contacts at once: what is unique, and what the order of impacts decides.
 
 use super::impacts::{ContactsLaw, cradle, ends, frictionless_grid, impact, middle, rod};
-use crate::claims::experiments::repositories::{SICONOS_440, SICONOS_450};
+use crate::claims::lookups;
 use crate::claims::prelude::*;
 use crate::closed_forms::newtons_cradle::{after_two_impacts, at_once};
 use crate::closed_forms::rocking_block::landing;
@@ -294,17 +294,17 @@ fn fremond_law(reading: Reading) -> Result<Vec<Finding>> {
         Reading::Recorded => settled(law)?,
         Reading::Control(_) => one_after_the_other(&cradle(), &[e.clone(), e.clone()])?.after,
     };
-    let release = reading.only(1).pick(SICONOS_450, SICONOS_440);
-    Ok(vec![
+    let mut findings = vec![
         Finding::exact("ΔT of the rod, e = 1", &mean, &ratio(0, 1), "J").says_at_most(ratio(0, 1)).reading("as a law that gains no energy"),
         Finding::exact("ΔT of two rough contacts against −Σ μP_n½|U_t⁺ + U_t⁻|", &pair.energy_change(&rough), &predicted, "J"),
         Finding::decision("three balls: (−1/3, 2/3, 2/3), as if at once", normal == relative(at_once(&e)), true),
         Finding::decision("three balls: (0, 0, 1), as one after the other", normal == relative(after_two_impacts(&e)), false)
             .says(true)
             .reading("as what settles the order of the impacts"),
-        Finding::count("files of a Frémond law in Siconos 4.5.0", release.count_named(&["FremondImpactFrictionNSL.cpp"]), 1).looked_up(),
-        Finding::exact("ΔT of the rod with Coulomb friction on U_t⁺", &after, &ratio(9, 80), "J").context(),
-    ])
+    ];
+    findings.extend(lookups::check("S7.fremond-2024", reading)?);
+    findings.push(Finding::exact("ΔT of the rod with Coulomb friction on U_t⁺", &after, &ratio(9, 80), "J").context());
+    Ok(findings)
 }
 
 /// Energies gained by the impacts of the grid with e = (1, 0), all reversed, after a projection.

@@ -1,6 +1,7 @@
 //! What Drake does against penetration.
 
 use crate::claims::experiments::drake::{facts, rest_depth};
+use crate::claims::lookups;
 use crate::claims::prelude::*;
 use crate::stabilisation::{Constrained, CoordinateProjection, Pendulum, run};
 use crate::tolerance::claims::drake::rest;
@@ -36,11 +37,8 @@ fn projection(reading: Reading) -> Result<Vec<Finding>> {
         Reading::Recorded => rest_depth()?,
         Reading::Control(_) => projected_depth()?,
     };
-    let phrase = reading.pick("coordinate projection", "contact");
-    let mentions = facts()?.mentions;
-    Ok(vec![
-        Finding::equal("depth of the resting ball", depth, 9.81 / 1e5, rest(9.81), "m").says(0.0).experiment(),
-        Finding::count("mentions of the phrase in the documentation of the plant", mentions[phrase], 0).says_at_least(1usize).looked_up(),
-        Finding::count("mentions of “contact” there", mentions["contact"], 1356).context(),
-    ])
+    let mut findings = vec![Finding::equal("depth of the resting ball", depth, 9.81 / 1e5, rest(9.81), "m").says(0.0).experiment()];
+    findings.extend(lookups::check("S9.drake-projection", reading)?);
+    findings.push(Finding::count("mentions of “contact” there", facts()?.mentions["contact"], 1356).context());
+    Ok(findings)
 }

@@ -1,6 +1,7 @@
 //! What §9 says of Siconos's projection and of the schemes of higher order it announces.
 
-use crate::claims::experiments::siconos::{Facts, projected_energy, projected_moves, unprojected_energy};
+use crate::claims::experiments::siconos::{projected_energy, projected_moves, unprojected_energy};
+use crate::claims::lookups;
 use crate::claims::prelude::*;
 use crate::tolerance::claims::pathology::elastic_drop;
 use crate::tolerance::rounding;
@@ -62,17 +63,16 @@ pub const CLAIMS: &[Claim] = &[
 fn combined_projection(reading: Reading) -> Result<Vec<Finding>> {
     let [kept, taken] = reading.only(1).pick(projected_energy()?, unprojected_energy()?);
     let [weighted, lengths] = projected_moves()?;
-    let facts = Facts::stored()?;
-    let name = reading.only(0).pick("CombinedProjectedMoreauJeanOSI", "MoreauJeanCombinedProjectionOSI");
     let moves = [lengths, weighted].map(|moves| moves.iter().sum::<f64>());
     let [moved, mass_moved] = reading.only(1).pick(moves, [moves[1], moves[0]]);
-    Ok(vec![
-        Finding::decision("4.4.0 has a class of the printed name", facts.has(name), false).says(true).looked_up(),
+    let mut findings = lookups::check("S9.siconos-class", reading)?;
+    findings.extend([
         Finding::equal("E(5 s)/E(0) of Siconos's elastic ball", kept, 1.0 - taken, elastic_drop(500), "1").says_at_most(1.0).experiment(),
         // onto φ = 0, the nearest place in the coordinates: (2/3, −1/3, −1/3) of the gap
         Finding::equal("sum of the balls' moves", moved, 0.0, rounding(64, 1.0), "m").experiment(),
         Finding::equal("the same, each times its mass", mass_moved, -1.0 / 300.0, rounding(64, 1.0), "kg·m").context(),
-    ])
+    ]);
+    Ok(findings)
 }
 
 /// The step of generalised-α in (d, v, a) with h = 1 for ä = −Ω d, in the limit Ω → ∞; δ = α_f, μ = α_m.
@@ -105,7 +105,6 @@ fn characteristic(matrix: &DMatrix<Rational>) -> [Rational; 3] {
 }
 
 fn literature(reading: Reading) -> Result<Vec<Finding>> {
-    let facts = Facts::stored()?;
     let mut findings = Vec::new();
     for radius in [ratio(0, 1), ratio(1, 4), ratio(1, 2), ratio(3, 4)] {
         let (above, two) = (&radius + ratio(1, 1), ratio(2, 1));
@@ -115,15 +114,6 @@ fn literature(reading: Reading) -> Result<Vec<Finding>> {
         let wanted = [radius.clone() * &radius * &radius, ratio(3, 1) * &radius * &radius, ratio(3, 1) * &radius];
         findings.push(Finding::decision(format!("x³ + … = (x + ρ)³ at ρ = {radius}"), characteristic(&step) == wanted, true));
     }
-    let cites = |printed: &str, other: &str| facts.cites(reading.only(1).pick(printed, other));
-    let placed = cites("256:224 – 250, 2013", "265:224 – 250, 2013");
-    findings.push(Finding::decision("CMAME 256:224–250, 2013 is cited by Siconos", placed, true).looked_up());
-    let titled = cites("Projected event-capturing time-stepping", "Projected event-driven time-stepping");
-    findings.push(Finding::decision("as projected event-capturing schemes", titled, true).looked_up());
-    findings.push(
-        Finding::decision("with Runge and Kutta in its title", cites("Runge", "nonsmooth mechanical systems"), false)
-            .looked_up()
-            .opinion("what the papers, which were not read, hold"),
-    );
+    findings.extend(lookups::check("S9.refs", reading)?);
     Ok(findings)
 }

@@ -1,7 +1,7 @@
 //! Pulling a sunken body out: velocity bias (Baumgarte, Bullet's ERP) and projection.
 
-use crate::claims::experiments::facts::bullet;
 use crate::claims::experiments::push_out::{ball, biased_gain, biased_step, elastic_drop, elastic_throw, projected_gain, sunk, throw};
+use crate::claims::lookups::{self, BULLET, ERP, SERVER_ERP};
 use crate::claims::prelude::*;
 use crate::closed_forms::baumgarte_decay::time_constant;
 use crate::exact_particle::{Ball, BallState};
@@ -153,30 +153,17 @@ fn error_reduction(reading: Reading) -> Result<Vec<Finding>> {
     let tuned = reading.only(0).pick(fine.clone(), coarse.clone());
     let [fifth, _] = baumgarte(&tuned, &fine);
     let [_, first] = baumgarte(&coarse, &fine);
-    let erp = reading.only(1).pick(default_erp(DEFAULT)?, default_erp(SERVER)?);
+    let erp = reading.only(1).pick(ERP, SERVER_ERP).fraction(BULLET)?;
     let left = |h: &Rational| loaded(biased_step, &erp, h);
     let five = ratio(4, 5).pow(5);
-    Ok(vec![
-        Finding::exact("φ₅/φ₀ of Baumgarte with 2αh = 1, β²h² = 1/5, h = 1/240 s", &fifth, &five, "1"),
-        Finding::exact("Bullet's m_erp2", &erp, &ratio(1, 5), "1").looked_up(),
+    let mut findings = vec![Finding::exact("φ₅/φ₀ of Baumgarte with 2αh = 1, β²h² = 1/5, h = 1/240 s", &fifth, &five, "1")];
+    findings.extend(lookups::check("S9.bullet-erp", reading)?);
+    findings.extend([
         Finding::exact("φ₅/φ₀ with this ERP under load, h = 1/240 s", &left(&fine), &five, "1"),
         Finding::exact("φ₅/φ₀ with this ERP under load, h = 1/60 s", &left(&coarse), &five, "1"),
         Finding::exact("φ₁/φ₀ at 1/240 s of the constants that fit 1/60 s", &first, &ratio(79, 80), "1").context(),
-    ])
-}
-
-/// Where Bullet sets m_erp2 by default, and what stands before the number.
-const DEFAULT: [&str; 2] = ["btContactSolverInfo.h", "m_erp2 = btScalar("];
-/// Where PyBullet's server sets it.
-const SERVER: [&str; 2] = ["PhysicsServerCommandProcessor.cpp", "m_data->m_dynamicsWorld->getSolverInfo().m_erp2 = "];
-
-/// The number that a line of Bullet's source gives m_erp2, a decimal.
-fn default_erp([file, before]: [&str; 2]) -> Result<Rational> {
-    let lines = bullet()?.stated.lines;
-    let found = lines.iter().filter(|line| line.file.ends_with(file)).find_map(|line| line.text.strip_prefix(before));
-    let digits = found.map(|rest| rest.trim_end_matches([';', ')'])).and_then(|number| number.strip_prefix("0."));
-    let parsed = digits.and_then(|digits| Some(ratio(digits.parse().ok()?, 10i64.checked_pow(digits.len() as u32)?)));
-    parsed.ok_or_else(|| Error::invalid("references/bullet/package.json", "has no line that sets m_erp2", "write it again"))
+    ]);
+    Ok(findings)
 }
 
 /// The most energy that a pendulum, released at 1.5 rad, has after a step of 1/100 s with coordinate projection, less that of its start

@@ -1,9 +1,8 @@
 //! MuJoCo's version and defaults, as the pinned release states them.
 
-use crate::claims::experiments::facts::pinocchio;
-use crate::claims::experiments::mujoco::facts;
 use crate::claims::experiments::spring_damper::{SEMI_IMPLICIT, is_stable, matrix};
 use crate::claims::experiments::touch::differentiable;
+use crate::claims::lookups;
 use crate::claims::prelude::*;
 use crate::closed_forms::mujoco_contact::ContactParameters;
 use crate::integrators::SpringDamper;
@@ -55,48 +54,28 @@ pub const CLAIMS: &[Claim] = &[
 ];
 
 fn version(reading: Reading) -> Result<Vec<Finding>> {
-    let release = match reading.only(2) {
-        Reading::Recorded => facts()?.text(&["version"]),
-        Reading::Control(_) => pinocchio()?.version,
-    };
-    let mut findings = vec![Finding::decision("the pinned release is 3.x", release.starts_with("3."), true).looked_up()];
+    let mut findings = lookups::check("V.mujoco", reading)?;
     findings.extend(differentiable(reading));
     Ok(findings)
 }
 
 fn defaults(reading: Reading) -> Result<Vec<Finding>> {
-    let facts = facts()?;
-    let asked = reading.only(2).is_control();
-    let [reference, impedance] = if asked { ["solimp", "solref"] } else { ["solref", "solimp"] };
-    let [solver, integrator] = if asked { ["CG", "RK4"] } else { ["NEWTON", "EULER"] };
-    let default = |key: &str| facts.number(&["stated", "defaults", key]);
-    let list = |key: &str| facts.numbers(&["stated", "defaults", key]);
-    let numbered = |kind: &str, name: &str| facts.number(&["stated", kind, name]);
     let ours = ContactParameters::default();
     let counts_as = |time_constant: f64| ContactParameters { reference: [time_constant, 1.0], ..ours }.stiffness_and_damping(0.01);
     // k = m = 1: c = 1 is ζ = 1/2
     let damping_ratio = reading.only(0).pick(ratio(1, 2), ratio(0, 1));
     let h = reading.only(1).pick(ratio(3, 2), ratio(5, 2));
-    Ok(vec![
+    let mut findings = vec![
         Finding::decision("stable at h = 3/2 without damper, k = m = 1", is_stable(&SEMI_IMPLICIT, &ratio(0, 1), &h), true),
         Finding::decision("stable at h = 3/2 with c = 1", is_stable(&SEMI_IMPLICIT, &damping_ratio, &h), false)
             .says(true)
             .violating("no damper"),
-        Finding::decision(
-            "solref and solimp",
-            list(reference)?.as_slice() == [0.02, 1.0] && list(impedance)?.as_slice() == [0.9, 0.95, 0.001, 0.5, 2.0],
-            true,
-        )
-        .looked_up(),
-        Finding::decision(
-            "Newton and Euler",
-            default("solver")? == numbered("solvers", solver)? && default("integrator")? == numbered("integrators", integrator)?,
-            true,
-        )
-        .looked_up(),
+    ];
+    findings.extend(lookups::check("V.defaults", reading)?);
+    findings.extend([
         Finding::decision(
             "timeconst counts as 2h where it is shorter",
-            counts_as(if asked { 0.03 } else { 0.001 }) == counts_as(0.02),
+            counts_as(reading.only(2).pick(0.001, 0.03)) == counts_as(0.02),
             true,
         ),
         Finding::exact(
@@ -106,7 +85,8 @@ fn defaults(reading: Reading) -> Result<Vec<Finding>> {
             "1",
         )
         .context(),
-    ])
+    ]);
+    Ok(findings)
 }
 
 /// 1 + trace + det of a semi-implicit step h: negative where an eigenvalue is below −1.

@@ -1,6 +1,6 @@
 //! The source files the chapter names, in the releases that could be asked.
 
-use crate::claims::experiments::releases;
+use crate::claims::lookups::looked_up;
 use crate::claims::prelude::*;
 
 pub const CLAIMS: &[Claim] = &[Claim {
@@ -26,14 +26,5 @@ pub const CLAIMS: &[Claim] = &[Claim {
         "references/facts, references/bullet, references/pinocchio",
         "the repositories, see S10.path-*",
     ],
-    check: check!(paths),
+    check: looked_up!("V.paths"),
 }];
-
-fn paths(reading: Reading) -> Result<Vec<Finding>> {
-    use releases::{bullet, chrono, drake, mujoco, pinocchio, siconos};
-    let mut findings = Vec::new();
-    for of_engine in [siconos, mujoco, drake, pinocchio, bullet, chrono] {
-        findings.extend(of_engine(reading)?);
-    }
-    Ok(findings)
-}

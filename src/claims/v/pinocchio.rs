@@ -1,6 +1,6 @@
 //! The version of Pinocchio.
 
-use crate::claims::experiments::repositories::{PINOCCHIO_2, PINOCCHIO_2_TAKES, PINOCCHIO_3, PINOCCHIO_3_TAKES};
+use crate::claims::lookups::looked_up;
 use crate::claims::prelude::*;
 
 pub const CLAIMS: &[Claim] = &[Claim {
@@ -17,15 +17,5 @@ pub const CLAIMS: &[Claim] = &[Claim {
         every iteration, which makes the cone problem Coulomb's.",
     controls: &["Release 2.7.0, which has no such solver."],
     sources: &["chapter, table of software", "Pinocchio, tags v2.7.0 and v3.7.0: admm-solver.hpp and .hxx"],
-    check: check!(release),
+    check: looked_up!("V.pinocchio"),
 }];
-
-fn release(reading: Reading) -> Result<Vec<Finding>> {
-    let (tree, settings) = reading.pick((PINOCCHIO_3, &PINOCCHIO_3_TAKES[..]), (PINOCCHIO_2, &PINOCCHIO_2_TAKES[..]));
-    let takes = |name: &str| Finding::decision(format!("ADMM takes {name}"), settings.contains(&name), true).looked_up();
-    Ok(vec![
-        Finding::count("files of the printed names", tree.count_named(&["admm-solver.hxx", "contact-cholesky.hpp"]), 2).looked_up(),
-        takes("mu_prox"),
-        takes("R"),
-    ])
-}
