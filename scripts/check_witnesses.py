@@ -4,7 +4,9 @@
     moreau verify --export witnesses.json
     python3 scripts/check_witnesses.py witnesses.json
 
-Shares nothing with the crate but the file; needs Python's standard library only. Exit code 0: every witness shows what it says, and every verdict follows; 1: one does not; 2: the file cannot be read.
+Shares nothing with the crate but the file; needs Python's standard library only. Exit code 0: every witness shows what it says, and every verdict follows; 1: one does not; 2: the file cannot be read, or is not
+whole: it says how many claims, findings and witnesses it has. It decides what it finds: that a check asked what its sentence says, and that
+nothing was taken out together with its count, is not shown by it.
 """
 
 import argparse
@@ -36,18 +38,29 @@ def wrong_in(claim: dict, counts: collections.Counter) -> list[str]:
     return wrong
 
 
+def whole(document: dict) -> list[dict]:
+    """The claims, if there are as many of everything as the document says; ValueError or the like if not."""
+    if document["schema"] != "witnesses/1":
+        raise ValueError(f"its schema is {document['schema']}, not witnesses/1")
+    claims = document["claims"]
+    found = {"claims": len(claims)} | {kind: sum(len(claim[kind]) for claim in claims) for kind in ("findings", "witnesses")}
+    if found != document["counts"]:
+        raise ValueError(f"it has {found}, and says {document['counts']}")
+    twice = [name for name, count in collections.Counter(claim["id"] for claim in claims).items() if count > 1]
+    if twice:
+        raise ValueError(f"claims stand there twice: {', '.join(twice)}")
+    return claims
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Reads, decides, prints."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file", type=pathlib.Path, help="what `moreau verify --export` wrote")
     file = parser.parse_args(arguments).file
     try:
-        document = json.loads(file.read_text())
-        if document["schema"] != "witnesses/1":
-            raise ValueError(f"its schema is {document['schema']}, not witnesses/1")
-        claims = document["claims"]
-    except (OSError, ValueError, KeyError, TypeError) as problem:
-        print(f"{file}: {problem}; write it with `moreau verify --export {file}`", file=sys.stderr)
+        claims = whole(json.loads(file.read_text()))
+    except (OSError, ValueError, KeyError, TypeError, AttributeError) as problem:
+        print(f"{file}: {type(problem).__name__}: {problem}; write it with `moreau verify --export {file}`", file=sys.stderr)
         return 2
     counts: collections.Counter = collections.Counter()
     wrong = [line for claim in claims for line in wrong_in(claim, counts)]

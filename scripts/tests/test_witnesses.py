@@ -143,7 +143,8 @@ class TestCommand(unittest.TestCase):
 
     def test_exit_codes(self):
         claim = {"id": "S0.x", "verdict": "TRUE", "findings": [finding("1")], "witnesses": [{"kind": "rank", **RIGHT["rank"][0]}]}
-        document = {"schema": "witnesses/1", "claims": [claim]}
+        counts = {"claims": 1, "findings": 1, "witnesses": 1}
+        document = {"schema": "witnesses/1", "counts": counts, "claims": [claim]}
         self.assertEqual(self.run_on(json.dumps(document))[0], 0)
         claim["witnesses"][0]["rank"] = [2]
         code, out = self.run_on(json.dumps(document))
@@ -151,9 +152,18 @@ class TestCommand(unittest.TestCase):
         self.assertIn("S0.x: rank", out)
         claim["witnesses"][0]["kind"] = "unknown"
         self.assertEqual(self.run_on(json.dumps(document))[0], 1)
-        for text in ("{", "{}", json.dumps({"schema": "witnesses/2", "claims": []})):
-            self.assertEqual(self.run_on(text)[0], 2)
-        self.assertEqual(self.run_on(json.dumps({"schema": "witnesses/1", "claims": []}))[0], 1)
+        for text in ("", "[]", "{", "{}", json.dumps({**document, "schema": "witnesses/2"}), json.dumps({**document, "claims": [3]})):
+            self.assertEqual(self.run_on(text)[0], 2, text)
+        nothing = {"claims": 0, "findings": 0, "witnesses": 0}
+        self.assertEqual(self.run_on(json.dumps({"schema": "witnesses/1", "counts": nothing, "claims": []}))[0], 1)
+
+    def test_a_part_is_not_taken_for_the_whole(self):
+        claim = {"id": "S0.x", "verdict": "TRUE", "findings": [finding("1")], "witnesses": [{"kind": "rank", **RIGHT["rank"][0]}]}
+        counts = {"claims": 1, "findings": 1, "witnesses": 1}
+        emptied, twice = {**claim, "witnesses": []}, {name: 2 * count for name, count in counts.items()}
+        for claims, told in (([], counts), ([claim], twice), ([emptied], counts), ([claim, claim], twice)):
+            code, out = self.run_on(json.dumps({"schema": "witnesses/1", "counts": told, "claims": claims}))
+            self.assertEqual(code, 2, out)
 
 
 if __name__ == "__main__":

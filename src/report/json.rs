@@ -63,7 +63,7 @@ pub struct FindingEntry<'a> {
     /// Whether what was found is what the sentence says; `context` does not decide.
     #[schemars(extend("enum" = ["supports", "refutes", "context"]))]
     role: &'static str,
-    /// What the sentence says of this instance.
+    /// What the sentence says of this instance; where it prints nothing of it, what is expected if it holds.
     stated: String,
     /// The condition that the sentence omits and that this instance violates; absent where there is none.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -1,7 +1,7 @@
 //! What `verify` prints: one line per claim grouped by section, a count at the end, and the explanation of one claim.
 
 pub use crate::checks::text::Style;
-use crate::checks::{Finding, Voice};
+use crate::checks::{Expectation, Finding, Relation, Voice};
 use crate::claims::{
     Claim, ClaimVerdict, Figures, JudgedClaim, Kind, PLACES, SECTIONS, Section, Status, derive, is_moved, order, original,
 };
@@ -21,7 +21,7 @@ pub fn outcomes(outcomes: &[JudgedClaim], style: Style) -> String {
     let mut group = "";
     for outcome in outcomes {
         open_section(&mut text, &mut group, outcome.claim, style);
-        let number = outcome.findings.first().map(decisive_number).unwrap_or_default();
+        let number = decisive(outcome).map(found).unwrap_or_default();
         let alarm = alarm_word(&outcome.status).map(|word| format!("  {}", style.alarm(word))).unwrap_or_default();
         line(&mut text, &format!("  {}  {number}{alarm}", columns(outcome.claim, width)));
     }
@@ -150,8 +150,14 @@ fn said(finding: &Finding) -> String {
     }
 }
 
-/// The first finding in short: its name and the measured value.
-fn decisive_number(finding: &Finding) -> String {
+/// The finding that the verdict turns on: the first that refutes the sentence, or, where none does, the first that decides.
+fn decisive(outcome: &JudgedClaim) -> Option<&Finding> {
+    let mut deciding = outcome.findings.iter().filter(|finding| !finding.bearing.context);
+    deciding.clone().find(|finding| !finding.supports()).or_else(|| deciding.next())
+}
+
+/// A finding in short: its name and the measured value.
+fn found(finding: &Finding) -> String {
     let number = match &finding.exact {
         Some([measured, _]) if measured.chars().count() > LONG => format!("≈ {}", significant(finding.measured)),
         Some([measured, _]) => measured.clone(),
@@ -213,15 +219,27 @@ fn used(finding: &Finding) -> String {
     share.unwrap_or_default()
 }
 
-/// What a finding says about the sentence.
+/// What was expected, with how far the found number may differ.
+fn expected(finding: &Finding) -> String {
+    let Expectation { value, tolerance, relation, .. } = finding.expectation;
+    match (&finding.exact, relation) {
+        (Some(_), _) => format!("expected {}", said(finding)),
+        (None, Relation::Equal) => format!("expected {} ± {}", significant(value), two_digits(tolerance)),
+        (None, _) => format!("expected {} {}", relation.sign(), significant(value)),
+    }
+}
+
+/// What a finding says about the sentence: what is expected of it, and what the sentence says where that is something else.
 fn bearing(finding: &Finding) -> String {
-    let found = decisive_number(finding);
+    let found = found(finding);
     if finding.bearing.context {
         return format!("  [beside]   {found}");
     }
     let direction = if finding.supports() { "supports" } else { "refutes " };
-    let where_violated = finding.bearing.violated.map(|condition| format!("; violated here: {condition}")).unwrap_or_default();
+    let where_violated = finding.bearing.violated.map(|condition| format!("; not met here: {condition}")).unwrap_or_default();
     let said = match finding.bearing.voice {
+        Voice::Sentence if finding.bearing.stated.is_none() => expected(finding),
+        Voice::Sentence if finding.exact.is_none() && finding.holds() => format!("the sentence says {}; {}", said(finding), expected(finding)),
         Voice::Sentence => format!("the sentence says {}", said(finding)),
         Voice::Passage(passage) => format!("{passage} says {}", said(finding)),
         Voice::Reading(reading) => format!("in the reading “{reading}”: {}", said(finding)),
@@ -318,6 +336,28 @@ pub(crate) mod tests {
     }
 
     #[test]
+    fn a_finding_shows_what_is_expected_and_the_sentence_is_quoted_only_where_it_says_something_else() {
+        let line = |finding: &Finding| bearing(finding).trim().to_string();
+        assert_eq!(line(&Finding::equal("x", 1.0, 1.5, 0.75, "m")), "[supports] x: 1 m (expected 1.5 ± 0.75)");
+        assert_eq!(line(&Finding::at_most("x", 1.0, 1.5, "1").violating("c")), "[supports] x: 1 (expected ≤ 1.5; not met here: c)");
+        assert_eq!(line(&Finding::at_most("x", 1.0, 1.5, "1").says(3.0)), "[refutes ] x: 1 (the sentence says 3; expected ≤ 1.5)");
+        assert_eq!(line(&Finding::decision("x", false, false).says(true)), "[refutes ] x: false (the sentence says true)");
+        assert_eq!(line(&Finding::count("x", 2, 2)), "[supports] x: 2 (expected 2)");
+    }
+
+    #[test]
+    fn the_number_of_a_line_is_that_of_the_finding_the_verdict_turns_on() {
+        let mut judged = outcome(Status::Supported);
+        let (beside, agrees, refutes) = (Finding::count("a", 1, 1).context(), Finding::count("b", 2, 2), Finding::count("c", 3, 3).says(4));
+        judged.findings = vec![beside.clone(), agrees.clone(), refutes];
+        assert_eq!(decisive(&judged).map(|finding| finding.name.as_str()), Some("c"));
+        judged.findings.pop();
+        assert_eq!(decisive(&judged).map(|finding| finding.name.as_str()), Some("b"));
+        judged.findings.clear();
+        assert!(decisive(&judged).is_none());
+    }
+
+    #[test]
     fn colour_appears_only_when_asked_for() {
         assert!(!outcomes(&[outcome(Status::Contradicted)], PLAIN).contains('\u{1b}'));
         assert!(outcomes(&[outcome(Status::Contradicted)], Style { colour: true }).contains("\u{1b}[1;31mCONTRADICTED"));
@@ -330,7 +370,7 @@ pub(crate) mod tests {
             "false as stated",
             "one is two",
             "1 ≠ 2",
-            "[refutes ] length: 1 m (the sentence says 2)",
+            "[refutes ] length: 1 m (the sentence says 2; expected 1 ± 0)",
             "one is one",
             "[supports] length: 2 m (the sentence says 2)",
             "another verdict, as it must: true",

@@ -12,9 +12,14 @@ use serde_json::{Map, Value as Json, json};
 /// A claim with its findings and with the witnesses of the exact decisions that its check made.
 pub type Witnessed = (&'static Claim, Vec<Finding>, Vec<Witness>);
 
-/// The witnesses of these claims, one document.
+/// The witnesses of these claims, one document; how many there are of what stands in front, so that a part is not taken for the whole.
 pub fn document(claims: &[Witnessed]) -> Json {
-    json!({ "schema": "witnesses/1", "claims": claims.iter().map(entry).collect::<Vec<_>>() })
+    let counts = json!({
+        "claims": claims.len(),
+        "findings": claims.iter().map(|(_, findings, _)| findings.len()).sum::<usize>(),
+        "witnesses": claims.iter().map(|(_, _, witnesses)| witnesses.len()).sum::<usize>(),
+    });
+    json!({ "schema": "witnesses/1", "counts": counts, "claims": claims.iter().map(entry).collect::<Vec<_>>() })
 }
 
 fn entry((claim, findings, witnesses): &Witnessed) -> Json {
@@ -85,5 +90,7 @@ mod tests {
         let kinds: Vec<_> = document["claims"][0]["witnesses"].as_array().expect("a list").iter().map(|one| one["kind"].clone()).collect();
         assert!(kinds.contains(&json!("copositive-plus")), "{kinds:?}");
         assert!(document["claims"][0]["findings"][0]["found"].is_string());
+        let length = |name: &str| document["claims"][0][name].as_array().expect("a list").len();
+        assert_eq!(document["counts"], json!({ "claims": 1, "findings": length("findings"), "witnesses": length("witnesses") }));
     }
 }

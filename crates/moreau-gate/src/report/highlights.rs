@@ -28,7 +28,7 @@ const HIGHLIGHTS: &[Highlight] = &[
         engines: &["rapier-0.34-coulomb", "rapier-0.36", "rapier-0.36-coulomb"],
     },
     Highlight {
-        title: "MuJoCo's creep does not depend on the time step",
+        title: "MuJoCo's creep does not vanish with the time step",
         explanation: "A block that Coulomb holds creeps in proportion to 1/impratio, as the declared law predicts: the creep belongs to \
             the softness of \
                       the model, and no smaller step removes it. Only where `refsafe` stretches the time constant to 2h, above h = 0.01 s, \
