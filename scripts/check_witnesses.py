@@ -18,17 +18,17 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
 from witnesses.decisions import DECISIONS, Wrong  # noqa: E402
-from witnesses.verdicts import decide  # noqa: E402
+from witnesses.verdicts import decide, readable  # noqa: E402
 
 
 def wrong_in(claim: dict, counts: collections.Counter) -> list[str]:
     """What is wrong with a claim."""
     wrong = []
     for witness in claim["witnesses"]:
-        counts[witness["kind"]] += 1
         try:
             DECISIONS[witness["kind"]](witness)
-        except (Wrong, KeyError, ValueError, TypeError) as problem:
+            counts[witness["kind"]] += 1
+        except (Wrong, KeyError, ValueError, TypeError, IndexError, ArithmeticError) as problem:
             wrong.append(f"{claim['id']}: {witness.get('kind')}: {type(problem).__name__}: {problem}")
     try:
         decide(claim)
@@ -36,6 +36,11 @@ def wrong_in(claim: dict, counts: collections.Counter) -> list[str]:
     except Wrong as problem:
         wrong.append(f"{claim['id']}: {problem}")
     return wrong
+
+
+def no_number(text: str) -> None:
+    """What JSON does not know."""
+    raise ValueError(f"{text} is no number")
 
 
 def whole(document: dict) -> list[dict]:
@@ -46,6 +51,8 @@ def whole(document: dict) -> list[dict]:
     found = {"claims": len(claims)} | {kind: sum(len(claim[kind]) for claim in claims) for kind in ("findings", "witnesses")}
     if found != document["counts"]:
         raise ValueError(f"it has {found}, and says {document['counts']}")
+    for claim in claims:
+        readable(claim)
     twice = [name for name, count in collections.Counter(claim["id"] for claim in claims).items() if count > 1]
     if twice:
         raise ValueError(f"claims stand there twice: {', '.join(twice)}")
@@ -58,7 +65,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("file", type=pathlib.Path, help="what `moreau verify --export` wrote")
     file = parser.parse_args(arguments).file
     try:
-        claims = whole(json.loads(file.read_text()))
+        claims = whole(json.loads(file.read_text(), parse_constant=no_number))
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as problem:
         print(f"{file}: {type(problem).__name__}: {problem}; write it with `moreau verify --export {file}`", file=sys.stderr)
         return 2

@@ -100,6 +100,41 @@ class TestWitnesses(unittest.TestCase):
             DECISIONS["p-matrix"]({"matrix": JAMMING, "answer": "holds"})
 
 
+    def test_solutions_that_are_left_out_are_missed(self):
+        line = {"matrix": [["0"]], "vector": ["0"], "points": [["0"]], "family_points": [["0"]], "family_directions": [["1"]]}
+        DECISIONS["all-solutions"](line)
+        # two masses that share a load in any way: z₁ + z₂ = 1, from (1, 0) to (0, 1)
+        load = {"matrix": [["1", "1"], ["1", "1"]], "vector": ["-1", "-1"], "points": [["0", "1"], ["1", "0"]]}
+        DECISIONS["all-solutions"]({**load, "family_points": [["0", "1"]], "family_directions": [["1", "-1"]]})
+        two_lines = {"matrix": [["0", "0"], ["0", "0"]], "vector": ["0", "1"], "points": [["0", "0"]]}
+        DECISIONS["all-solutions"]({**two_lines, "family_points": [["0", "0"]], "family_directions": [["1", "0"]]})
+        nowhere = {"family_points": [], "family_directions": []}
+        for wrong in ({**line, **nowhere}, {**line, "family_directions": []}, {**load, **nowhere}, {**two_lines, **nowhere}, {**line, **nowhere, "points": []}):
+            with self.assertRaises(Wrong, msg=str(wrong)):
+                DECISIONS["all-solutions"](wrong)
+
+    def test_what_is_no_matrix_no_fraction_and_no_answer_is_refused(self):
+        square = [["1", "0"], ["0", "1"]]
+        for kind, wrong in (
+            ("p-matrix", {"matrix": square, "answer": "fails", "indices": [0, 0], "value": "0"}),
+            ("p-matrix", {"matrix": square, "answer": "fails", "indices": [0, -2], "value": "0"}),
+            ("p-matrix", {"matrix": [["1", "-9"]], "answer": "holds"}),
+            ("p-matrix", {"matrix": square, "answer": "perhaps"}),
+            ("copositive", {"matrix": square, "answer": "perhaps", "x": ["1", "1"]}),
+            ("definiteness", {"matrix": square, "answer": "perhaps", "kernel": ["1", "0"], "rank": [1]}),
+            ("nonnegative-solution", {"matrix": [], "right_side": [], "answer": "farkas", "vector": []}),
+            ("nonnegative-solution", {"matrix": [["2", "3"]], "right_side": ["6"], "answer": "perhaps", "vector": ["3", "0"]}),
+            ("linear-system", {"matrix": [], "right_side": [], "x": ["7"]}),
+            ("linear-system", {"matrix": [["1", "1"]], "right_side": ["1"], "x": ["1", "0"]}),
+            ("rank", {"matrix": [["1", "2"], ["2"]], "rank": [1]}),
+            ("rank", {"matrix": [[1.0]], "rank": [1]}),
+            ("lcp-solution", {"matrix": [["1"]], "vector": "0", "z": ["0"]}),
+            ("ball-step", {"scheme": "moreau-jean A", "data": ["1", "10", "1/2", "0", "-1", "1", "-1/10"], "answer": ["5/2", "1/20", "1/2"]}),
+        ):
+            with self.subTest(kind, witness=wrong), self.assertRaises((Wrong, ValueError)):
+                DECISIONS[kind](wrong)
+
+
 def finding(found: str, stated: str | None = None, **more) -> dict:
     """A finding that holds."""
     said = None if stated is None else {"relation": "equal", "value": stated}
@@ -156,6 +191,21 @@ class TestCommand(unittest.TestCase):
             self.assertEqual(self.run_on(text)[0], 2, text)
         nothing = {"claims": 0, "findings": 0, "witnesses": 0}
         self.assertEqual(self.run_on(json.dumps({"schema": "witnesses/1", "counts": nothing, "claims": []}))[0], 1)
+
+    def test_a_file_that_cannot_be_read_is_no_wrong_witness_and_no_traceback(self):
+        counts = {"claims": 1, "findings": 1, "witnesses": 1}
+        rank = {"kind": "rank", **RIGHT["rank"][0]}
+        claim = {"id": "S0.x", "verdict": "TRUE", "findings": [finding("1")], "witnesses": [rank]}
+        unreadable = [{**finding("1"), **change} for change in ({"found": "abc"}, {"found": "1/0"}, {"relation": "near"}, {"found": float("nan")}, {"tolerance": "x"})]
+        unreadable.append({key: value for key, value in finding("1").items() if key != "tolerance"})
+        claims = [None, [3], [{}], "claims", [{**claim, "witnesses": [3]}], [{**claim, "id": 3}], *([{**claim, "findings": [one]}] for one in unreadable)]
+        for wrong in claims:
+            code, out = self.run_on(json.dumps({"schema": "witnesses/1", "counts": counts, "claims": wrong}))
+            self.assertEqual(code, 2, f"{wrong}: {out}")
+        for witness in ({}, {"kind": "rank"}, {**rank, "matrix": [["1/0"]]}, {**rank, "matrix": 3}):
+            document = {"schema": "witnesses/1", "counts": counts, "claims": [{**claim, "witnesses": [witness]}]}
+            code, out = self.run_on(json.dumps(document))
+            self.assertEqual(code, 1, f"{witness}: {out}")
 
     def test_a_part_is_not_taken_for_the_whole(self):
         claim = {"id": "S0.x", "verdict": "TRUE", "findings": [finding("1")], "witnesses": [{"kind": "rank", **RIGHT["rank"][0]}]}

@@ -2,8 +2,9 @@
 
 from fractions import Fraction
 
-from .matrices import (determinant, dot, is_copositive, is_semidefinite, kernel, matrix, plus, principal, rank, solution, subsets, symmetric, times,
-                       transposed, vector)
+from .matrices import (determinant, dot, fraction, is_copositive, is_semidefinite, kernel, matrix, plus, principal, rank, solution, square, subsets,
+                       symmetric, times, transposed, vector)
+from .polyhedra import is_more_than, vertex
 
 
 class Wrong(Exception):
@@ -16,13 +17,20 @@ def demand(holds: bool, what: str) -> None:
         raise Wrong(what)
 
 
+def answers(one: dict, *known: str) -> str:
+    """The answer, one of those there are."""
+    demand(one["answer"] in known, f"there is no answer {one['answer']!r}")
+    return one["answer"]
+
+
 def linear_system(one: dict) -> None:
     """A x = b with a nonsingular A, or a singular A."""
-    rows, right = matrix(one["matrix"]), vector(one["right_side"])
+    rows, right = square(one["matrix"]), vector(one["right_side"])
+    demand(len(right) == len(rows), "b has another size")
     if one["x"] == "singular":
         demand(rank(rows) < len(rows), "the matrix is nonsingular")
         return
-    demand(times(rows, vector(one["x"])) == right, "A x is not b")
+    demand(len(vector(one["x"])) == len(rows) and times(rows, vector(one["x"])) == right, "A x is not b")
     demand(rank(rows) == len(rows), "the matrix is singular")
 
 
@@ -42,12 +50,12 @@ def complementary(rows: list, q: list, z: list) -> None:
 
 def lcp_solution(one: dict) -> None:
     """A solution of a linear complementarity problem."""
-    complementary(matrix(one["matrix"]), vector(one["vector"]), vector(one["z"]))
+    complementary(square(one["matrix"]), vector(one["vector"]), vector(one["z"]))
 
 
 def lcp_ray(one: dict) -> None:
     """A secondary ray of Lemke's path: 0 ≤ z(t) ⟂ M z(t) + q + d z₀(t) ≥ 0 for all t ≥ 0, z₀ > 0."""
-    rows, q, d = matrix(one["matrix"]), vector(one["vector"]), vector(one["covering"])
+    rows, q, d = square(one["matrix"]), vector(one["vector"]), vector(one["covering"])
     point, direction = vector(one["point"]), vector(one["direction"])
     artificial, growth = vector(one["artificial"])
     demand(artificial > 0 and growth >= 0, "the artificial variable is not positive along the ray")
@@ -62,24 +70,44 @@ def lcp_ray(one: dict) -> None:
 
 
 def all_solutions(one: dict) -> None:
-    """All solutions of a small problem: every complementary basis is solved again."""
-    rows, q = matrix(one["matrix"]), vector(one["vector"])
-    points = matrix(one["points"])
+    """All solutions of a small problem: a point of every complementary cone that has one, and a family where it has more than a point."""
+    rows, q = square(one["matrix"]), vector(one["vector"])
+    points, starts, directions = (matrix(one[name]) for name in ("points", "family_points", "family_directions"))
     for z in points:
         complementary(rows, q, z)
     demand(len({tuple(z) for z in points}) == len(points), "a solution is listed twice")
-    for start, direction in zip(matrix(one["family_points"]), matrix(one["family_directions"])):
+    demand(len(starts) == len(directions), "a family has no start, or no direction")
+    families = list(zip(starts, directions))
+    for start, direction in families:
         demand(start in points and any(entry != 0 for entry in direction), "a family starts nowhere or does not move")
         _family(rows, q, start, direction)
     for chosen in [(), *subsets(len(q))]:
         values = solution(principal(rows, chosen), [-q[i] for i in chosen]) if chosen else []
         if values is None:
-            continue  # a singular basis: its solutions are checked where they are listed
+            _singular(rows, q, chosen, points, families)
+            continue
         z = [Fraction(0)] * len(q)
         for i, value in zip(chosen, values):
             z[i] = value
         if all(entry >= 0 for entry in z) and all(entry >= 0 for entry in plus(times(rows, z), q)):
             demand(z in points, f"the solution {[str(entry) for entry in z]} is missing")
+
+
+def _singular(rows: list, q: list, chosen: tuple, points: list, families: list) -> None:
+    """The cone of a singular basis: w − M z = q with z zero outside of it and w zero inside."""
+    size = len(q)
+    column = {j: [-row[j] for row in rows] if j in chosen else [Fraction(int(i == j)) for i in range(size)] for j in range(size)}
+    found = vertex([[column[j][i] for j in range(size)] for i in range(size)], q)
+    if found is None:
+        return
+
+    def within(z: list, w: list) -> bool:
+        return all((w if j in chosen else z)[j] == 0 for j in range(size))
+
+    demand(any(within(z, plus(times(rows, z), q)) for z in points), f"the cone {list(chosen)} has a solution, and none of it is listed")
+    if is_more_than(found, size):
+        listed = any(within(z, plus(times(rows, z), q)) and within(change, times(rows, change)) for z, change in families)
+        demand(listed, f"the cone {list(chosen)} has more solutions than one, and no family of it is listed")
 
 
 def _family(rows: list, q: list, start: list, direction: list) -> None:
@@ -94,8 +122,8 @@ def _family(rows: list, q: list, start: list, direction: list) -> None:
 
 def copositive(one: dict) -> None:
     """Copositive, or an x ≥ 0 with xᵀM x < 0."""
-    rows = matrix(one["matrix"])
-    if one["answer"] == "holds":
+    rows = square(one["matrix"])
+    if answers(one, "holds", "fails") == "holds":
         demand(is_copositive(rows), "the matrix is not copositive")
         return
     x = vector(one["x"])
@@ -104,8 +132,8 @@ def copositive(one: dict) -> None:
 
 def copositive_plus(one: dict) -> None:
     """Copositive-plus, or an x ≥ 0 that shows that it is not."""
-    rows = matrix(one["matrix"])
-    if one["answer"] == "holds":
+    rows = square(one["matrix"])
+    if answers(one, "holds", "negative", "zero") == "holds":
         demand(is_copositive(rows), "the matrix is not copositive")
         demand(is_semidefinite(rows) or _zeros_lie_in_the_kernel(rows), "a zero of the form does not lie in the kernel of M + Mᵀ")
         return
@@ -136,9 +164,9 @@ def _zeros_lie_in_the_kernel(rows: list) -> bool:
 
 def definiteness(one: dict) -> None:
     """Definite, semidefinite with a kernel and a rank, or indefinite with an x."""
-    rows = matrix(one["matrix"])
+    rows = square(one["matrix"])
     doubled = symmetric(rows)
-    if one["answer"] == "indefinite":
+    if answers(one, "definite", "semidefinite", "indefinite") == "indefinite":
         x = vector(one["x"])
         demand(dot(x, times(rows, x)) < 0, "xᵀA x is not negative")
         return
@@ -153,18 +181,20 @@ def definiteness(one: dict) -> None:
 
 def p_matrix(one: dict) -> None:
     """All principal minors are positive, or one that is not."""
-    rows = matrix(one["matrix"])
-    if one["answer"] == "holds":
+    rows = square(one["matrix"])
+    if answers(one, "holds", "fails") == "holds":
         demand(all(determinant(principal(rows, chosen)) > 0 for chosen in subsets(len(rows))), "a principal minor is not positive")
         return
+    demand(tuple(one["indices"]) in list(subsets(len(rows))), "these are no rows of a principal minor")
     value = determinant(principal(rows, tuple(one["indices"])))
-    demand(value == Fraction(one["value"]) and value <= 0, "the minor is another one")
+    demand(value == fraction(one["value"]) and value <= 0, "the minor is another one")
 
 
 def nonnegative_solution(one: dict) -> None:
     """x ≥ 0 with A x = b, or Farkas's y with Aᵀy ≤ 0 and bᵀy > 0."""
     rows, right, x = matrix(one["matrix"]), vector(one["right_side"]), vector(one["vector"])
-    if one["answer"] == "point":
+    demand(bool(rows) and len(right) == len(rows), "b has another size")
+    if answers(one, "point", "farkas") == "point":
         demand(all(entry >= 0 for entry in x) and times(rows, x) == right, "x is no solution")
     else:
         demand(all(entry <= 0 for entry in times(transposed(rows), x)) and dot(right, x) > 0, "y proves nothing")
@@ -190,6 +220,7 @@ def ball_step(one: dict) -> None:
     """A step of a ball above a floor: m (v⁺ − v) = −m g h + r, 0 ≤ r ⟂ v⁺ + s ≥ 0, q⁺ = q + h (θ v⁺ + (1 − θ) v)."""
     mass, gravity, restitution, q, v, theta, h = vector(one["data"])
     impulse, position, velocity = vector(one["answer"])
+    demand(mass > 0 and h > 0, "the mass and the step are not positive")
     free = v - gravity * h
     shift = SHIFTS[one["scheme"]](restitution, q, v, h, free)
     demand(velocity == free + impulse / mass, "v⁺ is not v − g h + r/m")

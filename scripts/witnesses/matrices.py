@@ -1,17 +1,42 @@
 """Matrices of fractions: products, elimination, rank, determinants, definiteness. Lists of rows; nothing but the standard library."""
 
+import re
 from fractions import Fraction
 from itertools import combinations
+
+FRACTION = re.compile(r"-?[0-9]+(/[1-9][0-9]*)?")
+
+
+def fraction(text: object) -> Fraction:
+    """A fraction from its text, nothing else."""
+    if not isinstance(text, str) or not FRACTION.fullmatch(text):
+        raise ValueError(f"{text!r} is no fraction")
+    return Fraction(text)
 
 
 def vector(texts: list) -> list:
     """Fractions from texts."""
-    return [Fraction(text) for text in texts]
+    if not isinstance(texts, list):
+        raise ValueError(f"{texts!r} is no list")
+    return [fraction(text) for text in texts]
 
 
 def matrix(rows: list) -> list:
-    """Rows of fractions from rows of texts."""
-    return [vector(row) for row in rows]
+    """Rows of fractions, all of one length, from rows of texts."""
+    if not isinstance(rows, list):
+        raise ValueError(f"{rows!r} is no list")
+    made = [vector(row) for row in rows]
+    if len({len(row) for row in made}) > 1:
+        raise ValueError("the rows have different lengths")
+    return made
+
+
+def square(rows: list) -> list:
+    """The same, with as many rows as columns."""
+    made = matrix(rows)
+    if made and len(made[0]) != len(made):
+        raise ValueError(f"a matrix of {len(made)} rows and {len(made[0])} columns is not square")
+    return made
 
 
 def dot(one: list, other: list) -> Fraction:

@@ -3,13 +3,32 @@
 from fractions import Fraction
 
 from .decisions import Wrong, demand
+from .matrices import fraction
+
+RELATIONS = ("equal", "at-most", "at-least")
+
+
+def readable(claim: dict) -> None:
+    """Raises ValueError or the like unless the claim and its findings have what is decided from, of the right kind."""
+    if not isinstance(claim["id"], str) or not isinstance(claim["verdict"], str):
+        raise ValueError("a claim has no id, or no verdict")
+    if not all(isinstance(witness, dict) for witness in claim["witnesses"]):
+        raise ValueError(f"{claim['id']}: a witness is no object")
+    for one in claim["findings"]:
+        told = one["stated"] or {"relation": "equal", "value": 0.0}
+        numbers = [one["found"], one["expected"], told["value"]]
+        right = all(value is None or isinstance(value, float | int) or fraction(value) is not None for value in numbers)
+        if not right or not {one["relation"], told["relation"]} <= set(RELATIONS) or not isinstance(one["tolerance"], float | int):
+            raise ValueError(f"{claim['id']}: {one['name']}: a number or a relation cannot be read")
+        if not isinstance(one["context"], bool) or not isinstance(one["voice"] or {}, dict) or not isinstance(one["violated"] or "", str):
+            raise ValueError(f"{claim['id']}: {one['name']}: its bearing cannot be read")
 
 
 def number(value: object) -> Fraction:
     """A fraction, or the exact value of a floating-point number."""
     if value is None:
         raise Wrong("a finding is not a number")
-    return Fraction(value)
+    return fraction(value) if isinstance(value, str) else Fraction(value)
 
 
 def agrees(found: object, other: object, relation: str, tolerance: float) -> bool:

@@ -239,7 +239,9 @@ fn bearing(finding: &Finding) -> String {
     let where_violated = finding.bearing.violated.map(|condition| format!("; not met here: {condition}")).unwrap_or_default();
     let said = match finding.bearing.voice {
         Voice::Sentence if finding.bearing.stated.is_none() => expected(finding),
-        Voice::Sentence if finding.exact.is_none() && finding.holds() => format!("the sentence says {}; {}", said(finding), expected(finding)),
+        Voice::Sentence if finding.exact.is_none() && finding.holds() => {
+            format!("the sentence says {}; {}", said(finding), expected(finding))
+        }
         Voice::Sentence => format!("the sentence says {}", said(finding)),
         Voice::Passage(passage) => format!("{passage} says {}", said(finding)),
         Voice::Reading(reading) => format!("in the reading “{reading}”: {}", said(finding)),

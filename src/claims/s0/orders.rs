@@ -46,7 +46,8 @@ pub const CLAIMS: &[Claim] = &[
         severity: Some(Severity::WrongStatement),
         evidence: Evidence::Measured,
         correct_statement: "Only the maximum norm of the velocity has no positive order. sup|q|, ∫|v| and the distance of filled-in \
-                            graphs have order 1 through isolated impacts. (The same section itself calls the error O(h).)",
+                            graphs have order 1 through isolated impacts, the last only order ½ where a plastic ball is stopped above \
+                            the floor (S0.orders). (The same section itself calls the error O(h).)",
         argument: "Moreau–Jean, activation φ ≤ 0, θ = ½, e = 0.8, 1 m drop to the apex after the impact. To leading order the errors are \
                    sup|q| = V(1+e)(s + ½h), s the lag of the step that bounces behind the impact, and likewise in ∫|v| and in the \
                    graphs: constants times h once s/h is fixed. sup|v| = (1+e)V − O(h) for every h: on the lag the velocities lie on \

@@ -104,7 +104,8 @@ pub const CLAIMS: &[Claim] = &[
         kind: Kind::Assertion,
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
-        correct_statement: "The chain is sound; its first link needs starting positions that do not penetrate (or only by O(h)).",
+        correct_statement: "Its first link needs starting positions that do not penetrate (or only by O(h)) and a pointed friction cone \
+            (S11.bv); what the closed graph still lacks at the end is in S11.step4. Only the first link is tested here.",
         argument: "Plastic ball from height 1, T = 1: impulses are ≥ 0 and v ≤ 0, so TV(v_h) ≤ gT + Σr/m = 2gT + v_N − v_0 ≤ 2gT = 19.62 \
             for every h = 2⁻⁴ … 2⁻¹². From a penetration of 1/64 the first step alone makes TV ≥ 1/(64h).",
         controls: &["A start 1/64 m above the floor in place of one as far inside.", "A ball thrown down at 20 m/s."],
