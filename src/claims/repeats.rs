@@ -40,7 +40,6 @@ pub const REPEATS: &[(&str, &str)] = &[
     ("S11.ex3", "S11.reflection-symplectic"),
     ("S3.theta-mid", "S3.energy-one"),
     ("S4.mj-vs-st", "S2.pos-vel-equiv"),
-    ("S4.sigma", "S4.maxdiss"),
     ("S2.pos-strict", "S4.nonpen"),
     ("S9.ST-residual", "S4.nonpen"),
     ("S9.velocity-drift", "S3.drift"),

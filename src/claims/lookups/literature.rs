@@ -6,12 +6,12 @@ use super::row::{Instead, LookUp, Wanted};
 
 /// The rows.
 pub const ROWS: &[LookUp] = &[
-    LookUp::new("S0.siamrev", "printed volume, against the record", SURVEY, Query::Printed(42), Wanted::At(&["volume"]))
-        .controls(&[Instead::Under(0, SURVEY, Query::Printed(43))]),
-    LookUp::new("S0.siamrev", "printed page, against the first page in the record", SURVEY, Query::Printed(3), Wanted::At(&["first_page"]))
-        .controls(&[Instead::Under(1, SURVEY, Query::Printed(1))]),
-    LookUp::new("S0.siamrev", "printed year, against the record", SURVEY, Query::Printed(2000), Wanted::At(&["year"]))
-        .controls(&[Instead::Always(SURVEY, Query::Printed(2001))]),
+    LookUp::new("S0.siamrev", "volume", SURVEY, Query::Count(&["volume"]), Wanted::Count(42))
+        .controls(&[Instead::Always(ANITESCU, Query::Count(&["volume"]))]),
+    LookUp::new("S0.siamrev", "first page", SURVEY, Query::Count(&["first_page"]), Wanted::Count(3))
+        .controls(&[Instead::Always(ANITESCU, Query::Count(&["first_page"]))]),
+    LookUp::new("S0.siamrev", "year", SURVEY, Query::Count(&["year"]), Wanted::Count(2000))
+        .controls(&[Instead::Always(ANITESCU, Query::Count(&["year"]))]),
     LookUp::new("S4.cites", "the SICI's check character agrees", STEWART_TRINKLE, Query::Sici(Sici::Agrees, &[]), Wanted::Decision(true))
         .controls(&[
             Instead::Under(0, STEWART_TRINKLE, Query::Sici(Sici::Agrees, &[["<2673", "<2763"]])),

@@ -80,8 +80,6 @@ pub enum Query {
         /// The day that is asked about.
         day: &'static str,
     },
-    /// A number that the chapter prints.
-    Printed(usize),
     /// A part of the SICI, with one text in it mistyped for another.
     Sici(Sici, &'static [[&'static str; 2]]),
 }
@@ -145,7 +143,6 @@ impl Query {
                 let names: BTreeSet<&str> = texts(&stated, among).into_iter().collect();
                 LookedUp::Count(names.into_iter().filter(|name| !(gone && *name == leaves)).count())
             }
-            Query::Printed(number) => LookedUp::Count(number),
             Query::Sici(part, mistyped) => {
                 let typed = of.text("sici")?;
                 part.of(&mistyped.iter().fold(typed, |text, [right, wrong]| text.replace(right, wrong)))

@@ -195,7 +195,13 @@ fn accumulation_time(reading: Reading) -> Result<Vec<Finding>> {
     let (count, clock) = stuck.unwrap_or((landings, time));
     let remaining = ball.accumulation_time() - clock;
     Ok(vec![
-        Finding::equal("T∞, closed form against the sum of flights", ball.accumulation_time(), time, rounding(2 * landings, time), "s"),
+        Finding::equal(
+            "T∞ in closed form less the sum of flights",
+            ball.accumulation_time() - time,
+            0.0,
+            rounding(2 * landings, time),
+            "s",
+        ),
         Finding::equal("the sum of flights over t₁", time / first, 9.0, rounding(2 * landings, 9.0), "1"),
         Finding::count("landings before flights become shorter than 10⁻³ s", count, 31),
         // between δ e/(1−e) and δ/(1−e)

@@ -275,13 +275,16 @@ fn bullet_row(reading: Reading) -> Result<Vec<Finding>> {
         Finding::equal("first rebound less e(|v| + g h) less the term of the depth", after - bias, 0.0, tolerance::stored(1.0 / h), "m/s")
             .experiment(),
         Finding::equal(
-            "depth after a step over that before it",
-            ratio,
-            1.0 - scheme.error_reduction,
+            "depth after a step over that before it, less what the error reduction leaves",
+            ratio - (1.0 - scheme.error_reduction),
+            0.0,
             tolerance::stored(1.0 / sunk[0][0].abs()),
             "1",
         )
         .experiment(),
+        Finding::equal("that depth over the one before", ratio, 0.92, tolerance::stored(1.0 / sunk[0][0].abs()), "1")
+            .experiment()
+            .context(),
     ];
     findings.extend(lookups::check("S10.bullet-row", reading)?);
     Ok(findings)

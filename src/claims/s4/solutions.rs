@@ -7,7 +7,7 @@ use crate::checks::stewart_trinkle::{chapter_example, reference};
 use crate::claims::experiments::painleve::rod;
 use crate::claims::prelude::*;
 use crate::contact::delassus::delassus;
-use crate::problem::Lcp;
+use crate::problem::{Lcp, PlanarProblem};
 use crate::solvers::enumeration::{SolutionSet, all_solutions};
 
 pub const CLAIMS: &[Claim] = &[
@@ -15,16 +15,22 @@ pub const CLAIMS: &[Claim] = &[
         id: "S4.sigma",
         statement: "σ is the slip rate: σ = 0 when sticking (inside the friction cone), σ > 0 when sliding (on its boundary, friction at \
             its maximum).",
-        verdict: ClaimVerdict::True,
+        verdict: ClaimVerdict::Conditional,
         kind: Kind::Assertion,
-        severity: None,
+        severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
-        correct_statement: "As stated; sticking has σ = 0 also on the boundary of the cone. At an open contact, which neither sticks nor \
-            slides, every σ ≥ max(−dⱼ·v⁺) is a solution, and σ says nothing.",
+        correct_statement: "σ = max(−dⱼ·v⁺): the slip rate in the plane and along a direction of the polyhedron, less between two, down to \
+            cos(π/d) of it. Sticking has σ = 0 also on the boundary of the cone. At an open contact, which neither sticks nor slides, every \
+            σ ≥ max(−dⱼ·v⁺) is a solution, and σ says nothing.",
         argument: "Unit point mass, μ = 1/2, all solutions enumerated. Free velocity (2, −1) at φ = 0: one solution, σ = 3/2 = |v_t⁺|. \
             (1/4, −1): sticks, σ = 0 in every solution. (1/2, −1): sticks on the boundary, σ = 0. Open (φ/h = 10, free velocity (2, 0)): λ \
-            = β = 0 and the family σ ≥ 2.",
-        controls: &["The open contact in place of the one that slides.", "A slide at 2 m/s in place of what sticks."],
+            = β = 0 and the family σ ≥ 2. In space, friction along the axes, free velocity (2, 2) and −1 along the normal: one solution, \
+            σ = 7/4, and σ² is half of |v_t⁺|².",
+        controls: &[
+            "The open contact in place of the one that slides.",
+            "A slide at 2 m/s in place of what sticks.",
+            "A slip along a direction in place of one between two.",
+        ],
         sources: &["chapter §4, reading of the complementarity μλ_n − Eᵀβ ≥ 0 ⟂ σ ≥ 0"],
         check: check!(slip_speed),
     },
@@ -93,14 +99,33 @@ fn slip_speed(reading: Reading) -> Result<Vec<Finding>> {
     let slower = |speed: Rational| closing(reading.only(1).pick(speed, ratio(2, 1)));
     let (sticking, _) = slower(ratio(1, 4))?;
     let (boundary, _) = slower(ratio(1, 2))?;
+    let [sigma, share] = sigma_in_space(reading.only(2).pick([2, 2], [2, 0]))?;
     Ok(vec![
         Finding::exact("σ of a slide that 2 m/s less μ times 1 m/s leave", &least_sigma(&sliding), &ratio(3, 2), "m/s"),
         Finding::exact("its speed", &slip, &ratio(3, 2), "m/s"),
         Finding::decision("its σ varies", moves(&sliding, 3), false),
         Finding::decision("σ = 0 in every solution when sticking", vanishes(&sticking, 3), true),
         Finding::decision("σ = 0 when sticking on the boundary", vanishes(&boundary, 3), true),
+        Finding::exact("σ² over |v_t⁺|², slip between two directions", &share, &ratio(1, 2), "1")
+            .says(ratio(1, 1))
+            .violating("a slip along a direction of the polyhedron"),
+        Finding::exact("σ there", &sigma, &ratio(7, 4), "m/s").context(),
         Finding::decision("σ varies at an open contact", moves(&open, 3), true).context(),
     ])
+}
+
+/// σ, and σ² over |v_t⁺|², of a unit point mass on a floor, μ = 1/2, that arrives at 1 m/s with this slip, friction along the axes.
+fn sigma_in_space([x, y]: [i64; 2]) -> Result<[Rational; 2]> {
+    let axes = [[1, 0], [0, 1], [-1, 0], [0, -1]].map(|[x, y]| [ratio(x, 1), ratio(y, 1)]);
+    let unit = DMatrix::from_fn(3, 3, |i, j| ratio(i64::from(i == j), 1));
+    let free = integers(&[-1, x, y]);
+    let problem = PlanarProblem::new(unit, free.clone()).polyhedral(&[ratio(1, 2)], &axes)?;
+    let set = all_solutions(&problem.lcp)?;
+    let [z] = &set.points[..] else { return Err(Error::Unsupported(format!("{} solutions", set.points.len()))) };
+    let after = problem.impulse(z) + free;
+    let sigma = z[5].clone();
+    let speed = &after[1] * &after[1] + &after[2] * &after[2];
+    Ok([sigma.clone(), &sigma * &sigma / speed])
 }
 
 fn least_sigma(set: &SolutionSet) -> Rational {

@@ -319,12 +319,13 @@ fn differentiability(reading: Reading) -> Result<Vec<Finding>> {
     // minimiser of ½‖γ‖² + r·γ over K is the projection of −r
     let contact = |tangent: Rational| euclidean(&[ratio(2, 1), -tangent], &mu);
     let [stick, slip] = one_sided(contact, &reading.pick(ratio(1, 1), ratio(1, 2)));
+    let jump = |name: &str, sides: [&Rational; 2], expected: Rational| {
+        Finding::exact(format!("jump of {name}"), &(sides[1] - sides[0]), &expected, "1").says(ratio(0, 1))
+    };
     Ok(vec![
-        Finding::exact("left derivative of max(0, θ)", &left, &ratio(0, 1), "1").says(&right),
-        Finding::exact("right derivative of max(0, θ)", &right, &ratio(1, 1), "1").says(&left),
-        Finding::exact("∂γ_n/∂r_t on the side of stick", &stick[0], &ratio(0, 1), "1").says(&slip[0]),
-        Finding::exact("∂γ_t/∂r_t on the side of stick", &stick[1], &ratio(-1, 1), "1").says(&slip[1]),
-        Finding::exact("∂γ_n/∂r_t on the side of slip", &slip[0], &ratio(2, 5), "1").says(&stick[0]),
-        Finding::exact("∂γ_t/∂r_t on the side of slip", &slip[1], &ratio(-1, 5), "1").says(&stick[1]),
+        jump("the derivative of max(0, θ)", [&left, &right], ratio(1, 1)),
+        jump("∂γ_n/∂r_t from stick to slip", [&stick[0], &slip[0]], ratio(2, 5)),
+        jump("∂γ_t/∂r_t from stick to slip", [&stick[1], &slip[1]], ratio(4, 5)),
+        Finding::exact("∂γ_t/∂r_t on the side of slip", &slip[1], &ratio(-1, 5), "1").context(),
     ])
 }

@@ -144,16 +144,16 @@ fn soft_kinks(reading: Reading) -> Result<Vec<Finding>> {
     ];
     for (name, start, expected) in [("d₀ = 9/10", 0.9, size), ("d₀ = 0", 0.0, size / 9000.0)] {
         let [above, below] = around(place, start);
-        findings.push(Finding::equal(format!("force just below the place, {name}"), below, expected, rounding(32, size), "N").says(above));
-        findings.push(Finding::decision(format!("no force just above it, {name}"), above == 0.0, true).says(below == 0.0));
+        let jump = Finding::equal(format!("jump of the force at the place, {name}"), below - above, expected, rounding(32, size), "N");
+        findings.push(jump.says(0.0));
+        findings.push(Finding::decision(format!("no force just above it, {name}"), above == 0.0, true).says(false));
     }
     let [above, below] = onset(&SoftRow::of_impedance(ratio(1, 1), &ratio(9, 10)), &reading.pick(ratio(0, 1), ratio(-1, 1)));
     let [slip, stick] = slopes(&ratio(1, 9), &reading.pick(ratio(1, 1), ratio(1, 2)));
     findings.extend([
-        Finding::exact("∂f/∂q, side of no contact", &above, &ratio(0, 1), "kg").says(&below),
-        Finding::exact("∂f/∂q, side of contact", &below, &ratio(-9, 10), "kg").says(&above),
-        Finding::exact("∂f_t/∂b_t, side of slip", &slip, &ratio(-9, 50), "kg").says(&stick),
-        Finding::exact("∂f_t/∂b_t, side of stick", &stick, &ratio(-9, 10), "kg").says(&slip),
+        Finding::exact("jump of ∂f/∂q where the contact begins to press", &(below - above), &ratio(-9, 10), "kg").says(ratio(0, 1)),
+        Finding::exact("jump of ∂f_t/∂b_t where it begins to slip", &(&slip - stick), &ratio(18, 25), "kg").says(ratio(0, 1)),
+        Finding::exact("∂f_t/∂b_t, side of slip", &slip, &ratio(-9, 50), "kg").context(),
     ]);
     Ok(findings)
 }
@@ -172,8 +172,7 @@ fn hard_cone(reading: Reading) -> Result<Vec<Finding>> {
         );
         let scale = ratio(1, 1) + &softness;
         let [slip, stick] = slopes(&softness, &reading.pick(ratio(1, 1), ratio(1, 2))).map(|slope| slope * &scale);
-        findings.push(Finding::exact("(1+R) ∂f_t/∂b_t, side of slip", &slip, &ratio(-1, 5), "1").says(&stick));
-        findings.push(Finding::exact("(1+R) ∂f_t/∂b_t, side of stick", &stick, &ratio(-1, 1), "1").says(&slip));
+        findings.push(Finding::exact("jump of (1+R) ∂f_t/∂b_t from stick to slip", &(slip - stick), &ratio(4, 5), "1").says(ratio(0, 1)));
     }
     Ok(findings)
 }
