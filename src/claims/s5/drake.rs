@@ -13,7 +13,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
     verdict: ClaimVerdict::False,
     kind: Kind::Citation,
     severity: Some(Severity::WrongStatement),
-    evidence: Evidence::Certified,
+    evidence: Evidence::Cited,
     correct_statement: "Drake calls gliding what happens in sliding contact, under kSap and kSimilar: the block is lifted by (δt + τ) μ v. \
         Under kSap that vanishes with δt only without relaxation time. A block at rest does creep by O(δt) under kSap, but by its \
         regularised friction, for which Drake has no such name.",
@@ -44,8 +44,8 @@ fn gliding(reading: Reading) -> Result<Vec<Finding>> {
         _ => (Creeping::Regularised.stepped(0.004)?, creep(0.0)),
     };
     let mut findings = vec![
-        Finding::decision("documented: kSap glides", gliding.contains("kSap"), true),
-        Finding::decision("documented: kLagged does not", free_of_it.contains("kLagged"), true),
+        Finding::decision("documented: kSap glides", gliding.contains("kSap"), true).looked_up(),
+        Finding::decision("documented: kLagged does not", free_of_it.contains("kLagged"), true).looked_up(),
         Finding::equal("creep at rest at 4 ms over that at 2 ms, SAP", law.stepped(0.004)? / law.stepped(0.002)?, 2.0, 2.0 * AT_REST, "1"),
         Finding::decision("the block at rest creeps under kLagged as well", amount.abs() > bound, true).says(false),
     ];

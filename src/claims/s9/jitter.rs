@@ -69,7 +69,7 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::Conditional,
         kind: Kind::Advice,
         severity: Some(Severity::MissingHypothesis),
-        evidence: Evidence::Exact,
+        evidence: Evidence::Measured,
         correct_statement: "It damps what a spring stores: E⁺/E = 1/(1 + h²ω²) at θ = 1. On rigid contacts under a constant load it does \
             nothing: θ multiplies state-dependent forces and the position update, and neither enters the contact problem.",
         argument: "Tower of five, 10 cold sweeps a step, 100 steps with θ = 1/2 and with θ = 1: all velocities are the same bit for bit. A \
@@ -146,6 +146,7 @@ fn damping(reading: Reading) -> Result<Vec<Finding>> {
     };
     Ok(vec![
         Finding::decision("θ = 1 instead of 1/2 changes the velocities of a tower", effect > 0.0, false)
+            .experiment()
             .says(true)
             .violating("forces that depend on the state"),
         Finding::exact("E⁺/E on a spring, θ = 1/2", &half, &ratio(1, 1), "1"),
