@@ -42,8 +42,9 @@ pub(super) const CLAIMS: &[Claim] = &[
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Certified,
         correct_statement: "True of SAP: v = R_t h g_t. In MuJoCo the creep v = R_t g_t/b does not depend on h up to timeconst/2, \
-            10 ms by default, and is a matter of parameters (impratio, solimp, solref); under Drake's Similar and Lagged it is proportional to their stiction speed; the hard \
-            relaxation (Anitescu, Chrono) does not creep. That μ is no cure holds for the first two.",
+            10 ms by default, and is a matter of parameters (impratio, solimp, solref); under Drake's Similar and Lagged it is \
+            proportional to their stiction speed; the hard relaxation (Anitescu, Chrono) does not creep. That μ is no cure holds for the \
+            first two.",
         argument: "Block on 20°, μ = 1/2, stepped until steady at h = 4, 2 and 1 ms: creep at h over that at h/2 is 1 for MuJoCo and for \
             Drake's regularised friction, 2 for SAP; 0 for the hard block. impratio = 10 divides MuJoCo's creep by 10. Each agrees with \
             its closed form, and these with the stored runs of MuJoCo 3.17.0 and Drake 1.51.1.",

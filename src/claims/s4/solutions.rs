@@ -20,8 +20,8 @@ pub const CLAIMS: &[Claim] = &[
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "σ = max(−dⱼ·v⁺): the slip rate in the plane and along a direction of the polyhedron, less between two, down to \
-            cos(π/d) of it. Sticking has σ = 0 also on the boundary of the cone. At an open contact, which neither sticks nor slides, every \
-            σ ≥ max(−dⱼ·v⁺) is a solution, and σ says nothing.",
+            cos(π/d) of it. Sticking has σ = 0 also on the boundary of the cone. At an open contact, which neither sticks nor slides, \
+            every σ ≥ max(−dⱼ·v⁺) is a solution, and σ says nothing.",
         argument: "Unit point mass, μ = 1/2, all solutions enumerated. Free velocity (2, −1) at φ = 0: one solution, σ = 3/2 = |v_t⁺|. \
             (1/4, −1): sticks, σ = 0 in every solution. (1/2, −1): sticks on the boundary, σ = 0. Open (φ/h = 10, free velocity (2, 0)): λ \
             = β = 0 and the family σ ≥ 2. In space, friction along the axes, free velocity (2, 2) and −1 along the normal: one solution, \
