@@ -75,7 +75,8 @@ def main(arguments: list[str] | None = None) -> int:
         print(line)
     for kind, count in sorted(counts.items()):
         print(f"{count:6} {kind}")
-    print(f"{len(claims)} claims; {len(wrong)} wrong")
+    bare = sum(claim.get("evidence") == "exact" and not claim["witnesses"] for claim in claims)
+    print(f"{len(claims)} claims, {bare} of them exact without a witness: of these only the verdict was decided again; {len(wrong)} wrong")
     return 1 if wrong or not claims else 0
 
 

@@ -181,6 +181,8 @@ class TestCommand(unittest.TestCase):
         counts = {"claims": 1, "findings": 1, "witnesses": 1}
         document = {"schema": "witnesses/1", "counts": counts, "claims": [claim]}
         self.assertEqual(self.run_on(json.dumps(document))[0], 0)
+        bare = {**document, "counts": {**counts, "witnesses": 0}, "claims": [{**claim, "evidence": "exact", "witnesses": []}]}
+        self.assertIn("1 of them exact without a witness", self.run_on(json.dumps(bare))[1])
         claim["witnesses"][0]["rank"] = [2]
         code, out = self.run_on(json.dumps(document))
         self.assertEqual(code, 1)
