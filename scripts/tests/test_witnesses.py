@@ -53,6 +53,57 @@ RIGHT = {
         {"scheme": "moreau-jean D", "data": ["1", "10", "1/2", "1", "0", "1", "1/10"], "answer": ["0", "9/10", "-1"]},
         {"scheme": "stewart-trinkle", "data": ["1", "10", "0", "1/20", "0", "1", "1/10"], "answer": ["1/2", "0", "-1/2"]},
     ],
+    "powers": [
+        {"matrix": [["0", "-1"], ["1", "0"]], "answer": "bounded"},
+        {"matrix": [["1", "1"], ["0", "1"]], "answer": "grow-linearly"},
+        {"matrix": [["1", "0"], ["0", "1"]], "answer": "bounded"},
+        {"matrix": [["1/2", "5"], ["0", "0"]], "answer": "decay"},
+        {"matrix": [["1/2", "-1/2"], ["1/2", "1/2"]], "answer": "decay"},
+        {"matrix": [["0", "-5/4"], ["1", "0"]], "answer": "grow-exponentially"},
+        {"matrix": [["-3/2", "0"], ["0", "1/2"]], "answer": "grow-exponentially"},
+        {"matrix": [["1", "5"], ["0", "-1"]], "answer": "bounded"},
+    ],
+    "determinant": [{"matrix": PENDULUM, "value": "3"}],
+    "symplectic-defect": [
+        {"map": [["1", "0"], ["-2", "1"]], "mass": [["3"]], "defect": [["0", "0"], ["0", "0"]]},
+        {"map": [["2", "0"], ["0", "1"]], "mass": [["3"]], "defect": [["0", "3"], ["-3", "0"]]},
+    ],
+    "quadratic-form": [{"matrix": JAMMING, "vector": ["1", "2"], "value": "4"}],
+    "normal-cone": [
+        {"gradient": ["1", "2"], "constraint": "closed", "velocity": ["2", "-1"], "member": ["-1/2", "-1"], "answer": "holds"},
+        {"gradient": ["1", "2"], "constraint": "closed", "velocity": ["2", "-1"], "member": ["1/2", "1"], "answer": "fails"},
+        {"gradient": ["1"], "constraint": "closed", "velocity": ["-1"], "member": ["0"], "answer": "fails"},
+        {"gradient": ["1"], "constraint": "open", "velocity": ["-1"], "member": ["0"], "answer": "holds"},
+        {"gradient": ["1"], "constraint": "closed", "velocity": ["1"], "member": ["-1"], "answer": "fails"},
+    ],
+    "impact-inclusion": [
+        {"data": ["1", "1", "1/2", "-1"], "solutions": ["1/2"]},
+        {"data": ["1", "1", "1/2", "1"], "solutions": ["1"]},
+        {"data": ["1", "0", "1", "-1"], "solutions": []},
+    ],
+    "coulomb": [
+        {"friction": "7/10", "velocity": ["0", "3/5", "4/5"], "impulse": ["1", "-21/50", "-14/25"], "answer": "holds"},
+        {"friction": "7/10", "velocity": ["0", "3/5", "4/5"], "impulse": ["1", "21/50", "14/25"], "answer": "fails"},
+        {"friction": "7/10", "velocity": ["0", "0"], "impulse": ["1", "-1/2"], "answer": "holds"},
+        {"friction": "7/10", "velocity": ["1", "0"], "impulse": ["1", "0"], "answer": "fails"},
+    ],
+    "impedance": [
+        {"data": ["9/10", "19/20", "1/1000", "1/2", "1/4000"], "power": [2], "value": "29/32"},
+        {"data": ["9/10", "19/20", "1/1000", "1/2", "3/4000"], "power": [2], "value": "151/160"},
+        {"data": ["0", "19/20", "0", "1/2", "1"], "power": [2], "value": "9501/20000"},
+        {"data": ["0", "1", "1", "1/2", "0"], "power": [1], "value": "1/10000"},
+    ],
+    "delassus": [{"mass": [["2", "0"], ["0", "4"]], "jacobian": [["1", "0"], ["-1", "1"]], "delassus": [["1/2", "-1/2"], ["-1/2", "3/4"]]}],
+    "stewart-trinkle": [
+        {
+            "delassus": [["2", "1"], ["1", "3"]],
+            "velocity": ["-1", "4"],
+            "friction": ["1/2"],
+            "directions": [["1", "0"], ["-1", "0"]],
+            "matrix": [["2", "1", "-1", "0"], ["1", "3", "-3", "1"], ["-1", "-3", "3", "1"], ["1/2", "-1", "-1", "0"]],
+            "vector": ["-1", "4", "-4", "0"],
+        }
+    ],
 }
 
 
@@ -70,6 +121,21 @@ def mistakes(witness: dict):
         yield {"x": ["1", "0"], "indices": [0], "value": "1", "kernel": ["1", "0"], "rank": [1], **witness, "answer": swaps[witness["answer"]]}
     if "rank" in witness:
         yield {**witness, "rank": [witness["rank"][0] + 1]}
+    if witness.get("answer") == "fails" and "x" not in witness and "indices" not in witness:
+        yield {**witness, "answer": "holds"}
+    if "solutions" in witness:
+        yield {**witness, "solutions": [*witness["solutions"], "-7"]}
+        yield {**witness, "solutions": []} if witness["solutions"] else {**witness, "solutions": ["0"]}
+    for name in ("delassus", "jacobian") if "delassus" in witness else ():
+        if name in witness:
+            yield {**witness, name: [["7", *witness[name][0][1:]], *witness[name][1:]]}
+    if "directions" in witness:
+        yield {**witness, "matrix": [*witness["matrix"][:-1], ["0", *witness["matrix"][-1][1:]]]}
+        yield {**witness, "friction": ["0"]}
+    if "defect" in witness:
+        yield {**witness, "defect": [["1", *witness["defect"][0][1:]], *witness["defect"][1:]]}
+    for other in {"decay", "bounded", "grow-linearly", "grow-exponentially"} - {witness["answer"]} if isinstance(witness.get("answer"), str) and len(witness) == 2 else ():
+        yield {**witness, "answer": other}
     if "points" in witness:
         yield {**witness, "points": witness["points"][1:]}
     if witness.get("x") == "singular":

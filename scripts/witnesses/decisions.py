@@ -231,6 +231,146 @@ def ball_step(one: dict) -> None:
         demand(impulse >= 0 and velocity + shift >= 0 and impulse * (velocity + shift) == 0, "r and v⁺ + s are not complementary")
 
 
+def powers(one: dict) -> None:
+    """What becomes of the powers of a 2×2 matrix, by its eigenvalues."""
+    (a, b), (c, d) = square(one["matrix"])
+    trace, discriminant = a + d, (a - d) ** 2 + 4 * b * c
+    if discriminant < 0:
+        # a conjugate pair, |λ|² = det
+        size = a * d - b * c
+        found = "decay" if size < 1 else "bounded" if size == 1 else "grow-exponentially"
+    else:
+        # |λ| ≤ |T|/2 + √disc/2, and 1 against it: 2 − |T| against √disc
+        room = 2 - abs(trace)
+        if room > 0 and room**2 > discriminant:
+            found = "decay"
+        elif room < 0 or room**2 < discriminant:
+            found = "grow-exponentially"
+        else:
+            double = discriminant == 0 and (b != 0 or c != 0)
+            found = "grow-linearly" if double else "bounded"
+    demand(answers(one, "decay", "bounded", "grow-linearly", "grow-exponentially") == found, f"the powers: {found}")
+
+
+def determinant_of(one: dict) -> None:
+    """The determinant of a matrix."""
+    demand(determinant(square(one["matrix"])) == fraction(one["value"]), "the determinant is another one")
+
+
+def symplectic_defect(one: dict) -> None:
+    """DᵀJD − J for the form J = (0 M; −M 0): entry (i, j) is J(D eᵢ, D eⱼ) − J(eᵢ, eⱼ)."""
+    rows, mass, told = square(one["map"]), square(one["mass"]), square(one["defect"])
+    size = len(mass)
+    demand(len(rows) == len(told) == 2 * size, "the map has another size")
+
+    def form(x: list, y: list) -> Fraction:
+        return dot(x[:size], times(mass, y[size:])) - dot(x[size:], times(transposed(mass), y[:size]))
+
+    units = [[Fraction(int(i == j)) for i in range(2 * size)] for j in range(2 * size)]
+    for i, column in enumerate(transposed(rows)):
+        for j, other in enumerate(transposed(rows)):
+            demand(form(column, other) - form(units[i], units[j]) == told[i][j], f"entry {i}, {j} is another one")
+
+
+def quadratic_form(one: dict) -> None:
+    """xᵀA x, entry by entry."""
+    rows, x = square(one["matrix"]), vector(one["vector"])
+    demand(len(x) == len(rows), "x has another size")
+    value = sum((entry * x[i] * x[j] for i, row in enumerate(rows) for j, entry in enumerate(row)), Fraction(0))
+    demand(value == fraction(one["value"]), "xᵀA x is another number")
+
+
+def normal_cone(one: dict) -> None:
+    """g ∈ N_T(v) of T = {w : a·w ≥ 0}, or of all: −λ a with λ ≥ 0 where a·v = 0, only 0 where a·v > 0, nothing outside of T."""
+    a, v, g = (vector(one[name]) for name in ("gradient", "velocity", "member"))
+    demand(any(entry != 0 for entry in a), "the gradient is zero")
+    demand(one["constraint"] in ("closed", "open"), f"there is no constraint {one['constraint']!r}")
+    rate = dot(a, v)
+    if one["constraint"] == "open" or rate > 0:
+        found = all(entry == 0 for entry in g)
+    else:
+        share = -dot(a, g) / dot(a, a)
+        found = rate == 0 and share >= 0 and g == [-share * entry for entry in a]
+    demand((answers(one, "holds", "fails") == "holds") == found, "g is a member" if found else "g is no member")
+
+
+def impact_inclusion(one: dict) -> None:
+    """All v⁺ with 0 ≤ r ⟂ a v⁺ + b v⁻ ≥ 0, r = m (v⁺ − v⁻): those with r = 0 and those with a v⁺ + b v⁻ = 0."""
+    mass, after, weight, before = vector(one["data"])
+    demand(mass != 0 and (after != 0 or weight * before != 0), "the inclusion is degenerate")
+    candidates = {before} | ({-weight * before / after} if after != 0 else set())
+    right = {v for v in candidates if mass * (v - before) >= 0 <= after * v + weight * before and mass * (v - before) * (after * v + weight * before) == 0}
+    told = vector(one["solutions"])
+    demand(len(told) == len(set(told)) and set(told) == right, f"the solutions are {sorted(map(str, right))}")
+
+
+def coulomb(one: dict) -> None:
+    """Signorini and Coulomb for u and r = (n, t): the friction opposes the slip, |r_t| = μ r_n while there is one; by squares."""
+    mu, u, r = fraction(one["friction"]), vector(one["velocity"]), vector(one["impulse"])
+    demand(mu >= 0 and len(u) == len(r) in (2, 3), "μ is negative, or u and r have another size")
+    slip, force = u[1:], r[1:]
+    bound, squared = mu * r[0], dot(force, force)
+    if any(entry != 0 for entry in slip):
+        aligned = squared * dot(slip, slip) == dot(slip, force) ** 2 and dot(slip, force) <= 0
+        friction = aligned and squared == bound**2
+    else:
+        friction = squared <= bound**2
+    found = u[0] >= 0 and r[0] >= 0 and u[0] * r[0] == 0 and friction
+    demand((answers(one, "holds", "fails") == "holds") == found, "the law holds" if found else "the law does not hold")
+
+
+def impedance(one: dict) -> None:
+    """MuJoCo's impedance at a violation, from its documented curve."""
+    low, high = Fraction(1, 10_000), Fraction(9999, 10_000)
+    start, end, width, middle, violation = vector(one["data"])
+    (power,) = one["power"]
+    start, end, middle = (min(max(x, low), high) for x in (start, end, middle))
+    if width <= 0:
+        found = (start + end) / 2
+    else:
+        x = min(max(violation / width, Fraction(0)), Fraction(1))
+        rising = x <= middle
+        y = x * (x / middle) ** (power - 1) if rising else 1 - (1 - x) * ((1 - x) / (1 - middle)) ** (power - 1)
+        found = start * (1 - y) + end * y
+    demand(found == fraction(one["value"]), f"the impedance is {found}")
+
+
+def delassus(one: dict) -> None:
+    """W = H M⁻¹ Hᵀ for a nonsingular M: column by column, from M x = (a row of H)."""
+    mass, rows, told = square(one["mass"]), matrix(one["jacobian"]), square(one["delassus"])
+    demand(len(told) == len(rows), "W has another size")
+    for row, entries in zip(rows, transposed(told)):
+        answer = solution(mass, row)
+        demand(answer is not None, "the mass is singular")
+        demand(times(rows, answer) == entries, "a column of W is another one")
+
+
+def stewart_trinkle(one: dict) -> None:
+    """The LCP of Stewart and Trinkle from W, u_free, μ and the friction directions, entry by entry: unknowns λ, β, σ."""
+    w, velocity, friction, directions = square(one["delassus"]), vector(one["velocity"]), vector(one["friction"]), matrix(one["directions"])
+    contacts, count = len(friction), len(directions)
+    rows = len(w) // contacts
+    demand(rows in (2, 3) and rows * contacts == len(w) == len(velocity), "there are not two or three rows per contact")
+    # the impulse of each unknown, and the contact of each slip speed
+    unit = [{rows * contact: Fraction(1)} for contact in range(contacts)]
+    unit += [{rows * contact + 1 + k: direction[k] for k in range(rows - 1)} for contact in range(contacts) for direction in directions]
+    of = list(range(contacts)) + [contact for contact in range(contacts) for _ in directions]
+    size = len(unit) + contacts
+    expected = [[Fraction(0)] * size for _ in range(size)]
+    for i, left in enumerate(unit):
+        for j, right in enumerate(unit):
+            expected[i][j] = sum((a * b * w[p][q] for p, a in left.items() for q, b in right.items()), Fraction(0))
+    for contact in range(contacts):
+        sigma = len(unit) + contact
+        expected[sigma][contact] = friction[contact]
+        for k in range(contacts, len(unit)):
+            if of[k] == contact:
+                expected[k][sigma], expected[sigma][k] = Fraction(1), Fraction(-1)
+    demand(square(one["matrix"]) == expected, "the matrix is another one")
+    free = [sum((a * velocity[p] for p, a in left.items()), Fraction(0)) for left in unit]
+    demand(vector(one["vector"]) == free + [Fraction(0)] * contacts, "the vector is another one")
+
+
 DECISIONS = {
     "linear-system": linear_system,
     "rank": matrix_rank,
@@ -244,4 +384,14 @@ DECISIONS = {
     "nonnegative-solution": nonnegative_solution,
     "response": response,
     "ball-step": ball_step,
+    "powers": powers,
+    "determinant": determinant_of,
+    "symplectic-defect": symplectic_defect,
+    "quadratic-form": quadratic_form,
+    "normal-cone": normal_cone,
+    "impact-inclusion": impact_inclusion,
+    "coulomb": coulomb,
+    "impedance": impedance,
+    "delassus": delassus,
+    "stewart-trinkle": stewart_trinkle,
 }

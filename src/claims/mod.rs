@@ -35,7 +35,7 @@ pub(crate) use claim::check;
 pub use claim::{CheckFunction, Claim, ClaimVerdict, Evidence, Kind, Reading, Severity, group_of};
 pub use figures::Figures;
 pub use grade::grade;
-pub use moved::is_moved;
+pub use moved::{counterpart, is_moved};
 pub use places::{PLACES, Place, Places};
 pub use registry::{JudgedClaim, Status, all, conclude, find, judge, matches_group, witnesses};
 pub use repeats::{REPEATS, original};

@@ -1,6 +1,6 @@
 //! All claims in the chapter's order, and how one is judged.
 
-use super::moved::is_moved;
+use super::moved::{held_against_recorded, is_moved};
 use super::{Claim, ClaimVerdict, Reading, derive, group_of};
 use crate::checks::{Finding, Voice};
 use moreau_exact::witness::{Witness, collect};
@@ -119,10 +119,21 @@ pub fn conclude(verdict: ClaimVerdict, findings: &[Finding], controls: &[Vec<Fin
         Err(problem) => return Status::OtherVerdict(problem.into()),
         _ => {}
     }
-    let opinion = verdict == ClaimVerdict::Ambiguous && findings.iter().any(|finding| matches!(finding.bearing.voice, Voice::Opinion(_)));
-    let same = !opinion && derive(&controls[0]) == Ok(verdict);
-    let passed = same || controls[0].iter().all(Finding::holds);
+    let passed = same_verdict(verdict, findings, &controls[0]) || controls[0].iter().all(Finding::holds);
     if passed || controls.len() > 1 && idle(findings, controls) { Status::ControlPassed } else { Status::Supported }
+}
+
+/// Whether a control leads to the recorded verdict too, by what it expects and states itself or by what the recorded check does. Opinions
+/// stay opinions. What two passages state must be borne out by what the control finds: there they agree, with the number and with
+/// each other.
+fn same_verdict(verdict: ClaimVerdict, findings: &[Finding], control: &[Finding]) -> bool {
+    let opinion = |finding: &Finding| matches!(finding.bearing.voice, Voice::Opinion(_));
+    let passage = |finding: &&Finding| matches!(finding.bearing.voice, Voice::Passage(_));
+    match verdict {
+        ClaimVerdict::Ambiguous if findings.iter().any(opinion) => false,
+        ClaimVerdict::Inconsistent => !control.iter().filter(passage).all(Finding::supports),
+        _ => [control, &held_against_recorded(findings, control)].into_iter().any(|all| derive(all) == Ok(verdict)),
+    }
 }
 
 /// Whether a control after the first moves no deciding finding but those that one before it moves.
@@ -165,6 +176,30 @@ mod tests {
         assert_eq!(conclude(ClaimVerdict::True, &[found(1)], &[vec![found(1)]]), Status::ControlPassed);
         assert_eq!(conclude(ClaimVerdict::False, &[found(1).says(2)], &[vec![found(3).says(2)]]), Status::ControlPassed);
         assert_eq!(conclude(ClaimVerdict::True, &[found(1)], &[vec![found(1), found(2).context()]]), Status::ControlPassed);
+    }
+
+    #[test]
+    fn a_control_that_changes_what_is_expected_or_said_is_reported() {
+        let conclude = |verdict, recorded: Finding, control: Finding| conclude(verdict, &[recorded], &[vec![control]]);
+        let count = Finding::count;
+        assert_eq!(conclude(ClaimVerdict::True, found(1), count("k", 1, 2)), Status::ControlPassed);
+        assert_eq!(conclude(ClaimVerdict::False, found(1).says(2), found(1).says(1)), Status::ControlPassed);
+        assert_eq!(conclude(ClaimVerdict::False, found(1).says(2), count("k", 3, 1).says(3)), Status::ControlPassed);
+        assert_eq!(conclude(ClaimVerdict::False, found(1).says(2), count("k", 2, 2).says(2)), Status::ControlPassed);
+        assert_eq!(conclude(ClaimVerdict::False, found(1).says(2), found(2).says(2)), Status::Supported);
+    }
+
+    #[test]
+    fn in_the_control_of_passages_both_are_borne_out() {
+        let passages = |found: usize, one: usize, other: usize| {
+            let finding = Finding::count("k", found, 1);
+            vec![finding.clone().says(one).passage("§1"), finding.says(other).passage("§2")]
+        };
+        let conclude = |control: Vec<Finding>| conclude(ClaimVerdict::Inconsistent, &passages(1, 1, 2), &[control]);
+        assert_eq!(conclude(passages(0, 0, 0)), Status::Supported);
+        assert_eq!(conclude(passages(1, 2, 2)), Status::ControlPassed);
+        assert_eq!(conclude(passages(0, 0, 2)), Status::ControlPassed);
+        assert_eq!(conclude(passages(1, 1, 1)), Status::ControlPassed);
     }
 
     #[test]

@@ -7,7 +7,8 @@ use super::{Answer, Format};
 use crate::claims::{self, Claim, JudgedClaim, Status, matches_group};
 use crate::files::write_atomically;
 use crate::report::json::{ClaimEntry, ExplanationEntry, OutcomeEntry, pretty};
-use crate::report::{text, witnesses};
+use crate::report::text;
+use crate::report::witnesses::WitnessDocument;
 use crate::{Error, Result};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
@@ -101,8 +102,11 @@ fn explain(id: &str, format: Format) -> Result<Answer> {
 
 /// Writes the witnesses of the claims.
 fn export(claims: &[&'static Claim], file: &Path) -> Result<()> {
+    if file == Path::new("-") {
+        return Err(Error::Unsupported("--export needs the name of a file: standard output has the report".into()));
+    }
     let witnessed = claims.par_iter().map(|&claim| claims::witnesses(claim).map(|(findings, witnesses)| (claim, findings, witnesses)));
-    let document = witnesses::document(&witnessed.collect::<Result<Vec<_>>>()?);
+    let document = WitnessDocument::of(&witnessed.collect::<Result<Vec<_>>>()?);
     write_atomically(file, pretty(&document)?.as_bytes())
 }
 

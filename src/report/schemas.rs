@@ -4,6 +4,7 @@
 
 use super::comparison::Comparison;
 use super::json::{ClaimEntry, ExplanationEntry, OutcomeEntry};
+use super::witnesses::WitnessDocument;
 use crate::gate::baseline::Baseline;
 use crate::gate::conformance::Conformance;
 use crate::gate::process::messages::{Points, ReplyForm, Request};
@@ -25,7 +26,7 @@ pub struct Format {
 }
 
 /// Every message and file format.
-pub const FORMATS: [Format; 16] = [
+pub const FORMATS: [Format; 17] = [
     Format { name: "request", about: "a line from the gate to an engine", generate: written::<Request> },
     Format { name: "reply", about: "the line that answers it", generate: read::<ReplyForm> },
     Format { name: "description", about: "the result of `describe`", generate: read::<Description> },
@@ -41,6 +42,7 @@ pub const FORMATS: [Format; 16] = [
     Format { name: "verify", about: "what `moreau verify` writes", generate: written::<Vec<OutcomeEntry>> },
     Format { name: "verify-list", about: "what `moreau verify --list` writes", generate: written::<Vec<ClaimEntry>> },
     Format { name: "verify-explain", about: "what `moreau verify --explain` writes", generate: written::<ExplanationEntry> },
+    Format { name: "witnesses", about: "witnesses/1, what `moreau verify --export` writes", generate: written::<WitnessDocument> },
     Format { name: "comparison", about: "what `moreau compare` writes", generate: written::<Comparison> },
 ];
 

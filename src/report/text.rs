@@ -3,7 +3,7 @@
 pub use crate::checks::text::Style;
 use crate::checks::{Expectation, Finding, Relation, Voice};
 use crate::claims::{
-    Claim, ClaimVerdict, Figures, JudgedClaim, Kind, PLACES, SECTIONS, Section, Status, derive, is_moved, order, original,
+    Claim, ClaimVerdict, Figures, JudgedClaim, Kind, PLACES, SECTIONS, Section, Status, counterpart, derive, is_moved, order, original,
 };
 use crate::number::{significant, two_digits, with_unit};
 use std::fmt::Write;
@@ -191,7 +191,8 @@ fn complain(text: &mut String, outcome: &JudgedClaim, style: Style) {
 
 /// A control: what it changes, the findings that come out otherwise, and what follows.
 fn control(outcome: &JudgedClaim, place: usize, findings: &[Finding], style: Style) -> Vec<String> {
-    let moved = |finding: &&Finding| is_moved(finding, findings, &outcome.findings);
+    let recorded = |finding: &Finding| counterpart(finding, findings, &outcome.findings);
+    let moved = |finding: &&Finding| recorded(finding).is_some_and(|recorded| is_moved(recorded, &outcome.findings, findings));
     let mut lines = vec![wrap(outcome.claim.controls[place])];
     lines.extend(findings.iter().filter(moved).map(bearing));
     lines.push(match (&outcome.status, derive(findings)) {

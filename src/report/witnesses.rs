@@ -3,77 +3,187 @@
 //! A claim holds its findings, with what the sentence says of each, and the witnesses of the exact decisions that its check made:
 //! matrices, vectors, solutions, rays, minors, steps. Numbers are texts, fractions of whole numbers, so that nothing is rounded.
 
-use crate::checks::{Finding, Stated, Value, Voice};
-use crate::claims::Claim;
+use crate::checks::{Finding, Relation, Value, Voice};
+use crate::claims::{Claim, ClaimVerdict, Evidence};
 use crate::scalar::Rational;
 use moreau_exact::witness::{Part, Witness};
-use serde_json::{Map, Value as Json, json};
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// A claim with its findings and with the witnesses of the exact decisions that its check made.
 pub type Witnessed = (&'static Claim, Vec<Finding>, Vec<Witness>);
 
-/// The witnesses of these claims, one document; how many there are of what stands in front, so that a part is not taken for the whole.
-pub fn document(claims: &[Witnessed]) -> Json {
-    let counts = json!({
-        "claims": claims.len(),
-        "findings": claims.iter().map(|(_, findings, _)| findings.len()).sum::<usize>(),
-        "witnesses": claims.iter().map(|(_, _, witnesses)| witnesses.len()).sum::<usize>(),
-    });
-    json!({ "schema": "witnesses/1", "counts": counts, "claims": claims.iter().map(entry).collect::<Vec<_>>() })
+/// witnesses/1: what claims were decided from.
+#[derive(Serialize, JsonSchema)]
+pub struct WitnessDocument {
+    schema: Form,
+    /// How many there are of what follows, so that a part is not taken for the whole.
+    counts: Counts,
+    claims: Vec<WitnessedClaim>,
 }
 
-fn entry((claim, findings, witnesses): &Witnessed) -> Json {
-    json!({
-        "id": claim.id,
-        "verdict": claim.verdict,
-        "evidence": claim.evidence,
-        "findings": findings.iter().map(finding).collect::<Vec<_>>(),
-        "witnesses": witnesses.iter().map(witness).collect::<Vec<_>>(),
-    })
+/// The name of the form.
+#[derive(Serialize, JsonSchema)]
+enum Form {
+    #[serde(rename = "witnesses/1")]
+    First,
 }
 
-/// What was found, what was expected and what the sentence says; exact numbers as fractions, decisions as 0 and 1.
-fn finding(finding: &Finding) -> Json {
+#[derive(Serialize, JsonSchema)]
+struct Counts {
+    claims: usize,
+    findings: usize,
+    witnesses: usize,
+}
+
+/// What one claim was decided from.
+#[derive(Serialize, JsonSchema)]
+struct WitnessedClaim {
+    id: &'static str,
+    /// The recorded verdict, which follows from the findings.
+    verdict: ClaimVerdict,
+    evidence: Evidence,
+    findings: Vec<WitnessedFinding>,
+    /// The exact decisions that its check made.
+    witnesses: Vec<WitnessEntry>,
+}
+
+/// What was found, what was expected and what the sentence says; decisions are 0 and 1.
+#[derive(Serialize, JsonSchema)]
+struct WitnessedFinding {
+    name: String,
+    found: Number,
+    expected: Number,
+    relation: Relation,
+    /// How far a rounded number may differ.
+    tolerance: f64,
+    /// What the sentence says, where it says something else than what is expected.
+    stated: Option<StatedEntry>,
+    /// The condition that the sentence omits and that this instance violates.
+    violated: Option<&'static str>,
+    /// Who says it, if not the sentence.
+    voice: Option<VoiceEntry>,
+    /// Whether it decides nothing.
+    context: bool,
+}
+
+/// A fraction as a text, or a rounded number; `null` if it is not finite.
+#[derive(Serialize, JsonSchema)]
+#[serde(untagged)]
+enum Number {
+    Exact(String),
+    Rounded(Option<f64>),
+}
+
+#[derive(Serialize, JsonSchema)]
+struct StatedEntry {
+    relation: Relation,
+    value: Number,
+}
+
+#[derive(Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+enum VoiceEntry {
+    Passage(&'static str),
+    Reading(&'static str),
+    Opinion(&'static str),
+}
+
+/// One exact decision: its kind, and its data and answer by name.
+#[derive(Serialize, JsonSchema)]
+struct WitnessEntry {
+    /// What was decided; scripts/witnesses/decisions.py has a function for each.
+    kind: &'static str,
+    #[serde(flatten)]
+    parts: BTreeMap<&'static str, PartEntry>,
+}
+
+/// A datum or an answer: a fraction or a word, fractions, rows of fractions, counts.
+#[derive(Serialize, JsonSchema)]
+#[serde(untagged)]
+enum PartEntry {
+    Text(String),
+    Texts(Vec<String>),
+    Rows(Vec<Vec<String>>),
+    Counts(Vec<usize>),
+}
+
+impl WitnessDocument {
+    /// The witnesses of these claims.
+    pub fn of(claims: &[Witnessed]) -> Self {
+        let counts = Counts {
+            claims: claims.len(),
+            findings: claims.iter().map(|(_, findings, _)| findings.len()).sum(),
+            witnesses: claims.iter().map(|(_, _, witnesses)| witnesses.len()).sum(),
+        };
+        WitnessDocument { schema: Form::First, counts, claims: claims.iter().map(entry).collect() }
+    }
+}
+
+fn entry((claim, findings, witnesses): &Witnessed) -> WitnessedClaim {
+    WitnessedClaim {
+        id: claim.id,
+        verdict: claim.verdict,
+        evidence: claim.evidence,
+        findings: findings.iter().map(finding).collect(),
+        witnesses: witnesses.iter().map(witness).collect(),
+    }
+}
+
+fn finding(finding: &Finding) -> WitnessedFinding {
     let number = |text: &str| match text {
         "true" => "1".into(),
         "false" => "0".into(),
         other => other.to_string(),
     };
     let (found, expected) = match &finding.exact {
-        Some([found, expected]) => (json!(number(found)), json!(number(expected))),
-        None => (json!(finding.measured), json!(finding.expectation.value)),
+        Some([found, expected]) => (Number::Exact(number(found)), Number::Exact(number(expected))),
+        None => (rounded(finding.measured), rounded(finding.expectation.value)),
     };
-    let stated = finding.bearing.stated.as_ref().map(|Stated { relation, value }| match value {
-        Value::Exact(value) => json!({ "relation": relation, "value": value.to_string() }),
-        Value::Rounded(value) => json!({ "relation": relation, "value": value }),
+    let stated = finding.bearing.stated.as_ref().map(|stated| StatedEntry {
+        relation: stated.relation,
+        value: match &stated.value {
+            Value::Exact(value) => Number::Exact(value.to_string()),
+            Value::Rounded(value) => rounded(*value),
+        },
     });
     let voice = match finding.bearing.voice {
-        Voice::Sentence => Json::Null,
-        Voice::Passage(name) => json!({ "passage": name }),
-        Voice::Reading(name) => json!({ "reading": name }),
-        Voice::Opinion(name) => json!({ "opinion": name }),
+        Voice::Sentence => None,
+        Voice::Passage(name) => Some(VoiceEntry::Passage(name)),
+        Voice::Reading(name) => Some(VoiceEntry::Reading(name)),
+        Voice::Opinion(name) => Some(VoiceEntry::Opinion(name)),
     };
-    json!({
-        "name": finding.name, "found": found, "expected": expected,
-        "relation": finding.expectation.relation, "tolerance": finding.expectation.tolerance,
-        "stated": stated, "violated": finding.bearing.violated, "voice": voice, "context": finding.bearing.context,
-    })
+    let expectation = &finding.expectation;
+    WitnessedFinding {
+        name: finding.name.clone(),
+        found,
+        expected,
+        relation: expectation.relation,
+        tolerance: expectation.tolerance,
+        stated,
+        violated: finding.bearing.violated,
+        voice,
+        context: finding.bearing.context,
+    }
 }
 
-fn witness(witness: &Witness) -> Json {
-    let mut entry = Map::from_iter([("kind".to_string(), json!(witness.kind))]);
-    entry.extend(witness.parts.iter().map(|(name, value)| ((*name).to_string(), part(value))));
-    Json::Object(entry)
+fn rounded(number: f64) -> Number {
+    Number::Rounded(number.is_finite().then_some(number))
 }
 
-fn part(part: &Part) -> Json {
+fn witness(witness: &Witness) -> WitnessEntry {
+    WitnessEntry { kind: witness.kind, parts: witness.parts.iter().map(|(name, value)| (*name, part(value))).collect() }
+}
+
+fn part(part: &Part) -> PartEntry {
     let texts = |numbers: &[Rational]| numbers.iter().map(Rational::to_string).collect::<Vec<_>>();
     match part {
-        Part::Number(number) => json!(number.to_string()),
-        Part::Vector(vector) => json!(texts(vector)),
-        Part::Matrix(rows) | Part::Vectors(rows) => json!(rows.iter().map(|row| texts(row)).collect::<Vec<_>>()),
-        Part::Counts(counts) => json!(counts),
-        Part::Word(word) => json!(word),
+        Part::Number(number) => PartEntry::Text(number.to_string()),
+        Part::Vector(vector) => PartEntry::Texts(texts(vector)),
+        Part::Matrix(rows) | Part::Vectors(rows) => PartEntry::Rows(rows.iter().map(|row| texts(row)).collect()),
+        Part::Counts(counts) => PartEntry::Counts(counts.clone()),
+        Part::Word(word) => PartEntry::Text((*word).into()),
     }
 }
 
@@ -81,12 +191,13 @@ fn part(part: &Part) -> Json {
 mod tests {
     use super::*;
     use crate::claims;
+    use serde_json::json;
 
     #[test]
     fn an_exact_decision_is_written_in_fractions() {
         let claim = claims::find("S4.copos-plus").expect("registered");
         let (findings, witnesses) = claims::witnesses(claim).expect("it can be carried out");
-        let document = document(&[(claim, findings, witnesses)]);
+        let document = serde_json::to_value(WitnessDocument::of(&[(claim, findings, witnesses)])).expect("it is JSON");
         let kinds: Vec<_> = document["claims"][0]["witnesses"].as_array().expect("a list").iter().map(|one| one["kind"].clone()).collect();
         assert!(kinds.contains(&json!("copositive-plus")), "{kinds:?}");
         assert!(document["claims"][0]["findings"][0]["found"].is_string());

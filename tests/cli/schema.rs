@@ -43,3 +43,20 @@ fn what_verify_writes_is_as_its_schema_says() {
         assert!(!validator.is_valid(&other), "{name}");
     }
 }
+
+#[test]
+fn what_verify_exports_is_as_its_schema_says() {
+    let folder = Folder::new("witnesses");
+    let file = folder.path("witnesses.json");
+    assert_eq!(moreau(&["verify", "--filter", "S4", "--export", &file]).code, 0);
+    let written: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&file).expect("written")).expect("JSON");
+    let validator = jsonschema::validator_for(&moreau(&["schema", "witnesses"]).json()).expect("a schema");
+    let errors: Vec<String> = validator.iter_errors(&written).map(|error| format!("{}: {error}", error.instance_path())).collect();
+    assert!(errors.is_empty(), "{errors:?}");
+    for (place, wrong) in [("/schema", "witnesses/2"), ("/claims/0/witnesses/0/kind", "7"), ("/claims/0/findings/0/relation", "nearly")] {
+        let mut other = written.clone();
+        *other.pointer_mut(place).expect("it is there") = if wrong == "7" { 7.into() } else { wrong.into() };
+        assert!(!validator.is_valid(&other), "{place}");
+    }
+    moreau(&["verify", "--filter", "S4", "--export", "-"]).is_refused(&["--export", "file"]);
+}

@@ -45,6 +45,7 @@ struct Flat {
     relation: Relation,
 }
 
+/// Writes an expectation without its reason, which stands in the check.
 fn flat<S: Serializer>(expectation: &Expectation, serializer: S) -> Result<S::Ok, S::Error> {
     let Expectation { value, tolerance, relation, .. } = *expectation;
     Flat { expected: value, tolerance, relation }.serialize(serializer)
@@ -115,7 +116,8 @@ impl Finding {
 
     /// The finding with `holds` computed afresh from its numbers, which may have been changed.
     pub(crate) fn judged_again(mut self) -> Self {
-        self.holds = self.expectation.holds(self.measured);
+        let rounded = self.expectation.holds(self.measured);
+        self.holds = rounded && self.exact.as_ref().is_none_or(|[measured, expected]| measured == expected);
         self
     }
 }

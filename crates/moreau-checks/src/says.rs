@@ -98,6 +98,15 @@ impl Finding {
         }
     }
 
+    /// The finding with what another one found in place of what it found: held against what this one expects and states.
+    #[must_use]
+    pub fn with_measured(&self, other: &Finding) -> Self {
+        let mut finding = self.clone();
+        (finding.measured, finding.rational) = (other.measured, other.rational.clone());
+        finding.exact = self.exact.as_ref().zip(other.exact.as_ref()).map(|([_, expected], [found, _])| [found.clone(), expected.clone()]);
+        finding.judged_again()
+    }
+
     /// The finding with what the sentence says in place of what was found.
     #[must_use]
     pub fn as_stated(&self) -> Self {
@@ -110,7 +119,10 @@ impl Finding {
                     Value::Rounded(_) => None,
                 });
             }
-            None => finding.measured = self.expectation.value,
+            None => {
+                finding.measured = self.expectation.value;
+                finding.exact = self.exact.as_ref().map(|[_, expected]| [expected.clone(), expected.clone()]);
+            }
         }
         finding.judged_again()
     }
@@ -120,6 +132,21 @@ impl Finding {
 mod tests {
     use super::*;
     use moreau_exact::scalar::ratio;
+
+    #[test]
+    fn another_number_is_held_against_what_was_expected_and_stated() {
+        let recorded = Finding::count("k", 3, 3).says_at_most(4usize);
+        let held = |found: usize| recorded.with_measured(&Finding::count("k", found, found).says(0usize));
+        assert!(held(3).holds() && held(3).supports());
+        assert!(!held(4).holds() && held(4).supports());
+        assert!(!held(5).holds() && !held(5).supports());
+        let rounded = Finding::equal("x", 1.0, 1.0, 0.5, "m").with_measured(&Finding::equal("x", 2.0, 2.0, 0.5, "m"));
+        assert!(!rounded.holds() && rounded.measured == 2.0);
+        let third = ratio(1, 3);
+        let close = ratio(1, 3) + ratio(1, 1_000_000_000_000_000_000);
+        let exact = Finding::exact("y", &third, &third, "1").with_measured(&Finding::exact("y", &close, &close, "1"));
+        assert!(!exact.holds(), "below the spacing of floats");
+    }
 
     #[test]
     fn without_a_word_the_sentence_says_what_is_expected() {

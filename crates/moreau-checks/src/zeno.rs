@@ -110,11 +110,10 @@ pub fn absorption(subject: &dyn Scheme, proved: &MoreauJean, ball: &DroppedBall,
     let settling = settle(subject, ball, h, limit, further)?;
     let rounding = drop.place_rounding(limit + further);
     let mut findings = vec![Finding::decision(format!("absorbed within {limit} steps"), settling.absorbed.is_some(), true)];
-    if let Some(absorbed) = settling.absorbed {
-        let error = absorbed as f64 - drop.accumulation();
-        findings.push(Finding::at_most("settling time after T∞", error, bounds.late, "steps"));
-        findings.push(Finding::at_most("settling time before T∞", -error, bounds.early, "steps"));
-    }
+    // not absorbed: later than all steps taken
+    let error = settling.absorbed.unwrap_or(limit + further) as f64 - drop.accumulation();
+    findings.push(Finding::at_most("settling time after T∞", error, bounds.late, "steps"));
+    findings.push(Finding::at_most("settling time before T∞", -error, bounds.early, "steps"));
     findings.push(Finding::at_most("penetration on the way", settling.depth, bounds.depth + rounding, "g h²"));
     let [lowest, highest] = bounds.rest;
     let half = 0.5 * (highest - lowest) + rounding;

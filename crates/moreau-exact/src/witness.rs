@@ -17,6 +17,13 @@ pub struct Witness {
     pub parts: Vec<(&'static str, Part)>,
 }
 
+impl Witness {
+    /// A witness of this kind with these parts.
+    pub fn new(kind: &'static str, parts: Vec<(&'static str, Part)>) -> Self {
+        Witness { kind, parts }
+    }
+}
+
 /// A datum or an answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Part {
@@ -32,6 +39,24 @@ pub enum Part {
     Counts(Vec<usize>),
     /// A word.
     Word(&'static str),
+}
+
+impl From<&Rational> for Part {
+    fn from(number: &Rational) -> Self {
+        Part::Number(number.clone())
+    }
+}
+
+impl From<&[Rational]> for Part {
+    fn from(numbers: &[Rational]) -> Self {
+        Part::Vector(numbers.to_vec())
+    }
+}
+
+impl From<bool> for Part {
+    fn from(holds: bool) -> Self {
+        Part::Word(if holds { "holds" } else { "fails" })
+    }
 }
 
 impl From<&DMatrix<Rational>> for Part {

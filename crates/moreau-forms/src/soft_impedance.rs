@@ -7,7 +7,8 @@
 //! d₀, d_w and m are first moved into \[10⁻⁴, 1 − 10⁻⁴\], so that d → 0 and d → 1 are never reached. Without a width d is the mean (d₀ +
 //! d_w)/2.
 
-use moreau_exact::scalar::Scalar;
+use moreau_exact::scalar::{Rational, Scalar};
+use moreau_exact::witness::{Part, Witness, decided, rational};
 
 /// `solimp` with a natural power: d₀, d_w, width \[m\], midpoint, power.
 ///
@@ -41,6 +42,19 @@ impl<T: Scalar> SoftImpedance<T> {
 
     /// d at a violation δ \[m\].
     pub fn at(&self, violation: &T) -> T {
+        decided(
+            || self.along_the_curve(violation),
+            |found| {
+                let of = |number: &T| rational::<T, Rational>(number).cloned();
+                let data = [&self.start, &self.end, &self.width, &self.midpoint, violation].map(of);
+                let data = data.into_iter().collect::<Option<Vec<_>>>()?;
+                let power = Part::Counts(vec![self.power as usize]);
+                Some(Witness::new("impedance", vec![("data", Part::Vector(data)), ("power", power), ("value", Part::Number(of(found)?))]))
+            },
+        )
+    }
+
+    fn along_the_curve(&self, violation: &T) -> T {
         let [start, end] = [limited(&self.start), limited(&self.end)];
         if self.width <= T::zero() {
             return (start + end) / T::ratio(2, 1);

@@ -58,8 +58,8 @@ pub fn is_stable(method: &impl Method, damping_ratio: &Rational, s: &Rational) -
 pub fn both_sides(name: &str, method: &impl Method, damping_ratio: f64, bound: f64) -> [Finding; 2] {
     let at = |factor: f64| is_stable(method, &exact(damping_ratio), &exact(bound * factor));
     [
-        Finding::decision(format!("{name}, ζ = {damping_ratio}: stable just below s = {bound:.6}"), at(1.0 - BESIDE), true),
-        Finding::decision(format!("{name}, ζ = {damping_ratio}: stable just above"), at(1.0 + BESIDE), false),
+        Finding::decision(format!("{name}, ζ = {damping_ratio}: stable just below the end of the stable steps"), at(1.0 - BESIDE), true),
+        Finding::decision(format!("{name}, ζ = {damping_ratio}: stable just above it"), at(1.0 + BESIDE), false),
     ]
 }
 

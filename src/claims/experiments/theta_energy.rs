@@ -14,11 +14,6 @@ use crate::solvers::LemkePivoting;
 use nalgebra::dvector;
 use std::collections::BTreeSet;
 
-/// E(end)/E(0) of q̈ = −q under θ = 1.
-pub fn oscillator_energy_ratio(steps: usize) -> f64 {
-    oscillator_under(&ratio(1, 1), steps)
-}
-
 /// E(end)/E(0) of q̈ = −q, h = 1/100.
 pub fn oscillator_under(theta: &Rational, steps: usize) -> f64 {
     let oscillator = LinearSystem::scalar(ratio(1, 1), ratio(1, 1), ratio(0, 1));
@@ -28,15 +23,15 @@ pub fn oscillator_under(theta: &Rational, steps: usize) -> f64 {
     factor.powi(steps as i32)
 }
 
-/// Kinetic energies, sample by sample, of three equal balls in line, the first at 1 m/s, e = 1.
-pub fn chain_energies(theta: f64) -> Result<Vec<f64>> {
-    let chain = BallChain::new(vec![1.0; 3], vec![0.125; 3], 1.0)?;
+/// Kinetic energies, sample by sample, of three equal balls in line, the first at 1 m/s.
+pub fn chain_energies(theta: f64, restitution: f64) -> Result<Vec<f64>> {
+    let chain = BallChain::new(vec![1.0; 3], vec![0.125; 3], restitution)?;
     let scheme = MoreauJean { theta, activation: Activation::Gap, restitution: RestitutionRule::NormalOnly };
     let start = State { time: 0.0, position: dvector![0.0, 0.5, 1.0], velocity: dvector![1.0, 0.0, 0.0] };
     let recording = simulate(&scheme, &LemkePivoting, &chain, start, 0.03125, 64)?;
-    let moved = recording.last().velocity == dvector![0.0, 0.0, 1.0];
+    let moved = recording.last().velocity[2] > 0.0;
     let energies = recording.samples.iter().map(|state| chain.kinetic_energy(state)).collect();
-    if moved { Ok(energies) } else { Err(crate::Error::Unsupported("the last ball should carry the motion away".into())) }
+    if moved { Ok(energies) } else { Err(crate::Error::Unsupported("the last ball should carry motion away".into())) }
 }
 
 /// How many different numbers there are in a list.
@@ -89,9 +84,13 @@ pub fn first_impact(theta: &Rational) -> Rational {
     }
 }
 
-/// Largest difference of the velocities of a tower, 10 cold sweeps a step, between θ = ½ and θ = 1 over 100 steps \[m/s\].
-pub fn effect_of_theta_on_a_tower() -> Result<f64> {
-    let tower = Tower { bodies: 5, gravity: GRAVITY };
+/// Stiffness of springs that a tower hangs on \[N/m\].
+pub const SPRING: f64 = 100.0;
+
+/// Largest difference of the velocities of a tower, 10 cold sweeps a step, between θ = ½ and θ = 1 over 100 steps \[m/s\]; the bodies hang
+/// on springs as well, if their stiffness \[N/m\] is not 0.
+pub fn effect_of_theta_on_a_tower(stiffness: f64) -> Result<f64> {
+    let tower = Tower { bodies: 5, gravity: GRAVITY, stiffness };
     let run = |theta: f64| tower.simulate(&Sweeps::cold(10), theta, 0.01, 100);
     let (half, one) = (run(0.5)?, run(1.0)?);
     let pairs = half.samples.iter().zip(&one.samples);

@@ -23,6 +23,8 @@ pub struct Tower {
     pub bodies: usize,
     /// g \[m/s²\].
     pub gravity: f64,
+    /// k of a spring that draws every body to where it touches the one below \[N/m\].
+    pub stiffness: f64,
 }
 
 /// Overlap at the start under Moreau–Jean \[m\]: it does not see the size, and rounding cannot open the contact.
@@ -119,8 +121,8 @@ impl Mechanism for Tower {
     fn mass_matrix(&self, _position: &DVector<f64>) -> DMatrix<f64> {
         DMatrix::identity(self.bodies, self.bodies)
     }
-    fn force(&self, _position: &DVector<f64>, _velocity: &DVector<f64>) -> DVector<f64> {
-        DVector::from_element(self.bodies, -self.gravity)
+    fn force(&self, position: &DVector<f64>, _velocity: &DVector<f64>) -> DVector<f64> {
+        position.map(|moved| -self.gravity - self.stiffness * moved)
     }
     fn contacts(&self, position: &DVector<f64>) -> Vec<Contact> {
         let jacobian = self.jacobian();
@@ -135,7 +137,7 @@ impl Mechanism for Tower {
         (0..self.bodies).map(contact).collect()
     }
     fn potential_energy(&self, position: &DVector<f64>) -> f64 {
-        self.gravity * position.sum()
+        self.gravity * position.sum() + 0.5 * self.stiffness * position.norm_squared()
     }
     fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState> {
         let body = |k: usize| BodyState {
@@ -187,7 +189,7 @@ pub fn approach_left(tower: &Tower, sweeps: usize, h: f64) -> Result<f64> {
 /// Kinetic energy over (g h)² of a tower of three at rest after its weight was taken away, when the impulses (3, 2, 1) g h of the step
 /// before are corrected by a few sweeps only.
 pub fn energy_of_stale_impulses(sweeps: usize) -> Result<f64> {
-    let weightless = Tower { bodies: 3, gravity: 0.0 };
+    let weightless = Tower { bodies: 3, gravity: 0.0, stiffness: 0.0 };
     let stale = DVector::from_vec(vec![3.0, 2.0, 1.0]);
     let solution = Sweeps { count: sweeps, warm: true }.solve(&weightless.first_step(1.0), Some(&stale))?;
     Ok(0.5 * weightless.jacobian().tr_mul(&solution.impulse).norm_squared())
@@ -200,7 +202,7 @@ mod tests {
 
     #[test]
     fn the_predicted_factor_is_the_largest_eigenvalue_of_a_sweep() {
-        let tower = Tower { bodies: 4, gravity: 10.0 };
+        let tower = Tower { bodies: 4, gravity: 10.0, stiffness: 0.0 };
         let eigenvalues = tower.sweeps(1).complex_eigenvalues();
         let largest = eigenvalues.iter().map(|value| value.re).fold(0.0, f64::max);
         assert!((largest - tower.sweep_factor(1)).abs() <= rounding(64, 1.0));
@@ -208,7 +210,7 @@ mod tests {
 
     #[test]
     fn a_solved_tower_stands() {
-        let tower = Tower { bodies: 5, gravity: 9.81 };
+        let tower = Tower { bodies: 5, gravity: 9.81, stiffness: 0.0 };
         let recording = tower.simulate(&ProjectedGaussSeidel::default(), 0.5, 0.01, 20).unwrap();
         assert!(tower.sinking(&recording, 20).abs() <= solved_tower(5, 0.01, 20));
     }

@@ -266,8 +266,9 @@ fn micro_bounces(reading: Reading) -> Result<Vec<Finding>> {
         let drop = ball.drop(&scheme, h);
         let limit = (drop.accumulation() + drop.bounds().late).ceil() as usize;
         let settling = settle(subject, &ball, h, limit, FURTHER)?;
-        let absorbed = settling.absorbed.map_or(f64::INFINITY, |steps| steps as f64);
-        findings.push(Finding::at_most(format!("steps to absorption, h = {h}"), absorbed, limit as f64, "1"));
+        // not absorbed: more than all steps taken
+        let absorbed = settling.absorbed.unwrap_or(limit + FURTHER);
+        findings.push(Finding::at_most(format!("steps to absorption, h = {h}"), absorbed as f64, limit as f64, "1"));
         let speed = drop.remaining_speed(FURTHER);
         findings.push(Finding::at_most(format!("speed {FURTHER} steps later, h = {h}"), settling.speed, speed, "g h"));
     }

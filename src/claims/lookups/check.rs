@@ -53,10 +53,6 @@ fn found(row: &LookUp, reading: Reading) -> Result<Finding> {
     let finding = match (query.ask(of)?, row.wanted) {
         (LookedUp::Share { found, of }, Wanted::Decision(wanted)) => Finding::decision(name, found == of, wanted),
         (LookedUp::Share { found, .. } | LookedUp::Count(found), Wanted::Count(wanted)) => Finding::count(name, found, wanted),
-        (LookedUp::Count(found), Wanted::At(keys)) => {
-            let wanted = super::query::number(&row.of.stated()?, keys)?;
-            Finding::count(name, found, wanted as usize)
-        }
         (LookedUp::Number(found), Wanted::At(keys)) => {
             Finding::equal(name, found, super::query::number(&row.of.stated()?, keys)?, 0.0, "1")
         }

@@ -103,17 +103,24 @@ fn distance_is_not_depth(reading: Reading) -> Result<Vec<Finding>> {
         Finding::equal("φ against the enclosed distance", 0.5 * (lower + upper), phi, GILBERT_WIDTH, "m"),
         Finding::at_most("width of the enclosure", upper - lower, GILBERT_WIDTH, "m"),
     ];
-    for depth in reading.only(0).pick([0.05, 0.1], [-0.05, -0.1]) {
+    for distance in [0.05, 0.1] {
+        let depth = reading.only(0).pick(distance, -distance);
         let below_the_face = Vector2::new(0.05, RADIUS + HALF_EXTENTS[1] - depth);
         let beside_a_corner = Vector2::from(HALF_EXTENTS) + Vector2::new(0.6, 0.8) * (RADIUS - depth);
         let centre = reading.only(0).pick(below_the_face, beside_a_corner);
-        let [lower, upper] = distance_bounds(centre, STEPS);
+        let ([lower, upper], phi) = (distance_bounds(centre, STEPS), gap(centre)?);
         findings.push(
-            Finding::equal(format!("distance at depth {depth}"), 0.5 * (lower + upper), 0.0, GILBERT_WIDTH, "m")
-                .says(-depth)
-                .violating("the bodies are disjoint"),
+            Finding::equal(
+                format!("distance less φ, {distance} m from touching"),
+                0.5 * (lower + upper) - phi,
+                distance,
+                GILBERT_WIDTH,
+                "m",
+            )
+            .says(0.0)
+            .violating("the bodies are disjoint"),
         );
-        findings.push(Finding::equal(format!("φ at depth {depth}"), gap(centre)?, -depth, GILBERT_WIDTH, "m"));
+        findings.push(Finding::equal(format!("φ, {distance} m from touching"), phi, -distance, GILBERT_WIDTH, "m"));
     }
     Ok(findings)
 }

@@ -4,7 +4,7 @@ use crate::checks::zeno::{DroppedBall, absorption};
 use crate::claims::prelude::*;
 use crate::closed_forms::bouncing_ball::BouncingBall;
 use crate::defects::zeno::{Altered, Mistake, RULE_C, sinking};
-use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme};
+use crate::schemes::{Activation, Anitescu, MoreauJean, RestitutionRule, Scheme};
 use crate::tolerance::rounding;
 
 /// The claims of this file.
@@ -66,6 +66,7 @@ pub const CLAIMS: &[Claim] = &[
         controls: &[
             "The unconditional reading: the rule φ + hv ≤ 0 with v ≤ 0 put through the same check.",
             "The rule φ + ½hv ≤ 0 in the place of that with v ≤ 0: the ball does not sink.",
+            "Anitescu's scheme, which knows no restitution: the ball rests from its first impact on.",
         ],
         sources: &["chapter §0, Zeno phenomenon; chapter §12 for the rule with v_free"],
         check: check!(absorbs),
@@ -117,7 +118,7 @@ fn event_loop(reading: Reading) -> Result<Vec<Finding>> {
     let remaining = ratio(9, 1) - reached;
     let expected = (0..=BUDGET).fold(ratio(10, 1), |product, _| product * ratio(4, 5));
     Ok(vec![
-        Finding::at_most("landings until the clock stands still", in_floats.map_or(f64::INFINITY, |count| count as f64), longest, "1"),
+        Finding::at_most("landings until the clock stands still, of at most 400", in_floats.unwrap_or(BUDGET) as f64, longest, "1"),
         Finding::at_most("clock short of T∞ (in t₁)", (9.0 - stopped).abs(), rounding(2 * BUDGET, 9.0), "1"),
         Finding::decision("the exact loop has not ended after 400 flights", in_rationals.is_none(), true),
         Finding::decision("the exact clock is still before T∞", remaining > ratio(0, 1), true),
@@ -164,7 +165,11 @@ fn absorbs(reading: Reading) -> Result<Vec<Finding>> {
         for theta in [0.5, 1.0] {
             let proved = scheme(activation, theta);
             let unconditional = Altered { base: proved, mistake: Mistake::ApproachingOnly };
-            let subject: &dyn Scheme = reading.only(0).pick(&proved, &unconditional);
+            let subject: &dyn Scheme = match reading {
+                Reading::Control(0) => &unconditional,
+                Reading::Control(2) => &Anitescu,
+                _ => &proved,
+            };
             let late = activation.forecast() + theta >= 1.5 - ball.restitution / (1.0 + ball.restitution);
             for mut finding in absorption(subject, &proved, &ball, 0.01, 50)? {
                 finding.name = format!("{}, {}, θ = {theta}", finding.name, activation.name());

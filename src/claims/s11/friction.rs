@@ -4,6 +4,7 @@ use crate::claims::experiments::identifiers::year;
 use crate::claims::experiments::painleve::{answers, sliding_forces};
 use crate::claims::lookups::STEWART_TRINKLE;
 use crate::claims::prelude::*;
+use moreau_exact::witness::{Part, Witness, decided};
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -151,6 +152,14 @@ fn first(reading: Reading) -> Result<Vec<Finding>> {
 
 /// Whether (u_t, r) is in Coulomb's law of a closed contact, exactly: ‖r_t‖ ≤ μ r_n, and r_t = −μ r_n u_t/‖u_t‖ where the body slides.
 fn in_coulombs_law(friction: &Rational, slip: [&Rational; 2], impulse: [&Rational; 3]) -> bool {
+    let numbers = |of: &[&Rational]| Part::Vector(of.iter().map(|number| (*number).clone()).collect());
+    let velocity = [&ratio(0, 1), slip[0], slip[1]];
+    let vectors = || [("velocity", numbers(&velocity)), ("impulse", numbers(&impulse)), ("friction", friction.into())];
+    let decide = || opposes(friction, slip, impulse);
+    decided(decide, |found| Some(Witness::new("coulomb", vectors().into_iter().chain([("answer", (*found).into())]).collect())))
+}
+
+fn opposes(friction: &Rational, slip: [&Rational; 2], impulse: [&Rational; 3]) -> bool {
     let zero = ratio(0, 1);
     let [x, y] = slip;
     let [normal, along, across] = impulse;
@@ -159,7 +168,7 @@ fn in_coulombs_law(friction: &Rational, slip: [&Rational; 2], impulse: [&Rationa
     if *x == zero && *y == zero {
         return *normal >= zero && within <= &limit * &limit;
     }
-    let opposite = along * x + across * y < zero && along * y == across * x;
+    let opposite = along * x + across * y <= zero && along * y == across * x;
     *normal >= zero && opposite && within == &limit * &limit
 }
 

@@ -2,6 +2,7 @@
 
 use super::half_space::{pairs, whole};
 use crate::claims::prelude::*;
+use moreau_exact::witness::{Part, Witness, decided};
 
 /// Claims on the bipotential.
 pub const CLAIMS: &[Claim] = &[
@@ -93,7 +94,7 @@ fn in_cone(r: &Vector) -> bool {
 }
 
 /// Signorini's and Coulomb's laws, case by case.
-fn law_holds(u: &Vector, r: &Vector) -> bool {
+fn case_by_case(u: &Vector, r: &Vector) -> bool {
     let signorini = u.normal >= whole(0) && r.normal >= whole(0) && u.normal.clone() * r.normal.clone() == whole(0);
     let coulomb = if u.size == whole(0) {
         r.size <= mu() * r.normal.clone()
@@ -102,6 +103,17 @@ fn law_holds(u: &Vector, r: &Vector) -> bool {
         r.tangent() == u.unit.clone().map(|entry| -(bound.clone() * entry))
     };
     signorini && coulomb
+}
+
+/// The same, told to whoever collects witnesses.
+fn law_holds(u: &Vector, r: &Vector) -> bool {
+    let vector = |of: &Vector| {
+        let [a, b] = of.tangent();
+        Part::Vector(vec![of.normal.clone(), a, b])
+    };
+    let parts =
+        |found: bool| vec![("friction", Part::Number(mu())), ("velocity", vector(u)), ("impulse", vector(r)), ("answer", found.into())];
+    decided(|| case_by_case(u, r), |found| Some(Witness::new("coulomb", parts(*found))))
 }
 
 fn bipotential(reading: Reading) -> Result<Vec<Finding>> {

@@ -1,6 +1,7 @@
 //! One contact of §2 in exact arithmetic: its tangent cone, its normal cone by definition, and the impact inclusion on a line.
 
 use crate::scalar::{Rational, ratio};
+use moreau_exact::witness::{Part, Witness, decided};
 
 /// The integer as a rational.
 pub fn whole(number: i64) -> Rational {
@@ -47,17 +48,25 @@ impl TangentCone {
     /// T is a cone: w = 0 and w = 2v give `⟨g, v⟩ = 0`, and then `⟨g, w⟩ ≤ 0` on the generators says the rest.
     pub fn normal_cone_contains(&self, velocity: &Plane, g: &Plane) -> bool {
         let zero = whole(0);
-        self.contains(velocity) && dot(g, velocity) == zero && self.generators().iter().all(|w| dot(g, w) <= zero)
+        decided(
+            || self.contains(velocity) && dot(g, velocity) == zero && self.generators().iter().all(|w| dot(g, w) <= zero),
+            |found| Some(in_normal_cone(&self.gradient, self.active, velocity, g, *found)),
+        )
     }
+}
+
+/// The witness of a decision on g ∈ N_T(v), T = {w : a·w ≥ 0} or everything.
+fn in_normal_cone(gradient: &[Rational], active: bool, velocity: &[Rational], g: &[Rational], found: bool) -> Witness {
+    let constraint = Part::Word(if active { "closed" } else { "open" });
+    let vectors = [("gradient", gradient), ("velocity", velocity), ("member", g)].map(|(name, vector)| (name, vector.into()));
+    Witness::new("normal-cone", vectors.into_iter().chain([("constraint", constraint), ("answer", found.into())]).collect())
 }
 
 /// `g ∈ N_T(x)` on the line, with `T = {w ≥ 0}` in contact and the whole line otherwise.
 pub fn line_normal_cone_contains(in_contact: bool, x: &Rational, g: &Rational) -> bool {
     let zero = whole(0);
-    if !in_contact || *x > zero {
-        return *g == zero;
-    }
-    *x == zero && *g <= zero
+    let decide = || if !in_contact || *x > zero { *g == zero } else { *x == zero && *g <= zero };
+    decided(decide, |found| Some(in_normal_cone(&[whole(1)], in_contact, &[x.clone()], &[g.clone()], *found)))
 }
 
 /// An impact inclusion on the line, `−m (v⁺ − v⁻) ∈ N_T(a v⁺ + b v⁻)` at q = 0; `a = 1, b = e` is Moreau's law.
@@ -83,6 +92,16 @@ impl Impact {
 
     /// All v⁺. The normal cone is {0} or the half-line at 0, so that v⁺ = v⁻ or the argument vanishes.
     pub fn solutions(&self, pre: &Rational) -> Vec<Rational> {
+        decided(
+            || self.all_solutions(pre),
+            |found| {
+                let data = [&self.mass, &self.after, &self.before, pre].map(Clone::clone);
+                Some(Witness::new("impact-inclusion", vec![("data", data.as_slice().into()), ("solutions", found.as_slice().into())]))
+            },
+        )
+    }
+
+    fn all_solutions(&self, pre: &Rational) -> Vec<Rational> {
         let mut candidates = vec![pre.clone()];
         if self.after != whole(0) {
             candidates.push(-(self.before.clone() * pre.clone()) / self.after.clone());

@@ -1,6 +1,7 @@
 //! §2, what the bipotential is said to have made provable.
 
 use crate::claims::prelude::*;
+use moreau_exact::witness::{Witness, decided};
 
 pub const CLAIMS: &[Claim] = &[Claim {
     id: "S2.dzonou",
@@ -32,9 +33,14 @@ struct Friction {
 fn coulomb(friction: &Friction, u: &[Rational; 2], r: &[Rational; 2]) -> bool {
     let zero = ratio(0, 1);
     let mu = if u[1] == zero { &friction.rest } else { &friction.sliding };
-    let lifted = &u[0] + mu * u[1].magnitude();
-    let admissible = r[1].magnitude() <= mu * &r[0] && lifted >= mu * u[1].magnitude();
-    admissible && &r[0] * lifted + &r[1] * &u[1] == zero
+    let decide = || {
+        let lifted = &u[0] + mu * u[1].magnitude();
+        let admissible = r[1].magnitude() <= mu * &r[0] && lifted >= mu * u[1].magnitude();
+        admissible && &r[0] * lifted + &r[1] * &u[1] == zero
+    };
+    let vectors = || [("velocity", u), ("impulse", r)].map(|(name, vector)| (name, vector.as_slice().into()));
+    let parts = |found: bool| vectors().into_iter().chain([("friction", mu.into()), ("answer", found.into())]).collect();
+    decided(decide, |found| Some(Witness::new("coulomb", parts(*found))))
 }
 
 /// r_t = −μ r_n sign(u_t), with sign(0) = 0.

@@ -152,9 +152,10 @@ fn newton_law(reading: Reading) -> Result<Vec<Finding>> {
         Finding::exact("v⁺ against −e v", &impact, &-(&e * &falling.velocity), "m/s"),
         Finding::at_most("distance from −e times the velocity at the impact", late, 0.5 * 9.81 / 100.0, "m/s"),
         Finding::exact("U⁺ of the rod's first support", &after[0], &ratio(1, 2), "m/s"),
-        Finding::exact("U⁺ of its second support, which takes no impulse", &after[1], &ratio(17, 10), "m/s")
-            .says(-(&e * &before[1]))
+        Finding::exact("U⁺ + e U⁻ of its second support", &(&after[1] + &e * &before[1]), &ratio(33, 20), "m/s")
+            .says(Rational::zero())
             .violating("P > 0 at the contact"),
+        Finding::exact("U⁺ of the second support, which takes no impulse", &after[1], &ratio(17, 10), "m/s").context(),
     ])
 }
 

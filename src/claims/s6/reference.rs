@@ -124,6 +124,7 @@ fn millimetres(numerator: i64, denominator: i64) -> Rational {
 
 fn form(reading: Reading) -> Result<Vec<Finding>> {
     let (gap, rate) = (millimetres(-1, 1), reading.pick(ratio(-3, 10), ratio(3, 10)));
+    let printed = Scalar::to_f64(&ratio(650, 19));
     let exact = standard().acceleration(&gap, &rate);
     let parameters = ContactParameters::default();
     let (stiffness, damping) = parameters.stiffness_and_damping(0.002);
@@ -131,7 +132,7 @@ fn form(reading: Reading) -> Result<Vec<Finding>> {
     let [shallow, deep] = [millimetres(1, 2), millimetres(1, 1)].map(|depth| standard().coefficients(&depth)[0].clone());
     Ok(vec![
         Finding::exact("a_ref at φ = −1 mm", &exact, &ratio(650, 19), "m/s²"),
-        Finding::equal("a_ref by the rounded formula", rounded, Scalar::to_f64(&ratio(650, 19)), rounding(16, rounded), "m/s²"),
+        Finding::equal("a_ref by the rounded formula", rounded, printed, rounding(16, printed), "m/s²"),
         Finding::decision("the stiffness is the same at half the depth", shallow == deep, false).context(),
     ])
 }
@@ -151,14 +152,18 @@ fn meaning(reading: Reading) -> Result<Vec<Finding>> {
         Finding::exact("ω₀² at ζ = 1", &square, &ratio(2500, 1), "1/s²").says(&printed(&one)[0]),
         Finding::exact("2ζω₀ at ζ = 1", &twice, &ratio(100, 1), "1/s").says(&printed(&one)[1]),
     ];
-    for (zeta, expected, name) in [(ratio(1, 2), 10_000, "1/2"), (ratio(2, 1), 625, "2")] {
+    for (zeta, expected, share, name) in [(ratio(1, 2), 10_000, ratio(2, 1), "1/2"), (ratio(2, 1), 625, ratio(1, 2), "2")] {
         let zeta = reading.only(0).pick(zeta, one.clone());
         let [square, twice] = at_depth(&zeta, &depth);
         let [stated, stated_twice] = printed(&zeta);
         findings
             .push(Finding::exact(format!("ω₀² at ζ = {name}"), &square, &ratio(expected, 1), "1/s²").says(stated).violating("dampratio 1"));
-        findings
-            .push(Finding::exact(format!("2ζω₀ at ζ = {name}"), &twice, &ratio(100, 1), "1/s").says(stated_twice).violating("dampratio 1"));
+        findings.push(
+            Finding::exact(format!("2ζω₀ over 2ζ/timeconst at ζ = {name}"), &(&twice / stated_twice), &share, "1")
+                .says(ratio(1, 1))
+                .violating("dampratio 1"),
+        );
+        findings.push(Finding::exact(format!("2ζω₀ at ζ = {name}"), &twice, &ratio(100, 1), "1/s").context());
     }
     let direct = SoftReference::direct(&ratio(2500, 1), &ratio(100, 1), SoftImpedance::standard());
     findings.push(Finding::decision("(−2500, −100) is (1/50, 1)", direct == standard(), true).context());

@@ -95,7 +95,7 @@ fn bead_scheme(reading: Reading) -> &'static dyn Scheme {
 fn velocity_drift(reading: Reading) -> Result<Vec<Finding>> {
     const STEPS: usize = 1000;
     let (bodies, h, steps, sweeps) = (5, 0.01, 100, 10);
-    let tower = Tower { bodies, gravity: 9.81 };
+    let tower = Tower { bodies, gravity: 9.81, stiffness: 0.0 };
     let (converged, truncated) = (ProjectedGaussSeidel::default(), Sweeps::cold(sweeps));
     let solvers: [&dyn ContactSolver; 2] = [&converged, &truncated];
     let [solver, stopped] = [reading.only(0).pick(solvers[0], solvers[1]), reading.only(1).pick(solvers[1], solvers[0])];

@@ -95,7 +95,10 @@ pub fn symmetric_part(matrix: &DMatrix<Rational>) -> DMatrix<Rational> {
 
 /// xᵀA x.
 pub fn quadratic_form(matrix: &DMatrix<Rational>, x: &DVector<Rational>) -> Rational {
-    x.dot(&(matrix * x))
+    decided(
+        || x.dot(&(matrix * x)),
+        |value| Some(Witness::new("quadratic-form", vec![("matrix", matrix.into()), ("vector", x.into()), ("value", value.into())])),
+    )
 }
 
 /// Clears row and column `pivot` of A by a congruence, on the indices that remain, and records it in the transformation.

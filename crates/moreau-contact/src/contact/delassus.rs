@@ -4,7 +4,8 @@
 //! and L Y = Hᵀ it is W = Yᵀ D⁻¹ Y: symmetric and positive semidefinite by construction, and free of square roots, so
 //! the same code serves `f64` and exact rationals.
 
-use moreau_exact::scalar::Scalar;
+use moreau_exact::scalar::{Rational, Scalar};
+use moreau_exact::witness::{Witness, decided, rational};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -27,7 +28,11 @@ use nalgebra::{DMatrix, DVector};
 /// # Ok::<(), moreau_contact::Error>(())
 /// ```
 pub fn delassus<T: Scalar>(mass: &DMatrix<T>, jacobian: &DMatrix<T>) -> Result<DMatrix<T>> {
-    delassus_factored(&MassFactor::new(mass)?, jacobian)
+    let decide = || delassus_factored(&MassFactor::new(mass)?, jacobian);
+    decided(decide, |found| {
+        let [mass, jacobian, found]: [&DMatrix<Rational>; 3] = [rational(mass)?, rational(jacobian)?, rational(found.as_ref().ok()?)?];
+        Some(Witness::new("delassus", vec![("mass", mass.into()), ("jacobian", jacobian.into()), ("delassus", found.into())]))
+    })
 }
 
 /// W = H M⁻¹ Hᵀ \[1/kg\] of a mass matrix that is factored already.

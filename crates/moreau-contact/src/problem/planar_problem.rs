@@ -111,11 +111,26 @@ impl<T: Scalar> PlanarProblem<T> {
             let problem = format!("has {contacts} coefficients for {rows} rows");
             return Err(Error::invalid("friction", problem, "give one coefficient per contact of two or three rows"));
         }
-        let generators = stewart_trinkle::generators(contacts, rows / contacts, directions);
-        let transposed = generators.transpose();
-        let reduced = &transposed * &self.delassus * &generators;
-        let lcp = stewart_trinkle::lcp(&reduced, friction, &(transposed * &self.velocity));
-        Ok(ImpulseLcp { lcp, generators })
+        let decide = || {
+            let generators = stewart_trinkle::generators(contacts, rows / contacts, directions);
+            let transposed = generators.transpose();
+            let reduced = &transposed * &self.delassus * &generators;
+            let lcp = stewart_trinkle::lcp(&reduced, friction, &(transposed * &self.velocity));
+            ImpulseLcp { lcp, generators }
+        };
+        Ok(decided(decide, |found| self.written_down(friction, directions, &found.lcp)))
+    }
+
+    /// The witness of a Stewart–Trinkle problem.
+    fn written_down(&self, friction: &[T], directions: &[[T; 2]], lcp: &Lcp<T>) -> Option<Witness> {
+        let numbers = |of: &[T]| of.iter().map(|number| rational::<T, Rational>(number).cloned()).collect::<Option<Vec<_>>>();
+        let [delassus, matrix]: [&DMatrix<Rational>; 2] = [rational(&self.delassus)?, rational(&lcp.matrix)?];
+        let [velocity, vector]: [&DVector<Rational>; 2] = [rational(&self.velocity)?, rational(&lcp.vector)?];
+        let directions = directions.iter().map(|direction| numbers(direction)).collect::<Option<Vec<_>>>()?;
+        let mut parts = vec![("delassus", Part::from(delassus)), ("velocity", velocity.into())];
+        parts.extend([("friction", Part::Vector(numbers(friction)?)), ("directions", Part::Vectors(directions))]);
+        parts.extend([("matrix", matrix.into()), ("vector", vector.into())]);
+        Some(Witness::new("stewart-trinkle", parts))
     }
 }
 

@@ -44,6 +44,7 @@ mod barzilai_borwein;
 #[cfg(feature = "clarabel")]
 mod clarabel;
 mod doubled;
+mod elimination;
 pub mod enumeration;
 mod friction_set;
 pub mod gauss;

@@ -23,6 +23,7 @@
 //! Mech. Eng. 92 (1991).
 
 use super::ContactSolver;
+use super::elimination;
 use super::friction_set::{FrictionSet, Piece};
 use super::stopping::Stopping;
 use crate::certificate::Judge;
@@ -129,7 +130,7 @@ impl<'a> Equations<'a> {
         for &proximal in proximals {
             let (residual, jacobian) = self.linearise(from, law_velocity, proximal);
             let enough = 0.5 * residual.norm();
-            let Some(direction) = jacobian.lu().solve(&-residual).filter(|d| d.iter().all(|x| x.is_finite())) else { continue };
+            let Some(direction) = elimination::solve(&jacobian, &-residual).filter(|d| d.iter().all(|x| x.is_finite())) else { continue };
             for halvings in 0..tolerance::NONSMOOTH_HALVINGS {
                 let tried = from + &direction * 0.5f64.powi(halvings);
                 let norm = self.residual(&tried, &self.problem.law_velocity(&tried)).norm();

@@ -6,7 +6,8 @@
 //! ```
 //! Over rationals nothing is rounded, so that both sides of a boundary, and the boundary itself, are told apart.
 
-use moreau_exact::scalar::Scalar;
+use moreau_exact::scalar::{Rational, Scalar};
+use moreau_exact::witness::{Part, Witness, decided, rational};
 use nalgebra::DMatrix;
 
 /// What becomes of ‖Aⁿ‖ as n grows.
@@ -22,6 +23,17 @@ pub enum Powers {
     GrowExponentially,
 }
 
+impl Powers {
+    fn word(self) -> &'static str {
+        match self {
+            Powers::Decay => "decay",
+            Powers::Bounded => "bounded",
+            Powers::GrowLinearly => "grow-linearly",
+            Powers::GrowExponentially => "grow-exponentially",
+        }
+    }
+}
+
 /// Trace and determinant.
 pub fn invariants<T: Scalar>(matrix: &DMatrix<T>) -> [T; 2] {
     assert_eq!(matrix.shape(), (2, 2), "trace and determinant decide for 2×2 matrices only");
@@ -34,6 +46,16 @@ pub fn invariants<T: Scalar>(matrix: &DMatrix<T>) -> [T; 2] {
 /// # Panics
 /// If the matrix is not 2×2.
 pub fn powers<T: Scalar>(matrix: &DMatrix<T>) -> Powers {
+    decided(
+        || by_jury(matrix),
+        |found| {
+            let matrix: &DMatrix<Rational> = rational(matrix)?;
+            Some(Witness::new("powers", vec![("matrix", matrix.into()), ("answer", Part::Word(found.word()))]))
+        },
+    )
+}
+
+fn by_jury<T: Scalar>(matrix: &DMatrix<T>) -> Powers {
     let [trace, determinant] = invariants(matrix);
     let (size, room) = (trace.magnitude(), T::one() + determinant.clone());
     if determinant.magnitude() > T::one() || size > room {

@@ -5,7 +5,8 @@
 //! ```
 //! M is constant; in coordinates (q, p = M v) it is the identity.
 
-use moreau_exact::scalar::Scalar;
+use moreau_exact::scalar::{Rational, Scalar};
+use moreau_exact::witness::{Witness, decided, rational};
 use nalgebra::DMatrix;
 
 /// J of a constant mass matrix M, n × n, in the coordinates (q, v), 2n × 2n.
@@ -20,18 +21,34 @@ pub fn form<T: Scalar>(mass: &DMatrix<T>) -> DMatrix<T> {
 
 /// DᵀJD − J, the zero matrix for a symplectic map.
 pub fn defect<T: Scalar>(jacobian: &DMatrix<T>, mass: &DMatrix<T>) -> DMatrix<T> {
-    let form = form(mass);
-    jacobian.transpose() * &form * jacobian - form
+    let decide = || {
+        let form = form(mass);
+        jacobian.transpose() * &form * jacobian - form
+    };
+    decided(decide, |found| {
+        let [map, mass, found]: [&DMatrix<Rational>; 3] = [rational(jacobian)?, rational(mass)?, rational(found)?];
+        Some(Witness::new("symplectic-defect", vec![("map", map.into()), ("mass", mass.into()), ("defect", found.into())]))
+    })
 }
 
 /// det D, the factor of phase volume, by expansion along the first row (for small matrices).
 pub fn volume<T: Scalar>(jacobian: &DMatrix<T>) -> T {
+    decided(
+        || expanded(jacobian),
+        |found| {
+            let (matrix, value): (&DMatrix<Rational>, &Rational) = (rational(jacobian)?, rational(found)?);
+            Some(Witness::new("determinant", vec![("matrix", matrix.into()), ("value", value.into())]))
+        },
+    )
+}
+
+fn expanded<T: Scalar>(jacobian: &DMatrix<T>) -> T {
     if jacobian.is_empty() {
         return T::one();
     }
     let minor = |j: usize| jacobian.clone().remove_row(0).remove_column(j);
     (0..jacobian.ncols()).filter(|&j| !jacobian[(0, j)].is_zero()).fold(T::zero(), |sum, j| {
-        let term = jacobian[(0, j)].clone() * volume(&minor(j));
+        let term = jacobian[(0, j)].clone() * expanded(&minor(j));
         if j % 2 == 0 { sum + term } else { sum - term }
     })
 }
