@@ -68,11 +68,32 @@ pub static JUDGES: Family<Concludes> = Family {
             let findings: Vec<_> = findings.iter().map(deciding).collect();
             if derive(&findings) == Ok(verdict) { conclude(verdict, &findings, controls) } else { Status::OtherVerdict(String::new()) }
         }),
+        planted(
+            "claims/control-with-its-own-words",
+            "takes another verdict of a control that comes from other words of the sentence alone for one of another subject",
+            |verdict, findings, controls| match conclude(verdict, findings, controls) {
+                Status::ControlPassed if controls.iter().all(|control| bites(verdict, control)) => Status::Supported,
+                other => other,
+            },
+        ),
+        planted(
+            "claims/passages-reworded",
+            "takes a control in which two passages say the same for one in which what is found bears them out",
+            |verdict, findings, controls| match conclude(verdict, findings, controls) {
+                Status::ControlPassed if verdict == ClaimVerdict::Inconsistent && bites(verdict, &controls[0]) => Status::Supported,
+                other => other,
+            },
+        ),
         planted("claims/first-control-alone", "does not look at any control but the first", |verdict, findings, controls| {
             conclude(verdict, findings, &controls[..controls.len().min(1)])
         }),
     ],
 };
+
+/// Whether a control leads to another verdict by what it expects and states itself, and contradicts a finding.
+fn bites(verdict: ClaimVerdict, control: &[Finding]) -> bool {
+    !control.is_empty() && derive(control) != Ok(verdict) && !control.iter().all(Finding::holds)
+}
 
 const fn planted(name: &'static str, mistake: &'static str, subject: Concludes) -> Planted<Concludes> {
     Planted { name, mistake, kind: Kind::Certificate, subject }
@@ -88,6 +109,10 @@ fn judgement(subject: &Concludes) -> Result<Vec<Finding>> {
     let beside = vec![found(1), named("y", 1).says(2).context()];
     // the second control moves what the first one moves, and nothing else
     let twice = [vec![found(2)], vec![found(2)]];
+    // the same refutation, of another number by another word
+    let reworded = [vec![found(3).says(3)]];
+    let passages =
+        |value: usize, one: usize, other: usize| vec![found(value).says(one).passage("§1"), found(value).says(other).passage("§2")];
     let of = |verdict, findings: &[Finding], controls: &[Vec<Finding>]| subject(verdict, findings, controls);
     let is = |what: &str, found: Status, expected: fn(&Status) -> bool| Finding::decision(what, expected(&found), true);
     Ok(vec![
@@ -99,6 +124,11 @@ fn judgement(subject: &Concludes) -> Result<Vec<Finding>> {
             *status == Status::ControlPassed
         }),
         is("two controls of one effect", of(ClaimVerdict::True, &right, &twice), |status| *status == Status::ControlPassed),
+        is("a control with other words", of(ClaimVerdict::False, &refuted, &reworded), |status| *status == Status::ControlPassed),
+        is("two passages", of(ClaimVerdict::Inconsistent, &passages(1, 1, 2), &[passages(0, 0, 0)]), |status| *status == Status::Supported),
+        is("two passages reworded", of(ClaimVerdict::Inconsistent, &passages(1, 1, 2), &[passages(2, 3, 3)]), |status| {
+            *status == Status::ControlPassed
+        }),
         is("a check that finds nothing", of(ClaimVerdict::True, &[], &wrong), |status| matches!(status, Status::Failed(_))),
         is("a control that finds nothing", of(ClaimVerdict::True, &right, &[vec![]]), |status| matches!(status, Status::Failed(_))),
         is("another finding than expected", of(ClaimVerdict::True, &wrong[0], &wrong), |status| *status == Status::Contradicted),

@@ -29,9 +29,12 @@ pub struct Row {
 /// If a check cannot be computed on a planted subject.
 pub fn rows(sources: &[Source], progress: &(dyn Fn() + Sync)) -> Result<Vec<Row>> {
     let trials: Vec<&Trial> = sources.iter().flat_map(|source| &source.trials).collect();
-    let caught = trials.par_iter().map(|trial| (trial.caught_by)()).inspect(|_| progress()).collect::<Result<Vec<_>>>()?;
+    // one after the other from the front, so that a long one is not begun last
+    let judged = trials.iter().enumerate().par_bridge().map(|(place, trial)| Ok((place, (trial.caught_by)()?)));
+    let mut caught = judged.inspect(|_| progress()).collect::<Result<Vec<_>>>()?;
+    caught.sort_by_key(|(place, _)| *place);
     let mut rows: Vec<Row> = Vec::new();
-    for (trial, caught_by) in trials.into_iter().zip(caught) {
+    for (trial, (_, caught_by)) in trials.into_iter().zip(caught) {
         match rows.iter_mut().find(|row| row.name == trial.name) {
             Some(row) => {
                 let new: Vec<String> = caught_by.into_iter().filter(|check| !row.caught_by.contains(check)).collect();

@@ -17,9 +17,11 @@ pub type Witnessed = (&'static Claim, Vec<Finding>, Vec<Witness>);
 /// witnesses/1: what claims were decided from.
 #[derive(Serialize, JsonSchema)]
 pub struct WitnessDocument {
+    /// witnesses/1.
     schema: Form,
     /// How many there are of what follows, so that a part is not taken for the whole.
     counts: Counts,
+    /// The claims.
     claims: Vec<WitnessedClaim>,
 }
 
@@ -30,20 +32,27 @@ enum Form {
     First,
 }
 
+/// How many there are.
 #[derive(Serialize, JsonSchema)]
 struct Counts {
+    /// Claims.
     claims: usize,
+    /// Findings of all claims.
     findings: usize,
+    /// Witnesses of all claims.
     witnesses: usize,
 }
 
 /// What one claim was decided from.
 #[derive(Serialize, JsonSchema)]
 struct WitnessedClaim {
+    /// The claim's identifier.
     id: &'static str,
     /// The recorded verdict, which follows from the findings.
     verdict: ClaimVerdict,
+    /// The grade, which follows as well.
     evidence: Evidence,
+    /// What was found.
     findings: Vec<WitnessedFinding>,
     /// The exact decisions that its check made.
     witnesses: Vec<WitnessEntry>,
@@ -52,9 +61,13 @@ struct WitnessedClaim {
 /// What was found, what was expected and what the sentence says; decisions are 0 and 1.
 #[derive(Serialize, JsonSchema)]
 struct WitnessedFinding {
+    /// What was measured.
     name: String,
+    /// The number.
     found: Number,
+    /// What is expected of it.
     expected: Number,
+    /// How the two are compared.
     relation: Relation,
     /// How far a rounded number may differ.
     tolerance: f64,
@@ -76,17 +89,24 @@ enum Number {
     Rounded(Option<f64>),
 }
 
+/// What the sentence says.
 #[derive(Serialize, JsonSchema)]
 struct StatedEntry {
+    /// How the found number is held against it.
     relation: Relation,
+    /// The stated number.
     value: Number,
 }
 
+/// A passage, a reading or the point of an opinion.
 #[derive(Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 enum VoiceEntry {
+    /// One of two passages that speak of the same instance.
     Passage(&'static str),
+    /// One of the readings that the sentence has.
     Reading(&'static str),
+    /// The point on which it is an opinion.
     Opinion(&'static str),
 }
 

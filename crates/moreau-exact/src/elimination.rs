@@ -29,47 +29,54 @@ pub fn solve<T: Scalar>(matrix: &DMatrix<T>, right_side: &DVector<T>) -> Option<
 pub fn solve_columns<T: Scalar>(matrix: &DMatrix<T>, right_sides: &DMatrix<T>) -> Option<DMatrix<T>> {
     let size = right_sides.nrows();
     assert!(matrix.is_square() && matrix.nrows() == size, "elimination needs a square matrix and right sides of its size");
-    let mut a = matrix.clone();
-    let mut x = right_sides.clone();
+    // Rows lie in memory one after the other in the transpose.
+    let (mut a, mut x) = (matrix.transpose(), right_sides.transpose());
     for k in 0..size {
         let pivot = largest_below(&a, k)?;
-        a.swap_rows(k, pivot);
-        x.swap_rows(k, pivot);
-        let factors: Vec<T> = (k + 1..size).map(|i| a[(i, k)].clone() / a[(k, k)].clone()).collect();
-        let columns = a.as_mut_slice()[(k + 1) * size..].chunks_mut(size).chain(x.as_mut_slice().chunks_mut(size));
-        columns.for_each(|column| eliminate(column, k, &factors));
+        a.swap_columns(k, pivot);
+        x.swap_columns(k, pivot);
+        eliminate(a.as_mut_slice(), x.as_mut_slice(), size, k);
     }
-    // The rows of the triangle lie in memory one after the other in its transpose.
-    let a = a.transpose();
-    for mut column in x.column_iter_mut() {
-        substitute_back(&a, column.as_mut_slice());
-    }
-    Some(x)
+    substitute_back(&a, &mut x);
+    Some(x.transpose())
 }
 
-/// Subtracts multiples of entry k of a column from the entries below it.
-fn eliminate<T: Scalar>(column: &mut [T], k: usize, factors: &[T]) {
-    let (above, below) = column.split_at_mut(k + 1);
-    let pivot = &above[k];
-    if pivot.is_zero() {
-        return;
+/// Subtracts multiples of row k of A and of X from the rows below, where A has an entry to remove.
+fn eliminate<T: Scalar>(a: &mut [T], x: &mut [T], size: usize, k: usize) {
+    let columns = x.len() / size;
+    let ((above, below), (solved, rest)) = (a.split_at_mut((k + 1) * size), x.split_at_mut((k + 1) * columns));
+    let (pivot_row, right_row) = (&above[k * size + k..], &solved[k * columns..]);
+    for (i, row) in below.chunks_exact_mut(size).enumerate() {
+        if row[k].is_zero() {
+            continue;
+        }
+        let factor = row[k].clone() / pivot_row[0].clone();
+        subtract(&mut row[k + 1..], &factor, &pivot_row[1..]);
+        subtract(&mut rest[i * columns..(i + 1) * columns], &factor, right_row);
     }
-    for (entry, factor) in below.iter_mut().zip(factors) {
-        if !factor.is_zero() {
-            *entry -= factor.clone() * pivot.clone();
+}
+
+/// y ← y − f x .
+fn subtract<T: Scalar>(y: &mut [T], factor: &T, x: &[T]) {
+    let exact = T::spacing().is_zero();
+    for (entry, other) in y.iter_mut().zip(x) {
+        // a product of rationals costs more than the question
+        if !(exact && other.is_zero()) {
+            *entry -= factor.clone() * other.clone();
         }
     }
 }
 
-/// Overwrites b by the x with U x = b, the upper triangle U given by its transpose.
-fn substitute_back<T: Scalar>(transposed: &DMatrix<T>, x: &mut [T]) {
-    for k in (0..x.len()).rev() {
-        let (solved, row) = (x.split_at_mut(k + 1), transposed.column(k));
-        let value = &mut solved.0[k];
-        for (factor, entry) in row.as_slice()[k + 1..].iter().zip(solved.1) {
-            *value -= factor.clone() * entry.clone();
+/// Overwrites B by the X with U X = B, both given by their transposes.
+fn substitute_back<T: Scalar>(transposed: &DMatrix<T>, x: &mut DMatrix<T>) {
+    let (size, columns) = (transposed.ncols(), x.nrows());
+    for k in (0..size).rev() {
+        let (above, solved) = x.as_mut_slice().split_at_mut((k + 1) * columns);
+        let value = &mut above[k * columns..];
+        for j in (k + 1..size).filter(|&j| !transposed[(j, k)].is_zero()) {
+            subtract(value, &transposed[(j, k)], &solved[(j - k - 1) * columns..(j - k) * columns]);
         }
-        *value /= row[k].clone();
+        value.iter_mut().for_each(|entry| *entry /= transposed[(k, k)].clone());
     }
 }
 
@@ -102,15 +109,11 @@ fn count_pivots<T: Scalar>(matrix: &DMatrix<T>) -> usize {
     rank
 }
 
-/// Row of the largest entry on or below the diagonal of column k, if one is non-zero.
-fn largest_below<T: Scalar>(a: &DMatrix<T>, k: usize) -> Option<usize> {
-    let mut best = k;
-    for i in k + 1..a.nrows() {
-        if a[(i, k)].magnitude() > a[(best, k)].magnitude() {
-            best = i;
-        }
-    }
-    (a[(best, k)].magnitude() > T::zero()).then_some(best)
+/// Row of the largest entry on or below the diagonal of column k, if one is non-zero; A is given by its transpose.
+fn largest_below<T: Scalar>(transposed: &DMatrix<T>, k: usize) -> Option<usize> {
+    let entry = |i: usize| transposed[(k, i)].magnitude();
+    let best = (k + 1..transposed.ncols()).fold(k, |best, i| if entry(i) > entry(best) { i } else { best });
+    (entry(best) > T::zero()).then_some(best)
 }
 
 /// The principal submatrix with these rows and columns.

@@ -9,6 +9,7 @@ use crate::Result;
 use crate::claims::prelude::*;
 use crate::problem::Lcp;
 use crate::solvers::lemke::solution;
+use crate::tolerance::claims::thresholds::QUARTERED;
 
 /// The normal of a wall at the floor's right angle, x ≥ 0.
 pub fn upright() -> [Rational; 2] {
@@ -56,5 +57,7 @@ pub fn quartered(wall: &[Rational; 2], remainder: i64) -> Result<Rational> {
 pub fn floor_before_wall(wall: &[Rational; 2]) -> Result<Finding> {
     let apart = quartered(wall, 5)?.to_f64().value();
     let name = "sup |q_h − q| with h/4 over that with h, floor closed before the wall";
-    Ok(Finding::at_least(name, apart, 0.5, "1").says_at_most(0.5).violating("one contact, or contacts that meet at right angles"))
+    Ok(Finding::at_least(name, apart, QUARTERED, "1")
+        .says_at_most(QUARTERED)
+        .violating("one contact, or contacts that meet at right angles"))
 }

@@ -4,6 +4,10 @@
 /// Derived.
 pub const CONVERGES: f64 = 0.5;
 
+/// Error with a quarter of the step over that with the step below which it converges, 4^(−½), from [`CONVERGES`].
+/// Derived.
+pub const QUARTERED: f64 = 0.5;
+
 /// Factor from which on an energy that should be constant “grows”: it doubles.
 /// Set.
 pub const DOUBLED: f64 = 2.0;
