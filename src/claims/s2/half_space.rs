@@ -66,7 +66,7 @@ fn in_normal_cone(gradient: &[Rational], active: bool, velocity: &[Rational], g:
 pub fn line_normal_cone_contains(in_contact: bool, x: &Rational, g: &Rational) -> bool {
     let zero = whole(0);
     let decide = || if !in_contact || *x > zero { *g == zero } else { *x == zero && *g <= zero };
-    decided(decide, |found| Some(in_normal_cone(&[whole(1)], in_contact, &[x.clone()], &[g.clone()], *found)))
+    decided(decide, |found| Some(in_normal_cone(&[whole(1)], in_contact, std::slice::from_ref(x), std::slice::from_ref(g), *found)))
 }
 
 /// An impact inclusion on the line, `−m (v⁺ − v⁻) ∈ N_T(a v⁺ + b v⁻)` at q = 0; `a = 1, b = e` is Moreau's law.
