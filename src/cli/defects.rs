@@ -14,7 +14,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 /// A planted mistake is a reference – an assembly, a projection, a solver, a certificate, a scheme, a closed form, a
 /// reader or a report – with one realistic error. A check that catches none of them would show nothing, and a mistake
 /// that no check catches would go unnoticed: both are answered with exit code 1. The gate's checks run the quick sweep
-/// of time steps; every claim is put to its controls. It takes six minutes on two idle cores; a bar on a terminal shows how far it is.
+/// of time steps; every claim is put to its controls. It takes five minutes on two idle cores; a bar on a terminal shows how far it is.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// How to write the matrix: as text, or as {"defects": [{name, mistake, kind, repeats, caught_by: [check]}],
