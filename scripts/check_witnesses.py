@@ -33,7 +33,7 @@ def wrong_in(claim: dict, counts: collections.Counter) -> list[str]:
     try:
         decide(claim)
         counts["verdict"] += 1
-    except Wrong as problem:
+    except (Wrong, OverflowError) as problem:
         wrong.append(f"{claim['id']}: {problem}")
     return wrong
 
@@ -45,6 +45,8 @@ def no_number(text: str) -> None:
 
 def whole(document: dict) -> list[dict]:
     """The claims, if there are as many of everything as the document says; ValueError or the like if not."""
+    if not isinstance(document, dict) or "schema" not in document:
+        raise ValueError("it is no object with a `schema`")
     if document["schema"] != "witnesses/1":
         raise ValueError(f"its schema is {document['schema']}, not witnesses/1")
     claims = document["claims"]
@@ -66,7 +68,7 @@ def main(arguments: list[str] | None = None) -> int:
     file = parser.parse_args(arguments).file
     try:
         claims = whole(json.loads(file.read_text(), parse_constant=no_number))
-    except (OSError, ValueError, KeyError, TypeError, AttributeError) as problem:
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError) as problem:
         print(f"{file}: {type(problem).__name__}: {problem}; write it with `moreau verify --export {file}`", file=sys.stderr)
         return 2
     counts: collections.Counter = collections.Counter()
@@ -75,8 +77,10 @@ def main(arguments: list[str] | None = None) -> int:
         print(line)
     for kind, count in sorted(counts.items()):
         print(f"{count:6} {kind}")
-    bare = sum(claim.get("evidence") == "exact" and not claim["witnesses"] for claim in claims)
-    print(f"{len(claims)} claims, {bare} of them exact without a witness: of these only the verdict was decided again; {len(wrong)} wrong")
+    bare = [claim["id"] for claim in claims if claim["evidence"] == "exact" and not claim["witnesses"]]
+    if bare:
+        print(f"exact without a witness, so that only the verdict was decided again: {', '.join(bare)}")
+    print(f"{len(claims)} claims, {len(bare)} of them exact without a witness; {len(wrong)} wrong")
     return 1 if wrong or not claims else 0
 
 

@@ -99,7 +99,7 @@ RIGHT = {
             "delassus": [["2", "1"], ["1", "3"]],
             "velocity": ["-1", "4"],
             "friction": ["1/2"],
-            "directions": [["1", "0"], ["-1", "0"]],
+            "directions": [["1"], ["-1"]],
             "matrix": [["2", "1", "-1", "0"], ["1", "3", "-3", "1"], ["-1", "-3", "3", "1"], ["1/2", "-1", "-1", "0"]],
             "vector": ["-1", "4", "-4", "0"],
         }
@@ -166,6 +166,21 @@ class TestWitnesses(unittest.TestCase):
             DECISIONS["p-matrix"]({"matrix": JAMMING, "answer": "holds"})
 
 
+    def test_what_every_problem_has_and_what_is_of_another_size_shows_nothing(self):
+        ray, pair = RIGHT["lcp-ray"][0], RIGHT["stewart-trinkle"][0]
+        for kind, wrong in (
+            ("lcp-ray", {**ray, "direction": ["0"], "artificial": ["9", "1"]}),
+            ("lcp-ray", {**ray, "covering": ["0"]}),
+            ("normal-cone", {**RIGHT["normal-cone"][3], "member": []}),
+            ("symplectic-defect", {"map": [["5", "0"], ["0", "7"]], "mass": [["0"]], "defect": [["0", "0"], ["0", "0"]]}),
+            ("stewart-trinkle", {**pair, "directions": [["1", "77"], ["-1", "99"]]}),
+            ("impact-inclusion", {"data": ["-1", "1", "1/2", "1"], "solutions": ["1"]}),
+            ("impedance", {**RIGHT["impedance"][0], "power": [0]}),
+            ("rank", {"matrix": [["1"]], "rank": [True]}),
+        ):
+            with self.subTest(kind), self.assertRaises((Wrong, ValueError)):
+                DECISIONS[kind](wrong)
+
     def test_solutions_that_are_left_out_are_missed(self):
         line = {"matrix": [["0"]], "vector": ["0"], "points": [["0"]], "family_points": [["0"]], "family_directions": [["1"]]}
         DECISIONS["all-solutions"](line)
@@ -231,6 +246,12 @@ class TestVerdicts(unittest.TestCase):
             decide({**claim, "findings": [finding("1", context=True)]})
 
 
+CHANGES = (
+    {"found": "abc"}, {"found": "1/0"}, {"relation": "near"}, {"found": float("nan")}, {"tolerance": "x"}, {"tolerance": float("inf")}, {"found": True},
+    {"voice": {"reading": []}}, {"voice": {"nonsense": "a"}}, {"name": []}, {"stated": []}, {"stated": {}},
+)
+
+
 class TestCommand(unittest.TestCase):
     """The script as a command."""
 
@@ -243,7 +264,7 @@ class TestCommand(unittest.TestCase):
                 return check_witnesses.main([str(file)]), out.getvalue()
 
     def test_exit_codes(self):
-        claim = {"id": "S0.x", "verdict": "TRUE", "findings": [finding("1")], "witnesses": [{"kind": "rank", **RIGHT["rank"][0]}]}
+        claim = {"id": "S0.x", "verdict": "TRUE", "evidence": "measured", "findings": [finding("1")], "witnesses": [{"kind": "rank", **RIGHT["rank"][0]}]}
         counts = {"claims": 1, "findings": 1, "witnesses": 1}
         document = {"schema": "witnesses/1", "counts": counts, "claims": [claim]}
         self.assertEqual(self.run_on(json.dumps(document))[0], 0)
@@ -255,7 +276,13 @@ class TestCommand(unittest.TestCase):
         self.assertIn("S0.x: rank", out)
         claim["witnesses"][0]["kind"] = "unknown"
         self.assertEqual(self.run_on(json.dumps(document))[0], 1)
-        for text in ("", "[]", "{", "{}", json.dumps({**document, "schema": "witnesses/2"}), json.dumps({**document, "claims": [3]})):
+        for grade in ("gold", None, 3):
+            self.assertEqual(self.run_on(json.dumps({**document, "claims": [{**claim, "evidence": grade}]}))[0], 2, grade)
+        rounded = {**claim, "evidence": "exact", "findings": [{**finding("1"), "found": 1.0}], "witnesses": []}
+        code, out = self.run_on(json.dumps({**document, "counts": {**counts, "witnesses": 0}, "claims": [rounded]}))
+        self.assertEqual(code, 1)
+        self.assertIn("graded exact", out)
+        for text in ("", "[]", "[" * 200_000, "{", "{}", json.dumps({**document, "schema": "witnesses/2"}), json.dumps({**document, "claims": [3]})):
             self.assertEqual(self.run_on(text)[0], 2, text)
         nothing = {"claims": 0, "findings": 0, "witnesses": 0}
         self.assertEqual(self.run_on(json.dumps({"schema": "witnesses/1", "counts": nothing, "claims": []}))[0], 1)
@@ -263,8 +290,8 @@ class TestCommand(unittest.TestCase):
     def test_a_file_that_cannot_be_read_is_no_wrong_witness_and_no_traceback(self):
         counts = {"claims": 1, "findings": 1, "witnesses": 1}
         rank = {"kind": "rank", **RIGHT["rank"][0]}
-        claim = {"id": "S0.x", "verdict": "TRUE", "findings": [finding("1")], "witnesses": [rank]}
-        unreadable = [{**finding("1"), **change} for change in ({"found": "abc"}, {"found": "1/0"}, {"relation": "near"}, {"found": float("nan")}, {"tolerance": "x"})]
+        claim = {"id": "S0.x", "verdict": "TRUE", "evidence": "measured", "findings": [finding("1")], "witnesses": [rank]}
+        unreadable = [{**finding("1"), **change} for change in CHANGES]
         unreadable.append({key: value for key, value in finding("1").items() if key != "tolerance"})
         claims = [None, [3], [{}], "claims", [{**claim, "witnesses": [3]}], [{**claim, "id": 3}], *([{**claim, "findings": [one]}] for one in unreadable)]
         for wrong in claims:
@@ -276,7 +303,7 @@ class TestCommand(unittest.TestCase):
             self.assertEqual(code, 1, f"{witness}: {out}")
 
     def test_a_part_is_not_taken_for_the_whole(self):
-        claim = {"id": "S0.x", "verdict": "TRUE", "findings": [finding("1")], "witnesses": [{"kind": "rank", **RIGHT["rank"][0]}]}
+        claim = {"id": "S0.x", "verdict": "TRUE", "evidence": "measured", "findings": [finding("1")], "witnesses": [{"kind": "rank", **RIGHT["rank"][0]}]}
         counts = {"claims": 1, "findings": 1, "witnesses": 1}
         emptied, twice = {**claim, "witnesses": []}, {name: 2 * count for name, count in counts.items()}
         for claims, told in (([], counts), ([claim], twice), ([emptied], counts), ([claim, claim], twice)):

@@ -37,7 +37,7 @@ def linear_system(one: dict) -> None:
 def matrix_rank(one: dict) -> None:
     """The rank of a matrix."""
     rows = matrix(one["matrix"])
-    demand([rank(rows) if rows and rows[0] else 0] == one["rank"], "the rank is another one")
+    demand(repr([rank(rows) if rows and rows[0] else 0]) == repr(one["rank"]), "the rank is another one")
 
 
 def complementary(rows: list, q: list, z: list) -> None:
@@ -59,7 +59,8 @@ def lcp_ray(one: dict) -> None:
     point, direction = vector(one["point"]), vector(one["direction"])
     artificial, growth = vector(one["artificial"])
     demand(artificial > 0 and growth >= 0, "the artificial variable is not positive along the ray")
-    demand(any(entry != 0 for entry in direction) or growth != 0, "the ray does not move")
+    demand(len(d) == len(rows) > 0 and all(entry > 0 for entry in d), "the covering vector is not positive")
+    demand(any(entry != 0 for entry in direction), "z does not move along the ray: every problem has this one")
     start = plus(plus(times(rows, point), q), [artificial * entry for entry in d])
     change = plus(times(rows, direction), [growth * entry for entry in d])
     for name, entries in (("z", point), ("its direction", direction), ("w", start), ("its change", change)):
@@ -261,7 +262,8 @@ def symplectic_defect(one: dict) -> None:
     """DᵀJD − J for the form J = (0 M; −M 0): entry (i, j) is J(D eᵢ, D eⱼ) − J(eᵢ, eⱼ)."""
     rows, mass, told = square(one["map"]), square(one["mass"]), square(one["defect"])
     size = len(mass)
-    demand(len(rows) == len(told) == 2 * size, "the map has another size")
+    demand(size > 0 and len(rows) == len(told) == 2 * size, "the map has another size")
+    demand(mass == transposed(mass) and rank(mass) == size, "the mass is not symmetric and regular")
 
     def form(x: list, y: list) -> Fraction:
         return dot(x[:size], times(mass, y[size:])) - dot(x[size:], times(transposed(mass), y[:size]))
@@ -283,7 +285,7 @@ def quadratic_form(one: dict) -> None:
 def normal_cone(one: dict) -> None:
     """g ∈ N_T(v) of T = {w : a·w ≥ 0}, or of all: −λ a with λ ≥ 0 where a·v = 0, only 0 where a·v > 0, nothing outside of T."""
     a, v, g = (vector(one[name]) for name in ("gradient", "velocity", "member"))
-    demand(any(entry != 0 for entry in a), "the gradient is zero")
+    demand(any(entry != 0 for entry in a) and len(a) == len(v) == len(g), "the gradient is zero, or a vector has another size")
     demand(one["constraint"] in ("closed", "open"), f"there is no constraint {one['constraint']!r}")
     rate = dot(a, v)
     if one["constraint"] == "open" or rate > 0:
@@ -297,7 +299,7 @@ def normal_cone(one: dict) -> None:
 def impact_inclusion(one: dict) -> None:
     """All v⁺ with 0 ≤ r ⟂ a v⁺ + b v⁻ ≥ 0, r = m (v⁺ − v⁻): those with r = 0 and those with a v⁺ + b v⁻ = 0."""
     mass, after, weight, before = vector(one["data"])
-    demand(mass != 0 and (after != 0 or weight * before != 0), "the inclusion is degenerate")
+    demand(mass > 0 and (after != 0 or weight * before != 0), "the inclusion is degenerate")
     candidates = {before} | ({-weight * before / after} if after != 0 else set())
     right = {v for v in candidates if mass * (v - before) >= 0 <= after * v + weight * before and mass * (v - before) * (after * v + weight * before) == 0}
     told = vector(one["solutions"])
@@ -324,6 +326,7 @@ def impedance(one: dict) -> None:
     low, high = Fraction(1, 10_000), Fraction(9999, 10_000)
     start, end, width, middle, violation = vector(one["data"])
     (power,) = one["power"]
+    demand(isinstance(power, int) and power >= 1, "the power is less than one")
     start, end, middle = (min(max(x, low), high) for x in (start, end, middle))
     if width <= 0:
         found = (start + end) / 2
@@ -338,7 +341,7 @@ def impedance(one: dict) -> None:
 def delassus(one: dict) -> None:
     """W = H M⁻¹ Hᵀ for a nonsingular M: column by column, from M x = (a row of H)."""
     mass, rows, told = square(one["mass"]), matrix(one["jacobian"]), square(one["delassus"])
-    demand(len(told) == len(rows), "W has another size")
+    demand(len(told) == len(rows) and mass == transposed(mass), "W has another size, or the mass is not symmetric")
     for row, entries in zip(rows, transposed(told)):
         answer = solution(mass, row)
         demand(answer is not None, "the mass is singular")
@@ -348,9 +351,11 @@ def delassus(one: dict) -> None:
 def stewart_trinkle(one: dict) -> None:
     """The LCP of Stewart and Trinkle from W, u_free, μ and the friction directions, entry by entry: unknowns λ, β, σ."""
     w, velocity, friction, directions = square(one["delassus"]), vector(one["velocity"]), vector(one["friction"]), matrix(one["directions"])
+    demand(bool(friction), "there is no contact")
     contacts, count = len(friction), len(directions)
     rows = len(w) // contacts
     demand(rows in (2, 3) and rows * contacts == len(w) == len(velocity), "there are not two or three rows per contact")
+    demand(all(mu >= 0 for mu in friction) and count > 0 and all(len(direction) == rows - 1 for direction in directions), "μ or a direction is none")
     # the impulse of each unknown, and the contact of each slip speed
     unit = [{rows * contact: Fraction(1)} for contact in range(contacts)]
     unit += [{rows * contact + 1 + k: direction[k] for k in range(rows - 1)} for contact in range(contacts) for direction in directions]

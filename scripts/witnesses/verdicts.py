@@ -1,10 +1,12 @@
 """The verdict that follows from the findings of a claim, worked out once more."""
 
+import math
 from fractions import Fraction
 
 from .decisions import Wrong, demand
 from .matrices import fraction
 
+GRADES = ("exact", "certified", "measured", "cited", "not-decidable")
 RELATIONS = ("equal", "at-most", "at-least")
 
 
@@ -12,16 +14,31 @@ def readable(claim: dict) -> None:
     """Raises ValueError or the like unless the claim and its findings have what is decided from, of the right kind."""
     if not isinstance(claim["id"], str) or not isinstance(claim["verdict"], str):
         raise ValueError("a claim has no id, or no verdict")
+    if claim["evidence"] not in GRADES:
+        raise ValueError(f"{claim['id']}: there is no grade {claim['evidence']!r}")
     if not all(isinstance(witness, dict) for witness in claim["witnesses"]):
         raise ValueError(f"{claim['id']}: a witness is no object")
     for one in claim["findings"]:
+        if not isinstance(one["name"], str) or not (one["stated"] is None or isinstance(one["stated"], dict) and one["stated"]):
+            raise ValueError(f"{claim['id']}: a finding has no name, or what is stated cannot be read")
         told = one["stated"] or {"relation": "equal", "value": 0.0}
         numbers = [one["found"], one["expected"], told["value"]]
-        right = all(value is None or isinstance(value, float | int) or fraction(value) is not None for value in numbers)
-        if not right or not {one["relation"], told["relation"]} <= set(RELATIONS) or not isinstance(one["tolerance"], float | int):
+        right = all(value is None or is_float(value) or fraction(value) is not None for value in numbers)
+        if not right or not {one["relation"], told["relation"]} <= set(RELATIONS) or not is_float(one["tolerance"]):
             raise ValueError(f"{claim['id']}: {one['name']}: a number or a relation cannot be read")
-        if not isinstance(one["context"], bool) or not isinstance(one["voice"] or {}, dict) or not isinstance(one["violated"] or "", str):
+        if not isinstance(one["context"], bool) or not is_voice(one["voice"]) or not isinstance(one["violated"] or "", str):
             raise ValueError(f"{claim['id']}: {one['name']}: its bearing cannot be read")
+
+
+def is_float(value: object) -> bool:
+    """Whether it is a finite number of JSON."""
+    return isinstance(value, float | int) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def is_voice(voice: object) -> bool:
+    """Whether it names a passage, a reading or the point of an opinion, or is none."""
+    named = isinstance(voice, dict) and len(voice) == 1 and set(voice) <= {"passage", "reading", "opinion"}
+    return voice is None or named and all(isinstance(name, str) for name in voice.values())
 
 
 def number(value: object) -> Fraction:
@@ -57,7 +74,7 @@ def supports(finding: dict) -> bool:
 def said(finding: dict) -> tuple:
     """What the sentence says, to be compared."""
     stated = finding["stated"]
-    return (finding["relation"], finding["expected"]) if stated is None else (stated["relation"], stated["value"])
+    return (finding["relation"], number(finding["expected"])) if stated is None else (stated["relation"], number(stated["value"]))
 
 
 def verdict(findings: list) -> str:
@@ -91,5 +108,7 @@ def decide(claim: dict) -> None:
     """Raises unless the findings hold and lead to the recorded verdict."""
     for one in claim["findings"]:
         demand(holds(one), f"{one['name']}: found {one['found']}, expected {one['expected']}")
+    exact = all(isinstance(one["found"], str) for one in claim["findings"] if not one["context"])
+    demand(exact or claim["evidence"] != "exact", "it is graded exact, and decided by a rounded number")
     found = verdict(claim["findings"])
     demand(found == claim["verdict"], f"the findings say {found}, recorded is {claim['verdict']}")

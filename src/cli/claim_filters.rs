@@ -11,8 +11,9 @@ pub struct Filters {
     /// Only this group or claim; groups are whole parts of the id, so S1 is not S12, and R is R1 to R8.
     #[arg(long, value_name = "GROUP")]
     filter: Option<String>,
-    /// Only this section of the chapter, by its number.
-    #[arg(long, value_name = "NUMBER", conflicts_with = "filter")]
+    /// Only this section of the chapter, by its number, 0 to 12; what stands before and after the sections is in the groups P, M, T, R, Pr
+    /// and V, which --filter takes.
+    #[arg(long, value_name = "NUMBER", value_parser = section_number, conflicts_with = "filter")]
     section: Option<usize>,
     /// Only claims with this verdict.
     #[arg(long, value_parser = one_of(VERDICTS), value_name = "VERDICT")]
@@ -57,6 +58,11 @@ fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(table: [(&'static str
     PossibleValuesParser::new(table.map(|(name, _)| name)).try_map(named)
 }
 
+/// The number of a section, with or without the S of its claims.
+fn section_number(text: &str) -> std::result::Result<usize, &'static str> {
+    text.trim_start_matches(['S', 's', '§']).parse().map_err(|_| "give the number of a section, 0 to 12")
+}
+
 impl Filters {
     /// The claims that meet all filters, in the registry's order.
     ///
@@ -68,9 +74,10 @@ impl Filters {
         if let (Some(group), true) = (&group, in_group.is_empty()) {
             let names = claims::all().flat_map(|claim| [claim.section(), claim.id]);
             let cure = suggestion(group, names, "`moreau verify --list` shows every id");
-            let option =
-                if self.filter.is_some() { format!("--filter {group}") } else { format!("--section {}", group.trim_start_matches('S')) };
-            return Err(Error::Unsupported(format!("{option}: no claim in this group; {cure}")));
+            return Err(Error::Unsupported(match self.section {
+                Some(number) => format!("--section {number}: there is no such section; give a number from 0 to 12"),
+                None => format!("--filter {group}: no claim in this group; {cure}"),
+            }));
         }
         let chosen: Vec<_> = in_group.into_iter().filter(|claim| self.is_met(claim)).collect();
         if chosen.is_empty() {

@@ -105,7 +105,8 @@ fn hardness(outcomes: &[JudgedClaim]) -> String {
 /// The last line of `verify`.
 fn count(outcomes: &[JudgedClaim]) -> String {
     let contradicted = outcomes.iter().filter(|outcome| outcome.status != Status::Supported).count();
-    format!("{} claims: {}; {contradicted} contradicted", outcomes.len(), verdicts(outcomes.iter()))
+    let claims = if outcomes.len() == 1 { "claim" } else { "claims" };
+    format!("{} {claims}: {}; {contradicted} contradicted", outcomes.len(), verdicts(outcomes.iter()))
 }
 
 /// How many claims have which verdict.
@@ -137,7 +138,14 @@ fn id_width<'a>(claims: impl Iterator<Item = &'a Claim>) -> usize {
     claims.map(|claim| claim.id.chars().count()).max().unwrap_or(0)
 }
 
-/// What the sentence says, rounded for reading.
+/// What the sentence says, rounded for reading, with how far the found number may differ from it.
+fn stated(finding: &Finding) -> String {
+    let Expectation { tolerance, .. } = finding.expectation;
+    let allowance = if finding.exact.is_none() && tolerance > 0.0 { format!(" ± {}", two_digits(tolerance)) } else { String::new() };
+    said(finding) + &allowance
+}
+
+/// The same without the allowance.
 fn said(finding: &Finding) -> String {
     let stated = finding.stated();
     let number = stated.trim_start_matches(['≤', '≥', '=', ' ']);
@@ -193,16 +201,33 @@ fn complain(text: &mut String, outcome: &JudgedClaim, style: Style) {
 fn control(outcome: &JudgedClaim, place: usize, findings: &[Finding], style: Style) -> Vec<String> {
     let recorded = |finding: &Finding| counterpart(finding, findings, &outcome.findings);
     let moved = |finding: &&Finding| recorded(finding).is_some_and(|recorded| is_moved(recorded, &outcome.findings, findings));
+    // what a passage says follows from the instance, another one here
+    let reworded = |finding: &&Finding| {
+        let passage = matches!(finding.bearing.voice, Voice::Passage(_));
+        passage && recorded(finding).is_some_and(|recorded| recorded.stated() != finding.stated())
+    };
+    let shown: Vec<&Finding> = findings.iter().filter(|finding| moved(finding) || reworded(finding)).collect();
+    let deciding = findings.iter().filter(|finding| !finding.bearing.context).count();
     let mut lines = vec![wrap(outcome.claim.controls[place])];
-    lines.extend(findings.iter().filter(moved).map(bearing));
+    lines.extend(shown.iter().map(|finding| bearing(&elsewhere(finding))));
+    if shown.iter().filter(|finding| !finding.bearing.context).count() < deciding {
+        lines.push("  the other findings come out as above".into());
+    }
     lines.push(match (&outcome.status, derive(findings)) {
         (Status::ControlPassed, _) => format!("  {}", style.alarm("the control was NOT contradicted")),
         (_, Ok(verdict)) if verdict != outcome.claim.verdict => {
-            format!("  the control leads to another verdict, as it must: {}", verdict.words())
+            format!("  with this control the verdict is another one, as it must be: {}", verdict.words())
         }
-        _ => "  the control was contradicted, as it must be".into(),
+        _ => "  with this control something else is found, as it must be".into(),
     });
     lines
+}
+
+/// A finding of a control: that a condition is not met is said of the recorded instance, not of this one.
+fn elsewhere(finding: &Finding) -> Finding {
+    let mut finding = finding.clone();
+    finding.bearing.violated = None;
+    finding
 }
 
 fn judged(finding: &Finding) -> String {
@@ -241,11 +266,11 @@ fn bearing(finding: &Finding) -> String {
     let said = match finding.bearing.voice {
         Voice::Sentence if finding.bearing.stated.is_none() => expected(finding),
         Voice::Sentence if finding.exact.is_none() && finding.holds() => {
-            format!("the sentence says {}; {}", said(finding), expected(finding))
+            format!("the sentence says {}; {}", stated(finding), expected(finding))
         }
-        Voice::Sentence => format!("the sentence says {}", said(finding)),
-        Voice::Passage(passage) => format!("{passage} says {}", said(finding)),
-        Voice::Reading(reading) => format!("in the reading “{reading}”: {}", said(finding)),
+        Voice::Sentence => format!("the sentence says {}", stated(finding)),
+        Voice::Passage(passage) => format!("{passage} says {}", stated(finding)),
+        Voice::Reading(reading) => format!("in the reading “{reading}”: {}", stated(finding)),
         Voice::Opinion(point) => format!("an opinion: {point}"),
     };
     format!("  [{direction}] {found} ({said}{where_violated})")
@@ -315,7 +340,7 @@ pub(crate) mod tests {
         let lines: Vec<_> = text.lines().collect();
         assert_eq!(lines[0], "§4 Stewart–Trinkle time-stepping");
         assert_eq!(lines[1], "  S4.example  false as stated  exact          length: 1 m");
-        assert_eq!(lines.last(), Some(&"1 claims: 0 true, 0 conditional, 1 false as stated, 0 inconsistent, 0 ambiguous; 0 contradicted"));
+        assert_eq!(lines.last(), Some(&"1 claim: 0 true, 0 conditional, 1 false as stated, 0 inconsistent, 0 ambiguous; 0 contradicted"));
     }
 
     #[test]
@@ -376,7 +401,7 @@ pub(crate) mod tests {
             "[refutes ] length: 1 m (the sentence says 2; expected 1 ± 0)",
             "one is one",
             "[supports] length: 2 m (the sentence says 2)",
-            "another verdict, as it must: true",
+            "with this control the verdict is another one, as it must be: true",
             "chapter §4",
         ] {
             assert!(text.contains(words), "{words:?} is missing in\n{text}");

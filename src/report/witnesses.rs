@@ -19,7 +19,7 @@ pub type Witnessed = (&'static Claim, Vec<Finding>, Vec<Witness>);
 pub struct WitnessDocument {
     /// witnesses/1.
     schema: Form,
-    /// How many there are of what follows, so that a part is not taken for the whole.
+    /// How many there are of what follows, so that a file that was cut is noticed.
     counts: Counts,
     /// The claims.
     claims: Vec<WitnessedClaim>,
@@ -50,7 +50,7 @@ struct WitnessedClaim {
     id: &'static str,
     /// The recorded verdict, which follows from the findings.
     verdict: ClaimVerdict,
-    /// The grade, which follows as well.
+    /// The recorded grade.
     evidence: Evidence,
     /// What was found.
     findings: Vec<WitnessedFinding>,

@@ -82,7 +82,9 @@ fn claims_are_found_by_section_verdict_severity_and_kind() {
     assert_eq!(found, listed(&[]).into_iter().filter(meets).collect::<Vec<_>>());
     let sum = |option: &str, names: &[&str]| names.iter().map(|name| listed(&[option, name]).len()).sum::<usize>();
     assert_eq!(sum("--verdict", &["true", "conditional", "false", "inconsistent", "ambiguous"]), claims::all().count());
-    moreau(&["verify", "--list", "--section", "44"]).is_refused(&["--section 44", "did you mean"]);
+    moreau(&["verify", "--list", "--section", "44"]).is_refused(&["--section 44", "0 to 12"]);
+    assert_eq!(listed(&["--section", "S4"]), listed(&["--section", "4"]));
+    assert_eq!(moreau(&["verify", "--list", "--section", "four"]).code, 2);
     moreau(&["verify", "--list", "--verdict", "true", "--severity", "theorem"]).is_refused(&["no claim meets all of the filters"]);
     for usage in [&["verify", "--verdict", "right"][..], &["verify", "--explain", CLAIM, "--kind", "advice"]] {
         assert_eq!(moreau(usage).code, 2, "{usage:?}");
@@ -99,7 +101,7 @@ fn a_filter_takes_whole_parts_of_the_id() {
     assert_eq!(ids(CLAIM), [CLAIM]);
     let run = moreau(&["verify", "--filter", CLAIM]);
     assert_eq!(run.code, 0);
-    assert!(run.output.ends_with("1 claims: 1 true, 0 conditional, 0 false as stated, 0 inconsistent, 0 ambiguous; 0 contradicted\n"));
+    assert!(run.output.ends_with("1 claim: 1 true, 0 conditional, 0 false as stated, 0 inconsistent, 0 ambiguous; 0 contradicted\n"));
 }
 
 #[test]
@@ -130,7 +132,7 @@ fn an_explanation_holds_argument_findings_correction_control_and_sources() {
     for text in [claim.statement, claim.argument, claim.correct_statement, claim.controls[0], claim.sources[0]] {
         assert!(squeezed.contains(&text.split_whitespace().collect::<Vec<_>>().join(" ")), "{text:?} is missing in {}", run.output);
     }
-    for words in ["[supports]", "[refutes ]", "the control leads to another verdict, as it must: true"] {
+    for words in ["[supports]", "[refutes ]", "with this control the verdict is another one, as it must be: true"] {
         assert!(run.output.contains(words), "{words}");
     }
     let explanation = moreau(&["verify", "--explain", claim.id, "--format", "json"]).json();

@@ -11,6 +11,8 @@ use crate::{Error, Result};
 const MUJOCO_BALL: &str = "mujoco/ball_drop__newton-elliptic__h0.01.json";
 /// Drake 1.51.1, SAP, the same.
 const DRAKE_BALL: &str = "drake/ball_drop__sap__h0.01.json";
+/// PyBullet 3.2.7, a ball dropped from 0.3 m, h = 1/100 s.
+const BULLET_BALL: &str = "bullet/ball_bounce__rigid__h0.01.json";
 const SICONOS: &str = "scoreboard/siconos.json";
 const BULLET: &str = "scoreboard/bullet.json";
 
@@ -21,6 +23,8 @@ pub enum Faller {
     MuJoCo,
     /// Drake 1.51.1 with SAP.
     Drake,
+    /// PyBullet 3.2.7.
+    Bullet,
 }
 
 /// An engine whose thrown body the scoreboard holds.
@@ -32,26 +36,51 @@ pub enum Thrower {
     Bullet,
 }
 
-/// The largest |q⁺ − q − h v⁺| and |q⁺ − q − h v| in the first 0.3 s of the fall \[m\].
-///
-/// # Errors
-/// If the stored file is not what it should be.
-pub fn update_residuals(engine: Faller) -> Result<[f64; 2]> {
-    let path = match engine {
-        Faller::MuJoCo => MUJOCO_BALL,
-        Faller::Drake => DRAKE_BALL,
-    };
-    let run = read_by(&RUNS, path, Trajectory::from_json)?;
-    let ball = &run.bodies[0];
-    let steps = run.times.iter().take_while(|time| **time < 0.3).count();
-    let mut largest = [0.0f64; 2];
-    for k in 1..steps {
-        let moved = ball.position[k][2] - ball.position[k - 1][2];
-        for (worst, velocity) in largest.iter_mut().zip([ball.linear_velocity[k][2], ball.linear_velocity[k - 1][2]]) {
-            *worst = worst.max((moved - run.time_step * velocity).abs());
-        }
+/// Heights and vertical velocities of a body in free fall, sample by sample.
+pub struct Fall {
+    time_step: f64,
+    positions: Vec<f64>,
+    velocities: Vec<f64>,
+}
+
+impl Fall {
+    /// The fall of this engine's stored ball.
+    ///
+    /// # Errors
+    /// If the stored file is not what it should be.
+    pub fn stored(engine: Faller) -> Result<Self> {
+        let (path, until) = match engine {
+            Faller::MuJoCo => (MUJOCO_BALL, 0.3),
+            Faller::Drake => (DRAKE_BALL, 0.3),
+            Faller::Bullet => (BULLET_BALL, 0.15),
+        };
+        let run = read_by(&RUNS, path, Trajectory::from_json)?;
+        let (ball, samples) = (&run.bodies[0], run.times.iter().take_while(|time| **time < until).count());
+        let heights = |vectors: &[[f64; 3]]| vectors[..samples].iter().map(|vector| vector[2]).collect();
+        Ok(Fall { time_step: run.time_step, positions: heights(&ball.position), velocities: heights(&ball.linear_velocity) })
     }
-    Ok(largest)
+
+    /// 0.3 s of a fall from 1 m under explicit Euler, h = 1/100 s: the position moves with the old velocity.
+    pub fn explicit() -> Self {
+        let (h, gravity) = (0.01, 9.81);
+        let mut fall = Fall { time_step: h, positions: vec![1.0], velocities: vec![0.0] };
+        for k in 0..30 {
+            fall.positions.push(fall.positions[k] + h * fall.velocities[k]);
+            fall.velocities.push(fall.velocities[k] - h * gravity);
+        }
+        fall
+    }
+
+    /// The largest |q⁺ − q − h v⁺| and |q⁺ − q − h v| \[m\].
+    pub fn residuals(&self) -> [f64; 2] {
+        let mut largest = [0.0f64; 2];
+        for (places, speeds) in self.positions.windows(2).zip(self.velocities.windows(2)) {
+            for (worst, velocity) in largest.iter_mut().zip([speeds[1], speeds[0]]) {
+                *worst = worst.max((places[1] - places[0] - self.time_step * velocity).abs());
+            }
+        }
+        largest
+    }
 }
 
 /// How far the engine's thrown body is from its parabola at the end of `flight/projectile` at h = 1/60 s \[m\].

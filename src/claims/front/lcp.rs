@@ -152,7 +152,7 @@ fn gauss_seidel(reading: Reading) -> Result<Vec<Finding>> {
         let answer = solver.solve(&problem, Some(&start))?;
         // 0 ≤ U ⟂ P ≥ 0 is min(P, U) = 0; one unit of each is taken as equal
         let residual = answer.impulse.zip_map(&answer.velocity, f64::min).amax();
-        findings.push(Finding::equal(format!("largest |min(P, U)| from {name}"), residual, 0.0, SWEEP_VELOCITY, "N·s, m/s"));
+        findings.push(Finding::equal(format!("largest |min(P, U)| from {name}"), residual, 0.0, SWEEP_VELOCITY, "N·s or m/s"));
         findings.push(Finding::equal(format!("largest |U| from {name}"), answer.velocity.amax(), 0.0, SWEEP_VELOCITY, "m/s"));
         impulses.push(answer.impulse);
     }

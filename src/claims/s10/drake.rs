@@ -1,7 +1,7 @@
 //! Drake's rows of the comparison.
 
 use crate::claims::experiments::drake::{MATERIAL, damped_lift, predicted_damped_lift};
-use crate::claims::experiments::stored::{Faller, update_residuals};
+use crate::claims::experiments::stored::{Fall, Faller};
 use crate::claims::lookups::{self, looked_up};
 use crate::claims::prelude::*;
 use crate::cones::projection_jacobian;
@@ -53,7 +53,7 @@ pub const CLAIMS: &[Claim] = &[
             0.005 s and h = 0.004 s, more than twice h μ Δv; by 0.0012 m = h μ Δv for τ = 0 at twice that step.",
         controls: &[
             "kLagged's lift in place of kSap's: none.",
-            "kLagged's contact, one that is not stiff, the old velocity in the update, another word, another law.",
+            "kLagged's contact, one that is not stiff, a fall that moves with the old velocity, another word, another law.",
         ],
         sources: &["chapter §10, table of simulators", PACKAGE, SAP_PAPER],
         check: check!(sap),
@@ -162,7 +162,7 @@ fn sap(reading: Reading) -> Result<Vec<Finding>> {
     let spring = h * MATERIAL.stiffness * (-gap - MATERIAL.relaxation_time * opening);
     let [softer, stiffer] =
         other.pick([1e9, 1e10], [1e3, 1e4]).map(|stiffness| one_step("drake-sap", stiffness, h).map(|[_, velocity, _]| velocity));
-    let [with_new, with_old] = update_residuals(Faller::Drake)?;
+    let [with_new, _] = other.pick(Fall::stored(Faller::Drake)?, Fall::explicit()).residuals();
     let approximation = reading.only(0).pick("drake-sap", "drake-lagged");
     let (damping, no_damping) = (MATERIAL.relaxation_time, 0.0);
     let settled = tolerance::settled(9.81 / MATERIAL.stiffness, 1000);
@@ -177,7 +177,7 @@ fn sap(reading: Reading) -> Result<Vec<Finding>> {
             .violating("a contact without τ"),
         Finding::equal("r_n − h k(−φ⁺ − τ u_n⁺)", impulse - spring, 0.0, tolerance::spring_balance(), "N·s"),
         Finding::equal("v⁺ at k = 1e10 less that at 1e9 N/m", stiffer? - softer?, 0.0, STOP, "m/s"),
-        Finding::at_most("q⁺ − q − h v⁺ in the stored fall", other.pick(with_new, with_old), rounding(64, 1.0), "m").experiment(),
+        Finding::at_most("q⁺ − q − h v⁺ in the stored fall", with_new, rounding(64, 1.0), "m").experiment(),
     ];
     findings.extend(lookups::check("S10.drake-sap-row", reading)?);
     Ok(findings)

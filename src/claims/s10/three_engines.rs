@@ -252,8 +252,10 @@ fn granular(reading: Reading) -> Result<Vec<Finding>> {
     // three contacts to a body, three rows to a contact, six columns to a body; a large machine has a terabyte
     let (rows, columns, terabyte) = (3 * 3 * 1_000_000, 6 * 1_000_000, 1e3);
     let gigabytes = |entries: usize| 8.0 * entries as f64 * rows as f64 / 1e9;
-    let of_jacobian = gigabytes(other.pick(entries_per_row(jacobian), columns));
-    let of_operator = gigabytes(other.pick(entries_per_row(problem.dense()), rows));
+    // a row without zeros
+    let full = |entries: usize| DMatrix::from_element(1, entries, 1.0);
+    let of_jacobian = gigabytes(entries_per_row(&if other.is_control() { full(columns) } else { jacobian.clone() }));
+    let of_operator = gigabytes(entries_per_row(&if other.is_control() { full(rows) } else { problem.dense().clone() }));
     let mut findings = lookups::check("S10.chrono-granular", reading)?;
     findings.extend([
         Finding::at_most("H of a million bodies", of_jacobian, terabyte, "GB"),

@@ -1,7 +1,7 @@
 //! What MuJoCo 3.17.0 has and does, as stored: integrators, solvers, the reference frame of its accelerations.
 
 use crate::claims::experiments::mujoco::facts;
-use crate::claims::experiments::stored::{Faller, update_residuals};
+use crate::claims::experiments::stored::{Fall, Faller};
 use crate::claims::lookups;
 use crate::claims::prelude::*;
 use crate::integrators::stability::{Powers, powers};
@@ -84,7 +84,7 @@ pub const CLAIMS: &[Claim] = &[
             are implicit. There are also implicit and, in newer versions, discrete.",
         argument: "integrator = 0 = Euler; implicitfast and RK4 are in the list. The stored fall has q⁺ − q − h v⁺ = 0. A mass of 1 kg at \
             1 m/s with a damper of 1000 N·s/m, h = 10 ms: Euler leaves 1/11 m/s, as v/(1 + hC/m).",
-        controls: &["RK4 in place of Euler.", "Two of Drake's integrators looked up, and the position moved with the old velocity."],
+        controls: &["RK4 in place of Euler.", "Two of Drake's integrators looked up, and a fall that moves with the old velocity."],
         sources: &["chapter §6, step 6", STORED],
         check: check!(default_integrator),
     },
@@ -101,7 +101,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Stored fall: q⁺ − q − h v⁺ = 0 to rounding, with the old velocity it is g h². Steps on an undamped spring, hω = 1/2: \
             the powers of the semi-implicit step stay bounded, those of the explicit one grow. At the damping ratio 1 and hω = 1 it is the \
             other way round.",
-        controls: &["The two rules exchanged."],
+        controls: &["A fall and a spring that move with the old velocity."],
         sources: &["chapter §6, step 6", "chapter §8", "stored run of MuJoCo 3.17.0, Euler"],
         check: check!(new_velocity),
     },
@@ -174,11 +174,11 @@ fn all_twelve(reading: Reading) -> Result<Vec<Finding>> {
 fn default_integrator(reading: Reading) -> Result<Vec<Finding>> {
     let facts = facts()?;
     let left = facts.number(&["computed", "velocity_after_a_step", "Euler damper"])?;
-    let [with_new, with_old] = update_residuals(Faller::MuJoCo)?;
+    let [with_new, _] = reading.only(1).pick(Fall::stored(Faller::MuJoCo)?, Fall::explicit()).residuals();
     let (h, damper) = (0.01, 1000.0);
     let mut findings = lookups::check("S6.euler-default", reading)?;
     findings.extend([
-        Finding::at_most("|q⁺ − q − h v⁺| of the stored fall", reading.only(1).pick(with_new, with_old), FALL, "m").experiment(),
+        Finding::at_most("|q⁺ − q − h v⁺| of the stored fall", with_new, FALL, "m").experiment(),
         Finding::equal("velocity after a step with a damper, Euler", left, 1.0 / (1.0 + h * damper), COMPUTED, "m/s").context(),
     ]);
     Ok(findings)
@@ -195,8 +195,8 @@ fn is_bounded(new: bool, s: &Rational, zeta: &Rational) -> bool {
 }
 
 fn new_velocity(reading: Reading) -> Result<Vec<Finding>> {
-    let [with_new, with_old] = update_residuals(Faller::MuJoCo)?;
-    let ([with_new, with_old], new) = reading.pick(([with_new, with_old], true), ([with_old, with_new], false));
+    let (fall, new) = reading.pick((Fall::stored(Faller::MuJoCo)?, true), (Fall::explicit(), false));
+    let [with_new, with_old] = fall.residuals();
     let (half, one) = (ratio(1, 2), ratio(1, 1));
     let better = |s: &Rational, zeta: &Rational| is_bounded(new, s, zeta) && !is_bounded(!new, s, zeta);
     let worse = |s: &Rational, zeta: &Rational| !is_bounded(new, s, zeta) && is_bounded(!new, s, zeta);

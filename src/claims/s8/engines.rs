@@ -3,7 +3,7 @@
 use super::implicit::stiff_damper;
 use crate::claims::experiments::phase_maps::disk_flow;
 use crate::claims::experiments::spring_damper::{OneStep, SEMI_IMPLICIT, energy_ratio, matrix, theta, undamped};
-use crate::claims::experiments::stored::{Faller, Thrower, projectile_error, update_residuals};
+use crate::claims::experiments::stored::{Fall, Faller, Thrower, projectile_error};
 use crate::claims::prelude::*;
 use crate::integrators::impact_flow::Tangent;
 use crate::integrators::stability::invariants;
@@ -11,9 +11,7 @@ use crate::integrators::symplectic::volume;
 use crate::integrators::variational::Verlet;
 use crate::integrators::{Method, Phase, SmoothSystem, SpringDamper};
 use crate::scalar::Dual;
-use crate::stored::{RUNS, read_by};
 use crate::tolerance::claims::integrators::{FALL, PROJECTILE};
-use crate::trajectory::Trajectory;
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -126,29 +124,9 @@ pub const CLAIMS: &[Claim] = &[
     },
 ];
 
-/// The residuals of [`update_residuals`] for a fall under explicit Euler, h = 1/100 s.
-fn explicit_fall() -> [f64; 2] {
-    let (h, gravity) = (0.01, 9.81);
-    let (mut place, mut velocity, mut largest) = (1.0f64, 0.0f64, [0.0f64; 2]);
-    for _ in 0..30 {
-        let (next, faster) = (place + h * velocity, velocity - h * gravity);
-        for (worst, speed) in largest.iter_mut().zip([faster, velocity]) {
-            *worst = worst.max((next - place - h * speed).abs());
-        }
-        (place, velocity) = (next, faster);
-    }
-    largest
-}
-
-/// The residuals of [`update_residuals`] for the first 0.15 s of a ball that Bullet drops from 0.3 m, h = 1/100 s.
-fn bullet_residuals() -> Result<[f64; 2]> {
-    let run = read_by(&RUNS, "bullet/ball_bounce__rigid__h0.01.json", Trajectory::from_json)?;
-    let ball = &run.bodies[0];
-    let (place, speed) = (|k: usize| ball.position[k][2], |k: usize| ball.linear_velocity[k][2]);
-    let falling = 1..run.times.iter().take_while(|time| **time < 0.15).count();
-    let largest = |rule: &dyn Fn(usize) -> f64| falling.clone().map(rule).map(f64::abs).fold(0.0, f64::max);
-    let residual = |k: usize, velocity: f64| place(k) - place(k - 1) - run.time_step * velocity;
-    Ok([largest(&|k| residual(k, speed(k))), largest(&|k| residual(k, speed(k - 1)))])
+/// The residuals of the engine's stored fall, or those of explicit Euler's.
+fn residuals(engine: Faller, explicit: bool) -> Result<[f64; 2]> {
+    Ok(if explicit { Fall::explicit() } else { Fall::stored(engine)? }.residuals())
 }
 
 fn falls(name: &str, [new, old]: [f64; 2]) -> [Finding; 2] {
@@ -159,7 +137,7 @@ fn falls(name: &str, [new, old]: [f64; 2]) -> [Finding; 2] {
 }
 
 fn nobody(reading: Reading) -> Result<Vec<Finding>> {
-    let fall = |engine: Faller| if reading.is_control() { Ok(explicit_fall()) } else { update_residuals(engine) };
+    let fall = |engine: Faller| residuals(engine, reading.is_control());
     let both = falls("MuJoCo", fall(Faller::MuJoCo)?).into_iter().chain(falls("Drake", fall(Faller::Drake)?));
     Ok(both.map(|finding| finding.opinion("which simulators are serious")).collect())
 }
@@ -170,13 +148,13 @@ const EULER_ERROR: f64 = 0.5 * 9.81 * 0.6 / 60.0;
 fn main_integrator(reading: Reading) -> Result<Vec<Finding>> {
     let thrower = reading.only(0).pick(Thrower::Bullet, Thrower::Siconos);
     let off = projectile_error(thrower)?;
-    let residuals = match reading.only(1) {
-        Reading::Recorded => [update_residuals(Faller::MuJoCo)?, update_residuals(Faller::Drake)?, bullet_residuals()?],
-        Reading::Control(_) => [explicit_fall(); 3],
-    };
+    let explicit = reading.only(1).is_control();
+    let fallen = [("MuJoCo", Faller::MuJoCo), ("Drake", Faller::Drake), ("Bullet", Faller::Bullet)];
     let mut findings =
         vec![Finding::equal("Bullet's thrown body, distance from its parabola", off, EULER_ERROR, PROJECTILE, "m").experiment()];
-    findings.extend(["MuJoCo", "Drake", "Bullet"].into_iter().zip(residuals).flat_map(|(name, both)| falls(name, both)));
+    for (name, engine) in fallen {
+        findings.extend(falls(name, residuals(engine, explicit)?));
+    }
     Ok(findings)
 }
 

@@ -126,7 +126,9 @@ impl<T: Scalar> PlanarProblem<T> {
         let numbers = |of: &[T]| of.iter().map(|number| rational::<T, Rational>(number).cloned()).collect::<Option<Vec<_>>>();
         let [delassus, matrix]: [&DMatrix<Rational>; 2] = [rational(&self.delassus)?, rational(&lcp.matrix)?];
         let [velocity, vector]: [&DVector<Rational>; 2] = [rational(&self.velocity)?, rational(&lcp.vector)?];
-        let directions = directions.iter().map(|direction| numbers(direction)).collect::<Option<Vec<_>>>()?;
+        // in the plane a direction has one component
+        let components = (self.velocity.len() / friction.len() - 1).min(2);
+        let directions = directions.iter().map(|direction| numbers(&direction[..components])).collect::<Option<Vec<_>>>()?;
         let mut parts = vec![("delassus", Part::from(delassus)), ("velocity", velocity.into())];
         parts.extend([("friction", Part::Vector(numbers(friction)?)), ("directions", Part::Vectors(directions))]);
         parts.extend([("matrix", matrix.into()), ("vector", vector.into())]);

@@ -4,13 +4,18 @@
 //!     A ← P A ,   A_ij ← A_ij − (A_ik/A_kk) A_kj ,   i > k , only where A_ik ≠ 0 and A_kj ≠ 0
 //! ```
 //! A Jacobian over contacts is mostly zeros: the rows of an open contact are those of the identity, and bodies that do not touch do not
-//! couple. What is passed over would subtract zero, so every number is the one that elimination without this gives: [`nalgebra`]'s LU.
+//! couple. What is passed over would subtract zero, so that of finite entries every number is the one that elimination without this gives:
+//! [`nalgebra`]'s LU.
 
 use nalgebra::{DMatrix, DVector};
 
-/// The x with A x = b, A square; `None` if a pivot is exactly zero.
+/// The x with A x = b; `None` if a pivot is exactly zero.
+///
+/// # Panics
+/// If A is not square or b has another size.
 pub(super) fn solve(matrix: &DMatrix<f64>, right_side: &DVector<f64>) -> Option<DVector<f64>> {
     let size = right_side.len();
+    assert!(matrix.is_square() && matrix.nrows() == size, "elimination needs a square matrix and a right side of its size");
     // the rows of A lie in memory one after the other in its transpose
     let mut rows = matrix.transpose();
     let rows = rows.as_mut_slice();
