@@ -7,7 +7,7 @@ use super::{Answer, Format};
 use crate::claims::{self, Claim, JudgedClaim, Status, matches_group};
 use crate::files::write_atomically;
 use crate::report::json::{ClaimEntry, ExplanationEntry, OutcomeEntry, pretty};
-use crate::report::text;
+use crate::report::{explanation, text};
 use crate::report::witnesses::WitnessDocument;
 use crate::{Error, Result};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -94,7 +94,7 @@ fn explain(id: &str, format: Format) -> Result<Answer> {
     })?;
     let outcome = judge(claim);
     print(&match format {
-        Format::Text => text::explanation(&outcome, style()),
+        Format::Text => explanation::explanation(&outcome, style()),
         Format::Json => pretty(&ExplanationEntry::from(&outcome))?,
     })?;
     Ok(conclusion(&[outcome]))

@@ -2,6 +2,8 @@
 
 pub mod certificate;
 pub mod comparison;
+pub mod explanation;
+mod findings;
 pub mod json;
 pub mod matrix;
 pub mod motion;
