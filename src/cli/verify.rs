@@ -7,8 +7,8 @@ use super::{Answer, Format};
 use crate::claims::{self, Claim, JudgedClaim, Status, matches_group};
 use crate::files::write_atomically;
 use crate::report::json::{ClaimEntry, ExplanationEntry, OutcomeEntry, pretty};
-use crate::report::{explanation, text};
 use crate::report::witnesses::WitnessDocument;
+use crate::report::{explanation, text};
 use crate::{Error, Result};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
@@ -52,9 +52,12 @@ Examples:
 
 A verdict is derived from the findings: each says what the sentence says of its instance, and supports
 the sentence or refutes it. The figures count deciding findings, those that a control finds otherwise, and context.
+--explain marks a finding [supports] or [refutes ]: the sentence, or what its correction says beside it;
+[beside] is context and decides nothing.
 
 Verdicts: true, conditional (holds under conditions the text omits), false as stated, inconsistent
-(the text says two things that exclude each other), ambiguous (readings differ in truth).
+(the text says two things that exclude each other), ambiguous (readings differ in truth). In JSON they
+are TRUE, CONDITIONAL, FALSE, INCONSISTENT and AMBIGUOUS; --verdict takes them in small letters.
 Evidence: exact (rational arithmetic), certified (residual below a derived bound), measured, cited,
 not decidable.";
 

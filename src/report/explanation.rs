@@ -55,8 +55,7 @@ fn control(outcome: &JudgedClaim, place: usize, findings: &[Finding], style: Sty
     let (shown, same): (Vec<&Finding>, Vec<&Finding>) =
         findings.iter().partition(|finding| comes_out_otherwise(finding, findings, &outcome.findings));
     let absent = |finding: &&Finding| counterpart(finding, &outcome.findings, findings).is_none();
-    let missing: Vec<&str> =
-        outcome.findings.iter().filter(deciding).filter(absent).map(|finding| finding.name.as_str()).collect();
+    let missing: Vec<&str> = outcome.findings.iter().filter(deciding).filter(absent).map(|finding| finding.name.as_str()).collect();
     let mut lines = vec![wrap(outcome.claim.controls[place])];
     lines.extend(shown.iter().map(|finding| bearing(&elsewhere(finding))));
     if same.iter().any(|finding| deciding(finding)) {

@@ -1,8 +1,8 @@
 //! What `verify` prints: one line per claim grouped by section, what is wrong, and a count at the end.
 
-pub use crate::checks::text::Style;
 use super::findings::{found, judged};
 use crate::checks::Finding;
+pub use crate::checks::text::Style;
 use crate::claims::{Claim, ClaimVerdict, Figures, JudgedClaim, Kind, SECTIONS, Section, Status, order};
 use std::fmt::Write;
 
@@ -41,15 +41,18 @@ pub fn list(claims: &[&'static Claim], style: Style) -> String {
 /// The lines before the last one of `verify`.
 fn hardness(outcomes: &[JudgedClaim]) -> String {
     let figures = Figures::sum(outcomes);
+    let are = |count: usize| if count == 1 { "is" } else { "are" };
     format!(
-        "{} claims, {} of which repeat another one; of {} deciding findings the controls move {}; \
-         {} findings are context\n{} are assertions: {}",
-        figures.claims,
+        "{}, {} of which repeat{} another one; of {} the controls move {}; {} {} context\n{} {}: {}",
+        counted(figures.claims, "claim"),
         figures.repeats,
-        figures.deciding,
+        if figures.repeats == 1 { "s" } else { "" },
+        counted(figures.deciding, "deciding finding"),
         figures.moved,
-        figures.context,
+        counted(figures.context, "finding"),
+        are(figures.context),
         figures.assertions,
+        if figures.assertions == 1 { "is an assertion" } else { "are assertions" },
         verdicts(outcomes.iter().filter(|outcome| outcome.claim.kind == Kind::Assertion))
     )
 }
@@ -57,8 +60,12 @@ fn hardness(outcomes: &[JudgedClaim]) -> String {
 /// The last line of `verify`.
 fn count(outcomes: &[JudgedClaim]) -> String {
     let contradicted = outcomes.iter().filter(|outcome| outcome.status != Status::Supported).count();
-    let claims = if outcomes.len() == 1 { "claim" } else { "claims" };
-    format!("{} {claims}: {}; {contradicted} contradicted", outcomes.len(), verdicts(outcomes.iter()))
+    format!("{}: {}; {contradicted} contradicted", counted(outcomes.len(), "claim"), verdicts(outcomes.iter()))
+}
+
+/// A count with its word, in the plural unless it is one.
+fn counted(count: usize, word: &str) -> String {
+    format!("{count} {word}{}", if count == 1 { "" } else { "s" })
 }
 
 /// How many claims have which verdict.
@@ -196,5 +203,4 @@ pub(crate) mod tests {
         assert!(!outcomes(&[outcome(Status::Contradicted)], PLAIN).contains('\u{1b}'));
         assert!(outcomes(&[outcome(Status::Contradicted)], Style { colour: true }).contains("\u{1b}[1;31mCONTRADICTED"));
     }
-
 }

@@ -258,7 +258,7 @@ fn must_v_plus(reading: Reading) -> Result<Vec<Finding>> {
     let by_newton = -(&e * &from);
     let rebound = |argument: &Option<Rational>, passage| {
         let stated = argument.clone().unwrap_or_else(|| from.clone());
-        Finding::exact("v⁺ of an impact from v⁻ = −1 by v⁺ = −e v⁻", &by_newton, &ratio(1, 2), "m/s").says(stated).passage(passage)
+        Finding::exact("v⁺ of the impact by v⁺ = −e v⁻", &by_newton, &ratio(1, 2), "m/s").says(stated).passage(passage)
     };
     Ok(vec![
         rebound(&plus, "§2, the argument must be v⁺"),

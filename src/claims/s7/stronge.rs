@@ -65,8 +65,8 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "As stated, with friction that stops or turns round. Without friction, or while the slip goes on, the three \
             agree.",
-        argument: "The rod, μ = 1, U_n⁻ = −1: U_n⁺ = 16/25 for e_P = 1 and 8/25 for e_P = 1/2, U_n⁺² = 62/125 e_*², while U_n⁺ = e_N by \
-            definition.",
+        argument: "The rod, μ = 1, U_n⁻ = −1: the collision with e_P = 1 has e_N = 16/25 and e_*² = 128/155, that with e_P = 1/2 half \
+            and a quarter of them. The sentence is read as one about the definitions; it does not say that no collision makes them equal.",
         controls: &["The rod without friction."],
         sources: &["chapter §7, pitfall on e as a material constant"],
         check: check!(three_numbers),
@@ -203,14 +203,22 @@ fn elastic_rod() -> Result<[Rational; 3]> {
     Ok(ends.map(|end| path.impact().energy_change(&end)))
 }
 
+/// One collision, that of the rod which Poisson's e ends, and its three coefficients: e_P, e_N = U_n⁺ for U_n⁻ = −1 m/s, and
+/// e_*² = U_n⁺²/U_n⁺²(e_* = 1).
 fn three_numbers(reading: Reading) -> Result<Vec<Finding>> {
     let path = rod_path(&reading.pick(ratio(1, 1), ratio(0, 1)))?;
+    let all_returned = stronge::end(&path, &ratio(1, 1))?.speed_squared;
     let mut findings = Vec::new();
-    for e in [ratio(1, 1), ratio(1, 2)] {
-        let speed = poisson::along(&path, &e)?.after[0].clone();
-        findings.push(Finding::exact(format!("U_n⁺ with e_P = {e}"), &speed, &(ratio(16, 25) * &e), "m/s"));
-        let squared = stronge::end(&path, &e)?.speed_squared;
-        findings.push(Finding::exact(format!("U_n⁺² with e_* = {e}"), &squared, &(ratio(62, 125) * &e * &e), "m²/s²"));
+    for poissons in [ratio(1, 1), ratio(1, 2)] {
+        let newtons = poisson::along(&path, &poissons)?.after[0].clone();
+        let stronges_squared = &newtons * &newtons / &all_returned;
+        let mut squares = vec![&poissons * &poissons, &newtons * &newtons, stronges_squared.clone()];
+        squares.sort();
+        squares.dedup();
+        findings.push(Finding::count(format!("different numbers among the three e, e_P = {poissons}"), squares.len(), 3));
+        findings.push(Finding::exact(format!("e_N of it, e_P = {poissons}"), &newtons, &(ratio(16, 25) * &poissons), "1"));
+        let expected = ratio(128, 155) * &poissons * &poissons;
+        findings.push(Finding::exact(format!("e_*² of it, e_P = {poissons}"), &stronges_squared, &expected, "1"));
     }
     Ok(findings)
 }
