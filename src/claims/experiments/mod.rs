@@ -7,6 +7,7 @@ pub(super) mod curve;
 pub(super) mod drake;
 pub(super) mod envelopes;
 pub(super) mod facts;
+pub(super) mod floors;
 pub(super) mod identifiers;
 pub(super) mod mujoco;
 pub(super) mod painleve;

@@ -3,11 +3,13 @@
 use super::facts::Document;
 use crate::checks::siconos_alpha::{FirstImpact, SiconosAlpha};
 use crate::checks::siconos_steps::SiconosSteps;
+use crate::mechanics::Mechanism;
 use crate::problem::Law;
 use crate::schemes::step;
 use crate::solvers::{Auto, ContactSolver};
 use crate::stored::{RUNS, read, read_by};
 use crate::{Error, Result};
+use nalgebra::{DMatrix, DVector};
 use serde::Deserialize;
 
 const FACTS: &str = "facts/siconos.json";
@@ -80,18 +82,64 @@ fn energy(file: &str) -> Result<[f64; 2]> {
     Ok([mechanism.energy(&run.state(last)) / start, taken / start])
 }
 
-/// Moves (Δq₁ m₁, Δq₂ m₂, …) of Siconos's chain of masses 1, 2, 4 kg by the projection in its impact \[kg·m\], and the same without masses
-/// \[m\].
+/// What moves the balls of a chain out of each other at the end of the step of its impact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Projection {
+    /// Siconos's, as stored.
+    Stored,
+    /// The least move in the kinetic metric, along M⁻¹H_nᵀ, computed from the same step.
+    InKineticMetric,
+}
+
+/// The step of Siconos's chain of masses 1, 2, 4 kg in which it collides.
+struct ChainImpact {
+    mechanism: Box<dyn Mechanism>,
+    masses: DVector<f64>,
+    /// Where the balls are before the projection, and after it.
+    places: [DVector<f64>; 2],
+    /// The contacts with an impulse.
+    hits: Vec<usize>,
+}
+
+impl ChainImpact {
+    fn stored() -> Result<Self> {
+        let run = read_by(&RUNS, CHAIN_PROJECTED, SiconosSteps::from_json)?;
+        let hit = run.impulses.iter().position(|r| r[0] > 0.0).ok_or_else(|| Error::Unsupported("the chain collides".into()))?;
+        let (before, after, mechanism) = (run.state(hit), run.state(hit + 1), run.mechanism()?);
+        let masses = mechanism.mass_matrix(&before.position).diagonal();
+        let reached = &before.position + (&before.velocity + &after.velocity) * (0.5 * run.time_step);
+        let hits = (0..run.impulses[hit].len()).filter(|contact| run.impulses[hit][*contact] > 0.0).collect();
+        Ok(ChainImpact { mechanism, masses, places: [reached, after.position], hits })
+    }
+
+    /// Siconos's moves \[m\].
+    fn moves(&self) -> DVector<f64> {
+        &self.places[1] - &self.places[0]
+    }
+
+    /// The moves −A⁻¹H_nᵀ (H_n A⁻¹ H_nᵀ)⁻¹ φ \[m\] that close the gaps of these contacts, A with these weights on its diagonal.
+    fn least_moves(&self, weights: &DVector<f64>) -> Result<DVector<f64>> {
+        let contacts = self.mechanism.contacts(&self.places[0]);
+        let closed: Vec<_> = self.hits.iter().map(|contact| &contacts[*contact]).collect();
+        let gaps = DVector::from_iterator(closed.len(), closed.iter().map(|contact| contact.gap));
+        let normals = DMatrix::from_fn(closed.len(), weights.len(), |row, column| closed[row].jacobian[(0, column)]);
+        let moved = DMatrix::from_fn(weights.len(), closed.len(), |row, column| normals[(column, row)] / weights[row]);
+        let lengths = (&normals * &moved).lu().solve(&-gaps);
+        Ok(moved * lengths.ok_or_else(|| Error::Unsupported("the contacts are independent".into()))?)
+    }
+}
+
+/// Σ Δq_i \[m\] and Σ m_i Δq_i \[kg·m\] of the moves by the projection in the impact of Siconos's chain.
 ///
 /// # Errors
 /// If the stored file is not what it should be.
-pub fn projected_moves() -> Result<[Vec<f64>; 2]> {
-    let run = read_by(&RUNS, CHAIN_PROJECTED, SiconosSteps::from_json)?;
-    let hit = run.impulses.iter().position(|r| r[0] > 0.0).ok_or_else(|| Error::Unsupported("the chain collides".into()))?;
-    let (before, after) = (run.state(hit), run.state(hit + 1));
-    let moved = &after.position - &before.position - (&before.velocity + &after.velocity) * (0.5 * run.time_step);
-    let masses = run.mechanism()?.mass_matrix(&before.position).diagonal();
-    Ok([moved.component_mul(&masses).as_slice().to_vec(), moved.as_slice().to_vec()])
+pub fn projected_moves(projection: Projection) -> Result<[f64; 2]> {
+    let impact = ChainImpact::stored()?;
+    let moves = match projection {
+        Projection::Stored => impact.moves(),
+        Projection::InKineticMetric => impact.least_moves(&impact.masses)?,
+    };
+    Ok([moves.sum(), moves.dot(&impact.masses)])
 }
 
 /// How Siconos's block slides in contact.
@@ -148,4 +196,19 @@ pub fn deepest(projected: bool) -> Result<f64> {
 pub fn alpha_impact() -> Result<FirstImpact> {
     let run = read_by(&RUNS, ALPHA_FALL, SiconosAlpha::from_json)?;
     run.first_impact().ok_or_else(|| Error::Unsupported("the run ends with an impact".into()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tolerance::rounding;
+
+    #[test]
+    fn siconos_moves_the_balls_to_the_nearest_place_in_the_coordinates() {
+        let impact = ChainImpact::stored().expect("stored");
+        let in_coordinates = impact.least_moves(&impact.masses.map(|_| 1.0)).expect("independent");
+        assert!((impact.moves() - &in_coordinates).amax() <= rounding(64, 1.0), "{in_coordinates}");
+        let in_kinetic_metric = impact.least_moves(&impact.masses).expect("independent");
+        assert!(in_kinetic_metric.dot(&impact.masses).abs() <= rounding(64, 1.0), "{in_kinetic_metric}");
+    }
 }

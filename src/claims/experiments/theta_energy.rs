@@ -1,12 +1,10 @@
-//! What θ does to an energy: of springs and falls, of a pendulum, of collisions, of a tower.
+//! What θ does to an energy: of springs and free falls, of a pendulum, of collisions, of a tower.
 
 use super::pendulum::Swing;
-use super::push_out::ball;
 use super::soft::GRAVITY;
 use super::theta_step::{LinearSystem, coupled_pair, phase};
 use super::tower::{Sweeps, Tower};
 use crate::Result;
-use crate::exact_particle::BallState;
 use crate::mechanics::{BallChain, Mechanism, State};
 use crate::scalar::{Rational, Scalar, ratio};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, simulate};
@@ -61,27 +59,6 @@ pub fn energy_change_under(theta: &Rational) -> Rational {
 pub fn pendulum_energy_change(h: f64) -> f64 {
     let swing = Swing { angle: 1.3, rate: 0.7 };
     swing.step(h).energy() - swing.energy()
-}
-
-/// (E − ½ m g h v)/E₀ of the elastic ball after 2000 steps with θ = 1.
-pub fn elastic_invariant() -> Rational {
-    let (ball, theta, h) = (ball(ratio(1, 1)), ratio(1, 1), ratio(1, 100));
-    let start = BallState { position: ratio(1, 1), velocity: ratio(0, 1) };
-    let end = (0..2000).fold(start.clone(), |now, _| ball.moreau_jean(&now, &theta, Activation::Gap, &h).motion);
-    ball.scheme_energy(&end, &theta, &h) / ball.energy(&start)
-}
-
-/// Kinetic energy after the first impact over that before it, e = 1/2, dropped from 1 m with h = 1/100 s.
-pub fn first_impact(theta: &Rational) -> Rational {
-    let (ball, h) = (ball(ratio(1, 2)), ratio(1, 100));
-    let mut now = BallState { position: ratio(1, 1), velocity: ratio(0, 1) };
-    loop {
-        let outcome = ball.moreau_jean(&now, theta, Activation::Gap, &h);
-        if outcome.impulse > ratio(0, 1) {
-            return ball.kinetic_energy(&outcome.motion.velocity) / ball.kinetic_energy(&now.velocity);
-        }
-        now = outcome.motion;
-    }
 }
 
 /// Stiffness of springs that a tower hangs on \[N/m\].

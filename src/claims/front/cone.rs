@@ -1,7 +1,7 @@
 //! Complementarity, normal cone and proximal operator as the preface recalls them; the cone's errors in the misconception table.
 
 use crate::certificate::lcp::residuals;
-use crate::claims::experiments::polygon::scaled_errors;
+use crate::claims::experiments::polygon::Spread;
 use crate::claims::prelude::*;
 use crate::cones::polyhedral::strength_error;
 use crate::problem::{Lcp, PlanarProblem};
@@ -48,7 +48,7 @@ pub const MISCONCEPTIONS: &[Claim] = &[Claim {
         residuals zero; its friction has half the squared strength of the circular cone's along the bisector, which is the error of the \
         shape.",
     controls: &[
-        "The errors of the direction and of the radius exchanged: the shape is of order 1/d in either reading.",
+        "The cone with the half axes and all other directions in one quadrant: neither error falls, and O(1/d) holds of it in no reading.",
         "d counted as the number of pairs ±, so that the cone has 2d directions.",
         "Lemke's answer for μ = 1 in the LCP with μ = ½.",
     ],
@@ -103,24 +103,19 @@ fn proximal_point_is_normal(set: &[Rational], v: &Rational) -> bool {
 }
 
 fn cone_error(reading: Reading) -> Result<Vec<Finding>> {
+    let spread = reading.only(0).pick(Spread::Even, Spread::OneQuadrant);
     let mut findings = Vec::new();
     for d in [4, 8, 16] {
-        let errors = |d: usize| {
-            let [strength, direction, _] = scaled_errors(0, d);
-            [strength, direction / d as f64]
-        };
-        let ([strength, direction], [finer_strength, finer_direction]) = (errors(d), errors(2 * d));
-        let (radii, angles) = ([strength, finer_strength], [direction, finer_direction]);
-        let ([coarse, fine], angles) = reading.only(0).pick((radii, angles), (angles, radii));
+        let ([coarse, coarse_angle], [fine, fine_angle]) = (spread.errors(d), spread.errors(2 * d));
         // the strength is the smallest of the four and a difference of numbers of size 1, known to 8 roundings
-        let bound = 2.0 * rounding(8, 1.0) / finer_strength;
+        let bound = 2.0 * rounding(8, 1.0) / fine;
         let expected = 0.25 / (std::f64::consts::PI / (4 * d) as f64).cos().powi(2);
         let shape = || {
             Finding::equal(format!("error of the radius with 2d directions over that with d = {d}"), fine / coarse, expected, bound, "1")
         };
         findings.push(shape().says_at_most(0.5).reading("O(1/d) as an upper bound"));
         findings.push(shape().says(0.5).reading("1/d as the order of the shape"));
-        let halved = angles[1] / angles[0];
+        let halved = fine_angle / coarse_angle;
         findings.push(Finding::equal(format!("error of the direction with 2d directions over that with d = {d}"), halved, 0.5, bound, "1"));
     }
     // cos(π/4) = 1/√2 and the half-angle formula, twice

@@ -1,7 +1,7 @@
 //! What is looked up of Drake: its Python package and the documentation in it, and its repository.
 
 use super::query::{Holds, Query};
-use super::release::{DRAKE, DRAKE_2026, MUJOCO};
+use super::release::{DRAKE, DRAKE_2026, EICH, MUJOCO};
 use super::row::{Instead, LookUp, Says, Wanted};
 
 /// The rows.
@@ -43,7 +43,7 @@ pub const ROWS: &[LookUp] = &[
         Wanted::Count(0),
     )
     .says(Says::AtLeast(1))
-    .controls(&[Instead::Under(0, DRAKE, Query::Count(&["mentions", "contact"]))]),
+    .controls(&[Instead::Under(0, EICH, Query::Mentions(&["cited_as"], "coordinate projection"))]),
     LookUp::new(
         "S10.drake-tamsi-row",
         "documented as non-convex, and able to fail",

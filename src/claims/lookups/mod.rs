@@ -18,4 +18,4 @@ mod siconos;
 
 pub(crate) use bullet::{ERP, SERVER_ERP};
 pub(crate) use check::{check, looked_up};
-pub(crate) use release::{BULLET, STEWART_TRINKLE};
+pub(crate) use release::{BULLET, DZONOU, STEWART, STEWART_TRINKLE, year};

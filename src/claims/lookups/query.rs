@@ -59,6 +59,8 @@ pub enum Query {
     Lists(Keys, &'static [&'static str]),
     /// Whether a text of the list at a place has these words.
     Words(Keys, &'static str),
+    /// How often these words occur in the texts of the list at a place.
+    Mentions(Keys, &'static str),
     /// How many texts of the list at a place have all these numbers.
     Numbered(Keys, &'static [&'static str]),
     /// Which of these hold.
@@ -129,6 +131,7 @@ impl Query {
                 share(names, |name| keyed(name) || texts(&stated, keys).contains(name))
             }
             Query::Words(keys, words) => whether(texts(&stated, keys).iter().any(|text| text.contains(words))),
+            Query::Mentions(keys, words) => LookedUp::Count(texts(&stated, keys).iter().map(|text| text.matches(words).count()).sum()),
             Query::Numbered(keys, numbers) => {
                 let all = texts(&stated, keys);
                 let of_text = |text: &&str| numbers.iter().all(|number| digits(text).any(|other| other == *number));

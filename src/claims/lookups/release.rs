@@ -49,6 +49,12 @@ pub const PINOCCHIO_3: Release = Release::Tree("stack-of-tasks/pinocchio", "v3.7
 pub const SURVEY: Release = Release::Record("stewart-2000");
 /// Anitescu's paper of 2006.
 pub const ANITESCU: Release = Release::Record("anitescu-2006");
+/// Eich's paper of 1993.
+pub const EICH: Release = Release::Record("eich-1993");
+/// Stewart's paper of 1998, by the chapter the proof that resolves Painlevé's paradox.
+pub const STEWART: Release = Release::Record("stewart-1998");
+/// The paper of 2007 that the chapter calls the first proof with friction; the record says what the chapter prints.
+pub const DZONOU: Release = Release::Record("dzonou-2007");
 /// Stewart and Trinkle's paper of 1996.
 pub const STEWART_TRINKLE: Release = Release::Record("stewart-trinkle-1996");
 
@@ -123,6 +129,15 @@ impl Release {
     pub fn text(self, key: &str) -> Result<String> {
         self.stated()?[key].as_str().map(String::from).ok_or_else(|| missing(self.version(), key))
     }
+}
+
+/// The year that is stated of a record.
+///
+/// # Errors
+/// As [`Release::stated`], and if there is no year.
+pub fn year(record: Release) -> Result<usize> {
+    let year = record.stated()?["year"].as_u64().ok_or_else(|| missing(record.version(), "year"))?;
+    usize::try_from(year).map_err(|_| missing(record.version(), "year"))
 }
 
 fn missing(file: &str, what: &str) -> Error {

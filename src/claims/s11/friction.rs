@@ -1,8 +1,8 @@
 //! §11, convergence with friction: what Painlevé's configurations need, and who proved what when.
 
-use crate::claims::experiments::identifiers::year;
+use crate::claims::experiments::identifiers;
 use crate::claims::experiments::painleve::{answers, sliding_forces};
-use crate::claims::lookups::STEWART_TRINKLE;
+use crate::claims::lookups::{DZONOU, STEWART, STEWART_TRINKLE, year};
 use crate::claims::prelude::*;
 use moreau_exact::witness::{Part, Witness, decided};
 
@@ -94,10 +94,10 @@ pub const CLAIMS: &[Claim] = &[
         argument: "The scheme: 1996, from the SICI of its paper. The proof that resolves the paradox, which exists above μ_P = 13/9 \
             only: 1998, two years later. From there to 2007: nine, ten to the nearest ten.",
         controls: &[
-            "A rod at μ = 1/10, which the proof of 1998 need not cover: from the scheme to 2007.",
-            "The proof that covers the rod at μ = 2 as the first with friction: from that of 1998 to itself.",
+            "A rod at μ = 1/10 in place of that at μ = 2: it has no paradox, and the proof of 1998 need not cover it.",
+            "A rod at μ = 2 in place of that at μ = 1/10: the first proof that covers it is that of 1998.",
         ],
-        sources: &["chapter §11, pitfalls", "S11.friction-split", "S4.cites"],
+        sources: &["chapter §11, pitfalls", "S11.friction-split", "S4.cites", "references/facts/literature.json, for the years"],
         check: check!(years),
     },
 ];
@@ -204,24 +204,22 @@ fn closed_graph(reading: Reading) -> Result<Vec<Finding>> {
     ])
 }
 
-/// The years of the chapter: the proof that resolves Painlevé's paradox, and the one that it calls the first with friction.
-const PROOFS: [usize; 2] = [1998, 2007];
-
-/// The year of the first proof that covers the rod with this friction: the one that resolves the paradox, if there is one.
+/// The year of the first proof that covers the rod with this friction: where the rod is in Painlevé's paradox, that of the proof that
+/// resolves it, else that of the one that the chapter calls the first with friction.
 fn first_proof(friction: &Rational) -> Result<usize> {
-    let [resolved, claimed] = PROOFS;
-    Ok(if sliding_forces(friction, -1)? == 0 { resolved } else { claimed })
+    year(if sliding_forces(friction, -1)? == 0 { STEWART } else { DZONOU })
 }
 
 fn years(reading: Reading) -> Result<Vec<Finding>> {
     let friction = reading.only(0).pick(ratio(2, 1), ratio(1, 10));
     let with_friction = first_proof(&reading.only(1).pick(ratio(1, 10), ratio(2, 1)))?;
-    let covered = first_proof(&friction)? - year(&STEWART_TRINKLE.text("sici")?).unwrap_or_default();
+    let scheme = identifiers::year(&STEWART_TRINKLE.text("sici")?).unwrap_or_default();
+    let covered = first_proof(&friction)? - scheme;
     let nearest_ten = |years: usize| (years + 5) / 10 * 10;
     Ok(vec![
         Finding::count(
             "years from the proof of 1998 to one for small friction, to the nearest ten",
-            nearest_ten(with_friction - PROOFS[0]),
+            nearest_ten(with_friction - year(STEWART)?),
             10,
         )
         .reading("from the proof of 1998 to that of 2007")

@@ -1,7 +1,7 @@
 //! The friction cone with d directions: how far it is from the circular one, and what sliding on it looks like.
 
 use super::matrices::integers;
-use crate::claims::experiments::polygon::scaled_errors;
+use crate::claims::experiments::polygon::Spread;
 use crate::claims::prelude::*;
 use crate::cones::polyhedral::{direction_error, strength_error};
 use crate::mechanics::{Mechanism, Plane, PointMass, State};
@@ -31,7 +31,9 @@ pub const CLAIMS: &[Claim] = &[
             it lies in [π²/2 − π⁴/(24 d²), π²/2]. Read as upper bounds both orders hold of it. Read as the order, O(1/d) says that twice \
             the directions halve the error; they divide it by 2(1 + cos(π/64)) = 3.998 from d = 32 to 64: as orders of one shape the two \
             exclude each other.",
-        controls: &["The direction of the force, whose error is π/d, in place of the shape: O(1/d²) does not hold of it in any reading."],
+        controls: &[
+            "Directions added in one quadrant only: the radius stays short by 1 − cos(π/4) in the others, and neither order holds of it.",
+        ],
         sources: &["chapter §4, compromise, summary and pitfall", "chapter §5, table and insight on the two approximations"],
         check: check!(order),
     },
@@ -97,11 +99,8 @@ pub const CLAIMS: &[Claim] = &[
 ];
 
 fn order(reading: Reading) -> Result<Vec<Finding>> {
-    // of the shape, or of the direction of the force
-    let error = |d: usize| {
-        let [strength, angle, _] = scaled_errors(0, d);
-        reading.pick(strength, angle / d as f64)
-    };
+    let spread = reading.pick(Spread::Even, Spread::OneQuadrant);
+    let error = |d: usize| spread.errors(d)[0];
     let mut findings = Vec::new();
     for d in [8, 16, 32, 64] {
         let square = (d * d) as f64;

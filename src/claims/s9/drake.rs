@@ -17,10 +17,11 @@ pub const CLAIMS: &[Claim] = &[Claim {
         carries the load. Discrete constraints are compliant, near rigid where they should be hard.",
     argument: "The phrase occurs 0 times in the documentation of 1.51.1's multibody plant (“contact” 1356 times). A ball of 1 kg at rest \
         under SAP, k = 1e5 N/m, stays at m g/k = 9.81e-5 m below the ground; a projection would end at 0.",
-    controls: &["A body that coordinate projection holds against its weight, and the word “contact”."],
+    controls: &["A body that coordinate projection holds against its weight, and the phrase looked up where it stands, in Eich's title."],
     sources: &[
         "chapter §9, constraint drift, (4)",
         "Drake 1.51.1 (references/facts/drake.json; references/drake, ball_rest, sap, h = 1 ms)",
+        "Eich, SIAM J. Numer. Anal. 30 (1993) 1467, for the phrase (references/facts/literature.json)",
     ],
     check: check!(projection),
 }];

@@ -1,9 +1,9 @@
 //! Where energy comes from and where it goes.
 
+use crate::claims::experiments::floors::{Floor, elastic_invariant, first_impact};
 use crate::claims::experiments::push_out::{biased_gain, elastic_drop, projected_gain};
 use crate::claims::experiments::rod::energy_gained;
 use crate::claims::experiments::spring::{energy_ratio, explicit_peak, semi_implicit_peak};
-use crate::claims::experiments::theta_energy::{elastic_invariant, first_impact};
 use crate::claims::experiments::tower::energy_of_stale_impulses;
 use crate::claims::prelude::*;
 use crate::schemes::{Activation, RestitutionRule};
@@ -42,11 +42,15 @@ pub const CLAIMS: &[Claim] = &[
         severity: Some(Severity::MissingHypothesis),
         evidence: Evidence::Exact,
         correct_statement: "True of forces that depend on the state (springs): E⁺/E = 1/(1 + h²ω²) at θ = 1 and 1 at θ = 1/2. Under \
-            gravity θ has no effect in the long run: E − (θ−½) m g h v is conserved, and an impact keeps e² of the kinetic energy, for \
-            every θ.",
+            gravity and on a hard floor θ has no effect in the long run: E − (θ−½) m g h v is conserved, and an impact keeps e² of the \
+            kinetic energy, for every θ.",
         argument: "Spring, hω = 1/10: 100/101 per step at θ = 1, 1 at θ = 1/2. Elastic ball from 1 m, h = 1/100 s, 2000 steps with θ = 1: \
-            (E − ½ g h v)/E₀ = 1 exactly. Ball with e = 1/2: the first impact keeps 1/4 of ½v² with θ = 1 and with θ = 1/2.",
-        controls: &["The spring in the place of the ball.", "θ = 1/2 and θ = 1 exchanged."],
+            (E − ½ g h v)/E₀ = 1 exactly. Ball with e = 1/2: the first impact keeps 1/4 of ½v² with θ = 1 and with θ = 1/2. On a soft \
+            floor, hω = 1/5, less is left of both at θ = 1.",
+        controls: &[
+            "A soft floor, whose force depends on the state, in place of the hard one.",
+            "θ = 1/2 and θ = 1 exchanged on the spring.",
+        ],
         sources: &["chapter §9, energy drift", "S3.energy-runs-down"],
         check: check!(causes_of_loss),
     },
@@ -81,10 +85,8 @@ fn causes_of_loss(reading: Reading) -> Result<Vec<Finding>> {
     const MET: &str = "forces that depend on the state";
     let (half, one) = (ratio(1, 2), ratio(1, 1));
     // E − ½ g h v after 2000 steps with θ = 1, and what an impact with e = 1/2 keeps at θ = 1 and θ = 1/2
-    let [kept, impact, cured] = match reading.only(0) {
-        Reading::Recorded => [elastic_invariant(), first_impact(&one), first_impact(&half)],
-        Reading::Control(_) => [energy_ratio(&one, 20), energy_ratio(&one, 1), energy_ratio(&half, 1)],
-    };
+    let floor = reading.only(0).pick(Floor::Hard, Floor::Soft);
+    let [kept, impact, cured] = [elastic_invariant(floor), first_impact(floor, &one), first_impact(floor, &half)];
     let [damped, neutral] = reading.only(1).pick([&one, &half], [&half, &one]);
     Ok(vec![
         Finding::decision("2000 steps with θ = 1 have taken from E − ½ g h v of an elastic ball", kept < one, false)
@@ -93,7 +95,7 @@ fn causes_of_loss(reading: Reading) -> Result<Vec<Finding>> {
         Finding::decision("θ = 1/2 keeps more of the energy of an impact with e = 1/2 than θ = 1", cured > impact, false)
             .says(true)
             .violating(MET),
-        Finding::exact("kinetic energy kept by an impact, e = 1/2, θ = 1/2", &first_impact(&half), &ratio(1, 4), "1").context(),
+        Finding::exact("kinetic energy kept by an impact, e = 1/2, θ = 1/2", &cured, &ratio(1, 4), "1").context(),
         Finding::exact("E⁺/E on a spring, θ = 1", &energy_ratio(damped, 1), &ratio(100, 101), "1"),
         Finding::exact("E/E₀ on a spring after 20 steps, θ = 1/2", &energy_ratio(neutral, 20), &ratio(1, 1), "1"),
     ])

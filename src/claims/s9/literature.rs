@@ -1,6 +1,6 @@
 //! What §9 says of Siconos's projection and of the schemes of higher order it announces.
 
-use crate::claims::experiments::siconos::{projected_energy, projected_moves, unprojected_energy};
+use crate::claims::experiments::siconos::{Projection, projected_energy, projected_moves, unprojected_energy};
 use crate::claims::lookups;
 use crate::claims::prelude::*;
 use crate::tolerance::claims::pathology::elastic_drop;
@@ -23,7 +23,8 @@ pub const CLAIMS: &[Claim] = &[
             zero; times the masses they are −1/300 kg·m, so that the centre of mass moves.",
         controls: &[
             "The name of the class that is there.",
-            "The run of the ball without projection, and the balls' moves each times its mass.",
+            "The run of the ball without projection, and the balls moved along M⁻¹H_nᵀ, computed from the same step, which leaves their \
+                centre of mass.",
         ],
         sources: &[
             "chapter §9, constraint drift, (3)",
@@ -62,9 +63,7 @@ pub const CLAIMS: &[Claim] = &[
 
 fn combined_projection(reading: Reading) -> Result<Vec<Finding>> {
     let [kept, taken] = reading.only(1).pick(projected_energy()?, unprojected_energy()?);
-    let [weighted, lengths] = projected_moves()?;
-    let moves = [lengths, weighted].map(|moves| moves.iter().sum::<f64>());
-    let [moved, mass_moved] = reading.only(1).pick(moves, [moves[1], moves[0]]);
+    let [moved, mass_moved] = projected_moves(reading.only(1).pick(Projection::Stored, Projection::InKineticMetric))?;
     let mut findings = lookups::check("S9.siconos-class", reading)?;
     findings.extend([
         Finding::equal("E(5 s)/E(0) of Siconos's elastic ball", kept, 1.0 - taken, elastic_drop(500), "1").says_at_most(1.0).experiment(),
