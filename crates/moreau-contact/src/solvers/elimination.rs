@@ -5,7 +5,8 @@
 //! ```
 //! A Jacobian over contacts is mostly zeros: the rows of an open contact are those of the identity, and bodies that do not touch do not
 //! couple. What is passed over would subtract zero, so that of finite entries every number is the one that elimination without this gives:
-//! [`nalgebra`]'s LU.
+//! [`nalgebra`]'s LU. `moreau_exact::elimination`, over any ordered field, divides by the pivot where this multiplies by its inverse, as
+//! `nalgebra` does, and rounds otherwise.
 
 use nalgebra::{DMatrix, DVector};
 
