@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Decides again what `moreau verify --export FILE` wrote: every exact decision, in fractions, and every verdict from its findings.
+"""Decides again what `moreau verify --export FILE` wrote: every exact decision, in fractions, and every verdict and grade from its findings.
 
     moreau verify --export witnesses.json
     python3 scripts/check_witnesses.py witnesses.json
 
-Shares nothing with the crate but the file; needs Python's standard library only. Exit code 0: every witness shows what it says, and every verdict follows; 1: one does not; 2: the file cannot be read, or is not
+Shares nothing with the crate but the file; needs Python's standard library only. Exit code 0: every witness shows what it says, and every verdict and every grade follows; 1: one does not; 2: the file cannot be read, or is not
 whole: it says how many claims, findings and witnesses it has. It decides what it finds: that a check asked what its sentence says, and that
 nothing was taken out together with its count, is not shown by it.
 """
@@ -13,11 +13,13 @@ import argparse
 import collections
 import json
 import pathlib
+import re
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
-from witnesses.decisions import DECISIONS, Wrong  # noqa: E402
+from witnesses.decisions import DECISIONS  # noqa: E402
+from witnesses.judgement import Wrong  # noqa: E402
 from witnesses.verdicts import decide, readable  # noqa: E402
 
 
@@ -32,7 +34,7 @@ def wrong_in(claim: dict, counts: collections.Counter) -> list[str]:
             wrong.append(f"{claim['id']}: {witness.get('kind')}: {type(problem).__name__}: {problem}")
     try:
         decide(claim)
-        counts["verdict"] += 1
+        counts["verdict and grade"] += 1
     except (Wrong, OverflowError) as problem:
         wrong.append(f"{claim['id']}: {problem}")
     return wrong
@@ -48,7 +50,7 @@ def whole(document: dict) -> list[dict]:
     if not isinstance(document, dict) or "schema" not in document:
         raise ValueError("it is no object with a `schema`")
     if document["schema"] != "witnesses/1":
-        raise ValueError(f"its schema is {document['schema']}, not witnesses/1")
+        raise ValueError(f"its schema is {document['schema']!r}, not witnesses/1")
     claims = document["claims"]
     found = {"claims": len(claims)} | {kind: sum(len(claim[kind]) for claim in claims) for kind in ("findings", "witnesses")}
     if found != document["counts"]:
@@ -58,7 +60,46 @@ def whole(document: dict) -> list[dict]:
     twice = [name for name, count in collections.Counter(claim["id"] for claim in claims).items() if count > 1]
     if twice:
         raise ValueError(f"claims stand there twice: {', '.join(twice)}")
+    chosen_as_said(document)
     return claims
+
+
+def chosen_as_said(document: dict) -> None:
+    """Raises ValueError unless all claims are there, or those that are meet what was asked for, as far as they tell it."""
+    claims, of, selected = document["claims"], document["of"], document["selected"]
+    if type(of) is not int or of < len(claims):
+        raise ValueError(f"it has {len(claims)} claims, and says that there are {of!r}")
+    if selected is None:
+        if of != len(claims):
+            raise ValueError(f"it has {len(claims)} of {of} claims, and does not say which")
+        return
+    if not isinstance(selected, dict) or set(selected) != {"group", "verdict", "severity", "kind"} or set(selected.values()) == {None}:
+        raise ValueError("what was selected cannot be read")
+    if not all(value is None or isinstance(value, str) for value in selected.values()):
+        raise ValueError("what was selected cannot be read")
+    group, verdict = selected["group"], selected["verdict"]
+    for claim in claims:
+        of_group = group is None or claim["id"] == group or claim["id"].startswith(f"{group}.") or re.fullmatch(f"{re.escape(group)}[0-9]+", claim["id"])
+        if not of_group or verdict not in (None, claim["verdict"]):
+            raise ValueError(f"{claim['id']} does not meet what was selected")
+
+
+def read(file: pathlib.Path) -> dict:
+    """The document; ValueError with the cure if it is none."""
+    if file.is_dir():
+        raise ValueError("it is a folder")
+    text = file.read_text()
+    if not text.strip():
+        raise ValueError("it is empty")
+    return json.loads(text, parse_constant=no_number)
+
+
+def described(problem: Exception) -> str:
+    """What is wrong with a file, in words."""
+    if isinstance(problem, KeyError):
+        return f"it has no {problem}"
+    known = isinstance(problem, OSError) or type(problem) is ValueError
+    return str(problem) if known else f"{type(problem).__name__}: {problem}"
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -67,9 +108,10 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("file", type=pathlib.Path, help="what `moreau verify --export` wrote")
     file = parser.parse_args(arguments).file
     try:
-        claims = whole(json.loads(file.read_text(), parse_constant=no_number))
+        document = read(file)
+        claims = whole(document)
     except (OSError, ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError) as problem:
-        print(f"{file}: {type(problem).__name__}: {problem}; write it with `moreau verify --export {file}`", file=sys.stderr)
+        print(f"{file}: {described(problem)}; give a file that `moreau verify --export FILE` wrote, of the version that this script comes with", file=sys.stderr)
         return 2
     counts: collections.Counter = collections.Counter()
     wrong = [line for claim in claims for line in wrong_in(claim, counts)]
@@ -80,6 +122,9 @@ def main(arguments: list[str] | None = None) -> int:
     bare = [claim["id"] for claim in claims if claim["evidence"] == "exact" and not claim["witnesses"]]
     if bare:
         print(f"exact without a witness, so that only the verdict was decided again: {', '.join(bare)}")
+    if document["selected"] is not None:
+        asked = ", ".join(f"{name} {value}" for name, value in document["selected"].items() if value is not None)
+        print(f"a selection, {asked}: {len(claims)} of {document['of']} claims")
     print(f"{len(claims)} claims, {len(bare)} of them exact without a witness; {len(wrong)} wrong")
     return 1 if wrong or not claims else 0
 

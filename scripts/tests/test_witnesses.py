@@ -9,11 +9,13 @@ import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent.parent), str(pathlib.Path(__file__).resolve().parent)]
 
 import check_witnesses  # noqa: E402
-from witnesses.decisions import DECISIONS, Wrong  # noqa: E402
-from witnesses.verdicts import decide, verdict  # noqa: E402
+import witnesses_of_motions  # noqa: E402
+from witnesses.decisions import DECISIONS  # noqa: E402
+from witnesses.judgement import Wrong  # noqa: E402
+from witnesses.verdicts import decide, grade, verdict  # noqa: E402
 
 PENDULUM = [["2", "-1"], ["-1", "2"]]
 JAMMING = [["0", "1"], ["1", "0"]]
@@ -104,10 +106,11 @@ RIGHT = {
             "vector": ["-1", "4", "-4", "0"],
         }
     ],
+    **witnesses_of_motions.RIGHT,
 }
 
 
-def mistakes(witness: dict):
+def mistakes(kind: str, witness: dict):
     """Copies of a witness with one answer changed."""
     for key, value in witness.items():
         if key in ("x", "z", "point", "direction", "kernel", "vector", "after", "answer") and isinstance(value, list):
@@ -138,6 +141,8 @@ def mistakes(witness: dict):
         yield {**witness, "answer": other}
     if "points" in witness:
         yield {**witness, "points": witness["points"][1:]}
+    for changes in witnesses_of_motions.MISTAKES.get(kind, []):
+        yield {**witness, **changes}
     if witness.get("x") == "singular":
         yield {**witness, "matrix": PENDULUM}
 
@@ -151,7 +156,7 @@ class TestWitnesses(unittest.TestCase):
             for witness in witnesses:
                 with self.subTest(kind, witness=witness):
                     DECISIONS[kind](witness)
-                    wrong = list(mistakes(witness))
+                    wrong = list(mistakes(kind, witness))
                     self.assertTrue(wrong, "no mistake is planted")
                     for changed in wrong:
                         with self.assertRaises((Wrong, ValueError), msg=str(changed)):
@@ -179,6 +184,11 @@ class TestWitnesses(unittest.TestCase):
             ("rank", {"matrix": [["1"]], "rank": [True]}),
         ):
             with self.subTest(kind), self.assertRaises((Wrong, ValueError)):
+                DECISIONS[kind](wrong)
+
+    def test_what_only_looks_right_is_refused(self):
+        for kind, wrong in witnesses_of_motions.WRONG:
+            with self.subTest(kind, witness=wrong), self.assertRaises((Wrong, ValueError)):
                 DECISIONS[kind](wrong)
 
     def test_solutions_that_are_left_out_are_missed(self):
@@ -219,7 +229,7 @@ class TestWitnesses(unittest.TestCase):
 def finding(found: str, stated: str | None = None, **more) -> dict:
     """A finding that holds."""
     said = None if stated is None else {"relation": "equal", "value": stated}
-    base = {"name": "x", "found": found, "expected": found, "relation": "equal", "tolerance": 0.0, "stated": said, "violated": None, "voice": None, "context": False}
+    base = {"name": "x", "found": found, "expected": found, "relation": "equal", "tolerance": 0.0, "stated": said, "violated": None, "voice": None, "origin": "computed", "context": False}
     return {**base, **more}
 
 
@@ -236,8 +246,10 @@ class TestVerdicts(unittest.TestCase):
         self.assertEqual(verdict([finding("1", voice={"opinion": "taste"})]), "AMBIGUOUS")
 
     def test_a_recorded_verdict_that_differs_and_a_finding_that_fails_are_wrong(self):
-        claim = {"findings": [finding("1", "2")], "verdict": "FALSE AS STATED"}
+        claim = {"failed": None, "findings": [finding("1", "2")], "verdict": "FALSE AS STATED", "evidence": "exact"}
         decide(claim)
+        with self.assertRaises(Wrong):
+            decide({**claim, "failed": "the check panicked"})
         with self.assertRaises(Wrong):
             decide({**claim, "verdict": "TRUE"})
         with self.assertRaises(Wrong):
@@ -246,9 +258,30 @@ class TestVerdicts(unittest.TestCase):
             decide({**claim, "findings": [finding("1", context=True)]})
 
 
+    def test_the_grade_is_that_of_the_weakest_finding_that_decides(self):
+        exact, rounded = finding("1"), {**finding("1"), "found": 1.0}
+        tried, looked = finding("1", origin="experiment"), finding("1", origin="look-up")
+        self.assertEqual(grade([exact]), "exact")
+        self.assertEqual(grade([exact, rounded]), "certified")
+        self.assertEqual(grade([exact, {**rounded, "context": True}]), "exact")
+        self.assertEqual(grade([rounded, tried]), "measured")
+        self.assertEqual(grade([looked, tried]), "cited")
+        self.assertEqual(grade([looked, finding("1", voice={"opinion": "taste"})]), "not-decidable")
+        self.assertEqual(grade([exact, finding("1", voice={"opinion": "taste"}, context=True)]), "exact")
+        for one, right in ((exact, "exact"), (rounded, "certified"), (tried, "measured"), (looked, "cited")):
+            for told in ("exact", "certified", "measured", "cited", "not-decidable"):
+                claim = {"failed": None, "findings": [one], "verdict": "TRUE", "evidence": told}
+                with self.subTest(right=right, told=told):
+                    if told == right:
+                        decide(claim)
+                    else:
+                        with self.assertRaises(Wrong):
+                            decide(claim)
+
+
 CHANGES = (
     {"found": "abc"}, {"found": "1/0"}, {"relation": "near"}, {"found": float("nan")}, {"tolerance": "x"}, {"tolerance": float("inf")}, {"found": True},
-    {"voice": {"reading": []}}, {"voice": {"nonsense": "a"}}, {"name": []}, {"stated": []}, {"stated": {}},
+    {"voice": {"reading": []}}, {"voice": {"nonsense": "a"}}, {"name": []}, {"stated": []}, {"stated": {}}, {"origin": "heaven"}, {"origin": None},
 )
 
 
@@ -264,9 +297,9 @@ class TestCommand(unittest.TestCase):
                 return check_witnesses.main([str(file)]), out.getvalue()
 
     def test_exit_codes(self):
-        claim = {"id": "S0.x", "verdict": "TRUE", "evidence": "measured", "findings": [finding("1")], "witnesses": [{"kind": "rank", **RIGHT["rank"][0]}]}
+        claim = {"id": "S0.x", "verdict": "TRUE", "evidence": "exact", "failed": None, "findings": [finding("1")], "witnesses": [{"kind": "rank", **RIGHT["rank"][0]}]}
         counts = {"claims": 1, "findings": 1, "witnesses": 1}
-        document = {"schema": "witnesses/1", "counts": counts, "claims": [claim]}
+        document = {"schema": "witnesses/1", "counts": counts, "of": 1, "selected": None, "claims": [claim]}
         self.assertEqual(self.run_on(json.dumps(document))[0], 0)
         bare = {**document, "counts": {**counts, "witnesses": 0}, "claims": [{**claim, "evidence": "exact", "witnesses": []}]}
         self.assertIn("1 of them exact without a witness", self.run_on(json.dumps(bare))[1])
@@ -281,34 +314,67 @@ class TestCommand(unittest.TestCase):
         rounded = {**claim, "evidence": "exact", "findings": [{**finding("1"), "found": 1.0}], "witnesses": []}
         code, out = self.run_on(json.dumps({**document, "counts": {**counts, "witnesses": 0}, "claims": [rounded]}))
         self.assertEqual(code, 1)
-        self.assertIn("graded exact", out)
+        self.assertIn("give the grade certified, recorded is exact", out)
         for text in ("", "[]", "[" * 200_000, "{", "{}", json.dumps({**document, "schema": "witnesses/2"}), json.dumps({**document, "claims": [3]})):
             self.assertEqual(self.run_on(text)[0], 2, text)
         nothing = {"claims": 0, "findings": 0, "witnesses": 0}
-        self.assertEqual(self.run_on(json.dumps({"schema": "witnesses/1", "counts": nothing, "claims": []}))[0], 1)
+        self.assertEqual(self.run_on(json.dumps({"schema": "witnesses/1", "counts": nothing, "of": 0, "selected": None, "claims": []}))[0], 1)
 
     def test_a_file_that_cannot_be_read_is_no_wrong_witness_and_no_traceback(self):
         counts = {"claims": 1, "findings": 1, "witnesses": 1}
         rank = {"kind": "rank", **RIGHT["rank"][0]}
-        claim = {"id": "S0.x", "verdict": "TRUE", "evidence": "measured", "findings": [finding("1")], "witnesses": [rank]}
+        claim = {"id": "S0.x", "verdict": "TRUE", "evidence": "exact", "failed": None, "findings": [finding("1")], "witnesses": [rank]}
         unreadable = [{**finding("1"), **change} for change in CHANGES]
         unreadable.append({key: value for key, value in finding("1").items() if key != "tolerance"})
         claims = [None, [3], [{}], "claims", [{**claim, "witnesses": [3]}], [{**claim, "id": 3}], *([{**claim, "findings": [one]}] for one in unreadable)]
         for wrong in claims:
-            code, out = self.run_on(json.dumps({"schema": "witnesses/1", "counts": counts, "claims": wrong}))
+            code, out = self.run_on(json.dumps({"schema": "witnesses/1", "counts": counts, "of": 1, "selected": None, "claims": wrong}))
             self.assertEqual(code, 2, f"{wrong}: {out}")
         for witness in ({}, {"kind": "rank"}, {**rank, "matrix": [["1/0"]]}, {**rank, "matrix": 3}):
-            document = {"schema": "witnesses/1", "counts": counts, "claims": [{**claim, "witnesses": [witness]}]}
+            document = {"schema": "witnesses/1", "counts": counts, "of": 1, "selected": None, "claims": [{**claim, "witnesses": [witness]}]}
             code, out = self.run_on(json.dumps(document))
             self.assertEqual(code, 1, f"{witness}: {out}")
 
     def test_a_part_is_not_taken_for_the_whole(self):
-        claim = {"id": "S0.x", "verdict": "TRUE", "evidence": "measured", "findings": [finding("1")], "witnesses": [{"kind": "rank", **RIGHT["rank"][0]}]}
+        claim = {"id": "S0.x", "verdict": "TRUE", "evidence": "exact", "failed": None, "findings": [finding("1")], "witnesses": [{"kind": "rank", **RIGHT["rank"][0]}]}
         counts = {"claims": 1, "findings": 1, "witnesses": 1}
         emptied, twice = {**claim, "witnesses": []}, {name: 2 * count for name, count in counts.items()}
         for claims, told in (([], counts), ([claim], twice), ([emptied], counts), ([claim, claim], twice)):
-            code, out = self.run_on(json.dumps({"schema": "witnesses/1", "counts": told, "claims": claims}))
+            code, out = self.run_on(json.dumps({"schema": "witnesses/1", "counts": told, "of": len(claims), "selected": None, "claims": claims}))
             self.assertEqual(code, 2, out)
+
+    def test_a_selection_says_what_it_is_of(self):
+        claim = {"id": "S4.x", "verdict": "TRUE", "evidence": "exact", "failed": None, "findings": [finding("1")], "witnesses": []}
+        counts = {"claims": 1, "findings": 1, "witnesses": 0}
+        chosen = {"group": "S4", "verdict": None, "severity": None, "kind": None}
+        document = {"schema": "witnesses/1", "counts": counts, "of": 411, "selected": chosen, "claims": [claim]}
+        code, out = self.run_on(json.dumps(document))
+        self.assertEqual(code, 0, out)
+        self.assertIn("a selection, group S4: 1 of 411 claims", out)
+        nothing = dict.fromkeys(chosen)
+        other = ({"selected": None}, {"of": 0}, {"of": "411"}, {"of": True}, {"selected": {"group": "S4"}}, {"selected": nothing}, {"selected": {**chosen, "kind": 3}})
+        for change in (*other, {"selected": {**chosen, "group": "S"}}, {"selected": {**chosen, "verdict": "FALSE AS STATED"}}):
+            code, out = self.run_on(json.dumps({**document, **change}))
+            self.assertEqual(code, 2, f"{change}: {out}")
+        for missing in ("of", "selected"):
+            code, out = self.run_on(json.dumps({key: value for key, value in document.items() if key != missing}))
+            self.assertEqual(code, 2)
+            self.assertIn("moreau verify --export", out)
+
+    def test_a_folder_an_empty_file_and_another_schema_are_told_with_the_cure(self):
+        cases = (("", "it is empty"), ("{", "JSONDecodeError"), (json.dumps({"schema": "scene/1"}), "its schema is 'scene/1', not witnesses/1"))
+        for text, told in cases:
+            code, out = self.run_on(text)
+            self.assertEqual(code, 2)
+            self.assertIn(told, out)
+            self.assertIn("; give a file that `moreau verify --export FILE` wrote", out)
+        with tempfile.TemporaryDirectory() as folder:
+            for place, told in ((folder, "it is a folder; give a file that `moreau verify --export FILE` wrote"), (f"{folder}/none.json", "No such file")):
+                out = io.StringIO()
+                with contextlib.redirect_stderr(out):
+                    self.assertEqual(check_witnesses.main([place]), 2)
+                self.assertIn(told, out.getvalue())
+                self.assertEqual(out.getvalue().count("\n"), 1)
 
 
 if __name__ == "__main__":

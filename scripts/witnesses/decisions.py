@@ -2,25 +2,13 @@
 
 from fractions import Fraction
 
+from .judgement import answers, demand
 from .matrices import (determinant, dot, fraction, is_copositive, is_semidefinite, kernel, matrix, plus, principal, rank, solution, square, subsets,
                        symmetric, times, transposed, vector)
+from .minima import cone_minimum
+from .motions import ball_step, impact_time, motion_step
 from .polyhedra import is_more_than, vertex
-
-
-class Wrong(Exception):
-    """A witness does not show what it says."""
-
-
-def demand(holds: bool, what: str) -> None:
-    """Raises unless it holds."""
-    if not holds:
-        raise Wrong(what)
-
-
-def answers(one: dict, *known: str) -> str:
-    """The answer, one of those there are."""
-    demand(one["answer"] in known, f"there is no answer {one['answer']!r}")
-    return one["answer"]
+from .sets import cantor_rises, point_beside
 
 
 def linear_system(one: dict) -> None:
@@ -207,31 +195,6 @@ def response(one: dict) -> None:
     demand(after == vector(one["after"]), "the velocities are not u_free + W r")
 
 
-SHIFTS = {
-    "moreau-jean A": lambda e, q, v, h, free: e * v if q <= 0 else None,
-    "moreau-jean B": lambda e, q, v, h, free: e * v if q + h * v / 2 <= 0 else None,
-    "moreau-jean D": lambda e, q, v, h, free: e * v if q + h * free <= 0 else None,
-    "generalised-alpha": lambda e, q, v, h, free: e * v if q + h * (v + free) / 2 <= 0 else None,
-    "stewart-trinkle": lambda e, q, v, h, free: q / h,
-    "schatzman-paoli": lambda e, q, v, h, free: (1 + e) * q / h - e * v,
-}
-
-
-def ball_step(one: dict) -> None:
-    """A step of a ball above a floor: m (v⁺ − v) = −m g h + r, 0 ≤ r ⟂ v⁺ + s ≥ 0, q⁺ = q + h (θ v⁺ + (1 − θ) v)."""
-    mass, gravity, restitution, q, v, theta, h = vector(one["data"])
-    impulse, position, velocity = vector(one["answer"])
-    demand(mass > 0 and h > 0, "the mass and the step are not positive")
-    free = v - gravity * h
-    shift = SHIFTS[one["scheme"]](restitution, q, v, h, free)
-    demand(velocity == free + impulse / mass, "v⁺ is not v − g h + r/m")
-    demand(position == q + h * (theta * velocity + (1 - theta) * v), "q⁺ is another one")
-    if shift is None:
-        demand(impulse == 0, "an impulse without contact")
-    else:
-        demand(impulse >= 0 and velocity + shift >= 0 and impulse * (velocity + shift) == 0, "r and v⁺ + s are not complementary")
-
-
 def powers(one: dict) -> None:
     """What becomes of the powers of a 2×2 matrix, by its eigenvalues."""
     (a, b), (c, d) = square(one["matrix"])
@@ -399,4 +362,9 @@ DECISIONS = {
     "impedance": impedance,
     "delassus": delassus,
     "stewart-trinkle": stewart_trinkle,
+    "cone-minimum": cone_minimum,
+    "motion-step": motion_step,
+    "impact-time": impact_time,
+    "cantor-rises": cantor_rises,
+    "point-beside": point_beside,
 }

@@ -3,10 +3,11 @@
 import math
 from fractions import Fraction
 
-from .decisions import Wrong, demand
+from .judgement import Wrong, demand
 from .matrices import fraction
 
 GRADES = ("exact", "certified", "measured", "cited", "not-decidable")
+ORIGINS = ("computed", "experiment", "look-up")
 RELATIONS = ("equal", "at-most", "at-least")
 
 
@@ -16,6 +17,8 @@ def readable(claim: dict) -> None:
         raise ValueError("a claim has no id, or no verdict")
     if claim["evidence"] not in GRADES:
         raise ValueError(f"{claim['id']}: there is no grade {claim['evidence']!r}")
+    if not (claim["failed"] is None or isinstance(claim["failed"], str)):
+        raise ValueError(f"{claim['id']}: why it failed cannot be read")
     if not all(isinstance(witness, dict) for witness in claim["witnesses"]):
         raise ValueError(f"{claim['id']}: a witness is no object")
     for one in claim["findings"]:
@@ -28,6 +31,8 @@ def readable(claim: dict) -> None:
             raise ValueError(f"{claim['id']}: {one['name']}: a number or a relation cannot be read")
         if not isinstance(one["context"], bool) or not is_voice(one["voice"]) or not isinstance(one["violated"] or "", str):
             raise ValueError(f"{claim['id']}: {one['name']}: its bearing cannot be read")
+        if one["origin"] not in ORIGINS:
+            raise ValueError(f"{claim['id']}: {one['name']}: there is no origin {one['origin']!r}")
 
 
 def is_float(value: object) -> bool:
@@ -104,11 +109,26 @@ def verdict(findings: list) -> str:
     return "TRUE"
 
 
+def grade(findings: list) -> str:
+    """The grade: not decidable if a deciding finding is an opinion; else cited, measured or certified if one is looked up, tried or rounded; else exact."""
+    deciding = [one for one in findings if not one["context"]]
+    heard = [one for one in deciding if "opinion" not in (one["voice"] or {})]
+    if not deciding or len(heard) < len(deciding):
+        return "not-decidable"
+    origins = {one["origin"] for one in heard}
+    if "look-up" in origins:
+        return "cited"
+    if "experiment" in origins:
+        return "measured"
+    return "exact" if all(isinstance(one["found"], str) for one in heard) else "certified"
+
+
 def decide(claim: dict) -> None:
-    """Raises unless the findings hold and lead to the recorded verdict."""
+    """Raises unless the findings hold and lead to the recorded verdict and the recorded grade."""
+    demand(claim["failed"] is None, f"the check could not be carried out: {claim['failed']}")
     for one in claim["findings"]:
         demand(holds(one), f"{one['name']}: found {one['found']}, expected {one['expected']}")
-    exact = all(isinstance(one["found"], str) for one in claim["findings"] if not one["context"])
-    demand(exact or claim["evidence"] != "exact", "it is graded exact, and decided by a rounded number")
     found = verdict(claim["findings"])
     demand(found == claim["verdict"], f"the findings say {found}, recorded is {claim['verdict']}")
+    found = grade(claim["findings"])
+    demand(found == claim["evidence"], f"the findings give the grade {found}, recorded is {claim['evidence']}")

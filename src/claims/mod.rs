@@ -37,7 +37,7 @@ pub use figures::Figures;
 pub use grade::grade;
 pub use moved::{counterpart, is_moved};
 pub use places::{PLACES, Place, Places};
-pub use registry::{JudgedClaim, Status, all, conclude, find, judge, matches_group, witnesses};
+pub use registry::{JudgedClaim, Status, all, conclude, find, judge, judge_with_witnesses, matches_group};
 pub use repeats::{REPEATS, original};
 pub use section::{SECTIONS, Section, order};
 pub use verdict::derive;

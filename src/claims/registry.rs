@@ -32,6 +32,8 @@ pub struct JudgedClaim {
     pub findings: Vec<Finding>,
     /// Findings of each control.
     pub controls: Vec<Vec<Finding>>,
+    /// Witnesses of the exact decisions of the recorded reading, each once; none unless [`judge_with_witnesses`] was asked.
+    pub witnesses: Vec<Witness>,
     /// The conclusion.
     pub status: Status,
     /// Wall-clock time \[s\].
@@ -72,39 +74,43 @@ pub fn matches_group(id: &str, group: &str) -> bool {
     group == group_of(id) || group.split('.').all(|wanted| parts.next() == Some(wanted))
 }
 
-/// Runs the check of a claim on the recorded reading and on its control.
+/// Runs the check of a claim on the recorded reading and on its controls.
 pub fn judge(claim: &'static Claim) -> JudgedClaim {
+    judged(claim, |run| (run(), Vec::new()))
+}
+
+/// The same, with the witnesses of the exact decisions that the check made of the recorded reading.
+pub fn judge_with_witnesses(claim: &'static Claim) -> JudgedClaim {
+    judged(claim, |run| collect(run))
+}
+
+fn judged(claim: &'static Claim, record: impl FnOnce(&dyn Fn() -> crate::Result<Vec<Finding>>) -> Recorded) -> JudgedClaim {
     let start = Instant::now();
-    let recorded = (claim.check.run)(Reading::Recorded);
+    let (recorded, all) = record(&|| (claim.check.run)(Reading::Recorded));
     let controls = (0..claim.controls.len()).map(|place| (claim.check.run)(Reading::Control(place))).collect::<crate::Result<Vec<_>>>();
     let status = match (&recorded, &controls) {
         (Err(error), _) => Status::Failed(error.to_string()),
         (_, Err(error)) => Status::Failed(format!("control: {error}")),
         (Ok(findings), Ok(controls)) => conclude(claim.verdict, findings, controls),
     };
+    let mut witnesses: Vec<Witness> = Vec::new();
+    for witness in all {
+        if !witnesses.contains(&witness) {
+            witnesses.push(witness);
+        }
+    }
     JudgedClaim {
         claim,
         findings: recorded.unwrap_or_default(),
         controls: controls.unwrap_or_default(),
+        witnesses,
         status,
         seconds: start.elapsed().as_secs_f64(),
     }
 }
 
-/// The findings of a claim, and the witnesses of the exact decisions that its check made, each once.
-///
-/// # Errors
-/// That of a check that cannot be carried out.
-pub fn witnesses(claim: &Claim) -> crate::Result<(Vec<Finding>, Vec<Witness>)> {
-    let (findings, all) = collect(|| (claim.check.run)(Reading::Recorded));
-    let mut told: Vec<Witness> = Vec::new();
-    for witness in all {
-        if !told.contains(&witness) {
-            told.push(witness);
-        }
-    }
-    Ok((findings?, told))
-}
+/// What the recorded reading found, and the witnesses that were kept.
+type Recorded = (crate::Result<Vec<Finding>>, Vec<Witness>);
 
 /// What the findings of the claim and of its controls say of the recorded verdict.
 pub fn conclude(verdict: ClaimVerdict, findings: &[Finding], controls: &[Vec<Finding>]) -> Status {

@@ -2,6 +2,7 @@
 
 use super::near::suggestion;
 use crate::claims::{self, Claim, ClaimVerdict, Kind, Severity, matches_group};
+use crate::report::witnesses::Selection;
 use crate::{Error, Result};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
@@ -69,7 +70,7 @@ impl Filters {
     /// # Errors
     /// An unknown group, with the nearest known one, and filters that leave no claim.
     pub fn select(&self) -> Result<Vec<&'static Claim>> {
-        let group = self.filter.clone().or_else(|| self.section.map(|number| format!("S{number}")));
+        let group = self.group();
         let in_group: Vec<_> = claims::all().filter(|claim| group.as_ref().is_none_or(|group| matches_group(claim.id, group))).collect();
         if let (Some(group), true) = (&group, in_group.is_empty()) {
             let names = claims::all().flat_map(|claim| [claim.section(), claim.id]);
@@ -84,6 +85,17 @@ impl Filters {
             return Err(Error::Unsupported("no claim meets all of the filters; leave one out".into()));
         }
         Ok(chosen)
+    }
+
+    /// What was asked for, for a document that holds a part; `None` if everything was.
+    pub fn selection(&self) -> Option<Selection> {
+        let Filters { verdict, severity, kind, .. } = *self;
+        let selection = Selection { group: self.group(), verdict, severity, kind };
+        (selection != Selection::default()).then_some(selection)
+    }
+
+    fn group(&self) -> Option<String> {
+        self.filter.clone().or_else(|| self.section.map(|number| format!("S{number}")))
     }
 
     fn is_met(&self, claim: &Claim) -> bool {

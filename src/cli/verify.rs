@@ -74,14 +74,18 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         })?;
         return Ok(Answer::Yes);
     }
-    if let Some(file) = &arguments.export {
-        export(&claims, file)?;
+    if arguments.export.as_deref() == Some(Path::new("-")) {
+        return Err(Error::Unsupported("--export needs the name of a file: standard output has the report".into()));
     }
-    let outcomes = judge_all(&claims);
+    let outcomes = judge_all(&claims, if arguments.export.is_some() { claims::judge_with_witnesses } else { claims::judge });
     print(&match arguments.format {
         Format::Text => text::outcomes(&outcomes, style()),
         Format::Json => pretty(&outcomes.iter().map(OutcomeEntry::from).collect::<Vec<_>>())?,
     })?;
+    if let Some(file) = &arguments.export {
+        let document = WitnessDocument::of(&outcomes, arguments.filters.selection(), claims::all().count());
+        write_atomically(file, pretty(&document)?.as_bytes())?;
+    }
     Ok(conclusion(&outcomes))
 }
 
@@ -95,7 +99,7 @@ fn explain(id: &str, format: Format) -> Result<Answer> {
         };
         Error::Unsupported(format!("no claim `{id}`; {cure}"))
     })?;
-    let outcome = judge(claim);
+    let outcome = judge(claim, claims::judge);
     print(&match format {
         Format::Text => explanation::explanation(&outcome, style()),
         Format::Json => pretty(&ExplanationEntry::from(&outcome))?,
@@ -103,33 +107,27 @@ fn explain(id: &str, format: Format) -> Result<Answer> {
     Ok(conclusion(&[outcome]))
 }
 
-/// Writes the witnesses of the claims.
-fn export(claims: &[&'static Claim], file: &Path) -> Result<()> {
-    if file == Path::new("-") {
-        return Err(Error::Unsupported("--export needs the name of a file: standard output has the report".into()));
-    }
-    let witnessed = claims.par_iter().map(|&claim| claims::witnesses(claim).map(|(findings, witnesses)| (claim, findings, witnesses)));
-    let document = WitnessDocument::of(&witnessed.collect::<Result<Vec<_>>>()?);
-    write_atomically(file, pretty(&document)?.as_bytes())
-}
+/// How a claim is judged.
+type Judge = fn(&'static Claim) -> JudgedClaim;
 
 /// Judges claims in parallel; the answer is in the order of the question.
-fn judge_all(claims: &[&'static Claim]) -> Vec<JudgedClaim> {
+fn judge_all(claims: &[&'static Claim], by: Judge) -> Vec<JudgedClaim> {
     let bar = ProgressBar::new(claims.len() as u64); // hidden unless standard error is a terminal
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} claims  {elapsed}") {
         bar.set_style(style);
     }
-    let outcomes = claims.par_iter().map(|claim| judge(claim)).inspect(|_| bar.inc(1)).collect();
+    let outcomes = claims.par_iter().map(|claim| judge(claim, by)).inspect(|_| bar.inc(1)).collect();
     bar.finish_and_clear();
     outcomes
 }
 
 /// Judges one claim; a check that panics fails alone instead of taking the others with it.
-fn judge(claim: &'static Claim) -> JudgedClaim {
-    catch_unwind(|| claims::judge(claim)).unwrap_or_else(|_| JudgedClaim {
+fn judge(claim: &'static Claim, by: Judge) -> JudgedClaim {
+    catch_unwind(|| by(claim)).unwrap_or_else(|_| JudgedClaim {
         claim,
         findings: Vec::new(),
         controls: Vec::new(),
+        witnesses: Vec::new(),
         status: Status::Failed("the check panicked".into()),
         seconds: 0.0,
     })
@@ -146,6 +144,7 @@ mod tests {
     use super::*;
     use crate::claims::CheckFunction;
     use crate::report::text::tests::{CLAIM, outcome};
+    use std::sync::atomic::{AtomicUsize, Ordering};
 
     #[test]
     fn one_unsupported_claim_makes_the_answer_no() {
@@ -163,15 +162,30 @@ mod tests {
             std::thread::sleep(std::time::Duration::from_millis(20));
             (CLAIM.check.run)(reading)
         }
-        let ids: Vec<_> = judge_all(&[&SLOW, &CLAIM]).iter().map(|outcome| outcome.claim.id).collect();
+        let ids: Vec<_> = judge_all(&[&SLOW, &CLAIM], claims::judge).iter().map(|outcome| outcome.claim.id).collect();
         assert_eq!(ids, ["S4.slow", "S4.example"]);
     }
 
     #[test]
     fn a_panicking_check_fails_alone() {
         static BROKEN: Claim = Claim { id: "S4.broken", check: CheckFunction { run: |_| panic!("on purpose"), path: "broken" }, ..CLAIM };
-        let outcomes = judge_all(&[&BROKEN, &CLAIM]);
-        assert!(matches!(outcomes[0].status, Status::Failed(_)));
-        assert_eq!(outcomes[1].status, Status::Supported);
+        for by in [claims::judge, claims::judge_with_witnesses] {
+            let outcomes = judge_all(&[&BROKEN, &CLAIM], by);
+            assert!(matches!(outcomes[0].status, Status::Failed(_)));
+            assert_eq!(outcomes[1].status, Status::Supported);
+            assert_eq!(conclusion(&outcomes), Answer::No);
+        }
+    }
+
+    #[test]
+    fn an_export_runs_a_check_as_often_as_a_plain_run_does() {
+        static RUNS: AtomicUsize = AtomicUsize::new(0);
+        static COUNTED: Claim = Claim { id: "S4.counted", check: CheckFunction { run: counted, path: "counted" }, ..CLAIM };
+        fn counted(reading: claims::Reading) -> Result<Vec<crate::checks::Finding>> {
+            RUNS.fetch_add(1, Ordering::Relaxed);
+            (CLAIM.check.run)(reading)
+        }
+        judge_all(&[&COUNTED], claims::judge_with_witnesses);
+        assert_eq!(RUNS.load(Ordering::Relaxed), 1 + CLAIM.controls.len());
     }
 }

@@ -158,6 +158,7 @@ pub(crate) mod tests {
             claim: &CLAIM,
             findings: findings(Reading::Recorded),
             controls: vec![findings(Reading::Control(0))],
+            witnesses: Vec::new(),
             status,
             seconds: 0.0,
         }

@@ -3,16 +3,13 @@
 //! A claim holds its findings, with what the sentence says of each, and the witnesses of the exact decisions that its check made:
 //! matrices, vectors, solutions, rays, minors, steps. Numbers are texts, fractions of whole numbers, so that nothing is rounded.
 
-use crate::checks::{Finding, Relation, Value, Voice};
-use crate::claims::{Claim, ClaimVerdict, Evidence};
+use crate::checks::{Finding, FindingOrigin, Relation, Value, Voice};
+use crate::claims::{ClaimVerdict, Evidence, JudgedClaim, Kind, Severity, Status};
 use crate::scalar::Rational;
 use moreau_exact::witness::{Part, Witness};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
-
-/// A claim with its findings and with the witnesses of the exact decisions that its check made.
-pub type Witnessed = (&'static Claim, Vec<Finding>, Vec<Witness>);
 
 /// witnesses/1: what claims were decided from.
 #[derive(Serialize, JsonSchema)]
@@ -21,8 +18,25 @@ pub struct WitnessDocument {
     schema: Form,
     /// How many there are of what follows, so that a file that was cut is noticed.
     counts: Counts,
+    /// How many claims there are, with those that are not in this file.
+    of: usize,
+    /// Which claims were chosen; `null` if all are here.
+    selected: Option<Selection>,
     /// The claims.
     claims: Vec<WitnessedClaim>,
+}
+
+/// Which claims were chosen: those that meet everything that is not `null`.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Selection {
+    /// A group or one claim, by its id: whole parts, so that S1 is not S12.
+    pub group: Option<String>,
+    /// Their verdict.
+    pub verdict: Option<ClaimVerdict>,
+    /// How much is wrong with them.
+    pub severity: Option<Severity>,
+    /// What kind of sentence they are.
+    pub kind: Option<Kind>,
 }
 
 /// The name of the form.
@@ -50,8 +64,10 @@ struct WitnessedClaim {
     id: &'static str,
     /// The recorded verdict, which follows from the findings.
     verdict: ClaimVerdict,
-    /// The recorded grade.
+    /// The recorded grade, which follows from the findings.
     evidence: Evidence,
+    /// Why the check could not be carried out; else `null`.
+    failed: Option<String>,
     /// What was found.
     findings: Vec<WitnessedFinding>,
     /// The exact decisions that its check made.
@@ -77,6 +93,8 @@ struct WitnessedFinding {
     violated: Option<&'static str>,
     /// Who says it, if not the sentence.
     voice: Option<VoiceEntry>,
+    /// Where the found number comes from; what is computed is exact if the number is a fraction, and else held within a derived bound.
+    origin: FindingOrigin,
     /// Whether it decides nothing.
     context: bool,
 }
@@ -113,7 +131,7 @@ enum VoiceEntry {
 /// One exact decision: its kind, and its data and answer by name.
 #[derive(Serialize, JsonSchema)]
 struct WitnessEntry {
-    /// What was decided; scripts/witnesses/decisions.py has a function for each.
+    /// What was decided; `DECISIONS` in scripts/witnesses/decisions.py has a function for each, which says what it shows.
     kind: &'static str,
     #[serde(flatten)]
     parts: BTreeMap<&'static str, PartEntry>,
@@ -130,22 +148,27 @@ enum PartEntry {
 }
 
 impl WitnessDocument {
-    /// The witnesses of these claims.
-    pub fn of(claims: &[Witnessed]) -> Self {
+    /// The witnesses of these claims, of so many that there are.
+    pub fn of(claims: &[JudgedClaim], selected: Option<Selection>, of: usize) -> Self {
         let counts = Counts {
             claims: claims.len(),
-            findings: claims.iter().map(|(_, findings, _)| findings.len()).sum(),
-            witnesses: claims.iter().map(|(_, _, witnesses)| witnesses.len()).sum(),
+            findings: claims.iter().map(|claim| claim.findings.len()).sum(),
+            witnesses: claims.iter().map(|claim| claim.witnesses.len()).sum(),
         };
-        WitnessDocument { schema: Form::First, counts, claims: claims.iter().map(entry).collect() }
+        WitnessDocument { schema: Form::First, counts, of, selected, claims: claims.iter().map(entry).collect() }
     }
 }
 
-fn entry((claim, findings, witnesses): &Witnessed) -> WitnessedClaim {
+fn entry(JudgedClaim { claim, findings, witnesses, status, .. }: &JudgedClaim) -> WitnessedClaim {
+    let failed = match status {
+        Status::Failed(why) => Some(why.clone()),
+        _ => None,
+    };
     WitnessedClaim {
         id: claim.id,
         verdict: claim.verdict,
         evidence: claim.evidence,
+        failed,
         findings: findings.iter().map(finding).collect(),
         witnesses: witnesses.iter().map(witness).collect(),
     }
@@ -184,6 +207,7 @@ fn finding(finding: &Finding) -> WitnessedFinding {
         stated,
         violated: finding.bearing.violated,
         voice,
+        origin: finding.bearing.origin,
         context: finding.bearing.context,
     }
 }
@@ -211,17 +235,30 @@ fn part(part: &Part) -> PartEntry {
 mod tests {
     use super::*;
     use crate::claims;
+    use crate::report::text::tests::outcome;
     use serde_json::json;
 
     #[test]
     fn an_exact_decision_is_written_in_fractions() {
         let claim = claims::find("S4.copos-plus").expect("registered");
-        let (findings, witnesses) = claims::witnesses(claim).expect("it can be carried out");
-        let document = serde_json::to_value(WitnessDocument::of(&[(claim, findings, witnesses)])).expect("it is JSON");
+        let outcome = claims::judge_with_witnesses(claim);
+        let selected = Selection { group: Some("S4".into()), ..Selection::default() };
+        let document = serde_json::to_value(WitnessDocument::of(&[outcome], Some(selected), 2)).expect("it is JSON");
+        assert_eq!((&document["of"], &document["selected"]["group"]), (&json!(2), &json!("S4")));
+        assert_eq!(document["claims"][0]["findings"][0]["origin"], json!("computed"));
         let kinds: Vec<_> = document["claims"][0]["witnesses"].as_array().expect("a list").iter().map(|one| one["kind"].clone()).collect();
         assert!(kinds.contains(&json!("copositive-plus")), "{kinds:?}");
         assert!(document["claims"][0]["findings"][0]["found"].is_string());
         let length = |name: &str| document["claims"][0][name].as_array().expect("a list").len();
         assert_eq!(document["counts"], json!({ "claims": 1, "findings": length("findings"), "witnesses": length("witnesses") }));
+    }
+
+    #[test]
+    fn a_check_that_could_not_be_carried_out_stands_there_with_the_reason() {
+        let all = [outcome(Status::Failed("the check panicked".into())), outcome(Status::Supported)];
+        let document = serde_json::to_value(WitnessDocument::of(&all, None, 2)).expect("it is JSON");
+        assert_eq!(document["selected"], json!(null));
+        let failed: Vec<_> = document["claims"].as_array().expect("a list").iter().map(|claim| &claim["failed"]).collect();
+        assert_eq!(failed, [&json!("the check panicked"), &json!(null)]);
     }
 }

@@ -11,7 +11,7 @@ mod strip;
 
 use libtest_mimic::{Arguments, Failed, Trial};
 use moreau::checks::{Finding, Voice};
-use moreau::claims::{self, ClaimVerdict, JudgedClaim, Status};
+use moreau::claims::{self, ClaimVerdict, Evidence, JudgedClaim, Status};
 use numbers::{Sources, unaccounted};
 use regression::{Number, Stored, complaints, stored};
 use std::sync::Arc;
@@ -65,6 +65,14 @@ fn graded(outcome: &JudgedClaim) -> Result<(), Failed> {
     }
 }
 
+/// An exact claim has a witness that another program can decide again.
+fn witnessed(outcome: &JudgedClaim) -> Result<(), Failed> {
+    if outcome.claim.evidence == Evidence::Exact && outcome.witnesses.is_empty() {
+        return Err("it is graded exact, and none of its decisions is told as a witness".into());
+    }
+    Ok(())
+}
+
 /// Every number of the argument is found, fed in, printed or the number of a place.
 fn accounted(outcome: &JudgedClaim, sources: &Sources) -> Result<(), Failed> {
     let missing = unaccounted(outcome, sources);
@@ -91,9 +99,10 @@ fn main() {
     let trials = claims::all().map(|claim| {
         let (sources, known) = (Arc::clone(&sources), Arc::clone(&known));
         Trial::test(claim.id, move || {
-            let outcome = claims::judge(claim);
+            let outcome = claims::judge_with_witnesses(claim);
             supported(&outcome)?;
             graded(&outcome)?;
+            witnessed(&outcome)?;
             accounted(&outcome, &sources)?;
             unmoved(&outcome, &known)?;
             no_other_verdict(&outcome)?;

@@ -58,5 +58,8 @@ fn what_verify_exports_is_as_its_schema_says() {
         *other.pointer_mut(place).expect("it is there") = if wrong == "7" { 7.into() } else { wrong.into() };
         assert!(!validator.is_valid(&other), "{place}");
     }
+    let length = written["claims"].as_array().expect("a list").len() as u64;
+    assert_eq!(written["selected"]["group"], "S4");
+    assert!(written["of"].as_u64().expect("a number") > length && written["counts"]["claims"] == length);
     moreau(&["verify", "--filter", "S4", "--export", "-"]).is_refused(&["--export", "file"]);
 }

@@ -5,6 +5,7 @@
 
 pub mod elimination;
 pub mod error;
+pub mod minimum;
 pub mod number;
 pub mod scalar;
 pub mod tolerance;

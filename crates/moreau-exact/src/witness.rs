@@ -81,12 +81,39 @@ thread_local! {
     static COLLECTOR: RefCell<Collector> = RefCell::default();
 }
 
+/// Puts back what was collected before, also when what runs panics.
+struct Outer(Option<Collector>);
+
+impl Drop for Outer {
+    fn drop(&mut self) {
+        if let Some(outer) = self.0.take() {
+            COLLECTOR.set(outer);
+        }
+    }
+}
+
 /// Runs something and keeps the witnesses of the exact decisions that it makes on this thread.
 pub fn collect<R>(run: impl FnOnce() -> R) -> (R, Vec<Witness>) {
-    let outer = COLLECTOR.with_borrow_mut(|collector| std::mem::replace(collector, Collector { depth: 0, kept: Some(Vec::new()) }));
+    let mut outer = Outer(Some(COLLECTOR.replace(Collector { depth: 0, kept: Some(Vec::new()) })));
     let result = run();
-    let inner = COLLECTOR.with_borrow_mut(|collector| std::mem::replace(collector, outer));
+    let inner = COLLECTOR.replace(outer.0.take().unwrap_or_default());
     (result, inner.kept.unwrap_or_default())
+}
+
+/// One decision more that is under way, until it ends or panics.
+struct Within;
+
+impl Within {
+    fn enter() -> Self {
+        COLLECTOR.with_borrow_mut(|collector| collector.depth += 1);
+        Within
+    }
+}
+
+impl Drop for Within {
+    fn drop(&mut self) {
+        COLLECTOR.with_borrow_mut(|collector| collector.depth -= 1);
+    }
 }
 
 /// Runs a decision; if somebody collects and no other decision asked for it, its witness is kept.
@@ -94,12 +121,10 @@ pub fn decided<R>(decide: impl FnOnce() -> R, witness: impl FnOnce(&R) -> Option
     if !COLLECTOR.with_borrow(|collector| collector.kept.is_some()) {
         return decide();
     }
-    COLLECTOR.with_borrow_mut(|collector| collector.depth += 1);
+    let within = Within::enter();
     let result = decide();
-    let outermost = COLLECTOR.with_borrow_mut(|collector| {
-        collector.depth -= 1;
-        collector.depth == 0
-    });
+    drop(within);
+    let outermost = COLLECTOR.with_borrow(|collector| collector.depth == 0);
     if let Some(witness) = outermost.then(|| witness(&result)).flatten() {
         COLLECTOR.with_borrow_mut(|collector| collector.kept.as_mut().expect("it collects").push(witness));
     }
@@ -133,6 +158,20 @@ mod tests {
         let inner = || decided(|| (), |_| Some(say("inner")));
         let (((), inside), outside) = collect(|| collect(inner));
         assert_eq!((inside.len(), outside.len()), (1, 0));
+    }
+
+    #[test]
+    fn a_panic_leaves_the_next_collection_and_the_one_around_it_whole() {
+        let panicking = || std::panic::catch_unwind(|| collect(|| decided(|| panic!("on purpose"), |(): &()| None))).is_err();
+        let decision = || decided(|| (), |_| Some(say("one")));
+        assert!(panicking());
+        assert!(COLLECTOR.with_borrow(|collector| collector.kept.is_none()), "nobody collects");
+        let (failed, around) = collect(|| {
+            let failed = panicking() && std::panic::catch_unwind(|| decided(|| panic!("on purpose"), |(): &()| None)).is_err();
+            decision();
+            failed
+        });
+        assert_eq!((failed, around), (true, vec![say("one")]));
     }
 
     #[test]

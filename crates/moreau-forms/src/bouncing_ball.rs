@@ -6,7 +6,8 @@
 //! ```
 //! The impacts accumulate at T∞ if e < 1; from there on the ball rests.
 
-use moreau_exact::scalar::Scalar;
+use moreau_exact::scalar::{Rational, Scalar};
+use moreau_exact::witness::{Part, Witness, decided, rational};
 use moreau_exact::{Error, Result};
 
 /// A ball dropped from rest on a floor at height zero.
@@ -22,6 +23,17 @@ pub struct BouncingBall {
 
 /// t_k/t₁ = 1 + 2(e + … + e^{k−1}), k ≥ 1, in any ordered field.
 pub fn impact_time_ratio<T: Scalar>(restitution: &T, impact: usize) -> T {
+    decided(
+        || flight_by_flight(restitution, impact),
+        |found| {
+            let [e, time] = [restitution, found].map(rational::<T, Rational>);
+            let parts = vec![("restitution", Part::from(e?)), ("impact", Part::Counts(vec![impact])), ("value", Part::from(time?))];
+            Some(Witness::new("impact-time", parts))
+        },
+    )
+}
+
+fn flight_by_flight<T: Scalar>(restitution: &T, impact: usize) -> T {
     let (mut power, mut sum) = (T::one(), T::one());
     for _ in 1..impact {
         power *= restitution.clone();

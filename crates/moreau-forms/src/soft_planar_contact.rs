@@ -8,7 +8,9 @@
 //!     slip   otherwise                    f = f_n (1, sμ) ,   f_n = −(b_n + sμ b_t)/(h_n + μ²h_t) ,   s = −sign b_t
 //! ```
 
+use moreau_exact::minimum::{Minimum, diagonal, planar_cone};
 use moreau_exact::scalar::Scalar;
+use moreau_exact::witness::decided;
 
 /// The contact.
 ///
@@ -25,6 +27,11 @@ pub struct SoftPlanarContact<T> {
 impl<T: Scalar> SoftPlanarContact<T> {
     /// (f_n, f_t) \[N\] under the load b \[m/s²\].
     pub fn force(&self, load: &[T; 2]) -> [T; 2] {
+        let least = || Minimum { matrix: diagonal(self.softness.clone()), vector: load.clone(), rows: planar_cone(&self.friction) };
+        decided(|| self.case_by_case(load), |found| least().witness(found))
+    }
+
+    fn case_by_case(&self, load: &[T; 2]) -> [T; 2] {
         let ([normal, tangent], [h_n, h_t], mu) = (load.clone(), self.softness.clone(), self.friction.clone());
         if normal >= mu.clone() * tangent.magnitude() {
             return [T::zero(), T::zero()];

@@ -8,7 +8,9 @@
 //! ```
 //! f is the minimiser of ½(A+R)f² + (a_u − a_ref)f, over f ≥ 0 if the row is one-sided.
 
+use moreau_exact::minimum::Minimum;
 use moreau_exact::scalar::Scalar;
+use moreau_exact::witness::{Witness, decided};
 
 /// The row.
 ///
@@ -31,13 +33,23 @@ impl<T: Scalar> SoftRow<T> {
 
     /// f of a two-sided row \[N\].
     pub fn force(&self, reference: &T, free: &T) -> T {
-        (reference.clone() - free.clone()) / (self.inverse_inertia.clone() + self.regularisation.clone())
+        let force = || (reference.clone() - free.clone()) / (self.inverse_inertia.clone() + self.regularisation.clone());
+        decided(force, |found| self.least(reference, free, Vec::new(), found))
     }
 
     /// f of a one-sided row \[N\], a contact.
     pub fn one_sided_force(&self, reference: &T, free: &T) -> T {
-        let force = self.force(reference, free);
-        if force > T::zero() { force } else { T::zero() }
+        let push = || {
+            let force = self.force(reference, free);
+            if force > T::zero() { force } else { T::zero() }
+        };
+        decided(push, |found| self.least(reference, free, vec![[T::one()]], found))
+    }
+
+    /// The witness that a force is the minimiser.
+    fn least(&self, reference: &T, free: &T, rows: Vec<[T; 1]>, force: &T) -> Option<Witness> {
+        let matrix = [[self.inverse_inertia.clone() + self.regularisation.clone()]];
+        Minimum { matrix, vector: [free.clone() - reference.clone()], rows }.witness(std::array::from_ref(force))
     }
 
     /// a under a force \[m/s²\].

@@ -1,6 +1,7 @@
 //! Small experiments that several claims share: a tower under truncated sweeps, a bead on a curve, energy by projection, a frictional
 //! impact, a wall hit between two steps.
 
+pub(super) mod cantor;
 pub(super) mod corner;
 pub(super) mod creep;
 pub(super) mod curve;
@@ -9,6 +10,7 @@ pub(super) mod envelopes;
 pub(super) mod facts;
 pub(super) mod floors;
 pub(super) mod identifiers;
+pub(super) mod motion_step;
 pub(super) mod mujoco;
 pub(super) mod painleve;
 pub(super) mod pendulum;

@@ -10,6 +10,7 @@ use crate::Result;
 use crate::problem::{ImpulseLcp, Law, Lcp, PlanarProblem};
 use crate::scalar::{Rational, ratio};
 use crate::solvers::lemke::solution;
+use moreau_exact::witness::{Witness, decided};
 use nalgebra::{DMatrix, DVector};
 
 /// The data of one step; rows of H in the order (n, t) per contact.
@@ -53,7 +54,14 @@ impl PlanarStep {
 
     /// W = H M⁻¹Hᵀ \[1/kg\].
     pub fn delassus(&self) -> DMatrix<Rational> {
-        &self.jacobian * self.inverse_mass() * self.jacobian.transpose()
+        decided(
+            || &self.jacobian * self.inverse_mass() * self.jacobian.transpose(),
+            |found| {
+                let mass = DMatrix::from_diagonal(&DVector::from_vec(self.mass.clone()));
+                let parts = vec![("mass", (&mass).into()), ("jacobian", (&self.jacobian).into()), ("delassus", found.into())];
+                Some(Witness::new("delassus", parts))
+            },
+        )
     }
 
     /// u_free + shift, the linear term of the convex program \[m/s\].
@@ -71,9 +79,27 @@ impl PlanarStep {
         ratio(1, 2) * impulse.dot(&(self.law_velocity(impulse) + self.linear_term()))
     }
 
+    /// The objective as a form of (r, 1): ½ (W + R, b; bᵀ, 0) with b = u_free + shift.
+    pub fn program(&self) -> DMatrix<Rational> {
+        let (b, size) = (self.linear_term(), self.softness.len());
+        let mut form = (self.delassus() + DMatrix::from_diagonal(&self.softness)).resize(size + 1, size + 1, ratio(0, 1));
+        for (i, entry) in b.iter().enumerate() {
+            form[(i, size)] = entry.clone();
+            form[(size, i)] = entry.clone();
+        }
+        form * ratio(1, 2)
+    }
+
     /// v⁺ = v_free + M⁻¹Hᵀr.
     pub fn velocity(&self, impulse: &DVector<Rational>) -> DVector<Rational> {
-        &self.free_velocity + self.inverse_mass() * self.jacobian.transpose() * impulse
+        let response = self.inverse_mass() * self.jacobian.transpose();
+        decided(
+            || &self.free_velocity + &response * impulse,
+            |after| {
+                let data = [("delassus", (&response).into()), ("velocity", (&self.free_velocity).into()), ("impulse", impulse.into())];
+                Some(Witness::new("response", data.into_iter().chain([("after", after.into())]).collect()))
+            },
+        )
     }
 
     /// The LCP of the associated law in the edge impulses, two per contact.

@@ -2,6 +2,7 @@
 
 use crate::checks::Finding;
 use crate::integrators::stability::{Powers, powers};
+use crate::integrators::variational::Verlet;
 use crate::integrators::{Damping, ExplicitEuler, Method, Phase, SemiImplicitEuler, SmoothSystem, SpringDamper, Theta};
 use crate::scalar::{Rational, Scalar, exact, ratio};
 use crate::tolerance::claims::integrators::BESIDE;
@@ -19,6 +20,8 @@ pub enum OneStep {
     SemiImplicit,
     /// Semi-implicit Euler with the damping at the new velocity.
     ImplicitDamping,
+    /// Velocity Verlet.
+    Verlet,
     /// The θ method.
     Theta(Theta),
 }
@@ -29,6 +32,7 @@ impl Method for OneStep {
             OneStep::Explicit => ExplicitEuler.step(system, now, h),
             OneStep::SemiImplicit => SEMI_IMPLICIT.step(system, now, h),
             OneStep::ImplicitDamping => SemiImplicitEuler { damping: Damping::Implicit }.step(system, now, h),
+            OneStep::Verlet => Verlet.step(system, now, h),
             OneStep::Theta(theta) => theta.step(system, now, h),
         }
     }

@@ -1,5 +1,6 @@
 //! The admissible set C = {φ ≥ 0}, and what a distance algorithm says of φ.
 
+use crate::certificate::definiteness::quadratic_form;
 use crate::claims::prelude::*;
 use crate::mechanics::planar::{PlanarBody, Shape};
 use crate::mechanics::{Mechanism, PlanarBodies};
@@ -44,7 +45,9 @@ pub const CLAIMS: &[Claim] = &[
 
 fn convexity(reading: Reading) -> Result<Vec<Finding>> {
     let sign = reading.pick(ratio(1, 1), ratio(-1, 1));
-    let gap = |q: &[Rational; 2]| &sign * (&q[0] * &q[0] + &q[1] * &q[1] - ratio(1, 1));
+    // ±(|q|² − 1) is a form of (q, 1)
+    let form = DMatrix::from_diagonal(&dvector![sign.clone(), sign.clone(), -sign.clone()]);
+    let gap = |q: &[Rational; 2]| quadratic_form(&form, &dvector![q[0].clone(), q[1].clone(), ratio(1, 1)]);
     let edge = reading.pick(ratio(2, 1), ratio(1, 2));
     let (right, left) = ([edge.clone(), ratio(0, 1)], [-edge, ratio(0, 1)]);
     let middle = [(&right[0] + &left[0]) / ratio(2, 1), Rational::zero()];

@@ -1,7 +1,9 @@
 //! §0, one step across an impact: a Runge–Kutta step, and a velocity flipped after penetration.
 
+use crate::claims::experiments::motion_step::{flight, under_gravity};
 use crate::claims::prelude::*;
 use crate::exact_particle::{Ball, BallState};
+use moreau_exact::witness::decided;
 
 /// The claims of this file.
 pub const CLAIMS: &[Claim] = &[
@@ -60,15 +62,6 @@ fn runge_kutta_step(now: &BallState<Rational>, gravity: &Rational, h: &Rational)
     ahead(&slope, ratio(1, 1))
 }
 
-/// Free flight for a time t.
-fn fly(now: &BallState<Rational>, gravity: &Rational, time: &Rational) -> BallState<Rational> {
-    let fall = gravity.clone() * time;
-    BallState {
-        position: now.position.clone() + time * (now.velocity.clone() - fall.clone() / ratio(2, 1)),
-        velocity: now.velocity.clone() - fall,
-    }
-}
-
 fn runge_kutta(reading: Reading) -> Result<Vec<Finding>> {
     let (g, e, u) = (ratio(981, 100), ratio(4, 5), ratio(443, 100));
     let mut findings = Vec::new();
@@ -78,13 +71,14 @@ fn runge_kutta(reading: Reading) -> Result<Vec<Finding>> {
         // Back in time from the impact: 3/4 of the step, or 3/4 and another whole one for the control.
         let before = ratio(3, 4) * &h + reading.pick(ratio(0, 1), h.clone());
         let impact = BallState { position: ratio(0, 1), velocity: -u.clone() };
-        let start = fly(&impact, &g, &-before.clone());
+        let start = flight(&impact, &g, &-before.clone());
         let end = if before < h {
-            fly(&BallState { velocity: e.clone() * &u, ..impact }, &g, &(h.clone() - before))
+            flight(&BallState { velocity: e.clone() * &u, ..impact }, &g, &(h.clone() - before))
         } else {
-            fly(&start, &g, &h)
+            flight(&start, &g, &h)
         };
-        let ignored = runge_kutta_step(&start, &g, &h);
+        let step = || runge_kutta_step(&start, &g, &h);
+        let ignored = decided(step, |after| Some(under_gravity("runge-kutta-4", &g, &h, &start, after)));
         let flipped = if ignored.position < ratio(0, 1) { -e.clone() * &ignored.velocity } else { ignored.velocity.clone() };
         let sum = ratio(1, 1) + &e;
         let named = |what: &str| format!("{what}, h = 1/{inverse}");
@@ -97,7 +91,7 @@ fn runge_kutta(reading: Reading) -> Result<Vec<Finding>> {
 
 /// Exact flight for one step; a ball found below the floor and approaching has its velocity reversed by e.
 fn flip_step(ball: &Ball<Rational>, now: &BallState<Rational>, h: &Rational) -> (BallState<Rational>, bool) {
-    let flown = fly(now, &ball.gravity, h);
+    let flown = flight(now, &ball.gravity, h);
     let flips = flown.position < ratio(0, 1) && flown.velocity < ratio(0, 1);
     let velocity = if flips { -ball.restitution.clone() * &flown.velocity } else { flown.velocity };
     (BallState { position: flown.position, velocity }, flips)

@@ -1,10 +1,13 @@
 //! §0, the exact solution of the bouncing ball and the regularity of velocities and contact measures.
 
+use crate::claims::experiments::cantor::Rise;
+use crate::claims::experiments::motion_step::flight;
 use crate::claims::prelude::*;
 use crate::closed_forms::BouncingBall;
 use crate::closed_forms::bouncing_ball::{accumulation_time_ratio, impact_time_ratio};
 use crate::defects::energy::RESTITUTION_ON_THE_WRONG_SIDE;
 use crate::defects::zeno::{Altered, Mistake};
+use crate::exact_particle::BallState;
 use crate::mechanics::{PointMass, State};
 use crate::schemes::{Activation, MoreauJean, RestitutionRule, Scheme, simulate};
 use crate::solvers::Auto;
@@ -89,16 +92,23 @@ pub const CLAIMS: &[Claim] = &[
 fn shrinking(reading: Reading) -> Result<Vec<Finding>> {
     let (gravity, e) = (ratio(981, 100), ratio(16, 25));
     let speed_ratio = reading.pick(e.clone(), ratio(4, 5));
-    let height = |w: &Rational, s: &Rational| w * s - ratio(1, 2) * &gravity * s * s;
+    let floor = ratio(0, 1);
+    let launched = |velocity: &Rational| BallState { position: floor.clone(), velocity: velocity.clone() };
+    let flown = |launch: &Rational, time: &Rational| flight(&launched(launch), &gravity, time);
+    // the time after which a launch is back on the floor
+    let lands = |launch: &Rational| {
+        let time = ratio(2, 1) * launch / &gravity;
+        let back = flown(launch, &time).position == floor;
+        back.then_some(time).ok_or_else(|| Error::Unsupported("the flight does not end on the floor".into()))
+    };
     let mut launch = ratio(7, 2);
     let mut findings = Vec::new();
     for bounce in 1..=3 {
-        let flight = ratio(2, 1) * &launch / &gravity;
         let next = &speed_ratio * &launch;
-        let next_flight = ratio(2, 1) * &next / &gravity;
-        let [apex, next_apex] = [(&launch, &flight), (&next, &next_flight)].map(|(w, s)| height(w, &(s * ratio(1, 2))));
+        let (time, next_time) = (lands(&launch)?, lands(&next)?);
+        let [apex, next_apex] = [(&launch, &time), (&next, &next_time)].map(|(w, s)| flown(w, &(s * ratio(1, 2))).position);
         findings.push(Finding::exact(format!("ratio of heights at bounce {bounce}"), &(next_apex / apex), &(&e * &e), "1"));
-        findings.push(Finding::exact(format!("ratio of flight times at bounce {bounce}"), &(&next_flight / &flight), &e, "1"));
+        findings.push(Finding::exact(format!("ratio of flight times at bounce {bounce}"), &(&next_time / &time), &e, "1"));
         launch = next;
     }
     Ok(findings)
@@ -152,32 +162,11 @@ fn bounded_variation(reading: Reading) -> Result<Vec<Finding>> {
     Ok(findings)
 }
 
-/// The Cantor function at a rational in \[0, 1\] whose ternary expansion ends: digits 0, 2 become 0, 1; the first 1 ends it.
-fn cantor(point: &Rational) -> Rational {
-    let (mut rest, mut value, mut weight) = (point.clone(), ratio(0, 1), ratio(1, 1));
-    while rest > ratio(0, 1) {
-        if rest >= ratio(1, 1) {
-            return value + weight;
-        }
-        rest *= ratio(3, 1);
-        weight *= ratio(1, 2);
-        if rest >= ratio(2, 1) {
-            value += &weight;
-            rest -= ratio(2, 1);
-        } else if rest >= ratio(1, 1) {
-            return value + weight;
-        }
-    }
-    value
-}
-
 fn cantor_floor(reading: Reading) -> Result<Vec<Finding>> {
-    let jump: FloorVelocity = |point| if *point >= ratio(1, 1) { ratio(1, 1) } else { ratio(0, 1) };
-    let uniform: FloorVelocity = |point| point.clone();
     let mut findings = Vec::new();
-    let floors = reading.only(1).pick([uniform, jump], [cantor, uniform]);
+    let floors = reading.only(1).pick([Rise::Uniform, Rise::Jump], [Rise::Cantor, Rise::Uniform]);
     for (name, velocity) in ["uniform", "a jump"].into_iter().zip(floors) {
-        let ([early, _], [late, largest]) = (rises(velocity, 5), rises(velocity, 10));
+        let ([early, _], [late, largest]) = (velocity.on_cantors_set(5), velocity.on_cantors_set(10));
         let expected = if name == "uniform" { cantor_length(10) - ratio(1, 3i64.pow(10)) } else { ratio(0, 1) };
         let rest = Finding::exact(format!("rise on the intervals of level 10 without the largest piece, {name}"), &late, &expected, "m/s");
         // a density leaves what the length leaves, (2/3)⁵ of level 5; less than half
@@ -185,8 +174,8 @@ fn cantor_floor(reading: Reading) -> Result<Vec<Finding>> {
         let atom = if name == "uniform" { ratio(1, 3i64.pow(10)) } else { ratio(1, 1) };
         findings.push(Finding::exact(format!("largest piece, {name}"), &largest, &atom, "m/s"));
     }
-    let subject: FloorVelocity = reading.only(0).pick(cantor, jump);
-    let ([early, _], [late, largest]) = (rises(subject, 5), rises(subject, 10));
+    let subject = reading.only(0).pick(Rise::Cantor, Rise::Jump);
+    let ([early, _], [late, largest]) = (subject.on_cantors_set(5), subject.on_cantors_set(10));
     let smallest = ratio(1, 2i64.pow(10));
     findings.push(
         Finding::exact("rise on the intervals of level 10 without the largest piece, Cantor", &late, &(ratio(1, 1) - &smallest), "m/s")
@@ -197,39 +186,7 @@ fn cantor_floor(reading: Reading) -> Result<Vec<Finding>> {
     Ok(findings)
 }
 
-/// Velocity of a floor at a time in \[0, 1\].
-type FloorVelocity = fn(&Rational) -> Rational;
-
 /// Total length (2/3)ⁿ of the 2ⁿ intervals of level n of Cantor's set.
 fn cantor_length(level: u32) -> Rational {
     ratio(2i64.pow(level), 3i64.pow(level))
-}
-
-/// The rises of a velocity on the intervals of a level of Cantor's set: of all but the largest together, and the largest.
-fn rises(velocity: FloorVelocity, level: u32) -> [Rational; 2] {
-    let (mut intervals, mut length) = (vec![ratio(0, 1)], ratio(1, 1));
-    for _ in 0..level {
-        length *= ratio(1, 3);
-        intervals = intervals.iter().flat_map(|start| [start.clone(), start + ratio(2, 1) * &length]).collect();
-    }
-    let rises: Vec<Rational> = intervals.iter().map(|start| velocity(&(start + &length)) - velocity(start)).collect();
-    let largest = rises.iter().max().cloned().unwrap_or_default();
-    let total = rises.into_iter().fold(ratio(0, 1), |sum, rise| sum + rise);
-    [total - &largest, largest]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_cantor_function_has_its_known_values_and_is_constant_on_the_middle_third() {
-        assert_eq!(cantor(&ratio(0, 1)), ratio(0, 1));
-        assert_eq!(cantor(&ratio(1, 1)), ratio(1, 1));
-        assert_eq!(cantor(&ratio(1, 3)), ratio(1, 2));
-        assert_eq!(cantor(&ratio(4, 9)), ratio(1, 2));
-        assert_eq!(cantor(&ratio(2, 3)), ratio(1, 2));
-        assert_eq!(cantor(&ratio(2, 9)), ratio(1, 4));
-        assert_eq!(cantor(&ratio(8, 9)), ratio(3, 4));
-    }
 }

@@ -2,6 +2,7 @@
 
 use crate::claims::prelude::*;
 use crate::closed_forms::{BeltOscillator, DryFrictionOscillator};
+use crate::elimination::solve;
 use crate::event_driven::EventDriven;
 use crate::event_driven::filippov::{DryFriction, Mode, Side, Switch, advance, share_above};
 use crate::event_driven::flight::{Control, Location};
@@ -68,6 +69,13 @@ fn combined(share: &Rational, above: &[Rational; 2], below: &[Rational; 2]) -> [
     [0, 1].map(|k| share * &above[k] + (ratio(1, 1) - share) * &below[k])
 }
 
+/// α of the combination that stays on the surface: with its weights α and β, α ∇s·f₊ + β ∇s·f₋ = 0 and α + β = 1.
+fn share_of(above: &[Rational; 2], below: &[Rational; 2]) -> Result<Rational> {
+    let (one, across) = (ratio(1, 1), DMatrix::from_row_slice(1, 2, &[above[0].clone(), below[0].clone()]));
+    let weights = solve(&across.insert_row(1, one.clone()), &dvector![ratio(0, 1), one]);
+    weights.map(|weights| weights[0].clone()).ok_or_else(|| Error::Unsupported("both fields cross the surface alike".into()))
+}
+
 /// Mean velocity along the surface of a relay that switches at s = ±1: once up in the field below, once down in the field above; for ever
 /// in the field above, if that does not lead back.
 fn relay(above: &[Rational; 2], below: &[Rational; 2]) -> Rational {
@@ -85,9 +93,8 @@ fn convex_combination(reading: Reading) -> Result<Vec<Finding>> {
         let above = [ratio(reading.pick(above, -above), 7), ratio(slip[0], 1)];
         let below = [ratio(below, 5), ratio(slip[1], 1)];
         let name = format!("∇s·f₊ = {}, ∇s·f₋ = {}", posed[0], below[0]);
-        let share_of = |above: &[Rational; 2]| &below[0] / (&below[0] - &above[0]);
-        let [_, along] = combined(&share_of(&posed), &posed, &below);
-        let share = share_of(&above);
+        let [_, along] = combined(&share_of(&posed, &below)?, &posed, &below);
+        let share = share_of(&above, &below)?;
         let inside = share > ratio(0, 1) && share < ratio(1, 1);
         let changes = combined(&ratio(0, 1), &above, &below)[0] > ratio(0, 1) && combined(&ratio(1, 1), &above, &below)[0] < ratio(0, 1);
         findings.push(Finding::decision(format!("α in (0, 1), {name}"), inside, true));

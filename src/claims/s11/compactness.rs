@@ -1,6 +1,7 @@
 //! §11, the four steps of a convergence proof: bounded variation, Helly, weak* compactness, passage to the limit.
 
 use crate::certificate::copositivity::copositive_plus;
+use crate::certificate::definiteness::quadratic_form;
 use crate::claims::experiments::wall::{Approach, Stepping, TESTS, approach, mass_apart, weak_bound, weak_error};
 use crate::claims::prelude::*;
 use crate::exact_particle::{Ball, BallState};
@@ -204,16 +205,15 @@ fn energy_and_impulse(reading: Reading) -> Result<Vec<Finding>> {
     // ½ vᵀM v with M v = HᵀP
     let energies = [1, 1000, 1_000_000].map(|c| {
         let impulse = DVector::from_element(2, ratio(c, 1));
-        impulse.dot(&(&touching * &impulse)) * ratio(1, 2)
+        quadratic_form(&touching, &impulse) * ratio(1, 2)
     });
     let grows = energies.windows(2).all(|pair| pair[0] < pair[1]);
     // the second components of the normals of the wedge, or of opposite walls, (±1, 0)
     let (across, along) = reading.only(1).pick((ratio(3, 5), ratio(4, 5)), (ratio(1, 1), ratio(0, 1)));
-    let bounded = |(first, second): &(i64, i64)| {
-        let pushed = [&across * ratio(first - second, 1), &along * ratio(first + second, 1)];
-        let total = ratio(first + second, 1);
-        &total * &total <= (&pushed[0] * &pushed[0] + &pushed[1] * &pushed[1]) * ratio(5, 4) * ratio(5, 4)
-    };
+    // (5/4)²‖HᵀP‖² − (P₁ + P₂)² is a form of P
+    let normals = DMatrix::from_row_slice(2, 2, &[across.clone(), along.clone(), -across, along]);
+    let room = &normals * normals.transpose() * ratio(25, 16) - DMatrix::from_element(2, 2, ratio(1, 1));
+    let bounded = |(first, second): &(i64, i64)| quadratic_form(&room, &dvector![ratio(*first, 1), ratio(*second, 1)]) >= ratio(0, 1);
     let holds = [(1, 0), (1, 1), (7, 2), (1, 1000)].iter().filter(|impulse| bounded(impulse)).count();
     Ok(vec![
         Finding::decision("the kinetic energy that P = (c, c) gives grows with c = 1, 10³, 10⁶", grows, false)

@@ -2,6 +2,7 @@
 
 use super::half_space::{Impact, TangentCone, grid, line_normal_cone_contains, pairs, whole};
 use crate::claims::prelude::*;
+use moreau_exact::witness::{Part, Witness, decided};
 
 /// Claims on the inclusion.
 pub const CLAIMS: &[Claim] = &[
@@ -19,7 +20,7 @@ pub const CLAIMS: &[Claim] = &[
             as ∇φ = (0,1) says. φ = q³ on the line describes the same C = {q ≥ 0} as φ = q, but ∇φ(0) = 0 lets the formula accept v = −1, \
             whose quotient is 1. \
             φ₁ = q₂, φ₂ = −q₂ − q₁² leave C = {0}; the gradients (0,±1) accept v = (1,0), whose quotient is 1. \
-            The check takes t = 1/64 and the nearest point of C on a grid of t/8 around t v.",
+            The check takes t = 1/64 and asks whether t v or one of its neighbours on a grid of t/8 is in C.",
         controls: &[
             "The two sets described so that the condition holds: φ = q for φ = q³, and φ₁ alone for the opposed pair; there the formula \
                 is right.",
@@ -106,14 +107,21 @@ pub const CLAIMS: &[Claim] = &[
 /// φ ≥ 0 with φ(0) ≥ 0, and ∇φ(0).
 #[derive(Clone, Copy)]
 struct Constraint {
-    value: fn(&[Rational; 2]) -> Rational,
+    /// φ = Σ c q₁ᵃ q₂ᵇ, as (c, a, b).
+    terms: &'static [(i64, u32, u32)],
     gradient: [i64; 2],
 }
 
 impl Constraint {
+    /// φ at a place.
+    fn value(&self, [first, second]: &[Rational; 2]) -> Rational {
+        let power = |base: &Rational, exponent: u32| (0..exponent).fold(whole(1), |product, _| product * base);
+        self.terms.iter().map(|(c, a, b)| whole(*c) * power(first, *a) * power(second, *b)).fold(whole(0), |sum, term| sum + term)
+    }
+
     /// φ at 0.
     fn at_zero(&self) -> Rational {
-        (self.value)(&[whole(0), whole(0)])
+        self.value(&[whole(0), whole(0)])
     }
 
     /// The cone that the formula gives at 0.
@@ -122,22 +130,30 @@ impl Constraint {
     }
 }
 
-const PARABOLA: Constraint = Constraint { value: |[x, y]| y.clone() - x.clone() * x, gradient: [0, 1] };
-const LINE: Constraint = Constraint { value: |[x, _]| x.clone(), gradient: [1, 0] };
-const CUBED: Constraint = Constraint { value: |[x, _]| x.clone() * x * x, gradient: [0, 0] };
-const INSIDE: Constraint = Constraint { value: |[x, y]| y.clone() + whole(1) - x.clone() * x, gradient: [0, 1] };
-const ABOVE: Constraint = Constraint { value: |[_, y]| y.clone(), gradient: [0, 1] };
-const BELOW: Constraint = Constraint { value: |[x, y]| -y.clone() - x.clone() * x, gradient: [0, -1] };
+const PARABOLA: Constraint = Constraint { terms: &[(1, 0, 1), (-1, 2, 0)], gradient: [0, 1] };
+const LINE: Constraint = Constraint { terms: &[(1, 1, 0)], gradient: [1, 0] };
+const CUBED: Constraint = Constraint { terms: &[(1, 3, 0)], gradient: [0, 0] };
+const INSIDE: Constraint = Constraint { terms: &[(1, 0, 1), (1, 0, 0), (-1, 2, 0)], gradient: [0, 1] };
+const ABOVE: Constraint = Constraint { terms: &[(1, 0, 1)], gradient: [0, 1] };
+const BELOW: Constraint = Constraint { terms: &[(-1, 0, 1), (-1, 2, 0)], gradient: [0, -1] };
 
-/// min ‖p − t v‖_∞/t over the points p of C on a grid of t/8 around t v, at most 1 because 0 is in C: dist(t v, C)/t to
-/// within the width of the grid.
-fn distance_quotient(set: &[Constraint], direction: &[Rational; 2], t: &Rational) -> Rational {
-    let offsets = (-8..=8).flat_map(|i| (-8..=8).map(move |j| [i, j]));
-    let inside = offsets.filter(|offset: &[i64; 2]| {
-        let point = [0, 1].map(|k| t.clone() * (direction[k].clone() + ratio(offset[k], 8)));
-        set.iter().all(|constraint| (constraint.value)(&point) >= whole(0))
-    });
-    inside.map(|[i, j]| ratio(i.abs().max(j.abs()), 8)).fold(whole(1), |least, quotient| if quotient < least { quotient } else { least })
+/// The point of C within t/8 of t v, in the maximum norm, that is found on a grid of t/8; none if C is further away.
+fn point_beside(set: &[Constraint], direction: &[Rational; 2], t: &Rational) -> Option<[Rational; 2]> {
+    let beside = |found: &Option<[Rational; 2]>| {
+        let row = |place: usize, (c, a, b): &(i64, u32, u32)| [place as i64, *c, i64::from(*a), i64::from(*b)].map(whole).to_vec();
+        let terms = set.iter().enumerate().flat_map(|(place, constraint)| constraint.terms.iter().map(move |term| row(place, term)));
+        let centre = [0, 1].map(|k| t * &direction[k]);
+        let data = [("terms", Part::Matrix(terms.collect())), ("centre", centre.as_slice().into()), ("reach", (&(t / whole(8))).into())];
+        let point = found.as_ref().map_or(Part::Word("none"), |point| point.as_slice().into());
+        Witness::new("point-beside", data.into_iter().chain([("point", point)]).collect())
+    };
+    decided(|| first_on_grid(set, direction, t), |found| Some(beside(found)))
+}
+
+fn first_on_grid(set: &[Constraint], direction: &[Rational; 2], t: &Rational) -> Option<[Rational; 2]> {
+    let offsets = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [i, j]));
+    let mut points = offsets.map(|offset: [i64; 2]| [0, 1].map(|k| t * (&direction[k] + ratio(offset[k], 8))));
+    points.find(|point| set.iter().all(|constraint| constraint.value(point) >= whole(0)))
 }
 
 /// Whether a constraint lets a velocity pass.
@@ -157,7 +173,7 @@ fn wrong_side(constraint: &Constraint, direction: &[Rational; 2]) -> bool {
 fn formula_is_right(formula: Formula, set: &[Constraint], direction: [i64; 2]) -> bool {
     let (direction, t) = (direction.map(whole), ratio(1, 64));
     let accepted = set.iter().all(|constraint| formula(constraint, &direction));
-    accepted == (distance_quotient(set, &direction, &t) <= ratio(1, 8))
+    accepted == point_beside(set, &direction, &t).is_some()
 }
 
 /// Whether |φ(w) − φ(0) − ∇φ·w| ≤ ‖w‖² on the axes near 0, so that the stated gradient is φ's.
@@ -166,7 +182,7 @@ fn gradient_is_right(constraint: &Constraint) -> bool {
     [[1, 0], [-1, 0], [0, 1], [0, -1]].iter().all(|w| {
         let point = w.map(|entry| whole(entry) * &reach);
         let linear = whole(constraint.gradient[0]) * &point[0] + whole(constraint.gradient[1]) * &point[1];
-        ((constraint.value)(&point) - constraint.at_zero() - linear).magnitude() <= reach.clone() * &reach
+        (constraint.value(&point) - constraint.at_zero() - linear).magnitude() <= reach.clone() * &reach
     })
 }
 

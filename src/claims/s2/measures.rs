@@ -1,6 +1,7 @@
 //! The base measure, and what is known about existence and uniqueness of sweeping processes.
 
 use super::half_space::whole;
+use crate::claims::experiments::cantor::Rise;
 use crate::claims::prelude::*;
 use crate::closed_forms::bouncing_ball::{accumulation_time_ratio, impact_time_ratio};
 use crate::problem::PlanarProblem;
@@ -75,14 +76,14 @@ fn base_measure(reading: Reading) -> Result<Vec<Finding>> {
         let block = |n: usize| (n..2 * n).filter(before).map(weight).fold(whole(0), |sum, atom| sum + atom);
         [8, 16, 32].windows(2).all(|pair| block(pair[1]) <= &half * block(pair[0]))
     };
-    let rise: fn(&Rational, usize) -> Rational = reading.only(0).pick(cantor_function, |x, _| x.clone());
+    let rise = reading.only(0).pick(Rise::Cantor, Rise::Uniform);
     let (often, until) = reading.only(1).pick((whole(1), whole(15)), (half.clone(), until_accumulation.clone()));
     let rise_on_set = |generation: usize| {
-        let rises = cantor_set(generation).into_iter().map(|[from, to]| rise(&to, generation) - rise(&from, generation));
-        rises.fold(whole(0), |sum, step| sum + step)
+        let [rest, largest] = rise.on_cantors_set(generation);
+        rest + largest
     };
     let falls = [2, 4, 8].windows(2).all(|pair| rise_on_set(pair[1]) <= &half * rise_on_set(pair[0]));
-    let [from, to] = cantor_set(8)[0].clone();
+    let [_, largest] = Rise::Cantor.on_cantors_set(8);
     Ok(vec![
         Finding::decision("the atoms of an elastic ball have a finite sum over 15 fall times", summable(&often, &until), true),
         Finding::decision("those of the ball with e = 1/2 have one before T∞", summable(&half, &until_accumulation), false)
@@ -91,44 +92,12 @@ fn base_measure(reading: Reading) -> Result<Vec<Finding>> {
         Finding::decision("the rise on the intervals of Cantor's set falls with their length", falls, false)
             .says(true)
             .violating("dv without a Cantor part"),
-        Finding::exact(
-            "rise on the first interval of generation 8",
-            &(cantor_function(&to, 8) - cantor_function(&from, 8)),
-            &ratio(1, 256),
-            "1",
-        )
-        .context(),
+        Finding::exact("largest rise on an interval of generation 8", &largest, &ratio(1, 256), "1").context(),
     ])
 }
 
 fn power(base: &Rational, exponent: usize) -> Rational {
     (0..exponent).fold(whole(1), |product, _| product * base.clone())
-}
-
-/// The intervals of a generation of Cantor's set.
-fn cantor_set(generation: usize) -> Vec<[Rational; 2]> {
-    (0..generation).fold(vec![[whole(0), whole(1)]], |intervals, _| {
-        let thirds = |[from, to]: [Rational; 2]| {
-            let third = (&to - &from) / whole(3);
-            [[from.clone(), from + &third], [to.clone() - third, to]]
-        };
-        intervals.into_iter().flat_map(thirds).collect()
-    })
-}
-
-/// The Cantor function after so many generations: exact at the ends of their intervals.
-fn cantor_function(x: &Rational, generation: usize) -> Rational {
-    if generation == 0 {
-        return x.clone();
-    }
-    let tripled = x * whole(3);
-    if tripled <= whole(1) {
-        cantor_function(&tripled, generation - 1) / whole(2)
-    } else if tripled < whole(2) {
-        ratio(1, 2)
-    } else {
-        (whole(1) + cantor_function(&(tripled - whole(2)), generation - 1)) / whole(2)
-    }
 }
 
 /// The point of C(t) next to a place.

@@ -4,6 +4,8 @@ use crate::claims::prelude::*;
 use crate::problem::{ContactProblem, Law};
 use crate::solvers::{ContactSolver, LemkePivoting, ProjectedGaussSeidel};
 use crate::tolerance;
+use moreau_exact::minimum::{Minimum, diagonal};
+use moreau_exact::witness::decided;
 use nalgebra::Matrix2;
 
 /// The claims of this file.
@@ -122,7 +124,9 @@ fn envelope(reading: Reading) -> Result<Vec<Finding>> {
     let lambda = ratio(1, 3);
     let zero = || ratio(0, 1);
     let square = |x: Rational| x.clone() * x;
-    let projection = |x: &Rational| if *x > zero() { reading.only(1).pick(x.clone(), zero()) } else { zero() };
+    let nearest = |x: &Rational| if *x > zero() { reading.only(1).pick(x.clone(), zero()) } else { zero() };
+    let on_the_half_line = |x: &Rational| Minimum::projection([ratio(1, 1)], std::array::from_ref(x), vec![[ratio(1, 1)]]);
+    let projection = |x: &Rational| decided(|| nearest(x), |found| on_the_half_line(x).witness(std::array::from_ref(found)));
     let value = |x: &Rational| {
         let distance = reading.only(0).pick(x.clone() - projection(x), x.clone());
         square(distance) / (ratio(2, 1) * lambda.clone())
@@ -167,6 +171,12 @@ fn conditioning(reading: Reading) -> Result<Vec<Finding>> {
     Ok(findings)
 }
 
+/// (u − u_free)²/(2W) + min(u, 0)²/(2R) over u, as a program in u and the depth s that it leaves, s + u ≥ 0.
+fn smoothed(w: &Rational, free: &Rational, strength: &Rational) -> Minimum<Rational, 2> {
+    let (zero, one) = (ratio(0, 1), ratio(1, 1));
+    Minimum { matrix: diagonal([&one / w, &one / strength]), vector: [-(free / w), zero], rows: vec![[one.clone(), one]] }
+}
+
 fn two_centres(reading: Reading) -> Result<Vec<Finding>> {
     let (w, free) = (ratio(1, 1000), ratio(-1, 1));
     let zero = ratio(0, 1);
@@ -174,8 +184,9 @@ fn two_centres(reading: Reading) -> Result<Vec<Finding>> {
     for strength in [ratio(1, 1), ratio(1, 10), ratio(1, 1000)] {
         let softness = reading.pick(strength.clone(), ratio(0, 1));
         let impulse = -free.clone() / (&w + &softness);
-        let reached = &free + &w * &impulse;
         let below = |u: &Rational| if *u < zero { u.clone() } else { ratio(0, 1) };
+        let after = || &free + &w * &impulse;
+        let reached = decided(after, |u| smoothed(&w, &free, &strength).witness(&[u.clone(), -below(u)]));
         let cost = |u: &Rational| (u - &free) * (u - &free) / (ratio(2, 1) * &w) + below(u) * below(u) / (ratio(2, 1) * &strength);
         let better = (-2000..=2000).filter(|k| cost(&ratio(*k, 1000)) < cost(&reached)).count();
         findings.push(Finding::count(format!("points of a grid with a smaller envelope cost than with R = {strength}"), better, 0));

@@ -6,6 +6,8 @@ use crate::cones::second_order::project;
 use crate::cones::{Case, decide};
 use crate::problem::Law;
 use crate::tolerance::rounding;
+use moreau_exact::minimum::{Minimum, planar_cone};
+use moreau_exact::witness::decided;
 
 /// Claims on the cone and its projection.
 pub const CLAIMS: &[Claim] = &[
@@ -146,6 +148,11 @@ fn in_polar(z: &Plane, mu: &Rational) -> bool {
 
 /// The minimiser of ½(γ − z)ᵀ diag(1, weight)(γ − z) over K_μ: μ̂ = μ·weight, weight 1 is the Euclidean projection.
 fn project_weighted(z: &Plane, mu: &Rational, weight: &Rational) -> Plane {
+    let least = || Minimum::projection([ratio(1, 1), weight.clone()], z, planar_cone(mu));
+    decided(|| nearest(z, mu, weight), |found| least().witness(found))
+}
+
+fn nearest(z: &Plane, mu: &Rational, weight: &Rational) -> Plane {
     let hat = mu.clone() * weight.clone();
     let zero = ratio(0, 1);
     if in_cone(z, mu) {
@@ -313,7 +320,11 @@ pub(super) fn one_sided<const N: usize>(solution: impl Fn(Rational) -> [Rational
 
 fn differentiability(reading: Reading) -> Result<Vec<Finding>> {
     let zero = ratio(0, 1);
-    let positive_part = |theta: Rational| [if theta > zero { theta } else { ratio(0, 1) }];
+    let half_line = |theta: &Rational| Minimum::projection([ratio(1, 1)], std::array::from_ref(theta), vec![[ratio(1, 1)]]);
+    let positive_part = |theta: Rational| {
+        let part = || [if theta > zero { theta.clone() } else { ratio(0, 1) }];
+        decided(part, |found| half_line(&theta).witness(found))
+    };
     let [[left], [right]] = one_sided(positive_part, &reading.pick(ratio(0, 1), ratio(1, 1)));
     let mu = ratio(1, 2);
     // minimiser of ½‖γ‖² + r·γ over K is the projection of −r

@@ -5,6 +5,8 @@ use crate::cones::second_order;
 use crate::problem::{ContactProblem, Law};
 use crate::solvers::{AcceleratedProjectedGradient, ContactSolver, LemkePivoting, Momentum, largest_eigenvalue_bound, objective};
 use crate::tolerance;
+use moreau_exact::minimum::{Minimum, diagonal};
+use moreau_exact::witness::{Part, Witness, decided};
 
 /// The claims of this file.
 pub(super) const CLAIMS: &[Claim] = &[
@@ -88,14 +90,30 @@ fn error_after_ten_steps(eta: &Rational) -> Rational {
     let start = ratio(1, 100);
     let mut gamma = [ratio(1, 1) + start.clone(), ratio(1, 1) - start.clone()];
     for _ in 0..10 {
-        let gradient = |one: &Rational, other: &Rational| ratio(2, 1) * one.clone() - other.clone() - ratio(1, 1);
-        let (first, second) = (gradient(&gamma[0], &gamma[1]), gradient(&gamma[1], &gamma[0]));
-        for (entry, slope) in gamma.iter_mut().zip([first, second]) {
-            let next = entry.clone() - eta.clone() * slope;
-            *entry = if next > ratio(0, 1) { next } else { ratio(0, 1) };
-        }
+        gamma = onto_quadrant(&descended(&gamma, eta));
     }
     (gamma[0].clone() - gamma[1].clone()) * ratio(1, 2) / start
+}
+
+/// γ − η (N γ + r).
+fn descended(gamma: &[Rational; 2], eta: &Rational) -> [Rational; 2] {
+    let gradient = |one: &Rational, other: &Rational| ratio(2, 1) * one - other - ratio(1, 1);
+    let after = || [gradient(&gamma[0], &gamma[1]), gradient(&gamma[1], &gamma[0])];
+    let slope = decided(after, |found| {
+        let row = |one: i64, other: i64| vec![ratio(one, 1), ratio(other, 1)];
+        let data = [("delassus", Part::Matrix(vec![row(2, -1), row(-1, 2)])), ("velocity", Part::Vector(row(-1, -1)))];
+        let told = [("impulse", gamma.as_slice().into()), ("after", found.as_slice().into())];
+        Some(Witness::new("response", data.into_iter().chain(told).collect()))
+    });
+    std::array::from_fn(|i| &gamma[i] - eta * &slope[i])
+}
+
+/// The nearest point without negative entries.
+fn onto_quadrant(place: &[Rational; 2]) -> [Rational; 2] {
+    let (zero, one) = (ratio(0, 1), ratio(1, 1));
+    let nearest = || place.clone().map(|entry| entry.max(zero.clone()));
+    let least = || Minimum::projection([one.clone(), one.clone()], place, diagonal([one.clone(), one.clone()]).to_vec());
+    decided(nearest, |found| least().witness(found))
 }
 
 /// Masses in a row, the first pressed against the others: N tridiagonal with 2 and −1.

@@ -1,5 +1,7 @@
 //! The two friction cones as sets of forces.
 
+use crate::certificate::definiteness::quadratic_form;
+use crate::certificate::feasibility::nonnegative_solution;
 use crate::claims::prelude::*;
 
 const MODEL: &str = "MuJoCo documentation, Computation: friction cones (3.17)";
@@ -35,21 +37,24 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Exact,
         correct_statement: "As stated: at condim 3 the four-sided cone of Stewart and Trinkle, 1/√2 as strong along the diagonals as along \
             the axes. Whether it is faster is the matter of S6.pyr-faster.",
-        argument: "Edges (1, ±μ, 0), (1, 0, ±μ), μ = 1, all forces of a grid of edge forces with sum 1: along an axis 1 is reached, along \
-            the diagonal (1/2, 1/2) and no more, a squared strength of 1/2; all have |t₁| + |t₂| ≤ 1.",
+        argument: "Edges (1, ±μ, 0), (1, 0, ±μ), μ = 1: of the twentieths along an axis and along the diagonal, 1 and (1/2, 1/2) are the \
+            last that edge forces reach, a squared strength of 1/2 on the diagonal; all forces of a grid of edge forces with sum 1 have \
+            |t₁| + |t₂| ≤ 1.",
         controls: &["Edges along (±3/5, ±4/5) in place of the axes."],
         sources: &["chapter §6, step 4", MODEL],
         check: check!(pyramidal),
     },
 ];
 
-/// f₁² − Σ fᵢ²/μᵢ² for f₁ = 1; or with μᵢ for μᵢ².
+/// f₁² − Σ fᵢ²/μᵢ² for f₁ = 1, a form of (1, f₂, f₃); or with μᵢ for μᵢ².
 fn room(tangent: [Rational; 2], friction: [Rational; 2], squared: bool) -> Rational {
     let [first, second] = [0, 1].map(|i| {
         let scale = if squared { &friction[i] * &friction[i] } else { friction[i].clone() };
-        &tangent[i] * &tangent[i] / scale
+        ratio(1, 1) / scale
     });
-    ratio(1, 1) - first - second
+    let one = ratio(1, 1);
+    let form = DMatrix::from_diagonal(&dvector![one.clone(), -first, -second]);
+    quadratic_form(&form, &dvector![one, tangent[0].clone(), tangent[1].clone()])
 }
 
 fn elliptic(reading: Reading) -> Result<Vec<Finding>> {
@@ -84,22 +89,27 @@ fn reached(edges: &[[Rational; 2]; 4]) -> Vec<[Rational; 2]> {
     quarters.map(|forces| [sum(forces, 0), sum(forces, 1)]).collect()
 }
 
+/// Whether edge forces make this tangential force with the normal force 1.
+fn is_reached(edges: &[[Rational; 2]; 4], [first, second]: &[Rational; 2]) -> bool {
+    let of_edges = DMatrix::from_fn(3, 4, |i, edge| if i == 0 { ratio(1, 1) } else { edges[edge][i - 1].clone() });
+    nonnegative_solution(&of_edges, &dvector![ratio(1, 1), first.clone(), second.clone()]).point().is_some()
+}
+
 fn pyramidal(reading: Reading) -> Result<Vec<Finding>> {
-    let (zero, one) = (ratio(0, 1), ratio(1, 1));
+    let one = ratio(1, 1);
     let pair = |first: (i64, i64), second: (i64, i64)| [ratio(first.0, first.1), ratio(second.0, second.1)];
     let edges = reading.pick(
         [pair((1, 1), (0, 1)), pair((-1, 1), (0, 1)), pair((0, 1), (1, 1)), pair((0, 1), (-1, 1))],
         [pair((3, 5), (4, 5)), pair((-3, 5), (4, 5)), pair((3, 5), (-4, 5)), pair((-3, 5), (-4, 5))],
     );
-    let forces = reached(&edges);
-    let strength = |along: &dyn Fn(&[Rational; 2]) -> bool| {
-        let squares = forces.iter().filter(|force| along(force)).map(|[first, second]| first * first + second * second);
-        squares.fold(zero.clone(), |most, square| most.max(square))
+    let strength = |along: [i64; 2]| {
+        let sizes = (0..=20).map(|size| along.map(|entry| ratio(entry * size, 20))).filter(|force| is_reached(&edges, force));
+        sizes.map(|[first, second]| &first * &first + &second * &second).fold(ratio(0, 1), Rational::max)
     };
-    let within = forces.iter().all(|[first, second]| first.magnitude() + second.magnitude() <= one);
+    let within = reached(&edges).iter().all(|[first, second]| first.magnitude() + second.magnitude() <= one);
     Ok(vec![
-        Finding::exact("squared strength along the diagonal", &strength(&|[first, second]| first == second), &ratio(1, 2), "1"),
-        Finding::exact("squared strength along an axis", &strength(&|[first, _]| *first == zero), &one, "1"),
+        Finding::exact("squared strength along the diagonal", &strength([1, 1]), &ratio(1, 2), "1"),
+        Finding::exact("squared strength along an axis", &strength([0, 1]), &one, "1"),
         Finding::decision("edge forces of sum 1 stay within |t₁| + |t₂| ≤ 1", within, true),
     ])
 }

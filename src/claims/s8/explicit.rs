@@ -1,5 +1,6 @@
 //! Explicit Euler: energy, stability, and a contact force that comes one step late.
 
+use crate::claims::experiments::motion_step::step_matrix;
 use crate::claims::experiments::phase_maps::vanishes;
 use crate::claims::experiments::spring_damper::{OneStep, ends_at, energy_ratio, is_stable, matrix, undamped};
 use crate::claims::prelude::*;
@@ -91,9 +92,9 @@ pub const CLAIMS: &[Claim] = &[
 ];
 
 /// DᵀQD − (1 + s²)Q of a step with ω = 2, h = 3/20, s = 3/10.
-fn energy_defect(method: &impl Method) -> DMatrix<Rational> {
+fn energy_defect(method: &OneStep) -> DMatrix<Rational> {
     let (spring, _) = undamped();
-    let d = matrix(method, &spring, &ratio(3, 20));
+    let d = step_matrix(method, &spring, &ratio(3, 20));
     let q = DMatrix::from_row_slice(2, 2, &[ratio(4, 1), ratio(0, 1), ratio(0, 1), ratio(1, 1)]);
     d.transpose() * &q * d - q * ratio(109, 100)
 }

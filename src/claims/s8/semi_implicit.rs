@@ -1,12 +1,13 @@
 //! Semi-implicit Euler on the undamped spring: what the new velocity in the position update changes, and its bound hω ≤ 2.
 
+use crate::claims::experiments::motion_step::{Polynomial, step};
 use crate::claims::experiments::spring_damper::{
     OneStep, SEMI_IMPLICIT, energy, energy_ratio, is_stable, matrix, powers_at, theta, undamped,
 };
 use crate::claims::prelude::*;
 use crate::closed_forms::spring_damper as closed;
 use crate::integrators::stability::{Powers, invariants, powers};
-use crate::integrators::{ExplicitEuler, Method, Phase, SmoothSystem, SpringDamper};
+use crate::integrators::{Method, Phase, SmoothSystem, SpringDamper};
 use crate::scalar::exact;
 use crate::tolerance::claims::integrators::{BISECTED, vibrated};
 use crate::tolerance::rounding;
@@ -128,10 +129,17 @@ impl SmoothSystem for Hardening {
     }
 }
 
+impl Polynomial for Hardening {
+    fn terms(&self) -> Vec<[Rational; 3]> {
+        let term = |coefficient: Rational, of_place: i64, of_speed: i64| [coefficient, ratio(of_place, 1), ratio(of_speed, 1)];
+        vec![term(ratio(-1, 1), 1, 0), term(ratio(-1, 1), 3, 0), term(ratio(-1, 2), 0, 1)]
+    }
+}
+
 fn one_change(reading: Reading) -> Result<Vec<Finding>> {
     let (now, h) = (Phase::of_one(ratio(1, 2), ratio(-3, 1)), ratio(1, 5));
-    let explicit = ExplicitEuler.step(&Hardening, &now, &h);
-    let semi = reading.pick(OneStep::SemiImplicit, OneStep::ImplicitDamping).step(&Hardening, &now, &h);
+    let explicit = step(&OneStep::Explicit, &Hardening, &now, &h);
+    let semi = step(&reading.pick(OneStep::SemiImplicit, OneStep::ImplicitDamping), &Hardening, &now, &h);
     let apart = Hardening.acceleration(&now.position, &now.velocity)[0].clone() * &h * &h;
     Ok(vec![
         Finding::exact("difference of the velocities", &(&semi.velocity[0] - &explicit.velocity[0]), &ratio(0, 1), "m/s"),
