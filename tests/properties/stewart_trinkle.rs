@@ -245,6 +245,36 @@ fn steps_on_which_rounding_once_made_rays_and_cycles_are_solved_on_the_first_pat
     }
 }
 
+/// A jaw without gaps whose columns are so nearly dependent that rounding ends the path of every covering vector: case 32220 of the shard
+/// of `scripts/campaign.py` with the seed 12945476836330, shrunk.
+fn jaw() -> ContactProblem {
+    let (n, t) = ([638.2522430953022, -555.0444425432646, -431.0270014106217], [482.6877649680574, 374.88725988885216, 291.87614195307464]);
+    let (closed, told) = (555.0444425432645, 431.02700141062166);
+    let rows = [
+        [n[0], n[1], n[2], -n[0], n[1], n[2]],
+        [n[1], t[0], t[1], closed, t[0], t[1]],
+        [n[2], t[1], t[2], told, t[1], t[2]],
+        [-n[0], -n[1], -n[2], n[0], -n[1], -n[2]],
+        [n[1], t[0], t[1], -n[1], t[0], t[1]],
+        [n[2], t[1], t[2], -n[2], t[1], t[2]],
+    ];
+    let [opening, sideways, across] = [0.48029900346962673, -0.400414866177737, -0.0786429350732295];
+    let free = DVector::from_column_slice(&[opening, sideways, across, -opening, sideways, across]);
+    ContactProblem::new(DMatrix::from_fn(6, 6, |i, j| rows[i][j]), free)
+        .law(Law::PolyhedralCoulomb { directions: 8 })
+        .friction(vec![0.0, 1.811051355465206])
+        .build()
+        .unwrap()
+}
+
+#[test]
+fn where_rounding_ends_every_path_a_softer_problem_leads_to_the_solution() {
+    let (problem, lcp) = (jaw(), of_order_one(&jaw()));
+    assert!(lemke(&lcp, &DVector::from_element(lcp.size(), 1.0)).is_err(), "rounding ends the path no longer: another jaw is needed");
+    let solution = LemkePivoting.solve(&problem, None).unwrap();
+    assert!(judge(&problem, &solution).unwrap().is_solution(CERTIFY));
+}
+
 fn ones(size: usize) -> DVector<Rational> {
     DVector::from_element(size, ratio(1, 1))
 }

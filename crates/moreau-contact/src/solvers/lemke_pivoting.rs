@@ -12,7 +12,7 @@ use super::{ContactSolver, NonsmoothNewton};
 use crate::certificate::Judge;
 use crate::cones::polyhedral;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Lcp, Solution};
-use crate::tolerance::solvers::ENOUGH;
+use crate::tolerance::solvers::{ENOUGH, SOFTENED};
 use moreau_exact::error::Failure;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -42,31 +42,35 @@ impl ContactSolver for LemkePivoting {
         let lcp = Scaled::new(&form.lcp(problem)?, form.scale(problem));
         let (mut judge, mut best, mut failure) = (Judge::default(), None::<(f64, Solution)>, None);
         for covering in lcp.coverings() {
-            let (z, pivots) = match lcp.solve(&covering) {
-                Ok(answer) => answer,
-                Err(error) => {
-                    failure = Some(failure.filter(|first| !is_ray(first)).unwrap_or(error));
-                    continue;
-                }
-            };
-            let solution = form.solution(problem, &z, pivots);
-            for answer in [Ok(solution.clone()), form.finished(problem, &solution)].into_iter().flatten() {
-                let relative = judge.judge(problem, &answer)?.relative();
-                if best.as_ref().is_none_or(|(least, _)| relative < *least) {
-                    best = Some((relative, answer));
-                }
-                if relative <= ENOUGH {
-                    break;
-                }
+            match lcp.solve(&covering) {
+                Ok(end) => keep_better(&mut best, form.best(problem, end, &mut judge)?),
+                Err(error) => failure = Some(failure.filter(|first| !is_ray(first)).unwrap_or(error)),
             }
-            if best.as_ref().is_some_and(|(relative, _)| *relative <= ENOUGH) {
+            if best.as_ref().is_some_and(is_enough) {
                 break;
+            }
+        }
+        if best.is_none() && failure.as_ref().is_some_and(|error| !is_ray(error)) {
+            // rounding ended every path: on a problem a little softer no basis is as close to a singular one
+            if let Ok(end) = lcp.softened().solve(&lcp.coverings()[0]) {
+                best = Some(form.best(problem, end, &mut judge)?).filter(is_enough);
             }
         }
         match (best, failure) {
             (Some((_, solution)), _) => super::finite(solution),
             (None, failure) => Err(failure.expect("every covering vector that gives no answer leaves a failure")),
         }
+    }
+}
+
+/// Whether an answer's relative residual is small enough to stop at.
+fn is_enough((relative, _): &(f64, Solution)) -> bool {
+    *relative <= ENOUGH
+}
+
+fn keep_better(best: &mut Option<(f64, Solution)>, answer: (f64, Solution)) {
+    if best.as_ref().is_none_or(|(least, _)| answer.0 < *least) {
+        *best = Some(answer);
     }
 }
 
@@ -149,6 +153,18 @@ impl Form {
             Form::Edges { directions } => repeated(directions).collect(),
         };
         DVector::from_vec(list)
+    }
+
+    /// The answer at the end of a path, or Newton's from there, whichever has the smaller relative residual.
+    fn best(self, problem: &ContactProblem, (z, pivots): (DVector<f64>, usize), judge: &mut Judge) -> Result<(f64, Solution)> {
+        let answer = self.solution(problem, &z, pivots);
+        let relative = judge.judge(problem, &answer)?.relative();
+        if relative <= ENOUGH {
+            return Ok((relative, answer));
+        }
+        let Ok(finished) = self.finished(problem, &answer) else { return Ok((relative, answer)) };
+        let finer = judge.judge(problem, &finished)?.relative();
+        Ok(if finer < relative { (finer, finished) } else { (relative, answer) })
     }
 
     /// Nonsmooth Newton from the answer: pivoting leaves errors of the size of the whole problem at contacts that carry little.
@@ -234,6 +250,14 @@ impl Scaled {
         let alternating = DVector::from_fn(n, |i, _| if i % 2 == 0 { 1.0 } else { 2.0 });
         let opposite = alternating.map(|d: f64| 3.0 - d);
         [DVector::from_element(n, 1.0), rising, falling, alternating, opposite]
+    }
+
+    /// The same with M + δ 1, δ = [`SOFTENED`]: positive definite where M is copositive but for rounding. Its solution misses the rows of M by
+    /// δ z, which Newton's method takes away.
+    fn softened(&self) -> Scaled {
+        let size = self.lcp.size();
+        let matrix = &self.lcp.matrix + DMatrix::from_diagonal_element(size, size, SOFTENED);
+        Scaled { lcp: Lcp::new(matrix, self.lcp.vector.clone()), scale: self.scale.clone(), size: self.size }
     }
 
     /// z and the pivots.
