@@ -252,8 +252,8 @@ impl Scaled {
         [DVector::from_element(n, 1.0), rising, falling, alternating, opposite]
     }
 
-    /// The same with M + δ 1, δ = [`SOFTENED`]: positive definite where M is copositive but for rounding. Its solution misses the rows of M by
-    /// δ z, which Newton's method takes away.
+    /// The same with M + δ 1, δ = [`SOFTENED`]: strictly copositive where M is copositive but for rounding. Its solution misses the rows of
+    /// M by δ z, which Newton's method takes away.
     fn softened(&self) -> Scaled {
         let size = self.lcp.size();
         let matrix = &self.lcp.matrix + DMatrix::from_diagonal_element(size, size, SOFTENED);

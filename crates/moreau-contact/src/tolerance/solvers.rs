@@ -81,9 +81,9 @@ pub const FIRST_SWEEPS: usize = 1000;
 /// Set.
 pub const ENOUGH: f64 = 1.0 / (1u64 << 34) as f64;
 
-/// What Lemke's method adds to the diagonal of a problem with entries of order one where rounding has ended every path of the problem itself:
-/// the same 2⁻³⁴, which is 10⁵ times the spacing of the entries and so well above what rounding does to them, and no more than what
-/// may be left over. The certificate judges the answer by the problem itself.
+/// What Lemke's method adds to the diagonal of a problem with entries of order one where rounding has ended every path of the problem
+/// itself: the same 2⁻³⁴, which is 10⁵ times the spacing of the entries and so well above what rounding does to them, and no more than
+/// what may be left over. The certificate judges the answer by the problem itself.
 /// Set.
 pub const SOFTENED: f64 = ENOUGH;
 
