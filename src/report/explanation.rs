@@ -58,7 +58,7 @@ fn control(outcome: &JudgedClaim, place: usize, findings: &[Finding], style: Sty
     let missing: Vec<&str> = outcome.findings.iter().filter(deciding).filter(absent).map(|finding| finding.name.as_str()).collect();
     let mut lines = vec![wrap(outcome.claim.controls[place])];
     lines.extend(shown.iter().map(|finding| bearing(&elsewhere(finding))));
-    if same.iter().any(|finding| deciding(finding)) {
+    if same.iter().any(deciding) {
         lines.push("  the other findings come out as above".into());
     }
     if !missing.is_empty() {
