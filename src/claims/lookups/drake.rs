@@ -37,7 +37,7 @@ pub const ROWS: &[LookUp] = &[
     .controls(&[Instead::Under(0, DRAKE, Query::Count(&["mentions", "multibodyplant"]))]),
     LookUp::new(
         "S9.drake-projection",
-        "mentions of the phrase in the documentation of the plant",
+        "mentions of “coordinate projection”",
         DRAKE,
         Query::Count(&["mentions", "coordinate projection"]),
         Wanted::Count(0),
