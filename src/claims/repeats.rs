@@ -29,6 +29,8 @@ pub const REPEATS: &[(&str, &str)] = &[
     ("S9.clean-dirty", "S9.projection-energy"),
     ("S9.energy-up-causes", "S9.projection-energy"),
     ("S9.ex3", "S9.theta-damps-jitter"),
+    ("S9.jitter", "S9.theta-damps-jitter"),
+    ("R5", "S9.theta-damps-jitter"),
     ("S9.energy-down", "S8.backwards-theta-energy"),
     ("S6.omega-gt-1-over-2h", "S6.solref-meaning"),
     ("S6.steps-per-period", "S6.solref-meaning"),

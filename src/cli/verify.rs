@@ -53,11 +53,13 @@ Examples:
 A verdict is derived from the findings: each says what the sentence says of its instance, and supports
 the sentence or refutes it. The figures count deciding findings, those that a control finds otherwise, and context.
 --explain marks a finding [supports] or [refutes ]: the sentence, or what its correction says beside it;
-[beside] is context and decides nothing.
+[beside] is context and decides nothing. Under a control a finding keeps the name it has with the recorded
+subject. A rounded number has as many digits as its bound supports, two of the bound; JSON has all.
 
 Verdicts: true, conditional (holds under conditions the text omits), false as stated, inconsistent
 (the text says two things that exclude each other), ambiguous (readings differ in truth). In JSON they
-are TRUE, CONDITIONAL, FALSE, INCONSISTENT and AMBIGUOUS; --verdict takes them in small letters.
+are TRUE, TRUE WITH CONDITIONS, FALSE AS STATED, INTERNALLY INCONSISTENT and AMBIGUOUS, and severities
+have hyphens (broken-theorem); the options take the short words of `--help`.
 Evidence: exact (rational arithmetic), certified (residual below a derived bound), measured, cited,
 not decidable.";
 

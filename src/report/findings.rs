@@ -1,7 +1,8 @@
 //! A finding as a line of text: what was found, what the sentence says of it, how much of the bound it uses.
 
 use crate::checks::{Expectation, Finding, Relation, Voice};
-use crate::number::{significant, two_digits, with_unit};
+use crate::number::{significant, to_two_digits_of, two_digits, with_unit};
+use crate::tolerance::report::BELOW_ALL_THAT_IS_STATED;
 
 /// Characters of a number above which it is rounded for reading; JSON has all of it.
 const LONG: usize = 24;
@@ -11,7 +12,7 @@ pub(super) fn found(finding: &Finding) -> String {
     let number = match &finding.exact {
         Some([measured, _]) if measured.chars().count() > LONG => format!("≈ {}", significant(finding.measured)),
         Some([measured, _]) => measured.clone(),
-        None => significant(finding.measured),
+        None => as_precise(finding.measured, finding),
     };
     format!("{}: {}", finding.name, with_unit(&number, finding.unit))
 }
@@ -36,8 +37,8 @@ fn expected(finding: &Finding) -> String {
     let Expectation { value, tolerance, relation, .. } = finding.expectation;
     match (&finding.exact, relation) {
         (Some(_), _) => format!("expected {}", said(finding)),
-        (None, Relation::Equal) => format!("expected {} ± {}", significant(value), two_digits(tolerance)),
-        (None, _) => format!("expected {} {}", relation.sign(), significant(value)),
+        (None, Relation::Equal) => format!("expected {} ± {}", as_precise(value, finding), two_digits(tolerance)),
+        (None, _) => format!("expected {} {}", relation.sign(), as_precise(value, finding)),
     }
 }
 
@@ -64,6 +65,9 @@ pub(super) fn bearing(finding: &Finding) -> String {
 
 /// What the sentence says, rounded for reading, with how far the found number may differ from it.
 fn stated(finding: &Finding) -> String {
+    if says_more_than_rounding(finding) {
+        return "more than 0".into();
+    }
     let Expectation { tolerance, .. } = finding.expectation;
     let allowance = if finding.exact.is_none() && tolerance > 0.0 { format!(" ± {}", two_digits(tolerance)) } else { String::new() };
     said(finding) + &allowance
@@ -75,10 +79,32 @@ fn said(finding: &Finding) -> String {
     if finding.exact.is_some() && stated.chars().count() <= LONG {
         return stated;
     }
-    let Expectation { relation, value, .. } = finding.expectation;
-    let (relation, value) = finding.bearing.stated.as_ref().map_or((relation, value), |stated| (stated.relation, stated.value.rounded()));
+    let (relation, value) = relation_and_value(finding);
     let sign = if relation == Relation::Equal { "" } else { relation.sign() };
-    format!("{sign} {}{}", if finding.exact.is_some() { "≈ " } else { "" }, significant(value)).trim_start().into()
+    format!("{sign} {}", if finding.exact.is_some() { format!("≈ {}", significant(value)) } else { as_precise(value, finding) })
+        .trim_start()
+        .into()
+}
+
+/// How the sentence relates to the found number, by its own words or else by what is expected.
+fn relation_and_value(finding: &Finding) -> (Relation, f64) {
+    let Expectation { relation, value, .. } = finding.expectation;
+    finding.bearing.stated.as_ref().map_or((relation, value), |stated| (stated.relation, stated.value.rounded()))
+}
+
+/// Whether the sentence says of what is expected to vanish that it does not: its bound is the rounding, and no number of its own.
+fn says_more_than_rounding(finding: &Finding) -> bool {
+    let (relation, value) = relation_and_value(finding);
+    relation == Relation::AtLeast
+        && finding.exact.is_none()
+        && finding.expectation.value == 0.0
+        && value > 0.0
+        && value < BELOW_ALL_THAT_IS_STATED
+}
+
+/// A number with as many digits as the bound supports: two of the bound, and six at most.
+fn as_precise(number: f64, finding: &Finding) -> String {
+    to_two_digits_of(finding.expectation.tolerance, number)
 }
 
 #[cfg(test)]
@@ -93,6 +119,18 @@ mod tests {
         assert_eq!(said(&Finding::exact("r", &third, &third, "1")), "1/3");
         let long = moreau_exact::scalar::ratio(1, 3_000_000_000_000) * moreau_exact::scalar::ratio(1, 1_000_000_000_000);
         assert_eq!(said(&Finding::exact("r", &long, &long, "1")), "≈ 3.33333e-25");
+    }
+
+    #[test]
+    fn a_number_has_as_many_digits_as_its_bound_supports() {
+        assert_eq!(found(&Finding::equal("x", 0.598_432, 0.5, 0.42, "1")), "x: 0.6");
+        assert_eq!(found(&Finding::equal("x", 0.994_472, 1.0, 0.12, "1")), "x: 0.99");
+        assert_eq!(found(&Finding::equal("x", 8.7e-19, 0.0, 2.8e-16, "m")), "x: 0 m");
+        assert_eq!(found(&Finding::equal("x", 0.003_064_231_234, 0.0, 9.4e-14, "m")), "x: 0.00306423 m");
+        assert_eq!(found(&Finding::at_most("x", 3.75e-13, 1e-12, "m")), "x: 3.75e-13 m");
+        let nothing = Finding::equal("x", 0.0, 0.0, 1e-13, "m").says_at_least(4e-13);
+        assert_eq!(stated(&nothing), "more than 0");
+        assert_eq!(stated(&Finding::equal("x", 0.0, 0.0, 1e-13, "m").says_at_least(0.01)), "≥ 0.01 ± 1e-13");
     }
 
     #[test]

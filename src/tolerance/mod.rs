@@ -221,6 +221,14 @@ pub mod claims {
     }
 }
 
+/// Tolerances of [`crate::report`].
+pub mod report {
+    /// A lower bound below this is the rounding of a check, for the chapter prints no length, speed or energy as small; a reader is told
+    /// that the quantity is “more than 0”.
+    /// Set.
+    pub const BELOW_ALL_THAT_IS_STATED: f64 = 1e-9;
+}
+
 /// Tolerances of [`crate::cli`].
 pub mod cli {
     pub use moreau_contact::tolerance::certificate::CERTIFY;

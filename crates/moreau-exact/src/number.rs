@@ -30,6 +30,24 @@ pub fn two_digits(value: f64) -> String {
     significant(format!("{value:.1e}").parse().unwrap_or(value))
 }
 
+/// A number, rounded to the second digit of its uncertainty, as [`significant`] writes it.
+///
+/// ```
+/// use moreau_exact::number::to_two_digits_of;
+///
+/// assert_eq!(to_two_digits_of(0.42, 0.598432), "0.6");
+/// assert_eq!(to_two_digits_of(1e-9, 0.598432), "0.598432");
+/// assert_eq!(to_two_digits_of(0.0, 1.25), "1.25");
+/// ```
+pub fn to_two_digits_of(uncertainty: f64, value: f64) -> String {
+    let decimals = 1.0 - uncertainty.log10().floor();
+    if !(0.0..18.0).contains(&decimals) {
+        return significant(value);
+    }
+    let decimals = decimals as usize;
+    significant(format!("{value:.decimals$}").parse().unwrap_or(value))
+}
+
 /// A number followed by its unit; pure numbers have the unit `1` and show none.
 pub fn with_unit(number: &str, unit: &str) -> String {
     if unit == "1" { number.into() } else { format!("{number} {unit}") }

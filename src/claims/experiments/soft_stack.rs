@@ -6,6 +6,8 @@ use crate::mechanics::{Plane, SpatialBodies, State};
 use crate::problem::ContactProblem;
 use crate::schemes::mujoco::{Cone, Mujoco};
 use crate::schemes::{StepProblem, assembled};
+use crate::solvers::GaussNewton;
+use crate::solvers::gauss::GaussProgram;
 use crate::{Error, Result};
 use nalgebra::{DVector, dvector};
 
@@ -58,4 +60,24 @@ pub fn ball(cone: Cone) -> Result<ContactProblem> {
 fn assemble(mechanism: &SpatialBodies, state: &State, cone: Cone) -> Result<ContactProblem> {
     let StepProblem { problem, .. } = assembled(&Mujoco::standard(cone), mechanism, state, STEP)?;
     problem.ok_or_else(|| Error::Unsupported("the boxes overlap and touch".into()))
+}
+
+/// How far a change of velocity of a stack of three is from the one that is found again from its push, relative; the push counts so much
+/// of the contact forces.
+///
+/// # Errors
+/// Those of the solver.
+pub fn found_again(share_of_forces: f64) -> Result<f64> {
+    let problem = problem(3, 1.0, Cone::Elliptic)?;
+    let program = GaussProgram::of_problem("newton", &problem)?;
+    let wanted = DVector::from_fn(program.velocities(), |k, _| 0.01 * ((7 * k + 3) % 11) as f64 - 0.05);
+    let forces = program.impulse(&program.violation(&wanted)) * share_of_forces;
+    let push = program.gradient(&wanted, &forces);
+    // with the push, free motion is faster by M⁻¹p: offsets by HM⁻¹p, and the change is counted from there
+    let free = program.accelerate(&push);
+    let offset = program.offset() + program.jacobian() * &free;
+    let pieces = program.pieces().map(|(_, piece)| piece.clone()).collect();
+    let pushed = GaussProgram::new(program.mass().clone(), program.jacobian().clone(), offset, pieces)?;
+    let found = GaussNewton::default().minimise(&pushed, DVector::zeros(free.len()))?.change + free;
+    Ok((&found - &wanted).norm() / wanted.norm())
 }

@@ -63,7 +63,7 @@ pub fn both_sides(name: &str, method: &impl Method, damping_ratio: f64, bound: f
     let at = |factor: f64| is_stable(method, &exact(damping_ratio), &exact(bound * factor));
     [
         Finding::decision(format!("{name}, ζ = {damping_ratio}: stable just below the end of the stable steps"), at(1.0 - BESIDE), true),
-        Finding::decision(format!("{name}, ζ = {damping_ratio}: stable just above it"), at(1.0 + BESIDE), false),
+        Finding::decision(format!("{name}, ζ = {damping_ratio}: unstable just above it"), !at(1.0 + BESIDE), true),
     ]
 }
 

@@ -98,7 +98,7 @@ fn differences(reading: Reading) -> Result<Vec<Finding>> {
         Finding::count("different velocities among all solutions of an impact on four corners", subject, 1)
             .says_at_least(2usize)
             .violating("friction acts at the contacts"),
-        Finding::decision("its impulses are unique", unique, false),
+        Finding::decision("its impulses are not unique", !unique, true),
         Finding::count("different velocities among the solutions of Painlevé's rod", rod.len(), 3).says_at_least(2usize),
         Finding::decision("three balls leave with (−1/3, 2/3, 2/3) m/s together and with (0, 0, 1) m/s pair by pair", apart, true),
         Finding::exact("their energy, together", &energy(&together), &ratio(1, 2), "J"),

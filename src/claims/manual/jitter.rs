@@ -103,11 +103,11 @@ fn creeping(reading: Reading) -> Result<Vec<Finding>> {
             .violating(proportional),
     ];
     for h in [0.004, 0.002] {
-        let sap = format!("SAP's creep at {h} over that at half");
+        let sap = format!("SAP's creep at {h} s over that at half");
         findings.push(Finding::equal(sap, halving(of_sap, h)?, 2.0, 2.0 * tolerance::AT_REST, "1"));
-        let name = format!("creep of Similar and Lagged at {h} over that at half");
+        let name = format!("creep of Similar and Lagged at {h} s over that at half");
         findings.push(Finding::equal(name, halving(regularised, h)?, 1.0, tolerance::AT_REST, "1").says(2.0).violating(proportional));
-        let name = format!("creep of the hard relaxation at {h}");
+        let name = format!("creep of the hard relaxation at {h} s");
         let rounding = tolerance::creep(0.0);
         // that it creeps at all: faster than any rounding
         findings.push(Finding::equal(name, hard.stepped(h)?, 0.0, rounding, "m/s").says_at_least(4.0 * rounding).violating(proportional));

@@ -92,7 +92,7 @@ pub const CLAIMS: &[Claim] = &[
         argument: "Free steps with θ = 1 conserve Ẽ = ½v² + g q − ½ g h v per unit mass: 1/2 at the start, but 11791/20000 at \
                    (0.005, −0.99). The bracket ties the state to free fall, from which it is not reachable in this example; as an \
                    assumed state it serves the computation.",
-        controls: &["The state (0.005, −0.9), which is reachable.", "A fall from 0.1 m, twice as high."],
+        controls: &["The state (0.005, −0.9), which is reachable.", "A fall from 0.083 m."],
         sources: &["chapter §12, contact step"],
         check: check!(state_before_contact),
     },
@@ -177,7 +177,7 @@ fn fine_first_step(reading: Reading) -> Result<Vec<Finding>> {
 fn state_before_contact(reading: Reading) -> Result<Vec<Finding>> {
     let (h, ball) = (ratio(1, 100), worked_ball());
     let claimed = BallState { velocity: reading.only(0).pick(ratio(-99, 100), ratio(-9, 10)), ..before_contact() };
-    let mut now = BallState { position: reading.only(1).pick(ratio(1, 20), ratio(1, 10)), ..start() };
+    let mut now = BallState { position: reading.only(1).pick(ratio(1, 20), ratio(83, 1000)), ..start() };
     let mut steps = 0usize;
     while now.position > claimed.position {
         now = step(&now, Activation::FreeVelocityForecast, &h).motion;
@@ -187,9 +187,11 @@ fn state_before_contact(reading: Reading) -> Result<Vec<Finding>> {
     let energy = |motion: &BallState<Rational>| ball.scheme_energy(motion, &ratio(1, 1), &h);
     Ok(vec![
         Finding::decision("the state is reached by free fall from the start", now == claimed, false).says(true),
-        Finding::exact("Ẽ where free fall passes 0.005 m", &energy(&now), &ratio(1, 2), "J").says(energy(&start())).passage("the setting"),
-        Finding::exact("Ẽ where free fall passes 0.005 m", &energy(&now), &ratio(1, 2), "J").says(energy(&claimed)).passage("the jump"),
-        Finding::exact("Ẽ of the state of the jump", &energy(&claimed), &ratio(11791, 20_000), "J").context(),
+        Finding::exact("Ẽ where free fall passes 0.005 m", &energy(&now), &ratio(1, 2), "J/kg")
+            .says(energy(&start()))
+            .passage("the setting"),
+        Finding::exact("Ẽ where free fall passes 0.005 m", &energy(&now), &ratio(1, 2), "J/kg").says(energy(&claimed)).passage("the jump"),
+        Finding::exact("Ẽ of the state of the jump", &energy(&claimed), &ratio(11791, 20_000), "J/kg").context(),
         Finding::count("steps of free fall to 0.005 m", steps, 9),
         Finding::exact("v there", &now.velocity, &ratio(-9, 10), "m/s"),
         Finding::exact("P of the contact step from there", &contact.impulse, &ratio(29, 20), "N·s"),

@@ -271,7 +271,8 @@ fn must_v_plus(reading: Reading) -> Result<Vec<Finding>> {
     let weighted = only(whole(1), e.clone());
     let scaled = only(whole(1) / (whole(1) + e.clone()), e.clone() / (whole(1) + e.clone()));
     let average = only(ratio(1, 2), ratio(1, 2));
-    let by_newton = -(&e * &from);
+    // a body that leaves the wall does not hit it
+    let by_newton = if from < whole(0) { -(&e * &from) } else { from.clone() };
     let rebound = |argument: &Option<Rational>, passage| {
         let stated = argument.clone().unwrap_or_else(|| from.clone());
         Finding::exact("v⁺ of the impact by v⁺ = −e v⁻", &by_newton, &ratio(1, 2), "m/s").says(stated).passage(passage)

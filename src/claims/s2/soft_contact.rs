@@ -76,7 +76,7 @@ fn differentiability(reading: Reading) -> Result<Vec<Finding>> {
     let rebound = |before: &Rational| if hard_lets_go { hard.solutions(before).pop() } else { Some(-(before.clone() * ratio(1, 2))) };
     let slope = |before: Rational| rebound(&before).map(|after| after / &before);
     let differentiable = slope(ratio(-1, 1000)) == slope(ratio(1, 1000));
-    findings.push(Finding::decision("the hard impact is differentiable at v⁻ = 0", differentiable, false));
+    findings.push(Finding::decision("the hard impact is not differentiable at v⁻ = 0", !differentiable, true));
     Ok(findings)
 }
 

@@ -23,7 +23,7 @@ pub const CLAIMS: &[Claim] = &[Claim {
         value, for the activation rules A, B and D (A: φ ≤ 0, B: φ + ½hu ≤ 0, D: φ + h u_free ≤ 0). Three equal balls with e = 1: one \
         value of the kinetic energy through two collisions. Satellite from a circular orbit of radius 1, speed 1, 250 steps of h = 1/50 by \
         backward Euler: energy falls by 0.173, the radius shrinks to 0.74 and the speed grows to 1.17. Oscillator with ω \
-        = 1: E falls by (1 + h²)^{-N}.",
+        = 1: E falls by the factor (1 + h²)^{-N}.",
     controls: &[
         "e = 1/2 for the ball and the chain, and a spring in place of the satellite's gravity: these run down.",
         "Forward Euler, θ = 0, for the oscillator and the satellite.",

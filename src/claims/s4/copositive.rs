@@ -149,23 +149,27 @@ fn not_plus(reading: Reading) -> Result<Vec<Finding>> {
 fn general_form(reading: Reading) -> Result<Vec<Finding>> {
     let systems: [RationalStep; 2] = [wedge(ratio(1, 2)), chapter_example(ratio(0, 1), [ratio(0, 1), ratio(0, 1)])];
     let mut findings = Vec::new();
-    for system in &systems {
+    for (system, place) in systems.iter().zip(["wedge", "one contact"]) {
         let mut matrix = reference(system)?.matrix;
         let impulses = system.sigma(0);
         if reading.is_control() {
             (0..system.contacts()).for_each(|i| matrix[(system.sigma(i), system.lambda(i))] = ratio(0, 1));
         }
         let block = matrix.view((0, 0), (impulses, impulses)).into_owned();
-        for x in [DVector::from_element(system.unknowns(), ratio(1, 1)), DVector::from_fn(system.unknowns(), |i, _| ratio(i as i64 + 1, 2))]
-        {
+        let ones = DVector::from_element(system.unknowns(), ratio(1, 1));
+        let rising = DVector::from_fn(system.unknowns(), |i, _| ratio(i as i64 + 1, 2));
+        for (x, name) in [(ones, "(1, …, 1)"), (rising, "(1, 2, 3, …)/2")] {
             let cross = (0..system.contacts()).fold(ratio(0, 1), |sum, i| sum + &system.friction[i] * &x[i] * &x[system.sigma(i)]);
             let rest = quadratic_form(&matrix, &x) - quadratic_form(&block, &x.rows(0, impulses).into_owned());
-            findings.push(Finding::exact("xᵀMx − x₁ᵀW̃x₁", &rest, &cross, "J").says(ratio(0, 1)));
+            findings.push(Finding::exact(format!("xᵀMx − x₁ᵀW̃x₁, {place}, x = {name}"), &rest, &cross, "J").says(ratio(0, 1)));
         }
         let slip = DVector::from_fn(system.unknowns(), |i, _| ratio(i64::from(i == impulses), 1));
         let image = (&matrix + matrix.transpose()) * &slip;
-        findings.push(Finding::exact("xᵀMx at x = (0, 0, σ)", &quadratic_form(&matrix, &slip), &ratio(0, 1), "J").context());
-        findings.push(Finding::exact("first entry of (M + Mᵀ)x there", &image[0], &system.friction[0], "m/s").says(ratio(0, 1)));
+        findings
+            .push(Finding::exact(format!("xᵀMx at x = (0, 0, σ), {place}"), &quadratic_form(&matrix, &slip), &ratio(0, 1), "J").context());
+        findings.push(
+            Finding::exact(format!("first entry of (M + Mᵀ)x there, {place}"), &image[0], &system.friction[0], "1").says(ratio(0, 1)),
+        );
     }
     Ok(findings)
 }

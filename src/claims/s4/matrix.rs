@@ -249,7 +249,7 @@ fn example_form(reading: Reading) -> Result<Vec<Finding>> {
     };
     let mut findings: Vec<Finding> = points.iter().map(compare).collect();
     findings.push(Finding::decision("≥ 0 for every x ≥ 0", copositive(&matrix)?.holds(), true));
-    findings.push(Finding::decision("positive semidefinite", positive_semidefinite(&matrix).holds(), false).context());
+    findings.push(Finding::decision("not positive semidefinite", !positive_semidefinite(&matrix).holds(), true).context());
     Ok(findings)
 }
 

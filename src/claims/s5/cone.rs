@@ -193,7 +193,7 @@ fn relaxed_constraint(reading: Reading) -> Result<Vec<Finding>> {
         Finding::decision("the velocity of a relaxed step that slides, (1/2, 1), meets the constraint", meets(&sliding), false).says(true),
         Finding::exact("power of its impulse on it", &dot(&impulse, &sliding), &ratio(0, 1), "J"),
         Finding::decision("the velocity of one that separates, (1, 0), meets it", meets(&separating), false).says(true),
-        Finding::decision("printed set and polar cone agree on (−1, 19/10)", as_polar, false).context(),
+        Finding::decision("printed set and polar cone differ on (−1, 19/10)", !as_polar, true).context(),
     ])
 }
 

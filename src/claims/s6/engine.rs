@@ -57,7 +57,7 @@ pub const CLAIMS: &[Claim] = &[
             a relative gradient of 1e-2 to rest in at most three steps, conjugate gradients need more.",
         controls: &["Conjugate gradients in place of Newton."],
         sources: &["chapter §6, table of solvers", STORED],
-        check: check!(super::algorithms::second_order),
+        check: check!(newton),
     },
     Claim {
         id: "S6.all-cones",
@@ -125,6 +125,10 @@ pub const CLAIMS: &[Claim] = &[
         check: check!(implicit_fast),
     },
 ];
+
+fn newton(reading: Reading) -> Result<Vec<Finding>> {
+    super::algorithms::second_order(reading)
+}
 
 fn continuous_time(reading: Reading) -> Result<Vec<Finding>> {
     let facts = facts()?;

@@ -156,21 +156,10 @@ fn return_error(height: f64, turn: f64) -> Result<f64> {
 }
 
 fn reversal(reading: Reading) -> Result<Vec<Finding>> {
-    let problem = soft_stack::problem(3, 1.0, Cone::Elliptic)?;
-    let program = GaussProgram::of_problem("newton", &problem)?;
-    let wanted = DVector::from_fn(program.velocities(), |k, _| 0.01 * ((7 * k + 3) % 11) as f64 - 0.05);
-    let forces = program.impulse(&program.violation(&wanted)) * reading.only(1).pick(1.0, 0.0);
-    let push = program.gradient(&wanted, &forces);
-    // with the push, free motion is faster by M⁻¹p: offsets by HM⁻¹p, and the change is counted from there
-    let free = program.accelerate(&push);
-    let offset = program.offset() + program.jacobian() * &free;
-    let pieces = program.pieces().map(|(_, piece)| piece.clone()).collect();
-    let pushed = GaussProgram::new(program.mass().clone(), program.jacobian().clone(), offset, pieces)?;
-    let found = GaussNewton::default().minimise(&pushed, DVector::zeros(free.len()))?.change + free;
+    let again = soft_stack::found_again(reading.only(1).pick(1.0, 0.0))?;
     let turn = reading.only(1).pick(9.81 * STEP, 0.0);
     let lost = return_error(reading.only(0).pick(DROP, 2.0), 9.81 * STEP)?;
     let (invertible, reversible) = ("forces follow from accelerations", "a motion that is turned round runs back");
-    let again = (&found - &wanted).norm() / wanted.norm();
     Ok(vec![
         Finding::at_most("change of velocity found again from its push, relative", again, SOLVED, "1").reading(invertible),
         Finding::at_most("distance from the start after turning round in the air", return_error(2.0, turn)?, TURNED_ROUND, "m")

@@ -20,7 +20,8 @@ use nalgebra::{DMatrix, DVector};
 /// Lexicographic Lemke on the laws that are LCPs; any W, symmetric or not, singular or not.
 ///
 /// Several covering vectors are tried until an answer meets the problem to rounding. If rounding ends the path of every one of them, the
-/// problem made a little softer, M + 2⁻³⁴ 1 in units of the problem, leads to an answer, which is taken only if it meets the problem itself.
+/// problem made a little softer, M + 2⁻³⁴ 1 in units of the problem, leads to an answer, which is taken only if it meets the problem
+/// itself.
 ///
 /// A secondary ray is an error: for a problem without the hypotheses of the existence theorem it leaves open whether a
 /// solution exists.
