@@ -301,8 +301,6 @@ class TestCommand(unittest.TestCase):
         counts = {"claims": 1, "findings": 1, "witnesses": 1}
         document = {"schema": "witnesses/1", "counts": counts, "of": 1, "selected": None, "claims": [claim]}
         self.assertEqual(self.run_on(json.dumps(document))[0], 0)
-        bare = {**document, "counts": {**counts, "witnesses": 0}, "claims": [{**claim, "evidence": "exact", "witnesses": []}]}
-        self.assertIn("1 of them exact without a witness", self.run_on(json.dumps(bare))[1])
         claim["witnesses"][0]["rank"] = [2]
         code, out = self.run_on(json.dumps(document))
         self.assertEqual(code, 1)
@@ -344,8 +342,8 @@ class TestCommand(unittest.TestCase):
             self.assertEqual(code, 2, out)
 
     def test_a_selection_says_what_it_is_of(self):
-        claim = {"id": "S4.x", "verdict": "TRUE", "evidence": "exact", "failed": None, "findings": [finding("1")], "witnesses": []}
-        counts = {"claims": 1, "findings": 1, "witnesses": 0}
+        claim = {"id": "S4.x", "verdict": "TRUE", "evidence": "exact", "failed": None, "findings": [finding("1")], "witnesses": [{"kind": "rank", **RIGHT["rank"][0]}]}
+        counts = {"claims": 1, "findings": 1, "witnesses": 1}
         chosen = {"group": "S4", "verdict": None, "severity": None, "kind": None}
         document = {"schema": "witnesses/1", "counts": counts, "of": 411, "selected": chosen, "claims": [claim]}
         code, out = self.run_on(json.dumps(document))

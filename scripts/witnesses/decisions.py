@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from .judgement import answers, demand
+from .judgement import answers, count, demand, enumerable
 from .matrices import (determinant, dot, fraction, is_copositive, is_semidefinite, kernel, matrix, plus, principal, rank, solution, square, subsets,
                        symmetric, times, transposed, vector)
 from .minima import cone_minimum
@@ -38,7 +38,9 @@ def complementary(rows: list, q: list, z: list) -> None:
 
 def lcp_solution(one: dict) -> None:
     """A solution of a linear complementarity problem."""
-    complementary(square(one["matrix"]), vector(one["vector"]), vector(one["z"]))
+    rows = square(one["matrix"])
+    demand(bool(rows), "the matrix is empty")
+    complementary(rows, vector(one["vector"]), vector(one["z"]))
 
 
 def lcp_ray(one: dict) -> None:
@@ -60,7 +62,7 @@ def lcp_ray(one: dict) -> None:
 
 def all_solutions(one: dict) -> None:
     """All solutions of a small problem: a point of every complementary cone that has one, and a family where it has more than a point."""
-    rows, q = square(one["matrix"]), vector(one["vector"])
+    rows, q = enumerable(square(one["matrix"])), vector(one["vector"])
     points, starts, directions = (matrix(one[name]) for name in ("points", "family_points", "family_directions"))
     for z in points:
         complementary(rows, q, z)
@@ -111,7 +113,7 @@ def _family(rows: list, q: list, start: list, direction: list) -> None:
 
 def copositive(one: dict) -> None:
     """Copositive, or an x ≥ 0 with xᵀM x < 0."""
-    rows = square(one["matrix"])
+    rows = enumerable(square(one["matrix"]))
     if answers(one, "holds", "fails") == "holds":
         demand(is_copositive(rows), "the matrix is not copositive")
         return
@@ -121,7 +123,7 @@ def copositive(one: dict) -> None:
 
 def copositive_plus(one: dict) -> None:
     """Copositive-plus, or an x ≥ 0 that shows that it is not."""
-    rows = square(one["matrix"])
+    rows = enumerable(square(one["matrix"]))
     if answers(one, "holds", "negative", "zero") == "holds":
         demand(is_copositive(rows), "the matrix is not copositive")
         demand(is_semidefinite(rows) or _zeros_lie_in_the_kernel(rows), "a zero of the form does not lie in the kernel of M + Mᵀ")
@@ -154,6 +156,7 @@ def _zeros_lie_in_the_kernel(rows: list) -> bool:
 def definiteness(one: dict) -> None:
     """Definite, semidefinite with a kernel and a rank, or indefinite with an x."""
     rows = square(one["matrix"])
+    demand(bool(rows), "the matrix is empty")
     doubled = symmetric(rows)
     if answers(one, "definite", "semidefinite", "indefinite") == "indefinite":
         x = vector(one["x"])
@@ -161,16 +164,16 @@ def definiteness(one: dict) -> None:
         return
     demand(is_semidefinite(rows), "the matrix is indefinite")
     if one["answer"] == "definite":
-        demand(rank(doubled) == len(rows) if rows else True, "the matrix is singular")
+        demand(rank(doubled) == len(rows), "the matrix is singular")
         return
     x = vector(one["kernel"])
     demand(any(entry != 0 for entry in x) and all(entry == 0 for entry in times(doubled, x)), "x is not in the kernel")
-    demand([rank(doubled)] == one["rank"], "the rank is another one")
+    demand(rank(doubled) == count(one, "rank", 0, len(rows)), "the rank is another one")
 
 
 def p_matrix(one: dict) -> None:
     """All principal minors are positive, or one that is not."""
-    rows = square(one["matrix"])
+    rows = enumerable(square(one["matrix"]))
     if answers(one, "holds", "fails") == "holds":
         demand(all(determinant(principal(rows, chosen)) > 0 for chosen in subsets(len(rows))), "a principal minor is not positive")
         return
@@ -288,8 +291,7 @@ def impedance(one: dict) -> None:
     """MuJoCo's impedance at a violation, from its documented curve."""
     low, high = Fraction(1, 10_000), Fraction(9999, 10_000)
     start, end, width, middle, violation = vector(one["data"])
-    (power,) = one["power"]
-    demand(isinstance(power, int) and power >= 1, "the power is less than one")
+    power = count(one, "power", 1, 100)
     start, end, middle = (min(max(x, low), high) for x in (start, end, middle))
     if width <= 0:
         found = (start + end) / 2

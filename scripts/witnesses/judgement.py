@@ -28,3 +28,9 @@ def count(one: dict, name: str, least: int, most: int) -> int:
     right = isinstance(value, list) and len(value) == 1 and type(value[0]) is int and least <= value[0] <= most
     demand(right, f"{name} is no list of one number from {least} to {most}")
     return value[0]
+
+
+def enumerable(rows: list) -> list:
+    """The matrix, if it has rows and few enough that all their subsets can be looked at."""
+    demand(0 < len(rows) <= 12, f"the matrix has {len(rows)} rows, not 1 to 12")
+    return rows

@@ -13,7 +13,7 @@ RELATIONS = ("equal", "at-most", "at-least")
 
 def readable(claim: dict) -> None:
     """Raises ValueError or the like unless the claim and its findings have what is decided from, of the right kind."""
-    if not isinstance(claim["id"], str) or not isinstance(claim["verdict"], str):
+    if not isinstance(claim["id"], str) or not claim["id"] or not isinstance(claim["verdict"], str):
         raise ValueError("a claim has no id, or no verdict")
     if claim["evidence"] not in GRADES:
         raise ValueError(f"{claim['id']}: there is no grade {claim['evidence']!r}")
@@ -29,7 +29,7 @@ def readable(claim: dict) -> None:
         right = all(value is None or is_float(value) or fraction(value) is not None for value in numbers)
         if not right or not {one["relation"], told["relation"]} <= set(RELATIONS) or not is_float(one["tolerance"]):
             raise ValueError(f"{claim['id']}: {one['name']}: a number or a relation cannot be read")
-        if not isinstance(one["context"], bool) or not is_voice(one["voice"]) or not isinstance(one["violated"] or "", str):
+        if not isinstance(one["context"], bool) or not is_voice(one["voice"]) or not (one["violated"] is None or isinstance(one["violated"], str) and one["violated"]):
             raise ValueError(f"{claim['id']}: {one['name']}: its bearing cannot be read")
         if one["origin"] not in ORIGINS:
             raise ValueError(f"{claim['id']}: {one['name']}: there is no origin {one['origin']!r}")
@@ -120,7 +120,13 @@ def grade(findings: list) -> str:
         return "cited"
     if "experiment" in origins:
         return "measured"
-    return "exact" if all(isinstance(one["found"], str) for one in heard) else "certified"
+    return "exact" if all(is_held_exactly(one) for one in heard) else "certified"
+
+
+def is_held_exactly(finding: dict) -> bool:
+    """Whether everything that is compared is a fraction, without an allowance."""
+    numbers = [finding["found"], finding["expected"], *([finding["stated"]["value"]] if finding["stated"] else [])]
+    return all(isinstance(number, str) for number in numbers) and finding["tolerance"] == 0
 
 
 def decide(claim: dict) -> None:

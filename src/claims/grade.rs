@@ -17,7 +17,7 @@ pub fn grade(findings: &[Finding]) -> Evidence {
         (Voice::Opinion(_), _) => Evidence::NotDecidable,
         (_, FindingOrigin::LookUp) => Evidence::Cited,
         (_, FindingOrigin::Experiment) => Evidence::Measured,
-        (_, FindingOrigin::Computed) if finding.exact.is_some() => Evidence::Exact,
+        (_, FindingOrigin::Computed) if finding.is_held_exactly() => Evidence::Exact,
         (_, FindingOrigin::Computed) => Evidence::Certified,
     };
     findings.iter().filter(|finding| !finding.bearing.context).map(of).max().unwrap_or(Evidence::NotDecidable)
@@ -37,6 +37,7 @@ mod tests {
         assert_eq!(grade(&[rounded(), exact().experiment()]), Evidence::Measured);
         assert_eq!(grade(&[exact().looked_up(), rounded().experiment()]), Evidence::Cited);
         assert_eq!(grade(&[exact().looked_up(), exact().opinion("what is elegant")]), Evidence::NotDecidable);
+        assert_eq!(grade(&[exact().says(1.0)]), Evidence::Certified, "what the sentence says is rounded");
         assert_eq!(grade(&[exact().context()]), Evidence::NotDecidable);
     }
 }

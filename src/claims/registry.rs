@@ -233,6 +233,7 @@ mod tests {
         assert_eq!(conclude(&[findings(2, 1), findings(1, 2)]), Status::Supported);
         assert_eq!(conclude(&[findings(2, 1), findings(2, 1)]), Status::ControlPassed);
         assert_eq!(conclude(&[findings(1, 1), findings(1, 2)]), Status::ControlPassed);
+        assert_eq!(conclude(&[findings(2, 1), findings(1, 2), findings(2, 1)]), Status::ControlPassed, "not only the one before it");
         assert_eq!(conclude(&[findings(2, 1), findings(1, 2), vec![]]), Status::Failed("the check found nothing".into()));
     }
 
@@ -241,6 +242,42 @@ mod tests {
         assert!(matches!(conclude(ClaimVerdict::True, &[], &[vec![found(2)]]), Status::Failed(_)));
         assert!(matches!(conclude(ClaimVerdict::True, &[found(1)], &[vec![]]), Status::Failed(_)));
         assert_eq!(conclude(ClaimVerdict::True, &[found(2)], &[vec![found(2)]]), Status::Contradicted);
+    }
+
+    /// A claim with two controls and another check.
+    fn planted(run: fn(Reading) -> crate::Result<Vec<Finding>>) -> JudgedClaim {
+        let check = super::super::CheckFunction { run, path: "planted" };
+        let model = find("S4.copos-plus").expect("the claim is registered");
+        judge(Box::leak(Box::new(Claim { check, verdict: ClaimVerdict::True, controls: &["one", "other"], ..*model })))
+    }
+
+    fn failed(why: &str) -> crate::Result<Vec<Finding>> {
+        Err(crate::Error::Unsupported(why.into()))
+    }
+
+    #[test]
+    fn an_error_in_the_check_or_in_any_control_is_a_failure() {
+        fn pair(a: usize, b: usize) -> crate::Result<Vec<Finding>> {
+            Ok(vec![Finding::count("a", a, 1), Finding::count("b", b, 1)])
+        }
+        fn sound(reading: Reading) -> crate::Result<Vec<Finding>> {
+            pair(reading.only(0).pick(1, 2), reading.only(1).pick(1, 2))
+        }
+        fn fails(reading: Reading, under: Reading) -> crate::Result<Vec<Finding>> {
+            if reading == under { failed("planted") } else { sound(reading) }
+        }
+        assert_eq!(planted(sound).status, Status::Supported);
+        let of = |judged: JudgedClaim| match judged.status {
+            Status::Failed(why) => why,
+            other => panic!("{other:?}"),
+        };
+        let recorded = of(planted(|reading| fails(reading, Reading::Recorded)));
+        assert!(recorded.contains("planted") && !recorded.contains("control"), "{recorded}");
+        let [first, second] =
+            [of(planted(|reading| fails(reading, Reading::Control(0)))), of(planted(|reading| fails(reading, Reading::Control(1))))];
+        for control in [first, second] {
+            assert!(control.starts_with("control: ") && control.contains("planted"), "{control}");
+        }
     }
 
     #[test]

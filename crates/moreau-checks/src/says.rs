@@ -26,6 +26,12 @@ impl Finding {
         self
     }
 
+    /// Whether what was found is held against fractions or decisions alone: what is expected and what the sentence says.
+    pub fn is_held_exactly(&self) -> bool {
+        let rounded = |stated: &Stated| matches!(stated.value, Value::Rounded(_));
+        self.exact.is_some() && !self.bearing.stated.as_ref().is_some_and(rounded)
+    }
+
     /// In this instance the condition that the sentence omits is violated.
     pub fn violating(mut self, condition: &'static str) -> Self {
         self.bearing.violated = Some(condition);

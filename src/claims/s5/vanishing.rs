@@ -89,7 +89,10 @@ fn hop(reading: Reading) -> Result<Vec<Finding>> {
     let (fine, coarse) = (shocked(1000)?, shocked(100)?);
     let mut findings = vec![
         // order h: a tenth of the gap with h = 1/100; half of it is allowed
-        Finding::at_least("largest gap after a shock, h = 1/1000", fine, 1.0 / 125.0, "m").says_at_most(0.5 * coarse).violating(COMPATIBLE),
+        Finding::at_least("largest gap after a shock, h = 1/1000 over h = 1/100", fine / coarse, 0.5, "1")
+            .says_at_most(0.5)
+            .violating(COMPATIBLE),
+        Finding::at_least("largest gap after a shock, h = 1/1000", fine, 1.0 / 125.0, "m").context(),
         Finding::at_least("largest gap after a shock, h = 1/100", coarse, 1.0 / 125.0, "m").context(),
     ];
     for denominator in [1000, 100] {

@@ -217,10 +217,10 @@ fn impedance_ratio(reading: Reading) -> Result<Vec<Finding>> {
         Finding::equal("creep at impratio 1 over that at 10", creep(1.0)? / creep(larger)?, 10.0, bound, "1"),
         Finding::equal("depth at impratio 1 over that at 10", depth(1.0)? / depth(larger)?, 1.0, AT_REST, "1").context(),
         Finding::equal("R, normal over tangential, impratio 10", of_normal / of_friction, 10.0, bound, "1")
-            .says(larger)
+            .says(10.0)
             .reading("impedance is R, as in the table of symbols"),
         Finding::equal("1/R, normal over tangential, impratio 10", of_friction / of_normal, 0.1, AT_REST, "1")
-            .says(larger)
+            .says(10.0)
             .reading("impedance is what is hard, as in step 3"),
     ])
 }

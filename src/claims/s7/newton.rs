@@ -201,12 +201,14 @@ fn particle(friction: &Rational) -> Result<[Rational; 3]> {
 fn most_dissipative(reading: Reading) -> Result<Vec<Finding>> {
     let smooth = particle(&reading.pick(ratio(0, 1), half()))?;
     let rough = particle(&reading.pick(half(), ratio(0, 1)))?;
-    let least = |change: Finding| change.says_at_least(&rough[0]).violating("no friction");
+    let least = |change: Finding| change.says_at_least(ratio(0, 1)).violating("no friction");
     Ok(vec![
         Finding::decision("e = 0 takes more energy than e = 1/2 and e = 1", smooth[0] < smooth[1] && smooth[0] < smooth[2], true),
         Finding::exact("ΔT with friction, e = 0", &rough[0], &ratio(-43, 8), "J").context(),
-        least(Finding::exact("ΔT with friction, e = 1/2", &rough[1], &ratio(-243, 32), "J")),
-        least(Finding::exact("ΔT with friction, e = 1", &rough[2], &ratio(-19, 2), "J")),
+        Finding::exact("ΔT with friction, e = 1/2", &rough[1], &ratio(-243, 32), "J").context(),
+        Finding::exact("ΔT with friction, e = 1", &rough[2], &ratio(-19, 2), "J").context(),
+        least(Finding::exact("ΔT with friction, e = 1/2, less that of e = 0", &(&rough[1] - &rough[0]), &ratio(-71, 32), "J")),
+        least(Finding::exact("ΔT with friction, e = 1, less that of e = 0", &(&rough[2] - &rough[0]), &ratio(-33, 8), "J")),
     ])
 }
 

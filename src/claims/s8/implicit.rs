@@ -249,7 +249,10 @@ fn no_theta(reading: Reading) -> Result<Vec<Finding>> {
     // a point of the spectrum with this determinant is θ = ½, as (1 + (1−θ)²s²)/(1 + θ²s²) falls with θ: the sentence gives it that trace
     Ok(vec![
         Finding::exact("determinant less that of θ = 1/2", &(determinant - neutral), &ratio(0, 1), "1"),
-        Finding::exact("trace of semi-implicit Euler at s = 1", &trace, &ratio(1, 1), "1").says(&other).violating("a constant force"),
+        Finding::exact("trace less that of θ = 1/2, s = 1", &(&trace - &other), &ratio(-1, 5), "1")
+            .says(ratio(0, 1))
+            .violating("a constant force"),
+        Finding::exact("trace of semi-implicit Euler at s = 1", &trace, &ratio(1, 1), "1").context(),
         Finding::decision("under a constant force it takes the step of θ = 1", same, true),
         Finding::exact("trace of θ = 1/2 at s = 1", &other, &ratio(6, 5), "1").context(),
         Finding::decision("the determinant falls with θ", determinants.windows(2).all(|pair| pair[0] > pair[1]), true).context(),

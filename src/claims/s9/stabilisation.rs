@@ -8,6 +8,7 @@ use crate::exact_particle::{Ball, BallState};
 use crate::schemes::Activation;
 use crate::stabilisation::{Baumgarte, Constrained, CoordinateProjection, Pendulum, Stabilisation};
 use crate::tolerance::claims::pathology as tolerance;
+use crate::tolerance::rounding;
 
 pub const CLAIMS: &[Claim] = &[
     Claim {
@@ -17,14 +18,14 @@ pub const CLAIMS: &[Claim] = &[
         verdict: ClaimVerdict::True,
         kind: Kind::Assertion,
         severity: None,
-        evidence: Evidence::Exact,
+        evidence: Evidence::Certified,
         correct_statement: "As stated, of a contact: as a velocity bias v⁺ = −ERP φ/h it leaves (1 − ERP)φ and injects T = ½m(ERP \
             δ/h)², so \
             that no value is free of both; on a joint it injects nothing (S9.erp-sim2real).",
         argument: "1 kg, 1 mm deep, h = 1/60 s, ERP = 1/5, no load: v⁺ = 0.012 m/s, T = 9/125000 = 7.2e-5 J; twice the ERP gives four \
             times that. The body leaves for good: after 2 s it is 23 mm above the floor. ERP = 1/100 leaves (99/100)⁵ of the depth after \
             five steps, and α = 2β is slower than α = β.",
-        controls: &["Projection of the position, which leaves the velocity alone.", "1/α taken for the time constant."],
+        controls: &["Projection of the position, which leaves the velocity alone.", "α = β/2 in the place of α = 2β."],
         sources: &["chapter §9, constraint drift, (1); pitfall “Baumgarte solves every drift”", "Baumgarte 1972"],
         check: check!(injection),
     },
@@ -116,14 +117,15 @@ fn injection(reading: Reading) -> Result<Vec<Finding>> {
     let gain = |erp: Rational| reading.only(0).pick(biased_gain(&erp, &none), projected_gain(&none))[0].clone();
     let (kinetic, doubled) = (gain(ratio(1, 5)), gain(ratio(2, 5)));
     let end = unloaded(step, 120);
-    let [overdamped, critical] = [10.0, 5.0].map(|damping| reading.only(1).pick(time_constant(damping, 5.0), 1.0 / damping));
+    let slower = time_constant(reading.only(1).pick(10.0, 2.5), 5.0) / time_constant(5.0, 5.0);
     Ok(vec![
         Finding::exact("kinetic energy injected by the correction of 1 mm", &kinetic, &ratio(9, 125_000), "J"),
         Finding::exact("the same with twice the ERP", &doubled, &ratio(36, 125_000), "J"),
         Finding::exact("height 2 s later", &end.position, &ratio(23, 1000), "m"),
         Finding::exact("velocity 2 s later", &end.velocity, &ratio(12, 1000), "m/s"),
         Finding::exact("φ₅/φ₀ of ERP = 1/100 under load", &loaded(step, &ratio(1, 100), &ratio(1, 60)), &ratio(99, 100).pow(5), "1"),
-        Finding::decision("α = 2β is slower than α = β", overdamped > critical, true),
+        // the slower rate is α − √(α² − β²)
+        Finding::equal("time constant with α = 2β over that with α = β", slower, 2.0 + 3f64.sqrt(), rounding(16, 4.0), "1"),
     ])
 }
 
