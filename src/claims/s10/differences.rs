@@ -71,7 +71,7 @@ pub const CLAIMS: &[Claim] = &[
         evidence: Evidence::Certified,
         correct_statement: "Of gliding: none of them on level ground, where nothing pulls along the contacts. On a slope, or pushed, SAP \
             creeps by O(h), MuJoCo at a speed that does not depend on h (set by impratio, solimp and solref), a scheme with hard \
-            friction such as Bullet's model not at all.",
+            friction not at all.",
         argument: "Stepped to a steady state on 20°, μ = 1/2, at h = 0.004 and 0.002 s: SAP's creep halves, MuJoCo's stays the same to \
             rounding, the hard block does not move. On level ground the blocks of drake-sap, mujoco and anitescu stay where they are.",
         controls: &[

@@ -90,7 +90,7 @@ pub const CLAIMS: &[Claim] = &[
             "Two points that both slip.",
             "Points across the boundary in the place of two that slip; no iteration from the impulses far off.",
         ],
-        sources: &["chapter §11, table of theorems", SAP_PAPER],
+        sources: &["chapter, table of theorems", SAP_PAPER],
         check: check!(theorem),
     },
     Claim {

@@ -307,3 +307,18 @@ fn a_jaw_that_closes_has_no_solution_however_hard_it_is_pressed() {
     let problem = problem.into_builder().free_velocity(DVector::zeros(4)).build().unwrap();
     assert!([0.0, 1.0, 1e12].iter().all(|&pressed| judged(&problem, &[pressed, 0.0, pressed, 0.0]).is_solution(1e-8)));
 }
+
+#[test]
+fn a_stored_tangential_velocity_is_held_against_the_tangential_mass() {
+    // W = diag(1, 100): ρ_t = 1/100 kg, and the sliding contact has s_t = max(‖r‖, ρ_t |(W r)_t|, ρ_t |q_t|) = √5/2 N·s
+    let sliding = planar(Law::Coulomb, &SLIDING);
+    let light = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 100.0]));
+    let problem = sliding.into_builder().delassus(light).free_velocity(DVector::from_vec(vec![-1.0, 100.0])).build().unwrap();
+    let accepted = |error: f64| {
+        let mut solution = answer(&problem, &[1.0, -0.5]);
+        solution.velocity[1] += error;
+        residuals(&problem, &solution).unwrap().is_solution(1e-3)
+    };
+    let scale = 100.0 * 1.25f64.sqrt();
+    assert!(accepted(0.99e-3 * scale) && !accepted(1.01e-3 * scale));
+}
