@@ -29,7 +29,7 @@ impl ContactSolver for ProjectedGradient {
         if !self.takes(problem.law(), problem.rows_per_contact(), true) {
             return Err(parts::not_convex(NAME, problem.law()));
         }
-        let bound = solvers::largest_eigenvalue_bound(&problem.law_delassus());
+        let bound = solvers::largest_eigenvalue_bound(&problem.law_delassus()?);
         let mut impulse = parts::start(problem, warm_start)?;
         let mut done = 0;
         while done < ITERATIONS {

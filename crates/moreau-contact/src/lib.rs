@@ -30,6 +30,7 @@ pub mod conventions;
 #[cfg(feature = "files")]
 pub mod files;
 pub mod memory;
+pub mod operator;
 pub mod prelude;
 pub mod problem;
 pub mod solvers;

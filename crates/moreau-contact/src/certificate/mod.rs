@@ -8,6 +8,7 @@ mod decision;
 pub mod definiteness;
 pub mod existence;
 pub mod feasibility;
+mod groups;
 mod judge;
 pub mod lcp;
 pub mod natural_map;

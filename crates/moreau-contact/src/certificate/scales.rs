@@ -15,23 +15,22 @@
 //! nothing would otherwise excuse any velocity, and a jaw that closes from both sides, which has no solution, would have one. Nor is a
 //! floor more than a hundredth of the largest velocity in q: where rounding hides that, nothing is certain.
 //!
-//! Two contacts lie between the same two bodies if their rows of H touch the same velocities and W joins them, directly or through others
-//! of that kind: coordinates that mix bodies give the rows of two bodies the same columns. Without H, if the file names the same pair
-//! and W couples them. A name alone joins nothing: it could hide a light contact behind a heavy one that it never meets.
+//! Which contacts lie between the same two bodies is told by [`groups`].
 //!
 //! `DIFFERENCE` One ρ = rows/tr(W_kk) for a whole contact would accept a normal velocity that is wrong by W_tt/W_nn times τ.
 
+use super::groups;
 use crate::cones::polyhedral::direction;
 use crate::cones::second_order::{length, tangential_norm};
-use crate::problem::{ContactProblem, Dynamics, Law};
-use crate::tolerance::certificate::{COUPLED, HIDDEN, JAMMED, PROJECTED, gamma};
+use crate::problem::{ContactProblem, Law};
+use crate::tolerance::certificate::{HIDDEN, JAMMED, PROJECTED, gamma};
 
 /// The weights and scales of a problem's contacts at an answer; its memory is used again for the next problem.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scales {
     /// ρ_n and ρ_t per contact \[kg\].
     pub weights: Vec<[f64; 2]>,
-    /// The first contact of the same two bodies: see [`same_bodies`].
+    /// The first contact of the same two bodies: see [`groups`].
     group: Vec<usize>,
     /// Floor per row \[m/s\].
     pub floors: Vec<f64>,
@@ -59,35 +58,7 @@ impl Scales {
         let largest = self.weights.iter().flatten().copied().filter(|rho| rho.is_finite()).fold(0.0, f64::max);
         let instead = if largest > 0.0 { largest } else { 1.0 };
         self.weights.iter_mut().flatten().filter(|rho| !rho.is_finite()).for_each(|rho| *rho = instead);
-        self.find_groups(problem);
-    }
-
-    /// Contact k joins the first group of whose every member it has the bodies. Where H is known, having the bodies is an equivalence, and
-    /// k joins, and unites, the groups of which W couples it with a member: in coordinates that mix bodies the rows of two bodies touch the
-    /// same columns, and W alone tells them apart.
-    fn find_groups(&mut self, problem: &ContactProblem) {
-        self.group.clear();
-        if problem.dynamics().is_some() {
-            return self.find_components(problem);
-        }
-        for k in 0..problem.contacts() {
-            let fits = |first: usize| (first..k).filter(|&j| self.group[j] == first).all(|j| same_bodies(problem, [j, k]));
-            let found = (0..k).find(|&first| self.group[first] == first && fits(first)).unwrap_or(k);
-            self.group.push(found);
-        }
-    }
-
-    fn find_components(&mut self, problem: &ContactProblem) {
-        for k in 0..problem.contacts() {
-            self.group.push(k);
-            for j in 0..k {
-                let [own, other] = [self.group[k], self.group[j]];
-                if own != other && same_bodies(problem, [j, k]) && couples(problem, [j, k]) {
-                    let [kept, gone] = [own.min(other), own.max(other)];
-                    self.group.iter_mut().filter(|group| **group == gone).for_each(|group| *group = kept);
-                }
-            }
-        }
+        groups::find(problem, &mut self.group);
     }
 
     /// The floors at the impulses r; one pass over |W|.
@@ -96,9 +67,7 @@ impl Scales {
         let own = |(row, (free, shift)): (usize, (&f64, &f64))| free.abs() + shift.abs() + problem.row_compliance(row) * impulse[row].abs();
         self.floors.clear();
         self.floors.extend(data.enumerate().map(own));
-        for (column, r) in impulse.iter().enumerate().filter(|(_, r)| **r != 0.0) {
-            problem.add_magnitudes(column, r.abs(), &mut self.floors);
-        }
+        problem.delassus().add_magnitudes(impulse, &mut self.floors);
         let gamma = gamma(2 * problem.rows() + 8);
         self.floors.iter_mut().for_each(|floor| *floor *= gamma);
     }
@@ -156,34 +125,6 @@ fn closing(law: Law, mu: f64, q: &[f64]) -> f64 {
         }
         _ => q[0],
     }
-}
-
-/// Whether two contacts lie between the same two bodies. If there is H, its columns decide. Pairs that a file names count only where
-/// nothing else contradicts them.
-fn same_bodies(problem: &ContactProblem, [j, k]: [usize; 2]) -> bool {
-    let same_pair = |bodies: &[[Option<usize>; 2]]| bodies[j] == bodies[k] || bodies[j] == [bodies[k][1], bodies[k][0]];
-    let (rows, named) = (problem.rows_per_contact(), problem.bodies().map(same_pair));
-    match (named, problem.dynamics()) {
-        (Some(false), _) | (None, None) => false,
-        (_, Some(dynamics)) => same_support(dynamics, rows, [j, k]),
-        (Some(true), None) => couples(problem, [j, k]),
-    }
-}
-
-/// Whether an impulse at one contact moves the other: whether an entry of W between them is more than rounding, compared with the diagonal.
-fn couples(problem: &ContactProblem, [j, k]: [usize; 2]) -> bool {
-    let rows = problem.rows_per_contact();
-    let largest = |k: usize| (k * rows..(k + 1) * rows).map(|row| problem.entry(row, row)).fold(0.0, f64::max);
-    let seen = COUPLED * largest(j).sqrt() * largest(k).sqrt();
-    (0..rows * rows).any(|place| problem.entry(j * rows + place / rows, k * rows + place % rows).abs() > seen)
-}
-
-/// Whether two contacts act on the same velocities.
-fn same_support(dynamics: &Dynamics, rows: usize, contacts: [usize; 2]) -> bool {
-    dynamics.jacobian.column_iter().all(|column| {
-        let [one, other] = contacts.map(|k| column.rows(k * rows, rows).iter().any(|entry| *entry != 0.0));
-        one == other
-    })
 }
 
 /// count/trace, infinite if the trace is not positive.

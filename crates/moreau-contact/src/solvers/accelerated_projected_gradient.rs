@@ -75,7 +75,7 @@ impl AcceleratedProjectedGradient {
         mut observe: impl FnMut(usize, &DVector<f64>),
     ) -> Result<Solution> {
         super::parts::require_convex(NAME, problem)?;
-        let operator = problem.law_delassus();
+        let operator = problem.law_delassus()?;
         let q = problem.free_velocity() + problem.shift();
         let step = step_length(&operator);
         let mut stopping = Stopping::new(problem, self.tolerance);

@@ -70,7 +70,7 @@ impl ContactSolver for AlternatingDirections {
         super::require_symmetry(NAME, problem)?;
         let start = super::start(problem, warm_start)?;
         let data = problem.law_velocity(&DVector::zeros(problem.rows()));
-        let operator = problem.law_delassus();
+        let operator = problem.law_delassus()?;
         let mass = if operator.trace() > 0.0 { problem.rows() as f64 / operator.trace() } else { 1.0 };
         let speed = if data.amax() > 0.0 { data.amax() } else { 1.0 };
         let unit = mass * speed;

@@ -56,7 +56,7 @@ impl ContactSolver for BarzilaiBorwein {
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         super::parts::require_convex(NAME, problem)?;
-        let operator = problem.law_delassus();
+        let operator = problem.law_delassus()?;
         let mut stopping = Stopping::new(problem, self.tolerance);
         let mut impulse = super::start(problem, warm_start)?;
         super::project(problem, &mut impulse);
@@ -137,7 +137,7 @@ mod tests {
     #[test]
     fn an_uphill_guess_is_shortened_to_the_minimum_along_its_direction() {
         let problem = two_masses(4.0);
-        let operator = problem.law_delassus();
+        let operator = problem.law_delassus().unwrap();
         let now = at(&problem, DVector::zeros(2));
         let values = [value(&problem, &now)];
         // α = 8 proposes r = (8, 8), where f = 32 + 8 − 16 > 0; along d = (8, 8): λ = 16/80

@@ -91,7 +91,7 @@ impl ClarabelPolished {
 
 /// Clarabel's r and its iterations, on data scaled to size one.
 fn interior_point(problem: &ContactProblem) -> Result<(DVector<f64>, usize)> {
-    let operator = problem.law_delassus();
+    let operator = problem.law_delassus()?;
     let data = problem.free_velocity() + problem.shift();
     let (stiffness, speed) = (operator.amax(), data.amax());
     if speed == 0.0 {
@@ -186,7 +186,7 @@ fn edge_problem(problem: &ContactProblem, directions: usize) -> Result<ContactPr
     let generators = edge_generators(problem, directions);
     let compliance = problem.compliance().filter(|compliance| compliance.coordinates == Coordinates::Edge);
     // a contact compliance is part of the edge operator, so that the edge problem itself is hard
-    let operator = if compliance.is_some() { problem.dense().clone() } else { problem.law_delassus() };
+    let operator = if compliance.is_some() { problem.dense().clone() } else { problem.law_delassus()? };
     let delassus = generators.tr_mul(&(operator * &generators));
     ContactProblem::new((&delassus + delassus.transpose()) * 0.5, generators.tr_mul(problem.free_velocity()))
         .name(format!("{}, along its edges", problem.name()))

@@ -132,7 +132,7 @@ impl Form {
             return problem.stewart_trinkle_lcp();
         }
         let generators = self.generators(problem);
-        let mut matrix = generators.tr_mul(&(problem.law_delassus() * &generators));
+        let mut matrix = generators.tr_mul(&(problem.law_delassus()? * &generators));
         if let Some(Compliance { coordinates: Coordinates::Edge, diagonal }) = problem.compliance() {
             matrix += DMatrix::from_diagonal(diagonal);
         }

@@ -62,7 +62,7 @@ impl ContactSolver for NonsmoothNewton {
         if !NonsmoothNewton::fits(problem) {
             return Err(Error::refused(NAME, "does not solve a compliance on edges, of which the impulse is not a function; use `lemke`"));
         }
-        let equations = Equations::new(problem);
+        let equations = Equations::new(problem)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
         let start = super::start(problem, warm_start)?;
         let mut best = (f64::INFINITY, start.clone());
@@ -116,12 +116,12 @@ struct Equations<'a> {
 }
 
 impl<'a> Equations<'a> {
-    fn new(problem: &'a ContactProblem) -> Self {
+    fn new(problem: &'a ContactProblem) -> Result<Self> {
         let set = match problem.law().directions() {
             Some(directions) if problem.rows_per_contact() == 3 => FrictionSet::Polygon { directions },
             _ => FrictionSet::Disk,
         };
-        Equations { problem, set, operator: problem.law_delassus(), weights: Judge::weights(problem) }
+        Ok(Equations { problem, set, operator: problem.law_delassus()?, weights: Judge::weights(problem) })
     }
 
     /// r + s d with the first η and s that halve ‖F‖, or else those with the least; none where every d is not a number.
@@ -275,7 +275,7 @@ mod tests {
         let polygons = [Law::PolyhedralCoulomb { directions: 5 }, Law::PolyhedralAssociated { directions: 8 }];
         for law in [Law::Frictionless, Law::Coulomb, Law::Associated].into_iter().chain(polygons) {
             let problem = four_corners(law, 0.7, 0.9);
-            let equations = Equations::new(&problem);
+            let equations = Equations::new(&problem).unwrap();
             let eta = tolerance::NONSMOOTH_PROXIMALS[0][1];
             let at = |impulse: &DVector<f64>| equations.linearise(impulse, &problem.law_velocity(impulse), eta);
             // one contact presses and sticks or slides, one is open

@@ -183,14 +183,14 @@ impl Sweeper<'_> {
             let old = padded(&self.impulse.as_slice()[first..first + rows]);
             let y = padded(&self.law_velocity.as_slice()[first..first + rows]);
             let new = contact.solve(&(y - contact.block * old));
+            let mut change = [0.0; 3];
             for row in 0..rows {
-                let change = new[row] - old[row];
-                if change != 0.0 {
-                    moved = true;
-                    self.problem.add_column(first + row, change, self.law_velocity.as_mut_slice());
-                    self.law_velocity[first + row] += super::compliance(self.problem, first + row) * change;
-                    self.impulse[first + row] = new[row];
-                }
+                change[row] = new[row] - old[row];
+                self.impulse[first + row] = new[row];
+            }
+            if change.iter().any(|change| *change != 0.0) {
+                moved = true;
+                self.problem.add_contact(k, &change[..rows], self.law_velocity.as_mut_slice());
             }
         }
         moved

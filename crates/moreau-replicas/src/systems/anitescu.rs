@@ -87,7 +87,7 @@ fn apart(problem: &ContactProblem, one: &Solution, other: &Solution) -> Result<M
     let residual = residuals(problem, one)?.natural_map + residuals(problem, other)?.natural_map;
     let impulses = (&one.impulse - &other.impulse).norm() + residual;
     let rho = natural_map::scales(problem).into_iter().fold(f64::INFINITY, f64::min);
-    let norm = largest_eigenvalue_bound(&problem.law_delassus());
+    let norm = largest_eigenvalue_bound(&problem.law_delassus()?);
     let floor = rounding(problem.rows(), problem.dense().norm() * one.impulse.norm());
     Ok(Measured::within((&one.velocity - &other.velocity).norm(), solvers::agreement(norm, residual, impulses, rho) + floor))
 }

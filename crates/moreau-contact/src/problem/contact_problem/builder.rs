@@ -3,6 +3,7 @@
 use super::{Compliance, ContactProblem, Dynamics, Law};
 use crate::contact::Inertia;
 use crate::contact::delassus::delassus;
+use crate::operator::Operator;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -17,7 +18,7 @@ pub struct ContactProblemBuilder {
     friction: Option<Vec<f64>>,
     free_velocity: Result<DVector<f64>>,
     shift: Option<DVector<f64>>,
-    delassus: Result<DMatrix<f64>>,
+    delassus: Result<Operator>,
     compliance: Option<Compliance>,
     dynamics: Option<Dynamics>,
     bodies: Option<Vec<[Option<usize>; 2]>>,
@@ -44,8 +45,8 @@ impl ContactProblem {
     /// # Ok::<(), moreau_contact::Error>(())
     /// ```
     #[expect(clippy::new_ret_no_self, reason = "`new` begins a problem, and only `build` completes it")]
-    pub fn new(delassus: DMatrix<f64>, free_velocity: DVector<f64>) -> ContactProblemBuilder {
-        ContactProblemBuilder::of(Ok(delassus), Ok(free_velocity), None)
+    pub fn new(delassus: impl Into<Operator>, free_velocity: DVector<f64>) -> ContactProblemBuilder {
+        ContactProblemBuilder::of(Ok(delassus.into()), Ok(free_velocity), None)
     }
 
     /// Begins a problem from the mechanism: the (effective) mass M̂, the contact Jacobian H and v_free, the velocity that the mechanism
@@ -65,14 +66,14 @@ impl ContactProblem {
     /// ```
     pub fn from_dynamics(mass: DMatrix<f64>, jacobian: DMatrix<f64>, free_motion: &DVector<f64>) -> ContactProblemBuilder {
         let free_velocity = contact_velocity(&jacobian, free_motion);
-        ContactProblemBuilder::of(delassus(&mass, &jacobian), free_velocity, Some(Dynamics { mass, jacobian }))
+        ContactProblemBuilder::of(delassus(&mass, &jacobian).map(Operator::from), free_velocity, Some(Dynamics { mass, jacobian }))
     }
 
     /// Does what [`ContactProblem::from_dynamics`] does, from a mass matrix that is factored already.
     pub fn from_inertia(inertia: &Inertia, jacobian: DMatrix<f64>, free_motion: &DVector<f64>) -> ContactProblemBuilder {
         let free_velocity = contact_velocity(&jacobian, free_motion);
         let mass = inertia.matrix().clone();
-        ContactProblemBuilder::of(inertia.delassus(&jacobian), free_velocity, Some(Dynamics { mass, jacobian }))
+        ContactProblemBuilder::of(inertia.delassus(&jacobian).map(Operator::from), free_velocity, Some(Dynamics { mass, jacobian }))
     }
 
     /// The pieces of this problem, to make another one that differs in some.
@@ -139,7 +140,7 @@ fn contact_velocity(jacobian: &DMatrix<f64>, free_motion: &DVector<f64>) -> Resu
 }
 
 impl ContactProblemBuilder {
-    fn of(delassus: Result<DMatrix<f64>>, free_velocity: Result<DVector<f64>>, dynamics: Option<Dynamics>) -> Self {
+    fn of(delassus: Result<Operator>, free_velocity: Result<DVector<f64>>, dynamics: Option<Dynamics>) -> Self {
         ContactProblemBuilder {
             name: String::new(),
             rows_per_contact: 3,
@@ -191,8 +192,8 @@ impl ContactProblemBuilder {
     }
 
     /// W \[1/kg\], in place of the one before; mass and Jacobian stay what they are.
-    pub fn delassus(mut self, delassus: DMatrix<f64>) -> Self {
-        self.delassus = Ok(delassus);
+    pub fn delassus(mut self, delassus: impl Into<Operator>) -> Self {
+        self.delassus = Ok(delassus.into());
         self
     }
 

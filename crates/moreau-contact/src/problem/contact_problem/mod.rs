@@ -1,6 +1,7 @@
 //! The one-step contact problem: u = W r + u_free, y = u + shift + R r, (r, y) in the law.
 
 use super::Law;
+use crate::operator::Operator;
 use nalgebra::{DMatrix, DVector};
 
 mod builder;
@@ -41,7 +42,7 @@ pub struct Dynamics {
 /// One step's contact problem, valid since it was built.
 ///
 /// Find r with u = W r + u_free, y = u + shift + R r and (r, y) in the law, contact by contact. How W is stored is
-/// private to this module. An algorithm asks for its effect ([`apply`](Self::apply), [`add_column`](Self::add_column)), for an
+/// [`delassus`](Self::delassus)'s affair. An algorithm asks for its effect ([`apply`](Self::apply), [`add_column`](Self::add_column)), for an
 /// [`entry`](Self::entry) or for a [`diagonal_block`](Self::diagonal_block). Only an algorithm that needs all of W asks for a
 /// [`dense`](Self::dense) matrix.
 ///
@@ -54,7 +55,7 @@ pub struct ContactProblem {
     friction: Vec<f64>,
     free_velocity: DVector<f64>,
     shift: DVector<f64>,
-    delassus: DMatrix<f64>,
+    delassus: Operator,
     compliance: Option<Compliance>,
     dynamics: Option<Dynamics>,
     bodies: Option<Vec<[Option<usize>; 2]>>,
@@ -129,7 +130,7 @@ impl ContactProblem {
     /// # Panics
     /// If the problem has no such row or column.
     pub fn entry(&self, row: usize, column: usize) -> f64 {
-        self.delassus[(row, column)]
+        self.delassus.entry(row, column)
     }
 
     /// W_kk, the block of contact k \[1/kg\], as large as the contact has rows.
@@ -138,7 +139,7 @@ impl ContactProblem {
     /// If the problem has no such contact.
     pub fn diagonal_block(&self, contact: usize) -> DMatrix<f64> {
         let (first, rows) = (contact * self.rows_per_contact, self.rows_per_contact);
-        self.delassus.view((first, first), (rows, rows)).into_owned()
+        DMatrix::from_fn(rows, rows, |i, j| self.entry(first + i, first + j))
     }
 
     /// W r \[m/s\] for impulses r \[N·s\].
@@ -146,7 +147,7 @@ impl ContactProblem {
     /// # Panics
     /// If there are not as many impulses as rows.
     pub fn apply(&self, impulse: &DVector<f64>) -> DVector<f64> {
-        &self.delassus * impulse
+        self.delassus.apply(impulse)
     }
 
     /// Adds W e_j r to `velocity` \[m/s\]: what the impulse r \[N·s\] at row j alone changes. A sweep lives on it.
@@ -154,17 +155,36 @@ impl ContactProblem {
     /// # Panics
     /// If the problem has no row j.
     pub fn add_column(&self, j: usize, impulse: f64, velocity: &mut [f64]) {
-        velocity.iter_mut().zip(self.delassus.column(j).iter()).for_each(|(u, w)| *u += impulse * w);
+        self.delassus.add_column(j, impulse, velocity);
     }
 
-    /// Adds |W_ij| r to every entry i, for bounds of rounding.
-    pub(crate) fn add_magnitudes(&self, j: usize, impulse: f64, sums: &mut [f64]) {
-        sums.iter_mut().zip(self.delassus.column(j).iter()).for_each(|(sum, w)| *sum += w.abs() * impulse);
+    /// Adds (W + R) e_k r to `law_velocity` \[m/s\]: what the change r \[N·s\] of contact k's impulse does to every y.
+    ///
+    /// # Panics
+    /// If the problem has no such contact.
+    #[inline]
+    pub fn add_contact(&self, contact: usize, change: &[f64], law_velocity: &mut [f64]) {
+        let first = contact * self.rows_per_contact;
+        if let Some(blocks) = self.delassus.blocks() {
+            blocks.add_contact(contact, change, law_velocity);
+        }
+        for (row, change) in (first..).zip(change).filter(|(_, change)| **change != 0.0) {
+            if self.delassus.blocks().is_none() {
+                self.delassus.add_column(row, *change, law_velocity);
+            }
+            law_velocity[row] += self.row_compliance(row) * change;
+        }
     }
 
-    /// W = H M̂⁻¹ Hᵀ \[1/kg\] as a square matrix, for algorithms that factor it. Files may hold an asymmetric one.
-    pub fn dense(&self) -> &DMatrix<f64> {
+    /// W, however it is stored.
+    pub fn delassus(&self) -> &Operator {
         &self.delassus
+    }
+
+    /// W = H M̂⁻¹ Hᵀ \[1/kg\] as a square matrix, for algorithms that factor it; blocks are written out, once. Files may hold an
+    /// asymmetric one. [`law_delassus`](Self::law_delassus) is refused where there is no room for it.
+    pub fn dense(&self) -> &DMatrix<f64> {
+        self.delassus.dense()
     }
 
     /// u = W r + u_free \[m/s\] for impulses r \[N·s\].
@@ -183,7 +203,6 @@ impl ContactProblem {
 
     /// max |W − Wᵀ| / max |W|, zero for a symmetric Delassus operator.
     pub fn asymmetry(&self) -> f64 {
-        let scale = self.delassus.amax();
-        if scale == 0.0 { 0.0 } else { (&self.delassus - self.delassus.transpose()).amax() / scale }
+        self.delassus.asymmetry()
     }
 }

@@ -6,10 +6,14 @@
 
 use super::{Compliance, ContactProblem, Coordinates};
 use crate::cones::polyhedral;
+use crate::memory;
 use crate::problem::stewart_trinkle::generators;
 use crate::problem::{Law, Lcp, PlanarProblem};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
+
+/// A solver that asks for the square matrix keeps it, its own copy, a factor and what it works on.
+const MATRICES: u128 = 4;
 
 fn directions_of(count: usize) -> Vec<[f64; 2]> {
     (0..count).map(|j| polyhedral::direction(j, count)).collect()
@@ -42,16 +46,23 @@ impl ContactProblem {
         if self.contacts() == 0 {
             return Ok(Lcp::new(DMatrix::zeros(0, 0), DVector::zeros(0)));
         }
-        let problem = PlanarProblem::new(self.law_delassus(), self.free_velocity() + self.shift());
+        let problem = PlanarProblem::new(self.law_delassus()?, self.free_velocity() + self.shift());
         Ok(problem.polyhedral(self.friction(), &directions_of(directions))?.lcp)
     }
 
-    /// W + R, with which y = (W + R) r + u_free + shift; R only where it acts on contact components.
-    pub fn law_delassus(&self) -> DMatrix<f64> {
-        match self.compliance() {
+    /// W + R as a square matrix, with which y = (W + R) r + u_free + shift; R only where it acts on contact components.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] where W is stored by blocks and its square matrix would take more memory than is allowed.
+    pub fn law_delassus(&self) -> Result<DMatrix<f64>> {
+        if self.delassus().blocks().is_some() {
+            let matrices = memory::matrix(self.rows(), self.rows()).saturating_mul(MATRICES);
+            memory::require("the square Delassus matrix of this problem", matrices)?;
+        }
+        Ok(match self.compliance() {
             Some(Compliance { coordinates: Coordinates::Contact, diagonal }) => self.dense() + DMatrix::from_diagonal(diagonal),
             _ => self.dense().clone(),
-        }
+        })
     }
 }
 

@@ -18,8 +18,8 @@ impl ContactProblem {
         let sizes = [
             ("free_velocity", self.free_velocity.len()),
             ("shift", self.shift.len()),
-            ("delassus", self.delassus.nrows()),
-            ("delassus", self.delassus.ncols()),
+            ("delassus", self.delassus.shape()[0]),
+            ("delassus", self.delassus.shape()[1]),
         ];
         for (field, size) in sizes {
             if size != rows {
@@ -27,8 +27,12 @@ impl ContactProblem {
                 return Err(Error::invalid(field, format!("has size {size}"), cure));
             }
         }
+        if let Some(blocks) = self.delassus.blocks().filter(|blocks| blocks.rows_per_contact() != self.rows_per_contact) {
+            let problem = format!("has blocks of {} rows", blocks.rows_per_contact());
+            return Err(Error::invalid("delassus", problem, format!("use blocks of the contacts, of {} rows", self.rows_per_contact)));
+        }
         let numbers: [(&str, &[f64]); 3] =
-            [("free_velocity", self.free_velocity.as_slice()), ("shift", self.shift.as_slice()), ("delassus", self.delassus.as_slice())];
+            [("free_velocity", self.free_velocity.as_slice()), ("shift", self.shift.as_slice()), ("delassus", self.delassus.entries())];
         for (field, values) in numbers {
             finite(field, values)?;
         }

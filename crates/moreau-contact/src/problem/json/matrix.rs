@@ -1,15 +1,16 @@
-//! A matrix in a file: row by row, or its entries that are not zero.
+//! A matrix in a file: row by row, its entries that are not zero, or – W alone – its blocks that are not zero.
 
+use crate::operator::{BlockSparse, Operator};
 use crate::tolerance::problem::DENSE_ENTRIES;
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A matrix: all its rows, or its entries that are not zero.
+/// A matrix: all its rows, its entries that are not zero, or – W alone – the blocks of contacts that meet.
 #[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(rename = "Matrix", extend("oneOf" = [{"required": ["rows"]}, {"required": ["triplets"]}]))]
+#[schemars(rename = "Matrix", extend("oneOf" = [{"required": ["rows"]}, {"required": ["triplets"]}, {"required": ["blocks"]}]))]
 pub(super) struct MatrixFile {
     /// Numbers of rows and columns.
     pub(super) shape: [usize; 2],
@@ -19,6 +20,22 @@ pub(super) struct MatrixFile {
     /// Entry by entry, each place at most once.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) triplets: Option<Triplets>,
+    /// Block by block, of W only, each place at most once.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    blocks: Option<BlocksFile>,
+}
+
+/// Contacts, counted from 0, and the blocks W_jk between them.
+#[derive(Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Blocks")]
+struct BlocksFile {
+    /// The contacts j that the blocks move.
+    row: Vec<usize>,
+    /// The contacts k that push.
+    column: Vec<usize>,
+    /// W_jk \[1/kg\], `dimension` × `dimension` numbers row by row, block after block.
+    value: Vec<f64>,
 }
 
 /// Places, counted from 0, and values.
@@ -36,7 +53,36 @@ pub(super) struct Triplets {
 impl MatrixFile {
     pub(super) fn dense(matrix: &DMatrix<f64>) -> Self {
         let rows = matrix.row_iter().map(|row| row.iter().copied().collect()).collect();
-        MatrixFile { shape: [matrix.nrows(), matrix.ncols()], rows: Some(rows), triplets: None }
+        MatrixFile { shape: [matrix.nrows(), matrix.ncols()], rows: Some(rows), triplets: None, blocks: None }
+    }
+
+    /// W as it is stored.
+    pub(super) fn operator(operator: &Operator) -> Self {
+        let Some(blocks) = operator.blocks() else { return Self::dense(operator.dense()) };
+        let mut file = BlocksFile { row: Vec::new(), column: Vec::new(), value: Vec::with_capacity(blocks.entries().len()) };
+        let d = blocks.rows_per_contact();
+        for column in 0..blocks.contacts() {
+            for (row, block) in blocks.column(column) {
+                file.row.push(row);
+                file.column.push(column);
+                file.value.extend((0..d * d).map(|place| block[place % d * d + place / d]));
+            }
+        }
+        MatrixFile { shape: operator.shape(), rows: None, triplets: None, blocks: Some(file) }
+    }
+
+    /// Whether its blocks are given.
+    pub(super) fn has_blocks(&self) -> bool {
+        self.blocks.is_some()
+    }
+
+    /// W with so many rows per contact.
+    pub(super) fn read_operator(mut self, field: &str, rows_per_contact: usize) -> Result<Operator> {
+        match self.blocks.take() {
+            None => Ok(self.read(field)?.into()),
+            Some(_) if self.rows.is_some() || self.triplets.is_some() => Err(one_form(field)),
+            Some(blocks) => Ok(blocks.read(field, rows_per_contact, self.shape[0] / rows_per_contact)?.into()),
+        }
     }
 
     pub(super) fn read(self, field: &str) -> Result<DMatrix<f64>> {
@@ -57,8 +103,27 @@ impl MatrixFile {
                 Ok(DMatrix::from_row_iterator(nrows, ncols, rows.into_iter().flatten()))
             }
             (None, Some(triplets)) => triplets.read(field, nrows, ncols),
-            _ => Err(Error::invalid(field, "has both or neither of `rows` and `triplets`", "give one of the two")),
+            _ => Err(one_form(field)),
         }
+    }
+}
+
+fn one_form(field: &str) -> Error {
+    let cure = "give one of `rows` and `triplets`; W may have `blocks` instead";
+    Error::invalid(field, "has none of its forms, more than one, or `blocks` that are not of W", cure)
+}
+
+impl BlocksFile {
+    fn read(self, field: &str, d: usize, contacts: usize) -> Result<BlockSparse> {
+        let count = self.row.len();
+        if self.column.len() != count || self.value.len() != count * d * d {
+            let problem = format!("has {count} rows, {} columns and {} values", self.column.len(), self.value.len());
+            let cure = format!("give a row, a column and {} values for each block", d * d);
+            return Err(Error::invalid(format!("{field}.blocks"), problem, cure));
+        }
+        let places = self.row.into_iter().zip(self.column).zip(self.value.chunks_exact(d * d));
+        let blocks = places.map(|((row, column), value)| (row, column, DMatrix::from_row_slice(d, d, value)));
+        BlockSparse::new(d, contacts, blocks.collect())
     }
 }
 

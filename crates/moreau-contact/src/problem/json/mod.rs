@@ -5,7 +5,7 @@
 //!  "free_velocity": [-0.1, 0.2], "shift": [0, 0], "delassus": {"shape": [2, 2], "rows": [[1, 0], [0, 1]]}}
 //! ```
 //! Numbers in SI. `dimension` is the number of rows per contact. A matrix is `rows`, or `triplets` {row, column, value}
-//! counted from 0, each place at most once. Instead of `delassus` a file may give `mass` and `jacobian`. Optional:
+//! counted from 0, each place at most once; W may be `blocks` {row, column, value}, of the contacts that meet. Instead of `delassus` a file may give `mass` and `jacobian`. Optional:
 //! `shift` (default 0), `directions` (polyhedral laws), `compliance` {coordinates: contact | edge, diagonal}, `bodies` (the two bodies of
 //! each contact, the ground as null), `provenance` (anything).
 
@@ -13,8 +13,9 @@ use super::{Compliance, ContactProblem, Coordinates, Dynamics, Law, Solution};
 use crate::contact::delassus::delassus;
 use crate::files::{read_json, read_json_within, read_schema, write_atomically};
 use crate::memory;
+use crate::operator::Operator;
 use moreau_exact::{Error, Result};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -155,7 +156,7 @@ impl ContactProblem {
         }
         let rows = file.dimension * file.friction.len();
         let law = read_law(&file.law, file.directions)?;
-        let (delassus, dynamics) = read_operator(file.delassus, file.mass, file.jacobian, rows)?;
+        let (delassus, dynamics) = read_operator(file.delassus, file.mass, file.jacobian, [file.dimension, rows])?;
         ContactProblem::new(delassus, DVector::from_vec(file.free_velocity))
             .name(file.name)
             .law(law)
@@ -180,7 +181,7 @@ impl ContactProblem {
             friction: self.friction().to_vec(),
             free_velocity: self.free_velocity().as_slice().to_vec(),
             shift: Some(self.shift().as_slice().to_vec()),
-            delassus: dynamics.is_none().then(|| MatrixFile::dense(self.dense())),
+            delassus: dynamics.is_none().then(|| MatrixFile::operator(self.delassus())),
             mass: dynamics.map(|dynamics| MatrixFile::dense(&dynamics.mass)),
             jacobian: dynamics.map(|dynamics| MatrixFile::dense(&dynamics.jacobian)),
             compliance: self.compliance().map(|compliance| ComplianceFile {
@@ -293,8 +294,8 @@ fn read_operator(
     operator: Option<MatrixFile>,
     mass: Option<MatrixFile>,
     jacobian: Option<MatrixFile>,
-    rows: usize,
-) -> Result<(DMatrix<f64>, Option<Dynamics>)> {
+    [rows_per_contact, rows]: [usize; 2],
+) -> Result<(Operator, Option<Dynamics>)> {
     // sizes are compared before a matrix is made, so that a wrong shape cannot ask for all the memory
     let shape = |field: &str, matrix: &MatrixFile, wanted: [usize; 2]| {
         let problem = format!("has shape {}×{}", matrix.shape[0], matrix.shape[1]);
@@ -309,8 +310,10 @@ fn read_operator(
     match (operator, mass, jacobian) {
         (Some(operator), None, None) => {
             shape("delassus", &operator, [rows, rows])?;
-            room(0)?;
-            Ok((operator.read("delassus")?, None))
+            if !operator.has_blocks() {
+                room(0)?;
+            }
+            Ok((operator.read_operator("delassus", rows_per_contact)?, None))
         }
         (None, Some(mass), Some(jacobian)) => {
             let velocities = mass.shape[0];
@@ -321,7 +324,7 @@ fn read_operator(
             shape("jacobian", &jacobian, [rows, velocities])?;
             room(velocities)?;
             let dynamics = Dynamics { mass: mass.read("mass")?, jacobian: jacobian.read("jacobian")? };
-            Ok((delassus(&dynamics.mass, &dynamics.jacobian)?, Some(dynamics)))
+            Ok((delassus(&dynamics.mass, &dynamics.jacobian)?.into(), Some(dynamics)))
         }
         _ => Err(Error::invalid("delassus", "must stand alone, or `mass` and `jacobian` in its place", "give one of the two")),
     }

@@ -1,6 +1,7 @@
 //! Tests of the readers: what goes out comes back bit for bit, and every mistake is named.
 
 use super::*;
+use nalgebra::DMatrix;
 
 const BLOCK: &str = r#"{"schema":"contact-problem/1","name":"block","dimension":2,"law":"coulomb","friction":[0.5],
     "free_velocity":[-0.1,0.30000000000000004],"delassus":{"shape":[2,2],"rows":[[1,0.25],[0.25,3]]},
@@ -55,6 +56,27 @@ fn an_operator_that_does_not_follow_from_mass_and_jacobian_is_written_itself() {
     let problem = ContactProblem::from_json(BLOCK).unwrap().into_builder().dynamics(dynamics).build().unwrap();
     let back = ContactProblem::from_json(&problem.to_json()).unwrap();
     assert_eq!((back.dense(), back.dynamics()), (problem.dense(), None));
+}
+
+const CHAIN: &str = r#"{"schema":"contact-problem/1","name":"chain","dimension":2,"law":"coulomb","friction":[0.5,0.25],
+    "free_velocity":[-1,2,-0.5,0],"delassus":{"shape":[4,4],"blocks":{"row":[1,0,0],"column":[1,1,0],
+    "value":[3,0.5,0.5,4, -1,0.125,0.25,0, 2,0,0,2]}}}"#;
+
+#[test]
+fn blocks_are_read_row_by_row_kept_as_blocks_and_come_back() {
+    let problem = ContactProblem::from_json(CHAIN).unwrap();
+    let blocks = problem.delassus().blocks().expect("they are kept");
+    assert_eq!((blocks.block_count(), problem.entry(0, 3), problem.entry(1, 2), problem.entry(2, 0)), (3, 0.125, 0.25, 0.0));
+    assert_eq!(ContactProblem::from_json(&problem.to_json()).unwrap(), problem);
+    let written_out = problem.clone().into_builder().delassus(problem.dense().clone()).build().unwrap();
+    let impulse = DVector::from_vec(vec![1.0, 0.5, 2.0, -0.25]);
+    assert_eq!(problem.velocity(&impulse), written_out.velocity(&impulse));
+    refused(&CHAIN.replace("[1,0,0]", "[2,0,0]"), &["delassus", "(2, 1)"]);
+    refused(&CHAIN.replace("[1,0,0]", "[0,0,0]"), &["repeats the block (0, 1)"]);
+    refused(&CHAIN.replace("[1,0,0]", "[0,0]"), &["delassus.blocks", "2 rows, 3 columns"]);
+    refused(&CHAIN.replace("2,0,0,2]", "2,0,0]"), &["delassus.blocks", "11 values"]);
+    refused(&CHAIN.replace("[4,4]", "[2,2]"), &["delassus", "4×4"]);
+    refused(&CHAIN.replace("\"blocks\"", "\"rows\":[],\"blocks\""), &["delassus", "more than one"]);
 }
 
 #[test]

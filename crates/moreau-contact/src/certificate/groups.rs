@@ -1,0 +1,126 @@
+//! Which contacts lie between the same two bodies: they share the size that residuals are held against.
+//!
+//! Two contacts do if their rows of H touch the same velocities and W joins them, directly or through others of that kind: coordinates
+//! that mix bodies give the rows of two bodies the same columns. Without H, if the file names the same pair and W couples each of them
+//! with each. A name alone joins nothing: it could hide a light contact behind a heavy one that it never meets.
+
+use crate::problem::ContactProblem;
+use crate::tolerance::certificate::COUPLED;
+use std::collections::HashMap;
+
+/// What contacts of the same two bodies have in common: the named pair, smaller first, and the columns of H they touch.
+#[derive(PartialEq, Eq, Hash)]
+struct Common {
+    pair: Option<[Option<usize>; 2]>,
+    columns: Option<Vec<usize>>,
+}
+
+/// The first contact of the same two bodies, for every contact; `found` is overwritten.
+pub(super) fn find(problem: &ContactProblem, found: &mut Vec<usize>) {
+    found.clear();
+    found.extend(0..problem.contacts());
+    if problem.bodies().is_none() && problem.dynamics().is_none() {
+        return;
+    }
+    let touched = problem.dynamics().map(|_| columns(problem));
+    let mut candidates: HashMap<Common, Vec<usize>> = HashMap::new();
+    for k in 0..problem.contacts() {
+        let common = Common { pair: problem.bodies().map(|bodies| sorted(bodies[k])), columns: touched.as_ref().map(|all| all[k].clone()) };
+        candidates.entry(common).or_default().push(k);
+    }
+    for members in candidates.values() {
+        if touched.is_some() { join_connected(problem, members, found) } else { join_all_coupled(problem, members, found) }
+    }
+}
+
+fn sorted([first, second]: [Option<usize>; 2]) -> [Option<usize>; 2] {
+    if first <= second { [first, second] } else { [second, first] }
+}
+
+/// The columns of H that the rows of each contact touch.
+fn columns(problem: &ContactProblem) -> Vec<Vec<usize>> {
+    let (rows, mut touched) = (problem.rows_per_contact(), vec![Vec::new(); problem.contacts()]);
+    let Some(dynamics) = problem.dynamics() else { return touched };
+    for (place, column) in dynamics.jacobian.column_iter().enumerate() {
+        for (k, contact) in column.as_slice().chunks_exact(rows).enumerate() {
+            if contact.iter().any(|entry| *entry != 0.0) {
+                touched[k].push(place);
+            }
+        }
+    }
+    touched
+}
+
+/// Joins what W couples directly or through others: `members` grow, and so does what they come to.
+fn join_connected(problem: &ContactProblem, members: &[usize], found: &mut [usize]) {
+    let mut rest: Vec<usize> = members.to_vec();
+    while let Some(&first) = rest.first() {
+        let (mut group, mut next) = (vec![first], 0);
+        rest.remove(0);
+        while next < group.len() {
+            let (coupled, others) = rest.into_iter().partition(|k| couples(problem, [group[next], *k]));
+            let coupled: Vec<usize> = coupled;
+            group.extend(coupled);
+            rest = others;
+            next += 1;
+        }
+        group.iter().for_each(|k| found[*k] = first);
+    }
+}
+
+/// Joins a contact to the first group of which W couples it with every member.
+fn join_all_coupled(problem: &ContactProblem, members: &[usize], found: &mut [usize]) {
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for &k in members {
+        match groups.iter_mut().find(|group| group.iter().all(|&j| couples(problem, [j, k]))) {
+            Some(group) => {
+                found[k] = group[0];
+                group.push(k);
+            }
+            None => groups.push(vec![k]),
+        }
+    }
+}
+
+/// Whether an impulse at one contact moves the other: whether an entry of W between them is more than rounding, compared with the diagonal.
+fn couples(problem: &ContactProblem, [j, k]: [usize; 2]) -> bool {
+    let rows = problem.rows_per_contact();
+    let largest = |k: usize| (k * rows..(k + 1) * rows).map(|row| problem.entry(row, row)).fold(0.0, f64::max);
+    let seen = COUPLED * largest(j).sqrt() * largest(k).sqrt();
+    (0..rows * rows).any(|place| problem.entry(j * rows + place / rows, k * rows + place % rows).abs() > seen)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{DMatrix, DVector, dmatrix};
+
+    fn groups(problem: &ContactProblem) -> Vec<usize> {
+        let mut found = vec![7];
+        find(problem, &mut found);
+        found
+    }
+
+    fn one_row(delassus: DMatrix<f64>, bodies: Vec<[Option<usize>; 2]>) -> ContactProblem {
+        let free = DVector::from_element(delassus.nrows(), -1.0);
+        ContactProblem::new(delassus, free).rows_per_contact(1).bodies(bodies).build().unwrap()
+    }
+
+    #[test]
+    fn named_contacts_share_a_group_where_every_two_are_coupled() {
+        let pair = [Some(0), Some(1)];
+        let chain = dmatrix![1.0, 0.5, 0.0; 0.5, 1.0, 0.5; 0.0, 0.5, 1.0];
+        assert_eq!(groups(&one_row(chain.clone(), vec![pair; 3])), [0, 0, 2], "the third never meets the first");
+        assert_eq!(groups(&one_row(chain.clone(), vec![pair, [Some(1), Some(0)], [Some(2), None]])), [0, 0, 2], "in either order");
+        let unnamed = one_row(chain, vec![pair; 3]).into_builder().bodies(None).build().unwrap();
+        assert_eq!(groups(&unnamed), [0, 1, 2]);
+    }
+
+    #[test]
+    fn contacts_with_the_same_columns_share_a_group_where_w_connects_them() {
+        let jacobian = dmatrix![1.0, 1.0; 1.0, -1.0; 1.0, 0.5; 0.0, 1.0];
+        let free = DVector::zeros(2);
+        let problem = ContactProblem::from_dynamics(DMatrix::identity(2, 2), jacobian, &free).rows_per_contact(1).build().unwrap();
+        assert_eq!(groups(&problem), [0, 0, 0, 3], "the first two meet through the third; the last touches other velocities");
+    }
+}

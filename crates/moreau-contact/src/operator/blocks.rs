@@ -1,0 +1,248 @@
+//! W by blocks over the contact graph: W_jk is kept only where an impulse at contact k moves contact j.
+//!
+//! ```text
+//!     (W r)_j = Σ_{k coupled with j} W_jk r_k
+//! ```
+//! Contacts of a pile meet some ten others, however large it is: memory and a sweep grow with the number of contacts, not with its square.
+
+use moreau_exact::{Error, Result};
+use nalgebra::DMatrix;
+
+/// W as blocks of one size, column of contacts after column. A block that is not kept is zero.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BlockSparse {
+    rows_per_contact: usize,
+    /// The blocks of column k are numbers starts[k] .. starts[k + 1].
+    starts: Vec<usize>,
+    /// The contact j of every block W_jk, growing within a column.
+    coupled: Vec<usize>,
+    /// The entries, block after block, each column by column \[1/kg\].
+    entries: Vec<f64>,
+}
+
+impl BlockSparse {
+    /// W from blocks (j, k, W_jk), in any order, each place at most once; diagonal blocks that are left out are zero.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if a block has another shape than `rows_per_contact` squared, stands outside, or stands twice.
+    /// ```
+    /// use moreau_contact::nalgebra::{dmatrix, dvector};
+    /// use moreau_contact::operator::BlockSparse;
+    ///
+    /// // three contacts in a row, of which only neighbours meet
+    /// let w = |entry| dmatrix![entry];
+    /// let blocks = vec![(0, 0, w(1.0)), (1, 1, w(2.0)), (2, 2, w(1.0)), (0, 1, w(-1.0)), (1, 0, w(-1.0)), (2, 1, w(-1.0)), (1, 2, w(-1.0))];
+    /// let chain = BlockSparse::new(1, 3, blocks)?;
+    /// assert_eq!((chain.block_count(), chain.entry(0, 2), chain.entry(2, 1)), (7, 0.0, -1.0));
+    /// assert!(BlockSparse::new(1, 3, vec![(3, 0, w(1.0))]).is_err());
+    /// # Ok::<(), moreau_contact::Error>(())
+    /// ```
+    pub fn new(rows_per_contact: usize, contacts: usize, mut blocks: Vec<(usize, usize, DMatrix<f64>)>) -> Result<Self> {
+        blocks.sort_by_key(|(row, column, _)| (*column, *row));
+        let mut made = BlockSparse::with_capacity(rows_per_contact, contacts, blocks.len());
+        for (row, column, block) in &blocks {
+            if *row >= contacts || *column >= contacts {
+                let cure = format!("use contacts below {contacts}; they count from 0");
+                return Err(Error::invalid("delassus", format!("has a block at ({row}, {column})"), cure));
+            }
+            if block.shape() != (rows_per_contact, rows_per_contact) {
+                let problem = format!("has a block of {}×{} at ({row}, {column})", block.nrows(), block.ncols());
+                return Err(Error::invalid(
+                    "delassus",
+                    problem,
+                    format!("use {rows_per_contact}×{rows_per_contact}, the rows per contact"),
+                ));
+            }
+            made.push(*row, *column, block.as_slice())?;
+        }
+        made.finish(contacts);
+        Ok(made)
+    }
+
+    /// No blocks yet, with room for so many.
+    pub(crate) fn with_capacity(rows_per_contact: usize, contacts: usize, blocks: usize) -> Self {
+        let mut starts = Vec::with_capacity(contacts + 1);
+        starts.push(0);
+        let entries = Vec::with_capacity(blocks * rows_per_contact * rows_per_contact);
+        BlockSparse { rows_per_contact, starts, coupled: Vec::with_capacity(blocks), entries }
+    }
+
+    /// Appends W_jk, given column by column; columns and rows must grow.
+    pub(crate) fn push(&mut self, row: usize, column: usize, block: &[f64]) -> Result<()> {
+        while self.starts.len() <= column {
+            self.starts.push(self.coupled.len());
+        }
+        let first = self.starts[column];
+        if self.coupled[first..].last().is_some_and(|last| *last >= row) {
+            let problem = format!("repeats the block ({row}, {column}), or has it out of order");
+            return Err(Error::invalid("delassus", problem, "add the blocks of a place up and give it once"));
+        }
+        self.coupled.push(row);
+        self.entries.extend_from_slice(block);
+        Ok(())
+    }
+
+    /// Closes the last columns.
+    pub(crate) fn finish(&mut self, contacts: usize) {
+        self.starts.resize(contacts + 1, self.coupled.len());
+    }
+
+    /// Rows of each contact.
+    pub fn rows_per_contact(&self) -> usize {
+        self.rows_per_contact
+    }
+
+    /// Number of contacts.
+    pub fn contacts(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// How many blocks are kept.
+    pub fn block_count(&self) -> usize {
+        self.coupled.len()
+    }
+
+    /// All entries that are kept \[1/kg\].
+    pub fn entries(&self) -> &[f64] {
+        &self.entries
+    }
+
+    /// The contacts j that an impulse at contact k moves with W_jk, column by column.
+    ///
+    /// # Panics
+    /// If there is no such contact.
+    pub fn column(&self, contact: usize) -> impl Iterator<Item = (usize, &[f64])> {
+        let (d, range) = (self.rows_per_contact, self.starts[contact]..self.starts[contact + 1]);
+        let size = d * d;
+        self.coupled[range.clone()].iter().copied().zip(self.entries[range.start * size..range.end * size].chunks_exact(size.max(1)))
+    }
+
+    /// W_jk, column by column; `None` where none is kept.
+    pub fn block(&self, row: usize, column: usize) -> Option<&[f64]> {
+        let (size, first) = (self.rows_per_contact * self.rows_per_contact, self.starts[column]);
+        let place = self.coupled[first..self.starts[column + 1]].binary_search(&row).ok()? + first;
+        Some(&self.entries[place * size..(place + 1) * size])
+    }
+
+    /// W_ij of two rows \[1/kg\].
+    ///
+    /// # Panics
+    /// If there is no such row or column.
+    pub fn entry(&self, row: usize, column: usize) -> f64 {
+        let d = self.rows_per_contact;
+        assert!(row < d * self.contacts(), "there is no such row");
+        self.block(row / d, column / d).map_or(0.0, |block| block[column % d * d + row % d])
+    }
+
+    /// Adds W e_k r_k: what the impulse of one contact changes at the contacts it moves.
+    #[inline]
+    pub(crate) fn add_contact(&self, contact: usize, impulse: &[f64], velocity: &mut [f64]) {
+        let (first, last) = (self.starts[contact], self.starts[contact + 1]);
+        match *impulse {
+            [x, y, z] => {
+                let blocks = self.entries[9 * first..9 * last].as_chunks::<9>().0;
+                for (j, w) in self.coupled[first..last].iter().zip(blocks) {
+                    let u = &mut velocity[3 * j..3 * j + 3];
+                    u[0] += w[0] * x + w[3] * y + w[6] * z;
+                    u[1] += w[1] * x + w[4] * y + w[7] * z;
+                    u[2] += w[2] * x + w[5] * y + w[8] * z;
+                }
+            }
+            _ => self.add_rows(contact, impulse, velocity, |w| w),
+        }
+    }
+
+    /// Adds |W| |r| of one contact.
+    pub(crate) fn add_magnitudes(&self, contact: usize, impulse: &[f64], sums: &mut [f64]) {
+        let d = self.rows_per_contact;
+        for (j, block) in self.column(contact) {
+            let u = &mut sums[d * j..d * j + d];
+            for (column, r) in block.chunks_exact(d).zip(impulse) {
+                u.iter_mut().zip(column).for_each(|(u, w)| *u += w.abs() * r.abs());
+            }
+        }
+    }
+
+    fn add_rows(&self, contact: usize, impulse: &[f64], velocity: &mut [f64], of: impl Fn(f64) -> f64) {
+        let d = self.rows_per_contact;
+        for (j, block) in self.column(contact) {
+            let u = &mut velocity[d * j..d * j + d];
+            for (column, r) in block.chunks_exact(d).zip(impulse) {
+                u.iter_mut().zip(column).for_each(|(u, w)| *u += of(*w) * r);
+            }
+        }
+    }
+
+    /// W as a square matrix.
+    pub fn to_dense(&self) -> DMatrix<f64> {
+        let (d, n) = (self.rows_per_contact, self.contacts());
+        let mut dense = DMatrix::zeros(d * n, d * n);
+        for k in 0..n {
+            for (j, block) in self.column(k) {
+                dense.view_mut((d * j, d * k), (d, d)).copy_from_slice(block);
+            }
+        }
+        dense
+    }
+
+    /// max |W_ij − W_ji| and max |W_ij| over the rows.
+    pub(crate) fn asymmetry(&self) -> [f64; 2] {
+        let d = self.rows_per_contact;
+        let mut largest = [0.0_f64; 2];
+        for k in 0..self.contacts() {
+            for (j, block) in self.column(k) {
+                let opposite = self.block(k, j);
+                for (place, w) in block.iter().enumerate() {
+                    let mirrored = opposite.map_or(0.0, |block| block[place % d * d + place / d]);
+                    largest = [largest[0].max((w - mirrored).abs()), largest[1].max(w.abs())];
+                }
+            }
+        }
+        largest
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::DVector;
+
+    /// Three contacts of d rows; the first and the last do not meet, and W is not symmetric.
+    fn chain(d: usize) -> (BlockSparse, DMatrix<f64>) {
+        let block = |seed: usize| DMatrix::from_fn(d, d, |i, j| 1.0 + (seed * 7 + i * 3 + j * 5) as f64 % 11.0);
+        let places = [(0, 0), (1, 0), (0, 1), (1, 1), (2, 1), (1, 2), (2, 2)];
+        let blocks: Vec<_> = places.iter().enumerate().map(|(seed, (j, k))| (*j, *k, block(seed))).rev().collect();
+        let mut dense = DMatrix::zeros(3 * d, 3 * d);
+        blocks.iter().for_each(|(j, k, block)| dense.view_mut((d * j, d * k), (d, d)).copy_from(block));
+        (BlockSparse::new(d, 3, blocks).unwrap(), dense)
+    }
+
+    #[test]
+    fn acts_as_the_dense_matrix_for_every_number_of_rows() {
+        for d in 1..=6 {
+            let (blocks, dense) = chain(d);
+            assert_eq!(blocks.to_dense(), dense);
+            let impulse = DVector::from_fn(3 * d, |i, _| i as f64 - 2.0);
+            let [mut velocity, mut sums] = [vec![0.0; 3 * d], vec![0.0; 3 * d]];
+            for k in 0..3 {
+                blocks.add_contact(k, &impulse.as_slice()[d * k..d * k + d], &mut velocity);
+                blocks.add_magnitudes(k, &impulse.as_slice()[d * k..d * k + d], &mut sums);
+            }
+            assert_eq!(velocity, (&dense * &impulse).as_slice(), "small integers are exact");
+            assert_eq!(sums, (dense.abs() * impulse.abs()).as_slice());
+            assert_eq!(blocks.asymmetry(), [(&dense - dense.transpose()).amax(), dense.amax()]);
+            assert!((0..3 * d).all(|i| (0..3 * d).all(|j| blocks.entry(i, j) == dense[(i, j)])));
+        }
+    }
+
+    #[test]
+    fn blocks_outside_of_another_size_or_twice_are_refused() {
+        let one = DMatrix::from_element(1, 1, 1.0);
+        let refused = |blocks: Vec<(usize, usize, DMatrix<f64>)>| BlockSparse::new(1, 2, blocks).unwrap_err().to_string();
+        assert!(refused(vec![(2, 0, one.clone())]).contains("(2, 0)"));
+        assert!(refused(vec![(0, 2, one.clone())]).contains("(0, 2)"));
+        assert!(refused(vec![(0, 1, DMatrix::zeros(2, 1))]).contains("2×1"));
+        assert!(refused(vec![(0, 1, one.clone()), (0, 1, one)]).contains("repeats"));
+        assert_eq!(BlockSparse::new(1, 2, Vec::new()).unwrap().to_dense(), DMatrix::zeros(2, 2));
+    }
+}
