@@ -9,7 +9,7 @@ use crate::gate::baseline::Baseline;
 use crate::gate::conformance::Conformance;
 use crate::gate::process::messages::{Points, ReplyForm, Request};
 use crate::gate::{Description, Report};
-use crate::problem::{ProblemFile, SolutionFile};
+use crate::problem::{LcpFile, ProblemFile, SolutionFile};
 use crate::scenes::Scene;
 use crate::systems;
 use crate::trajectory::Trajectory;
@@ -26,13 +26,18 @@ pub struct Format {
 }
 
 /// Every message and file format.
-pub const FORMATS: [Format; 17] = [
+pub const FORMATS: [Format; 18] = [
     Format { name: "request", about: "a line from the gate to an engine", generate: written::<Request> },
     Format { name: "reply", about: "the line that answers it", generate: read::<ReplyForm> },
     Format { name: "description", about: "the result of `describe`", generate: read::<Description> },
     Format { name: "scene", about: "scene/1, what is simulated", generate: read::<Scene> },
     Format { name: "trajectory", about: "trajectory/1, the result of `simulate`", generate: read::<Trajectory> },
     Format { name: "contact-problem", about: "contact-problem/1, what is solved", generate: read::<ProblemFile> },
+    Format {
+        name: "lcp",
+        about: "lcp/1, a linear complementarity problem, which is solved as frictionless contacts",
+        generate: read::<LcpFile>,
+    },
     Format { name: "solution", about: "solution/1, the result of `solve`", generate: read::<SolutionFile> },
     Format { name: "points", about: "the result of `project`", generate: read::<Points> },
     Format { name: "gate-report", about: "gate-report/1, what `moreau gate` writes", generate: written::<Report> },

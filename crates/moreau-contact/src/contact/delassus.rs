@@ -134,8 +134,13 @@ impl<T: Scalar> MassFactor<T> {
         x
     }
 
+    /// D.
+    pub(crate) fn pivots(&self) -> &[T] {
+        &self.pivots
+    }
+
     /// Overwrites x by L⁻¹x.
-    fn forward(&self, x: &mut [T]) {
+    pub(crate) fn forward(&self, x: &mut [T]) {
         for (i, row) in self.lower.iter().enumerate() {
             for (k, entry) in row {
                 let known = entry.clone() * x[*k].clone();

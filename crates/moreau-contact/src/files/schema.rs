@@ -30,6 +30,15 @@ pub fn read_schema<T: DeserializeOwned>(text: &str, schema: &str) -> Result<T> {
     read_object(text, schema)
 }
 
+/// Whether this is JSON text whose `schema` entry is `schema`.
+pub fn names_schema(text: &str, schema: &str) -> bool {
+    #[derive(Deserialize)]
+    struct Probe {
+        schema: String,
+    }
+    serde_json::from_str::<Probe>(text).is_ok_and(|probe| probe.schema == schema)
+}
+
 /// Reads a value from JSON text that `schema` describes.
 ///
 /// # Errors

@@ -32,16 +32,21 @@ fn read_text_within(file: &Path, limit: u64, cure: &str) -> Result<String> {
 /// # Errors
 /// Those of [`read_text`].
 pub fn read_json(file: &Path) -> Result<String> {
-    read_json_within(file, FILE_BYTES, "split it")
+    read_beginning(file, FILE_BYTES, "split it", |byte| byte == b'{')
 }
 
-/// The text of a file of at most `limit` bytes that is to hold a JSON object: where it begins with something else, only its beginning.
+/// The text of a file of at most `limit` bytes that is to hold a JSON object or a list of numbers: where it begins with something else,
+/// only its beginning.
 ///
 /// # Errors
 /// Those of [`read_text`].
-pub fn read_json_within(file: &Path, limit: u64, cure: &str) -> Result<String> {
+pub fn read_problem(file: &Path, limit: u64, cure: &str) -> Result<String> {
+    read_beginning(file, limit, cure, |byte| byte == b'{' || byte.is_ascii_digit())
+}
+
+fn read_beginning(file: &Path, limit: u64, cure: &str, sensible: impl Fn(u8) -> bool) -> Result<String> {
     let blank = |byte: &u8| byte.is_ascii_whitespace();
-    read_while(file, limit, cure, |start| start.iter().find(|byte| !blank(byte)).is_none_or(|byte| *byte == b'{'))
+    read_while(file, limit, cure, |start| start.iter().find(|byte| !blank(byte)).is_none_or(|byte| sensible(*byte)))
 }
 
 fn read_while(file: &Path, limit: u64, cure: &str, sensible: impl Fn(&[u8]) -> bool) -> Result<String> {

@@ -5,6 +5,7 @@
 //! ```
 //! Contacts of a pile meet some ten others, however large it is: memory and a sweep grow with the number of contacts, not with its square.
 
+use super::Sparse;
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
 
@@ -56,6 +57,29 @@ impl BlockSparse {
             made.push(*row, *column, block.as_slice())?;
         }
         made.finish(contacts);
+        Ok(made)
+    }
+
+    /// The blocks of a sparse matrix of so many rows per contact; entries of one place are added.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if its shape is not square or no multiple of the rows per contact.
+    pub fn from_sparse(sparse: &Sparse, rows_per_contact: usize) -> Result<Self> {
+        let (d, [rows, columns]) = (rows_per_contact, sparse.shape);
+        if rows != columns || !rows.is_multiple_of(d) {
+            let cure = format!("give a square matrix of {d} rows per contact");
+            return Err(Error::invalid("delassus", format!("has shape {rows}×{columns}"), cure));
+        }
+        let mut sorted: Vec<&(usize, usize, f64)> = sparse.entries.iter().collect();
+        sorted.sort_by_key(|(i, j, _)| (j / d, i / d));
+        let mut made = BlockSparse::with_capacity(d, rows / d, sorted.len() / (d * d));
+        let mut block = vec![0.0; d * d];
+        for entries in sorted.chunk_by(|one, other| (one.1 / d, one.0 / d) == (other.1 / d, other.0 / d)) {
+            block.fill(0.0);
+            entries.iter().for_each(|(i, j, value)| block[j % d * d + i % d] += value);
+            made.push(entries[0].0 / d, entries[0].1 / d, &block)?;
+        }
+        made.finish(rows / d);
         Ok(made)
     }
 

@@ -8,8 +8,12 @@ use nalgebra::{DMatrix, DVector};
 use std::sync::OnceLock;
 
 mod blocks;
+mod mechanism;
+mod sparse;
 
 pub use blocks::BlockSparse;
+pub use mechanism::Mechanism;
+pub use sparse::Sparse;
 
 /// W, however it is stored.
 #[derive(Clone, Debug)]

@@ -8,12 +8,14 @@ mod json;
 mod law;
 mod lcp;
 mod planar_problem;
+#[cfg(feature = "files")]
+mod siconos;
 mod solution;
 pub mod stewart_trinkle;
 
 pub use contact_problem::{Compliance, ContactProblem, ContactProblemBuilder, Coordinates, Dynamics};
 #[cfg(feature = "files")]
-pub use json::{ProblemFile, SolutionFile};
+pub use json::{LcpFile, ProblemFile, SolutionFile};
 pub use law::Law;
 pub use lcp::Lcp;
 pub use planar_problem::{ImpulseLcp, PlanarProblem, Response};

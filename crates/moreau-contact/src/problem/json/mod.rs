@@ -1,4 +1,4 @@
-//! Files `contact-problem/1` and `solution/1`.
+//! Files `contact-problem/1`, `lcp/1` and `solution/1`.
 //!
 //! ```json
 //! {"schema": "contact-problem/1", "name": "block on the floor", "dimension": 2, "law": "coulomb", "friction": [0.5],
@@ -9,9 +9,9 @@
 //! `shift` (default 0), `directions` (polyhedral laws), `compliance` {coordinates: contact | edge, diagonal}, `bodies` (the two bodies of
 //! each contact, the ground as null), `provenance` (anything).
 
-use super::{Compliance, ContactProblem, Coordinates, Dynamics, Law, Solution};
+use super::{Compliance, ContactProblem, Coordinates, Dynamics, Law, Solution, siconos};
 use crate::contact::delassus::delassus;
-use crate::files::{read_json, read_json_within, read_schema, write_atomically};
+use crate::files::{names_schema, read_json, read_problem, read_schema, write_atomically};
 use crate::memory;
 use crate::operator::Operator;
 use moreau_exact::{Error, Result};
@@ -20,8 +20,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
+mod lcp;
 mod matrix;
 
+pub use lcp::LcpFile;
 use matrix::MatrixFile;
 
 /// Schema name of a contact problem.
@@ -124,7 +126,7 @@ pub struct SolutionFile {
 }
 
 impl ContactProblem {
-    /// Reads and validates a file `contact-problem/1`.
+    /// Reads and validates a file `contact-problem/1` or `lcp/1`, or a text file `.dat` of Siconos: what begins with a brace is JSON.
     ///
     /// # Errors
     /// [`Error::Read`], or [`Error::InFile`] around what [`ContactProblem::from_json`] says.
@@ -140,16 +142,23 @@ impl ContactProblem {
     /// # Ok::<(), moreau_contact::Error>(())
     /// ```
     pub fn read(file: &Path) -> Result<Self> {
-        let text = read_json_within(file, memory::limit() / TEXT_SHARE, "or allow more with --max-memory")?;
-        Self::from_json(&text).map_err(|error| error.in_file(file))
+        let text = read_problem(file, memory::limit() / TEXT_SHARE, "or allow more with --max-memory")?;
+        let read = match text.trim_start().bytes().next() {
+            Some(b'0'..=b'9') => siconos::read(&text, &file.file_stem().unwrap_or_default().to_string_lossy()),
+            _ => Self::from_json(&text),
+        };
+        read.map_err(|error| error.in_file(file))
     }
 
-    /// Reads and validates the text of a `contact-problem/1`.
+    /// Reads and validates the text of a `contact-problem/1` or an `lcp/1`.
     ///
     /// # Errors
     /// [`Error::Json`], or [`Error::Invalid`] naming the field and the cure.
     pub fn from_json(text: &str) -> Result<Self> {
         memory::require("reading this problem", NUMBER_BYTES * text.bytes().filter(|byte| *byte == b',').count() as u128)?;
+        if text.contains(lcp::LCP_SCHEMA) && names_schema(text, lcp::LCP_SCHEMA) {
+            return lcp::read(text);
+        }
         let file: ProblemFile = read_schema(text, PROBLEM_SCHEMA)?;
         if !(1..=3).contains(&file.dimension) {
             return Err(Error::invalid("dimension", format!("is {}", file.dimension), "use 1 (normal rows only), 2 or 3"));

@@ -1,0 +1,222 @@
+//! W by blocks from a sparse mass matrix and a sparse Jacobian, without a matrix of all velocities or of all contacts.
+//!
+//! ```text
+//!     M̂ = diag(M₁, M₂, …) ,   M_b = L D Lᵀ ,   Y_kb = L⁻¹ H_kbᵀ ,   W_jk = Σ_b Y_jbᵀ D⁻¹ Y_kb
+//! ```
+//! with b over the groups of velocities that M̂ does not couple: the bodies of a pile, the linkages of a robot.
+
+use super::{BlockSparse, Sparse};
+use crate::contact::delassus::MassFactor;
+use crate::memory;
+use moreau_exact::{Error, Result};
+use nalgebra::{DMatrix, DVector};
+
+/// What bodies and contacts have to do with each other: M̂ factored by groups of velocities, and H by contacts and groups.
+#[derive(Clone, Debug)]
+pub struct Mechanism {
+    rows_per_contact: usize,
+    /// Rows of each group in M̂.
+    velocities: Vec<Vec<usize>>,
+    factors: Vec<MassFactor<f64>>,
+    /// Of each contact the groups it touches, and H there, rows of the contact × velocities of the group.
+    jacobian: Vec<Vec<(usize, DMatrix<f64>)>>,
+    size: usize,
+}
+
+impl Mechanism {
+    /// M̂ and H.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if sizes do not fit, or M̂ is not symmetric positive definite.
+    /// ```
+    /// use moreau_contact::nalgebra::{dmatrix, dvector};
+    /// use moreau_contact::operator::{Mechanism, Sparse};
+    ///
+    /// // a mass of 2 kg on the floor and one of 4 kg on top of it
+    /// let mass = Sparse { shape: [2, 2], entries: vec![(0, 0, 2.0), (1, 1, 4.0)] };
+    /// let jacobian = Sparse { shape: [2, 2], entries: vec![(0, 0, 1.0), (1, 0, -1.0), (1, 1, 1.0)] };
+    /// let stack = Mechanism::new(&mass, &jacobian, 1)?;
+    /// assert_eq!(stack.delassus()?.to_dense(), dmatrix![0.5, -0.5; -0.5, 0.75]);
+    /// assert_eq!(stack.solve(&dvector![1.0, 1.0]), dvector![0.5, 0.25]);
+    /// # Ok::<(), moreau_contact::Error>(())
+    /// ```
+    pub fn new(mass: &Sparse, jacobian: &Sparse, rows_per_contact: usize) -> Result<Self> {
+        let size = mass.shape[0];
+        let shape = |field: &str, wanted: [usize; 2], found: [usize; 2]| {
+            let cure = format!("use the shape {}×{}", wanted[0], wanted[1]);
+            if found == wanted { Ok(()) } else { Err(Error::invalid(field, format!("has shape {}×{}", found[0], found[1]), cure)) }
+        };
+        shape("mass", [size, size], mass.shape)?;
+        shape("jacobian", [jacobian.shape[0], size], jacobian.shape)?;
+        let group = groups(mass, size);
+        let mut velocities: Vec<Vec<usize>> = Vec::new();
+        let mut place = vec![(0, 0); size];
+        let mut number = vec![usize::MAX; size];
+        for (row, &root) in group.iter().enumerate() {
+            if number[root] == usize::MAX {
+                number[root] = velocities.len();
+                velocities.push(Vec::new());
+            }
+            place[row] = (number[root], velocities[number[root]].len());
+            velocities[number[root]].push(row);
+        }
+        let need = velocities.iter().map(|rows| memory::matrix(rows.len(), rows.len())).fold(0, u128::saturating_add);
+        memory::require("the mass matrix of this mechanism", need.saturating_mul(2))?;
+        let mut masses: Vec<DMatrix<f64>> = velocities.iter().map(|rows| DMatrix::zeros(rows.len(), rows.len())).collect();
+        for &(row, column, value) in mass.entries.iter().filter(|(.., value)| *value != 0.0) {
+            masses[place[row].0][(place[row].1, place[column].1)] += value;
+        }
+        let factors = masses.iter().map(MassFactor::new).collect::<Result<_>>()?;
+        let mut touched: Vec<Vec<(usize, DMatrix<f64>)>> = vec![Vec::new(); jacobian.shape[0] / rows_per_contact];
+        for &(row, column, value) in jacobian.entries.iter().filter(|(.., value)| *value != 0.0) {
+            let (contact, (group, column)) = (&mut touched[row / rows_per_contact], place[column]);
+            let at = contact.iter().position(|(other, _)| *other == group).unwrap_or_else(|| {
+                contact.push((group, DMatrix::zeros(rows_per_contact, velocities[group].len())));
+                contact.len() - 1
+            });
+            contact[at].1[(row % rows_per_contact, column)] += value;
+        }
+        touched.iter_mut().for_each(|contact| contact.sort_by_key(|(group, _)| *group));
+        Ok(Mechanism { rows_per_contact, velocities, factors, jacobian: touched, size })
+    }
+
+    /// W = H M̂⁻¹ Hᵀ \[1/kg\] by blocks, symmetric to the last bit.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if its blocks would take more memory than is allowed.
+    pub fn delassus(&self) -> Result<BlockSparse> {
+        let (d, contacts) = (self.rows_per_contact, self.jacobian.len());
+        let mut members: Vec<Vec<(usize, usize)>> = vec![Vec::new(); self.velocities.len()];
+        for (k, touched) in self.jacobian.iter().enumerate() {
+            touched.iter().enumerate().for_each(|(place, (group, _))| members[*group].push((k, place)));
+        }
+        let most: u128 = members.iter().map(|contacts| (contacts.len() as u128).pow(2)).sum();
+        memory::require("the Delassus blocks of this problem", most.saturating_mul((d * d * 8 + 16) as u128))?;
+        let halves = self.halves();
+        let mut made = BlockSparse::with_capacity(d, contacts, most as usize);
+        let mut column: Vec<(usize, usize)> = Vec::new();
+        for (k, touched) in self.jacobian.iter().enumerate() {
+            column.clear();
+            for (place, (group, _)) in touched.iter().enumerate() {
+                column.extend(members[*group].iter().map(|&(j, other)| (j, (place << 32) | other)));
+            }
+            column.sort_unstable();
+            let mut next = column.iter().peekable();
+            while let Some(&(j, _)) = next.peek() {
+                let mut block = DMatrix::zeros(d, d);
+                while let Some(&(_, places)) = next.next_if(|(other, _)| other == j) {
+                    let (group, own) = &halves[k][places >> 32];
+                    self.add_product(&mut block, &halves[*j][places & 0xffff_ffff].1, own, *group);
+                }
+                made.push(*j, k, block.as_slice())?;
+            }
+        }
+        made.finish(contacts);
+        Ok(made)
+    }
+
+    /// Y = L⁻¹ Hᵀ of every contact and group.
+    fn halves(&self) -> Vec<Vec<(usize, DMatrix<f64>)>> {
+        let half = |(group, block): &(usize, DMatrix<f64>)| {
+            let mut half = block.transpose();
+            half.column_iter_mut().for_each(|mut column| self.factors[*group].forward(column.as_mut_slice()));
+            (*group, half)
+        };
+        self.jacobian.iter().map(|touched| touched.iter().map(half).collect()).collect()
+    }
+
+    /// Adds Y_jᵀ D⁻¹ Y_k; the products are formed symmetrically, so that W_kj is the transpose of W_jk bit for bit.
+    fn add_product(&self, block: &mut DMatrix<f64>, other: &DMatrix<f64>, own: &DMatrix<f64>, group: usize) {
+        let (pivots, d) = (self.factors[group].pivots(), block.nrows());
+        for (i, j) in (0..d * d).map(|place| (place / d, place % d)) {
+            let terms = pivots.iter().enumerate().map(|(v, pivot)| other[(v, i)] * own[(v, j)] / pivot);
+            block[(i, j)] += terms.sum::<f64>();
+        }
+    }
+
+    /// M̂⁻¹ p \[m/s\], of a generalised impulse p.
+    ///
+    /// # Panics
+    /// If p has another size than M̂.
+    pub fn solve(&self, impulse: &DVector<f64>) -> DVector<f64> {
+        let mut velocity = DVector::zeros(self.size);
+        for (rows, factor) in self.velocities.iter().zip(&self.factors) {
+            let part = factor.solve(&DVector::from_iterator(rows.len(), rows.iter().map(|row| impulse[*row])));
+            rows.iter().zip(part.iter()).for_each(|(row, v)| velocity[*row] = *v);
+        }
+        velocity
+    }
+
+    /// H v \[m/s\], of generalised velocities v.
+    ///
+    /// # Panics
+    /// If v has another size than M̂.
+    pub fn contact_velocity(&self, velocity: &DVector<f64>) -> DVector<f64> {
+        let mut found = DVector::zeros(self.rows_per_contact * self.jacobian.len());
+        for (k, touched) in self.jacobian.iter().enumerate() {
+            for (group, block) in touched {
+                let part = DVector::from_iterator(block.ncols(), self.velocities[*group].iter().map(|row| velocity[*row]));
+                let mut rows = found.rows_mut(k * self.rows_per_contact, self.rows_per_contact);
+                rows += block * part;
+            }
+        }
+        found
+    }
+}
+
+/// The first velocity of its group, for every velocity: those that entries of M̂ connect.
+fn groups(mass: &Sparse, size: usize) -> Vec<usize> {
+    let mut first: Vec<usize> = (0..size).collect();
+    fn root(first: &mut [usize], mut of: usize) -> usize {
+        while first[of] != of {
+            first[of] = first[first[of]];
+            of = first[of];
+        }
+        of
+    }
+    for &(row, column, value) in mass.entries.iter().filter(|(row, column, _)| row != column) {
+        if value != 0.0 {
+            let (one, other) = (root(&mut first, row), root(&mut first, column));
+            first[one.max(other)] = one.min(other);
+        }
+    }
+    (0..size).map(|row| root(&mut first, row)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::delassus::delassus;
+    use nalgebra::{dmatrix, dvector};
+
+    fn sparse(matrix: &DMatrix<f64>) -> Sparse {
+        let places = (0..matrix.nrows()).flat_map(|i| (0..matrix.ncols()).map(move |j| (i, j)));
+        Sparse { shape: [matrix.nrows(), matrix.ncols()], entries: places.map(|(i, j)| (i, j, matrix[(i, j)])).collect() }
+    }
+
+    #[test]
+    fn blocks_of_a_coupled_mass_equal_the_dense_operator() {
+        // the first and the third velocity are coupled, the second is a body of its own
+        let mass = dmatrix![2.0, 0.0, 0.5; 0.0, 3.0, 0.0; 0.5, 0.0, 1.0];
+        let jacobian = dmatrix![1.0, -1.0, 0.0; 0.25, 0.0, 2.0; 0.0, 1.0, 0.0; 0.0, -0.5, 0.0; 1.0, 0.0, 0.0; 0.0, 0.0, 1.0];
+        let mechanism = Mechanism::new(&sparse(&mass), &sparse(&jacobian), 2).unwrap();
+        let (found, dense) = (mechanism.delassus().unwrap(), delassus(&mass, &jacobian).unwrap());
+        let rounding = moreau_exact::tolerance::rounding(16, dense.amax());
+        assert!((found.to_dense() - &dense).amax() <= rounding);
+        assert_eq!(found.asymmetry()[0], 0.0);
+        assert_eq!(found.block_count(), 7, "the second contact does not meet the third");
+        let impulse = dvector![1.0, -2.0, 0.5];
+        assert!((&mass * mechanism.solve(&impulse) - &impulse).amax() <= rounding * mass.amax() * 4.0);
+        assert_eq!(mechanism.contact_velocity(&impulse), &jacobian * impulse);
+    }
+
+    #[test]
+    fn sizes_and_masses_that_do_not_fit_are_refused() {
+        let [mass, row] = [sparse(&dmatrix![1.0, 0.0; 0.0, 1.0]), sparse(&dmatrix![1.0, 0.0])];
+        let refused = |mass: &Sparse, jacobian: &Sparse| Mechanism::new(mass, jacobian, 1).unwrap_err().to_string();
+        assert!(refused(&sparse(&dmatrix![1.0, 0.0]), &row).contains("`mass`"));
+        assert!(refused(&mass, &sparse(&dmatrix![1.0])).contains("`jacobian`"));
+        assert!(refused(&sparse(&dmatrix![1.0, 1.0; 1.0, 1.0]), &row).contains("positive definite"));
+        assert!(refused(&sparse(&dmatrix![1.0, 0.0; 0.0, 0.0]), &row).contains("positive definite"), "a velocity without mass");
+    }
+}
