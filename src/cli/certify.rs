@@ -20,10 +20,10 @@ use std::path::PathBuf;
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// The problem, a file contact-problem/1.
+    /// The problem: contact-problem/1, lcp/1, .dat of Siconos, or HDF5 of FCLIB.
     problem: PathBuf,
-    /// The answer, a file solution/1.
-    solution: PathBuf,
+    /// The answer, a file solution/1; left out, the solution that an HDF5 file of FCLIB holds beside its problem.
+    solution: Option<PathBuf>,
     /// Largest residual accepted, relative to the scale of its contact.
     #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: f64,
@@ -35,6 +35,7 @@ const EXAMPLES: &str = "\
 Examples:
   moreau certify problem.json solution.json
   moreau certify problem.json solution.json --tolerance 1e-12 --format json
+  moreau certify collected.hdf5                          an FCLIB file and the solution stored in it
 
 Exit code 0: a solution; 1: not a solution; 2: the files cannot be read or do not fit each other.";
 
@@ -44,8 +45,9 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let tolerance = arguments.tolerance;
     check_tolerance("--tolerance", tolerance)?;
     let problem = ContactProblem::read(&arguments.problem)?;
-    let solution = Solution::read(&arguments.solution, &problem)?;
-    let residuals = residuals(&problem, &solution).map_err(|error| error.in_file(&arguments.solution))?;
+    let file = arguments.solution.as_ref().unwrap_or(&arguments.problem);
+    let solution = Solution::read(file, &problem)?;
+    let residuals = residuals(&problem, &solution).map_err(|error| error.in_file(file))?;
     let certificate = Certificate::new(&problem, &solution, &residuals, tolerance);
     print(&match arguments.common.format {
         Format::Text => certificate.text(),

@@ -17,12 +17,12 @@ use std::path::PathBuf;
 
 /// Solve a contact problem and certify the answer.
 ///
-/// Reads a file contact-problem/1, writes a solution/1 with its residuals, and prints the certificate: on standard
+/// Reads a file contact-problem/1, lcp/1, Siconos's .dat or FCLIB's HDF5, writes a solution/1 with its residuals, and prints the certificate: on standard
 /// error if the solution goes to standard output, on standard output if it goes to a file.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// The problem, a file contact-problem/1.
+    /// The problem: contact-problem/1, lcp/1, .dat of Siconos, or HDF5 of FCLIB.
     problem: PathBuf,
     /// Which algorithm proposes the answer.
     #[arg(long, default_value = "auto", value_name = "NAME", help = solver_help())]
@@ -68,7 +68,9 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         .map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
     keep_input(&arguments.problem, "--out", arguments.out.as_deref())?;
     let problem = ContactProblem::read(&arguments.problem)?;
-    memory::require(&format!("solving {} rows", problem.rows()), 8 * memory::matrix(problem.rows(), problem.rows()))?;
+    if problem.delassus().blocks().is_none() {
+        memory::require(&format!("solving {} rows", problem.rows()), 8 * memory::matrix(problem.rows(), problem.rows()))?;
+    }
     let solution = match solver.solve(&problem, None).map_err(|error| error.in_file(&arguments.problem)) {
         Ok(solution) => solution,
         Err(error) if arguments.common.format == Format::Json => return no_answer(error, arguments.out.is_none()),

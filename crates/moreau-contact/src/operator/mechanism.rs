@@ -9,7 +9,7 @@ use super::{BlockSparse, Sparse};
 use crate::contact::delassus::MassFactor;
 use crate::memory;
 use moreau_exact::{Error, Result};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Dyn, LU};
 
 /// What bodies and contacts have to do with each other: M̂ factored by groups of velocities, and H by contacts and groups.
 #[derive(Clone, Debug)]
@@ -17,17 +17,61 @@ pub struct Mechanism {
     rows_per_contact: usize,
     /// Rows of each group in M̂.
     velocities: Vec<Vec<usize>>,
-    factors: Vec<MassFactor<f64>>,
+    factors: Vec<Factor>,
     /// Of each contact the groups it touches, and H there, rows of the contact × velocities of the group.
     jacobian: Vec<Vec<(usize, DMatrix<f64>)>>,
     size: usize,
 }
 
+/// A factored mass of one group: symmetric and definite, or – an iteration matrix of large rotations or of joints – any that is regular.
+#[derive(Clone, Debug)]
+enum Factor {
+    Symmetric(MassFactor<f64>),
+    Any(LU<f64, Dyn, Dyn>),
+}
+
+impl Factor {
+    fn new(mass: &DMatrix<f64>) -> Result<Self> {
+        if *mass == mass.transpose() {
+            return MassFactor::new(mass).map(Factor::Symmetric);
+        }
+        let symmetric = (mass + mass.transpose()) * 0.5;
+        MassFactor::new(&symmetric)?; // a definite symmetric part makes the mass regular, and keeps every impulse from gaining energy
+        Ok(Factor::Any(mass.clone().lu()))
+    }
+
+    fn solve(&self, impulse: &DVector<f64>) -> DVector<f64> {
+        match self {
+            Factor::Symmetric(factor) => factor.solve(impulse),
+            Factor::Any(factor) => factor.solve(impulse).expect("it is regular"),
+        }
+    }
+
+    /// What a contact's H is multiplied with from the left and from the right: L⁻¹Hᵀ and D⁻¹L⁻¹Hᵀ, or Hᵀ and M⁻¹Hᵀ.
+    fn halves(&self, jacobian: &DMatrix<f64>) -> Halves {
+        let mut left = jacobian.transpose();
+        match self {
+            Factor::Symmetric(factor) => {
+                left.column_iter_mut().for_each(|mut column| factor.forward(column.as_mut_slice()));
+                Halves { right: left.clone(), left, pivots: factor.pivots().to_vec() }
+            }
+            Factor::Any(factor) => Halves { right: factor.solve(&left).expect("it is regular"), pivots: vec![1.0; left.nrows()], left },
+        }
+    }
+}
+
+/// The two halves of W at one contact and one group: a block is Σ left right / pivot.
+struct Halves {
+    left: DMatrix<f64>,
+    right: DMatrix<f64>,
+    pivots: Vec<f64>,
+}
+
 impl Mechanism {
-    /// M̂ and H.
+    /// M̂ and H. M̂ may be asymmetric where its symmetric part is definite; so is W then.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if sizes do not fit, or M̂ is not symmetric positive definite.
+    /// [`Error::Invalid`] if sizes do not fit, or M̂ is not definite.
     /// ```
     /// use moreau_contact::nalgebra::{dmatrix, dvector};
     /// use moreau_contact::operator::{Mechanism, Sparse};
@@ -66,7 +110,7 @@ impl Mechanism {
         for &(row, column, value) in mass.entries.iter().filter(|(.., value)| *value != 0.0) {
             masses[place[row].0][(place[row].1, place[column].1)] += value;
         }
-        let factors = masses.iter().map(MassFactor::new).collect::<Result<_>>()?;
+        let factors = masses.iter().map(Factor::new).collect::<Result<_>>()?;
         let mut touched: Vec<Vec<(usize, DMatrix<f64>)>> = vec![Vec::new(); jacobian.shape[0] / rows_per_contact];
         for &(row, column, value) in jacobian.entries.iter().filter(|(.., value)| *value != 0.0) {
             let (contact, (group, column)) = (&mut touched[row / rows_per_contact], place[column]);
@@ -80,7 +124,7 @@ impl Mechanism {
         Ok(Mechanism { rows_per_contact, velocities, factors, jacobian: touched, size })
     }
 
-    /// W = H M̂⁻¹ Hᵀ \[1/kg\] by blocks, symmetric to the last bit.
+    /// W = H M̂⁻¹ Hᵀ \[1/kg\] by blocks, symmetric to the last bit if M̂ is.
     ///
     /// # Errors
     /// [`Error::Invalid`] if its blocks would take more memory than is allowed.
@@ -105,8 +149,8 @@ impl Mechanism {
             while let Some(&(j, _)) = next.peek() {
                 let mut block = DMatrix::zeros(d, d);
                 while let Some(&(_, places)) = next.next_if(|(other, _)| other == j) {
-                    let (group, own) = &halves[k][places >> 32];
-                    self.add_product(&mut block, &halves[*j][places & 0xffff_ffff].1, own, *group);
+                    let (own, other) = (&halves[k][places >> 32], &halves[*j][places & 0xffff_ffff]);
+                    add_product(&mut block, &other.left, own);
                 }
                 made.push(*j, k, block.as_slice())?;
             }
@@ -115,23 +159,9 @@ impl Mechanism {
         Ok(made)
     }
 
-    /// Y = L⁻¹ Hᵀ of every contact and group.
-    fn halves(&self) -> Vec<Vec<(usize, DMatrix<f64>)>> {
-        let half = |(group, block): &(usize, DMatrix<f64>)| {
-            let mut half = block.transpose();
-            half.column_iter_mut().for_each(|mut column| self.factors[*group].forward(column.as_mut_slice()));
-            (*group, half)
-        };
-        self.jacobian.iter().map(|touched| touched.iter().map(half).collect()).collect()
-    }
-
-    /// Adds Y_jᵀ D⁻¹ Y_k; the products are formed symmetrically, so that W_kj is the transpose of W_jk bit for bit.
-    fn add_product(&self, block: &mut DMatrix<f64>, other: &DMatrix<f64>, own: &DMatrix<f64>, group: usize) {
-        let (pivots, d) = (self.factors[group].pivots(), block.nrows());
-        for (i, j) in (0..d * d).map(|place| (place / d, place % d)) {
-            let terms = pivots.iter().enumerate().map(|(v, pivot)| other[(v, i)] * own[(v, j)] / pivot);
-            block[(i, j)] += terms.sum::<f64>();
-        }
+    /// The halves of every contact, as many as it touches groups.
+    fn halves(&self) -> Vec<Vec<Halves>> {
+        self.jacobian.iter().map(|touched| touched.iter().map(|(group, block)| self.factors[*group].halves(block)).collect()).collect()
     }
 
     /// M̂⁻¹ p \[m/s\], of a generalised impulse p.
@@ -161,6 +191,15 @@ impl Mechanism {
             }
         }
         found
+    }
+}
+
+/// Adds leftᵀ D⁻¹ right; each product is formed in one order, so that W_kj is the transpose of W_jk bit for bit where M̂ is symmetric.
+fn add_product(block: &mut DMatrix<f64>, left: &DMatrix<f64>, own: &Halves) {
+    let d = block.nrows();
+    for (i, j) in (0..d * d).map(|place| (place / d, place % d)) {
+        let terms = own.pivots.iter().enumerate().map(|(v, pivot)| left[(v, i)] * own.right[(v, j)] / pivot);
+        block[(i, j)] += terms.sum::<f64>();
     }
 }
 
@@ -208,6 +247,17 @@ mod tests {
         let impulse = dvector![1.0, -2.0, 0.5];
         assert!((&mass * mechanism.solve(&impulse) - &impulse).amax() <= rounding * mass.amax() * 4.0);
         assert_eq!(mechanism.contact_velocity(&impulse), &jacobian * impulse);
+    }
+
+    #[test]
+    fn an_asymmetric_mass_makes_an_asymmetric_operator() {
+        let [mass, jacobian] = [dmatrix![2.0, 0.5; -0.25, 1.0], dmatrix![1.0, 2.0; 0.0, 1.0]];
+        let mechanism = Mechanism::new(&sparse(&mass), &sparse(&jacobian), 1).unwrap();
+        let expected = &jacobian * mass.clone().try_inverse().unwrap() * jacobian.transpose();
+        assert!((mechanism.delassus().unwrap().to_dense() - &expected).amax() <= moreau_exact::tolerance::rounding(16, 8.0));
+        let impulse = dvector![1.0, -2.0];
+        assert!((&mass * mechanism.solve(&impulse) - &impulse).amax() <= moreau_exact::tolerance::rounding(16, 8.0));
+        assert!(Mechanism::new(&sparse(&dmatrix![1.0, 4.0; -4.0, -1.0]), &sparse(&jacobian), 1).is_err(), "not definite");
     }
 
     #[test]

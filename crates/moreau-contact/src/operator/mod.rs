@@ -127,6 +127,27 @@ impl Operator {
         }
     }
 
+    /// Gives every entry of column j that is stored and not zero, with its row, rows growing.
+    ///
+    /// # Panics
+    /// If there is no column j.
+    pub fn for_each_in_column(&self, j: usize, mut give: impl FnMut(usize, f64)) {
+        let mut nonzero = |i: usize, w: f64| {
+            if w != 0.0 {
+                give(i, w)
+            }
+        };
+        match self {
+            Operator::Dense(dense) => dense.column(j).iter().enumerate().for_each(|(i, w)| nonzero(i, *w)),
+            Operator::Blocks(stored) => {
+                let d = stored.blocks.rows_per_contact();
+                for (i, block) in stored.blocks.column(j / d) {
+                    block[j % d * d..(j % d + 1) * d].iter().enumerate().for_each(|(row, w)| nonzero(d * i + row, *w));
+                }
+            }
+        }
+    }
+
     /// Adds Σ_j |W_ij| |r_j| to every entry i, for bounds of rounding.
     pub(crate) fn add_magnitudes(&self, impulse: &[f64], sums: &mut [f64]) {
         match self {

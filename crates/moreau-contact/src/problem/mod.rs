@@ -3,6 +3,8 @@
 //! This module imports no solver and no scheme.
 
 mod contact_problem;
+#[cfg(feature = "fclib")]
+mod fclib;
 #[cfg(feature = "files")]
 mod json;
 mod law;

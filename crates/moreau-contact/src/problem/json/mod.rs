@@ -126,7 +126,8 @@ pub struct SolutionFile {
 }
 
 impl ContactProblem {
-    /// Reads and validates a file `contact-problem/1` or `lcp/1`, or a text file `.dat` of Siconos: what begins with a brace is JSON.
+    /// Reads and validates a file `contact-problem/1` or `lcp/1`, or a text file `.dat` of Siconos, or – with the feature
+    /// `fclib` – an HDF5 file of FCLIB; its first byte tells which.
     ///
     /// # Errors
     /// [`Error::Read`], or [`Error::InFile`] around what [`ContactProblem::from_json`] says.
@@ -142,6 +143,10 @@ impl ContactProblem {
     /// # Ok::<(), moreau_contact::Error>(())
     /// ```
     pub fn read(file: &Path) -> Result<Self> {
+        #[cfg(feature = "fclib")]
+        if super::fclib::is_hdf5(file) {
+            return super::fclib::read(file).map_err(|error| error.in_file(file));
+        }
         let text = read_problem(file, memory::limit() / TEXT_SHARE, "or allow more with --max-memory")?;
         let read = match text.trim_start().bytes().next() {
             Some(b'0'..=b'9') => siconos::read(&text, &file.file_stem().unwrap_or_default().to_string_lossy()),
@@ -213,12 +218,16 @@ impl ContactProblem {
 }
 
 impl Solution {
-    /// Reads a file `solution/1` that answers this problem; residuals stored in it are not trusted and not kept.
+    /// Reads a file `solution/1`, or the group `solution` of an FCLIB file, that answers this problem; residuals stored in it are not trusted and not kept.
     ///
     /// # Errors
     /// [`Error::Read`], or [`Error::InFile`] around what [`Solution::from_json`] says, or around [`Error::Invalid`] where the file names
     /// another problem.
     pub fn read(file: &Path, problem: &ContactProblem) -> Result<Self> {
+        #[cfg(feature = "fclib")]
+        if super::fclib::is_hdf5(file) {
+            return super::fclib::read_solution(file).map_err(|error| error.in_file(file));
+        }
         let answer: Result<SolutionFile> = read_schema(&read_json(file)?, SOLUTION_SCHEMA);
         answer.and_then(|answer| answer.answers(problem).map(|()| Self::from(answer))).map_err(|error| error.in_file(file))
     }

@@ -1,0 +1,121 @@
+//! FCLIB's HDF5 files: one friction problem each, local or global, with a solution and guesses where stored.
+//!
+//! ```text
+//!     fclib_local     W, q, μ           u = W r + q                        r, u per contact (n, t₁, t₂)
+//!     fclib_global    M, H, f, w, μ     M v = H r + f ,  u = Hᵀ v + w      so W = Hᵀ M⁻¹ H ,  q = Hᵀ M⁻¹ f + w
+//! ```
+//! The law is Coulomb's. Global problems with bilateral rows G are refused.
+//!
+//! # Source
+//! V. Acary et al., *FCLIB: a collection of discrete 3D frictional contact problems*; the format as its files show it.
+
+use super::{ContactProblem, Law, Solution};
+use crate::memory;
+use crate::operator::{BlockSparse, Mechanism};
+use hdf5_pure::File;
+use moreau_exact::{Error, Result};
+use nalgebra::DVector;
+use std::io::Read;
+use std::path::Path;
+
+mod matrix;
+mod write;
+
+#[cfg(test)]
+mod tests;
+
+/// A file may take this part of the memory: what is read of it takes the rest.
+const FILE_SHARE: u64 = 4;
+
+/// Whether a file begins as HDF5 files do.
+pub(super) fn is_hdf5(file: &Path) -> bool {
+    let mut start = [0; 8];
+    std::fs::File::open(file).is_ok_and(|mut open| open.read_exact(&mut start).is_ok() && start == *b"\x89HDF\r\n\x1a\n")
+}
+
+/// Reads the problem of a file.
+///
+/// # Errors
+/// [`Error::Invalid`] naming the group or dataset that is missing or does not fit.
+pub(super) fn read(file: &Path) -> Result<ContactProblem> {
+    let open = open(file)?;
+    let name = file.file_stem().unwrap_or_default().to_string_lossy();
+    let has = |group: &str| open.group(group).is_ok();
+    match (has("fclib_local"), has("fclib_global")) {
+        (true, false) => local(&open, &name),
+        (false, true) => global(&open, &name),
+        _ => Err(Error::invalid(
+            "fclib_local",
+            "and `fclib_global` are both missing or both there",
+            "give a file that holds one problem of FCLIB",
+        )),
+    }
+}
+
+/// Reads the group `solution`: r, and u as it is stored.
+///
+/// # Errors
+/// [`Error::Invalid`] if there is none.
+pub(super) fn read_solution(file: &Path) -> Result<Solution> {
+    let open = open(file)?;
+    let [impulse, velocity] = [numbers(&open, "solution/r")?, numbers(&open, "solution/u")?].map(DVector::from_vec);
+    Ok(Solution::new("stored", impulse, velocity, 0))
+}
+
+fn open(file: &Path) -> Result<File> {
+    let bytes = std::fs::metadata(file).map_err(|source| Error::Read { file: file.to_path_buf(), source })?.len();
+    memory::require("reading this file", u128::from(bytes) * u128::from(FILE_SHARE))?;
+    File::open(file).map_err(|error| Error::invalid("HDF5", error.to_string(), "give a whole HDF5 file; it may be truncated"))
+}
+
+fn local(file: &File, name: &str) -> Result<ContactProblem> {
+    let dimension = dimension(file, "fclib_local/spacedim")?;
+    let w = matrix::read(file, "fclib_local/W")?;
+    let free = DVector::from_vec(numbers(file, "fclib_local/vectors/q")?);
+    built(BlockSparse::from_sparse(&w, dimension)?, free, numbers(file, "fclib_local/vectors/mu")?, dimension, name)
+}
+
+fn global(file: &File, name: &str) -> Result<ContactProblem> {
+    if file.group("fclib_global/G").is_ok() {
+        return Err(Error::invalid(
+            "fclib_global/G",
+            "holds bilateral rows",
+            "eliminate them, or give the local problem: contacts alone are solved",
+        ));
+    }
+    let dimension = dimension(file, "fclib_global/spacedim")?;
+    let [mass, jacobian] = [matrix::read(file, "fclib_global/M")?, matrix::read(file, "fclib_global/H")?];
+    let [force, added] = [numbers(file, "fclib_global/vectors/f")?, numbers(file, "fclib_global/vectors/w")?].map(DVector::from_vec);
+    for (what, found, wanted) in [("f", force.len(), mass.shape[0]), ("w", added.len(), jacobian.shape[1])] {
+        if found != wanted {
+            let field = format!("fclib_global/vectors/{what}");
+            return Err(Error::invalid(field, format!("has {found} numbers"), format!("give {wanted}, as M and H have")));
+        }
+    }
+    let mechanism = Mechanism::new(&mass, &jacobian.transposed(), dimension)?;
+    let free = mechanism.contact_velocity(&mechanism.solve(&force)) + added;
+    built(mechanism.delassus()?, free, numbers(file, "fclib_global/vectors/mu")?, dimension, name)
+}
+
+fn built(delassus: BlockSparse, free: DVector<f64>, friction: Vec<f64>, dimension: usize, name: &str) -> Result<ContactProblem> {
+    ContactProblem::new(delassus, free).name(name).law(Law::Coulomb).rows_per_contact(dimension).friction(friction).build()
+}
+
+fn dimension(file: &File, path: &str) -> Result<usize> {
+    match integers(file, path)?[..] {
+        [dimension @ (2 | 3)] => Ok(dimension as usize),
+        ref other => Err(Error::invalid(path, format!("is {other:?}"), "use 2 or 3")),
+    }
+}
+
+fn missing(path: &str, error: impl std::fmt::Display) -> Error {
+    Error::invalid(path, format!("cannot be read: {error}"), "give the dataset as FCLIB stores it")
+}
+
+fn numbers(file: &File, path: &str) -> Result<Vec<f64>> {
+    file.dataset(path).and_then(|data| data.read_f64()).map_err(|error| missing(path, error))
+}
+
+fn integers(file: &File, path: &str) -> Result<Vec<i32>> {
+    file.dataset(path).and_then(|data| data.read_i32()).map_err(|error| missing(path, error))
+}

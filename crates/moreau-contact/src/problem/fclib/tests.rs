@@ -1,0 +1,125 @@
+use super::*;
+use hdf5_pure::{FileBuilder, GroupBuilder};
+use nalgebra::{DMatrix, dmatrix, dvector};
+use std::path::PathBuf;
+
+fn with_file(bytes: &[u8], check: impl Fn(&Path)) {
+    static NUMBER: std::sync::atomic::AtomicUsize = std::sync::atomic::AtomicUsize::new(0);
+    let number = NUMBER.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+    let file: PathBuf = std::env::temp_dir().join(format!("moreau-fclib-{}-{number}.hdf5", std::process::id()));
+    std::fs::write(&file, bytes).unwrap();
+    check(&file);
+    std::fs::remove_file(&file).unwrap();
+}
+
+fn matrix(group: &mut GroupBuilder, shape: [i32; 2], nz: i32, [p, i]: [&[i32]; 2], x: &[f64]) {
+    for (name, value) in [("m", shape[0]), ("n", shape[1]), ("nz", nz), ("nzmax", x.len() as i32)] {
+        group.create_dataset(name).with_i32_data(&[value]);
+    }
+    group.create_dataset("p").with_i32_data(p);
+    group.create_dataset("i").with_i32_data(i);
+    group.create_dataset("x").with_f64_data(x);
+}
+
+/// One planar contact with W = (2, 3; 0, 4), stored in one of the three ways.
+fn stored(nz: i32, places: [&[i32]; 2], x: &[f64]) -> Vec<u8> {
+    let mut file = FileBuilder::new();
+    let mut problem = file.create_group("fclib_local");
+    problem.create_dataset("spacedim").with_i32_data(&[2]);
+    let mut w = problem.create_group("W");
+    matrix(&mut w, [2, 2], nz, places, x);
+    problem.add_group(w.finish());
+    let mut vectors = problem.create_group("vectors");
+    vectors.create_dataset("q").with_f64_data(&[-1.0, 0.5]);
+    vectors.create_dataset("mu").with_f64_data(&[0.25]);
+    problem.add_group(vectors.finish());
+    file.add_group(problem.finish());
+    file.finish().unwrap()
+}
+
+#[test]
+fn triplets_compressed_columns_and_compressed_rows_are_one_matrix() {
+    let x = [2.0, 3.0, 4.0];
+    for (nz, places) in [(3, [&[0, 1, 1][..], &[0, 0, 1]]), (-1, [&[0, 1, 3], &[0, 0, 1]]), (-2, [&[0, 2, 3], &[0, 1, 1]])] {
+        with_file(&stored(nz, places, &x), |file| {
+            assert!(is_hdf5(file));
+            let problem = ContactProblem::read(file).unwrap();
+            assert_eq!(problem.dense(), &dmatrix![2.0, 3.0; 0.0, 4.0], "nz = {nz}");
+            assert_eq!((problem.free_velocity(), problem.friction()), (&dvector![-1.0, 0.5], &[0.25][..]));
+            assert!(Solution::read(file, &problem).unwrap_err().to_string().contains("solution/r"));
+        });
+    }
+}
+
+#[test]
+fn a_global_problem_is_reduced_to_its_contacts() {
+    let mut file = FileBuilder::new();
+    let mut problem = file.create_group("fclib_global");
+    problem.create_dataset("spacedim").with_i32_data(&[2]);
+    let mut m = problem.create_group("M");
+    matrix(&mut m, [2, 2], 2, [&[0, 1], &[0, 1]], &[2.0, 4.0]);
+    problem.add_group(m.finish());
+    // H with one column per contact row: v₁ is the normal velocity, v₁ + v₂ the tangential one
+    let mut h = problem.create_group("H");
+    matrix(&mut h, [2, 2], 3, [&[0, 1, 1], &[0, 0, 1]], &[1.0, 1.0, 1.0]);
+    problem.add_group(h.finish());
+    let mut vectors = problem.create_group("vectors");
+    for (name, values) in [("f", &[2.0, -8.0][..]), ("w", &[0.5, 0.0]), ("mu", &[0.25])] {
+        vectors.create_dataset(name).with_f64_data(values);
+    }
+    problem.add_group(vectors.finish());
+    file.add_group(problem.finish());
+    with_file(&file.finish().unwrap(), |file| {
+        let problem = ContactProblem::read(file).unwrap();
+        assert_eq!(problem.dense(), &dmatrix![0.5, 0.5; 0.5, 0.75]);
+        assert_eq!(problem.free_velocity(), &dvector![1.5, -1.0]);
+    });
+}
+
+#[test]
+fn what_is_written_comes_back_bit_for_bit_with_solution_and_guess() {
+    let w = DMatrix::from_fn(6, 6, |i, j| if i == j { 1.0 / 3.0 } else { 0.1 / (1 + i + j) as f64 });
+    let problem =
+        ContactProblem::new(w, dvector![-0.1, 0.2, 0.3, -1e-9, 5e-324, 1e300]).name("two, µ").friction(vec![0.1, 0.7]).build().unwrap();
+    let solution = Solution::new("mine", dvector![0.1, 0.0, 0.0, 1.0 / 3.0, 0.0, 0.0], problem.free_velocity().clone(), 3);
+    let bytes = problem.to_fclib(Some(&solution), Some(&solution.impulse)).unwrap();
+    with_file(&bytes, |file| {
+        let back = ContactProblem::read(file).unwrap();
+        assert_eq!((back.dense(), back.free_velocity(), back.friction()), (problem.dense(), problem.free_velocity(), problem.friction()));
+        let again = Solution::read(file, &back).unwrap();
+        assert_eq!((again.impulse, again.velocity), (solution.impulse.clone(), solution.velocity.clone()));
+        assert_eq!(numbers(&open(file).unwrap(), "guesses/1/r").unwrap(), solution.impulse.as_slice());
+    });
+    // what is cut off may be the guess alone
+    for end in (1..bytes.len()).step_by(97) {
+        with_file(&bytes[..end], |file| {
+            let read = ContactProblem::read(file);
+            assert!(
+                read.as_ref().map_or(end < bytes.len(), |back| end > bytes.len() / 2 && back.dense() == problem.dense()),
+                "{end} bytes"
+            );
+        });
+    }
+}
+
+#[test]
+fn what_fclib_cannot_hold_and_what_does_not_fit_is_named() {
+    let problem = ContactProblem::new(DMatrix::identity(3, 3), dvector![-1.0, 0.0, 0.0]).friction(vec![0.5]).build().unwrap();
+    let refused = |problem: ContactProblem| problem.to_fclib(None, None).unwrap_err().to_string();
+    assert!(refused(problem.clone().into_builder().law(Law::Associated).build().unwrap()).contains("law"));
+    assert!(refused(problem.clone().into_builder().shift(dvector![0.1, 0.0, 0.0]).build().unwrap()).contains("shift"));
+    let wrong = |bytes: Vec<u8>, word: &str| {
+        with_file(&bytes, |file| {
+            let message = ContactProblem::read(file).unwrap_err().to_string();
+            assert!(message.contains(word), "{message} misses {word}");
+        });
+    };
+    let x = [2.0, 3.0, 4.0];
+    wrong(stored(-3, [&[0, 1, 3], &[0, 0, 1]], &x), "W/nz");
+    wrong(stored(-1, [&[0, 1], &[0, 0, 1]], &x), "W/p");
+    wrong(stored(-1, [&[0, 1, 4], &[0, 0, 1]], &x), "W/p");
+    wrong(stored(-1, [&[0, 1, 3], &[0, 0, 2]], &x), "(2, 1)");
+    wrong(stored(3, [&[0, 1, -1], &[0, 0, 1]], &x), "(1, -1)");
+    wrong(stored(4, [&[0, 1, 1], &[0, 0, 1]], &x), "places");
+    wrong(FileBuilder::new().finish().unwrap(), "fclib_local");
+}

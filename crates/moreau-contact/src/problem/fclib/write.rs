@@ -1,0 +1,105 @@
+//! A problem written as FCLIB's HDF5, with its solution and a guess.
+
+use super::matrix::COLUMNS;
+use crate::problem::{ContactProblem, Law, Solution};
+use hdf5_pure::{FileBuilder, GroupBuilder};
+use moreau_exact::{Error, Result};
+use nalgebra::DVector;
+
+impl ContactProblem {
+    /// The problem as a local FCLIB file, with its solution and one guess where given: W in compressed columns, every number bit for bit.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] for what FCLIB has no place for: another law than Coulomb's, one row per contact, a shift, a compliance, or
+    /// more entries than its 32-bit numbers count.
+    /// ```
+    /// use moreau_contact::nalgebra::{DMatrix, dvector};
+    /// use moreau_contact::prelude::*;
+    ///
+    /// let block = ContactProblem::new(DMatrix::identity(3, 3), dvector![-1.0, 2.0, 0.0]).friction(vec![0.5]).build()?;
+    /// let answer = Auto.solve(&block, None)?;
+    /// let file = std::env::temp_dir().join(format!("moreau-fclib-{}.hdf5", std::process::id()));
+    /// std::fs::write(&file, block.to_fclib(Some(&answer), None)?).expect("a folder for temporary files");
+    /// let back = ContactProblem::read(&file)?;
+    /// assert_eq!((back.dense(), back.free_velocity()), (block.dense(), block.free_velocity()));
+    /// assert_eq!(Solution::read(&file, &back)?.impulse, answer.impulse);
+    /// # std::fs::remove_file(&file).expect("it was written");
+    /// # Ok::<(), moreau_contact::Error>(())
+    /// ```
+    pub fn to_fclib(&self, solution: Option<&Solution>, guess: Option<&DVector<f64>>) -> Result<Vec<u8>> {
+        self.fits_fclib()?;
+        let mut file = FileBuilder::new();
+        let mut problem = file.create_group("fclib_local");
+        problem.create_dataset("spacedim").with_i32_data(&[self.rows_per_contact() as i32]);
+        let mut info = problem.create_group("info");
+        for (name, text) in [("title", self.name()), ("description", "written by moreau"), ("math_info", "unknown")] {
+            let text = if text.is_empty() { "unnamed" } else { text };
+            info.create_dataset(name).with_strings(&[text]).map_err(failed)?.with_shape(&[]);
+        }
+        problem.add_group(info.finish());
+        let mut w = problem.create_group("W");
+        self.write_columns(&mut w)?;
+        problem.add_group(w.finish());
+        let mut vectors = problem.create_group("vectors");
+        vectors.create_dataset("q").with_f64_data(self.free_velocity().as_slice());
+        vectors.create_dataset("mu").with_f64_data(self.friction());
+        problem.add_group(vectors.finish());
+        file.add_group(problem.finish());
+        if let Some(solution) = solution {
+            let mut group = file.create_group("solution");
+            group.create_dataset("r").with_f64_data(solution.impulse.as_slice());
+            group.create_dataset("u").with_f64_data(solution.velocity.as_slice());
+            file.add_group(group.finish());
+        }
+        if let Some(guess) = guess {
+            let mut guesses = file.create_group("guesses");
+            guesses.create_dataset("number_of_guesses").with_i32_data(&[1]);
+            let mut first = guesses.create_group("1");
+            first.create_dataset("r").with_f64_data(guess.as_slice());
+            first.create_dataset("u").with_f64_data(self.velocity(guess).as_slice());
+            guesses.add_group(first.finish());
+            file.add_group(guesses.finish());
+        }
+        file.finish().map_err(failed)
+    }
+
+    fn fits_fclib(&self) -> Result<()> {
+        let lacks = [
+            (self.law() != Law::Coulomb, "laws other than Coulomb's"),
+            (self.rows_per_contact() == 1, "contacts of one row"),
+            (self.shift().iter().any(|shift| *shift != 0.0), "a shift"),
+            (self.compliance().is_some(), "a compliance"),
+            (self.contacts() == 0, "problems without contacts"),
+        ];
+        match lacks.into_iter().find(|(has, _)| *has) {
+            Some((_, what)) => Err(Error::Unsupported(format!("FCLIB has no place for {what}; write `contact-problem/1`"))),
+            None => Ok(()),
+        }
+    }
+
+    /// m, n, nz, nzmax, p, i, x of W in compressed columns.
+    fn write_columns(&self, group: &mut GroupBuilder) -> Result<()> {
+        let too_large = |_| Error::Unsupported("FCLIB counts entries with 32 bits, and this problem has more".into());
+        let (mut pointers, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
+        for column in 0..self.rows() {
+            self.delassus().for_each_in_column(column, |row, value| {
+                rows.push(row);
+                values.push(value);
+            });
+            pointers.push(i32::try_from(rows.len()).map_err(too_large)?);
+        }
+        let rows: Vec<i32> = rows.into_iter().map(i32::try_from).collect::<std::result::Result<_, _>>().map_err(too_large)?;
+        let size = i32::try_from(self.rows()).map_err(too_large)?;
+        for (name, value) in [("m", size), ("n", size), ("nz", COLUMNS), ("nzmax", pointers[self.rows()])] {
+            group.create_dataset(name).with_i32_data(&[value]);
+        }
+        group.create_dataset("p").with_i32_data(&pointers);
+        group.create_dataset("i").with_i32_data(&rows);
+        group.create_dataset("x").with_f64_data(&values);
+        Ok(())
+    }
+}
+
+fn failed(error: impl std::fmt::Display) -> Error {
+    Error::Unsupported(format!("HDF5: {error}"))
+}
