@@ -4,6 +4,7 @@
 //! 3 the engine to be judged could not be run.
 
 mod answer;
+mod bench;
 mod certificate_options;
 mod certify;
 mod claim_filters;
@@ -51,6 +52,7 @@ Examples:
   moreau verify --explain S4.copos-plus      one claim: witness, corrected theorem, sources
   moreau solve problem.json --out answer.json
   moreau certify problem.json answer.json    residuals with units: is it a solution?
+  moreau bench problems/                     times of solvers, each beside its certified residual
   moreau simulate --scene bouncing-ball --step 0.01 --plot ball.svg
   moreau compare bouncing-ball --step 0.01 --plot schemes.svg
   moreau systems                             every simulator on four axes, with measured agreement
@@ -68,6 +70,7 @@ enum Command {
     Verify(verify::Arguments),
     Solve(solve::Arguments),
     Certify(certify::Arguments),
+    Bench(bench::Arguments),
     Simulate(Box<simulate::Arguments>),
     Compare(compare::Arguments),
     Gate(Box<gate::Arguments>),
@@ -93,6 +96,7 @@ pub fn run() -> ExitCode {
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Certify(arguments) => certify::run(&arguments),
+        Command::Bench(arguments) => bench::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Gate(arguments) => gate::run(&arguments),

@@ -2,6 +2,7 @@
 //!
 //! A schema says which fields there are and of what kind; sizes that must agree, unit lengths and the like are checked by the readers.
 
+use super::bench::Bench;
 use super::comparison::Comparison;
 use super::json::{ClaimEntry, ExplanationEntry, OutcomeEntry};
 use super::witnesses::WitnessDocument;
@@ -26,7 +27,7 @@ pub struct Format {
 }
 
 /// Every message and file format.
-pub const FORMATS: [Format; 18] = [
+pub const FORMATS: [Format; 19] = [
     Format { name: "request", about: "a line from the gate to an engine", generate: written::<Request> },
     Format { name: "reply", about: "the line that answers it", generate: read::<ReplyForm> },
     Format { name: "description", about: "the result of `describe`", generate: read::<Description> },
@@ -39,6 +40,7 @@ pub const FORMATS: [Format; 18] = [
         generate: read::<LcpFile>,
     },
     Format { name: "solution", about: "solution/1, the result of `solve`", generate: read::<SolutionFile> },
+    Format { name: "bench", about: "what `moreau bench` writes", generate: written::<Bench> },
     Format { name: "points", about: "the result of `project`", generate: read::<Points> },
     Format { name: "gate-report", about: "gate-report/1, what `moreau gate` writes", generate: written::<Report> },
     Format { name: "gate-baseline", about: "gate-baseline/1, in TOML", generate: read::<Baseline> },

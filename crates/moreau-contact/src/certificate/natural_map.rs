@@ -5,6 +5,7 @@
 
 use crate::cones::{de_saxce, second_order};
 use crate::problem::{ContactProblem, Law};
+use nalgebra::DVector;
 
 /// Replaces y by ŷ: y + μ‖y_t‖n for Coulomb's law, y for the others.
 pub fn correct(law: Law, friction: f64, y: &mut [f64]) {
@@ -26,6 +27,19 @@ pub fn natural_map(law: Law, friction: f64, impulse: &[f64], law_velocity: &[f64
     }
     second_order::project(&mut projected[..rows], law.cone_friction(friction));
     (0..rows).map(|k| (impulse[k] - projected[k]).powi(2)).sum::<f64>().sqrt()
+}
+
+/// ‖r − P_K(r − ŷ)‖/‖q‖ over all contacts, with ρ = 1 kg: the number that other collections compare. It changes with the units of the
+/// problem. None for polyhedral laws and where q is zero.
+pub fn of_unit_mass(problem: &ContactProblem, impulse: &DVector<f64>) -> Option<f64> {
+    let size = (problem.free_velocity() + problem.shift()).norm();
+    if problem.law().directions().is_some() || size == 0.0 {
+        return None;
+    }
+    let (rows, velocity) = (problem.rows_per_contact(), problem.law_velocity(impulse));
+    let contacts = impulse.as_slice().chunks_exact(rows).zip(velocity.as_slice().chunks_exact(rows)).zip(problem.friction());
+    let squares = contacts.map(|((r, y), mu)| natural_map(problem.law(), *mu, r, y, 1.0).powi(2));
+    Some(squares.sum::<f64>().sqrt() / size)
 }
 
 /// ρ \[kg\] of every contact: rows/tr(W_kk + R_kk). A contact whose block has no positive trace takes the mean of the others, and 1 kg

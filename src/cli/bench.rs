@@ -1,0 +1,140 @@
+//! `moreau bench`: times solvers on problems, each beside the residual of its certified answer.
+
+use super::limits::{CommonOptions, check_tolerance};
+use super::output::print;
+use super::{Answer, Format};
+use crate::certificate::{natural_map, residuals};
+use crate::problem::ContactProblem;
+use crate::report::bench::{Bench, Run};
+use crate::report::json::pretty;
+use crate::solvers::{self, ContactSolver};
+use crate::tolerance::cli::CERTIFY;
+use crate::{Error, Result};
+use indicatif::ProgressBar;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Time solvers on contact problems, each time beside the certified residual of its answer.
+///
+/// Solving is timed alone, without reading and certifying, and repeated until the given time is used up; the least time counts. One
+/// thread solves.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// Problems (contact-problem/1, lcp/1, .dat of Siconos, HDF5 of FCLIB), or folders of them.
+    #[arg(required = true)]
+    problems: Vec<PathBuf>,
+    /// A solver to time; may be given several times.
+    #[arg(long, default_value = "auto", value_name = "NAME")]
+    solver: Vec<String>,
+    /// Largest residual that counts as solved, relative to the scale of its contact.
+    #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
+    tolerance: f64,
+    /// Time to spend on repeating one measurement [s].
+    #[arg(long, default_value_t = 0.2, value_name = "SECONDS")]
+    repeat: f64,
+    #[command(flatten)]
+    common: CommonOptions,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  moreau bench problems/
+  moreau bench problems/ --solver auto --solver pgs --format json > times.json
+
+Exit code 0: every problem was solved by some solver; 1: some was not; 2: a file cannot be read.";
+
+/// The ends of files that hold problems.
+const ENDS: [&str; 4] = ["json", "dat", "hdf5", "h5"];
+
+/// Runs the subcommand.
+pub fn run(arguments: &Arguments) -> Result<Answer> {
+    check_tolerance("--tolerance", arguments.tolerance)?;
+    if !(arguments.repeat >= 0.0 && arguments.repeat.is_finite()) {
+        return Err(Error::invalid("--repeat", format!("is {}", arguments.repeat), "give a time ≥ 0 in seconds"));
+    }
+    arguments.common.memory.apply()?;
+    let named = |name: &String| solvers::ALL.by_name(name).map_err(|error| Error::Unsupported(format!("--solver: {error}")));
+    let solvers: Vec<Box<dyn ContactSolver>> = arguments.solver.iter().map(named).collect::<Result<_>>()?;
+    let files = files(&arguments.problems)?;
+    let bar = ProgressBar::new((files.len() * solvers.len()) as u64);
+    let mut runs = Vec::new();
+    for file in &files {
+        let problem = ContactProblem::read(file)?;
+        let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        for solver in &solvers {
+            runs.push(measured(&problem, &name, solver.as_ref(), arguments)?);
+            bar.inc(1);
+        }
+    }
+    bar.finish_and_clear();
+    let bench = Bench::new(arguments.tolerance, runs);
+    print(&match arguments.common.format {
+        Format::Text => bench.text(),
+        Format::Json => pretty(&bench)?,
+    })?;
+    Ok(bench.all_solved().into())
+}
+
+/// The files given, and those of problems in the folders given, in order.
+fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for path in given {
+        if !path.is_dir() {
+            found.push(path.clone());
+            continue;
+        }
+        let failed = |source| Error::Read { file: path.clone(), source };
+        let entries: Vec<PathBuf> = std::fs::read_dir(path)
+            .map_err(failed)?
+            .map(|entry| entry.map(|entry| entry.path()))
+            .collect::<std::io::Result<_>>()
+            .map_err(failed)?;
+        let is_problem = |file: &Path| file.extension().is_some_and(|end| ENDS.iter().any(|known| end == *known));
+        let mut problems: Vec<PathBuf> = entries.into_iter().filter(|file| is_problem(file)).collect();
+        if problems.is_empty() {
+            let cure = format!("give a folder with files that end in {}", ENDS.join(", "));
+            return Err(Error::invalid("PROBLEMS", format!("has none in the folder {}", path.display()), cure));
+        }
+        problems.sort();
+        found.extend(problems);
+    }
+    Ok(found)
+}
+
+fn measured(problem: &ContactProblem, name: &str, solver: &dyn ContactSolver, arguments: &Arguments) -> Result<Run> {
+    let (begun, mut repeats, mut seconds) = (Instant::now(), 0, f64::INFINITY);
+    let answer = loop {
+        let start = Instant::now();
+        let answer = solver.solve(problem, None);
+        seconds = seconds.min(start.elapsed().as_secs_f64());
+        repeats += 1;
+        if answer.is_err() || begun.elapsed().as_secs_f64() >= arguments.repeat {
+            break answer;
+        }
+    };
+    let mut run = Run {
+        problem: name.into(),
+        contacts: problem.contacts(),
+        solver: solver.name().into(),
+        seconds,
+        repeats,
+        iterations: 0,
+        relative: None,
+        natural_map_one: None,
+        solved: false,
+        failure: None,
+    };
+    match answer {
+        Ok(solution) => {
+            let judged = residuals(problem, &solution)?;
+            run.iterations = solution.iterations;
+            run.relative = Some(judged.judged.relative());
+            run.natural_map_one = natural_map::of_unit_mass(problem, &solution.impulse);
+            run.solved = judged.is_solution(arguments.tolerance);
+        }
+        Err(error @ Error::Solver { .. }) => run.failure = Some(error.to_string()),
+        Err(error) => return Err(error),
+    }
+    Ok(run)
+}

@@ -1,0 +1,182 @@
+//! What `moreau bench` measured: times of solvers on problems, each beside the certified residual of its answer.
+//!
+//! ```text
+//!     shifted geometric mean   exp(mean ln(t + s)) − s                                                  [s]
+//!     performance profile      part of the problems that a solver certifies in at most τ times the best time
+//! ```
+//! A problem that a solver does not solve counts with its time in no mean and with τ = ∞ in the profile.
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::fmt::Write;
+
+/// The shift s of the mean \[s\]: differences far below it do not count.
+pub const SHIFT: f64 = 1e-4;
+/// The factors τ of the profile.
+pub const FACTORS: [f64; 7] = [1.0, 1.5, 2.0, 5.0, 10.0, 100.0, 1000.0];
+
+/// All that was measured.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Bench {
+    /// The largest relative residual that counts as solved.
+    pub tolerance: f64,
+    /// One line per problem and solver.
+    pub runs: Vec<Run>,
+    /// One line per solver.
+    pub solvers: Vec<Summary>,
+}
+
+/// One solver on one problem.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Run {
+    /// The file.
+    pub problem: String,
+    /// Number of contacts.
+    pub contacts: usize,
+    /// The solver that was asked.
+    pub solver: String,
+    /// The least time of an answer, without reading and certifying \[s\].
+    pub seconds: f64,
+    /// How often it was measured.
+    pub repeats: usize,
+    /// Iterations, sweeps or pivots.
+    pub iterations: usize,
+    /// The largest residual of a contact relative to its scale; absent where there is no answer.
+    pub relative: Option<f64>,
+    /// ‖r − P_K(r − ŷ)‖/‖q‖ with ρ = 1 kg, as other collections compare; absent for polyhedral laws and without an answer.
+    pub natural_map_one: Option<f64>,
+    /// Whether the certificate accepts the answer.
+    pub solved: bool,
+    /// Why there is no answer.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub failure: Option<String>,
+}
+
+/// One solver on all problems.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Summary {
+    /// Its name.
+    pub solver: String,
+    /// How many problems it solved.
+    pub solved: usize,
+    /// Of how many.
+    pub problems: usize,
+    /// The shifted geometric mean over those it solved \[s\]; absent if none.
+    pub mean_seconds: Option<f64>,
+    /// The part of the problems solved within τ times the best time, τ as in `factors`.
+    pub profile: Vec<f64>,
+    /// τ.
+    pub factors: Vec<f64>,
+}
+
+impl Bench {
+    /// The runs with what follows from them.
+    pub fn new(tolerance: f64, runs: Vec<Run>) -> Self {
+        let mut names: Vec<&str> = Vec::new();
+        for run in &runs {
+            if !names.contains(&run.solver.as_str()) {
+                names.push(&run.solver);
+            }
+        }
+        let solvers = names.iter().map(|name| summary(name, &runs)).collect();
+        Bench { tolerance, runs, solvers }
+    }
+
+    /// Whether every problem was solved by some solver.
+    pub fn all_solved(&self) -> bool {
+        self.runs.iter().all(|run| self.runs.iter().any(|other| other.problem == run.problem && other.solved))
+    }
+
+    /// For reading.
+    pub fn text(&self) -> String {
+        let width = self.runs.iter().map(|run| run.problem.chars().count()).max().unwrap_or(0).max("problem".len());
+        let mut text =
+            format!("{:width$} {:>8} {:18} {:>11} {:>10} {:>10}\n", "problem", "contacts", "solver", "time", "residual", "iterations");
+        for run in &self.runs {
+            let end = match (&run.failure, run.relative) {
+                (Some(failure), _) => failure.clone(),
+                (None, relative) => {
+                    let residual = relative.map_or("-".into(), |relative| format!("{relative:.1e}"));
+                    format!("{residual:>10} {:>10}{}", run.iterations, if run.solved { "" } else { "  not solved" })
+                }
+            };
+            let (problem, contacts, solver) = (&run.problem, run.contacts, &run.solver);
+            let _ = writeln!(text, "{problem:width$} {contacts:>8} {solver:18} {:>11} {end}", time(run.seconds));
+        }
+        for one in &self.solvers {
+            let mean = one.mean_seconds.map_or("no answer".into(), |mean| format!("shifted geometric mean {}", time(mean)));
+            let within: Vec<String> =
+                one.factors.iter().zip(&one.profile).map(|(factor, part)| format!("{:.0} % within {factor}", 100.0 * part)).collect();
+            let _ =
+                writeln!(text, "{}: {} of {} solved, {mean}; of the best time {}", one.solver, one.solved, one.problems, within.join(", "));
+        }
+        text
+    }
+}
+
+fn summary(name: &str, runs: &[Run]) -> Summary {
+    let own: Vec<&Run> = runs.iter().filter(|run| run.solver == name).collect();
+    let best =
+        |problem: &str| runs.iter().filter(|run| run.problem == problem && run.solved).map(|run| run.seconds).fold(f64::INFINITY, f64::min);
+    let solved: Vec<&&Run> = own.iter().filter(|run| run.solved).collect();
+    let logarithms: f64 = solved.iter().map(|run| (run.seconds + SHIFT).ln()).sum();
+    let within = |factor: f64| solved.iter().filter(|run| run.seconds <= factor * best(&run.problem)).count() as f64 / own.len() as f64;
+    Summary {
+        solver: name.into(),
+        solved: solved.len(),
+        problems: own.len(),
+        mean_seconds: (!solved.is_empty()).then(|| (logarithms / solved.len() as f64).exp() - SHIFT),
+        profile: FACTORS.iter().map(|factor| within(*factor)).collect(),
+        factors: FACTORS.to_vec(),
+    }
+}
+
+fn time(seconds: f64) -> String {
+    match seconds {
+        s if s < 1e-3 => format!("{:.2} µs", s * 1e6),
+        s if s < 1.0 => format!("{:.2} ms", s * 1e3),
+        s => format!("{s:.2} s"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn run(problem: &str, solver: &str, seconds: f64, solved: bool) -> Run {
+        let (problem, solver) = (problem.into(), solver.into());
+        Run {
+            problem,
+            contacts: 1,
+            solver,
+            seconds,
+            repeats: 1,
+            iterations: 1,
+            relative: Some(0.0),
+            natural_map_one: None,
+            solved,
+            failure: None,
+        }
+    }
+
+    #[test]
+    fn means_and_profiles_count_only_what_is_solved() {
+        let runs = vec![run("a", "x", 1.0, true), run("a", "y", 1.5, true), run("b", "x", 1.0, false), run("b", "y", 4.0, true)];
+        let bench = Bench::new(1e-8, runs);
+        let [x, y] = &bench.solvers[..] else { panic!("two solvers") };
+        assert_eq!((x.solved, x.problems, y.solved), (1, 2, 2));
+        assert!((x.mean_seconds.unwrap() - 1.0).abs() < 1e-12);
+        assert!((y.mean_seconds.unwrap() - ((1.5 + SHIFT) * (4.0 + SHIFT)).sqrt() + SHIFT).abs() < 1e-12);
+        assert_eq!((x.profile[0], x.profile[6]), (0.5, 0.5));
+        assert_eq!((y.profile[0], y.profile[1]), (0.5, 1.0), "the best on b, one and a half times the best on a");
+        assert!(bench.all_solved());
+    }
+
+    #[test]
+    fn a_problem_that_nobody_solves_is_told() {
+        let bench = Bench::new(1e-8, vec![run("a", "x", 2e-6, true), run("b", "x", 1.0, false)]);
+        assert!(!bench.all_solved());
+        let text = bench.text();
+        assert!(text.contains("not solved") && text.contains("2.00 µs") && text.contains("1 of 2 solved"), "{text}");
+    }
+}
