@@ -20,6 +20,7 @@ use nalgebra::DVector;
 /// |---|---|
 /// | soft contacts | Newton on Gauss's principle |
 /// | all but a compliance on edges | a few accelerated sweeps, and nonsmooth Newton from what they found, until [`ENOUGH`] |
+/// | W stored by blocks | Newton from zero |
 /// | the same without the polyhedral associated law in space | more accelerated sweeps, and Newton |
 /// | all but a compliance on edges | Newton from zero; Newton on contacts that are soft at first and then harder and harder |
 /// | second-order cones | plain sweeps, and Newton from what they found |
@@ -51,6 +52,7 @@ const QUICK: &[(Takes, Stage)] = &[
 
 /// Those that follow where the answer is not good enough yet for the certificate, [`ACCEPTABLE`].
 const THOROUGH: &[(Takes, Stage)] = &[
+    (has_blocks, |problem, _| newton(problem, None)),
     (is_swept, more_sweeps),
     (is_swept, newton),
     (is_iterated, |problem, _| newton(problem, None)),
@@ -88,6 +90,11 @@ fn is_convex(problem: &ContactProblem) -> bool {
 /// The algorithms for this problem that the features of this build left out, in words for the answer's solver; empty if none.
 fn left_out(problem: &ContactProblem) -> &'static str {
     if is_convex(problem) && !cfg!(feature = "clarabel") { " (not tried: clarabel, a feature of moreau-contact)" } else { "" }
+}
+
+/// Whether W is stored by blocks, so that a step of Newton's method costs little more than a sweep.
+fn has_blocks(problem: &ContactProblem) -> bool {
+    is_iterated(problem) && problem.delassus().blocks().is_some()
 }
 
 /// All but a compliance on edges.

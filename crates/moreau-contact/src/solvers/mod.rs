@@ -41,6 +41,7 @@ mod alternating_directions;
 mod anderson;
 mod auto;
 mod barzilai_borwein;
+mod block_elimination;
 #[cfg(feature = "clarabel")]
 mod clarabel;
 mod doubled;

@@ -23,6 +23,7 @@
 //! Mech. Eng. 92 (1991).
 
 use super::ContactSolver;
+use super::block_elimination::{self, Slopes};
 use super::elimination;
 use super::friction_set::{FrictionSet, Piece};
 use super::stopping::Stopping;
@@ -30,7 +31,7 @@ use crate::certificate::Judge;
 use crate::problem::{ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::solvers as tolerance;
 use moreau_exact::{Error, Result};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Matrix3};
 
 /// Nonsmooth Newton for every law, compliance on edges excepted; W may be asymmetric and rank deficient.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -110,7 +111,8 @@ struct Equations<'a> {
     problem: &'a ContactProblem,
     /// S of every contact.
     set: FrictionSet,
-    operator: DMatrix<f64>,
+    /// W + R where it is stored densely; blocks are taken as they are.
+    operator: Option<DMatrix<f64>>,
     /// ρ_n, ρ_t per contact \[kg\].
     weights: Vec<[f64; 2]>,
 }
@@ -121,16 +123,17 @@ impl<'a> Equations<'a> {
             Some(directions) if problem.rows_per_contact() == 3 => FrictionSet::Polygon { directions },
             _ => FrictionSet::Disk,
         };
-        Ok(Equations { problem, set, operator: problem.law_delassus()?, weights: Judge::weights(problem) })
+        let operator = problem.delassus().blocks().is_none().then(|| problem.law_delassus()).transpose()?;
+        Ok(Equations { problem, set, operator, weights: Judge::weights(problem) })
     }
 
     /// r + s d with the first η and s that halve ‖F‖, or else those with the least; none where every d is not a number.
     fn step(&self, from: &DVector<f64>, law_velocity: &DVector<f64>, proximals: &[f64]) -> Option<DVector<f64>> {
         let mut best: Option<(f64, DVector<f64>)> = None;
         for &proximal in proximals {
-            let (residual, jacobian) = self.linearise(from, law_velocity, proximal);
+            let (residual, slopes) = self.linearise(from, law_velocity, proximal);
             let enough = 0.5 * residual.norm();
-            let Some(direction) = elimination::solve(&jacobian, &-residual).filter(|d| d.iter().all(|x| x.is_finite())) else { continue };
+            let Some(direction) = self.direction(&slopes, &-residual).filter(|d| d.iter().all(|x| x.is_finite())) else { continue };
             for halvings in 0..tolerance::NONSMOOTH_HALVINGS {
                 let tried = from + &direction * 0.5f64.powi(halvings);
                 let norm = self.residual(&tried, &self.problem.law_velocity(&tried)).norm();
@@ -152,14 +155,39 @@ impl<'a> Equations<'a> {
         residual
     }
 
-    /// F(r) and J(r) with η, y = A r + q given.
-    fn linearise(&self, impulse: &DVector<f64>, law_velocity: &DVector<f64>, proximal: f64) -> (DVector<f64>, DMatrix<f64>) {
-        let size = self.problem.rows();
-        let (mut residual, mut jacobian) = (DVector::zeros(size), DMatrix::zeros(size, size));
+    /// F(r), and A_k and B_k of J(r) with η for every contact; y = A r + q is given.
+    fn linearise(&self, impulse: &DVector<f64>, law_velocity: &DVector<f64>, proximal: f64) -> (DVector<f64>, Vec<Slopes>) {
+        let (mut residual, mut slopes) = (DVector::zeros(self.problem.rows()), Vec::with_capacity(self.problem.contacts()));
         for k in 0..self.problem.contacts() {
-            self.contact(k, [impulse, law_velocity], &mut residual, Some((&mut jacobian, proximal)));
+            self.contact(k, [impulse, law_velocity], &mut residual, Some((&mut slopes, proximal)));
         }
-        (residual, jacobian)
+        (residual, slopes)
+    }
+
+    /// The d with J d = b.
+    fn direction(&self, slopes: &[Slopes], right_side: &DVector<f64>) -> Option<DVector<f64>> {
+        match (&self.operator, self.problem.delassus().blocks()) {
+            (None, Some(blocks)) => block_elimination::solve(blocks, slopes, right_side),
+            (operator, _) => elimination::solve(&self.jacobian(operator.as_ref()?, slopes), right_side),
+        }
+    }
+
+    /// J, row by row: B times the rows of A, and A_k of the contact itself.
+    fn jacobian(&self, operator: &DMatrix<f64>, slopes: &[Slopes]) -> DMatrix<f64> {
+        let (rows, mut jacobian) = (self.problem.rows_per_contact(), DMatrix::zeros(self.problem.rows(), self.problem.rows()));
+        for (k, Slopes { own, through }) in slopes.iter().enumerate() {
+            for i in 0..rows {
+                let mut changed = jacobian.row_mut(k * rows + i);
+                // tangential columns first
+                for column in (1..rows).chain([0]) {
+                    if through[(i, column)] != 0.0 {
+                        changed += operator.row(k * rows + column) * through[(i, column)];
+                    }
+                    changed[k * rows + column] += own[(i, column)];
+                }
+            }
+        }
+        jacobian
     }
 
     /// The rows of contact k of F and, if asked for, of J with its η.
@@ -168,7 +196,7 @@ impl<'a> Equations<'a> {
         k: usize,
         [impulse, law_velocity]: [&DVector<f64>; 2],
         residual: &mut DVector<f64>,
-        jacobian: Option<(&mut DMatrix<f64>, f64)>,
+        slopes: Option<(&mut Vec<Slopes>, f64)>,
     ) {
         let (rows, [rho_n, rho_t]) = (self.problem.rows_per_contact(), self.weights[k]);
         let (normal, mu) = (k * rows, super::cone_friction(self.problem, k));
@@ -187,37 +215,42 @@ impl<'a> Equations<'a> {
             let moved = |j: usize| piece.stays(i, j) * r_t[j] + piece.along[i][j] * rho_t * y_t[j];
             residual[normal + 1 + i] = (0..rows - 1).map(moved).sum::<f64>() - piece.growth[i] * radius;
         }
-        if let Some((jacobian, proximal)) = jacobian {
-            self.slopes(k, presses, lifted, &piece, jacobian, proximal);
+        if let Some((slopes, proximal)) = slopes {
+            slopes.push(self.slopes(k, presses, lifted, &piece, proximal));
         }
     }
 
-    /// The rows of contact k of J.
-    fn slopes(&self, k: usize, presses: bool, lifted: [f64; 2], piece: &Piece, jacobian: &mut DMatrix<f64>, proximal: f64) {
+    /// A_k and B_k: what the rows of contact k ask of its own impulse, and of its velocity y.
+    fn slopes(&self, k: usize, presses: bool, lifted: [f64; 2], piece: &Piece, proximal: f64) -> Slopes {
         let (rows, [rho_n, rho_t]) = (self.problem.rows_per_contact(), self.weights[k]);
-        let (normal, mu) = (k * rows, super::cone_friction(self.problem, k));
-        // ∂w/∂r
-        let mut slope = self.operator.row(normal).into_owned();
-        for (i, share) in lifted.into_iter().enumerate().filter(|(_, share)| *share != 0.0) {
-            slope += self.operator.row(normal + 1 + i) * share;
-        }
+        let mu = super::cone_friction(self.problem, k);
+        let (mut own, mut through) = (Matrix3::identity(), Matrix3::zeros());
+        // ∂w/∂y
+        let slope = [1.0, lifted[0], lifted[1]];
+        own[(0, 0)] = if presses { proximal } else { 1.0 };
         if presses {
-            jacobian.row_mut(normal).copy_from(&(&slope * rho_n));
+            (0..rows).for_each(|column| through[(0, column)] = rho_n * slope[column]);
         }
-        jacobian[(normal, normal)] += if presses { proximal } else { 1.0 };
         for i in 0..rows - 1 {
-            let mut changed = jacobian.row_mut(normal + 1 + i);
             for j in 0..rows - 1 {
-                let (column, moves) = (normal + 1 + j, piece.along[i][j]);
-                changed += self.operator.row(column) * (moves * rho_t);
-                changed[column] += piece.stays(i, j) + moves * proximal;
+                let moves = piece.along[i][j];
+                through[(1 + i, 1 + j)] = moves * rho_t;
+                own[(1 + i, 1 + j)] = piece.stays(i, j) + moves * proximal;
             }
             if presses {
                 // −g μ ∂a/∂r
-                changed += &slope * (piece.growth[i] * mu * rho_n);
-                changed[normal] -= piece.growth[i] * mu;
+                (0..rows).for_each(|column| through[(1 + i, column)] += slope[column] * (piece.growth[i] * mu * rho_n));
+                own[(1 + i, 0)] = -piece.growth[i] * mu;
             }
         }
+        if self.operator.is_none() {
+            // B R, which a dense operator holds already
+            for column in 0..rows {
+                let softness = self.problem.row_compliance(k * rows + column);
+                (0..rows).for_each(|i| own[(i, column)] += through[(i, column)] * softness);
+            }
+        }
+        Slopes { own, through }
     }
 }
 
@@ -225,6 +258,7 @@ impl<'a> Equations<'a> {
 mod tests {
     use super::*;
     use crate::certificate::residuals;
+    use crate::operator::{BlockSparse, Sparse};
     use crate::problem::Compliance;
     use crate::solvers::{AlternatingDirections, LemkePivoting, ProjectedGaussSeidel};
     use crate::tolerance::certificate::CERTIFY;
@@ -269,6 +303,35 @@ mod tests {
         }
     }
 
+    /// The same problem with W by blocks.
+    fn by_blocks(problem: &ContactProblem) -> ContactProblem {
+        let (w, d) = (problem.dense(), problem.rows_per_contact());
+        let entries = (0..w.nrows()).flat_map(|i| (0..w.ncols()).map(move |j| (i, j))).map(|(i, j)| (i, j, w[(i, j)])).collect();
+        let blocks = BlockSparse::from_sparse(&Sparse { shape: [w.nrows(), w.ncols()], entries }, d).unwrap();
+        problem.clone().into_builder().delassus(blocks).build().unwrap()
+    }
+
+    #[test]
+    fn blocks_and_a_square_matrix_give_the_same_step() {
+        let impulse = DVector::from_vec(vec![0.4, -0.05, 0.02, 0.3, -0.1, -0.1, -0.8, 0.0, 0.0, 0.1, 0.3, 0.2]);
+        for law in [Law::Frictionless, Law::Coulomb, Law::Associated, Law::PolyhedralCoulomb { directions: 5 }] {
+            let soft = Compliance { coordinates: Coordinates::Contact, diagonal: DVector::from_fn(12, |i, _| i as f64 / 8.0) };
+            for compliance in [None, Some(soft)] {
+                let problem = four_corners(law, 0.7, 0.9).into_builder().compliance(compliance).build().unwrap();
+                let stored = by_blocks(&problem);
+                let velocity = problem.law_velocity(&impulse);
+                let [dense, blocks] = [&problem, &stored].map(|problem| {
+                    let equations = Equations::new(problem).unwrap();
+                    let (residual, slopes) = equations.linearise(&impulse, &velocity, 1e-3);
+                    equations.direction(&slopes, &-residual).unwrap()
+                });
+                // condition of J up to 1/η times the norm of W
+                let rounding = moreau_exact::tolerance::rounding(12, 1e3 * problem.dense().norm()) * dense.amax();
+                assert!((&dense - &blocks).amax() <= rounding, "{law:?}");
+            }
+        }
+    }
+
     #[test]
     fn the_jacobian_is_the_derivative_of_the_equations() {
         let step = crate::tolerance::cones::DIFFERENCE_STEP;
@@ -280,7 +343,7 @@ mod tests {
             let at = |impulse: &DVector<f64>| equations.linearise(impulse, &problem.law_velocity(impulse), eta);
             // one contact presses and sticks or slides, one is open
             let impulse = DVector::from_vec(vec![0.4, -0.05, 0.02, 0.3, -0.1, -0.1, -0.8, 0.0, 0.0, 0.1, 0.3, 0.2]);
-            let (_, jacobian) = at(&impulse);
+            let jacobian = equations.jacobian(equations.operator.as_ref().expect("stored densely"), &at(&impulse).1);
             for column in 0..12 {
                 let shifted = |by: f64| {
                     let mut moved = impulse.clone();

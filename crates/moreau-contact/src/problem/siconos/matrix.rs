@@ -32,10 +32,14 @@ impl Matrix {
         }
     }
 
-    /// W of contacts with so many rows: what was dense stays dense.
+    /// W of contacts with so many rows: what was dense stays dense, unless less than half of its blocks are not zero.
     pub(super) fn into_operator(self, rows_per_contact: usize) -> Result<Operator> {
         match self {
-            Matrix::Dense(dense) => Ok(dense.into()),
+            Matrix::Dense(dense) => {
+                let contacts = dense.nrows() / rows_per_contact;
+                let blocks = BlockSparse::from_sparse(&Matrix::Dense(dense.clone()).into_sparse(), rows_per_contact)?;
+                Ok(if 2 * blocks.block_count() < contacts * contacts { blocks.into() } else { dense.into() })
+            }
             Matrix::Sparse(sparse) => Ok(BlockSparse::from_sparse(&sparse, rows_per_contact)?.into()),
         }
     }
