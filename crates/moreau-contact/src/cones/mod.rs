@@ -8,6 +8,7 @@ pub mod orthant;
 pub mod polyhedral;
 mod projection_jacobian;
 pub mod second_order;
+pub(crate) mod self_dual;
 
 pub use decision::{Case, decide};
 pub use projection_jacobian::projection_jacobian;

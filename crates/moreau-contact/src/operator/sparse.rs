@@ -1,5 +1,7 @@
 //! A sparse matrix as a list of its entries.
 
+use nalgebra::DMatrix;
+
 /// A sparse matrix, entry by entry (row, column, value), each place at most once.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sparse {
@@ -10,6 +12,13 @@ pub struct Sparse {
 }
 
 impl Sparse {
+    /// The entries of a dense matrix that are not zero.
+    pub fn of(dense: &DMatrix<f64>) -> Self {
+        let places = (0..dense.ncols()).flat_map(|j| (0..dense.nrows()).map(move |i| (i, j)));
+        let entries = places.map(|(i, j)| (i, j, dense[(i, j)])).filter(|(.., value)| *value != 0.0).collect();
+        Sparse { shape: [dense.nrows(), dense.ncols()], entries }
+    }
+
     /// Rows and columns exchanged.
     pub fn transposed(self) -> Self {
         let entries = self.entries.into_iter().map(|(i, j, value)| (j, i, value)).collect();

@@ -25,48 +25,108 @@ pub(super) struct Slopes {
     pub through: Matrix3<f64>,
 }
 
+/// J, factored.
+pub(super) struct Factored(Size);
+
+enum Size {
+    One(Factor<1>),
+    Two(Factor<2>),
+    Three(Factor<3>),
+}
+
 /// The x with J x = b; `None` where a block that should be eliminated is singular.
-///
-/// # Panics
-/// If W has not 1, 2 or 3 rows per contact, or b another size.
 pub(super) fn solve(w: &BlockSparse, slopes: &[Slopes], right_side: &DVector<f64>) -> Option<DVector<f64>> {
-    assert_eq!(right_side.len(), w.contacts() * w.rows_per_contact(), "the right side has one entry per row");
-    match w.rows_per_contact() {
-        1 => solve_in::<1>(w, slopes, right_side),
-        2 => solve_in::<2>(w, slopes, right_side),
-        3 => solve_in::<3>(w, slopes, right_side),
-        other => panic!("contacts have 1, 2 or 3 rows, not {other}"),
+    Some(Factored::new(w, slopes)?.solve(w, right_side))
+}
+
+impl Factored {
+    /// `None` where a block that should be eliminated is singular.
+    ///
+    /// # Panics
+    /// If W has not 1, 2 or 3 rows per contact.
+    pub(super) fn new(w: &BlockSparse, slopes: &[Slopes]) -> Option<Self> {
+        Some(Factored(match w.rows_per_contact() {
+            1 => Size::One(Factor::new(w, slopes)?),
+            2 => Size::Two(Factor::new(w, slopes)?),
+            3 => Size::Three(Factor::new(w, slopes)?),
+            other => panic!("contacts have 1, 2 or 3 rows, not {other}"),
+        }))
+    }
+
+    /// The x with J x = b, of the same W.
+    ///
+    /// # Panics
+    /// If b has another size.
+    pub(super) fn solve(&self, w: &BlockSparse, right_side: &DVector<f64>) -> DVector<f64> {
+        assert_eq!(right_side.len(), w.contacts() * w.rows_per_contact(), "the right side has one entry per row");
+        match &self.0 {
+            Size::One(factor) => factor.solve(w, right_side),
+            Size::Two(factor) => factor.solve(w, right_side),
+            Size::Three(factor) => factor.solve(w, right_side),
+        }
     }
 }
 
-fn solve_in<const D: usize>(w: &BlockSparse, slopes: &[Slopes], right_side: &DVector<f64>) -> Option<DVector<f64>> {
-    let [own, through] = [|slopes: &Slopes| slopes.own, |slopes: &Slopes| slopes.through]
-        .map(|part| slopes.iter().map(|slopes| part(slopes).fixed_view::<D, D>(0, 0).into_owned()).collect::<Vec<SMatrix<f64, D, D>>>());
-    let mut found: Vec<SVector<f64, D>> = right_side.as_slice().chunks_exact(D).map(SVector::from_column_slice).collect();
-    let is_open: Vec<bool> = through.iter().map(|through| through.iter().all(|entry| *entry == 0.0)).collect();
-    for k in (0..found.len()).filter(|&k| is_open[k]) {
-        found[k] = inverse(own[k])? * found[k];
-        for (j, block) in w.column(k).filter(|(j, _)| !is_open[*j]) {
-            let pushed = through[j] * (SMatrix::<f64, D, D>::from_column_slice(block) * found[k]);
-            found[j] -= pushed;
+/// L and U of the closed contacts, and what the open ones need.
+struct Factor<const D: usize> {
+    through: Vec<SMatrix<f64, D, D>>,
+    /// A⁻¹ of the open contacts.
+    open: Vec<(usize, SMatrix<f64, D, D>)>,
+    is_open: Vec<bool>,
+    /// The closed contacts in the order of elimination.
+    order: Vec<usize>,
+    pattern: Pattern,
+    /// By place, L_ik at the places of `pattern.lower`.
+    lower: Vec<Vec<SMatrix<f64, D, D>>>,
+    /// By place, U_ij at the places of `pattern.upper`.
+    upper: Vec<Vec<SMatrix<f64, D, D>>>,
+    /// U_ii⁻¹.
+    inverses: Vec<SMatrix<f64, D, D>>,
+}
+
+impl<const D: usize> Factor<D> {
+    fn new(w: &BlockSparse, slopes: &[Slopes]) -> Option<Self> {
+        let [own, through] = [|slopes: &Slopes| slopes.own, |slopes: &Slopes| slopes.through].map(|part| {
+            slopes.iter().map(|slopes| part(slopes).fixed_view::<D, D>(0, 0).into_owned()).collect::<Vec<SMatrix<f64, D, D>>>()
+        });
+        let is_open: Vec<bool> = through.iter().map(|through| through.iter().all(|entry| *entry == 0.0)).collect();
+        let open = (0..own.len()).filter(|&k| is_open[k]).map(|k| Some((k, inverse(own[k])?))).collect::<Option<_>>()?;
+        let closed: Vec<usize> = (0..own.len()).filter(|&k| !is_open[k]).collect();
+        let mut number = vec![usize::MAX; own.len()];
+        closed.iter().enumerate().for_each(|(place, &k)| number[k] = place);
+        let pattern = Pattern::new(&neighbours(w, &closed, &number));
+        let mut rows: Vec<Vec<(usize, SMatrix<f64, D, D>)>> = vec![Vec::new(); closed.len()];
+        for (column, &k) in closed.iter().enumerate() {
+            for (j, block) in w.column(k).filter(|(j, _)| !is_open[*j]) {
+                rows[pattern.place[number[j]]].push((pattern.place[column], through[j] * SMatrix::<f64, D, D>::from_column_slice(block)));
+            }
+            rows[pattern.place[column]].push((pattern.place[column], own[k]));
         }
+        let order: Vec<usize> = pattern.order.iter().map(|&place| closed[place]).collect();
+        let (lower, upper, inverses) = eliminate(&pattern, rows)?;
+        Some(Factor { through, open, is_open, order, pattern, lower, upper, inverses })
     }
-    let closed: Vec<usize> = (0..found.len()).filter(|&k| !is_open[k]).collect();
-    let mut number = vec![usize::MAX; found.len()];
-    closed.iter().enumerate().for_each(|(place, &k)| number[k] = place);
-    let pattern = Pattern::new(&neighbours(w, &closed, &number));
-    let mut rows: Vec<Vec<(usize, SMatrix<f64, D, D>)>> = vec![Vec::new(); closed.len()];
-    for (column, &k) in closed.iter().enumerate() {
-        for (j, block) in w.column(k).filter(|(j, _)| !is_open[*j]) {
-            rows[pattern.place[number[j]]].push((pattern.place[column], through[j] * SMatrix::<f64, D, D>::from_column_slice(block)));
+
+    fn solve(&self, w: &BlockSparse, right_side: &DVector<f64>) -> DVector<f64> {
+        let mut found: Vec<SVector<f64, D>> = right_side.as_slice().chunks_exact(D).map(SVector::from_column_slice).collect();
+        for (k, inverse) in &self.open {
+            found[*k] = inverse * found[*k];
+            for (j, block) in w.column(*k).filter(|(j, _)| !self.is_open[*j]) {
+                let pushed = self.through[j] * (SMatrix::<f64, D, D>::from_column_slice(block) * found[*k]);
+                found[j] -= pushed;
+            }
         }
-        rows[pattern.place[column]].push((pattern.place[column], own[k]));
+        let mut x: Vec<SVector<f64, D>> = self.order.iter().map(|&k| found[k]).collect();
+        for i in 0..x.len() {
+            x[i] = self.pattern.lower[i].iter().zip(&self.lower[i]).fold(x[i], |rest, (&k, factor)| rest - factor * x[k]);
+        }
+        for i in (0..x.len()).rev() {
+            let known = self.pattern.upper[i].iter().zip(&self.upper[i]).fold(x[i], |rest, (&j, block)| rest - block * x[j]);
+            x[i] = self.inverses[i] * known;
+        }
+        self.order.iter().zip(x).for_each(|(&k, x)| found[k] = x);
+        DVector::from_iterator(right_side.len(), found.iter().flat_map(|part| part.iter().copied()))
     }
-    let order: Vec<usize> = pattern.order.iter().map(|&place| closed[place]).collect();
-    let mut x: Vec<SVector<f64, D>> = order.iter().map(|&k| found[k]).collect();
-    eliminate(&pattern, rows, &mut x)?;
-    order.iter().zip(x).for_each(|(&k, x)| found[k] = x);
-    Some(DVector::from_iterator(right_side.len(), found.iter().flat_map(|part| part.iter().copied())))
 }
 
 /// Of every closed contact the others it meets, numbered among the closed ones, growing.
@@ -149,30 +209,29 @@ fn merge(one: &[usize], other: &[usize], without: [usize; 2], merged: &mut Vec<u
     }
 }
 
-/// Overwrites b by x, row after row of blocks: L_ik = J_ik U_kk⁻¹, and row i less L_ik times row k of U.
-fn eliminate<const D: usize>(pattern: &Pattern, rows: Vec<Vec<(usize, SMatrix<f64, D, D>)>>, x: &mut [SVector<f64, D>]) -> Option<()> {
+/// L, U and U_ii⁻¹, row after row of blocks: L_ik = J_ik U_kk⁻¹, and row i less L_ik times row k of U.
+type Triangles<const D: usize> = (Vec<Vec<SMatrix<f64, D, D>>>, Vec<Vec<SMatrix<f64, D, D>>>, Vec<SMatrix<f64, D, D>>);
+
+fn eliminate<const D: usize>(pattern: &Pattern, rows: Vec<Vec<(usize, SMatrix<f64, D, D>)>>) -> Option<Triangles<D>> {
     let count = rows.len();
     let mut work = vec![SMatrix::<f64, D, D>::zeros(); count];
-    let mut upper: Vec<Vec<SMatrix<f64, D, D>>> = Vec::with_capacity(count);
+    let [mut lower, mut upper]: [Vec<Vec<SMatrix<f64, D, D>>>; 2] = [Vec::with_capacity(count), Vec::with_capacity(count)];
     let mut inverses: Vec<SMatrix<f64, D, D>> = Vec::with_capacity(count);
     for (i, row) in rows.into_iter().enumerate() {
         row.into_iter().for_each(|(j, block)| work[j] += block);
+        let mut factors = Vec::with_capacity(pattern.lower[i].len());
         for &k in &pattern.lower[i] {
             let factor = std::mem::replace(&mut work[k], SMatrix::zeros()) * inverses[k];
             for (&j, block) in pattern.upper[k].iter().zip(&upper[k]) {
                 work[j] -= factor * block;
             }
-            let known = factor * x[k];
-            x[i] -= known;
+            factors.push(factor);
         }
+        lower.push(factors);
         inverses.push(inverse(std::mem::replace(&mut work[i], SMatrix::zeros()))?);
         upper.push(pattern.upper[i].iter().map(|&j| std::mem::replace(&mut work[j], SMatrix::zeros())).collect());
     }
-    for i in (0..count).rev() {
-        let known = pattern.upper[i].iter().zip(&upper[i]).fold(x[i], |rest, (&j, block)| rest - block * x[j]);
-        x[i] = inverses[i] * known;
-    }
-    Some(())
+    Some((lower, upper, inverses))
 }
 
 /// A⁻¹ of one block by Gauss's and Jordan's steps with the largest pivot of each column; none if one is zero.

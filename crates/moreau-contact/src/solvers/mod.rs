@@ -49,6 +49,7 @@ mod elimination;
 pub mod enumeration;
 mod friction_set;
 pub mod gauss;
+mod interior_point;
 pub mod lemke;
 mod lemke_outcome;
 mod lemke_pivoting;
@@ -70,6 +71,7 @@ pub use barzilai_borwein::BarzilaiBorwein;
 #[cfg(feature = "clarabel")]
 pub use clarabel::{ClarabelPolished, Polished};
 pub use gauss::GaussNewton;
+pub use interior_point::InteriorPoint;
 pub use lemke_pivoting::LemkePivoting;
 pub use line_root::LineRoot;
 pub use nonsmooth_newton::NonsmoothNewton;

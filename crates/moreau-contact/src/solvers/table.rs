@@ -3,8 +3,8 @@
 #[cfg(feature = "clarabel")]
 use super::ClarabelPolished;
 use super::{
-    AcceleratedProjectedGradient, AlternatingDirections, Auto, BarzilaiBorwein, ContactSolver, GaussNewton, LemkePivoting, NonsmoothNewton,
-    ProjectedGaussSeidel, ProjectedOverRelaxation,
+    AcceleratedProjectedGradient, AlternatingDirections, Auto, BarzilaiBorwein, ContactSolver, GaussNewton, InteriorPoint, LemkePivoting,
+    NonsmoothNewton, ProjectedGaussSeidel, ProjectedOverRelaxation,
 };
 use crate::tolerance::solvers::MOST_ITERATIONS;
 use moreau_exact::{Error, Result};
@@ -57,6 +57,11 @@ const OWN: &[SolverEntry] = &[
         name: "nonsmooth-newton",
         default: || Box::new(NonsmoothNewton::default()),
         limited: Some(|limit| Box::new(NonsmoothNewton { steps: limit, ..Default::default() })),
+    },
+    SolverEntry {
+        name: "interior-point",
+        default: || Box::new(InteriorPoint::default()),
+        limited: Some(|limit| Box::new(InteriorPoint { steps: limit, ..Default::default() })),
     },
     #[cfg(feature = "clarabel")]
     SolverEntry { name: "clarabel", default: || Box::new(ClarabelPolished), limited: None },

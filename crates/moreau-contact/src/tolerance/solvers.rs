@@ -299,3 +299,19 @@ pub const COST_FLOOR: f64 = 1.0 / (1u64 << 42) as f64;
 /// search reduces the cost, unless the reduction is as small as rounding. Three steps leave room for one exception.
 /// Set.
 pub const NEWTON_STALLED: usize = 3;
+
+/// Most steps of the interior point method. A convex problem takes some twenty; Coulomb's lift may take a few times as many.
+/// Set.
+pub const INTERIOR_STEPS: usize = 100;
+
+/// How far of the way to the boundary a step of the interior point method goes: the usual share, which keeps it inside.
+/// Set.
+pub const BOUNDARY: f64 = 0.99;
+
+/// The least part of the gap that a step aims at: without it the last steps leave the middle.
+/// Set.
+pub const LEAST_CENTRING: f64 = 1e-6;
+
+/// The shortest step of the interior point method that is progress.
+/// Set.
+pub const LEAST_LENGTH: f64 = 1e-10;

@@ -37,7 +37,7 @@ impl Matrix {
         match self {
             Matrix::Dense(dense) => {
                 let contacts = dense.nrows() / rows_per_contact;
-                let blocks = BlockSparse::from_sparse(&Matrix::Dense(dense.clone()).into_sparse(), rows_per_contact)?;
+                let blocks = BlockSparse::from_sparse(&Sparse::of(&dense), rows_per_contact)?;
                 Ok(if 2 * blocks.block_count() < contacts * contacts { blocks.into() } else { dense.into() })
             }
             Matrix::Sparse(sparse) => Ok(BlockSparse::from_sparse(&sparse, rows_per_contact)?.into()),
@@ -47,11 +47,7 @@ impl Matrix {
     pub(super) fn into_sparse(self) -> Sparse {
         match self {
             Matrix::Sparse(sparse) => sparse,
-            Matrix::Dense(dense) => {
-                let places = (0..dense.ncols()).flat_map(|j| (0..dense.nrows()).map(move |i| (i, j)));
-                let entries = places.map(|(i, j)| (i, j, dense[(i, j)])).filter(|(.., value)| *value != 0.0).collect();
-                Sparse { shape: [dense.nrows(), dense.ncols()], entries }
-            }
+            Matrix::Dense(dense) => Sparse::of(&dense),
         }
     }
 

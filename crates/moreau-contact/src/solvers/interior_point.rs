@@ -1,0 +1,275 @@
+//! A primal–dual interior point method for the frictionless, associated and Coulomb laws.
+//!
+//! ```text
+//!     ŷ = y + s μ‖y_t‖ n ,  s = 1 for Coulomb, 0 otherwise ;   x = (μ r_n, r_t) ,  z = (ŷ_n/μ, ŷ_t)    both in the cone ‖·_t‖ ≤ ·_n
+//!     λ = P⁻¹x = P z (Nesterov and Todd) ,     λ ∘ (P⁻¹dx + P dz) = σ g e − λ∘λ − (P⁻¹dx_a)∘(P dz_a)
+//!     (B (W + R) + T⁻¹P⁻²T⁻¹) dr = −ρ + T⁻¹P⁻¹c ,    T = diag(1/μ, 1, 1) ,   B = I + s μ n (y_t/‖y_t‖)ᵀ ,   ρ = ŷ − T⁻¹z
+//! ```
+//! with the gap g = x·z/contacts and Mehrotra's predictor dx_a. A convex problem is ended in some twenty steps, however redundant its
+//! contacts are: what is not determined stays in the middle of what is possible. For Coulomb's law the lift s μ‖y_t‖ is carried along
+//! with its derivative; that often works, and nothing promises it. The point it ends in has the right contacts pressing, sticking and
+//! sliding; Newton's method takes it from there to rounding.
+//!
+//! # Source
+//! Vandenberghe, *The CVXOPT linear and quadratic cone program solvers* (2010), for the scaling; Acary, Armand and Nguyen, on interior
+//! points with the lift of Coulomb's law.
+
+use super::ContactSolver;
+use super::block_elimination::{Factored, Slopes};
+use super::stopping::Stopping;
+use crate::certificate::Judge;
+use crate::cones::self_dual::{self, Scaling};
+use crate::operator::{BlockSparse, Sparse};
+use crate::problem::{ContactProblem, Law, Solution};
+use crate::tolerance::solvers as tolerance;
+use moreau_exact::{Error, Result};
+use nalgebra::{DVector, Matrix3, Vector3};
+use std::borrow::Cow;
+
+/// Interior points for laws with round cones; a compliance may act on contact rows, and W may be rank deficient.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InteriorPoint {
+    /// Step limit.
+    pub steps: usize,
+    /// Relative residual at which it stops.
+    pub tolerance: f64,
+}
+
+impl Default for InteriorPoint {
+    fn default() -> Self {
+        InteriorPoint { steps: tolerance::INTERIOR_STEPS, tolerance: tolerance::STOP }
+    }
+}
+
+const NAME: &str = "interior-point";
+
+impl ContactSolver for InteriorPoint {
+    fn name(&self) -> &'static str {
+        NAME
+    }
+
+    fn takes(&self, law: Law, _rows: usize, _symmetric: bool) -> bool {
+        law.directions().is_none()
+    }
+
+    fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+        if !self.takes(problem.law(), problem.rows_per_contact(), true) {
+            return Err(Error::refused(
+                NAME,
+                format!("does not solve the law `{}`; use `nonsmooth-newton` or `lemke`", problem.law().name()),
+            ));
+        }
+        // where it starts is in the middle of the cone, whatever is known
+        super::start(problem, warm_start)?;
+        let mut path = Path::new(problem)?;
+        let mut stopping = Stopping::new(problem, self.tolerance);
+        let (mut best, mut steps) = ((f64::INFINITY, DVector::zeros(problem.rows())), 0);
+        loop {
+            let velocity = problem.law_velocity(&path.impulse);
+            let relative = stopping.relative(&path.impulse, &velocity);
+            if relative < best.0 {
+                best = (relative, path.impulse.clone());
+            }
+            if relative <= self.tolerance || steps >= self.steps || !path.step(&velocity) {
+                break;
+            }
+            steps += 1;
+        }
+        let velocity = problem.velocity(&best.1);
+        super::finite(Solution::new(NAME, best.1, velocity, steps))
+    }
+}
+
+/// Where the method stands.
+struct Path<'a> {
+    problem: &'a ContactProblem,
+    operator: Cow<'a, BlockSparse>,
+    impulse: DVector<f64>,
+    /// z of every contact, padded \[m/s\].
+    dual: Vec<Vector3<f64>>,
+}
+
+/// What a step needs of one contact.
+struct Local {
+    scaling: Scaling,
+    slopes: Slopes,
+    /// ρ = ŷ − T⁻¹z, padded.
+    residual: Vector3<f64>,
+}
+
+impl<'a> Path<'a> {
+    /// The middle of the cone, as large as the largest velocity of the data.
+    fn new(problem: &'a ContactProblem) -> Result<Self> {
+        let rows = problem.rows_per_contact();
+        let size = (problem.free_velocity() + problem.shift()).amax();
+        let size = if size > 0.0 { size } else { 1.0 };
+        let mut impulse = DVector::zeros(problem.rows());
+        let mut dual = Vec::with_capacity(problem.contacts());
+        for (k, [rho, _]) in Judge::weights(problem).into_iter().enumerate() {
+            let mu = super::cone_friction(problem, k);
+            impulse[k * rows] = rho * size / if mu > 0.0 { mu.max(1.0) } else { 1.0 };
+            dual.push(Vector3::new(size, 0.0, 0.0));
+        }
+        let operator = match problem.delassus().blocks() {
+            Some(blocks) => Cow::Borrowed(blocks),
+            None => Cow::Owned(BlockSparse::from_sparse(&Sparse::of(problem.dense()), rows)?),
+        };
+        Ok(Path { problem, operator, impulse, dual })
+    }
+
+    /// x = T⁻¹ r of contact k, padded.
+    fn primal(&self, k: usize) -> Vector3<f64> {
+        let (rows, mu) = (self.problem.rows_per_contact(), super::cone_friction(self.problem, k));
+        let part = |row: usize| if row < rows && (row == 0 || mu > 0.0) { self.impulse[k * rows + row] } else { 0.0 };
+        Vector3::new(part(0) * scale(mu), part(1), part(2))
+    }
+
+    /// One predictor and one corrector with the same factor; false where no number comes out.
+    fn step(&mut self, law_velocity: &DVector<f64>) -> bool {
+        let contacts = self.problem.contacts();
+        let points: Vec<Vector3<f64>> = (0..contacts).map(|k| self.primal(k)).collect();
+        let gap = points.iter().zip(&self.dual).map(|(x, z)| x.dot(z)).sum::<f64>() / contacts.max(1) as f64;
+        let Some(locals) = (0..contacts).map(|k| self.local(k, &points[k], law_velocity)).collect::<Option<Vec<Local>>>() else {
+            return false;
+        };
+        let slopes: Vec<Slopes> = locals.iter().map(|local| local.slopes).collect();
+        let Some(factored) = Factored::new(&self.operator, &slopes) else { return false };
+        let towards_zero: Vec<Vector3<f64>> = locals.iter().map(|local| -local.scaling.middle()).collect();
+        let predicted = self.direction(&factored, &locals, &towards_zero);
+        let affine = self.longest(&points, &predicted);
+        let shifted =
+            |(x, z): (Vector3<f64>, Vector3<f64>), (dx, dz): &(Vector3<f64>, Vector3<f64>)| (x + dx * affine).dot(&(z + dz * affine));
+        let ahead: f64 =
+            points.iter().zip(&self.dual).zip(&predicted).map(|((x, z), d)| shifted((*x, *z), d)).sum::<f64>() / contacts.max(1) as f64;
+        let sigma = (ahead / gap).clamp(0.0, 1.0).powi(3).max(tolerance::LEAST_CENTRING);
+        let corrected: Vec<Vector3<f64>> =
+            locals.iter().zip(&predicted).map(|(local, (dx, dz))| local.scaling.corrector(sigma * gap, dx, dz)).collect();
+        let direction = self.direction(&factored, &locals, &corrected);
+        let length = (tolerance::BOUNDARY * self.longest(&points, &direction)).min(1.0);
+        self.advance(&direction, length)
+    }
+
+    /// P, the rows of the linear system and ρ of contact k; none where it has left the cone.
+    fn local(&self, k: usize, x: &Vector3<f64>, law_velocity: &DVector<f64>) -> Option<Local> {
+        let (rows, mu) = (self.problem.rows_per_contact(), super::cone_friction(self.problem, k));
+        let y = |row: usize| if row < rows { law_velocity[k * rows + row] } else { 0.0 };
+        let z = self.dual[k];
+        let (mut through, mut own) = (Matrix3::identity(), Matrix3::identity());
+        if mu == 0.0 {
+            let scaling = Scaling::half_line(x[0], z[0])?;
+            through = Matrix3::from_diagonal(&Vector3::new(1.0, 0.0, 0.0));
+            own[(0, 0)] = scaling.inverse_square()[(0, 0)] + self.problem.row_compliance(k * rows);
+            return Some(Local { scaling, slopes: Slopes { own, through }, residual: Vector3::new(y(0) - z[0], 0.0, 0.0) });
+        }
+        let scaling = Scaling::round(x, &z, rows)?;
+        let slip = y(1).hypot(y(2));
+        let lift = if self.problem.law() == Law::Coulomb { mu } else { 0.0 };
+        if slip > 0.0 {
+            through[(0, 1)] = lift * y(1) / slip;
+            through[(0, 2)] = lift * y(2) / slip;
+        }
+        let square = scaling.inverse_square();
+        let t = [scale(mu), 1.0, 1.0];
+        own = Matrix3::from_fn(|i, j| t[i] * square[(i, j)] * t[j]);
+        for row in 0..rows {
+            let softness = self.problem.row_compliance(k * rows + row);
+            (0..rows).for_each(|i| own[(i, row)] += through[(i, row)] * softness);
+        }
+        let residual = Vector3::new(y(0) + lift * slip - t[0] * z[0], y(1) - z[1], y(2) - z[2]);
+        Some(Local { scaling, slopes: Slopes { own, through }, residual })
+    }
+
+    /// (dx, dz) of every contact for the c of every contact.
+    fn direction(&self, factored: &Factored, locals: &[Local], c: &[Vector3<f64>]) -> Vec<(Vector3<f64>, Vector3<f64>)> {
+        let rows = self.problem.rows_per_contact();
+        let mut right_side = DVector::zeros(self.problem.rows());
+        for (k, (local, c)) in locals.iter().zip(c).enumerate() {
+            let pushed = local.scaling.unscaled(c);
+            let t = scale(super::cone_friction(self.problem, k));
+            (0..rows).for_each(|row| right_side[k * rows + row] = pushed[row] * if row == 0 { t } else { 1.0 } - local.residual[row]);
+        }
+        let moved = factored.solve(&self.operator, &right_side);
+        locals
+            .iter()
+            .zip(c)
+            .enumerate()
+            .map(|(k, (local, c))| {
+                let mu = super::cone_friction(self.problem, k);
+                let part = |row: usize| if row < rows && (row == 0 || mu > 0.0) { moved[k * rows + row] } else { 0.0 };
+                let dx = Vector3::new(part(0) * scale(mu), part(1), part(2));
+                (dx, local.scaling.unscaled(c) - local.scaling.inverse_square() * dx)
+            })
+            .collect()
+    }
+
+    /// The longest step, at most 1/BOUNDARY, that stays in the cone.
+    fn longest(&self, points: &[Vector3<f64>], direction: &[(Vector3<f64>, Vector3<f64>)]) -> f64 {
+        let ends = points.iter().zip(&self.dual).zip(direction);
+        ends.map(|((x, z), (dx, dz))| self_dual::to_boundary(x, dx).min(self_dual::to_boundary(z, dz)))
+            .fold(1.0 / tolerance::BOUNDARY, f64::min)
+    }
+
+    fn advance(&mut self, direction: &[(Vector3<f64>, Vector3<f64>)], length: f64) -> bool {
+        let rows = self.problem.rows_per_contact();
+        for (k, (dx, dz)) in direction.iter().enumerate() {
+            let mu = super::cone_friction(self.problem, k);
+            self.impulse[k * rows] += length * dx[0] / scale(mu);
+            (1..rows).for_each(|row| self.impulse[k * rows + row] += length * dx[row]);
+            self.dual[k] += dz * length;
+        }
+        length > tolerance::LEAST_LENGTH && self.impulse.iter().all(|r| r.is_finite())
+    }
+}
+
+/// μ, with which r_n is multiplied, and 1 for a contact without friction.
+fn scale(mu: f64) -> f64 {
+    if mu > 0.0 { mu } else { 1.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certificate::residuals;
+    use crate::solvers::NonsmoothNewton;
+    use nalgebra::{DMatrix, dvector};
+
+    fn block(law: Law, mu: f64, free: DVector<f64>) -> ContactProblem {
+        let w = DMatrix::from_row_slice(3, 3, &[2.0, 0.3, 0.1, 0.3, 1.5, 0.2, 0.1, 0.2, 1.0]);
+        ContactProblem::new(w, free).law(law).friction(vec![mu]).build().unwrap()
+    }
+
+    #[test]
+    fn one_contact_opens_sticks_and_slides() {
+        for law in [Law::Frictionless, Law::Associated, Law::Coulomb] {
+            for (mu, free) in [
+                (0.5, dvector![-1.0, 0.1, 0.0]),
+                (0.5, dvector![-1.0, 2.0, -1.0]),
+                (0.5, dvector![1.0, 2.0, -1.0]),
+                (0.0, dvector![-1.0, 2.0, 0.5]),
+                (2.0, dvector![-1.0, 0.5, 3.0]),
+            ] {
+                let problem = block(law, mu, free.clone());
+                let near = InteriorPoint::default().solve(&problem, None).unwrap();
+                // the direction of slip is known to the root of the gap only
+                assert!(residuals(&problem, &near).unwrap().is_solution(1e-5), "{law:?} {mu} {free:?} {}", near.iterations);
+                let ended = NonsmoothNewton { steps: 3, ..Default::default() }.solve(&problem, Some(&near.impulse)).unwrap();
+                assert!(residuals(&problem, &ended).unwrap().is_solution(1e-12), "{law:?} {mu} {free:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn redundant_contacts_keep_their_impulses_in_the_middle() {
+        // two points of one mass carry the same load
+        let w = DMatrix::from_element(2, 2, 1.0);
+        let problem = ContactProblem::new(w, dvector![-1.0, -1.0]).rows_per_contact(1).build().unwrap();
+        let solution = InteriorPoint::default().solve(&problem, None).unwrap();
+        assert!((solution.impulse - dvector![0.5, 0.5]).amax() < 1e-8);
+    }
+
+    #[test]
+    fn polyhedral_laws_are_refused() {
+        let problem = block(Law::PolyhedralCoulomb { directions: 4 }, 0.5, dvector![-1.0, 0.0, 0.0]);
+        assert!(InteriorPoint::default().solve(&problem, None).unwrap_err().to_string().contains("polyhedral-coulomb"));
+    }
+}
