@@ -3,8 +3,8 @@
 #[cfg(feature = "clarabel")]
 use super::ClarabelPolished;
 use super::{
-    AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, GaussNewton, LemkePivoting, NonsmoothNewton, ProjectedGaussSeidel,
-    ProjectedOverRelaxation,
+    AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, GaussNewton, InteriorPoint, LemkePivoting, NonsmoothNewton,
+    ProjectedGaussSeidel, ProjectedOverRelaxation,
 };
 use crate::certificate::Judge;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
@@ -20,7 +20,7 @@ use nalgebra::DVector;
 /// |---|---|
 /// | soft contacts | Newton on Gauss's principle |
 /// | all but a compliance on edges | a few accelerated sweeps, and nonsmooth Newton from what they found, until [`ENOUGH`] |
-/// | W stored by blocks | Newton from zero |
+/// | W stored by blocks, before more of this | a few steps of Newton; interior points with round cones, and Newton from there; Newton from zero |
 /// | the same without the polyhedral associated law in space | more accelerated sweeps, and Newton |
 /// | all but a compliance on edges | Newton from zero; Newton on contacts that are soft at first and then harder and harder |
 /// | second-order cones | plain sweeps, and Newton from what they found |
@@ -47,6 +47,8 @@ type Stage = fn(&ContactProblem, Option<&DVector<f64>>) -> Result<Solution>;
 const QUICK: &[(Takes, Stage)] = &[
     (|problem| problem.compliance().is_some(), |problem, start| GaussNewton::default().solve(problem, start)),
     (is_iterated, few_sweeps),
+    (has_blocks, |problem, start| NonsmoothNewton { steps: tolerance::SHORT_STEPS, starts: 1, ..Default::default() }.solve(problem, start)),
+    (is_large, through_interior),
     (is_iterated, newton),
 ];
 
@@ -97,6 +99,11 @@ fn has_blocks(problem: &ContactProblem) -> bool {
     is_iterated(problem) && problem.delassus().blocks().is_some()
 }
 
+/// Whether interior points are for it.
+fn is_large(problem: &ContactProblem) -> bool {
+    has_blocks(problem) && has_second_order_cone(problem)
+}
+
 /// All but a compliance on edges.
 fn is_iterated(problem: &ContactProblem) -> bool {
     NonsmoothNewton::fits(problem)
@@ -141,13 +148,20 @@ fn through_softness(problem: &ContactProblem, _: Option<&DVector<f64>>) -> Resul
         let added = |row: usize| alpha / weights[row / rows][usize::from(!row.is_multiple_of(rows))];
         let diagonal = DVector::from_fn(problem.rows(), |row, _| super::compliance(problem, row) + added(row));
         softer = softer.into_builder().compliance(Compliance { coordinates: Coordinates::Contact, diagonal }).build()?;
-        let solver = NonsmoothNewton { steps: tolerance::SOFT_STEPS, tolerance: ENOUGH };
+        let solver = NonsmoothNewton { steps: tolerance::SOFT_STEPS, tolerance: ENOUGH, ..Default::default() };
         let solution = solver.solve(&softer, impulse.as_ref())?;
         iterations += solution.iterations;
         impulse = Some(solution.impulse);
     }
     let ended = newton(problem, impulse.as_ref())?;
     Ok(Solution { iterations: iterations + ended.iterations, ..ended })
+}
+
+/// Interior points, which tell which contacts press, stick and slide however redundant they are, and Newton from there.
+fn through_interior(problem: &ContactProblem, _: Option<&DVector<f64>>) -> Result<Solution> {
+    let begun = InteriorPoint::default().solve(problem, None)?;
+    let ended = NonsmoothNewton { starts: 1, ..Default::default() }.solve(problem, Some(&begun.impulse))?;
+    Ok(Solution { iterations: begun.iterations + ended.iterations, ..ended })
 }
 
 /// Lemke on a polygon in place of the disk, which tells which contacts press, stick and slide, and Newton from there.

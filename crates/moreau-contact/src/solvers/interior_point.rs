@@ -63,20 +63,28 @@ impl ContactSolver for InteriorPoint {
         super::start(problem, warm_start)?;
         let mut path = Path::new(problem)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
-        let (mut best, mut steps) = ((f64::INFINITY, DVector::zeros(problem.rows())), 0);
+        let (mut steps, mut mark, mut best) = (0, (f64::INFINITY, 0), (f64::INFINITY, path.impulse.clone()));
+        let mut last;
         loop {
             let velocity = problem.law_velocity(&path.impulse);
-            let relative = stopping.relative(&path.impulse, &velocity);
-            if relative < best.0 {
-                best = (relative, path.impulse.clone());
+            last = stopping.relative(&path.impulse, &velocity);
+            if last < best.0 {
+                best = (last, path.impulse.clone());
             }
-            if relative <= self.tolerance || steps >= self.steps || !path.step(&velocity) {
+            let gap = path.gap();
+            if gap < 0.5 * mark.0 {
+                mark = (gap, steps);
+            }
+            let has_ended = last <= self.tolerance || steps - mark.1 > tolerance::INTERIOR_PATIENCE || steps >= self.steps;
+            if has_ended || !path.step(&velocity) {
                 break;
             }
             steps += 1;
         }
-        let velocity = problem.velocity(&best.1);
-        super::finite(Solution::new(NAME, best.1, velocity, steps))
+        // the residual of the worst contact tells little while the gap is wide: the last point is nearer than it says
+        let impulse = if best.0 < 0.5 * last { best.1 } else { path.impulse };
+        let velocity = problem.velocity(&impulse);
+        super::finite(Solution::new(NAME, impulse, velocity, steps))
     }
 }
 
@@ -122,6 +130,11 @@ impl<'a> Path<'a> {
         let (rows, mu) = (self.problem.rows_per_contact(), super::cone_friction(self.problem, k));
         let part = |row: usize| if row < rows && (row == 0 || mu > 0.0) { self.impulse[k * rows + row] } else { 0.0 };
         Vector3::new(part(0) * scale(mu), part(1), part(2))
+    }
+
+    /// x·z over all contacts \[J\].
+    fn gap(&self) -> f64 {
+        (0..self.problem.contacts()).map(|k| self.primal(k).dot(&self.dual[k])).sum()
     }
 
     /// One predictor and one corrector with the same factor; false where no number comes out.

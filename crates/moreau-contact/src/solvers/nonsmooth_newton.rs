@@ -40,11 +40,13 @@ pub struct NonsmoothNewton {
     pub steps: usize,
     /// Relative residual at which it stops.
     pub tolerance: f64,
+    /// How many of the starts with different η it may make.
+    pub starts: usize,
 }
 
 impl Default for NonsmoothNewton {
     fn default() -> Self {
-        NonsmoothNewton { steps: tolerance::NONSMOOTH_STEPS, tolerance: tolerance::STOP }
+        NonsmoothNewton { steps: tolerance::NONSMOOTH_STEPS, tolerance: tolerance::STOP, starts: tolerance::NONSMOOTH_PROXIMALS.len() }
     }
 }
 
@@ -68,7 +70,7 @@ impl ContactSolver for NonsmoothNewton {
         let start = super::start(problem, warm_start)?;
         let mut best = (f64::INFINITY, start.clone());
         let mut steps = 0;
-        for proximals in tolerance::NONSMOOTH_PROXIMALS {
+        for proximals in tolerance::NONSMOOTH_PROXIMALS.into_iter().take(self.starts) {
             let (mut impulse, mut least, mut mark, mut since) = (start.clone(), f64::INFINITY, f64::INFINITY, 0);
             for _ in 0..=self.steps {
                 let law_velocity = problem.law_velocity(&impulse);

@@ -304,6 +304,14 @@ pub const NEWTON_STALLED: usize = 3;
 /// Set.
 pub const INTERIOR_STEPS: usize = 100;
 
+/// Steps of the interior point method in which the gap is not halved, after which rounding has ended it.
+/// Set.
+pub const INTERIOR_PATIENCE: usize = 3;
+
+/// Steps of the first Newton iteration where W is stored by blocks: where it does not end soon, interior points lead it.
+/// Set.
+pub const SHORT_STEPS: usize = 12;
+
 /// How far of the way to the boundary a step of the interior point method goes: the usual share, which keeps it inside.
 /// Set.
 pub const BOUNDARY: f64 = 0.99;
