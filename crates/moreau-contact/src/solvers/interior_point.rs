@@ -63,26 +63,21 @@ impl ContactSolver for InteriorPoint {
         super::start(problem, warm_start)?;
         let mut path = Path::new(problem)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
-        let (mut steps, mut mark, mut best) = (0, (f64::INFINITY, 0), (f64::INFINITY, path.impulse.clone()));
-        let mut last;
+        let (mut steps, mut mark) = (0, (f64::INFINITY, 0));
         loop {
             let velocity = problem.law_velocity(&path.impulse);
-            last = stopping.relative(&path.impulse, &velocity);
-            if last < best.0 {
-                best = (last, path.impulse.clone());
-            }
             let gap = path.gap();
             if gap < 0.5 * mark.0 {
                 mark = (gap, steps);
             }
-            let has_ended = last <= self.tolerance || steps - mark.1 > tolerance::INTERIOR_PATIENCE || steps >= self.steps;
-            if has_ended || !path.step(&velocity) {
+            let has_stalled = steps - mark.1 > tolerance::INTERIOR_PATIENCE;
+            if has_stalled || steps >= self.steps || stopping.holds(&path.impulse, &velocity) || !path.step(&velocity) {
                 break;
             }
             steps += 1;
         }
-        // the residual of the worst contact tells little while the gap is wide: the last point is nearer than it says
-        let impulse = if best.0 < 0.5 * last { best.1 } else { path.impulse };
+        // the last point, even where the worst contact of an earlier one looked better: the gap tells how near it is
+        let impulse = path.impulse;
         let velocity = problem.velocity(&impulse);
         super::finite(Solution::new(NAME, impulse, velocity, steps))
     }
@@ -95,6 +90,8 @@ struct Path<'a> {
     impulse: DVector<f64>,
     /// z of every contact, padded \[m/s\].
     dual: Vec<Vector3<f64>>,
+    /// The gap per contact and the largest ρ at the beginning.
+    first: Option<[f64; 2]>,
 }
 
 /// What a step needs of one contact.
@@ -122,7 +119,7 @@ impl<'a> Path<'a> {
             Some(blocks) => Cow::Borrowed(blocks),
             None => Cow::Owned(BlockSparse::from_sparse(&Sparse::of(problem.dense()), rows)?),
         };
-        Ok(Path { problem, operator, impulse, dual })
+        Ok(Path { problem, operator, impulse, dual, first: None })
     }
 
     /// x = T⁻¹ r of contact k, padded.
@@ -155,8 +152,13 @@ impl<'a> Path<'a> {
         let ahead: f64 =
             points.iter().zip(&self.dual).zip(&predicted).map(|((x, z), d)| shifted((*x, *z), d)).sum::<f64>() / contacts.max(1) as f64;
         let sigma = (ahead / gap).clamp(0.0, 1.0).powi(3).max(tolerance::LEAST_CENTRING);
+        let residual = locals.iter().map(|local| local.residual.amax()).fold(0.0, f64::max);
+        let [first_gap, first_residual] = *self.first.get_or_insert([gap, residual]);
+        // a gap that closes before y fits leaves the path for good
+        let open = if first_residual > 0.0 { tolerance::LAG * first_gap * residual / first_residual } else { 0.0 };
+        let target = (sigma * gap).max(open.min(2.0 * gap));
         let corrected: Vec<Vector3<f64>> =
-            locals.iter().zip(&predicted).map(|(local, (dx, dz))| local.scaling.corrector(sigma * gap, dx, dz)).collect();
+            locals.iter().zip(&predicted).map(|(local, (dx, dz))| local.scaling.corrector(target, dx, dz)).collect();
         let direction = self.direction(&factored, &locals, &corrected);
         let length = (tolerance::BOUNDARY * self.longest(&points, &direction)).min(1.0);
         self.advance(&direction, length)

@@ -320,6 +320,11 @@ pub const BOUNDARY: f64 = 0.99;
 /// Set.
 pub const LEAST_CENTRING: f64 = 1e-6;
 
+/// How far the gap may close before the equations of y: it stays above this times its first value, times how much is left of their
+/// residual.
+/// Set.
+pub const LAG: f64 = 1.0 / 32.0;
+
 /// The shortest step of the interior point method that is progress.
 /// Set.
 pub const LEAST_LENGTH: f64 = 1e-10;
