@@ -17,8 +17,8 @@ use std::path::PathBuf;
 
 /// Solve a contact problem and certify the answer.
 ///
-/// Reads a file contact-problem/1, lcp/1, Siconos's .dat or FCLIB's HDF5, writes a solution/1 with its residuals, and prints the certificate: on standard
-/// error if the solution goes to standard output, on standard output if it goes to a file.
+/// Reads a file contact-problem/1, lcp/1, Siconos's .dat or FCLIB's HDF5, writes a solution/1 with its residuals, and prints the
+/// certificate: on standard error if the solution goes to standard output, on standard output if it goes to a file.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {

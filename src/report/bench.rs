@@ -6,12 +6,11 @@
 //! ```
 //! A problem that a solver does not solve counts with its time in no mean and with τ = ∞ in the profile.
 
+use crate::tolerance::bench::{MILLISECOND, SHIFT};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write;
 
-/// The shift s of the mean \[s\]: differences far below it do not count.
-pub const SHIFT: f64 = 1e-4;
 /// The factors τ of the profile.
 pub const FACTORS: [f64; 7] = [1.0, 1.5, 2.0, 5.0, 10.0, 100.0, 1000.0];
 
@@ -133,7 +132,7 @@ fn summary(name: &str, runs: &[Run]) -> Summary {
 
 fn time(seconds: f64) -> String {
     match seconds {
-        s if s < 1e-3 => format!("{:.2} µs", s * 1e6),
+        s if s < MILLISECOND => format!("{:.2} µs", s * 1e6),
         s if s < 1.0 => format!("{:.2} ms", s * 1e3),
         s => format!("{s:.2} s"),
     }

@@ -20,6 +20,16 @@ pub use moreau_replicas::tolerance::{energy_balance, references};
 pub mod limits;
 pub mod regression;
 
+/// How `moreau bench` sums up and shows times.
+pub mod bench {
+    /// The shift of the geometric mean \[s\]: differences of times far below it do not count.
+    /// Set.
+    pub const SHIFT: f64 = 1e-4;
+    /// Shorter times are shown in microseconds \[s\].
+    /// Set.
+    pub const MILLISECOND: f64 = 1e-3;
+}
+
 /// Tolerances of [`crate::systems`], and how its table shows differences.
 pub mod systems {
     pub use moreau_replicas::tolerance::systems::*;

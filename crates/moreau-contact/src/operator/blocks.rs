@@ -32,7 +32,8 @@ impl BlockSparse {
     ///
     /// // three contacts in a row, of which only neighbours meet
     /// let w = |entry| dmatrix![entry];
-    /// let blocks = vec![(0, 0, w(1.0)), (1, 1, w(2.0)), (2, 2, w(1.0)), (0, 1, w(-1.0)), (1, 0, w(-1.0)), (2, 1, w(-1.0)), (1, 2, w(-1.0))];
+    /// let mut blocks = vec![(0, 0, w(1.0)), (1, 1, w(2.0)), (2, 2, w(1.0))];
+    /// blocks.extend([(0, 1), (1, 0), (2, 1), (1, 2)].map(|(j, k)| (j, k, w(-1.0))));
     /// let chain = BlockSparse::new(1, 3, blocks)?;
     /// assert_eq!((chain.block_count(), chain.entry(0, 2), chain.entry(2, 1)), (7, 0.0, -1.0));
     /// assert!(BlockSparse::new(1, 3, vec![(3, 0, w(1.0))]).is_err());

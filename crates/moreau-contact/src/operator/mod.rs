@@ -8,12 +8,12 @@ use nalgebra::{DMatrix, DVector};
 use std::sync::OnceLock;
 
 mod blocks;
-mod mechanism;
 mod sparse;
+mod sparse_dynamics;
 
 pub use blocks::BlockSparse;
-pub use mechanism::Mechanism;
 pub use sparse::Sparse;
+pub use sparse_dynamics::SparseDynamics;
 
 /// W, however it is stored.
 #[derive(Clone, Debug)]

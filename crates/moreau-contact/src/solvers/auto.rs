@@ -20,7 +20,7 @@ use nalgebra::DVector;
 /// |---|---|
 /// | soft contacts | Newton on Gauss's principle |
 /// | all but a compliance on edges | a few accelerated sweeps, and nonsmooth Newton from what they found, until [`ENOUGH`] |
-/// | W stored by blocks, before more of this | a few steps of Newton; interior points with round cones, and Newton from there; Newton from zero |
+/// | W stored by blocks, first | a few steps of Newton; with round cones interior points, and Newton from there; Newton from zero |
 /// | the same without the polyhedral associated law in space | more accelerated sweeps, and Newton |
 /// | all but a compliance on edges | Newton from zero; Newton on contacts that are soft at first and then harder and harder |
 /// | second-order cones | plain sweeps, and Newton from what they found |

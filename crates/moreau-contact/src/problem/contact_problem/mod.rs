@@ -41,8 +41,8 @@ pub struct Dynamics {
 
 /// One step's contact problem, valid since it was built.
 ///
-/// Find r with u = W r + u_free, y = u + shift + R r and (r, y) in the law, contact by contact. How W is stored is
-/// [`delassus`](Self::delassus)'s affair. An algorithm asks for its effect ([`apply`](Self::apply), [`add_column`](Self::add_column)), for an
+/// Find r with u = W r + u_free, y = u + shift + R r and (r, y) in the law, contact by contact. How W is stored is the affair of
+/// [`Operator`]. An algorithm asks for its effect ([`apply`](Self::apply), [`add_contact`](Self::add_contact)), for an
 /// [`entry`](Self::entry) or for a [`diagonal_block`](Self::diagonal_block). Only an algorithm that needs all of W asks for a
 /// [`dense`](Self::dense) matrix.
 ///

@@ -1,6 +1,6 @@
 //! A sparse matrix of FCLIB: m, n, nz, nzmax, p, i, x, where nz tells how it is stored.
 
-use super::{integers, numbers};
+use super::datasets::{integers, numbers};
 use crate::operator::Sparse;
 use hdf5_pure::File;
 use moreau_exact::{Error, Result};

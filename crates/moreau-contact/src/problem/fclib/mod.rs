@@ -11,13 +11,15 @@
 
 use super::{ContactProblem, Law, Solution};
 use crate::memory;
-use crate::operator::{BlockSparse, Mechanism};
+use crate::operator::{BlockSparse, SparseDynamics};
+use datasets::{integers, numbers};
 use hdf5_pure::File;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 use std::io::Read;
 use std::path::Path;
 
+mod datasets;
 mod matrix;
 mod write;
 
@@ -92,7 +94,7 @@ fn global(file: &File, name: &str) -> Result<ContactProblem> {
             return Err(Error::invalid(field, format!("has {found} numbers"), format!("give {wanted}, as M and H have")));
         }
     }
-    let mechanism = Mechanism::new(&mass, &jacobian.transposed(), dimension)?;
+    let mechanism = SparseDynamics::new(&mass, &jacobian.transposed(), dimension)?;
     let free = mechanism.contact_velocity(&mechanism.solve(&force)) + added;
     built(mechanism.delassus()?, free, numbers(file, "fclib_global/vectors/mu")?, dimension, name)
 }
@@ -106,16 +108,4 @@ fn dimension(file: &File, path: &str) -> Result<usize> {
         [dimension @ (2 | 3)] => Ok(dimension as usize),
         ref other => Err(Error::invalid(path, format!("is {other:?}"), "use 2 or 3")),
     }
-}
-
-fn missing(path: &str, error: impl std::fmt::Display) -> Error {
-    Error::invalid(path, format!("cannot be read: {error}"), "give the dataset as FCLIB stores it")
-}
-
-fn numbers(file: &File, path: &str) -> Result<Vec<f64>> {
-    file.dataset(path).and_then(|data| data.read_f64()).map_err(|error| missing(path, error))
-}
-
-fn integers(file: &File, path: &str) -> Result<Vec<i32>> {
-    file.dataset(path).and_then(|data| data.read_i32()).map_err(|error| missing(path, error))
 }

@@ -5,7 +5,8 @@
 //!  "free_velocity": [-0.1, 0.2], "shift": [0, 0], "delassus": {"shape": [2, 2], "rows": [[1, 0], [0, 1]]}}
 //! ```
 //! Numbers in SI. `dimension` is the number of rows per contact. A matrix is `rows`, or `triplets` {row, column, value}
-//! counted from 0, each place at most once; W may be `blocks` {row, column, value}, of the contacts that meet. Instead of `delassus` a file may give `mass` and `jacobian`. Optional:
+//! counted from 0, each place at most once; W may be `blocks` {row, column, value}, of the contacts that meet. Instead of
+//! `delassus` a file may give `mass` and `jacobian`. Optional:
 //! `shift` (default 0), `directions` (polyhedral laws), `compliance` {coordinates: contact | edge, diagonal}, `bodies` (the two bodies of
 //! each contact, the ground as null), `provenance` (anything).
 
@@ -218,7 +219,8 @@ impl ContactProblem {
 }
 
 impl Solution {
-    /// Reads a file `solution/1`, or the group `solution` of an FCLIB file, that answers this problem; residuals stored in it are not trusted and not kept.
+    /// Reads a file `solution/1`, or the group `solution` of an FCLIB file, that answers this problem; residuals stored in it are not
+    /// trusted and not kept.
     ///
     /// # Errors
     /// [`Error::Read`], or [`Error::InFile`] around what [`Solution::from_json`] says, or around [`Error::Invalid`] where the file names

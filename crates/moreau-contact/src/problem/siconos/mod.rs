@@ -12,7 +12,7 @@
 //! files show them.
 
 use super::{ContactProblem, Law};
-use crate::operator::{Mechanism, Operator};
+use crate::operator::{Operator, SparseDynamics};
 use matrix::Matrix;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -61,7 +61,7 @@ fn friction(tokens: &mut Tokens, name: &str) -> Result<ContactProblem> {
         let problem = format!("has shape {}×{}", jacobian.shape()[0], jacobian.shape()[1]);
         return Err(Error::invalid("H", problem, format!("give {velocities}×{rows}: a row per velocity, a column per contact row")));
     }
-    let mechanism = Mechanism::new(&first.into_sparse(), &jacobian.into_sparse().transposed(), dimension)?;
+    let mechanism = SparseDynamics::new(&first.into_sparse(), &jacobian.into_sparse().transposed(), dimension)?;
     let free = mechanism.contact_velocity(&mechanism.solve(&force)) + added;
     built(mechanism.delassus()?.into(), free, dimension, friction, name)
 }

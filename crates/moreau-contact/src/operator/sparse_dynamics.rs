@@ -13,7 +13,7 @@ use nalgebra::{DMatrix, DVector, Dyn, LU};
 
 /// What bodies and contacts have to do with each other: M̂ factored by groups of velocities, and H by contacts and groups.
 #[derive(Clone, Debug)]
-pub struct Mechanism {
+pub struct SparseDynamics {
     rows_per_contact: usize,
     /// Rows of each group in M̂.
     velocities: Vec<Vec<usize>>,
@@ -67,19 +67,19 @@ struct Halves {
     pivots: Vec<f64>,
 }
 
-impl Mechanism {
+impl SparseDynamics {
     /// M̂ and H. M̂ may be asymmetric where its symmetric part is definite; so is W then.
     ///
     /// # Errors
     /// [`Error::Invalid`] if sizes do not fit, or M̂ is not definite.
     /// ```
     /// use moreau_contact::nalgebra::{dmatrix, dvector};
-    /// use moreau_contact::operator::{Mechanism, Sparse};
+    /// use moreau_contact::operator::{Sparse, SparseDynamics};
     ///
     /// // a mass of 2 kg on the floor and one of 4 kg on top of it
     /// let mass = Sparse { shape: [2, 2], entries: vec![(0, 0, 2.0), (1, 1, 4.0)] };
     /// let jacobian = Sparse { shape: [2, 2], entries: vec![(0, 0, 1.0), (1, 0, -1.0), (1, 1, 1.0)] };
-    /// let stack = Mechanism::new(&mass, &jacobian, 1)?;
+    /// let stack = SparseDynamics::new(&mass, &jacobian, 1)?;
     /// assert_eq!(stack.delassus()?.to_dense(), dmatrix![0.5, -0.5; -0.5, 0.75]);
     /// assert_eq!(stack.solve(&dvector![1.0, 1.0]), dvector![0.5, 0.25]);
     /// # Ok::<(), moreau_contact::Error>(())
@@ -121,7 +121,7 @@ impl Mechanism {
             contact[at].1[(row % rows_per_contact, column)] += value;
         }
         touched.iter_mut().for_each(|contact| contact.sort_by_key(|(group, _)| *group));
-        Ok(Mechanism { rows_per_contact, velocities, factors, jacobian: touched, size })
+        Ok(SparseDynamics { rows_per_contact, velocities, factors, jacobian: touched, size })
     }
 
     /// W = H M̂⁻¹ Hᵀ \[1/kg\] by blocks, symmetric to the last bit if M̂ is.
@@ -238,7 +238,7 @@ mod tests {
         // the first and the third velocity are coupled, the second is a body of its own
         let mass = dmatrix![2.0, 0.0, 0.5; 0.0, 3.0, 0.0; 0.5, 0.0, 1.0];
         let jacobian = dmatrix![1.0, -1.0, 0.0; 0.25, 0.0, 2.0; 0.0, 1.0, 0.0; 0.0, -0.5, 0.0; 1.0, 0.0, 0.0; 0.0, 0.0, 1.0];
-        let mechanism = Mechanism::new(&sparse(&mass), &sparse(&jacobian), 2).unwrap();
+        let mechanism = SparseDynamics::new(&sparse(&mass), &sparse(&jacobian), 2).unwrap();
         let (found, dense) = (mechanism.delassus().unwrap(), delassus(&mass, &jacobian).unwrap());
         let rounding = moreau_exact::tolerance::rounding(16, dense.amax());
         assert!((found.to_dense() - &dense).amax() <= rounding);
@@ -252,18 +252,18 @@ mod tests {
     #[test]
     fn an_asymmetric_mass_makes_an_asymmetric_operator() {
         let [mass, jacobian] = [dmatrix![2.0, 0.5; -0.25, 1.0], dmatrix![1.0, 2.0; 0.0, 1.0]];
-        let mechanism = Mechanism::new(&sparse(&mass), &sparse(&jacobian), 1).unwrap();
+        let mechanism = SparseDynamics::new(&sparse(&mass), &sparse(&jacobian), 1).unwrap();
         let expected = &jacobian * mass.clone().try_inverse().unwrap() * jacobian.transpose();
         assert!((mechanism.delassus().unwrap().to_dense() - &expected).amax() <= moreau_exact::tolerance::rounding(16, 8.0));
         let impulse = dvector![1.0, -2.0];
         assert!((&mass * mechanism.solve(&impulse) - &impulse).amax() <= moreau_exact::tolerance::rounding(16, 8.0));
-        assert!(Mechanism::new(&sparse(&dmatrix![1.0, 4.0; -4.0, -1.0]), &sparse(&jacobian), 1).is_err(), "not definite");
+        assert!(SparseDynamics::new(&sparse(&dmatrix![1.0, 4.0; -4.0, -1.0]), &sparse(&jacobian), 1).is_err(), "not definite");
     }
 
     #[test]
     fn sizes_and_masses_that_do_not_fit_are_refused() {
         let [mass, row] = [sparse(&dmatrix![1.0, 0.0; 0.0, 1.0]), sparse(&dmatrix![1.0, 0.0])];
-        let refused = |mass: &Sparse, jacobian: &Sparse| Mechanism::new(mass, jacobian, 1).unwrap_err().to_string();
+        let refused = |mass: &Sparse, jacobian: &Sparse| SparseDynamics::new(mass, jacobian, 1).unwrap_err().to_string();
         assert!(refused(&sparse(&dmatrix![1.0, 0.0]), &row).contains("`mass`"));
         assert!(refused(&mass, &sparse(&dmatrix![1.0])).contains("`jacobian`"));
         assert!(refused(&sparse(&dmatrix![1.0, 1.0; 1.0, 1.0]), &row).contains("positive definite"));

@@ -1,0 +1,18 @@
+//! The datasets of an HDF5 file, by their paths.
+
+use hdf5_pure::File;
+use moreau_exact::{Error, Result};
+
+fn missing(path: &str, error: impl std::fmt::Display) -> Error {
+    Error::invalid(path, format!("cannot be read: {error}"), "give the dataset as FCLIB stores it")
+}
+
+/// A dataset of numbers.
+pub(super) fn numbers(file: &File, path: &str) -> Result<Vec<f64>> {
+    file.dataset(path).and_then(|data| data.read_f64()).map_err(|error| missing(path, error))
+}
+
+/// A dataset of whole numbers.
+pub(super) fn integers(file: &File, path: &str) -> Result<Vec<i32>> {
+    file.dataset(path).and_then(|data| data.read_i32()).map_err(|error| missing(path, error))
+}
