@@ -31,6 +31,7 @@ use nalgebra::DVector;
 /// | second-order cones | over-relaxation |
 /// | polyhedral Coulomb in space | plain sweeps |
 /// | the associated law | accelerated projected gradient, Clarabel |
+/// | one row, the plane, polyhedral laws, no friction; up to ten times as many contacts as before | Lemke |
 ///
 /// Each starts from the best answer of those before. The order and the numbers of iterations are fixed, so that the same problem has the
 /// same answer on every machine; no clock is asked. The answer names the algorithm it came from, with the iterations of all.
@@ -82,6 +83,7 @@ const THOROUGH: &[(Takes, Stage)] = &[
     (|problem| problem.law() == Law::Associated, |problem, start| AcceleratedProjectedGradient::default().solve(problem, start)),
     #[cfg(feature = "clarabel")]
     (is_convex, |problem, _| ClarabelPolished.solve(problem, None)),
+    (is_pivoted_last, |problem, _| LemkePivoting.solve(problem, None)),
 ];
 
 /// Laws of a convex program, the interior point's.
@@ -128,15 +130,21 @@ fn is_pivoted(problem: &ContactProblem) -> bool {
         && (!is_iterated(problem) || unknowns(problem, problem.law().directions().unwrap_or(2)) <= tolerance::LEMKE_UNKNOWNS)
 }
 
+/// Whether it is a linear complementarity problem, too large to be pivoted early and small enough to be pivoted at all.
+fn is_pivoted_last(problem: &ContactProblem) -> bool {
+    let size = unknowns(problem, problem.law().directions().unwrap_or(2));
+    LemkePivoting::fits(problem) && !is_pivoted(problem) && size <= tolerance::LEMKE_LAST
+}
+
 /// Whether no linear complementarity problem is equivalent, and that of a polygon is not too large.
 fn is_round(problem: &ContactProblem) -> bool {
     let small = unknowns(problem, tolerance::LEMKE_DIRECTIONS[0]) <= tolerance::POLYGON_UNKNOWNS;
     has_second_order_cone(problem) && !LemkePivoting::fits(problem) && small
 }
 
-/// How many λ, β and σ there are with this many directions.
+/// How many λ, β and σ there are with this many directions; only λ without friction.
 fn unknowns(problem: &ContactProblem, directions: usize) -> usize {
-    (2 + directions) * problem.contacts()
+    if problem.law() == Law::Frictionless { problem.contacts() } else { (2 + directions) * problem.contacts() }
 }
 
 /// Newton's method on softer contacts, W + α/ρ in place of W, from soft to hard, α = 1, ¼, …: each answer is near the next, and where none

@@ -129,6 +129,7 @@ fn is_finite<T: Scalar>(x: &T) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tolerance::solvers::SMALL_BASIS;
     use moreau_exact::scalar::{Rational, ratio};
     use nalgebra::DMatrix;
 
@@ -163,6 +164,34 @@ mod tests {
         assert!(difference <= moreau_exact::tolerance::rounding(9, 10.0), "{difference}");
         assert!(exact.slack(&z).iter().all(|w| *w >= ratio(0, 1)));
         assert!(z.iter().zip(exact.slack(&z).iter()).all(|(z, w)| (z * w) == ratio(0, 1)));
+    }
+
+    /// Planted solutions of which every other entry is zero, with an asymmetric M of a positive definite symmetric part: z is unique.
+    #[test]
+    fn large_bases_are_updated_without_losing_digits() {
+        for size in [SMALL_BASIS, SMALL_BASIS + 1, 4 * SMALL_BASIS] {
+            let matrix = DMatrix::from_fn(size, size, |i, j| match (i, j) {
+                (i, j) if i == j => 4.0,
+                (i, j) if i + 1 == j => -1.5,
+                (i, j) if i == j + 1 => 0.5,
+                (i, j) => {
+                    if (i * 7 + j * 3) % 11 == 0 {
+                        1.0 / (2.0 * size as f64)
+                    } else {
+                        0.0
+                    }
+                }
+            });
+            let planted = DVector::from_fn(size, |i, _| if i % 2 == 0 { 1.0 + (i % 5) as f64 } else { 0.0 });
+            let slack = DVector::from_fn(size, |i, _| if i % 2 == 0 { 0.0 } else { 0.25 + (i % 3) as f64 });
+            let lcp = Lcp::new(matrix.clone(), slack - &matrix * &planted);
+            let LemkeOutcome::Solution { z, pivots } = lemke(&lcp, &DVector::from_element(size, 1.0)).unwrap() else {
+                panic!("a solution")
+            };
+            assert!(pivots > size / 4, "{pivots} pivots of {size} rows update the basis");
+            let condition = 4.0; // of the symmetric part, at most 6/2
+            assert!((z - planted).amax() <= condition * moreau_exact::tolerance::rounding(2 * size, 64.0), "{size} rows");
+        }
     }
 
     #[test]

@@ -9,11 +9,14 @@
 //! Two ratios tie up to the error and the mean change: numbers that tie but for rounding must tie at every basis, and numbers that do
 //! not tie must not, since the wrong row makes a basic variable negative. A pivot is certain, above the largest change. All are zero for
 //! exact rationals.
+//!
+//! B⁻¹ of a small basis is computed from the data at every pivot. That of a larger one is updated, B⁻¹ ← E B⁻¹, and now and then computed
+//! anew: the residual is that of the data in any case, and so is what is said of the error.
 
 use super::doubled::residual;
 use super::lemke_outcome::LemkeOutcome;
 use crate::problem::Lcp;
-use crate::tolerance::solvers::{KNOWN_PIVOT, cancellation, mean_of_data, smallest_pivot, sum_of_data};
+use crate::tolerance::solvers::{KNOWN_PIVOT, SMALL_BASIS, UPDATES, cancellation, mean_of_data, smallest_pivot, sum_of_data};
 use moreau_exact::scalar::Scalar;
 use moreau_exact::{Error, Result, elimination};
 use nalgebra::{DMatrix, DVector};
@@ -32,6 +35,8 @@ pub(super) struct Tableau<T: Scalar> {
     data: DMatrix<T>,
     inverse: DMatrix<T>,
     basis: Vec<usize>,
+    /// Pivots since B⁻¹ was computed from the data; of rounded numbers.
+    updates: usize,
 }
 
 impl<T: Scalar> Tableau<T> {
@@ -43,7 +48,7 @@ impl<T: Scalar> Tableau<T> {
             j if j == 2 * size => -covering[i].clone(),
             _ => lcp.vector[i].clone(),
         });
-        Tableau { data, inverse: DMatrix::identity(size, size), basis: (0..size).collect() }
+        Tableau { data, inverse: DMatrix::identity(size, size), basis: (0..size).collect(), updates: 0 }
     }
 
     fn size(&self) -> usize {
@@ -82,8 +87,11 @@ impl<T: Scalar> Tableau<T> {
         self.column(2 * self.size() + 1)
     }
 
-    /// Column j of B⁻¹, no better known than its data.
+    /// Column j of B⁻¹, no better known than its data; refined where B⁻¹ was only updated.
     fn of_inverse(&self, j: usize) -> Column<T> {
+        if self.updates > 0 {
+            return self.column(j);
+        }
         let values = self.inverse.column(j).into_owned();
         let uncertainty =
             if T::spacing().is_zero() { values.map(|_| T::zero()) } else { self.uncertainty(&values, &self.data.column(j).into_owned()) };
@@ -161,14 +169,18 @@ impl<T: Scalar> Tableau<T> {
         let leaving = std::mem::replace(&mut self.basis[row], entering);
         if T::spacing().is_zero() {
             self.update(row, &column.values)
+        } else if self.size() > SMALL_BASIS && self.updates < UPDATES {
+            self.update(row, &column.values);
+            self.updates += 1;
         } else {
+            self.updates = 0;
             self.inverse =
                 elimination::solve_columns(&self.basis_columns(), &DMatrix::identity(self.size(), self.size())).ok_or_else(singular)?;
         }
         Ok(leaving)
     }
 
-    /// One step of Gauss–Jordan elimination on B⁻¹, for exact numbers.
+    /// One step of Gauss–Jordan elimination on B⁻¹, exact for exact numbers.
     fn update(&mut self, row: usize, column: &DVector<T>) {
         for mut entries in self.inverse.column_iter_mut() {
             if entries[row].is_zero() {

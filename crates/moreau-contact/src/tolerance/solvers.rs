@@ -173,6 +173,18 @@ pub const LEMKE_DIRECTIONS: [usize; 2] = [8, 5];
 /// Set.
 pub const LEMKE_UNKNOWNS: usize = 200;
 
+/// Most unknowns of the linear complementarity problems that `auto` pivots where nothing else ended them.
+/// Set.
+pub const LEMKE_LAST: usize = 2000;
+
+/// Rows of a basis up to which Lemke's method computes B⁻¹ from the data at every pivot.
+/// Set.
+pub const SMALL_BASIS: usize = 64;
+
+/// Pivots for which B⁻¹ of a larger basis is updated before it is computed anew: an update takes n² operations, computing it n³.
+/// Set.
+pub const UPDATES: usize = 32;
+
 /// Unknowns of the linear complementarity problems that `auto` pivots for a polygon in place of a round cone. The limit is lower because
 /// other algorithms follow: 3·10⁸ operations are what the alternating directions take for as many contacts.
 /// Set.
