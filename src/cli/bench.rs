@@ -31,7 +31,7 @@ pub struct Arguments {
     #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: f64,
     /// Time to spend on repeating one measurement [s].
-    #[arg(long, default_value_t = 0.2, value_name = "SECONDS")]
+    #[arg(long, default_value_t = 0.2, value_name = "SECONDS", allow_hyphen_values = true)]
     repeat: f64,
     #[command(flatten)]
     common: CommonOptions,

@@ -4,6 +4,7 @@ use super::limits::{CommonOptions, check_tolerance};
 use super::output::print;
 use super::{Answer, Format};
 use crate::Result;
+use crate::certificate::backward::backward;
 use crate::certificate::residuals;
 use crate::problem::{ContactProblem, Solution};
 use crate::report::certificate::Certificate;
@@ -27,6 +28,9 @@ pub struct Arguments {
     /// Largest residual accepted, relative to the scale of its contact.
     #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: f64,
+    /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly. Not for polyhedral laws.
+    #[arg(long)]
+    prove: bool,
     #[command(flatten)]
     common: CommonOptions,
 }
@@ -35,6 +39,7 @@ const EXAMPLES: &str = "\
 Examples:
   moreau certify problem.json solution.json
   moreau certify problem.json solution.json --tolerance 1e-12 --format json
+  moreau certify problem.json solution.json --prove      with a proved backward error
   moreau certify collected.hdf5                          an FCLIB file and the solution stored in it
 
 Exit code 0: a solution; 1: not a solution; 2: the files cannot be read or do not fit each other.";
@@ -48,7 +53,10 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let file = arguments.solution.as_ref().unwrap_or(&arguments.problem);
     let solution = Solution::read(file, &problem)?;
     let residuals = residuals(&problem, &solution).map_err(|error| error.in_file(file))?;
-    let certificate = Certificate::new(&problem, &solution, &residuals, tolerance);
+    let mut certificate = Certificate::new(&problem, &solution, &residuals, tolerance);
+    if arguments.prove {
+        certificate = certificate.with_proof(&backward(&problem, &solution.impulse).map_err(|error| error.in_file(&arguments.problem))?);
+    }
     print(&match arguments.common.format {
         Format::Text => certificate.text(),
         Format::Json => pretty(&certificate)?,

@@ -1,5 +1,6 @@
 //! How good an answer to a contact problem is: residuals with units, and whether they are small enough.
 
+use crate::certificate::backward::{Backward, HeldAs};
 use crate::certificate::{Residuals, Worst};
 use crate::number::{significant, with_unit};
 use crate::problem::{ContactProblem, Solution};
@@ -19,6 +20,21 @@ pub struct Certificate<'a> {
     residuals: &'a Residuals,
     tolerance: f64,
     solution: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    backward: Option<Proved>,
+}
+
+/// A proved backward error.
+#[derive(Serialize)]
+struct Proved {
+    /// The largest ‖δ_k‖ [m/s], and its contact.
+    velocity: f64,
+    contact: Option<usize>,
+    /// The largest ‖r′ − r‖ [N·s].
+    impulse: f64,
+    /// Of every contact.
+    states: Vec<&'static str>,
+    velocities: Vec<f64>,
 }
 
 impl<'a> Certificate<'a> {
@@ -35,7 +51,21 @@ impl<'a> Certificate<'a> {
             residuals,
             tolerance,
             solution: solution_found,
+            backward: None,
         }
+    }
+
+    /// The same with a proved backward error.
+    pub fn with_proof(self, proof: &Backward) -> Self {
+        let word = |state: &HeldAs| match state {
+            HeldAs::Open => "open",
+            HeldAs::Sticking => "sticking",
+            HeldAs::Sliding => "sliding",
+        };
+        let (contact, velocity) = proof.worst().map_or((None, 0.0), |(contact, velocity)| (Some(contact), velocity));
+        let states = proof.states.iter().map(word).collect();
+        let proved = Proved { velocity, contact, impulse: proof.moved(), states, velocities: proof.velocity.clone() };
+        Certificate { backward: Some(proved), ..self }
     }
 
     /// Whether the answer is a solution.
@@ -58,10 +88,36 @@ impl<'a> Certificate<'a> {
         for (name, value, unit) in self.residuals.norms() {
             line(format!("  {name:18} {}", with_unit(&significant(value), unit)));
         }
+        if let Some(proof) = &self.backward {
+            let [velocity, impulse] =
+                [(proof.velocity, "m/s"), (proof.impulse, "N·s")].map(|(number, unit)| with_unit(&above(number), unit));
+            let place = proof.contact.map_or(String::new(), |contact| format!(" (contact {contact})"));
+            line(format!(
+                "proved in fractions: impulses that differ by at most {impulse} at a contact solve exactly the problem whose free"
+            ));
+            line(format!(
+                "  velocity differs by at most {velocity} at a contact{place}; whether the problem itself has a solution near is not proved"
+            ));
+        }
         let verdict = if self.solution { "a solution" } else { "NOT a solution" };
         line(format!("{verdict} to the relative tolerance {}", significant(self.tolerance)));
         text
     }
+}
+
+/// A bound to four digits that is not below it.
+fn above(bound: f64) -> String {
+    if bound == 0.0 {
+        return "0".into();
+    }
+    let digits = format!("{bound:.3e}");
+    let rounded: f64 = digits.parse().expect("it was printed");
+    if rounded >= bound {
+        return digits;
+    }
+    let (mantissa, exponent) = digits.split_once('e').expect("an exponent");
+    let thousandths = mantissa.replace('.', "").parse::<i64>().expect("digits") + 1;
+    format!("{}.{:03}e{exponent}", thousandths / 1000, thousandths % 1000)
 }
 
 #[cfg(test)]
@@ -94,5 +150,14 @@ mod tests {
     fn a_pull_is_no_solution() {
         let (text, accepted) = certificate(-1.0);
         assert!(!accepted && text.ends_with("NOT a solution to the relative tolerance 0.25\n"), "{text}");
+    }
+
+    #[test]
+    fn a_proved_bound_is_printed_no_smaller_than_it_is() {
+        for bound in [1.0 / 3.0, 2.0 / 3.0, 9.99951, 1e-300, 7e-13, 12345.0] {
+            let printed: f64 = above(bound).parse().unwrap();
+            assert!(printed >= bound && printed <= bound * 1.002, "{bound} {printed}");
+        }
+        assert_eq!(above(0.0), "0");
     }
 }

@@ -1,5 +1,6 @@
 //! The built command, seen from outside: exit codes, messages, shapes of output, and that an error writes nothing.
 
+mod bench;
 mod certify;
 mod compare;
 mod gate;

@@ -3,6 +3,7 @@
 //! This module imports no solver and no scheme.
 
 mod at_contact;
+pub mod backward;
 pub mod copositivity;
 mod decision;
 pub mod definiteness;

@@ -1,0 +1,91 @@
+//! `moreau bench`, and the formats of problems that all three of `solve`, `certify` and `bench` read.
+
+use super::{Folder, PROBLEM, moreau};
+use moreau::nalgebra::{DMatrix, dvector};
+use moreau::problem::ContactProblem;
+use moreau::solvers::{Auto, ContactSolver};
+
+/// One spatial contact of Siconos's kind, W dense: it sticks.
+const DAT: &str = "3\n1\n0\n3\n3\n3\t3\n2 0 0\n0 1 0\n0 0 1\n-1 0.125 0\n0.5\n";
+const LCP: &str = r#"{"schema": "lcp/1", "name": "two", "matrix": {"shape": [2, 2], "rows": [[2, 1], [0, 1]]}, "vector": [-1, 2]}"#;
+
+fn spatial() -> ContactProblem {
+    ContactProblem::new(DMatrix::identity(3, 3), dvector![-1.0, 2.0, 0.0]).friction(vec![0.5]).build().unwrap()
+}
+
+#[test]
+fn a_folder_of_problems_is_timed_and_certified() {
+    let folder = Folder::new("bench");
+    folder.file("a.json", PROBLEM);
+    folder.file("b.dat", DAT);
+    folder.file("c.json", LCP);
+    folder.file("not a problem.txt", "");
+    let run = moreau(&["bench", &folder.path("."), "--repeat", "0", "--solver", "auto", "--solver", "lemke", "--format", "json"]);
+    // Lemke refuses b, which auto solves
+    assert_eq!(run.code, 0, "{}{}", run.output, run.message);
+    let json = run.json();
+    let runs = json["runs"].as_array().unwrap();
+    assert_eq!(runs.len(), 6);
+    assert!(
+        runs.iter().filter(|run| run["solver"] == "auto").all(|run| run["solved"] == true && run["relative"].as_f64().unwrap() <= 1e-8)
+    );
+    let refused: Vec<_> = runs.iter().filter(|run| run["failure"].is_string()).map(|run| run["problem"].as_str().unwrap()).collect();
+    assert_eq!(refused, ["b.dat"]);
+    assert_eq!(json["solvers"][0]["solved"], 3);
+    let alone = moreau(&["bench", &folder.path("b.dat"), "--repeat", "0", "--solver", "lemke"]);
+    assert_eq!(alone.code, 1, "nobody solved it: {}", alone.output);
+}
+
+#[test]
+fn what_cannot_be_timed_is_refused() {
+    let folder = Folder::new("bench-bad");
+    moreau(&["bench", &folder.path(".")]).is_refused(&["PROBLEMS", "json, dat"]);
+    let problem = folder.file("a.json", PROBLEM);
+    moreau(&["bench", &problem, "--solver", "gauss"]).is_refused(&["--solver", "gauss"]);
+    moreau(&["bench", &problem, "--repeat", "-1"]).is_refused(&["--repeat"]);
+    moreau(&["bench", &problem, "--tolerance", "nan"]).is_refused(&["--tolerance"]);
+    moreau(&["bench", &folder.file("cut.dat", &DAT[..20])]).is_refused(&["cut.dat", "W, line"]);
+}
+
+#[test]
+fn every_format_is_solved_and_certified() {
+    let folder = Folder::new("formats");
+    let hdf5 = folder.path("d.hdf5");
+    std::fs::write(&hdf5, spatial().to_fclib(None, None).unwrap()).unwrap();
+    for problem in [folder.file("b.dat", DAT), folder.file("c.json", LCP), hdf5] {
+        let answer = folder.path("answer.json");
+        assert_eq!(moreau(&["solve", &problem, "--out", &answer]).code, 0, "{problem}");
+        let run = moreau(&["certify", &problem, &answer, "--prove", "--format", "json"]);
+        assert_eq!(run.code, 0, "{problem} {}{}", run.output, run.message);
+        let bound = run.json()["backward"]["velocity"].as_f64().unwrap();
+        assert!(bound <= moreau::tolerance::rounding(16, 8.0), "{problem}: {bound}");
+    }
+}
+
+#[test]
+fn the_solution_that_an_fclib_file_stores_is_judged() {
+    let folder = Folder::new("fclib-stored");
+    let (problem, file) = (spatial(), folder.path("stored.hdf5"));
+    let answer = Auto.solve(&problem, None).unwrap();
+    std::fs::write(&file, problem.to_fclib(Some(&answer), None).unwrap()).unwrap();
+    assert_eq!(moreau(&["certify", &file]).code, 0);
+    let mut nothing = answer.clone();
+    nothing.impulse.fill(0.0);
+    nothing.velocity = problem.free_velocity().clone();
+    std::fs::write(&file, problem.to_fclib(Some(&nothing), None).unwrap()).unwrap();
+    assert_eq!(moreau(&["certify", &file]).code, 1, "a stored r = 0 is no solution");
+    std::fs::write(&file, problem.to_fclib(None, None).unwrap()).unwrap();
+    moreau(&["certify", &file]).is_refused(&["stored.hdf5", "solution/r"]);
+}
+
+#[test]
+fn a_proof_tells_how_far_the_problem_is_that_a_wrong_answer_solves() {
+    let folder = Folder::new("prove");
+    let problem = folder.file("problem.json", PROBLEM);
+    let wrong = folder.file("wrong.json", r#"{"schema": "solution/1", "impulse": [1.25, -0.5], "velocity": [0.25, 1.5]}"#);
+    let run = moreau(&["certify", &problem, &wrong, "--prove"]);
+    assert_eq!(run.code, 1);
+    assert!(run.output.contains("proved in fractions") && run.output.contains("m/s at a contact (contact 0)"), "{}", run.output);
+    let polyhedral = folder.file("polyhedral.json", &PROBLEM.replace(r#""coulomb""#, r#""polyhedral-coulomb", "directions": 2"#));
+    moreau(&["certify", &polyhedral, &wrong, "--prove"]).is_refused(&["polyhedral.json", "not proved"]);
+}
