@@ -1,89 +1,70 @@
-//! The default solver, which tries several algorithms in turn.
+//! The algorithms of [`Auto`](super::Auto) in their order, each with the problems it is for.
 
 #[cfg(feature = "clarabel")]
-use super::ClarabelPolished;
-use super::{
+use super::super::ClarabelPolished;
+use super::super::{
     AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, GaussNewton, InteriorPoint, LemkePivoting, NonsmoothNewton,
-    ProjectedGaussSeidel, ProjectedOverRelaxation,
+    ProjectedGaussSeidel, ProjectedOverRelaxation, compliance,
 };
 use crate::certificate::Judge;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
-use crate::tolerance::solvers::{self as tolerance, ACCEPTABLE, ENOUGH};
-use moreau_exact::error::Failure;
-use moreau_exact::{Error, Result};
+use crate::tolerance::solvers::{self as tolerance, ENOUGH};
+use moreau_exact::Result;
 use nalgebra::DVector;
 
-/// The default choice: one algorithm after another, in a fixed order, until the certificate's residuals are below [`ENOUGH`], after the
-/// first of nonsmooth Newton below [`ACCEPTABLE`]; otherwise the best answer seen.
-///
-/// | for | algorithm |
-/// |---|---|
-/// | soft contacts | Newton on Gauss's principle |
-/// | all but a compliance on edges | a few accelerated sweeps, and nonsmooth Newton from what they found, until [`ENOUGH`] |
-/// | W stored by blocks, first | a few steps of Newton; with round cones interior points, and Newton from there; Newton from zero |
-/// | the same without the polyhedral associated law in space | more accelerated sweeps, and Newton |
-/// | all but a compliance on edges | Newton from zero; Newton on contacts that are soft at first and then harder and harder |
-/// | second-order cones | plain sweeps, and Newton from what they found |
-/// | second-order cones and a symmetric W | a few steps of the alternating directions, and Newton |
-/// | one row, the plane, polyhedral laws, no friction; not too many contacts | Lemke |
-/// | second-order cones, not too many contacts | Lemke with an octagon, then a pentagon, in place of the disk, and Newton |
-/// | second-order cones and a symmetric W | many steps of the alternating directions, and Newton |
-/// | second-order cones | over-relaxation |
-/// | polyhedral Coulomb in space | plain sweeps |
-/// | the associated law | accelerated projected gradient, Clarabel |
-/// | one row, the plane, polyhedral laws, no friction; up to ten times as many contacts as before | Lemke |
-///
-/// Each starts from the best answer of those before. The order and the numbers of iterations are fixed, so that the same problem has the
-/// same answer on every machine; no clock is asked. The answer names the algorithm it came from, with the iterations of all.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Auto;
-
 /// Whether an algorithm is for a problem.
-type Takes = fn(&ContactProblem) -> bool;
+pub(super) type Takes = fn(&ContactProblem) -> bool;
 
-/// One algorithm of [`Auto`], from the impulses to start from.
-type Stage = fn(&ContactProblem, Option<&DVector<f64>>) -> Result<Solution>;
+/// One algorithm of [`Auto`](super::Auto), from the impulses to start from, which stops at this relative residual.
+pub(super) type Stage = fn(&ContactProblem, Option<&DVector<f64>>, f64) -> Result<Solution>;
 
 /// The algorithms with the problems they are for, in order, that cost little: they go on until [`ENOUGH`].
-const QUICK: &[(Takes, Stage)] = &[
-    (|problem| problem.compliance().is_some(), |problem, start| GaussNewton::default().solve(problem, start)),
+pub(super) const QUICK: &[(Takes, Stage)] = &[
+    (|problem| problem.compliance().is_some(), |problem, start, _| GaussNewton::default().solve(problem, start)),
     (is_iterated, few_sweeps),
-    (has_blocks, |problem, start| NonsmoothNewton { steps: tolerance::SHORT_STEPS, starts: 1, ..Default::default() }.solve(problem, start)),
+    (has_blocks, |problem, start, stop| {
+        NonsmoothNewton { steps: tolerance::SHORT_STEPS, starts: 1, tolerance: stop }.solve(problem, start)
+    }),
     (is_large, through_interior),
     (is_iterated, newton),
 ];
 
 /// Those that follow where the answer is not good enough yet for the certificate, [`ACCEPTABLE`].
-const THOROUGH: &[(Takes, Stage)] = &[
-    (has_blocks, |problem, _| newton(problem, None)),
+pub(super) const THOROUGH: &[(Takes, Stage)] = &[
+    (has_blocks, |problem, _, stop| newton(problem, None, stop)),
     (is_swept, more_sweeps),
     (is_swept, newton),
-    (is_iterated, |problem, _| newton(problem, None)),
+    (is_iterated, |problem, _, stop| newton(problem, None, stop)),
     (is_iterated, through_softness),
-    (has_second_order_cone, |problem, start| {
-        ProjectedGaussSeidel { sweeps: tolerance::PLAIN_SWEEPS, ..Default::default() }.solve(problem, start)
+    (has_second_order_cone, |problem, start, stop| {
+        ProjectedGaussSeidel { sweeps: tolerance::PLAIN_SWEEPS, tolerance: stop, ..Default::default() }.solve(problem, start)
     }),
     (has_second_order_cone, newton),
-    (has_second_order_cone, |problem, start| {
-        AlternatingDirections { iterations: tolerance::FIRST_ALTERNATIONS, ..Default::default() }.solve(problem, start)
+    (has_second_order_cone, |problem, start, stop| {
+        AlternatingDirections { iterations: tolerance::FIRST_ALTERNATIONS, tolerance: stop }.solve(problem, start)
     }),
     (has_second_order_cone, newton),
-    (is_pivoted, |problem, _| LemkePivoting.solve(problem, None)),
-    (is_round, |problem, _| through_polygon(problem, tolerance::LEMKE_DIRECTIONS[0])),
-    (is_round, |problem, _| through_polygon(problem, tolerance::LEMKE_DIRECTIONS[1])),
-    (has_second_order_cone, |problem, start| AlternatingDirections::default().solve(problem, start)),
+    (is_pivoted, |problem, _, _| LemkePivoting.solve(problem, None)),
+    (is_round, |problem, _, stop| through_polygon(problem, tolerance::LEMKE_DIRECTIONS[0], stop)),
+    (is_round, |problem, _, stop| through_polygon(problem, tolerance::LEMKE_DIRECTIONS[1], stop)),
+    (has_second_order_cone, |problem, start, stop| AlternatingDirections { tolerance: stop, ..Default::default() }.solve(problem, start)),
     (has_second_order_cone, newton),
-    (has_second_order_cone, |problem, start| {
-        ProjectedOverRelaxation { sweeps: tolerance::AUTO_SWEEPS, ..Default::default() }.solve(problem, start)
+    (has_second_order_cone, |problem, start, stop| {
+        ProjectedOverRelaxation { sweeps: tolerance::AUTO_SWEEPS, tolerance: stop, ..Default::default() }.solve(problem, start)
     }),
     (
         |problem| problem.rows_per_contact() == 3 && matches!(problem.law(), Law::PolyhedralCoulomb { .. }),
-        |problem, start| ProjectedGaussSeidel { sweeps: tolerance::AUTO_SWEEPS, ..Default::default() }.solve(problem, start),
+        |problem, start, stop| {
+            ProjectedGaussSeidel { sweeps: tolerance::AUTO_SWEEPS, tolerance: stop, ..Default::default() }.solve(problem, start)
+        },
     ),
-    (|problem| problem.law() == Law::Associated, |problem, start| AcceleratedProjectedGradient::default().solve(problem, start)),
+    (
+        |problem| problem.law() == Law::Associated,
+        |problem, start, stop| AcceleratedProjectedGradient { tolerance: stop, ..Default::default() }.solve(problem, start),
+    ),
     #[cfg(feature = "clarabel")]
-    (is_convex, |problem, _| ClarabelPolished.solve(problem, None)),
-    (is_pivoted_last, |problem, _| LemkePivoting.solve(problem, None)),
+    (is_convex, |problem, _, _| ClarabelPolished.solve(problem, None)),
+    (is_pivoted_last, |problem, _, _| LemkePivoting.solve(problem, None)),
 ];
 
 /// Laws of a convex program, the interior point's.
@@ -92,7 +73,7 @@ fn is_convex(problem: &ContactProblem) -> bool {
 }
 
 /// The algorithms for this problem that the features of this build left out, in words for the answer's solver; empty if none.
-fn left_out(problem: &ContactProblem) -> &'static str {
+pub(super) fn left_out(problem: &ContactProblem) -> &'static str {
     if is_convex(problem) && !cfg!(feature = "clarabel") { " (not tried: clarabel, a feature of moreau-contact)" } else { "" }
 }
 
@@ -120,8 +101,8 @@ fn has_second_order_cone(problem: &ContactProblem) -> bool {
     problem.law().directions().is_none()
 }
 
-fn newton(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solution> {
-    NonsmoothNewton::default().solve(problem, start)
+fn newton(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
+    NonsmoothNewton { tolerance: stop, ..Default::default() }.solve(problem, start)
 }
 
 /// Whether Lemke's pivots are not too many here, or nothing else is for the problem.
@@ -149,113 +130,57 @@ fn unknowns(problem: &ContactProblem, directions: usize) -> usize {
 
 /// Newton's method on softer contacts, W + α/ρ in place of W, from soft to hard, α = 1, ¼, …: each answer is near the next, and where none
 /// is the last one is.
-fn through_softness(problem: &ContactProblem, _: Option<&DVector<f64>>) -> Result<Solution> {
+fn through_softness(problem: &ContactProblem, _: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
     let (weights, mut softer) = (Judge::weights(problem), problem.clone());
     let (rows, mut impulse, mut iterations) = (problem.rows_per_contact(), None, 0);
     for alpha in tolerance::softnesses() {
         let added = |row: usize| alpha / weights[row / rows][usize::from(!row.is_multiple_of(rows))];
-        let diagonal = DVector::from_fn(problem.rows(), |row, _| super::compliance(problem, row) + added(row));
+        let diagonal = DVector::from_fn(problem.rows(), |row, _| compliance(problem, row) + added(row));
         softer = softer.into_builder().compliance(Compliance { coordinates: Coordinates::Contact, diagonal }).build()?;
         let solver = NonsmoothNewton { steps: tolerance::SOFT_STEPS, tolerance: ENOUGH, ..Default::default() };
         let solution = solver.solve(&softer, impulse.as_ref())?;
         iterations += solution.iterations;
         impulse = Some(solution.impulse);
     }
-    let ended = newton(problem, impulse.as_ref())?;
+    let ended = newton(problem, impulse.as_ref(), stop)?;
     Ok(Solution { iterations: iterations + ended.iterations, ..ended })
 }
 
 /// Interior points, which tell which contacts press, stick and slide however redundant they are, and Newton from there.
-fn through_interior(problem: &ContactProblem, _: Option<&DVector<f64>>) -> Result<Solution> {
-    let begun = InteriorPoint::default().solve(problem, None)?;
-    let ended = NonsmoothNewton { starts: 1, ..Default::default() }.solve(problem, Some(&begun.impulse))?;
+fn through_interior(problem: &ContactProblem, _: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
+    let begun = InteriorPoint { tolerance: stop, ..Default::default() }.solve(problem, None)?;
+    let ended = NonsmoothNewton { starts: 1, tolerance: stop, ..Default::default() }.solve(problem, Some(&begun.impulse))?;
     Ok(Solution { iterations: begun.iterations + ended.iterations, ..ended })
 }
 
 /// Lemke on a polygon in place of the disk, which tells which contacts press, stick and slide, and Newton from there.
-fn through_polygon(problem: &ContactProblem, directions: usize) -> Result<Solution> {
+fn through_polygon(problem: &ContactProblem, directions: usize, stop: f64) -> Result<Solution> {
     let law =
         if problem.law() == Law::Associated { Law::PolyhedralAssociated { directions } } else { Law::PolyhedralCoulomb { directions } };
     let begun = LemkePivoting.solve(&problem.clone().into_builder().law(law).build()?, None)?;
-    let ended = newton(problem, Some(&begun.impulse))?;
+    let ended = newton(problem, Some(&begun.impulse), stop)?;
     Ok(Solution { iterations: begun.iterations + ended.iterations, ..ended })
 }
 
-fn few_sweeps(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solution> {
-    swept(problem, start, tolerance::FEW_SWEEPS)
+fn few_sweeps(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
+    swept(problem, start, tolerance::FEW_SWEEPS, stop)
 }
 
 /// Where Lemke ends the problem, sweeps are not worth more than it.
-fn more_sweeps(problem: &ContactProblem, start: Option<&DVector<f64>>) -> Result<Solution> {
-    swept(problem, start, if has_second_order_cone(problem) { tolerance::AUTO_SWEEPS } else { tolerance::FIRST_SWEEPS })
+fn more_sweeps(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
+    swept(problem, start, if has_second_order_cone(problem) { tolerance::AUTO_SWEEPS } else { tolerance::FIRST_SWEEPS }, stop)
 }
 
 /// Accelerated sweeps; of the round cone where the law has none of its own, which in the plane is the same one and in space tells which
 /// contacts press.
-fn swept(problem: &ContactProblem, start: Option<&DVector<f64>>, sweeps: usize) -> Result<Solution> {
-    let solver = ProjectedGaussSeidel { sweeps, ..ProjectedGaussSeidel::accelerated() };
+fn swept(problem: &ContactProblem, start: Option<&DVector<f64>>, sweeps: usize, stop: f64) -> Result<Solution> {
+    let solver = ProjectedGaussSeidel { sweeps, tolerance: stop, ..ProjectedGaussSeidel::accelerated() };
     let round = match problem.law() {
         Law::PolyhedralCoulomb { .. } if problem.rows_per_contact() == 2 => Law::Coulomb,
         Law::PolyhedralAssociated { .. } => Law::Associated,
         _ => return solver.solve(problem, start),
     };
     solver.solve(&problem.clone().into_builder().law(round).build()?, start)
-}
-
-impl ContactSolver for Auto {
-    fn name(&self) -> &'static str {
-        "auto"
-    }
-
-    fn takes(&self, _law: Law, _rows: usize, _symmetric: bool) -> bool {
-        true
-    }
-
-    fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        super::start(problem, warm_start)?;
-        let (mut judge, mut iterations) = (Judge::default(), 0);
-        let mut best: Option<(f64, Solution)> = None;
-        let mut failure = None;
-        let stages = QUICK.iter().map(|stage| (stage, ENOUGH)).chain(THOROUGH.iter().map(|stage| (stage, ACCEPTABLE)));
-        for ((takes, stage), enough) in stages {
-            if best.as_ref().is_some_and(|(least, _)| *least <= enough) {
-                break;
-            }
-            if !takes(problem) {
-                continue;
-            }
-            let start = best.as_ref().map(|(_, solution)| &solution.impulse).or(warm_start);
-            let solution = match stage(problem, start) {
-                Ok(solution) => solution,
-                Err(error) => {
-                    failure = failure.or(Some(error));
-                    continue;
-                }
-            };
-            iterations += solution.iterations;
-            let relative = judge.judge(problem, &solution)?.relative();
-            let better = !relative.is_nan() && best.as_ref().is_none_or(|(least, _)| relative < *least);
-            if better {
-                best = Some((relative, solution));
-            }
-        }
-        match (best, failure) {
-            (Some((relative, solution)), _) => {
-                let untried = if relative <= ACCEPTABLE { "" } else { left_out(problem) };
-                Ok(Solution { iterations, solver: solution.solver + untried, ..solution })
-            }
-            (None, Some(Error::Solver { solver, failure, reason })) => {
-                // one of several algorithms may refuse a problem; the chain takes them all, so that it breaks down
-                let failure = if failure == Failure::Refused { Failure::Breakdown } else { failure };
-                Err(Error::solver(solver, failure, reason + left_out(problem)))
-            }
-            (None, Some(error)) => Err(error),
-            (None, None) => {
-                let reason = "no algorithm gave an answer made of numbers; rescale the units of the problem";
-                Err(Error::breakdown(self.name(), format!("{reason}{}", left_out(problem))))
-            }
-        }
-    }
 }
 
 #[cfg(test)]
@@ -288,7 +213,7 @@ mod tests {
     fn softer_contacts_lead_to_the_answer_of_the_hard_ones() {
         for law in [Law::Frictionless, Law::Coulomb, Law::Associated, Law::PolyhedralCoulomb { directions: 2 }] {
             let problem = points(4, law);
-            let solution = through_softness(&problem, None).unwrap();
+            let solution = through_softness(&problem, None, tolerance::STOP).unwrap();
             assert!(residuals(&problem, &solution).unwrap().is_solution(ENOUGH), "{law:?}");
             let other = LemkePivoting.solve(&problem, None).unwrap();
             assert!((&other.velocity - &solution.velocity).amax() <= crate::tolerance::certificate::CERTIFY, "{law:?}");
