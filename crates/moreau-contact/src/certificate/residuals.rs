@@ -13,12 +13,12 @@
 //! complementary pairs (`polyhedral`). Contact by contact each residual is held against max(τ · scale, floor), see `scales`: a light
 //! contact beside a heavy one is judged by its own size.
 //!
-//! For comparison with other programs there are two norms over all contacts that decide nothing: ‖r − P_K(r − ρŷ)‖ with ρ = rows/tr(W_kk +
-//! R_kk), and Siconos's number with ρ = 1 kg.
+//! For comparison with other programs there are norms over all contacts that decide nothing: ‖r − P_K(r − ρŷ)‖ with ρ = rows/tr(W_kk +
+//! R_kk), and with ρ = 1 kg by Siconos's size and by FCLIB's.
 
 use super::at_contact::{Here, worst};
 use super::judge::{Judge, Judged, check_sizes};
-use super::natural_map;
+use super::natural_map::{self, OneKilogram};
 use super::polyhedral::Pairs;
 use crate::problem::{ContactProblem, Law, Solution};
 use moreau_exact::Result;
@@ -40,8 +40,8 @@ pub struct Residuals {
     pub velocity: f64,
     /// ‖r − P_K(r − ρŷ)‖ over all contacts \[N·s\]; shown for comparison.
     pub natural_map: f64,
-    /// Siconos's number: the natural map with ρ = 1 kg over max(‖q‖, ‖r‖, ‖u‖), which mixes units; shown for comparison.
-    pub siconos: f64,
+    /// The natural map with ρ = 1 kg by Siconos's size and by FCLIB's, which mix units; shown for comparison.
+    pub one_kilogram: OneKilogram,
     /// ‖r‖ \[N·s\].
     pub impulse_scale: f64,
     /// ‖u_free + shift‖ \[m/s\].
@@ -78,7 +78,6 @@ pub fn residuals(problem: &ContactProblem, solution: &Solution) -> Result<Residu
     let data = problem.free_velocity() + problem.shift();
     let map = NaturalMap::new(problem, solution)?;
     let velocity = problem.velocity(impulse);
-    let unit_scale = worst(data.norm(), worst(impulse.norm(), velocity.norm()));
     Ok(Residuals {
         judged,
         primal: judged.primal.largest,
@@ -86,7 +85,7 @@ pub fn residuals(problem: &ContactProblem, solution: &Solution) -> Result<Residu
         complementarity: judged.complementarity.largest,
         velocity: judged.velocity.largest,
         natural_map: map.own_mass,
-        siconos: if unit_scale > 0.0 { map.one_kilogram / unit_scale } else { map.one_kilogram },
+        one_kilogram: OneKilogram::new(map.one_kilogram, [data.norm(), impulse.norm(), velocity.norm()]),
         impulse_scale: impulse.norm(),
         velocity_scale: data.norm(),
         natural_map_scale: worst(impulse.norm(), map.data),
@@ -156,10 +155,11 @@ impl Residuals {
     }
 
     /// What is shown for comparison and decides nothing: name, value and unit.
-    pub fn norms(&self) -> [(&'static str, f64, &'static str); 5] {
+    pub fn norms(&self) -> [(&'static str, f64, &'static str); 6] {
         [
             ("natural_map", self.natural_map, "N·s"),
-            ("siconos", self.siconos, "1"),
+            ("siconos", self.one_kilogram.siconos, "1"),
+            ("fclib", self.one_kilogram.fclib, "1"),
             ("impulse_scale", self.impulse_scale, "N·s"),
             ("velocity_scale", self.velocity_scale, "m/s"),
             ("natural_map_scale", self.natural_map_scale, "N·s"),

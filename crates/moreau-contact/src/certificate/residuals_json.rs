@@ -29,7 +29,7 @@ impl Serialize for Residuals {
             value: f64,
             unit: &'static str,
         }
-        let mut map = serializer.serialize_map(Some(11))?;
+        let mut map = serializer.serialize_map(Some(12))?;
         for (name, worst, unit) in self.judged.entries() {
             map.serialize_entry(name, &Entry::new(worst, unit))?;
         }
