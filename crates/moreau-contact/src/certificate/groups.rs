@@ -4,9 +4,11 @@
 //! that mix bodies give the rows of two bodies the same columns. Without H, if the file names the same pair and W couples each of them
 //! with each. A name alone joins nothing: it could hide a light contact behind a heavy one that it never meets.
 
+use crate::operator::BlockRows;
 use crate::problem::ContactProblem;
 use crate::tolerance::certificate::COUPLED;
 use std::collections::HashMap;
+use std::ops::Range;
 
 /// What contacts of the same two bodies have in common: the named pair, smaller first, and the columns of H they touch.
 #[derive(PartialEq, Eq, Hash)]
@@ -19,13 +21,16 @@ struct Common {
 pub(super) fn find(problem: &ContactProblem, found: &mut Vec<usize>) {
     found.clear();
     found.extend(0..problem.contacts());
-    if problem.bodies().is_none() && problem.dynamics().is_none() {
+    let mut touched = columns(problem);
+    if problem.bodies().is_none() && touched.is_none() {
         return;
     }
-    let touched = problem.dynamics().map(|_| columns(problem));
     let mut candidates: HashMap<Common, Vec<usize>> = HashMap::new();
     for k in 0..problem.contacts() {
-        let common = Common { pair: problem.bodies().map(|bodies| sorted(bodies[k])), columns: touched.as_ref().map(|all| all[k].clone()) };
+        let common = Common {
+            pair: problem.bodies().map(|bodies| sorted(bodies[k])),
+            columns: touched.as_mut().map(|all| std::mem::take(&mut all[k])),
+        };
         candidates.entry(common).or_default().push(k);
     }
     for members in candidates.values() {
@@ -37,10 +42,13 @@ fn sorted([first, second]: [Option<usize>; 2]) -> [Option<usize>; 2] {
     if first <= second { [first, second] } else { [second, first] }
 }
 
-/// The columns of H that the rows of each contact touch.
-fn columns(problem: &ContactProblem) -> Vec<Vec<usize>> {
+/// The columns of H that the rows of each contact touch; `None` where H is not known.
+fn columns(problem: &ContactProblem) -> Option<Vec<Vec<usize>>> {
+    if let Some(free) = problem.delassus().matrix_free() {
+        return Some((0..problem.contacts()).map(|k| columns_of(free.jacobian(), k)).collect());
+    }
+    let dynamics = problem.dynamics()?;
     let (rows, mut touched) = (problem.rows_per_contact(), vec![Vec::new(); problem.contacts()]);
-    let Some(dynamics) = problem.dynamics() else { return touched };
     for (place, column) in dynamics.jacobian.column_iter().enumerate() {
         for (k, contact) in column.as_slice().chunks_exact(rows).enumerate() {
             if contact.iter().any(|entry| *entry != 0.0) {
@@ -48,7 +56,14 @@ fn columns(problem: &ContactProblem) -> Vec<Vec<usize>> {
             }
         }
     }
-    touched
+    Some(touched)
+}
+
+fn columns_of(jacobian: &BlockRows, contact: usize) -> Vec<usize> {
+    let blocks = jacobian.contact(contact).map(|(body, block)| (jacobian.velocities(body), block));
+    let is_touched =
+        |range: &Range<usize>, block: &[f64], v: &usize| block.iter().skip(v - range.start).step_by(range.len()).any(|entry| *entry != 0.0);
+    blocks.flat_map(|(range, block)| range.clone().filter(move |v| is_touched(&range, block, v))).collect()
 }
 
 /// Joins what W couples directly or through others: `members` grow, and so does what they come to.
@@ -93,6 +108,7 @@ fn couples(problem: &ContactProblem, [j, k]: [usize; 2]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::operator::{Sparse, SparseDynamics};
     use nalgebra::{DMatrix, DVector, dmatrix};
 
     fn groups(problem: &ContactProblem) -> Vec<usize> {
@@ -122,5 +138,10 @@ mod tests {
         let free = DVector::zeros(2);
         let problem = ContactProblem::from_dynamics(DMatrix::identity(2, 2), jacobian, &free).rows_per_contact(1).build().unwrap();
         assert_eq!(groups(&problem), [0, 0, 0, 3], "the first two meet through the third; the last touches other velocities");
+        let rows = &problem.dynamics().unwrap().jacobian;
+        let (mass, rows) = (Sparse::of(&DMatrix::identity(2, 2)), Sparse::of(rows));
+        let by_bodies = SparseDynamics::new(&mass, &rows, 1).unwrap();
+        let by_bodies = ContactProblem::from_sparse_dynamics(&by_bodies, &free).friction(vec![0.0; 4]).build().unwrap();
+        assert_eq!(groups(&by_bodies), [0, 0, 0, 3]);
     }
 }

@@ -167,9 +167,7 @@ impl Judge {
         let y = &mut self.law_velocity;
         y.clear();
         y.extend(problem.free_velocity().iter().zip(problem.shift()).map(|(free, shift)| free + shift));
-        for (column, r) in impulse.iter().enumerate().filter(|(_, r)| **r != 0.0) {
-            problem.add_column(column, *r, y);
-        }
+        problem.delassus().of_contacts().add_product(impulse, y);
         y.iter_mut().enumerate().for_each(|(row, y)| *y += problem.row_compliance(row) * impulse[row]);
     }
 

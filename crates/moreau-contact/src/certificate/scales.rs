@@ -7,6 +7,9 @@
 //!     s_t = max ‖r‖, ρ_t ‖(W r)_t‖  over them, and ρ_t ‖q_t‖ of its own                                [N·s]
 //!     floor = γ (Σ_j |W_kj||r_j| + |u_free| + |shift| + R_k|r_k|) ,   γ = mε/(1 − mε) ,   m = 2 rows + 8         [m/s]
 //! ```
+//! Where W acts through bodies and is not formed, the sum is |Yᵀ|D⁻¹|Y||r|, an upper bound of |W||r|, because that is where y is rounded,
+//! and m = 2 terms + 8 with the products that are summed for a row.
+//!
 //! with q = u_free + shift and (W r) with R r in it, net: what cancels between the contacts of a body is no excuse for another body. Normal
 //! and tangential parts stay apart, so that fast sliding does not widen what a normal impulse is held against: for the associated laws q_n
 //! − μ‖q_t‖ stands in place of q_n, and a point that leaves fast excuses no other point of its body.
@@ -67,8 +70,9 @@ impl Scales {
         let own = |(row, (free, shift)): (usize, (&f64, &f64))| free.abs() + shift.abs() + problem.row_compliance(row) * impulse[row].abs();
         self.floors.clear();
         self.floors.extend(data.enumerate().map(own));
-        problem.delassus().add_magnitudes(impulse, &mut self.floors);
-        let gamma = gamma(2 * problem.rows() + 8);
+        let operator = problem.delassus().of_contacts();
+        operator.add_magnitudes(impulse, &mut self.floors);
+        let gamma = gamma(2 * operator.terms() + 8);
         self.floors.iter_mut().for_each(|floor| *floor *= gamma);
     }
 

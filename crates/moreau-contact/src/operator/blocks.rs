@@ -5,7 +5,7 @@
 //! ```
 //! Contacts of a pile meet some ten others, however large it is: memory and a sweep grow with the number of contacts, not with its square.
 
-use super::Sparse;
+use super::{ContactOperator, Sparse};
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
 
@@ -159,41 +159,12 @@ impl BlockSparse {
         self.block(row / d, column / d).map_or(0.0, |block| block[column % d * d + row % d])
     }
 
-    /// Adds W e_k r_k: what the impulse of one contact changes at the contacts it moves.
-    #[inline]
-    pub(crate) fn add_contact(&self, contact: usize, impulse: &[f64], velocity: &mut [f64]) {
-        let (first, last) = (self.starts[contact], self.starts[contact + 1]);
-        match *impulse {
-            [x, y, z] => {
-                let blocks = self.entries[9 * first..9 * last].as_chunks::<9>().0;
-                for (j, w) in self.coupled[first..last].iter().zip(blocks) {
-                    let u = &mut velocity[3 * j..3 * j + 3];
-                    u[0] += w[0] * x + w[3] * y + w[6] * z;
-                    u[1] += w[1] * x + w[4] * y + w[7] * z;
-                    u[2] += w[2] * x + w[5] * y + w[8] * z;
-                }
-            }
-            _ => self.add_rows(contact, impulse, velocity, |w| w),
-        }
-    }
-
-    /// Adds |W| |r| of one contact.
-    pub(crate) fn add_magnitudes(&self, contact: usize, impulse: &[f64], sums: &mut [f64]) {
-        let d = self.rows_per_contact;
-        for (j, block) in self.column(contact) {
-            let u = &mut sums[d * j..d * j + d];
-            for (column, r) in block.chunks_exact(d).zip(impulse) {
-                u.iter_mut().zip(column).for_each(|(u, w)| *u += w.abs() * r.abs());
-            }
-        }
-    }
-
-    fn add_rows(&self, contact: usize, impulse: &[f64], velocity: &mut [f64], of: impl Fn(f64) -> f64) {
+    fn add_rows(&self, contact: usize, impulse: &[f64], velocity: &mut [f64]) {
         let d = self.rows_per_contact;
         for (j, block) in self.column(contact) {
             let u = &mut velocity[d * j..d * j + d];
             for (column, r) in block.chunks_exact(d).zip(impulse) {
-                u.iter_mut().zip(column).for_each(|(u, w)| *u += of(*w) * r);
+                u.iter_mut().zip(column).for_each(|(u, w)| *u += *w * r);
             }
         }
     }
@@ -227,6 +198,58 @@ impl BlockSparse {
     }
 }
 
+impl ContactOperator for BlockSparse {
+    fn diagonal_block(&self, contact: usize, block: &mut [f64]) {
+        match self.block(contact, contact) {
+            Some(found) => block.copy_from_slice(found),
+            None => block.fill(0.0),
+        }
+    }
+
+    fn add_product(&self, impulse: &[f64], velocity: &mut [f64]) {
+        for (k, r) in impulse.chunks_exact(self.rows_per_contact.max(1)).enumerate().filter(|(_, r)| r.iter().any(|r| *r != 0.0)) {
+            self.add_contact(k, r, velocity);
+        }
+    }
+
+    fn add_magnitudes(&self, impulse: &[f64], sums: &mut [f64]) {
+        let d = self.rows_per_contact;
+        for (k, r) in impulse.chunks_exact(d.max(1)).enumerate().filter(|(_, r)| r.iter().any(|r| *r != 0.0)) {
+            for (j, block) in self.column(k) {
+                let u = &mut sums[d * j..d * j + d];
+                for (column, r) in block.chunks_exact(d).zip(r) {
+                    u.iter_mut().zip(column).for_each(|(u, w)| *u += w.abs() * r.abs());
+                }
+            }
+        }
+    }
+
+    #[inline]
+    fn add_contact(&self, contact: usize, impulse: &[f64], velocity: &mut [f64]) {
+        let (first, last) = (self.starts[contact], self.starts[contact + 1]);
+        match *impulse {
+            [x, y, z] => {
+                let blocks = self.entries[9 * first..9 * last].as_chunks::<9>().0;
+                for (j, w) in self.coupled[first..last].iter().zip(blocks) {
+                    let u = &mut velocity[3 * j..3 * j + 3];
+                    u[0] += w[0] * x + w[3] * y + w[6] * z;
+                    u[1] += w[1] * x + w[4] * y + w[7] * z;
+                    u[2] += w[2] * x + w[5] * y + w[8] * z;
+                }
+            }
+            _ => self.add_rows(contact, impulse, velocity),
+        }
+    }
+
+    fn bodies(&self, _contact: usize) -> Option<&[u32]> {
+        None
+    }
+
+    fn terms(&self) -> usize {
+        self.rows_per_contact * self.contacts()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -249,10 +272,8 @@ mod tests {
             assert_eq!(blocks.to_dense(), dense);
             let impulse = DVector::from_fn(3 * d, |i, _| i as f64 - 2.0);
             let [mut velocity, mut sums] = [vec![0.0; 3 * d], vec![0.0; 3 * d]];
-            for k in 0..3 {
-                blocks.add_contact(k, &impulse.as_slice()[d * k..d * k + d], &mut velocity);
-                blocks.add_magnitudes(k, &impulse.as_slice()[d * k..d * k + d], &mut sums);
-            }
+            blocks.add_product(impulse.as_slice(), &mut velocity);
+            blocks.add_magnitudes(impulse.as_slice(), &mut sums);
             assert_eq!(velocity, (&dense * &impulse).as_slice(), "small integers are exact");
             assert_eq!(sums, (dense.abs() * impulse.abs()).as_slice());
             assert_eq!(blocks.asymmetry(), [(&dense - dense.transpose()).amax(), dense.amax()]);

@@ -1,4 +1,4 @@
-//! The Delassus operator W of a contact problem, stored densely or by blocks: what solvers and certificates ask of it.
+//! The Delassus operator W of a contact problem: dense, by blocks, or by the bodies that contacts touch and never formed.
 //!
 //! ```text
 //!     u = W r + u_free                                                                                [m/s]
@@ -7,11 +7,18 @@
 use nalgebra::{DMatrix, DVector};
 use std::sync::OnceLock;
 
+mod block_rows;
 mod blocks;
+mod contact_operator;
+mod dense;
+mod matrix_free;
 mod sparse;
 mod sparse_dynamics;
 
+pub use block_rows::BlockRows;
 pub use blocks::BlockSparse;
+pub use contact_operator::ContactOperator;
+pub use matrix_free::MatrixFree;
 pub use sparse::Sparse;
 pub use sparse_dynamics::SparseDynamics;
 
@@ -22,6 +29,15 @@ pub enum Operator {
     Dense(DMatrix<f64>),
     /// The blocks of contacts that meet.
     Blocks(Blocks),
+    /// The bodies that contacts touch; W is not formed.
+    Bodies(Bodies),
+}
+
+/// W by the bodies that contacts touch, with its blocks once something asked for them.
+#[derive(Clone, Debug)]
+pub struct Bodies {
+    free: MatrixFree,
+    blocks: OnceLock<Option<Blocks>>,
 }
 
 /// W by blocks, with the square matrix of all entries once something asked for it.
@@ -43,23 +59,70 @@ impl From<BlockSparse> for Operator {
     }
 }
 
+impl From<MatrixFree> for Operator {
+    fn from(free: MatrixFree) -> Self {
+        Operator::Bodies(Bodies { free, blocks: OnceLock::new() })
+    }
+}
+
+impl Bodies {
+    /// The blocks of W, formed once; `None` where they would take more memory than is allowed.
+    fn formed(&self) -> Option<&Blocks> {
+        let form = || Some(Blocks { blocks: self.free.delassus().ok()?, dense: OnceLock::new() });
+        self.blocks.get_or_init(form).as_ref()
+    }
+}
+
 impl PartialEq for Operator {
     /// Whether both store the same entries in the same way.
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
             (Operator::Dense(own), Operator::Dense(other)) => own == other,
             (Operator::Blocks(own), Operator::Blocks(other)) => own.blocks == other.blocks,
+            (Operator::Bodies(own), Operator::Bodies(other)) => own.free == other.free,
             _ => false,
         }
     }
 }
 
 impl Operator {
-    /// The blocks, if W is stored so.
+    /// The blocks of W, if it is stored so; where it is given by bodies they are formed once, if memory allows them.
     pub fn blocks(&self) -> Option<&BlockSparse> {
         match self {
             Operator::Dense(_) => None,
             Operator::Blocks(stored) => Some(&stored.blocks),
+            Operator::Bodies(bodies) => bodies.formed().map(|formed| &formed.blocks),
+        }
+    }
+
+    /// W by the bodies that contacts touch, if it is given so.
+    pub fn matrix_free(&self) -> Option<&MatrixFree> {
+        match self {
+            Operator::Bodies(bodies) => Some(&bodies.free),
+            _ => None,
+        }
+    }
+
+    /// Whether all entries are stored in a square matrix.
+    pub fn is_dense(&self) -> bool {
+        matches!(self, Operator::Dense(_))
+    }
+
+    /// What solvers and certificates ask of it.
+    pub fn of_contacts(&self) -> &dyn ContactOperator {
+        match self {
+            Operator::Dense(dense) => dense,
+            Operator::Blocks(stored) => &stored.blocks,
+            Operator::Bodies(bodies) => &bodies.free,
+        }
+    }
+
+    /// Rows of each contact; `None` where a square matrix does not tell.
+    pub fn rows_per_contact(&self) -> Option<usize> {
+        match self {
+            Operator::Dense(_) => None,
+            Operator::Blocks(stored) => Some(stored.blocks.rows_per_contact()),
+            Operator::Bodies(bodies) => Some(bodies.free.rows_per_contact()),
         }
     }
 
@@ -68,14 +131,16 @@ impl Operator {
         match self {
             Operator::Dense(dense) => [dense.nrows(), dense.ncols()],
             Operator::Blocks(stored) => [stored.blocks.contacts() * stored.blocks.rows_per_contact(); 2],
+            Operator::Bodies(bodies) => [bodies.free.contacts() * bodies.free.rows_per_contact(); 2],
         }
     }
 
-    /// The entries that are stored, in the order they are.
+    /// The entries that are stored, in the order they are: of W, or of the factor Y it is the product of.
     pub fn entries(&self) -> &[f64] {
         match self {
             Operator::Dense(dense) => dense.as_slice(),
             Operator::Blocks(stored) => stored.blocks.entries(),
+            Operator::Bodies(bodies) => bodies.free.left(),
         }
     }
 
@@ -87,6 +152,7 @@ impl Operator {
         match self {
             Operator::Dense(dense) => dense[(row, column)],
             Operator::Blocks(stored) => stored.blocks.entry(row, column),
+            Operator::Bodies(bodies) => bodies.free.entry(row, column),
         }
     }
 
@@ -95,19 +161,12 @@ impl Operator {
     /// # Panics
     /// If there are not as many impulses as rows.
     pub fn apply(&self, impulse: &DVector<f64>) -> DVector<f64> {
-        match self {
-            Operator::Dense(dense) => dense * impulse,
-            Operator::Blocks(stored) => {
-                let d = stored.blocks.rows_per_contact();
-                let mut velocity = DVector::zeros(impulse.len());
-                for (k, contact) in impulse.as_slice().chunks_exact(d.max(1)).enumerate() {
-                    if contact.iter().any(|r| *r != 0.0) {
-                        stored.blocks.add_contact(k, contact, velocity.as_mut_slice());
-                    }
-                }
-                velocity
-            }
+        if let Operator::Dense(dense) = self {
+            return dense * impulse;
         }
+        let mut velocity = DVector::zeros(impulse.len());
+        self.of_contacts().add_product(impulse.as_slice(), velocity.as_mut_slice());
+        velocity
     }
 
     /// Adds W e_j r to `velocity` \[m/s\]: what the impulse r \[N·s\] at row j alone changes.
@@ -124,6 +183,12 @@ impl Operator {
                     velocity[d * i..d * i + d].iter_mut().zip(column).for_each(|(u, w)| *u += impulse * w);
                 }
             }
+            Operator::Bodies(bodies) => {
+                let d = bodies.free.rows_per_contact();
+                let mut contact = [0.0; 6];
+                contact[j % d] = impulse;
+                bodies.free.add_contact(j / d, &contact[..d], velocity);
+            }
         }
     }
 
@@ -137,48 +202,39 @@ impl Operator {
                 give(i, w)
             }
         };
-        match self {
-            Operator::Dense(dense) => dense.column(j).iter().enumerate().for_each(|(i, w)| nonzero(i, *w)),
-            Operator::Blocks(stored) => {
-                let d = stored.blocks.rows_per_contact();
-                for (i, block) in stored.blocks.column(j / d) {
+        match (self, self.blocks()) {
+            (Operator::Dense(dense), _) => dense.column(j).iter().enumerate().for_each(|(i, w)| nonzero(i, *w)),
+            (_, Some(blocks)) => {
+                let d = blocks.rows_per_contact();
+                for (i, block) in blocks.column(j / d) {
                     block[j % d * d..(j % d + 1) * d].iter().enumerate().for_each(|(row, w)| nonzero(d * i + row, *w));
                 }
             }
-        }
-    }
-
-    /// Adds Σ_j |W_ij| |r_j| to every entry i, for bounds of rounding.
-    pub(crate) fn add_magnitudes(&self, impulse: &[f64], sums: &mut [f64]) {
-        match self {
-            Operator::Dense(dense) => {
-                for (column, r) in impulse.iter().enumerate().filter(|(_, r)| **r != 0.0) {
-                    sums.iter_mut().zip(dense.column(column).iter()).for_each(|(sum, w)| *sum += w.abs() * r.abs());
-                }
-            }
-            Operator::Blocks(stored) => {
-                for (k, contact) in impulse.chunks_exact(stored.blocks.rows_per_contact()).enumerate() {
-                    if contact.iter().any(|r| *r != 0.0) {
-                        stored.blocks.add_magnitudes(k, contact, sums);
-                    }
-                }
-            }
+            // there is no memory for the blocks
+            (_, None) => (0..self.shape()[0]).for_each(|i| nonzero(i, self.entry(i, j))),
         }
     }
 
     /// W as a square matrix; blocks are written out once and kept.
+    ///
+    /// # Panics
+    /// If W is given by bodies and its blocks take more memory than is allowed;
+    /// [`law_delassus`](crate::ContactProblem::law_delassus) is refused first.
     pub fn dense(&self) -> &DMatrix<f64> {
-        match self {
-            Operator::Dense(dense) => dense,
-            Operator::Blocks(stored) => stored.dense.get_or_init(|| stored.blocks.to_dense()),
-        }
+        let stored = match self {
+            Operator::Dense(dense) => return dense,
+            Operator::Blocks(stored) => stored,
+            Operator::Bodies(bodies) => bodies.formed().expect("the blocks of W fit into memory where its square matrix does"),
+        };
+        stored.dense.get_or_init(|| stored.blocks.to_dense())
     }
 
     /// max |W − Wᵀ| / max |W|, zero where it is symmetric.
     pub fn asymmetry(&self) -> f64 {
-        let [difference, scale] = match self {
-            Operator::Dense(dense) => [(dense - dense.transpose()).amax(), dense.amax()],
-            Operator::Blocks(stored) => stored.blocks.asymmetry(),
+        let [difference, scale] = match (self, self.matrix_free()) {
+            (_, Some(free)) if free.is_symmetric() => return 0.0,
+            (Operator::Dense(dense), _) => [(dense - dense.transpose()).amax(), dense.amax()],
+            _ => self.blocks().map_or([f64::INFINITY, 1.0], BlockSparse::asymmetry),
         };
         if scale == 0.0 { 0.0 } else { difference / scale }
     }

@@ -5,7 +5,7 @@
 //! ```
 //! with b over the groups of velocities that M̂ does not couple: the bodies of a pile, the linkages of a robot.
 
-use super::{BlockSparse, Sparse};
+use super::{BlockRows, BlockSparse, MatrixFree, Sparse};
 use crate::contact::delassus::MassFactor;
 use crate::memory;
 use moreau_exact::{Error, Result};
@@ -17,6 +17,7 @@ pub struct SparseDynamics {
     rows_per_contact: usize,
     /// Rows of each group in M̂.
     velocities: Vec<Vec<usize>>,
+    masses: Vec<DMatrix<f64>>,
     factors: Vec<Factor>,
     /// Of each contact the groups it touches, and H there, rows of the contact × velocities of the group.
     jacobian: Vec<Vec<(usize, DMatrix<f64>)>>,
@@ -25,13 +26,13 @@ pub struct SparseDynamics {
 
 /// A factored mass of one group: symmetric and definite, or – an iteration matrix of large rotations or of joints – any that is regular.
 #[derive(Clone, Debug)]
-enum Factor {
+pub(super) enum Factor {
     Symmetric(MassFactor<f64>),
     Any(LU<f64, Dyn, Dyn>),
 }
 
 impl Factor {
-    fn new(mass: &DMatrix<f64>) -> Result<Self> {
+    pub(super) fn new(mass: &DMatrix<f64>) -> Result<Self> {
         if *mass == mass.transpose() {
             return MassFactor::new(mass).map(Factor::Symmetric);
         }
@@ -44,6 +45,33 @@ impl Factor {
         match self {
             Factor::Symmetric(factor) => factor.solve(impulse),
             Factor::Any(factor) => factor.solve(impulse).expect("it is regular"),
+        }
+    }
+
+    pub(super) fn is_symmetric(&self) -> bool {
+        matches!(self, Factor::Symmetric(_))
+    }
+
+    /// D, ones where the mass is not symmetric.
+    pub(super) fn pivots(&self) -> &[f64] {
+        match self {
+            Factor::Symmetric(factor) => factor.pivots(),
+            Factor::Any(_) => &[],
+        }
+    }
+
+    /// L⁻¹ times the columns; they stay where the mass is not symmetric.
+    pub(super) fn forward_columns(&self, columns: &mut DMatrix<f64>) {
+        if let Factor::Symmetric(factor) = self {
+            columns.column_iter_mut().for_each(|mut column| factor.forward(column.as_mut_slice()));
+        }
+    }
+
+    /// M⁻¹ times the columns.
+    pub(super) fn solve_columns(&self, columns: &mut DMatrix<f64>) {
+        for mut column in columns.column_iter_mut() {
+            let solved = self.solve(&column.clone_owned());
+            column.copy_from(&solved);
         }
     }
 
@@ -121,7 +149,17 @@ impl SparseDynamics {
             contact[at].1[(row % rows_per_contact, column)] += value;
         }
         touched.iter_mut().for_each(|contact| contact.sort_by_key(|(group, _)| *group));
-        Ok(SparseDynamics { rows_per_contact, velocities, factors, jacobian: touched, size })
+        Ok(SparseDynamics { rows_per_contact, velocities, masses, factors, jacobian: touched, size })
+    }
+
+    /// Rows of each contact.
+    pub fn rows_per_contact(&self) -> usize {
+        self.rows_per_contact
+    }
+
+    /// Number of velocities.
+    pub fn velocity_count(&self) -> usize {
+        self.size
     }
 
     /// W = H M̂⁻¹ Hᵀ \[1/kg\] by blocks, symmetric to the last bit if M̂ is.
@@ -157,6 +195,19 @@ impl SparseDynamics {
         }
         made.finish(contacts);
         Ok(made)
+    }
+
+    /// W = H M̂⁻¹ Hᵀ \[1/kg\] that is never formed, by the groups of velocities that M̂ does not couple.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if it would take more memory than is allowed.
+    pub fn matrix_free(&self) -> Result<MatrixFree> {
+        let mut rows = BlockRows::new(self.rows_per_contact, self.velocities.iter().map(Vec::len))?;
+        for touched in &self.jacobian {
+            let by_rows: Vec<(usize, DMatrix<f64>)> = touched.iter().map(|(group, block)| (*group, block.transpose())).collect();
+            rows.push(&by_rows.iter().map(|(group, block)| (*group, block.as_slice())).collect::<Vec<_>>())?;
+        }
+        MatrixFree::new(&self.masses, rows)
     }
 
     /// The halves of every contact, as many as it touches groups.

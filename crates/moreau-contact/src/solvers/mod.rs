@@ -44,6 +44,7 @@ mod barzilai_borwein;
 mod block_elimination;
 #[cfg(feature = "clarabel")]
 mod clarabel;
+mod colours;
 mod doubled;
 mod elimination;
 pub mod enumeration;
@@ -62,6 +63,7 @@ mod polyhedral_contact;
 mod projected_gauss_seidel;
 mod projected_over_relaxation;
 mod stopping;
+mod swept;
 mod table;
 
 pub use accelerated_projected_gradient::{AcceleratedProjectedGradient, Momentum, largest_eigenvalue_bound, objective};

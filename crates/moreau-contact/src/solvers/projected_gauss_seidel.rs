@@ -5,17 +5,27 @@
 //! Each contact is solved to rounding (`one_contact`). For symmetric positive semidefinite W and a convex law the
 //! sweeps descend on ½rᵀ(W+R)r + (u_free+shift)ᵀr and converge; for Coulomb's law they usually do, and the certificate tells.
 //!
-//! Accelerated sweeps keep their best iterate and return it. Sweeps that no longer halve its residual have stalled and end with it too;
-//! plain sweeps that reach their declared number return the last one.
+//! Where W acts through bodies, their velocities are kept in place of y (`swept`), and contacts are swept block by block in the order of the
+//! blocks' colours (`colours`).
+//!
+//! The certificate's residual is measured seldom. In between the change of a sweep, (Σ A_nn‖Δr‖²)^½, tells how it falls: it is measured
+//! again where that predicts the tolerance, and after as many sweeps as before, up to a limit. Every measurement computes y afresh, because
+//! updates collect rounding.
+//!
+//! Accelerated sweeps keep the best of the iterates that are measured and return it. Sweeps that no longer halve its residual have stalled
+//! and end with it too; plain sweeps that reach their declared number return the last one.
 
 use super::ContactSolver;
-use super::anderson::Anderson;
-use super::one_contact::OneContact;
+use super::anderson::{Anderson, Point};
+use super::one_contact::{Associated, Coulomb, Frictionless, OneContact, Polyhedral};
 use super::stopping::Stopping;
+use super::swept::{Bodies, Free, Stored, Swept};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::solvers as tolerance;
+use crate::tolerance::sweeps::{LOOK, PREDICTED};
 use moreau_exact::{Error, Result};
-use nalgebra::{DVector, Matrix3, Vector3};
+use nalgebra::{Cholesky, DVector, Matrix3};
+use std::ops::Range;
 
 /// Block projected Gauss–Seidel for the frictionless, Coulomb and associated laws and, at spatial contacts, polyhedral Coulomb; W may be
 /// asymmetric and rank deficient.
@@ -42,31 +52,19 @@ impl Default for ProjectedGaussSeidel {
     }
 }
 
-/// Polyhedral Coulomb is solved at spatial contacts; in the plane it is an LCP better solved as one.
+/// Contacts have one to three rows. Polyhedral Coulomb is solved at spatial contacts; in the plane it is an LCP better solved as one.
 fn is_swept(law: Law, rows: usize) -> bool {
     match law {
+        _ if rows > 3 => false,
         Law::PolyhedralCoulomb { .. } => rows == 3,
         Law::PolyhedralAssociated { .. } => false,
         _ => true,
     }
 }
 
-/// What a sweep works on: no sweep allocates.
-struct Sweeper<'a> {
-    problem: &'a ContactProblem,
-    contacts: Vec<OneContact>,
-    stopping: Stopping<'a>,
-    /// r \[N·s\].
-    impulse: DVector<f64>,
-    /// y = u_free + shift + (W + R) r \[m/s\], updated column by column.
-    law_velocity: DVector<f64>,
-    best: Best,
-    sweeps: usize,
-}
-
 impl ContactSolver for ProjectedGaussSeidel {
     fn name(&self) -> &'static str {
-        "pgs"
+        NAME
     }
 
     fn takes(&self, law: Law, rows: usize, _symmetric: bool) -> bool {
@@ -74,28 +72,78 @@ impl ContactSolver for ProjectedGaussSeidel {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        if !is_swept(problem.law(), problem.rows_per_contact()) {
-            let reason = format!("does not solve the law `{}`; use `lemke` or `clarabel`", problem.law().name());
-            return Err(Error::refused(self.name(), reason));
+        let rows = problem.rows_per_contact();
+        if !is_swept(problem.law(), rows) {
+            let reason =
+                format!("does not solve the law `{}` with {rows} rows per contact; use `lemke` or `clarabel`", problem.law().name());
+            return Err(Error::refused(NAME, reason));
         }
-        let impulse = super::start(problem, warm_start)?;
-        let law_velocity = problem.law_velocity(&impulse);
-        let stopping = Stopping::new(problem, self.tolerance);
-        let contacts = (0..problem.contacts()).map(|k| prepare(problem, k)).collect::<Result<_>>()?;
-        let best = Best::default();
-        let mut sweeper = Sweeper { problem, contacts, stopping, impulse, law_velocity, best, sweeps: 0 };
-        if self.memory == 0 {
-            sweeper.plain(self)
-        } else {
-            sweeper.accelerated(self)
+        let start = super::start(problem, warm_start)?;
+        match problem.law() {
+            Law::Frictionless => self.solve_by(problem, start, |block, _| Frictionless::new(block)),
+            Law::Associated => self.solve_by(problem, start, Associated::new),
+            Law::PolyhedralCoulomb { directions } => self.solve_by(problem, start, |block, mu| Polyhedral::new(block, mu, directions)),
+            _ => self.solve_by(problem, start, Coulomb::new),
         }
-        let sweeps = sweeper.sweeps;
-        // plain sweeps that reach their declared number answer the last iterate
-        let keeps_best = self.memory > 0 || sweeps < self.sweeps;
-        let impulse = if keeps_best && sweeper.is_finite() { sweeper.best.impulse } else { sweeper.impulse };
-        let velocity = problem.velocity(&impulse);
-        super::finite(Solution::new(self.name(), impulse, velocity, sweeps))
     }
+}
+
+const NAME: &str = "pgs";
+
+impl ProjectedGaussSeidel {
+    /// Sweeps with one law of a single contact.
+    fn solve_by<L: OneContact>(
+        &self,
+        problem: &ContactProblem,
+        start: DVector<f64>,
+        one: impl Fn(&Matrix3<f64>, f64) -> Option<L>,
+    ) -> Result<Solution> {
+        let contacts = (0..problem.contacts()).map(|k| prepare(problem, k, &one)).collect::<Result<Vec<_>>>()?;
+        match problem.rows_per_contact() {
+            1 => self.solve_rows::<L, 1>(problem, start, contacts),
+            2 => self.solve_rows::<L, 2>(problem, start, contacts),
+            _ => self.solve_rows::<L, 3>(problem, start, contacts),
+        }
+    }
+
+    fn solve_rows<L: OneContact, const D: usize>(
+        &self,
+        problem: &ContactProblem,
+        start: DVector<f64>,
+        contacts: Vec<L>,
+    ) -> Result<Solution> {
+        match problem.delassus().matrix_free().map(|free| (free, Bodies::<6>::new(problem, free))) {
+            Some((_, Some(bodies))) => Sweeper::<_, _, D>::new(problem, bodies, contacts, start, self).solution(self),
+            Some((free, None)) => Sweeper::<_, _, D>::new(problem, Free::new(problem, free), contacts, start, self).solution(self),
+            None => Sweeper::<_, _, D>::new(problem, Stored(problem), contacts, start, self).solution(self),
+        }
+    }
+}
+
+/// What a sweep works on: no sweep allocates.
+struct Sweeper<'a, S, L, const D: usize> {
+    problem: &'a ContactProblem,
+    swept: S,
+    contacts: Vec<L>,
+    order: Vec<Range<usize>>,
+    stopping: Stopping<'a>,
+    /// r \[N·s\], and what the sweep keeps beside it.
+    point: Point,
+    /// y at the last measurement \[m/s\].
+    law_velocity: DVector<f64>,
+    best: Best,
+    sweeps: usize,
+    look: Look,
+}
+
+/// When the residual is measured next.
+struct Look {
+    /// The change of the last sweep \[√J\].
+    change: f64,
+    /// The residual over the change of the sweep before it, at the last measurement.
+    ratio: f64,
+    /// The sweep of the next measurement.
+    next: usize,
 }
 
 /// The iterate with the smallest relative residual so far, and the sweep that last halved that residual.
@@ -124,44 +172,73 @@ impl Best {
     }
 }
 
-impl Sweeper<'_> {
+impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
+    fn new(problem: &'a ContactProblem, swept: S, contacts: Vec<L>, start: DVector<f64>, solver: &ProjectedGaussSeidel) -> Self {
+        let state = DVector::from_vec(swept.state(start.as_slice()));
+        let order = swept.order();
+        Sweeper {
+            problem,
+            swept,
+            contacts,
+            order,
+            stopping: Stopping::new(problem, solver.tolerance),
+            law_velocity: DVector::zeros(start.len()),
+            point: Point { x: start, state },
+            best: Best::default(),
+            sweeps: 0,
+            look: Look { change: 0.0, ratio: f64::INFINITY, next: 0 },
+        }
+    }
+
+    fn solution(mut self, solver: &ProjectedGaussSeidel) -> Result<Solution> {
+        if solver.memory == 0 {
+            self.plain(solver)
+        } else {
+            self.accelerated(solver)
+        }
+        // plain sweeps that reach their declared number answer the last iterate
+        let keeps_best = solver.memory > 0 || self.sweeps < solver.sweeps;
+        let impulse = if keeps_best && self.is_finite() { self.best.impulse } else { self.point.x };
+        let velocity = self.problem.velocity(&impulse);
+        super::finite(Solution::new(NAME, impulse, velocity, self.sweeps))
+    }
+
     /// Sweep after sweep.
     fn plain(&mut self, solver: &ProjectedGaussSeidel) {
-        while self.measure(solver.tolerance) > solver.tolerance
-            && self.sweeps < solver.sweeps
-            && !self.has_stalled(tolerance::stalled(self.problem.contacts()))
-        {
-            if !self.sweep() || !self.is_finite() {
+        let patience = tolerance::stalled(self.problem.contacts());
+        let mut relative = self.measure();
+        while relative > solver.tolerance && self.sweeps < solver.sweeps && !self.has_stalled(patience) {
+            let goes_on = self.sweep() && self.is_finite();
+            // a declared number of sweeps is answered as it is
+            if self.sweeps < solver.sweeps && (!goes_on || self.is_due(solver.tolerance)) {
+                relative = self.measure();
+            }
+            if !goes_on {
                 break;
             }
         }
     }
 
-    /// Alternates sweeps with extrapolations by Anderson's method. An extrapolation that makes the residual grow is undone, and the method
-    /// forgets its past sweeps.
+    /// Every sweep is followed by an extrapolation by Anderson's method. An extrapolation that makes the change of a sweep grow is taken
+    /// back, and where the residual has grown the method forgets its past sweeps.
     fn accelerated(&mut self, solver: &ProjectedGaussSeidel) {
         let patience = tolerance::accelerated_stalled(self.problem.contacts());
         let mut anderson = Anderson::new(solver.memory);
-        let mut before = self.impulse.clone();
-        let mut relative = self.measure(solver.tolerance);
+        let mut before = self.point.x.clone();
+        let mut relative = self.measure();
         while relative > solver.tolerance && self.sweeps < solver.sweeps && !self.has_stalled(patience) {
-            before.clone_from(&self.impulse);
-            if !self.sweep() || !self.is_finite() || self.sweeps == solver.sweeps {
-                self.measure(solver.tolerance);
+            before.clone_from(&self.point.x);
+            let goes_on = self.sweep() && self.is_finite() && self.sweeps < solver.sweeps;
+            if !goes_on || self.is_due(solver.tolerance) {
+                relative = self.measure();
+                if relative > tolerance::GROWTH * self.best.relative {
+                    anderson.forget();
+                }
+            }
+            if !goes_on || relative <= solver.tolerance {
                 break;
             }
-            let plain = self.measure(solver.tolerance);
-            if plain <= solver.tolerance {
-                break;
-            }
-            let image = self.impulse.clone();
-            self.jump(anderson.next(&before, &image));
-            relative = self.measure(solver.tolerance);
-            if relative > plain.max(tolerance::GROWTH * self.best.relative) {
-                relative = plain;
-                self.jump(image);
-                anderson = Anderson::new(solver.memory);
-            }
+            self.point = anderson.next(&before, &self.point);
         }
     }
 
@@ -170,59 +247,70 @@ impl Sweeper<'_> {
     }
 
     fn is_finite(&self) -> bool {
-        self.impulse.iter().all(|r| r.is_finite())
+        self.point.x.iter().all(|r| r.is_finite())
+    }
+
+    /// Whether the residual is to be measured after this sweep.
+    fn is_due(&self, tolerance: f64) -> bool {
+        self.sweeps >= self.look.next || self.look.change * self.look.ratio <= PREDICTED * tolerance
     }
 
     /// Solves every contact once; returns whether any impulse changed.
     fn sweep(&mut self) -> bool {
-        let rows = self.problem.rows_per_contact();
+        let Sweeper { swept, contacts, order, point, .. } = self;
+        let (impulses, state) = (point.x.as_mut_slice().as_chunks_mut::<D>().0, point.state.as_mut_slice());
+        let mut squares = 0.0;
         let mut moved = false;
-        self.sweeps += 1;
-        for (k, contact) in self.contacts.iter().enumerate() {
-            let first = k * rows;
-            let old = padded(&self.impulse.as_slice()[first..first + rows]);
-            let y = padded(&self.law_velocity.as_slice()[first..first + rows]);
-            let new = contact.solve(&(y - contact.block * old));
-            let mut change = [0.0; 3];
-            for row in 0..rows {
-                change[row] = new[row] - old[row];
-                self.impulse[first + row] = new[row];
-            }
-            if change.iter().any(|change| *change != 0.0) {
-                moved = true;
-                self.problem.add_contact(k, &change[..rows], self.law_velocity.as_mut_slice());
+        for range in order.iter() {
+            let own = impulses[range.clone()].iter_mut().zip(&mut contacts[range.clone()]);
+            for (k, (impulse, contact)) in range.clone().zip(own) {
+                let new = contact.solve(without(contact.block(), impulse, &swept.at(k, impulse, state)));
+                let mut change = [0.0; D];
+                (0..D).for_each(|row| change[row] = new[row] - impulse[row]);
+                impulse.copy_from_slice(&new[..D]);
+                if change.iter().any(|change| *change != 0.0) {
+                    moved = true;
+                    squares += contact.block()[0] * change.iter().map(|change| change * change).sum::<f64>();
+                    swept.push(k, &change, state);
+                }
             }
         }
+        self.sweeps += 1;
+        self.look.change = squares.sqrt();
         moved
     }
 
-    /// Replaces the impulses and computes y for them.
-    fn jump(&mut self, impulse: DVector<f64>) {
-        self.law_velocity = self.problem.law_velocity(&impulse);
-        self.impulse = impulse;
-    }
-
-    /// The largest relative residual. If it is within the tolerance, it is measured again with a freshly computed y, because the updated y
-    /// carries the rounding of earlier sweeps.
-    fn measure(&mut self, tolerance: f64) -> f64 {
-        let mut relative = self.stopping.relative(&self.impulse, &self.law_velocity);
-        if relative <= tolerance {
-            self.law_velocity = self.problem.law_velocity(&self.impulse);
-            relative = self.stopping.relative(&self.impulse, &self.law_velocity);
-        }
-        self.best.offer(relative, &self.impulse, self.sweeps);
+    /// The largest relative residual, with y computed afresh.
+    fn measure(&mut self) -> f64 {
+        let Sweeper { swept, point, law_velocity, .. } = self;
+        point.state = DVector::from_vec(swept.state(point.x.as_slice()));
+        swept.law_velocity(point.x.as_slice(), point.state.as_slice(), law_velocity.as_mut_slice());
+        let relative = self.stopping.relative(&self.point.x, &self.law_velocity);
+        self.best.offer(relative, &self.point.x, self.sweeps);
+        let ratio = if self.look.change > 0.0 { relative / self.look.change } else { f64::INFINITY };
+        self.look = Look { ratio, next: self.sweeps + self.sweeps.clamp(1, LOOK), ..self.look };
         relative
     }
 }
 
-/// The padded block of contact k, made definite and symmetric where its law needs it. Its difference from W_kk + R_kk
-/// multiplies the previous impulse (a proximal step), so the fixed points stay those of the given problem.
-fn prepare(problem: &ContactProblem, k: usize) -> Result<OneContact> {
-    let rows = problem.rows_per_contact();
-    let mut block = Matrix3::identity();
-    for (i, j) in (0..rows).flat_map(|i| (0..rows).map(move |j| (i, j))) {
-        block[(i, j)] = problem.entry(k * rows + i, k * rows + j);
+/// q = y − A r, padded: the velocity of the contact without its own impulse.
+#[inline(always)]
+fn without<const D: usize>(block: &[f64; 9], impulse: &[f64; D], velocity: &[f64; D]) -> [f64; 3] {
+    let mut q = [0.0; 3];
+    for row in 0..D {
+        q[row] = velocity[row];
+        (0..D).for_each(|column| q[row] -= block[3 * row + column] * impulse[column]);
     }
+    q
+}
+
+/// Contact k alone, with its padded block made definite, and symmetric where its law needs it. The difference from W_kk + R_kk
+/// multiplies the previous impulse (a proximal step), so the fixed points stay those of the given problem.
+fn prepare<L>(problem: &ContactProblem, k: usize, one: impl Fn(&Matrix3<f64>, f64) -> Option<L>) -> Result<L> {
+    let rows = problem.rows_per_contact();
+    let (mut own, mut block) = ([0.0; 9], Matrix3::identity());
+    problem.delassus().of_contacts().diagonal_block(k, &mut own[..rows * rows]);
+    (0..rows * rows).for_each(|place| block[(place % rows, place / rows)] = own[place]);
     for i in 0..rows {
         block[(i, i)] += super::compliance(problem, k * rows + i);
     }
@@ -234,27 +322,17 @@ fn prepare(problem: &ContactProblem, k: usize) -> Result<OneContact> {
         block = (block + block.transpose()) * 0.5;
     }
     let symmetric = (block + block.transpose()) * 0.5;
-    let smallest = symmetric.symmetric_eigenvalues().min();
-    if smallest < tolerance::PROXIMAL * trace {
-        block += Matrix3::identity() * (tolerance::PROXIMAL * trace);
+    let least = Matrix3::identity() * (tolerance::PROXIMAL * trace);
+    // the smallest eigenvalue is below PROXIMAL times the trace
+    if Cholesky::new(symmetric - least).is_none() {
+        block += least;
     }
-    let friction = problem.friction()[k];
-    let contact = match problem.law() {
-        Law::Coulomb if friction > 0.0 => OneContact::coulomb(block, friction),
-        Law::PolyhedralCoulomb { directions } if friction > 0.0 => OneContact::polyhedral(block, friction, directions),
-        Law::Associated if friction > 0.0 => OneContact::associated(block, friction),
-        _ => OneContact::frictionless(block),
-    };
-    contact.ok_or_else(|| {
+    one(&block, problem.friction()[k]).ok_or_else(|| {
         let reason = format!(
             "contact {k} has no positive definite diagonal block W_kk + R_kk, so it cannot be solved alone; remove it or give it compliance"
         );
-        Error::refused("pgs", reason)
+        Error::refused(NAME, reason)
     })
-}
-
-fn padded(values: &[f64]) -> Vector3<f64> {
-    Vector3::from_fn(|k, _| values.get(k).copied().unwrap_or(0.0))
 }
 
 #[cfg(test)]

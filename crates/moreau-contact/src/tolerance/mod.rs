@@ -7,3 +7,4 @@ pub mod cones;
 pub mod limits;
 pub mod problem;
 pub mod solvers;
+pub mod sweeps;

@@ -1,7 +1,7 @@
 //! The one-step contact problem: u = W r + u_free, y = u + shift + R r, (r, y) in the law.
 
 use super::Law;
-use crate::operator::Operator;
+use crate::operator::{ContactOperator, Operator};
 use nalgebra::{DMatrix, DVector};
 
 mod builder;
@@ -138,8 +138,9 @@ impl ContactProblem {
     /// # Panics
     /// If the problem has no such contact.
     pub fn diagonal_block(&self, contact: usize) -> DMatrix<f64> {
-        let (first, rows) = (contact * self.rows_per_contact, self.rows_per_contact);
-        DMatrix::from_fn(rows, rows, |i, j| self.entry(first + i, first + j))
+        let mut block = DMatrix::zeros(self.rows_per_contact, self.rows_per_contact);
+        self.delassus.of_contacts().diagonal_block(contact, block.as_mut_slice());
+        block
     }
 
     /// W r \[m/s\] for impulses r \[N·s\].
@@ -165,15 +166,11 @@ impl ContactProblem {
     #[inline]
     pub fn add_contact(&self, contact: usize, change: &[f64], law_velocity: &mut [f64]) {
         let first = contact * self.rows_per_contact;
-        if let Some(blocks) = self.delassus.blocks() {
-            blocks.add_contact(contact, change, law_velocity);
+        match &self.delassus {
+            Operator::Dense(dense) => dense.add_contact(contact, change, law_velocity),
+            other => other.of_contacts().add_contact(contact, change, law_velocity),
         }
-        for (row, change) in (first..).zip(change).filter(|(_, change)| **change != 0.0) {
-            if self.delassus.blocks().is_none() {
-                self.delassus.add_column(row, *change, law_velocity);
-            }
-            law_velocity[row] += self.row_compliance(row) * change;
-        }
+        (first..).zip(change).for_each(|(row, change)| law_velocity[row] += self.row_compliance(row) * change);
     }
 
     /// W, however it is stored.

@@ -55,7 +55,7 @@ impl ContactProblem {
     /// # Errors
     /// [`Error::Invalid`] where W is stored by blocks and its square matrix would take more memory than is allowed.
     pub fn law_delassus(&self) -> Result<DMatrix<f64>> {
-        if self.delassus().blocks().is_some() {
+        if !self.delassus().is_dense() {
             let matrices = memory::matrix(self.rows(), self.rows()).saturating_mul(MATRICES);
             memory::require("the square Delassus matrix of this problem", matrices)?;
         }

@@ -27,8 +27,8 @@ impl ContactProblem {
                 return Err(Error::invalid(field, format!("has size {size}"), cure));
             }
         }
-        if let Some(blocks) = self.delassus.blocks().filter(|blocks| blocks.rows_per_contact() != self.rows_per_contact) {
-            let problem = format!("has blocks of {} rows", blocks.rows_per_contact());
+        if let Some(rows) = self.delassus.rows_per_contact().filter(|rows| *rows != self.rows_per_contact) {
+            let problem = format!("has blocks of {rows} rows");
             return Err(Error::invalid("delassus", problem, format!("use blocks of the contacts, of {} rows", self.rows_per_contact)));
         }
         let numbers: [(&str, &[f64]); 3] =

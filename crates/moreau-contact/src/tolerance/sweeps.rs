@@ -1,0 +1,19 @@
+//! Tolerances of the sweeps of projected Gauss–Seidel.
+
+/// √ε/2: a Newton step that is this small leaves an error of the size of its square, which is rounding.
+/// Derived.
+pub const SQUARED: f64 = 1.0 / 134_217_728.0;
+
+/// Most sweeps between two evaluations of the certificate's residual; an evaluation costs about three sweeps. Between them the change of a
+/// sweep tells when the residual may be small enough.
+/// Set.
+pub const LOOK: usize = 64;
+
+/// Factor of the tolerance at which the change of a sweep predicts a residual that is worth an evaluation.
+/// Set.
+pub const PREDICTED: f64 = 2.0;
+
+/// Consecutive contacts that are swept one after the other, while other such blocks that touch no body of them may be swept at the same
+/// time. A block of 1024 contacts takes some 30 µs, and a few blocks fill no thread; so smaller problems are one block.
+/// Set.
+pub const BLOCK: usize = 1024;
