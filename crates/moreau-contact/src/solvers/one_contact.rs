@@ -135,9 +135,8 @@ impl Coulomb {
         if size == 0.0 {
             return [pressed, 0.0, 0.0];
         }
-        let direction = [tangential[0] / size, tangential[1] / size];
-        let normal = -q / (a[0] + mu * (a[1] * direction[0] + a[2] * direction[1]));
-        [normal, mu * normal * direction[0], mu * normal * direction[1]]
+        let each = -q / (a[0] * size + mu * (a[1] * tangential[0] + a[2] * tangential[1]));
+        [each * size, mu * each * tangential[0], mu * each * tangential[1]]
     }
 }
 

@@ -112,7 +112,7 @@ impl ProjectedGaussSeidel {
         start: DVector<f64>,
         contacts: Vec<L>,
     ) -> Result<Solution> {
-        match problem.delassus().matrix_free().map(|free| (free, Bodies::<6>::new(problem, free))) {
+        match problem.delassus().matrix_free().map(|free| (free, Bodies::<3>::new(problem, free))) {
             Some((_, Some(bodies))) => Sweeper::<_, _, D>::new(problem, bodies, contacts, start, self).solution(self),
             Some((free, None)) => Sweeper::<_, _, D>::new(problem, Free::new(problem, free), contacts, start, self).solution(self),
             None => Sweeper::<_, _, D>::new(problem, Stored(problem), contacts, start, self).solution(self),
@@ -208,7 +208,7 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
         let patience = tolerance::stalled(self.problem.contacts());
         let mut relative = self.measure();
         while relative > solver.tolerance && self.sweeps < solver.sweeps && !self.has_stalled(patience) {
-            let goes_on = self.sweep() && self.is_finite();
+            let goes_on = self.sweep() && self.look.change.is_finite();
             // a declared number of sweeps is answered as it is
             if self.sweeps < solver.sweeps && (!goes_on || self.is_due(solver.tolerance)) {
                 relative = self.measure();
@@ -228,7 +228,7 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
         let mut relative = self.measure();
         while relative > solver.tolerance && self.sweeps < solver.sweeps && !self.has_stalled(patience) {
             before.clone_from(&self.point.x);
-            let goes_on = self.sweep() && self.is_finite() && self.sweeps < solver.sweeps;
+            let goes_on = self.sweep() && self.look.change.is_finite() && self.sweeps < solver.sweeps;
             if !goes_on || self.is_due(solver.tolerance) {
                 relative = self.measure();
                 if relative > tolerance::GROWTH * self.best.relative {
@@ -298,8 +298,8 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
 fn without<const D: usize>(block: &[f64; 9], impulse: &[f64; D], velocity: &[f64; D]) -> [f64; 3] {
     let mut q = [0.0; 3];
     for row in 0..D {
-        q[row] = velocity[row];
-        (0..D).for_each(|column| q[row] -= block[3 * row + column] * impulse[column]);
+        let own: f64 = (0..D).map(|column| block[3 * row + column] * impulse[column]).sum();
+        q[row] = velocity[row] - own;
     }
     q
 }

@@ -6,7 +6,7 @@
 //! ```
 //! Since both are affine, the state at a combination of impulses with weights that sum to one is the same combination of the states.
 
-use crate::operator::MatrixFree;
+use crate::operator::{BlockRows, MatrixFree};
 use crate::problem::{Compliance, ContactProblem, Coordinates};
 use std::ops::Range;
 
@@ -117,27 +117,49 @@ impl<const D: usize> Swept<D> for Free<'_> {
     }
 }
 
-/// W by bodies of N velocities each.
-pub(super) struct Bodies<'a, const N: usize> {
+/// Two numbers that the processor multiplies and adds side by side.
+type Pair = [f64; 2];
+
+/// sum + a b of each.
+#[inline(always)]
+fn add_product(sum: &mut Pair, a: Pair, b: Pair) {
+    *sum = [sum[0] + a[0] * b[0], sum[1] + a[1] * b[1]];
+}
+
+/// W by bodies of 2 P velocities each.
+pub(super) struct Bodies<'a, const P: usize> {
     free: &'a MatrixFree,
     given: Given<'a>,
     /// Rows of Y, D for each block.
-    left: &'a [[f64; N]],
-    right: &'a [[f64; N]],
-    inverse: &'a [[f64; N]],
+    left: &'a [[Pair; P]],
+    right: &'a [[Pair; P]],
+    inverse: &'a [[Pair; P]],
 }
 
-impl<'a, const N: usize> Bodies<'a, N> {
-    /// W, if its bodies have N velocities each.
+impl<'a, const P: usize> Bodies<'a, P> {
+    /// W, if its bodies have 2 P velocities each.
     pub(super) fn new(problem: &'a ContactProblem, free: &'a MatrixFree) -> Option<Self> {
-        let [left, right, inverse] = [free.left(), free.right(), free.inverse()].map(|numbers| numbers.as_chunks::<N>().0);
-        (free.jacobian().equal_velocities() == Some(N)).then(|| Bodies { free, given: Given::of(problem), left, right, inverse })
+        let [left, right, inverse] =
+            [free.left(), free.right(), free.inverse()].map(|numbers| numbers.as_chunks::<2>().0.as_chunks::<P>().0);
+        (free.jacobian().equal_velocities() == Some(2 * P)).then(|| Bodies { free, given: Given::of(problem), left, right, inverse })
     }
 }
 
-impl<const D: usize, const N: usize> Swept<D> for Bodies<'_, N> {
+/// The blocks of a contact, each with its body.
+#[inline(always)]
+fn touched<'a, const D: usize, const P: usize>(
+    rows: &'a BlockRows,
+    blocks: &'a [[Pair; P]],
+    contact: usize,
+) -> impl Iterator<Item = (&'a [[Pair; P]; D], usize)> {
+    let range = rows.blocks(contact);
+    let blocks = blocks[range.start * D..range.end * D].as_chunks::<D>().0;
+    blocks.iter().zip(rows.bodies(contact).iter().map(|body| *body as usize))
+}
+
+impl<const D: usize, const P: usize> Swept<D> for Bodies<'_, P> {
     fn state(&self, impulse: &[f64]) -> Vec<f64> {
-        let mut state = vec![0.0; self.inverse.len() * N];
+        let mut state = vec![0.0; self.inverse.len() * 2 * P];
         let contacts = impulse.as_chunks::<D>().0.iter().enumerate();
         contacts.filter(|(_, r)| r.iter().any(|r| *r != 0.0)).for_each(|(k, r)| self.push(k, r, &mut state));
         state
@@ -149,41 +171,46 @@ impl<const D: usize, const N: usize> Swept<D> for Bodies<'_, N> {
 
     #[inline(always)]
     fn at(&self, contact: usize, impulse: &[f64; D], state: &[f64]) -> [f64; D] {
-        let mut y = self.given.at(contact, impulse);
-        let (rows, bodies) = (self.free.jacobian(), state.as_chunks::<N>().0);
-        let blocks = self.left[rows.blocks(contact).start * D..rows.blocks(contact).end * D].as_chunks::<D>().0;
-        for (block, body) in blocks.iter().zip(rows.bodies(contact)) {
-            let w = &bodies[*body as usize];
-            (0..D).for_each(|row| y[row] += product(&block[row], w));
+        let (mut y, bodies) = (self.given.at(contact, impulse), state.as_chunks::<2>().0.as_chunks::<P>().0);
+        let mut sums = [[0.0; 2]; D];
+        for (block, body) in touched::<D, P>(self.free.jacobian(), self.left, contact) {
+            let w = bodies[body];
+            for row in 0..D {
+                // a sum of its own for each body: the processor forms them side by side
+                let mut own = [block[row][0][0] * w[0][0], block[row][0][1] * w[0][1]];
+                for pair in 1..P {
+                    add_product(&mut own, block[row][pair], w[pair]);
+                }
+                sums[row] = [sums[row][0] + own[0], sums[row][1] + own[1]];
+            }
+        }
+        for row in 0..D {
+            y[row] += sums[row][0] + sums[row][1];
         }
         y
     }
 
     #[inline(always)]
     fn push(&self, contact: usize, change: &[f64; D], state: &mut [f64]) {
-        let (rows, bodies) = (self.free.jacobian(), state.as_chunks_mut::<N>().0);
-        let blocks = self.right[rows.blocks(contact).start * D..rows.blocks(contact).end * D].as_chunks::<D>().0;
-        for (block, body) in blocks.iter().zip(rows.bodies(contact)) {
-            let (w, inverse) = (&mut bodies[*body as usize], &self.inverse[*body as usize]);
-            for v in 0..N {
-                let mut pushed = 0.0;
-                (0..D).for_each(|row| pushed += block[row][v] * change[row]);
-                w[v] += inverse[v] * pushed;
+        let bodies = state.as_chunks_mut::<2>().0.as_chunks_mut::<P>().0;
+        for (block, body) in touched::<D, P>(self.free.jacobian(), self.right, contact) {
+            let mut pushed = [[0.0; 2]; P];
+            for row in 0..D {
+                for pair in 0..P {
+                    add_product(&mut pushed[pair], block[row][pair], [change[row]; 2]);
+                }
             }
+            let (mut w, inverse) = (bodies[body], &self.inverse[body]);
+            for pair in 0..P {
+                add_product(&mut w[pair], inverse[pair], pushed[pair]);
+            }
+            bodies[body] = w;
         }
     }
 
     fn order(&self) -> Vec<Range<usize>> {
         super::colours::coloured(self.free).into_iter().flatten().collect()
     }
-}
-
-/// Σ a_i b_i in two sums, which the processor forms side by side.
-#[inline(always)]
-fn product<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
-    let mut sums = [0.0; 2];
-    (0..N).for_each(|i| sums[i % 2] += a[i] * b[i]);
-    sums[0] + sums[1]
 }
 
 /// y of every contact, one after the other.
