@@ -124,3 +124,5 @@ pub trait ContactSolver: Send + Sync {
 
 #[cfg(test)]
 mod agreement_tests;
+#[cfg(test)]
+mod lcp_tests;
