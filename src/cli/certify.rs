@@ -5,10 +5,12 @@ use super::output::print;
 use super::{Answer, Format};
 use crate::Result;
 use crate::certificate::backward::backward;
+use crate::certificate::lcp_proof::{count, lcp_of, prove};
 use crate::certificate::residuals;
 use crate::problem::{ContactProblem, Solution};
 use crate::report::certificate::Certificate;
 use crate::report::json::pretty;
+use crate::report::lcp_proof::{Counted, LcpProved};
 use crate::tolerance::cli::CERTIFY;
 use std::path::PathBuf;
 
@@ -28,7 +30,8 @@ pub struct Arguments {
     /// Largest residual accepted, relative to the scale of its contact.
     #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: f64,
-    /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly. Not for polyhedral laws.
+    /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly. Not for polyhedral laws. Of a linear
+    /// complementarity problem, moreover: how far a solution is, and how many there are; without an answer, the latter alone.
     #[arg(long)]
     prove: bool,
     #[command(flatten)]
@@ -40,9 +43,10 @@ Examples:
   moreau certify problem.json solution.json
   moreau certify problem.json solution.json --tolerance 1e-12 --format json
   moreau certify problem.json solution.json --prove      with a proved backward error
+  moreau certify lcp.json --prove                        how many solutions a linear complementarity problem has
   moreau certify collected.hdf5                          an FCLIB file and the solution stored in it
 
-Exit code 0: a solution; 1: not a solution; 2: the files cannot be read or do not fit each other.";
+Exit code 0: a solution, or one is proved to exist; 1: not a solution, or none is proved to exist; 2: the files cannot be read or do not fit each other.";
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
@@ -50,12 +54,22 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let tolerance = arguments.tolerance;
     check_tolerance("--tolerance", tolerance)?;
     let problem = ContactProblem::read(&arguments.problem)?;
+    let lcp = arguments.prove.then(|| lcp_of(&problem)).flatten();
+    if let (Some(lcp), None) = (&lcp, &arguments.solution) {
+        let counted = Counted::new(problem.name(), lcp, &count(lcp)?);
+        print(&if arguments.common.format == Format::Json { pretty(&counted)? } else { counted.text() })?;
+        return Ok(counted.is_solvable().into());
+    }
     let file = arguments.solution.as_ref().unwrap_or(&arguments.problem);
     let solution = Solution::read(file, &problem)?;
     let residuals = residuals(&problem, &solution).map_err(|error| error.in_file(file))?;
     let mut certificate = Certificate::new(&problem, &solution, &residuals, tolerance);
     if arguments.prove {
         certificate = certificate.with_proof(&backward(&problem, &solution.impulse).map_err(|error| error.in_file(&arguments.problem))?);
+    }
+    if let Some(lcp) = &lcp {
+        let answer = prove(lcp, &solution.impulse).map_err(|error| error.in_file(file))?;
+        certificate = certificate.with_lcp(LcpProved::new(lcp, Some(&answer), &count(lcp)?));
     }
     print(&match arguments.common.format {
         Format::Text => certificate.text(),

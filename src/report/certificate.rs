@@ -1,5 +1,6 @@
 //! How good an answer to a contact problem is: residuals with units, and whether they are small enough.
 
+use super::lcp_proof::LcpProved;
 use crate::certificate::backward::{Backward, HeldAs};
 use crate::certificate::{Residuals, Worst};
 use crate::number::{significant, with_unit};
@@ -22,6 +23,8 @@ pub struct Certificate<'a> {
     solution: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     backward: Option<Proved>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lcp: Option<LcpProved>,
 }
 
 /// A proved backward error.
@@ -52,6 +55,7 @@ impl<'a> Certificate<'a> {
             tolerance,
             solution: solution_found,
             backward: None,
+            lcp: None,
         }
     }
 
@@ -66,6 +70,11 @@ impl<'a> Certificate<'a> {
         let states = proof.states.iter().map(word).collect();
         let proved = Proved { velocity, contact, impulse: proof.moved(), states, velocities: proof.velocity.clone() };
         Certificate { backward: Some(proved), ..self }
+    }
+
+    /// The same with what is proved of the linear complementarity problem that it is.
+    pub fn with_lcp(self, proved: LcpProved) -> Self {
+        Certificate { lcp: Some(proved), ..self }
     }
 
     /// Whether the answer is a solution.
@@ -99,6 +108,9 @@ impl<'a> Certificate<'a> {
                 "  velocity differs by at most {velocity} at a contact{place}; whether the problem itself has a solution near is not proved"
             ));
         }
+        for said in self.lcp.iter().flat_map(LcpProved::lines) {
+            line(said);
+        }
         let verdict = if self.solution { "a solution" } else { "NOT a solution" };
         line(format!("{verdict} to the relative tolerance {}", significant(self.tolerance)));
         text
@@ -106,7 +118,7 @@ impl<'a> Certificate<'a> {
 }
 
 /// A bound to four digits that is not below it.
-fn above(bound: f64) -> String {
+pub(super) fn above(bound: f64) -> String {
     if bound == 0.0 {
         return "0".into();
     }

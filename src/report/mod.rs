@@ -6,6 +6,7 @@ pub mod comparison;
 pub mod explanation;
 mod findings;
 pub mod json;
+pub mod lcp_proof;
 pub mod matrix;
 pub mod motion;
 pub mod no_answer;

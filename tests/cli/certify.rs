@@ -72,3 +72,52 @@ fn an_answer_to_a_problem_of_another_name_is_refused() {
     assert_eq!(moreau(&["certify", &problem, &folder.file("none.json", &solution(0.0))]).code, 0);
     moreau(&["certify", &problem, &folder.file("other.json", &answers("wheel"))]).is_refused(&["other.json", "problem", "wheel", "block"]);
 }
+
+/// An lcp/1 of two rows.
+fn lcp(matrix: [[f64; 2]; 2], vector: [f64; 2]) -> String {
+    format!(r#"{{"schema": "lcp/1", "name": "two", "matrix": {{"shape": [2, 2], "rows": {matrix:?}}}, "vector": {vector:?}}}"#)
+}
+
+#[test]
+fn a_linear_complementarity_problem_is_proved_in_fractions() {
+    let folder = Folder::new("certify-lcp");
+    let problem = folder.file("lcp.json", &lcp([[2.0, 1.0], [1.0, 2.0]], [-1.0, -1.0]));
+    let answer = |name: &str, z: [f64; 2]| {
+        let velocity = [2.0 * z[0] + z[1] - 1.0, z[0] + 2.0 * z[1] - 1.0];
+        folder.file(name, &format!(r#"{{"schema": "solution/1", "problem": "two", "impulse": {z:?}, "velocity": {velocity:?}}}"#))
+    };
+    let proved = |file: &str| moreau(&["certify", &problem, file, "--prove", "--format", "json"]);
+    let third = 1.0 / 3.0;
+    let run = proved(&answer("good.json", [third, third]));
+    assert_eq!((run.code, &run.json()["lcp"]["near"]["in"]), (0, &"fractions".into()), "{}", run.output);
+    let distance = run.json()["lcp"]["near"]["distance"].as_f64().unwrap();
+    assert!(distance > 0.0 && distance < 1e-16, "{distance}");
+    assert_eq!(run.json()["lcp"]["solutions"], "one");
+    let run = proved(&answer("moved.json", [third + 0.125, third]));
+    assert_eq!(run.code, 1, "{}", run.output);
+    assert!(run.json()["lcp"]["near"]["distance"].as_f64().unwrap() >= 0.125);
+    let run = moreau(&["certify", &problem, &answer("again.json", [third, third]), "--prove"]);
+    assert!(run.output.contains("proved in fractions: a solution z") && run.output.contains("exactly one solution"), "{}", run.output);
+}
+
+#[test]
+fn how_many_solutions_there_are_is_proved_without_an_answer() {
+    let folder = Folder::new("certify-count");
+    let count = |name: &str, matrix, vector| {
+        let file = folder.file(name, &lcp(matrix, vector));
+        let text = moreau(&["certify", &file, "--prove"]);
+        let json = moreau(&["certify", &file, "--prove", "--format", "json"]);
+        assert_eq!(text.code, json.code);
+        (json.code, json.json(), text.output)
+    };
+    let (code, json, _) = count("three.json", [[1.0, 2.0], [2.0, 1.0]], [-1.0, -1.0]);
+    assert_eq!((code, &json["status"], json["lcp"]["points"].as_array().unwrap().len()), (0, &"solvable".into(), 3));
+    let (code, json, text) = count("segment.json", [[1.0, 1.0], [1.0, 1.0]], [-1.0, -1.0]);
+    assert_eq!((code, &json["lcp"]["solutions"]), (0, &"continuum".into()));
+    assert!(text.contains("infinitely many"), "{text}");
+    let (code, json, text) = count("none.json", [[0.0, 1.0], [0.0, 0.0]], [-1.0, 1.0]);
+    assert_eq!((code, &json["status"]), (1, &"infeasible".into()));
+    assert!(text.contains("NO solution"), "{text}");
+    let (code, json, _) = count("empty.json", [[0.0, 0.0], [0.0, 1.0]], [-1.0, 1.0]);
+    assert_eq!((code, &json["lcp"]["witness"]), (1, &serde_json::json!(["1", "0"])));
+}

@@ -74,6 +74,8 @@ pub enum Failure {
     Ray,
     /// The iteration reached its limit without an answer.
     Limit,
+    /// The problem has no solution, which was proved.
+    Infeasible,
 }
 
 impl Failure {
@@ -84,6 +86,7 @@ impl Failure {
             Failure::Breakdown => "breakdown",
             Failure::Ray => "ray",
             Failure::Limit => "limit",
+            Failure::Infeasible => "infeasible",
         }
     }
 }
@@ -123,6 +126,11 @@ impl Error {
     /// The error of a solver that reached its limit of iterations.
     pub fn limit(solver: impl Into<String>, reason: impl Into<String>) -> Self {
         Error::solver(solver, Failure::Limit, reason)
+    }
+
+    /// The error of a solver that proved that the problem has no solution.
+    pub fn infeasible(solver: impl Into<String>, reason: impl Into<String>) -> Self {
+        Error::solver(solver, Failure::Infeasible, reason)
     }
 
     /// The same error, naming the file it came from.

@@ -4,14 +4,19 @@
 
 mod at_contact;
 pub mod backward;
+pub mod complementary_cones;
 pub mod copositivity;
 mod decision;
 pub mod definiteness;
+mod dictionary;
 pub mod existence;
 pub mod feasibility;
 mod groups;
 mod judge;
 pub mod lcp;
+mod lcp_enclosure;
+mod lcp_exact;
+pub mod lcp_proof;
 pub mod natural_map;
 pub mod p_matrix;
 mod part;
@@ -21,6 +26,7 @@ pub mod residuals;
 mod residuals_json;
 mod scales;
 mod step;
+pub mod verified_cholesky;
 
 pub use decision::Decision;
 pub use judge::{Judge, Judged, Worst};

@@ -1,11 +1,13 @@
 //! P-matrix: every principal minor is positive; then the LCP has exactly one solution for every q.
 //!
 //! With a₁₁ > 0 and the Schur complement M/a₁₁ = M₂₂ − M₂₁ a₁₁⁻¹ M₁₂, det M_{α∪1} = a₁₁ det (M/a₁₁)_α; so M is a
-//! P-matrix iff a₁₁ > 0 and both M₂₂ and M/a₁₁ are.
+//! P-matrix iff a₁₁ > 0 and both M₂₂ and M/a₁₁ are. The complements are enclosed by intervals, and a minor whose sign they leave open is
+//! computed in rationals.
 
 use super::Decision;
-use super::copositivity::LARGEST;
+use super::complementary_cones::LARGEST;
 use dashu_ratio::RBig;
+use moreau_exact::elimination::{principal, solve_columns};
 use moreau_exact::scalar::Rational;
 use moreau_exact::witness::{Part, Witness, decided};
 use moreau_exact::{Error, Result};
@@ -39,9 +41,8 @@ pub fn p_matrix(matrix: &DMatrix<Rational>) -> Result<Decision<Minor>> {
         let message = format!("principal minors are decided up to size {LARGEST}, this matrix has {} rows", matrix.nrows());
         return Err(Error::Unsupported(message));
     }
-    let pivots = Minor { indices: Vec::new(), value: RBig::ONE };
     let bad = decided(
-        || first_bad_minor(matrix, 0, &pivots),
+        || first_bad_minor(matrix, matrix.transpose().iter().map(around).collect(), 0, &mut Vec::new()),
         |found| {
             let mut parts = vec![("matrix", Part::from(matrix))];
             match found {
@@ -57,23 +58,94 @@ pub fn p_matrix(matrix: &DMatrix<Rational>) -> Result<Decision<Minor>> {
     Ok(bad.map_or(Decision::Holds, Decision::Fails))
 }
 
-/// Searches the minors that contain the `pivots`, none of the other indices below `next`, and any from there on; the
-/// matrix is the Schur complement of the pivots on the indices from `next`.
-fn first_bad_minor(complement: &DMatrix<Rational>, next: usize, pivots: &Minor) -> Option<Minor> {
-    if complement.nrows() == 0 {
+/// An interval, its ends rounded outward at every operation.
+type Interval = [f64; 2];
+
+fn minus([a, b]: Interval, [c, d]: Interval) -> Interval {
+    [(a - d).next_down(), (b - c).next_up()]
+}
+
+fn times([a, b]: Interval, [c, d]: Interval) -> Interval {
+    let products = [a * c, a * d, b * c, b * d];
+    // a product that is not a number, 0·∞, makes ends that are none
+    let least = products.iter().fold(f64::INFINITY, |least, p| if *p < least || p.is_nan() { *p } else { least });
+    let largest = products.iter().fold(f64::NEG_INFINITY, |largest, p| if *p > largest || p.is_nan() { *p } else { largest });
+    [least.next_down(), largest.next_up()]
+}
+
+/// 1/x for x > 0.
+fn reciprocal([a, b]: Interval) -> Interval {
+    [b.recip().next_down(), a.recip().next_up()]
+}
+
+fn around(number: &Rational) -> Interval {
+    let nearest = number.to_f64().value();
+    [nearest.next_down(), nearest.next_up()]
+}
+
+/// The Schur complement of some pivots on the indices that follow, enclosed.
+fn enclosed_complement(matrix: &DMatrix<Rational>, pivots: &[usize], next: usize) -> Vec<Interval> {
+    let rest: Vec<usize> = (next..matrix.nrows()).collect();
+    let (k, n) = (pivots.len(), rest.len());
+    let right = DMatrix::from_fn(k, n, |i, j| matrix[(pivots[i], rest[j])].clone());
+    let through = solve_columns(&principal(matrix, pivots), &right).expect("its principal minors are positive");
+    let entry = |i: usize, j: usize| {
+        let sum = (0..k).fold(Rational::ZERO, |sum, l| sum + &matrix[(rest[i], pivots[l])] * &through[(l, j)]);
+        around(&(&matrix[(rest[i], rest[j])] - sum))
+    };
+    (0..n * n).map(|place| entry(place / n, place % n)).collect()
+}
+
+/// Searches the minors that contain the `pivots`, none of the other indices below `next`, and any from there on; `complement` encloses the
+/// Schur complement of the pivots on the indices from `next`, row by row. Where it leaves a sign open, the minor is computed in rationals.
+fn first_bad_minor(matrix: &DMatrix<Rational>, mut complement: Vec<Interval>, next: usize, pivots: &mut Vec<usize>) -> Option<Minor> {
+    let size = matrix.nrows() - next;
+    if size == 0 {
         return None;
     }
-    let mut extended = pivots.clone();
-    extended.indices.push(next);
-    extended.value *= &complement[(0, 0)];
-    if extended.value <= RBig::ZERO {
-        return Some(extended);
+    pivots.push(next);
+    if complement[0][0] <= 0.0 || complement[0][0].is_nan() {
+        let value = minor(matrix, pivots);
+        if value <= RBig::ZERO {
+            return Some(Minor { indices: pivots.clone(), value });
+        }
+        pivots.pop();
+        complement = enclosed_complement(matrix, pivots, next);
+        pivots.push(next);
     }
-    let size = complement.nrows() - 1;
-    let without = complement.view((1, 1), (size, size)).into_owned();
-    let with =
-        DMatrix::from_fn(size, size, |i, j| &without[(i, j)] - &complement[(i + 1, 0)] * &complement[(0, j + 1)] / &complement[(0, 0)]);
-    first_bad_minor(&without, next + 1, pivots).or_else(|| first_bad_minor(&with, next + 1, &extended))
+    let entry = |i: usize, j: usize| complement[i * size + j];
+    let rest = |new: &dyn Fn(usize, usize) -> Interval| -> Vec<Interval> {
+        (1..size).flat_map(|i| (1..size).map(move |j| (i, j))).map(|(i, j)| new(i, j)).collect()
+    };
+    let inverse = if complement[0][0] > 0.0 { reciprocal(complement[0]) } else { [0.0, f64::INFINITY] };
+    let row: Vec<Interval> = (0..size).map(|j| times(entry(0, j), inverse)).collect();
+    let with = rest(&|i, j| minus(entry(i, j), times(entry(i, 0), row[j])));
+    pivots.pop();
+    let without = first_bad_minor(matrix, rest(&entry), next + 1, pivots);
+    if without.is_some() {
+        return without;
+    }
+    pivots.push(next);
+    let found = first_bad_minor(matrix, with, next + 1, pivots);
+    pivots.pop();
+    found
+}
+
+/// det M_αα, by elimination.
+fn minor(matrix: &DMatrix<Rational>, indices: &[usize]) -> Rational {
+    let mut rest = principal(matrix, indices);
+    let mut value = RBig::ONE;
+    while !rest.is_empty() {
+        let Some(pivot) = (0..rest.nrows()).find(|&i| !rest[(i, 0)].is_zero()) else { return RBig::ZERO };
+        if pivot > 0 {
+            rest.swap_rows(0, pivot);
+            value = -value;
+        }
+        value *= &rest[(0, 0)];
+        let size = rest.nrows() - 1;
+        rest = DMatrix::from_fn(size, size, |i, j| &rest[(i + 1, j + 1)] - &rest[(i + 1, 0)] * &rest[(0, j + 1)] / &rest[(0, 0)]);
+    }
+    value
 }
 
 #[cfg(test)]
@@ -96,5 +168,54 @@ mod tests {
         assert_eq!(minor, Minor { indices: vec![0, 2], value: ratio(-5, 1) });
         let zero = p_matrix(&square(2, &[1, 1, 1, 1])).unwrap().witness().unwrap();
         assert_eq!(zero, Minor { indices: vec![0, 1], value: ratio(0, 1) });
+    }
+
+    /// Signs from determinants of all principal submatrices.
+    fn by_all_minors(matrix: &DMatrix<Rational>) -> bool {
+        (1..1usize << matrix.nrows()).all(|mask| {
+            let indices: Vec<usize> = (0..matrix.nrows()).filter(|i| mask >> i & 1 == 1).collect();
+            minor(matrix, &indices) > RBig::ZERO
+        })
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn intervals_decide_what_all_minors_decide(entries in proptest::collection::vec(-4i64..5, 25), size in 1usize..6, lift in 0i64..9) {
+            let matrix = DMatrix::from_fn(size, size, |i, j| ratio(entries[5 * i + j] + if i == j { lift } else { 0 }, 3));
+            let decision = p_matrix(&matrix).unwrap();
+            proptest::prop_assert_eq!(decision.holds(), by_all_minors(&matrix));
+            if let Decision::Fails(bad) = decision {
+                proptest::prop_assert!(bad.value <= RBig::ZERO && minor(&matrix, &bad.indices) == bad.value);
+            }
+        }
+    }
+
+    #[test]
+    fn a_minor_that_rounding_hides_is_decided_on_both_sides() {
+        // det = ±2⁻⁷⁰, which intervals of 53 bits cannot tell from zero
+        for sign in [1, -1] {
+            let third = ratio(1, 3);
+            let tiny = ratio(sign, 1 << 35) * ratio(1, 1 << 35);
+            let matrix =
+                DMatrix::from_row_slice(2, 2, &[third.clone(), ratio(1, 1), third.clone() * ratio(1, 7), ratio(1, 7) + tiny * ratio(3, 1)]);
+            assert_eq!(p_matrix(&matrix).unwrap().holds(), sign == 1);
+        }
+    }
+
+    #[test]
+    fn twenty_rows_are_decided() {
+        let mut matrix = DMatrix::from_fn(20, 20, |i, j| {
+            if i == j {
+                ratio(1, 1)
+            } else if i > j {
+                ratio(2, 1)
+            } else {
+                RBig::ZERO
+            }
+        });
+        assert!(p_matrix(&matrix).unwrap().holds(), "triangular");
+        matrix[(18, 19)] = ratio(1, 1); // [[1, 1], [2, 1]]
+        assert_eq!(p_matrix(&matrix).unwrap().witness().expect("1 − 2").indices, [18, 19]);
+        assert!(p_matrix(&DMatrix::identity(21, 21)).is_err());
     }
 }

@@ -1,17 +1,14 @@
 //! Contact problems that are linear complementarity problems, solved by lexicographic Lemke.
 //!
 //! ```text
-//!     0 ≤ z ⟂ M z + q ≥ 0 ,   r = G z  (G z without σ)
-//!     normal rows       frictionless               M = W_nn + R_nn
-//!     Stewart–Trinkle   polyhedral Coulomb         z = (λ, β, σ); Coulomb in the plane with d = 2
-//!     edges             polyhedral associated      M = Gᵀ(W + R)G + R_edge, columns n + μ Dⱼ; associated in the plane
+//!     0 ≤ z ⟂ M z + q ≥ 0 ,   r = G z
 //! ```
 
 use super::lemke::{LemkeOutcome, lemke};
+use super::linear_form::{Form, Scaled};
 use super::{ContactSolver, NonsmoothNewton};
 use crate::certificate::Judge;
-use crate::cones::polyhedral;
-use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Lcp, Solution};
+use crate::problem::{ContactProblem, Coordinates, Law, Lcp, Solution};
 use crate::tolerance::solvers::{ENOUGH, SOFTENED};
 use moreau_exact::error::Failure;
 use moreau_exact::{Error, Result};
@@ -40,14 +37,14 @@ impl ContactSolver for LemkePivoting {
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
-        let form = Form::of(problem)?;
+        let form = Form::of(problem, NAME)?;
         // pivoting starts from nothing, but impulses of another problem are a mistake here too
         super::start(problem, warm_start)?;
         let lcp = Scaled::new(&form.lcp(problem)?, form.scale(problem));
         let (mut judge, mut best, mut failure) = (Judge::default(), None::<(f64, Solution)>, None);
         for covering in lcp.coverings() {
             match lcp.solve(&covering) {
-                Ok(end) => keep_better(&mut best, form.best(problem, end, &mut judge)?),
+                Ok(end) => keep_better(&mut best, best_of(form, problem, end, &mut judge)?),
                 Err(error) => failure = Some(failure.filter(|first| !is_ray(first)).unwrap_or(error)),
             }
             if best.as_ref().is_some_and(is_enough) {
@@ -57,7 +54,7 @@ impl ContactSolver for LemkePivoting {
         if best.is_none() && failure.as_ref().is_some_and(|error| !is_ray(error)) {
             // rounding ended every path: on a problem a little softer no basis is as close to a singular one
             if let Ok(end) = lcp.softened().solve(&lcp.coverings()[0]) {
-                best = Some(form.best(problem, end, &mut judge)?).filter(is_enough);
+                best = Some(best_of(form, problem, end, &mut judge)?).filter(is_enough);
             }
         }
         match (best, failure) {
@@ -81,170 +78,33 @@ fn keep_better(best: &mut Option<(f64, Solution)>, answer: (f64, Solution)) {
 impl LemkePivoting {
     /// Whether the law of this problem is an LCP.
     pub fn fits(problem: &ContactProblem) -> bool {
-        Form::of(problem).is_ok()
+        Form::of(problem, NAME).is_ok()
     }
 }
 
-/// Which LCP a contact problem is.
-#[derive(Clone, Copy)]
-enum Form {
-    Normals,
-    StewartTrinkle { directions: usize },
-    Edges { directions: usize },
+/// The answer at the end of a path, or Newton's from there, whichever has the smaller relative residual.
+fn best_of(form: Form, problem: &ContactProblem, (z, pivots): (DVector<f64>, usize), judge: &mut Judge) -> Result<(f64, Solution)> {
+    let answer = form.solution(problem, &z, NAME, pivots);
+    let relative = judge.judge(problem, &answer)?.relative();
+    if relative <= ENOUGH {
+        return Ok((relative, answer));
+    }
+    let Ok(finished) = finished(form, problem, &answer) else { return Ok((relative, answer)) };
+    let finer = judge.judge(problem, &finished)?.relative();
+    Ok(if finer < relative { (finer, finished) } else { (relative, answer) })
 }
 
-impl Form {
-    fn of(problem: &ContactProblem) -> Result<Form> {
-        let without_friction = problem.friction().iter().all(|mu| *mu == 0.0);
-        match (problem.law(), problem.rows_per_contact()) {
-            (Law::Frictionless, _) => Ok(Form::Normals),
-            (Law::Coulomb | Law::Associated, _) if without_friction => Ok(Form::Normals),
-            (Law::PolyhedralCoulomb { directions }, _) => Ok(Form::StewartTrinkle { directions }),
-            (Law::Coulomb, 2) => Ok(Form::StewartTrinkle { directions: 2 }),
-            (Law::PolyhedralAssociated { directions }, _) => Ok(Form::Edges { directions }),
-            (Law::Associated, 2) => Ok(Form::Edges { directions: 2 }),
-            (law, _) => {
-                let reason = format!(
-                    "the law `{}` in three dimensions is not linear; use `polyhedral-coulomb` or `polyhedral-associated`",
-                    law.name()
-                );
-                Err(Error::refused(NAME, reason))
-            }
-        }
+/// Nonsmooth Newton from the answer: pivoting leaves errors of the size of the whole problem at contacts that carry little.
+fn finished(form: Form, problem: &ContactProblem, answer: &Solution) -> Result<Solution> {
+    if problem.compliance().is_some_and(|compliance| compliance.coordinates == Coordinates::Edge) {
+        return Ok(answer.clone());
     }
-
-    /// G: unknown impulses ↦ r.
-    fn generators(self, problem: &ContactProblem) -> DMatrix<f64> {
-        let (contacts, rows) = (problem.contacts(), problem.rows_per_contact());
-        match self {
-            Form::Normals => DMatrix::from_fn(contacts * rows, contacts, |i, j| if i == rows * j { 1.0 } else { 0.0 }),
-            Form::StewartTrinkle { directions } => problem.stewart_trinkle_generators(directions),
-            Form::Edges { directions } => DMatrix::from_fn(contacts * rows, contacts * directions, |i, j| {
-                let contact = j / directions;
-                let edge = polyhedral::edge(j % directions, directions, problem.friction()[contact]);
-                if i / rows == contact { edge[i % rows] } else { 0.0 }
-            }),
-        }
-    }
-
-    fn lcp(self, problem: &ContactProblem) -> Result<Lcp<f64>> {
-        if let Form::StewartTrinkle { .. } = self {
-            return problem.stewart_trinkle_lcp();
-        }
-        let generators = self.generators(problem);
-        let mut matrix = generators.tr_mul(&(problem.law_delassus()? * &generators));
-        if let Some(Compliance { coordinates: Coordinates::Edge, diagonal }) = problem.compliance() {
-            matrix += DMatrix::from_diagonal(diagonal);
-        }
-        Ok(Lcp::new(matrix, generators.tr_mul(&(problem.free_velocity() + problem.shift()))))
-    }
-
-    /// S with z = S z′: per contact s = (mean diagonal of W)^(−½) for impulses and 1/s for slip speeds, which makes
-    /// S M S dimensionless with entries of order one and leaves the blocks E and −Eᵀ alone.
-    fn scale(self, problem: &ContactProblem) -> DVector<f64> {
-        let rows = problem.rows_per_contact();
-        let contact_scale = |contact: usize| {
-            let mean = (rows * contact..rows * (contact + 1)).map(|i| problem.entry(i, i)).sum::<f64>() / rows as f64;
-            if mean > 0.0 { 1.0 / mean.sqrt() } else { 1.0 }
-        };
-        let scales: Vec<f64> = (0..problem.contacts()).map(contact_scale).collect();
-        let repeated = |times: usize| scales.iter().flat_map(move |&s| std::iter::repeat_n(s, times));
-        let list: Vec<f64> = match self {
-            Form::Normals => scales.clone(),
-            Form::StewartTrinkle { directions } => {
-                repeated(1).chain(repeated(directions)).chain(scales.iter().map(|s| s.recip())).collect()
-            }
-            Form::Edges { directions } => repeated(directions).collect(),
-        };
-        DVector::from_vec(list)
-    }
-
-    /// The answer at the end of a path, or Newton's from there, whichever has the smaller relative residual.
-    fn best(self, problem: &ContactProblem, (z, pivots): (DVector<f64>, usize), judge: &mut Judge) -> Result<(f64, Solution)> {
-        let answer = self.solution(problem, &z, pivots);
-        let relative = judge.judge(problem, &answer)?.relative();
-        if relative <= ENOUGH {
-            return Ok((relative, answer));
-        }
-        let Ok(finished) = self.finished(problem, &answer) else { return Ok((relative, answer)) };
-        let finer = judge.judge(problem, &finished)?.relative();
-        Ok(if finer < relative { (finer, finished) } else { (relative, answer) })
-    }
-
-    /// Nonsmooth Newton from the answer: pivoting leaves errors of the size of the whole problem at contacts that carry little.
-    fn finished(self, problem: &ContactProblem, answer: &Solution) -> Result<Solution> {
-        if problem.compliance().is_some_and(|compliance| compliance.coordinates == Coordinates::Edge) {
-            return Ok(answer.clone());
-        }
-        let finished = NonsmoothNewton::default().solve(problem, Some(&answer.impulse))?;
-        let (beta, sigma) = self.parts(problem, &finished);
-        Ok(Solution { beta, sigma, solver: NAME.into(), iterations: answer.iterations + finished.iterations, ..finished })
-    }
-
-    /// β or f, and σ, of an answer's impulses: the parts with the smallest sum and the least σ ≥ 0 with Dⱼ·y_t + σ ≥ 0.
-    fn parts(self, problem: &ContactProblem, answer: &Solution) -> (Option<DVector<f64>>, Option<DVector<f64>>) {
-        let rows = problem.rows_per_contact();
-        let contacts = answer.impulse.as_slice().chunks_exact(rows).zip(problem.friction());
-        let tangent = |z: &[f64]| [z[1], z.get(2).copied().unwrap_or(0.0)];
-        match self {
-            Form::Normals => (None, None),
-            Form::Edges { directions } => {
-                let edges = contacts.flat_map(|(r, mu)| {
-                    let mut edges = Vec::with_capacity(directions);
-                    polyhedral::along_edges(r, *mu, directions, &mut edges);
-                    edges
-                });
-                (Some(DVector::from_vec(edges.collect())), None)
-            }
-            Form::StewartTrinkle { directions } => {
-                let slip = |y: &[f64]| {
-                    let against = |j: usize| -polyhedral::direction(j, directions).iter().zip(tangent(y)).map(|(d, y)| d * y).sum::<f64>();
-                    (0..directions).map(against).fold(0.0, f64::max)
-                };
-                let law_velocity = problem.law_velocity(&answer.impulse);
-                let sigma = DVector::from_iterator(problem.contacts(), law_velocity.as_slice().chunks_exact(rows).map(slip));
-                let beta = contacts.flat_map(|(r, _)| {
-                    let mut beta = Vec::with_capacity(directions);
-                    polyhedral::along_neighbours(tangent(r), directions, &mut beta);
-                    beta
-                });
-                (Some(DVector::from_vec(beta.collect())), Some(sigma))
-            }
-        }
-    }
-
-    fn solution(self, problem: &ContactProblem, z: &DVector<f64>, pivots: usize) -> Solution {
-        let generators = self.generators(problem);
-        let impulse = &generators * z.rows(0, generators.ncols());
-        let contacts = problem.contacts();
-        let (beta, sigma) = match self {
-            Form::Normals => (None, None),
-            Form::StewartTrinkle { directions } => (
-                Some(z.rows(contacts, contacts * directions).into_owned()),
-                Some(z.rows(contacts * (1 + directions), contacts).into_owned()),
-            ),
-            Form::Edges { .. } => (Some(z.clone()), None),
-        };
-        Solution { velocity: problem.velocity(&impulse), impulse, beta, sigma, solver: NAME.into(), iterations: pivots }
-    }
-}
-
-/// 0 ≤ z′ ⟂ S M S z′ + S q/κ ≥ 0 with κ = max |S q|; z = κ S z′.
-struct Scaled {
-    lcp: Lcp<f64>,
-    scale: DVector<f64>,
-    size: f64,
+    let finished = NonsmoothNewton::default().solve(problem, Some(&answer.impulse))?;
+    let (beta, sigma) = form.parts(problem, &finished);
+    Ok(Solution { beta, sigma, solver: NAME.into(), iterations: answer.iterations + finished.iterations, ..finished })
 }
 
 impl Scaled {
-    fn new(lcp: &Lcp<f64>, scale: DVector<f64>) -> Scaled {
-        let matrix = DMatrix::from_fn(lcp.size(), lcp.size(), |i, j| scale[i] * lcp.matrix[(i, j)] * scale[j]);
-        let vector = lcp.vector.component_mul(&scale);
-        let size = vector.iter().fold(0.0, |largest: f64, q| largest.max(q.abs()));
-        let size = if size > 0.0 { size } else { 1.0 };
-        Scaled { lcp: Lcp::new(matrix, vector / size), scale, size }
-    }
-
     /// The theorem holds for every positive covering vector; a basis that rounding spoils on one path is not on the others. A problem
     /// without the hypotheses may have a solution at the end of one path and a ray at the end of another.
     fn coverings(&self) -> [DVector<f64>; 5] {
@@ -282,6 +142,7 @@ const SECONDARY_RAY: &str = "the LCP ended on a secondary ray for five covering 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::problem::Compliance;
     use moreau_exact::tolerance::rounding;
 
     /// A unit point mass with one contact, free velocity (normal, tangents).

@@ -13,10 +13,10 @@
 //! B⁻¹ of a small basis is computed from the data at every pivot. That of a larger one is updated, B⁻¹ ← E B⁻¹, and now and then computed
 //! anew: the residual is that of the data in any case, and so is what is said of the error.
 
-use super::doubled::residual;
 use super::lemke_outcome::LemkeOutcome;
 use crate::problem::Lcp;
-use crate::tolerance::solvers::{KNOWN_PIVOT, SMALL_BASIS, UPDATES, cancellation, mean_of_data, smallest_pivot, sum_of_data};
+use crate::tolerance::solvers::{KNOWN_PIVOT, SMALL_BASIS, cancellation, mean_of_data, smallest_pivot, sum_of_data, updates};
+use moreau_exact::doubled::Residuals;
 use moreau_exact::scalar::Scalar;
 use moreau_exact::{Error, Result, elimination};
 use nalgebra::{DMatrix, DVector};
@@ -35,6 +35,8 @@ pub(super) struct Tableau<T: Scalar> {
     data: DMatrix<T>,
     inverse: DMatrix<T>,
     basis: Vec<usize>,
+    /// The row of every w that is basic.
+    places: Vec<Option<usize>>,
     /// Pivots since B⁻¹ was computed from the data; of rounded numbers.
     updates: usize,
 }
@@ -48,7 +50,13 @@ impl<T: Scalar> Tableau<T> {
             j if j == 2 * size => -covering[i].clone(),
             _ => lcp.vector[i].clone(),
         });
-        Tableau { data, inverse: DMatrix::identity(size, size), basis: (0..size).collect(), updates: 0 }
+        Tableau {
+            data,
+            inverse: DMatrix::identity(size, size),
+            basis: (0..size).collect(),
+            places: (0..size).map(Some).collect(),
+            updates: 0,
+        }
     }
 
     fn size(&self) -> usize {
@@ -67,15 +75,15 @@ impl<T: Scalar> Tableau<T> {
     /// B⁻¹a for the data a of a variable, for rounded numbers with one step of refinement.
     pub(super) fn column(&self, variable: usize) -> Column<T> {
         let data = self.data.column(variable).into_owned();
-        let mut values = &self.inverse * &data;
+        let mut values = self.apply_inverse(&data, |entry| entry);
         if T::spacing().is_zero() {
             let zero = values.map(|_| T::zero());
             return Column { values, errors: zero.clone(), uncertainty: zero };
         }
-        values += &self.inverse * self.residual(&values, &data);
+        values += self.apply_inverse(&self.residual(&values, &data), |entry| entry);
         let left = self.residual(&values, &data);
         let factor = T::ratio(self.size() as i64 + 1, 1) * T::spacing();
-        let (correction, rounding) = (&self.inverse * &left, self.times_inverse(&left.map(|r| r.magnitude())));
+        let (correction, rounding) = (self.apply_inverse(&left, |entry| entry), self.times_inverse(&left.map(|r| r.magnitude())));
         let mut errors = correction.zip_map(&rounding, |c, r| T::ratio(2, 1) * c.magnitude() + factor.clone() * r);
         let uncertainty = self.uncertainty(&values, &data);
         errors.zip_apply(&uncertainty, |error, largest| *error += mean_of_data(self.size(), largest));
@@ -100,8 +108,15 @@ impl<T: Scalar> Tableau<T> {
 
     /// a − B x in doubled precision.
     fn residual(&self, x: &DVector<T>, data: &DVector<T>) -> DVector<T> {
-        let used = || self.basis.iter().zip(x.iter()).filter(|(_, factor)| !factor.is_zero());
-        DVector::from_fn(self.size(), |i, _| residual(&data[i], used().map(|(&variable, factor)| (&self.data[(i, variable)], factor))))
+        let mut residuals = Residuals::new(data.as_slice());
+        for (&variable, factor) in self.basis.iter().zip(x.iter()).filter(|(_, factor)| !factor.is_zero()) {
+            if variable < self.size() {
+                residuals.subtract_unit(variable, factor);
+            } else {
+                residuals.subtract(self.data.column(variable).as_slice(), factor);
+            }
+        }
+        DVector::from_vec(residuals.values())
     }
 
     /// (n + 1) ε |B⁻¹| (|B||x| + |a|).
@@ -112,9 +127,17 @@ impl<T: Scalar> Tableau<T> {
 
     /// |B⁻¹| x.
     fn times_inverse(&self, x: &DVector<T>) -> DVector<T> {
+        self.apply_inverse(x, |entry| entry.magnitude())
+    }
+
+    /// B⁻¹x, by the function that is applied to every entry of B⁻¹; the columns of basic w are unit vectors.
+    fn apply_inverse(&self, x: &DVector<T>, apply: impl Fn(T) -> T) -> DVector<T> {
         let mut image = DVector::from_element(self.size(), T::zero());
-        for (column, factor) in self.inverse.column_iter().zip(x.iter()) {
-            image.zip_apply(&column, |sum, entry| *sum += entry.magnitude() * factor.clone());
+        for (j, factor) in x.iter().enumerate().filter(|(_, factor)| !factor.is_zero()) {
+            match self.places[j] {
+                Some(row) => image[row] += factor.clone(),
+                None => image.zip_apply(&self.inverse.column(j), |sum, entry| *sum += apply(entry) * factor.clone()),
+            }
         }
         image
     }
@@ -124,7 +147,12 @@ impl<T: Scalar> Tableau<T> {
         let mut image = DVector::from_element(self.size(), T::zero());
         for (&variable, factor) in self.basis.iter().zip(x.iter()) {
             let factor = apply(factor.clone());
-            if !factor.is_zero() {
+            if factor.is_zero() {
+                continue;
+            }
+            if variable < self.size() {
+                image[variable] += factor;
+            } else {
                 image.zip_apply(&self.data.column(variable), |sum, entry| *sum += apply(entry) * factor.clone());
             }
         }
@@ -167,15 +195,27 @@ impl<T: Scalar> Tableau<T> {
     /// Brings a variable with this column into the basis in place of the one in this row, and names the one that left.
     pub(super) fn pivot(&mut self, row: usize, entering: usize, column: &Column<T>) -> Result<usize> {
         let leaving = std::mem::replace(&mut self.basis[row], entering);
+        if let Some(place) = self.places.get_mut(leaving) {
+            *place = None;
+        }
+        if let Some(place) = self.places.get_mut(entering) {
+            *place = Some(row);
+        }
         if T::spacing().is_zero() {
             self.update(row, &column.values)
-        } else if self.size() > SMALL_BASIS && self.updates < UPDATES {
+        } else if self.size() > SMALL_BASIS && self.updates < updates(self.size()) {
             self.update(row, &column.values);
             self.updates += 1;
         } else {
             self.updates = 0;
             self.inverse =
                 elimination::solve_columns(&self.basis_columns(), &DMatrix::identity(self.size(), self.size())).ok_or_else(singular)?;
+        }
+        if entering < self.size() {
+            // B e_row = e_w
+            let mut unit = self.inverse.column_mut(entering);
+            unit.fill(T::zero());
+            unit[row] = T::one();
         }
         Ok(leaving)
     }

@@ -45,7 +45,6 @@ mod block_elimination;
 #[cfg(feature = "clarabel")]
 mod clarabel;
 mod colours;
-mod doubled;
 mod elimination;
 pub mod enumeration;
 mod friction_set;
@@ -56,10 +55,14 @@ mod lemke_outcome;
 mod lemke_pivoting;
 mod lemke_tableau;
 mod line_root;
+mod linear_form;
+mod newton_min;
 mod nonsmooth_newton;
 mod one_contact;
 pub mod parts;
 mod polyhedral_contact;
+mod principal_pivoting;
+mod principal_tableau;
 mod projected_gauss_seidel;
 mod projected_over_relaxation;
 mod stopping;
@@ -72,15 +75,19 @@ pub use auto::{Auto, AutoWithin};
 pub use barzilai_borwein::BarzilaiBorwein;
 #[cfg(feature = "clarabel")]
 pub use clarabel::{ClarabelPolished, Polished};
+pub use enumeration::Enumeration;
 pub use gauss::GaussNewton;
 pub use interior_point::InteriorPoint;
 pub use lemke_pivoting::LemkePivoting;
 pub use line_root::LineRoot;
+pub use newton_min::NewtonMin;
 pub use nonsmooth_newton::NonsmoothNewton;
+pub use principal_pivoting::{Murty, ParametricPivoting, PrincipalOutcome};
 pub use projected_gauss_seidel::ProjectedGaussSeidel;
 pub use projected_over_relaxation::ProjectedOverRelaxation;
 pub use table::{SolverEntry, Solvers};
 
+use linear_form::on_support;
 use parts::{compliance, cone_friction, finite, not_convex, project, require_symmetry, start};
 
 /// An algorithm that proposes a solution of a contact problem.
@@ -117,3 +124,5 @@ pub trait ContactSolver: Send + Sync {
 
 #[cfg(test)]
 mod agreement_tests;
+#[cfg(test)]
+mod lcp_tests;

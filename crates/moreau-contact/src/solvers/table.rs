@@ -3,8 +3,8 @@
 #[cfg(feature = "clarabel")]
 use super::ClarabelPolished;
 use super::{
-    AcceleratedProjectedGradient, AlternatingDirections, Auto, BarzilaiBorwein, ContactSolver, GaussNewton, InteriorPoint, LemkePivoting,
-    NonsmoothNewton, ProjectedGaussSeidel, ProjectedOverRelaxation,
+    AcceleratedProjectedGradient, AlternatingDirections, Auto, BarzilaiBorwein, ContactSolver, Enumeration, GaussNewton, InteriorPoint,
+    LemkePivoting, Murty, NewtonMin, NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation,
 };
 use crate::tolerance::solvers::MOST_ITERATIONS;
 use moreau_exact::{Error, Result};
@@ -28,6 +28,18 @@ pub struct Solvers(Vec<SolverEntry>);
 const OWN: &[SolverEntry] = &[
     SolverEntry { name: "auto", default: || Box::new(Auto), limited: None },
     SolverEntry { name: "lemke", default: || Box::new(LemkePivoting), limited: None },
+    SolverEntry { name: "murty", default: || Box::new(Murty::default()), limited: Some(|limit| Box::new(Murty { pivots: limit })) },
+    SolverEntry {
+        name: "parametric-pivoting",
+        default: || Box::new(ParametricPivoting::default()),
+        limited: Some(|limit| Box::new(ParametricPivoting { pivots: limit })),
+    },
+    SolverEntry {
+        name: "newton-min",
+        default: || Box::new(NewtonMin::default()),
+        limited: Some(|limit| Box::new(NewtonMin { steps: limit })),
+    },
+    SolverEntry { name: "enumeration", default: || Box::new(Enumeration), limited: None },
     SolverEntry {
         name: "pgs",
         default: || Box::new(ProjectedGaussSeidel::default()),

@@ -181,9 +181,12 @@ pub const LEMKE_LAST: usize = 2000;
 /// Set.
 pub const SMALL_BASIS: usize = 64;
 
-/// Pivots for which B⁻¹ of a larger basis is updated before it is computed anew: an update takes n² operations, computing it n³.
+/// Pivots for which B⁻¹ of a larger basis of n rows is updated before it is computed anew: an update takes n² operations, computing it n³, so
+/// that n/8 updates cost about as much. What the updates lose is measured by residuals of the data at every pivot.
 /// Set.
-pub const UPDATES: usize = 32;
+pub const fn updates(rows: usize) -> usize {
+    if rows < 256 { 32 } else { rows / 8 }
+}
 
 /// Unknowns of the linear complementarity problems that `auto` pivots for a polygon in place of a round cone. The limit is lower because
 /// other algorithms follow: 3·10⁸ operations are what the alternating directions take for as many contacts.

@@ -5,6 +5,7 @@ mod stages;
 use super::ContactSolver;
 use crate::certificate::Judge;
 use crate::problem::{ContactProblem, Law, Solution};
+use crate::tolerance::certificate::CERTIFY;
 use crate::tolerance::solvers::{ACCEPTABLE, ENOUGH, STOP};
 use moreau_exact::error::Failure;
 use moreau_exact::{Error, Result};
@@ -30,6 +31,7 @@ use stages::{QUICK, THOROUGH, left_out};
 /// | polyhedral Coulomb in space | plain sweeps |
 /// | the associated law | accelerated projected gradient, Clarabel |
 /// | one row, the plane, polyhedral laws, no friction; up to ten times as many contacts as before | Lemke |
+/// | one row, few contacts | complementary cones, in whole numbers: a solution, or the proof that there is none |
 ///
 /// Each starts from the best answer of those before. The order and the numbers of iterations are fixed, so that the same problem has the
 /// same answer on every machine; no clock is asked. The answer names the algorithm it came from, with the iterations of all.
@@ -95,6 +97,10 @@ impl ContactSolver for AutoWithin {
     }
 }
 
+fn is_infeasible(error: &Error) -> bool {
+    matches!(error, Error::Solver { failure: Failure::Infeasible, .. })
+}
+
 /// One algorithm after another until the goal is reached, and the best answer of all.
 fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Result<Solution> {
     super::start(problem, warm_start)?;
@@ -112,6 +118,8 @@ fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal
         let start = best.as_ref().map(|(_, solution)| &solution.impulse).or(warm_start);
         let solution = match stage(problem, start, goal.stop) {
             Ok(solution) => solution,
+            // that there is no solution is proved; what was found before is one to the tolerance of the certificate, or none
+            Err(error) if is_infeasible(&error) && best.as_ref().is_none_or(|(least, _)| *least > CERTIFY) => return Err(error),
             Err(error) => {
                 failure = failure.or(Some(error));
                 continue;

@@ -3,8 +3,8 @@
 #[cfg(feature = "clarabel")]
 use super::super::ClarabelPolished;
 use super::super::{
-    AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, GaussNewton, InteriorPoint, LemkePivoting, NonsmoothNewton,
-    ProjectedGaussSeidel, ProjectedOverRelaxation, compliance,
+    AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, Enumeration, GaussNewton, InteriorPoint, LemkePivoting,
+    NonsmoothNewton, ProjectedGaussSeidel, ProjectedOverRelaxation, compliance,
 };
 use crate::certificate::Judge;
 use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Solution};
@@ -65,7 +65,13 @@ pub(super) const THOROUGH: &[(Takes, Stage)] = &[
     #[cfg(feature = "clarabel")]
     (is_convex, |problem, _, _| ClarabelPolished.solve(problem, None)),
     (is_pivoted_last, |problem, _, _| LemkePivoting.solve(problem, None)),
+    (is_enumerated, |problem, _, _| Enumeration.solve(problem, None)),
 ];
+
+/// Whether it is a linear complementarity problem as it stands, with few enough unknowns for all of its complementary cones.
+fn is_enumerated(problem: &ContactProblem) -> bool {
+    problem.rows_per_contact() == 1 && Enumeration::fits(problem)
+}
 
 /// Laws of a convex program, the interior point's.
 fn is_convex(problem: &ContactProblem) -> bool {

@@ -1,0 +1,124 @@
+//! The search among complementary cones against looking at every one, and known solution sets.
+
+use super::*;
+use crate::certificate::lcp::residuals;
+use moreau_exact::elimination::{principal, solve};
+use proptest::prelude::*;
+
+fn lcp(size: usize, matrix: &[i64], vector: &[i64]) -> Lcp<Rational> {
+    let numbers = |slice: &[i64]| slice.iter().map(|&x| ratio(x, 1)).collect::<Vec<_>>();
+    Lcp::new(DMatrix::from_row_slice(size, size, &numbers(matrix)), DVector::from_vec(numbers(vector)))
+}
+
+#[test]
+fn a_p_matrix_has_one_solution_for_every_q() {
+    for q in [[-1, -1], [1, -1], [-1, 1], [1, 1], [0, -3]] {
+        let problem = lcp(2, &[2, -1, 1, 1], &q);
+        let set = all_solutions(&problem).unwrap();
+        assert!(set.is_unique(), "{q:?}: {set:?}");
+        assert!(residuals(&problem, &set.points[0]).vanish());
+    }
+}
+
+#[test]
+fn three_solutions_are_all_found() {
+    // M = [[1, 2], [2, 1]], q = (−1, −1): supports {1}, {2} and both.
+    let set = all_solutions(&lcp(2, &[1, 2, 2, 1], &[-1, -1])).unwrap();
+    assert_eq!(set.points.len(), 3);
+    assert!(set.families.is_empty());
+}
+
+#[test]
+fn a_singular_basis_yields_its_whole_family() {
+    // 0 ≤ z ⟂ z₁ + z₂ − 1 ≥ 0 twice: the segment z₁ + z₂ = 1.
+    let problem = lcp(2, &[1, 1, 1, 1], &[-1, -1]);
+    let set = all_solutions(&problem).unwrap();
+    let family = set.families.first().expect("the segment");
+    let inside = &family.point + &family.direction * ratio(1, 100);
+    assert!(residuals(&problem, &inside).vanish() && inside != family.point);
+}
+
+#[test]
+fn a_solution_hidden_in_a_singular_basis_is_not_missed() {
+    // M = 0, q = 0: every z ≥ 0; M = [[0, 0], [1, 0]], q = (0, −1): z₁ ≥ 1 with z₂ = 0, or z₁ = 1.
+    let set = all_solutions(&lcp(2, &[0, 0, 1, 0], &[0, -1])).unwrap();
+    assert!(!set.is_empty() && !set.families.is_empty());
+}
+
+#[test]
+fn no_solution_is_proved() {
+    assert!(all_solutions(&lcp(2, &[0, 0, 0, 0], &[-1, 0])).unwrap().is_empty());
+    assert!(all_solutions(&lcp(2, &[1, -1, -1, 1], &[-2, 1])).unwrap().is_empty());
+}
+
+#[test]
+fn twenty_one_unknowns_are_refused() {
+    assert!(all_solutions(&Lcp::new(DMatrix::identity(21, 21), DVector::from_element(21, ratio(1, 1)))).is_err());
+}
+
+/// Cone by cone: the solution of every regular M_αα that is one, and whether any cone with a singular M_αα holds q.
+fn one_by_one(lcp: &Lcp<Rational>) -> (Vec<DVector<Rational>>, bool) {
+    let (size, mut points, mut singular) = (lcp.size(), Vec::new(), false);
+    for mask in 0..1usize << size {
+        let support: Vec<usize> = (0..size).filter(|j| mask >> j & 1 == 1).collect();
+        let right_side = DVector::from_fn(support.len(), |i, _| -lcp.vector[support[i]].clone());
+        match solve(&principal(&lcp.matrix, &support), &right_side) {
+            Some(values) => {
+                let mut z = DVector::from_element(size, Rational::ZERO);
+                support.iter().zip(values.iter()).for_each(|(&j, value)| z[j] = value.clone());
+                if residuals(lcp, &z).vanish() && !points.contains(&z) {
+                    points.push(z);
+                }
+            }
+            None => {
+                let inside: Vec<bool> = (0..size).map(|j| support.contains(&j)).collect();
+                singular |= nonnegative_solution(&complementary_matrix(lcp, &inside), &lcp.vector).point().is_some();
+            }
+        }
+    }
+    (points, singular)
+}
+
+proptest! {
+    #[test]
+    fn the_search_finds_what_looking_at_every_cone_finds(
+        entries in proptest::collection::vec(-3i64..4, 30), size in 1usize..6, zeros in 0i64..3,
+    ) {
+        let kept = |x: i64| if x.abs() <= zeros { 0 } else { x };
+        let problem = lcp(size, &entries.iter().map(|x| kept(*x)).cycle().take(size * size).collect::<Vec<_>>(), &entries[30 - size..]);
+        let set = all_solutions(&problem).unwrap();
+        let (points, singular) = one_by_one(&problem);
+        for z in &set.points {
+            prop_assert!(residuals(&problem, z).vanish());
+        }
+        for z in &points {
+            let within = set.families.iter().any(|family| family.point == *z) || set.points.contains(z);
+            prop_assert!(within || singular, "{z} is missing in {set:?}");
+        }
+        prop_assert!(singular || set.points.len() == points.len(), "{set:?} {points:?}");
+        prop_assert_eq!(set.is_empty(), points.is_empty() && !singular);
+        prop_assert_eq!(some_solution(&problem).unwrap().is_none(), set.is_empty());
+        for family in &set.families {
+            let end = family.other_end(&problem);
+            let middle = (&family.point + &end) * ratio(1, 2);
+            prop_assert!(end != family.point && residuals(&problem, &end).vanish() && residuals(&problem, &middle).vanish());
+        }
+        if let Some(y) = infeasible(&problem) {
+            prop_assert!(set.is_empty() && is_infeasible_by(&problem, &y));
+            prop_assert!(!is_infeasible_by(&problem, &(-&y)));
+        }
+    }
+}
+
+#[test]
+fn a_wrong_witness_of_infeasibility_is_seen() {
+    let problem = lcp(2, &[0, 0, 0, 0], &[-1, 0]);
+    let y = infeasible(&problem).expect("w₁ = −1");
+    assert!(is_infeasible_by(&problem, &y));
+    let other = |entries: [i64; 2]| DVector::from_row_slice(&entries.map(|x| ratio(x, 1)));
+    for wrong in [[0, 0], [0, 1], [1, -1]] {
+        assert!(!is_infeasible_by(&problem, &other(wrong)), "{wrong:?}");
+    }
+    assert_eq!(infeasible(&lcp(1, &[-1], &[1])), None);
+    assert!(!is_infeasible_by(&lcp(1, &[1], &[-1]), &DVector::from_element(1, ratio(1, 1))), "Mᵀy = 1");
+}

@@ -1,0 +1,244 @@
+//! What is proved of an answer to an LCP, and of the problem: a solution near it, how many there are, or that there is none.
+//!
+//! ```text
+//!     0 ≤ z* ⟂ w* = M z* + q ≥ 0 ,    max |z* − z| ≤ distance ,    max |w* − (M z + q)| ≤ slack distance
+//! ```
+//! The numbers of the data are taken as they are stored. Up to [`EXACT_ROWS`] rows z* is a vector of fractions and every sign is decided in
+//! whole numbers; above, z* is enclosed, and every sign is that of an interval.
+
+use super::Decision;
+use super::complementary_cones::{self, SolutionSet, all_solutions, infeasible, some_solution};
+use super::lcp_enclosure::{Undecided, enclose};
+use super::lcp_exact::{ExactSolution, WrongSign, exact_near, support};
+use super::p_matrix::p_matrix;
+use super::verified_cholesky::is_positive_definite;
+use crate::problem::{ContactProblem, Law, Lcp};
+use crate::tolerance::complementarity::{EXACT_ROWS, FEASIBLE_ROWS, SEARCHED_ROWS};
+use moreau_exact::scalar::{Rational, Scalar, exact};
+use moreau_exact::{Error, Result};
+use nalgebra::DVector;
+
+/// A solution near an answer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Near {
+    /// Whether it is known in fractions; enclosed otherwise.
+    pub exact: bool,
+    /// max |z* − z|, rounded up.
+    pub distance: f64,
+    /// max |w* − (M z + q)|, rounded up.
+    pub slack_distance: f64,
+    /// The rows with z* > 0.
+    pub support: Vec<usize>,
+    /// The rows with z* = w* = 0; the solution is strictly complementary if there is none.
+    pub degenerate: Vec<usize>,
+}
+
+/// What is proved of an answer.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Answer {
+    /// A solution is near.
+    Near(Near),
+    /// No solution was found near; this is not a proof that there is none.
+    NotProved {
+        /// The row that is to blame, if one is.
+        row: Option<usize>,
+        /// Why.
+        reason: String,
+    },
+}
+
+/// How many solutions there are.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Count {
+    /// One, for the reason given in words.
+    One(&'static str),
+    /// These, two or more, and no others.
+    Exactly(Vec<DVector<Rational>>),
+    /// Infinitely many: all on the way between these two.
+    Continuum([DVector<Rational>; 2]),
+    /// None: y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0.
+    Infeasible(DVector<Rational>),
+    /// None, although z ≥ 0 with M z + q ≥ 0 exist: no complementary cone holds q.
+    NoCone,
+    /// It is not known, for the reason given in words.
+    Unknown(String),
+}
+
+impl Count {
+    /// Whether there is a solution, if that is known.
+    pub fn is_solvable(&self) -> Option<bool> {
+        match self {
+            Count::One(_) | Count::Exactly(_) | Count::Continuum(_) => Some(true),
+            Count::Infeasible(_) | Count::NoCone => Some(false),
+            Count::Unknown(_) => None,
+        }
+    }
+}
+
+/// The LCP that a problem is, number by number: one row per contact, without friction, compliance and shift.
+pub fn lcp_of(problem: &ContactProblem) -> Option<Lcp<f64>> {
+    let plain = problem.law() == Law::Frictionless && problem.rows_per_contact() == 1 && problem.compliance().is_none();
+    let is_lcp = plain && problem.shift().iter().all(|shift| *shift == 0.0);
+    is_lcp.then(|| Lcp::new(problem.dense().clone(), problem.free_velocity().clone()))
+}
+
+fn whole(lcp: &Lcp<f64>) -> Lcp<Rational> {
+    Lcp::new(lcp.matrix.map(exact), lcp.vector.map(exact))
+}
+
+/// Proves that a solution is near z.
+///
+/// # Errors
+/// [`Error::Invalid`] if z has another size than the problem, or if a number is not finite.
+/// ```
+/// use moreau_contact::certificate::lcp_proof::{Answer, prove};
+/// use moreau_contact::nalgebra::{dmatrix, dvector};
+/// use moreau_contact::problem::Lcp;
+///
+/// let lcp = Lcp::new(dmatrix![2.0, 1.0; 1.0, 2.0], dvector![-1.0, -1.0]); // z* = (⅓, ⅓)
+/// let Answer::Near(near) = prove(&lcp, &dvector![0.3333, 0.3333])? else { panic!("regular") };
+/// assert!(near.exact && near.distance > 1.0 / 30_001.0 && near.distance < 1.0 / 29_999.0);
+/// # Ok::<(), moreau_contact::Error>(())
+/// ```
+pub fn prove(lcp: &Lcp<f64>, z: &DVector<f64>) -> Result<Answer> {
+    check(lcp)?;
+    if z.len() != lcp.size() || z.iter().any(|z| !z.is_finite()) {
+        return Err(Error::invalid("impulse", format!("is not {} finite numbers", lcp.size()), "give one number per row"));
+    }
+    let support = support(lcp, z);
+    if lcp.size() > EXACT_ROWS {
+        return Ok(enclosed(lcp, z, &support));
+    }
+    let whole = whole(lcp);
+    Ok(match exact_near(&whole, z, support) {
+        Ok(solution) => Answer::Near(near_exact(&whole, z, &solution)),
+        Err(WrongSign { row, is_z, value }) => {
+            let name = if is_z { "z" } else { "w" };
+            Answer::NotProved {
+                row: Some(row),
+                reason: format!("on the basis of the answer {name} of the row is {:e}", value.to_f64().value()),
+            }
+        }
+    })
+}
+
+fn check(lcp: &Lcp<f64>) -> Result<()> {
+    if lcp.matrix.iter().chain(lcp.vector.iter()).all(|number| number.is_finite()) {
+        return Ok(());
+    }
+    Err(Error::invalid("lcp", "holds a number that is not finite", "use finite numbers"))
+}
+
+fn near_exact(lcp: &Lcp<Rational>, z: &DVector<f64>, solution: &ExactSolution) -> Near {
+    let given = z.map(exact);
+    let slack = lcp.slack(&given);
+    let farthest = |one: &DVector<Rational>, other: &DVector<Rational>| {
+        at_most(one.iter().zip(other.iter()).map(|(a, b)| (a - b).magnitude()).max().unwrap_or(Rational::ZERO))
+    };
+    let rows = |holds: &dyn Fn(usize) -> bool| (0..z.len()).filter(|&i| holds(i)).collect();
+    Near {
+        exact: true,
+        distance: farthest(&solution.z, &given),
+        slack_distance: farthest(&solution.w, &slack),
+        support: rows(&|i| solution.z[i] > Rational::ZERO),
+        degenerate: rows(&|i| solution.z[i].is_zero() && solution.w[i].is_zero()),
+    }
+}
+
+/// The least number of 64 bits that is not below a fraction.
+fn at_most(number: Rational) -> f64 {
+    let nearest = number.to_f64().value();
+    if nearest.is_finite() && exact(nearest) < number { nearest.next_up() } else { nearest }
+}
+
+fn enclosed(lcp: &Lcp<f64>, z: &DVector<f64>, support: &[bool]) -> Answer {
+    let found = match enclose(lcp, support) {
+        Ok(found) => found,
+        Err(Undecided::Basis(size)) => {
+            let reason =
+                format!("the basis of the answer, {} rows, is singular or nearly so ({size:.1e})", support.iter().filter(|s| **s).count());
+            return Answer::NotProved { row: None, reason };
+        }
+        Err(Undecided::Sign { row, is_z, within: [middle, radius] }) => {
+            let name = if is_z { "z" } else { "w" };
+            let reason = format!("on the basis of the answer {name} of the row is {middle:e} ± {radius:.1e}");
+            return Answer::NotProved { row: Some(row), reason };
+        }
+    };
+    // |z* − z| per row, and |w* − (M z + q)| ≤ |M| |z* − z|, sums enlarged by their rounding
+    let terms = crate::tolerance::certificate::gamma(lcp.size() + 8);
+    let enlarged = |x: f64| if x == 0.0 { 0.0 } else { x * (1.0 + 2.0 * terms) + f64::MIN_POSITIVE };
+    let apart: Vec<f64> = found.z.iter().zip(z.iter()).map(|([middle, radius], z)| enlarged((middle - z).abs() + radius)).collect();
+    let slack = |i: usize| enlarged(apart.iter().enumerate().map(|(j, d)| lcp.matrix[(i, j)].abs() * d).sum());
+    let rows = |holds: &dyn Fn(usize) -> bool| (0..z.len()).filter(|&i| holds(i)).collect();
+    Answer::Near(Near {
+        exact: false,
+        distance: apart.iter().copied().fold(0.0, f64::max),
+        slack_distance: (0..z.len()).map(slack).fold(0.0, f64::max),
+        support: rows(&|i| found.z[i][0] > 0.0),
+        degenerate: rows(&|i| found.z[i][0] == 0.0 && found.w[i] == [0.0, 0.0]),
+    })
+}
+
+/// How many solutions an LCP has.
+///
+/// One, whatever q is, if M + Mᵀ is positive definite or – up to [`complementary_cones::LARGEST`] rows – M is a P-matrix; otherwise, up to
+/// that size, as many as complementary cones hold q. Larger problems may be shown to have none.
+///
+/// # Errors
+/// [`Error::Invalid`] if a number is not finite.
+/// ```
+/// use moreau_contact::certificate::lcp_proof::{Count, count};
+/// use moreau_contact::nalgebra::{dmatrix, dvector};
+/// use moreau_contact::problem::Lcp;
+///
+/// let of = |m: f64, q: f64| count(&Lcp::new(dmatrix![m], dvector![q]));
+/// assert!(matches!(of(1.0, -1.0)?, Count::One(_)));
+/// assert!(matches!(of(-1.0, 1.0)?, Count::Exactly(z) if z.len() == 2)); // 0 and 1
+/// assert!(matches!(of(0.0, 0.0)?, Count::Continuum(_)));
+/// assert!(matches!(of(0.0, -1.0)?, Count::Infeasible(_)));
+/// # Ok::<(), moreau_contact::Error>(())
+/// ```
+pub fn count(lcp: &Lcp<f64>) -> Result<Count> {
+    check(lcp)?;
+    if is_positive_definite(&lcp.matrix) {
+        return Ok(Count::One("M + Mᵀ is positive definite"));
+    }
+    let size = lcp.size();
+    if size > FEASIBLE_ROWS {
+        return Ok(Count::Unknown(format!("M + Mᵀ is not shown to be positive definite, and {size} rows are too many for the rest")));
+    }
+    let whole = whole(lcp);
+    if size <= complementary_cones::LARGEST && p_matrix(&whole.matrix)? == Decision::Holds {
+        return Ok(Count::One("all principal minors of M are positive"));
+    }
+    if let Some(y) = infeasible(&whole) {
+        return Ok(Count::Infeasible(y));
+    }
+    if size <= complementary_cones::LARGEST {
+        return Ok(of_set(&whole, all_solutions(&whole)?));
+    }
+    let unknown = format!(
+        "M + Mᵀ is not shown to be positive definite, and all solutions are looked for up to {} rows",
+        complementary_cones::LARGEST
+    );
+    Ok(match (size <= SEARCHED_ROWS).then(|| some_solution(&whole)) {
+        Some(Ok(None)) => Count::NoCone,
+        _ => Count::Unknown(unknown),
+    })
+}
+
+fn of_set(lcp: &Lcp<Rational>, set: SolutionSet) -> Count {
+    if let Some(family) = set.families.first() {
+        return Count::Continuum([family.point.clone(), family.other_end(lcp)]);
+    }
+    match set.points.len() {
+        0 => Count::NoCone,
+        1 => Count::One("no other complementary cone holds q"),
+        _ => Count::Exactly(set.points),
+    }
+}
+
+#[cfg(test)]
+#[path = "lcp_proof_tests.rs"]
+mod tests;

@@ -1,0 +1,203 @@
+//! Which linear complementarity problem a contact problem is, and which impulses its solutions stand for.
+//!
+//! ```text
+//!     0 ≤ z ⟂ M z + q ≥ 0 ,   r = G z  (G z without σ)
+//!     normal rows       frictionless               M = W_nn + R_nn
+//!     Stewart–Trinkle   polyhedral Coulomb         z = (λ, β, σ); Coulomb in the plane with d = 2
+//!     edges             polyhedral associated      M = Gᵀ(W + R)G + R_edge, columns n + μ Dⱼ; associated in the plane
+//! ```
+
+use crate::cones::polyhedral;
+use crate::problem::{Compliance, ContactProblem, Coordinates, Law, Lcp, Solution};
+use moreau_exact::doubled::residual;
+use moreau_exact::{Error, Result};
+use nalgebra::{DMatrix, DVector};
+
+/// Which LCP a contact problem is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Form {
+    Normals,
+    StewartTrinkle { directions: usize },
+    Edges { directions: usize },
+}
+
+impl Form {
+    /// The LCP of a problem.
+    ///
+    /// # Errors
+    /// [`Error::Solver`] in the name of a solver if its law is not linear.
+    pub(super) fn of(problem: &ContactProblem, solver: &str) -> Result<Form> {
+        let without_friction = problem.friction().iter().all(|mu| *mu == 0.0);
+        match (problem.law(), problem.rows_per_contact()) {
+            (Law::Frictionless, _) => Ok(Form::Normals),
+            (Law::Coulomb | Law::Associated, _) if without_friction => Ok(Form::Normals),
+            (Law::PolyhedralCoulomb { directions }, _) => Ok(Form::StewartTrinkle { directions }),
+            (Law::Coulomb, 2) => Ok(Form::StewartTrinkle { directions: 2 }),
+            (Law::PolyhedralAssociated { directions }, _) => Ok(Form::Edges { directions }),
+            (Law::Associated, 2) => Ok(Form::Edges { directions: 2 }),
+            (law, _) => {
+                let reason = format!(
+                    "the law `{}` in three dimensions is not linear; use `polyhedral-coulomb` or `polyhedral-associated`",
+                    law.name()
+                );
+                Err(Error::refused(solver, reason))
+            }
+        }
+    }
+
+    /// The LCP of a problem without friction.
+    ///
+    /// # Errors
+    /// [`Error::Solver`] in the name of a solver for such problems alone.
+    pub(super) fn frictionless(problem: &ContactProblem, solver: &str) -> Result<Form> {
+        match problem.law() {
+            Law::Frictionless => Ok(Form::Normals),
+            law => Err(Error::refused(solver, format!("is for the law `frictionless`, this is `{}`; use `lemke`", law.name()))),
+        }
+    }
+
+    /// G: unknown impulses ↦ r.
+    fn generators(self, problem: &ContactProblem) -> DMatrix<f64> {
+        let (contacts, rows) = (problem.contacts(), problem.rows_per_contact());
+        match self {
+            Form::Normals => DMatrix::from_fn(contacts * rows, contacts, |i, j| if i == rows * j { 1.0 } else { 0.0 }),
+            Form::StewartTrinkle { directions } => problem.stewart_trinkle_generators(directions),
+            Form::Edges { directions } => DMatrix::from_fn(contacts * rows, contacts * directions, |i, j| {
+                let contact = j / directions;
+                let edge = polyhedral::edge(j % directions, directions, problem.friction()[contact]);
+                if i / rows == contact { edge[i % rows] } else { 0.0 }
+            }),
+        }
+    }
+
+    /// The number of unknowns z.
+    pub(super) fn unknowns(self, problem: &ContactProblem) -> usize {
+        let each = match self {
+            Form::Normals => 1,
+            Form::StewartTrinkle { directions } => 2 + directions,
+            Form::Edges { directions } => directions,
+        };
+        each * problem.contacts()
+    }
+
+    /// M and q.
+    pub(super) fn lcp(self, problem: &ContactProblem) -> Result<Lcp<f64>> {
+        if let Form::StewartTrinkle { .. } = self {
+            return problem.stewart_trinkle_lcp();
+        }
+        let generators = self.generators(problem);
+        let mut matrix = generators.tr_mul(&(problem.law_delassus()? * &generators));
+        if let Some(Compliance { coordinates: Coordinates::Edge, diagonal }) = problem.compliance() {
+            matrix += DMatrix::from_diagonal(diagonal);
+        }
+        Ok(Lcp::new(matrix, generators.tr_mul(&(problem.free_velocity() + problem.shift()))))
+    }
+
+    /// S with z = S z′: per contact s = (mean diagonal of W)^(−½) for impulses and 1/s for slip speeds, which makes
+    /// S M S dimensionless with entries of order one and leaves the blocks E and −Eᵀ alone.
+    pub(super) fn scale(self, problem: &ContactProblem) -> DVector<f64> {
+        let rows = problem.rows_per_contact();
+        let contact_scale = |contact: usize| {
+            let mean = (rows * contact..rows * (contact + 1)).map(|i| problem.entry(i, i)).sum::<f64>() / rows as f64;
+            if mean > 0.0 { 1.0 / mean.sqrt() } else { 1.0 }
+        };
+        let scales: Vec<f64> = (0..problem.contacts()).map(contact_scale).collect();
+        let repeated = |times: usize| scales.iter().flat_map(move |&s| std::iter::repeat_n(s, times));
+        let list: Vec<f64> = match self {
+            Form::Normals => scales.clone(),
+            Form::StewartTrinkle { directions } => {
+                repeated(1).chain(repeated(directions)).chain(scales.iter().map(|s| s.recip())).collect()
+            }
+            Form::Edges { directions } => repeated(directions).collect(),
+        };
+        DVector::from_vec(list)
+    }
+
+    /// β or f, and σ, of an answer's impulses: the parts with the smallest sum and the least σ ≥ 0 with Dⱼ·y_t + σ ≥ 0.
+    pub(super) fn parts(self, problem: &ContactProblem, answer: &Solution) -> (Option<DVector<f64>>, Option<DVector<f64>>) {
+        let rows = problem.rows_per_contact();
+        let contacts = answer.impulse.as_slice().chunks_exact(rows).zip(problem.friction());
+        let tangent = |z: &[f64]| [z[1], z.get(2).copied().unwrap_or(0.0)];
+        match self {
+            Form::Normals => (None, None),
+            Form::Edges { directions } => {
+                let edges = contacts.flat_map(|(r, mu)| {
+                    let mut edges = Vec::with_capacity(directions);
+                    polyhedral::along_edges(r, *mu, directions, &mut edges);
+                    edges
+                });
+                (Some(DVector::from_vec(edges.collect())), None)
+            }
+            Form::StewartTrinkle { directions } => {
+                let slip = |y: &[f64]| {
+                    let against = |j: usize| -polyhedral::direction(j, directions).iter().zip(tangent(y)).map(|(d, y)| d * y).sum::<f64>();
+                    (0..directions).map(against).fold(0.0, f64::max)
+                };
+                let law_velocity = problem.law_velocity(&answer.impulse);
+                let sigma = DVector::from_iterator(problem.contacts(), law_velocity.as_slice().chunks_exact(rows).map(slip));
+                let beta = contacts.flat_map(|(r, _)| {
+                    let mut beta = Vec::with_capacity(directions);
+                    polyhedral::along_neighbours(tangent(r), directions, &mut beta);
+                    beta
+                });
+                (Some(DVector::from_vec(beta.collect())), Some(sigma))
+            }
+        }
+    }
+
+    /// The answer that z is, proposed by a solver after so many steps.
+    pub(super) fn solution(self, problem: &ContactProblem, z: &DVector<f64>, solver: &str, steps: usize) -> Solution {
+        let generators = self.generators(problem);
+        let impulse = &generators * z.rows(0, generators.ncols());
+        let contacts = problem.contacts();
+        let (beta, sigma) = match self {
+            Form::Normals => (None, None),
+            Form::StewartTrinkle { directions } => (
+                Some(z.rows(contacts, contacts * directions).into_owned()),
+                Some(z.rows(contacts * (1 + directions), contacts).into_owned()),
+            ),
+            Form::Edges { .. } => (Some(z.clone()), None),
+        };
+        Solution { velocity: problem.velocity(&impulse), impulse, beta, sigma, solver: solver.into(), iterations: steps }
+    }
+
+    /// 0 ≤ z′ ⟂ S M S z′ + S q/κ ≥ 0 with κ = max |S q|, of the same supports.
+    pub(super) fn scaled(self, problem: &ContactProblem, lcp: &Lcp<f64>) -> Lcp<f64> {
+        Scaled::new(lcp, self.scale(problem)).lcp
+    }
+}
+
+/// 0 ≤ z′ ⟂ S M S z′ + S q/κ ≥ 0 with κ = max |S q|; z = κ S z′.
+pub(super) struct Scaled {
+    pub(super) lcp: Lcp<f64>,
+    pub(super) scale: DVector<f64>,
+    pub(super) size: f64,
+}
+
+impl Scaled {
+    pub(super) fn new(lcp: &Lcp<f64>, scale: DVector<f64>) -> Scaled {
+        let matrix = DMatrix::from_fn(lcp.size(), lcp.size(), |i, j| scale[i] * lcp.matrix[(i, j)] * scale[j]);
+        let vector = lcp.vector.component_mul(&scale);
+        let size = vector.iter().fold(0.0, |largest: f64, q| largest.max(q.abs()));
+        let size = if size > 0.0 { size } else { 1.0 };
+        Scaled { lcp: Lcp::new(matrix, vector / size), scale, size }
+    }
+}
+
+/// z with M_αα z_α = −q_α on a support α and zero elsewhere, once refined; `None` if a pivot is zero.
+pub(super) fn on_support(lcp: &Lcp<f64>, support: &[bool]) -> Option<DVector<f64>> {
+    let members: Vec<usize> = (0..lcp.size()).filter(|&i| support[i]).collect();
+    if members.is_empty() {
+        return Some(DVector::zeros(lcp.size()));
+    }
+    let block = DMatrix::from_fn(members.len(), members.len(), |i, j| lcp.matrix[(members[i], members[j])]);
+    let right = DVector::from_fn(members.len(), |i, _| -lcp.vector[members[i]]);
+    let factor = block.clone().lu();
+    let mut values = factor.solve(&right)?;
+    let rows = block.transpose();
+    let left = DVector::from_fn(members.len(), |i, _| residual(&right[i], rows.column(i).iter().zip(values.iter())));
+    values += factor.solve(&left)?;
+    let mut z = DVector::zeros(lcp.size());
+    members.iter().zip(values.iter()).for_each(|(&i, value)| z[i] = *value);
+    Some(z)
+}

@@ -1,0 +1,155 @@
+//! What is proved of a linear complementarity problem, for readers and in JSON.
+
+use super::certificate::above;
+use crate::certificate::lcp_proof::{Answer, Count};
+use crate::problem::Lcp;
+use crate::scalar::{Rational, Scalar};
+use nalgebra::DVector;
+use serde::Serialize;
+use std::fmt::Write;
+
+/// A proof of an answer and of the number of solutions.
+#[derive(Debug, Serialize)]
+pub struct LcpProved {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    near: Option<Near>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    not_proved: Option<NotProved>,
+    /// `one`, `several`, `continuum`, `none` or `unknown`.
+    solutions: &'static str,
+    /// How many, where there are several and no others.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    count: Option<usize>,
+    why: String,
+    /// All solutions, or the two ends of a continuum, rounded.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    points: Vec<Vec<f64>>,
+    /// y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0, in fractions.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    witness: Vec<String>,
+}
+
+/// A solution near the answer.
+#[derive(Debug, Serialize)]
+struct Near {
+    /// `fractions` or `intervals`.
+    #[serde(rename = "in")]
+    arithmetic: &'static str,
+    distance: f64,
+    slack_distance: f64,
+    support: Vec<usize>,
+    degenerate: Vec<usize>,
+}
+
+/// Why no solution was found near.
+#[derive(Debug, Serialize)]
+struct NotProved {
+    row: Option<usize>,
+    reason: String,
+}
+
+fn rounded(z: &DVector<Rational>) -> Vec<f64> {
+    z.iter().map(Scalar::to_f64).collect()
+}
+
+impl LcpProved {
+    /// What was proved of an answer, if there is one, and of the problem.
+    pub fn new(lcp: &Lcp<f64>, answer: Option<&Answer>, count: &Count) -> Self {
+        let near = match answer {
+            Some(Answer::Near(near)) => Some(Near {
+                arithmetic: if near.exact { "fractions" } else { "intervals" },
+                distance: near.distance,
+                slack_distance: near.slack_distance,
+                support: near.support.clone(),
+                degenerate: near.degenerate.clone(),
+            }),
+            _ => None,
+        };
+        let not_proved = match answer {
+            Some(Answer::NotProved { row, reason }) => Some(NotProved { row: *row, reason: reason.clone() }),
+            _ => None,
+        };
+        let size = lcp.size();
+        let (solutions, why, points, witness) = match count {
+            Count::One(why) => ("one", (*why).into(), Vec::new(), Vec::new()),
+            Count::Exactly(points) => {
+                ("several", format!("{size} rows, all complementary cones"), points.iter().map(rounded).collect(), Vec::new())
+            }
+            Count::Continuum(ends) => {
+                ("continuum", "all on the way between two ends".into(), ends.iter().map(rounded).collect(), Vec::new())
+            }
+            Count::Infeasible(y) => {
+                ("none", "y ≥ 0 has Mᵀy ≤ 0 and qᵀy < 0".into(), Vec::new(), y.iter().map(ToString::to_string).collect())
+            }
+            Count::NoCone => ("none", "no complementary cone holds q".into(), Vec::new(), Vec::new()),
+            Count::Unknown(why) => ("unknown", why.clone(), Vec::new(), Vec::new()),
+        };
+        let exactly = matches!(count, Count::Exactly(_)).then_some(points.len());
+        LcpProved { near, not_proved, solutions, count: exactly, why, points, witness }
+    }
+
+    /// The same for readers.
+    pub fn lines(&self) -> Vec<String> {
+        let mut lines = Vec::new();
+        if let Some(near) = &self.near {
+            let [z, w] = [near.distance, near.slack_distance].map(above);
+            let degenerate =
+                if near.degenerate.is_empty() { String::new() } else { format!(", rows with z = w = 0: {:?}", near.degenerate) };
+            lines.push(format!(
+                "proved in {}: a solution z with |z − r| ≤ {z} N·s and |w − u| ≤ {w} m/s in every row{degenerate}",
+                near.arithmetic
+            ));
+        }
+        if let Some(NotProved { row, reason }) = &self.not_proved {
+            let place = row.map_or(String::new(), |row| format!(" (row {row})"));
+            lines.push(format!("NOT proved that a solution is near{place}: {reason}"));
+        }
+        lines.push(match (self.solutions, self.count) {
+            ("one", _) => format!("proved: exactly one solution; {}", self.why),
+            (_, Some(count)) => format!("proved: exactly {count} solutions; {}", self.why),
+            ("continuum", _) => format!("proved: infinitely many solutions, {}", self.why),
+            ("none", _) => format!("proved: NO solution; {}", self.why),
+            _ => format!("how many solutions there are is not known: {}", self.why),
+        });
+        let vector = |numbers: &[f64]| format!("  z = {numbers:?}");
+        lines.extend(self.points.iter().map(|point| vector(point)));
+        if !self.witness.is_empty() {
+            lines.push(format!("  y = [{}]", self.witness.join(", ")));
+        }
+        lines
+    }
+}
+
+/// How many solutions a problem has, without an answer.
+#[derive(Debug, Serialize)]
+pub struct Counted<'a> {
+    /// `solvable`, `infeasible` or `unknown`.
+    status: &'static str,
+    problem: &'a str,
+    rows: usize,
+    lcp: LcpProved,
+}
+
+impl<'a> Counted<'a> {
+    /// What was proved of a problem of this name.
+    pub fn new(problem: &'a str, lcp: &Lcp<f64>, count: &Count) -> Self {
+        let status = match count.is_solvable() {
+            Some(true) => "solvable",
+            Some(false) => "infeasible",
+            None => "unknown",
+        };
+        Counted { status, problem, rows: lcp.size(), lcp: LcpProved::new(lcp, None, count) }
+    }
+
+    /// Whether it is proved that there is a solution.
+    pub fn is_solvable(&self) -> bool {
+        self.status == "solvable"
+    }
+
+    /// The same for readers.
+    pub fn text(&self) -> String {
+        let mut text = format!("linear complementarity problem `{}`, rows: {}\n", self.problem, self.rows);
+        self.lcp.lines().iter().for_each(|line| writeln!(text, "{line}").expect("writing to a String cannot fail"));
+        text
+    }
+}
