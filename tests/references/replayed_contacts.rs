@@ -50,7 +50,7 @@ impl Stored<'_> {
         }
         let second = (second >= 0.0).then_some(second as usize);
         let place = Some(Place { bodies: (first as usize, second), features: [0, 0], frame });
-        Contact { gap, jacobian, friction: self.friction, restitution: 0.0, label: String::new(), place }
+        Contact { gap, jacobian: jacobian.into(), friction: self.friction, restitution: 0.0, place }
     }
 }
 

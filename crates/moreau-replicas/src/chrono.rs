@@ -18,6 +18,7 @@
 //! ```
 //! A depth gives back at most v_r r_n, a rebound e |u_n| r_n ([`crate::energy_balance`]).
 
+use moreau_contact::contact::Components;
 use moreau_contact::problem::Law;
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
 use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist, assembly, passes_the_waist};
@@ -59,7 +60,7 @@ impl Chrono {
 }
 
 impl Rules for Chrono {
-    fn shift(&self, candidate: &Candidate, h: f64) -> DVector<f64> {
+    fn shift(&self, candidate: &Candidate, h: f64) -> Components {
         let gap = candidate.contact.gap;
         let reversed = candidate.contact.restitution * candidate.velocity[0];
         let rebounds = reversed < -self.bounce_speed && gap + h * reversed < 0.0;

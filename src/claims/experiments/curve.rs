@@ -79,7 +79,7 @@ impl Mechanism for Bead {
         let turn = |mut contact: Contact| {
             if self.side == Side::Outside {
                 contact.gap = -contact.gap;
-                contact.jacobian.neg_mut();
+                contact.jacobian = (-contact.jacobian.to_dense()).into();
             }
             contact
         };

@@ -128,10 +128,9 @@ impl Mechanism for Tower {
         let jacobian = self.jacobian();
         let contact = |k: usize| Contact {
             gap: position[k] - if k > 0 { position[k - 1] } else { 0.0 },
-            jacobian: jacobian.rows(k, 1).into_owned(),
+            jacobian: jacobian.rows(k, 1).into_owned().into(),
             friction: 0.0,
             restitution: 0.0,
-            label: format!("body{k}/below"),
             place: None,
         };
         (0..self.bodies).map(contact).collect()

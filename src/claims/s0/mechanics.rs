@@ -130,7 +130,7 @@ fn gap_rate(reading: Reading) -> Result<Vec<Finding>> {
     let bound = mechanics::central_difference(velocity.norm(), position.norm() + 1.0);
     let (mut findings, mut wrong) = (Vec::new(), 0);
     for (k, contact) in mechanism.contacts(&position).iter().enumerate() {
-        let mut normal = contact.jacobian.row(0).clone_owned();
+        let mut normal = contact.jacobian.row(0);
         normal[2] *= reading.pick(1.0, 0.0);
         let rate = (normal * &velocity)[0];
         let difference = (gaps(h)[k].gap - gaps(-h)[k].gap) / (2.0 * h);
@@ -143,7 +143,7 @@ fn gap_rate(reading: Reading) -> Result<Vec<Finding>> {
 
 fn virtual_work(reading: Reading) -> Result<Vec<Finding>> {
     let (mechanism, State { position, velocity, .. }) = tilted_box()?;
-    let jacobian = &mechanism.contacts(&position)[0].jacobian;
+    let jacobian = &mechanism.contacts(&position)[0].jacobian.to_dense();
     let (normal_force, friction_force) = (7.0, -2.0);
     let reaction = dvector![normal_force, friction_force];
     let square = jacobian * jacobian.transpose();

@@ -113,7 +113,7 @@ fn setup(reading: Reading) -> Result<Vec<Finding>> {
     Ok(vec![
         Finding::exact("W", &exact[(0, 0)], &ratio(1, 1), "1/kg"),
         Finding::equal("W assembled by the scheme", of_scheme, 1.0, 0.0, "1/kg"),
-        Finding::equal("H", posed.jacobian[(0, 0)], 1.0, 0.0, "1"),
+        Finding::equal("H", posed.jacobian.contacts()[0][(0, 0)], 1.0, 0.0, "1"),
     ])
 }
 

@@ -138,7 +138,7 @@ impl Slide {
         let floor = Plane::new(dvector![0.0, 0.0, 1.0], 0.0, friction, 0.0)?;
         let mechanism = PointMass::new("sliding point", 1.0, dvector![0.0, 0.0, -GRAVITY], vec![floor])?;
         let position = dvector![0.0, 0.0, 0.0];
-        let tangents = mechanism.contacts(&position)[0].jacobian.rows(1, 2).into_owned();
+        let tangents = mechanism.contacts(&position)[0].jacobian.to_dense().rows(1, 2).into_owned();
         let velocity = tangents.transpose() * dvector![angle.cos(), angle.sin()];
         Ok(Slide { mechanism, scheme, state: State { time: 0.0, position, velocity }, tangents })
     }

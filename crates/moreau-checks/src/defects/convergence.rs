@@ -3,6 +3,7 @@
 use crate::convergence::{Horizon, Stop, bouncing_ball, plastic_ball};
 use crate::finding::Finding;
 use crate::planted::{Beside, Kind, Planted};
+use moreau_contact::contact::Components;
 use moreau_contact::problem::Law;
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
 use moreau_dynamics::schemes::{
@@ -75,7 +76,7 @@ impl Rules for Altered {
         self.0 != Mistake::FixedMargin || candidate.contact.gap <= 0.01
     }
 
-    fn shift(&self, candidate: &Candidate, h: f64) -> DVector<f64> {
+    fn shift(&self, candidate: &Candidate, h: f64) -> Components {
         let rows = candidate.velocity.len();
         match self.0 {
             Mistake::GapTimesStep => normal_only(candidate.contact.gap * h, rows),

@@ -1,10 +1,12 @@
 //! Planted mistakes of schemes that pose one contact problem a step: what they pose, what they move with, where they move to.
 
 use crate::planted::{Kind, Planted};
+use moreau_contact::contact::Jacobian;
 use moreau_contact::problem::ContactProblem;
 use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
+use std::sync::Arc;
 
 /// What a mistake changes of a step.
 #[derive(Clone, Copy)]
@@ -115,7 +117,7 @@ mistakes! {
     BLIND_TO_FORCES = Assembly "scheme/contact-blind-to-forces",
         "poses the contact for v in place of v_free, without the forces of the step",
         posed: |at, step| {
-            let free = &step.jacobian * &at.state().velocity;
+            let free = &*step.jacobian * &at.state().velocity;
             problem(step, |problem| problem.into_builder().free_velocity(free).build())
         };
     ROWS_APART = Assembly "scheme/coupling-dropped", "leaves the coupling of rows and of contacts out of W",
@@ -127,16 +129,18 @@ mistakes! {
         posed: |at, mut step| {
             let rows = at.mechanism().rows_per_contact();
             let tangential = (0..step.jacobian.nrows()).filter(|row| row % rows != 0);
-            tangential.for_each(|row| step.jacobian.row_mut(row).neg_mut());
+            let mut turned = step.jacobian.to_dense();
+            tangential.for_each(|row| turned.row_mut(row).neg_mut());
+            step.jacobian = Arc::new(Jacobian::from_dense(&turned, rows));
             Ok(step)
         };
     IMPULSE_AS_FORCE = Scheme "scheme/impulse-as-force", "applies the impulse of the contact for the time of the step, as a force",
         posed: |at, mut step| {
-            step.jacobian *= at.h();
+            step.jacobian = Arc::new(Jacobian::from_dense(&(step.jacobian.to_dense() * at.h()), at.mechanism().rows_per_contact()));
             Ok(step)
         };
     THROUGH_CONTACT = Scheme "scheme/positions-through-contact", "moves positions as if there were no contact in this step",
-        velocity: |at, velocity| at.forecast().unwrap_or(velocity);
+        velocity: |at, velocity| at.forecast().cloned().unwrap_or(velocity);
     SINGLE = Scheme "metamorphic/single-precision-positions", "stores positions with 24 bits and declares double precision",
         moved: |_, _, position| position.map(|x| f64::from(x as f32));
     LIMITED = Scheme "metamorphic/absolute-speed-limit", "limits every speed to 100 of whatever unit the scene has",
@@ -177,7 +181,7 @@ fn rows_apart(problem: ContactProblem) -> Result<ContactProblem> {
 fn heavy(at: &StepContext, mut step: StepProblem) -> Result<StepProblem> {
     let more = (&step.free_velocity - &at.state().velocity) * 0.1;
     step.free_velocity += &more;
-    let moved = &step.jacobian * more;
+    let moved = &*step.jacobian * &more;
     problem(step, |problem| {
         let free = problem.free_velocity() + moved;
         problem.into_builder().free_velocity(free).build()
@@ -186,13 +190,13 @@ fn heavy(at: &StepContext, mut step: StepProblem) -> Result<StepProblem> {
 
 fn damped(mut step: StepProblem, factor: f64) -> Result<StepProblem> {
     step.free_velocity *= factor;
-    let free = &step.jacobian * &step.free_velocity;
+    let free = &*step.jacobian * &step.free_velocity;
     problem(step, |problem| problem.into_builder().free_velocity(free).build())
 }
 
 /// e v_free on the normal rows, with e from what the shift has there.
 fn restitution_of_the_free_velocity(at: &StepContext, step: StepProblem) -> Result<StepProblem> {
-    let before = &step.jacobian * &at.state().velocity;
+    let before = &*step.jacobian * &at.state().velocity;
     problem(step, |problem| {
         let mut shift = problem.shift().clone();
         let normal = (0..problem.rows()).step_by(problem.rows_per_contact());
@@ -203,7 +207,7 @@ fn restitution_of_the_free_velocity(at: &StepContext, step: StepProblem) -> Resu
 
 /// e u_t on the tangential rows, with e from what the shift has on the normal one.
 fn restitution_of_the_slip(at: &StepContext, step: StepProblem) -> Result<StepProblem> {
-    let before = &step.jacobian * &at.state().velocity;
+    let before = &*step.jacobian * &at.state().velocity;
     problem(step, |problem| {
         let rows = problem.rows_per_contact();
         let mut shift = problem.shift().clone();

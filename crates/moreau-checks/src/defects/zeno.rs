@@ -4,6 +4,7 @@ use crate::finding::Finding;
 use crate::planted::{Beside, Kind, Planted};
 use crate::tolerance::zeno;
 use crate::zeno::{DroppedBall, absorption};
+use moreau_contact::contact::Components;
 use moreau_contact::problem::Law;
 use moreau_contact::solvers::ProjectedGaussSeidel;
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
@@ -87,7 +88,7 @@ impl Rules for Altered {
         }
     }
 
-    fn shift(&self, candidate: &Candidate, h: f64) -> DVector<f64> {
+    fn shift(&self, candidate: &Candidate, h: f64) -> Components {
         match self.mistake {
             Mistake::ApproachingOnly => self.base.shift(candidate, h),
             Mistake::FreeVelocity => {

@@ -4,66 +4,36 @@
 //! that mix bodies give the rows of two bodies the same columns. Without H, if the file names the same pair and W couples each of them
 //! with each. A name alone joins nothing: it could hide a light contact behind a heavy one that it never meets.
 
-use crate::operator::BlockRows;
 use crate::problem::ContactProblem;
 use crate::tolerance::certificate::COUPLED;
-use std::collections::HashMap;
-use std::ops::Range;
-
-/// What contacts of the same two bodies have in common: the named pair, smaller first, and the columns of H they touch.
-#[derive(PartialEq, Eq, Hash)]
-struct Common {
-    pair: Option<[Option<usize>; 2]>,
-    columns: Option<Vec<usize>>,
-}
 
 /// The first contact of the same two bodies, for every contact; `found` is overwritten.
 pub(super) fn find(problem: &ContactProblem, found: &mut Vec<usize>) {
     found.clear();
     found.extend(0..problem.contacts());
-    let mut touched = columns(problem);
-    if problem.bodies().is_none() && touched.is_none() {
+    let knows_rows = problem.knows_rows();
+    if problem.bodies().is_none() && !knows_rows {
         return;
     }
-    let mut candidates: HashMap<Common, Vec<usize>> = HashMap::new();
-    for k in 0..problem.contacts() {
-        let common = Common {
-            pair: problem.bodies().map(|bodies| sorted(bodies[k])),
-            columns: touched.as_mut().map(|all| std::mem::take(&mut all[k])),
-        };
-        candidates.entry(common).or_default().push(k);
-    }
-    for members in candidates.values() {
-        if touched.is_some() { join_connected(problem, members, found) } else { join_all_coupled(problem, members, found) }
+    let pair = |k: usize| problem.bodies().map(|bodies| sorted(bodies[k]));
+    let mut order: Vec<usize> = (0..problem.contacts()).collect();
+    order.sort_by_key(|k| pair(*k));
+    for named in order.chunk_by(|one, other| pair(*one) == pair(*other)).filter(|named| named.len() > 1) {
+        if !knows_rows {
+            join_all_coupled(problem, named, found);
+            continue;
+        }
+        let mut touching: Vec<(Option<Vec<usize>>, usize)> = named.iter().map(|k| (problem.touched(*k), *k)).collect();
+        touching.sort();
+        for same in touching.chunk_by(|one, other| one.0 == other.0) {
+            let members: Vec<usize> = same.iter().map(|(_, k)| *k).collect();
+            join_connected(problem, &members, found);
+        }
     }
 }
 
 fn sorted([first, second]: [Option<usize>; 2]) -> [Option<usize>; 2] {
     if first <= second { [first, second] } else { [second, first] }
-}
-
-/// The columns of H that the rows of each contact touch; `None` where H is not known.
-fn columns(problem: &ContactProblem) -> Option<Vec<Vec<usize>>> {
-    if let Some(free) = problem.delassus().matrix_free() {
-        return Some((0..problem.contacts()).map(|k| columns_of(free.jacobian(), k)).collect());
-    }
-    let dynamics = problem.dynamics()?;
-    let (rows, mut touched) = (problem.rows_per_contact(), vec![Vec::new(); problem.contacts()]);
-    for (place, column) in dynamics.jacobian.column_iter().enumerate() {
-        for (k, contact) in column.as_slice().chunks_exact(rows).enumerate() {
-            if contact.iter().any(|entry| *entry != 0.0) {
-                touched[k].push(place);
-            }
-        }
-    }
-    Some(touched)
-}
-
-fn columns_of(jacobian: &BlockRows, contact: usize) -> Vec<usize> {
-    let blocks = jacobian.contact(contact).map(|(body, block)| (jacobian.velocities(body), block));
-    let is_touched =
-        |range: &Range<usize>, block: &[f64], v: &usize| block.iter().skip(v - range.start).step_by(range.len()).any(|entry| *entry != 0.0);
-    blocks.flat_map(|(range, block)| range.clone().filter(move |v| is_touched(&range, block, v))).collect()
 }
 
 /// Joins what W couples directly or through others: `members` grow, and so does what they come to.

@@ -68,7 +68,7 @@ pub fn delassus_factored<T: Scalar>(factor: &MassFactor<T>, jacobian: &DMatrix<T
 /// The factorisation M = L D Lᵀ of a mass matrix, L unit lower triangular, D diagonal and positive.
 #[derive(Clone, Debug)]
 pub struct MassFactor<T: Scalar> {
-    /// Row i of L below the diagonal: (k, L_ik) for k < i where it is not zero. None, if the bodies do not touch each other's inertia.
+    /// Row i of L below the diagonal: (k, L_ik) for k < i where it is not zero. No row at all, if the matrix is diagonal.
     lower: Vec<Vec<(usize, T)>>,
     pivots: Vec<T>,
 }
@@ -86,7 +86,7 @@ impl<T: Scalar> MassFactor<T> {
         let n = mass.nrows();
         if is_diagonal(mass) {
             let pivots = (0..n).map(|j| definite(j, mass[(j, j)].clone(), &mass[(j, j)], n)).collect::<Result<_>>()?;
-            return Ok(MassFactor { lower: vec![Vec::new(); n], pivots });
+            return Ok(MassFactor::from_pivots(pivots));
         }
         finite("mass", mass)?;
         symmetric(mass)?;
@@ -103,6 +103,26 @@ impl<T: Scalar> MassFactor<T> {
             pivots.push(pivot);
         }
         Ok(MassFactor { lower, pivots })
+    }
+
+    /// The factor of a matrix with blocks on its diagonal, one after the other.
+    ///
+    /// # Errors
+    /// Those of [`MassFactor::new`] at one of the blocks.
+    pub fn of_blocks(blocks: &[DMatrix<T>]) -> Result<Self> {
+        let (mut lower, mut pivots) = (Vec::new(), Vec::new());
+        for block in blocks {
+            let (first, factor) = (pivots.len(), MassFactor::new(block)?);
+            lower.extend(factor.lower.into_iter().map(|row| row.into_iter().map(|(k, entry)| (first + k, entry)).collect::<Vec<_>>()));
+            pivots.extend(factor.pivots);
+            lower.resize(pivots.len(), Vec::new());
+        }
+        Ok(MassFactor { lower, pivots })
+    }
+
+    /// The factor of a diagonal matrix, whose entries are positive.
+    pub(super) fn from_pivots(pivots: Vec<T>) -> Self {
+        MassFactor { lower: Vec::new(), pivots }
     }
 
     /// M⁻¹ p: the velocity change caused by the generalised impulse p.
@@ -125,8 +145,8 @@ impl<T: Scalar> MassFactor<T> {
         for (k, d) in self.pivots.iter().enumerate() {
             x[k] /= d.clone();
         }
-        for i in (0..n).rev() {
-            for (k, entry) in &self.lower[i] {
+        for (i, row) in self.lower.iter().enumerate().rev() {
+            for (k, entry) in row {
                 let known = entry.clone() * x[i].clone();
                 x[*k] -= known;
             }
@@ -137,6 +157,16 @@ impl<T: Scalar> MassFactor<T> {
     /// D.
     pub(crate) fn pivots(&self) -> &[T] {
         &self.pivots
+    }
+
+    /// Overwrites the part x of a vector, which begins at `first` and is zero elsewhere, by that of L⁻¹x; M couples it with nothing else.
+    pub(crate) fn forward_within(&self, first: usize, x: &mut [T]) {
+        for i in 0..x.len() {
+            for (k, entry) in self.lower.get(first + i).into_iter().flatten() {
+                let known = entry.clone() * x[*k - first].clone();
+                x[i] -= known;
+            }
+        }
     }
 
     /// Overwrites x by L⁻¹x.

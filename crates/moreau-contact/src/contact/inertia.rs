@@ -1,29 +1,114 @@
-//! A mass matrix with its factor.
+//! A mass matrix with its factor: of free bodies by its blocks, of linkages as it is.
 
-use super::delassus::{MassFactor, delassus_factored};
-use moreau_exact::Result;
+use super::delassus::MassFactor;
+use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
+use std::sync::OnceLock;
+
+/// A mass matrix M, symmetric positive definite, by what couples its velocities.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Mass {
+    /// Nothing couples them: free bodies in principal axes.
+    Diagonal(DVector<f64>),
+    /// Square blocks on the diagonal, one after the other.
+    Blocks(Vec<DMatrix<f64>>),
+    /// Anything may couple them.
+    Dense(DMatrix<f64>),
+}
+
+impl Mass {
+    /// nv, the number of velocities.
+    pub fn size(&self) -> usize {
+        match self {
+            Mass::Diagonal(diagonal) => diagonal.len(),
+            Mass::Blocks(blocks) => blocks.iter().map(DMatrix::nrows).sum(),
+            Mass::Dense(dense) => dense.nrows(),
+        }
+    }
+
+    /// M with its zeros, nv × nv.
+    pub fn to_dense(&self) -> DMatrix<f64> {
+        match self {
+            Mass::Diagonal(diagonal) => DMatrix::from_diagonal(diagonal),
+            Mass::Blocks(blocks) => {
+                let (mut dense, mut first) = (DMatrix::zeros(self.size(), self.size()), 0);
+                for block in blocks {
+                    dense.view_mut((first, first), block.shape()).copy_from(block);
+                    first += block.nrows();
+                }
+                dense
+            }
+            Mass::Dense(dense) => dense.clone(),
+        }
+    }
+
+    /// M v.
+    ///
+    /// # Panics
+    /// If v has another size.
+    pub fn times(&self, velocity: &DVector<f64>) -> DVector<f64> {
+        match self {
+            Mass::Diagonal(diagonal) => diagonal.component_mul(velocity),
+            Mass::Blocks(blocks) => {
+                let (mut product, mut first) = (DVector::zeros(velocity.len()), 0);
+                for block in blocks {
+                    product.rows_mut(first, block.nrows()).gemv(1.0, block, &velocity.rows(first, block.nrows()), 0.0);
+                    first += block.nrows();
+                }
+                product
+            }
+            Mass::Dense(dense) => dense * velocity,
+        }
+    }
+}
 
 /// A mass matrix M̂ with its factorisation, so that it is factored only once.
 #[derive(Clone, Debug)]
 pub struct Inertia {
-    matrix: DMatrix<f64>,
+    mass: Mass,
     factor: MassFactor<f64>,
+    /// M̂ with its zeros, once something asked for it.
+    dense: OnceLock<DMatrix<f64>>,
 }
 
 impl Inertia {
-    /// Factors M̂.
+    /// Factors a dense M̂.
     ///
     /// # Errors
     /// [`moreau_exact::Error::Invalid`] if it is not symmetric positive definite.
     pub fn new(matrix: DMatrix<f64>) -> Result<Self> {
-        let factor = MassFactor::new(&matrix)?;
-        Ok(Inertia { matrix, factor })
+        Inertia::of(Mass::Dense(matrix))
     }
 
-    /// M̂ itself.
+    /// Factors M̂, block by block where it has blocks.
+    ///
+    /// # Errors
+    /// [`moreau_exact::Error::Invalid`] if it is not symmetric positive definite.
+    pub fn of(mass: Mass) -> Result<Self> {
+        let factor = match &mass {
+            Mass::Diagonal(diagonal) => MassFactor::diagonal(diagonal)?,
+            Mass::Blocks(blocks) => MassFactor::of_blocks(blocks)?,
+            Mass::Dense(dense) => MassFactor::new(dense)?,
+        };
+        Ok(Inertia { mass, factor, dense: OnceLock::new() })
+    }
+
+    /// nv, the number of velocities.
+    pub fn size(&self) -> usize {
+        self.mass.size()
+    }
+
+    /// M̂ as it is kept.
+    pub fn mass(&self) -> &Mass {
+        &self.mass
+    }
+
+    /// M̂ with its zeros, for what needs a matrix; blocks are written out, once.
     pub fn matrix(&self) -> &DMatrix<f64> {
-        &self.matrix
+        match &self.mass {
+            Mass::Dense(dense) => dense,
+            blocks => self.dense.get_or_init(|| blocks.to_dense()),
+        }
     }
 
     /// Its factor.
@@ -36,18 +121,43 @@ impl Inertia {
         self.factor.solve(impulse)
     }
 
-    /// W = H M̂⁻¹ Hᵀ \[1/kg\].
+    /// Whether M̂ couples no two velocities of different bodies, where each body has `width` velocities.
+    pub(crate) fn is_made_of(&self, width: usize) -> bool {
+        match &self.mass {
+            Mass::Diagonal(_) => true,
+            Mass::Blocks(blocks) => {
+                let mut first = 0;
+                blocks.iter().all(|block| {
+                    let begins = first;
+                    first += block.nrows();
+                    block.nrows() == 0 || begins / width == (first - 1) / width
+                })
+            }
+            Mass::Dense(_) => false,
+        }
+    }
+}
+
+impl MassFactor<f64> {
+    /// The factor of a diagonal matrix.
     ///
     /// # Errors
-    /// [`moreau_exact::Error::Invalid`] if H does not fit or is not finite.
-    pub fn delassus(&self, jacobian: &DMatrix<f64>) -> Result<DMatrix<f64>> {
-        delassus_factored(&self.factor, jacobian)
+    /// [`Error::Invalid`] if an entry is not positive and finite.
+    fn diagonal(diagonal: &DVector<f64>) -> Result<Self> {
+        match diagonal.iter().position(|m| !(*m > 0.0 && m.is_finite())) {
+            None => Ok(MassFactor::from_pivots(diagonal.as_slice().to_vec())),
+            Some(j) => {
+                let problem = format!("is not positive definite (pivot {j} is {})", diagonal[j]);
+                Err(Error::invalid("mass", problem, "give every velocity a positive inertia"))
+            }
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::Jacobian;
     use nalgebra::{dmatrix, dvector};
 
     #[test]
@@ -57,7 +167,27 @@ mod tests {
         assert!((inertia.matrix() * &moved - dvector![1.0, -1.0]).amax() <= moreau_exact::tolerance::rounding(8, 2.0));
         let jacobian = dmatrix![1.0, 0.0; 1.0, 1.0];
         let w = super::super::delassus::delassus(inertia.matrix(), &jacobian).expect("definite");
-        assert_eq!(inertia.delassus(&jacobian).expect("it fits"), w);
-        assert!(Inertia::new(dmatrix![0.0]).is_err() && inertia.delassus(&dmatrix![1.0]).is_err());
+        assert_eq!(Jacobian::from_dense(&jacobian, 1).delassus(&inertia).expect("it fits").dense(), &w);
+        assert!(Inertia::new(dmatrix![0.0]).is_err());
+    }
+
+    #[test]
+    fn a_mass_by_blocks_is_that_of_its_matrix_to_the_last_bit() {
+        let blocks = vec![dmatrix![2.0, 0.5; 0.5, 1.0], dmatrix![3.0], dmatrix![0.7, 0.1; 0.1, 0.9]];
+        let inertia = Inertia::of(Mass::Blocks(blocks)).expect("definite");
+        let dense = Inertia::new(inertia.matrix().clone()).expect("definite");
+        let impulse = dvector![1.0, -2.0, 0.3, 0.7, -0.2];
+        assert_eq!(inertia.solve(&impulse), dense.solve(&impulse));
+        assert!((inertia.mass().times(&impulse) - dense.mass().times(&impulse)).amax() <= moreau_exact::tolerance::rounding(8, 4.0));
+        assert!(inertia.is_made_of(5) && !inertia.is_made_of(1) && !inertia.is_made_of(4));
+        let diagonal = Inertia::of(Mass::Diagonal(dvector![2.0, 0.3])).expect("positive");
+        assert_eq!(
+            diagonal.solve(&dvector![0.7, -1.1]),
+            Inertia::new(diagonal.matrix().clone()).expect("positive").solve(&dvector![0.7, -1.1])
+        );
+        for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(Inertia::of(Mass::Diagonal(dvector![1.0, bad])).expect_err("not definite").to_string().contains("`mass`"));
+            assert!(Inertia::of(Mass::Blocks(vec![dmatrix![1.0], dmatrix![bad]])).is_err());
+        }
     }
 }

@@ -1,12 +1,16 @@
 //! A contact: gap, rows of H, friction, restitution; and the Delassus operator of several.
 
-use nalgebra::DMatrix;
-
+mod components;
 pub mod delassus;
 pub mod frame;
 mod inertia;
+mod jacobian;
+mod rows;
 
-pub use inertia::Inertia;
+pub use components::Components;
+pub use inertia::{Inertia, Mass};
+pub use jacobian::Jacobian;
+pub use rows::{BodyRows, Rows};
 
 /// One contact candidate of a mechanism at a configuration q.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,15 +18,26 @@ pub struct Contact {
     /// φ(q) \[m\], positive when separated.
     pub gap: f64,
     /// H of this contact, rows (n), (n, t₁) or (n, t₁, t₂), times the number of velocities.
-    pub jacobian: DMatrix<f64>,
+    pub jacobian: Rows,
     /// μ ≥ 0.
     pub friction: f64,
     /// e ∈ \[0, 1\].
     pub restitution: f64,
-    /// Which pair touches, e.g. `box1-corner0/ground`.
-    pub label: String,
     /// Where it is in the world, if the mechanism consists of bodies.
     pub place: Option<Place>,
+}
+
+impl Contact {
+    /// Which pair touches, e.g. `body 1, feature 0, on the ground`.
+    pub fn label(&self) -> String {
+        match self.place {
+            None => "a contact without place".into(),
+            Some(Place { bodies: (first, None), features: [own, _], .. }) => format!("body {first}, feature {own}, on the ground"),
+            Some(Place { bodies: (first, Some(second)), features: [own, other], .. }) => {
+                format!("body {first}, feature {own}, on body {second}, feature {other}")
+            }
+        }
+    }
 }
 
 /// Which two bodies touch, with what, and the contact frame in the world.
@@ -84,7 +99,7 @@ pub struct ContactImpulse {
     /// Index into `moreau::mechanics::Mechanism::contacts`.
     pub contact: usize,
     /// (r_n, r_t₁, r_t₂) \[N·s\], as many as the contact has rows.
-    pub impulse: Vec<f64>,
+    pub impulse: Components,
     /// Where it acted, as in [`Contact::place`].
     pub place: Option<Place>,
 }

@@ -128,7 +128,7 @@ impl Accelerations {
 fn rows_of(contacts: &[Contact], closed: &[Closed], rows: usize, columns: usize) -> DMatrix<f64> {
     let mut jacobian = DMatrix::zeros(rows * closed.len(), columns);
     for (k, one) in closed.iter().enumerate() {
-        jacobian.rows_mut(k * rows, rows).copy_from(&contacts[one.contact].jacobian);
+        jacobian.rows_mut(k * rows, rows).copy_from(&contacts[one.contact].jacobian.to_dense());
     }
     jacobian
 }

@@ -44,7 +44,7 @@ impl Impact<'_> {
         let rows = self.mechanism.rows_per_contact();
         let mut jacobian = DMatrix::zeros(rows * self.touching.len(), velocity.len());
         for (place, &k) in self.touching.iter().enumerate() {
-            jacobian.rows_mut(place * rows, rows).copy_from(&self.contacts[k].jacobian);
+            jacobian.rows_mut(place * rows, rows).copy_from(&self.contacts[k].jacobian.to_dense());
         }
         let arriving = &jacobian * velocity;
         if (0..self.touching.len()).all(|place| arriving[place * rows] >= -slow) {

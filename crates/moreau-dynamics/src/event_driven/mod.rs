@@ -236,7 +236,7 @@ impl Tally {
         for (&contact, part) in indices.iter().zip(impulses.chunks(self.rows)) {
             match self.entries.iter_mut().find(|known| known.contact == contact) {
                 Some(known) => known.impulse.iter_mut().zip(part).for_each(|(sum, r)| *sum += r),
-                None => self.entries.push(ContactImpulse { contact, impulse: part.to_vec(), place: contacts[contact].place }),
+                None => self.entries.push(ContactImpulse { contact, impulse: part.into(), place: contacts[contact].place }),
             }
         }
     }

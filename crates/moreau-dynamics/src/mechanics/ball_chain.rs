@@ -2,7 +2,7 @@
 
 use super::point_mass::{material, positive};
 use super::{BodyState, Mechanism};
-use moreau_contact::contact::Contact;
+use moreau_contact::contact::{Contact, Rows};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
@@ -53,18 +53,12 @@ impl Mechanism for BallChain {
     }
 
     fn contacts(&self, position: &DVector<f64>) -> Vec<Contact> {
-        let contact = |k: usize| {
-            let mut jacobian = DMatrix::zeros(1, self.masses.len());
-            jacobian[(0, k)] = -1.0;
-            jacobian[(0, k + 1)] = 1.0;
-            Contact {
-                gap: position[k + 1] - position[k] - (self.radii[k] + self.radii[k + 1]),
-                jacobian,
-                friction: 0.0,
-                restitution: self.restitution,
-                label: format!("ball{}/ball{k}", k + 1),
-                place: None,
-            }
+        let contact = |k: usize| Contact {
+            gap: position[k + 1] - position[k] - (self.radii[k] + self.radii[k + 1]),
+            jacobian: Rows::zeros(1, self.masses.len()).with(k, [[-1.0]]).with(k + 1, [[1.0]]),
+            friction: 0.0,
+            restitution: self.restitution,
+            place: None,
         };
         (0..self.masses.len() - 1).map(contact).collect()
     }

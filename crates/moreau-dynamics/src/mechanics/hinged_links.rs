@@ -116,13 +116,12 @@ impl HingedLinks {
     }
 
     /// The contact of a point of a link with a plane.
-    pub fn contact(&self, angles: &DVector<f64>, link: usize, offset: [f64; 2], plane: &Plane, label: String) -> Contact {
+    pub fn contact(&self, angles: &DVector<f64>, link: usize, offset: [f64; 2], plane: &Plane) -> Contact {
         Contact {
             gap: plane.gap(&self.point(angles, link, offset)),
-            jacobian: plane.frame() * self.jacobian(angles, link, offset),
+            jacobian: (plane.frame() * self.jacobian(angles, link, offset)).into(),
             friction: plane.friction,
             restitution: plane.restitution,
-            label,
             place: None,
         }
     }

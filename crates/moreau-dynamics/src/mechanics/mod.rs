@@ -8,6 +8,7 @@ use nalgebra::{DMatrix, DVector};
 mod ball_chain;
 mod bead_in_circle;
 mod hinged_links;
+mod neighbours;
 mod oscillator;
 mod painleve_rod;
 mod pair_material;
@@ -23,6 +24,7 @@ mod testing;
 
 pub use ball_chain::BallChain;
 pub use bead_in_circle::BeadInCircle;
+pub use moreau_contact::contact::Mass;
 pub use oscillator::OscillatorWithStop;
 pub use painleve_rod::PainleveRod;
 pub use pair_material::{Materials, PairMaterial};
@@ -71,6 +73,8 @@ macro_rules! answers_as {
                 fn degrees_of_freedom(&$me) -> usize;
                 fn rows_per_contact(&$me) -> usize;
                 fn mass_matrix(&$me, position: &::nalgebra::DVector<f64>) -> ::nalgebra::DMatrix<f64>;
+                fn mass(&$me, position: &::nalgebra::DVector<f64>) -> $crate::mechanics::Mass;
+                fn is_free(&$me) -> bool;
                 fn force(&$me, position: &::nalgebra::DVector<f64>, velocity: &::nalgebra::DVector<f64>) -> ::nalgebra::DVector<f64>;
                 fn potential_energy(&$me, position: &::nalgebra::DVector<f64>) -> f64;
                 fn bodies(
@@ -95,6 +99,14 @@ pub trait Mechanism: Send + Sync {
     fn rows_per_contact(&self) -> usize;
     /// M(q), symmetric positive definite, nv × nv.
     fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64>;
+    /// M(q) by what couples its velocities, so that no step of free bodies needs a matrix of all of them; dense unless told otherwise.
+    fn mass(&self, position: &DVector<f64>) -> Mass {
+        Mass::Dense(self.mass_matrix(position))
+    }
+    /// Whether M couples no velocities of two bodies, and a contact touches two bodies at most: then no step needs a matrix of all of them.
+    fn is_free(&self) -> bool {
+        false
+    }
     /// F(q, v) \[N, N·m\]: applied forces and velocity-dependent terms, without contact.
     fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64>;
     /// The average of F over a step of size h from (q, v) without contact, so that v + h M⁻¹F̄ is the velocity after it:
@@ -173,7 +185,7 @@ pub trait Mechanism: Send + Sync {
     fn bodies(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> Vec<BodyState>;
     /// Kinetic energy ½ vᵀM(q)v \[J\].
     fn kinetic_energy(&self, state: &State) -> f64 {
-        0.5 * state.velocity.dot(&(self.mass_matrix(&state.position) * &state.velocity))
+        0.5 * state.velocity.dot(&self.mass(&state.position).times(&state.velocity))
     }
     /// T + V \[J\].
     fn energy(&self, state: &State) -> f64 {

@@ -60,10 +60,9 @@ impl Mechanism for OscillatorWithStop {
     fn contacts(&self, position: &DVector<f64>) -> Vec<Contact> {
         vec![Contact {
             gap: position[0] - self.stop,
-            jacobian: dmatrix![1.0],
+            jacobian: dmatrix![1.0].into(),
             friction: 0.0,
             restitution: self.restitution,
-            label: "mass/stop".into(),
             place: None,
         }]
     }

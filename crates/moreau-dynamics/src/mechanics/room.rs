@@ -1,12 +1,15 @@
 //! How much memory a step of a mechanism needs, before it is taken.
 //!
 //! ```text
-//!     8 bytes × (4 nv² + 4 m nv + 8 m²) ,   m = rows · contacts
+//!     linkages       8 bytes × (4 nv² + 4 m nv + 8 m²) ,   m = rows · contacts
+//!     free bodies    8 bytes × 16 nv + size of a candidate · contacts
 //! ```
-//! nv²: M, M̂, the copy in the problem and one of its factors. m nv: the rows of every candidate, H, its copy in the problem and L⁻¹Hᵀ. m²:
-//! W and what a solver and the certificate make of it. Everything is dense.
+//! Linkages: M, M̂, the copy in the problem and one of its factors; the rows of every candidate, H, its copy in the problem and L⁻¹Hᵀ; W
+//! and what a solver and the certificate make of it. Free bodies have no such matrices: a few vectors, and the candidates. What the blocks
+//! of W need is known, and checked, once the contacts are.
 
 use super::Mechanism;
+use moreau_contact::contact::Contact;
 use moreau_contact::memory::{matrix, require};
 use moreau_exact::Result;
 use nalgebra::DVector;
@@ -19,7 +22,12 @@ pub fn afford(mechanism: &dyn Mechanism, position: &DVector<f64>, reach: f64) ->
     let (freedoms, rows) = (mechanism.degrees_of_freedom(), mechanism.rows_per_contact());
     let needed = |contacts: usize| {
         let rows = rows.saturating_mul(contacts);
-        let parts = [(4, matrix(freedoms, freedoms)), (4, matrix(rows, freedoms)), (8, matrix(rows, rows))];
+        let parts = if mechanism.is_free() {
+            // a candidate, once more among those that the step holds, and its rows in H
+            [(16, matrix(freedoms, 1)), (3, (contacts as u128).saturating_mul(size_of::<Contact>() as u128)), (0, 0)]
+        } else {
+            [(4, matrix(freedoms, freedoms)), (4, matrix(rows, freedoms)), (8, matrix(rows, rows))]
+        };
         parts.into_iter().fold(0u128, |sum, (times, bytes)| sum.saturating_add(bytes.saturating_mul(times)))
     };
     require(&format!("a step of {}, {freedoms} velocities without any contact,", mechanism.name()), needed(0))?;
@@ -36,7 +44,7 @@ pub fn afford(mechanism: &dyn Mechanism, position: &DVector<f64>, reach: f64) ->
 mod tests {
     use super::*;
     use crate::mechanics::spatial::{Shape, SpatialBody};
-    use crate::mechanics::{Materials, SpatialBodies};
+    use crate::mechanics::{BallChain, Materials, SpatialBodies};
 
     /// Spheres of radius ½ m in a row, this far apart.
     fn row(count: usize, spacing: f64) -> (SpatialBodies, DVector<f64>) {
@@ -49,18 +57,19 @@ mod tests {
 
     #[test]
     fn a_step_needs_what_is_near_and_not_what_there_could_be() {
-        let (mechanism, position) = row(200, 1.25);
-        // 19 900 pairs would need W of 59 700² numbers, 199 neighbours need little
-        assert_eq!((mechanism.most_candidates(), mechanism.count_within(&position, 0.3)), (Some(19_900), 199));
+        let (mechanism, position) = row(5000, 1.25);
+        // 12 497 500 pairs are many, 4999 neighbours are few, whatever a matrix of all 30 000 velocities would need
+        assert_eq!((mechanism.most_candidates(), mechanism.count_within(&position, 0.3)), (Some(12_497_500), 4999));
         assert!(afford(&mechanism, &position, 0.3).is_ok());
         let message = afford(&mechanism, &position, f64::INFINITY).expect_err("all pairs").to_string();
-        assert!(message.contains("19900 contact candidates") && message.contains("--max-memory"), "{message}");
+        assert!(message.contains("12497500 contact candidates") && message.contains("--max-memory"), "{message}");
     }
 
     #[test]
-    fn a_mass_matrix_too_large_is_refused_before_the_pairs_are_counted() {
-        let (mechanism, position) = row(20_000, 1.25);
-        let message = afford(&mechanism, &position, 0.0).expect_err("120 000² numbers").to_string();
-        assert!(message.contains("without any contact") && message.contains("460.8 GB"), "{message}");
+    fn a_mass_matrix_too_large_is_refused_before_the_contacts_are_counted() {
+        let balls = 20_000;
+        let chain = BallChain::new(vec![1.0; balls], vec![0.1; balls], 0.5).expect("valid");
+        let message = afford(&chain, &DVector::zeros(balls), 0.0).expect_err("20 000² numbers").to_string();
+        assert!(message.contains("without any contact") && message.contains("12.8 GB"), "{message}");
     }
 }

@@ -95,10 +95,8 @@ impl Mechanism for SliderCrank {
     }
 
     fn contacts(&self, position: &DVector<f64>) -> Vec<Contact> {
-        let corner = |(k, (place, side)): (usize, &([f64; 2], usize))| {
-            self.links.contact(position, 2, self.corner(*place), &self.guide[*side], format!("slider-corner{k}/guide"))
-        };
-        CORNERS.iter().enumerate().map(corner).collect()
+        let corner = |(place, side): &([f64; 2], usize)| self.links.contact(position, 2, self.corner(*place), &self.guide[*side]);
+        CORNERS.iter().map(corner).collect()
     }
 
     fn potential_energy(&self, position: &DVector<f64>) -> f64 {

@@ -14,10 +14,10 @@
 //! law depends on them: its regularisation reads the diagonal of M.
 
 use super::point_mass::{Plane, positive};
-use super::spatial::{Pose, Touch, sphere_box};
+use super::spatial::{Pose, Touch, six, sphere_box};
 use super::{BodyState, Mechanism, State};
 use moreau_contact::contact::frame::spatial_tangents;
-use moreau_contact::contact::{Contact, Place};
+use moreau_contact::contact::{Contact, Mass, Place, Rows};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector, Matrix3, Quaternion, Vector3};
 
@@ -98,22 +98,14 @@ impl SphereBodies {
         let [t1, t2] = spatial_tangents(touch.normal.into());
         let frame = [touch.normal.into(), t1, t2];
         let point = (touch.points[0] + touch.points[1]) * 0.5;
-        let mut jacobian = DMatrix::zeros(3, 6 * self.bodies.len());
+        let mut jacobian = Rows::zeros(3, 6 * self.bodies.len());
         for (body, sign) in [(Some(first), 1.0), (second, -1.0)].into_iter().filter_map(|(body, sign)| Some((body?, sign))) {
             let lever = point - poses[body].centre;
-            for (row, direction) in frame.into_iter().map(Vector3::from).enumerate() {
-                let arm = lever.cross(&direction);
-                for axis in 0..3 {
-                    jacobian[(row, 6 * body + axis)] = sign * direction[axis];
-                    jacobian[(row, 6 * body + 3 + axis)] = sign * arm[axis];
-                }
-            }
+            jacobian = jacobian.with(6 * body, frame.map(|direction| six(sign, direction, lever.cross(&Vector3::from(direction)).into())));
         }
         let Plane { friction, restitution, .. } = self.ground;
-        let below = second.map_or("ground", |body| self.bodies[body].name.as_str());
-        let label = format!("{}-{}/{below}", self.bodies[first].name, touch.features[0]);
         let place = Place { bodies: (first, second), features: touch.features, frame };
-        Contact { gap: touch.gap, jacobian, friction, restitution, label, place: Some(place) }
+        Contact { gap: touch.gap, jacobian, friction, restitution, place: Some(place) }
     }
 
     /// The plane under a sphere.
@@ -153,18 +145,21 @@ impl Mechanism for SphereBodies {
     }
 
     fn mass_matrix(&self, position: &DVector<f64>) -> DMatrix<f64> {
-        let mut mass = DMatrix::zeros(self.degrees_of_freedom(), self.degrees_of_freedom());
-        for (k, (body, pose)) in self.bodies.iter().zip(self.poses(position)).enumerate() {
+        self.mass(position).to_dense()
+    }
+
+    fn mass(&self, position: &DVector<f64>) -> Mass {
+        let block = |(body, pose): (&SphereBody, Pose)| {
             let inertia = inertia(body, &pose.rotation);
-            for i in 0..3 {
-                mass[(6 * k + i, 6 * k + i)] = body.mass;
-                for j in 0..3 {
-                    // one triangle mirrored: the product of three matrices is symmetric up to rounding only
-                    mass[(6 * k + 3 + i, 6 * k + 3 + j)] = inertia[(i.min(j), i.max(j))];
-                }
-            }
-        }
-        mass
+            // one triangle mirrored: the product of three matrices is symmetric up to rounding only
+            let turning = DMatrix::from_fn(3, 3, |i, j| inertia[(i.min(j), i.max(j))]);
+            [DMatrix::from_diagonal_element(3, 3, body.mass), turning]
+        };
+        Mass::Blocks(self.bodies.iter().zip(self.poses(position)).flat_map(block).collect())
+    }
+
+    fn is_free(&self) -> bool {
+        true
     }
 
     fn force(&self, position: &DVector<f64>, velocity: &DVector<f64>) -> DVector<f64> {

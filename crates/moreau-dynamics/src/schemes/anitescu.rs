@@ -15,6 +15,7 @@
 
 use super::assembly::{self, Candidate, Rules, normal_only};
 use super::{Scheme, StepContext, StepProblem, Waist, passes_the_waist};
+use moreau_contact::contact::Components;
 use moreau_contact::problem::Law;
 use moreau_exact::Result;
 use nalgebra::DVector;
@@ -27,7 +28,7 @@ use nalgebra::DVector;
 pub struct Anitescu;
 
 impl Rules for Anitescu {
-    fn shift(&self, candidate: &Candidate, h: f64) -> DVector<f64> {
+    fn shift(&self, candidate: &Candidate, h: f64) -> Components {
         normal_only(candidate.contact.gap / h, candidate.velocity.len())
     }
 

@@ -6,19 +6,20 @@
 //! Why F is explicit and its linear part is not: [`super::moreau_jean`].
 
 use super::{StepContext, StepProblem};
-use moreau_contact::contact::{Contact, pairs};
+use moreau_contact::contact::{Components, Contact, Jacobian, pairs};
 use moreau_contact::problem::{ContactProblem, Law};
 use moreau_exact::Result;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
+use std::sync::Arc;
 
 /// One contact candidate with the velocities a scheme may decide by.
 pub struct Candidate<'a> {
     /// φ, H, μ and e at the start of the step.
     pub contact: &'a Contact,
     /// u = H v at the start of the step \[m/s\].
-    pub velocity: DVector<f64>,
+    pub velocity: Components,
     /// H v_free \[m/s\].
-    pub free_velocity: DVector<f64>,
+    pub free_velocity: Components,
 }
 
 /// What distinguishes one scheme from another in the assembly.
@@ -33,7 +34,7 @@ pub trait Rules {
         true
     }
     /// What the law adds to u, one entry per row \[m/s\].
-    fn shift(&self, candidate: &Candidate, h: f64) -> DVector<f64>;
+    fn shift(&self, candidate: &Candidate, h: f64) -> Components;
     /// The contact law for contacts with this many rows.
     fn law(&self, rows_per_contact: usize) -> Law;
 }
@@ -48,13 +49,16 @@ pub fn assemble(name: &str, rules: &dyn Rules, at: &StepContext) -> Result<StepP
         return Ok(held);
     }
     let rows = at.mechanism().rows_per_contact();
-    let shifts: Vec<DVector<f64>> = candidates.iter().map(|candidate| rules.shift(candidate, at.h())).collect();
-    let problem = ContactProblem::from_inertia(&held.effective_mass, held.jacobian.clone(), &held.free_velocity)
+    let mut shift = DVector::zeros(rows * candidates.len());
+    for (candidate, part) in candidates.iter().zip(shift.as_mut_slice().chunks_exact_mut(rows)) {
+        part.copy_from_slice(&rules.shift(candidate, at.h()));
+    }
+    let problem = ContactProblem::from_inertia(&held.effective_mass, &held.jacobian, &held.free_velocity)
         .name(format!("{} {name} t={}", at.mechanism().name(), at.state().time))
         .law(rules.law(rows))
         .rows_per_contact(rows)
         .friction(candidates.iter().map(|candidate| candidate.contact.friction).collect())
-        .shift(DVector::from_iterator(rows * candidates.len(), shifts.iter().flat_map(|shift| shift.iter().copied())))
+        .shift(shift)
         .bodies(pairs(&held.places))
         .build()?;
     Ok(StepProblem { problem: Some(problem), ..held })
@@ -66,35 +70,33 @@ pub fn assemble(name: &str, rules: &dyn Rules, at: &StepContext) -> Result<StepP
 /// If M̂ is not positive definite.
 pub fn held<'a>(at: &'a StepContext, theta: f64, is_active: impl Fn(&Candidate) -> bool) -> Result<(StepProblem, Vec<Candidate<'a>>)> {
     let (effective_mass, free_velocity) = at.free_motion(theta)?;
-    let candidates = at.contacts().iter().map(|contact| Candidate {
-        contact,
-        velocity: &contact.jacobian * &at.state().velocity,
-        free_velocity: &contact.jacobian * &free_velocity,
-    });
-    let (active, candidates): (Vec<usize>, Vec<Candidate>) = candidates.enumerate().filter(|(_, candidate)| is_active(candidate)).unzip();
-    let jacobian = stack(
-        candidates.iter().map(|candidate| &candidate.contact.jacobian),
-        at.mechanism().rows_per_contact(),
-        at.mechanism().degrees_of_freedom(),
-    );
+    let (rows, columns) = (at.mechanism().rows_per_contact(), at.mechanism().degrees_of_freedom());
+    let (mut active, mut candidates) = (Vec::new(), Vec::new());
+    for (index, contact) in at.contacts().iter().enumerate() {
+        let [mut velocity, mut free] = [Components::zeros(rows); 2];
+        contact.jacobian.add_product(at.state().velocity.as_slice(), &mut velocity);
+        contact.jacobian.add_product(free_velocity.as_slice(), &mut free);
+        let candidate = Candidate { contact, velocity, free_velocity: free };
+        if is_active(&candidate) {
+            active.push(index);
+            candidates.push(candidate);
+        }
+    }
+    let jacobian = stack(candidates.iter().map(|candidate| candidate.contact), rows, columns);
     let places = candidates.iter().map(|candidate| candidate.contact.place).collect();
     Ok((StepProblem { problem: None, active, places, effective_mass, free_velocity, jacobian, residual: None }, candidates))
 }
 
-/// The rows of all contacts, one contact below the other.
-pub(super) fn stack<'a>(blocks: impl ExactSizeIterator<Item = &'a DMatrix<f64>>, rows: usize, columns: usize) -> DMatrix<f64> {
-    let mut stacked = DMatrix::zeros(rows * blocks.len(), columns);
-    for (k, block) in blocks.enumerate() {
-        stacked.rows_mut(k * rows, rows).copy_from(block);
-    }
-    stacked
+/// H of these contacts, one below the other.
+pub fn stack<'a>(contacts: impl Iterator<Item = &'a Contact>, rows: usize, columns: usize) -> Arc<Jacobian> {
+    Arc::new(Jacobian::new(rows, columns, contacts.map(|contact| contact.jacobian.clone()).collect()))
 }
 
-/// A vector with the given normal entry and zero tangential entries.
-pub fn normal_only(normal: f64, rows: usize) -> DVector<f64> {
-    let mut vector = DVector::zeros(rows);
-    vector[0] = normal;
-    vector
+/// The given normal entry, and zero in the tangential rows.
+pub fn normal_only(normal: f64, rows: usize) -> Components {
+    let mut components = Components::zeros(rows);
+    components[0] = normal;
+    components
 }
 
 #[cfg(test)]

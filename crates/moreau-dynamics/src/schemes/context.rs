@@ -14,6 +14,8 @@ pub struct StepContext<'a> {
     h: f64,
     inertia: OnceCell<Arc<Inertia>>,
     contacts: OnceCell<Vec<Contact>>,
+    /// v + h M⁻¹F̄.
+    explicit: OnceCell<DVector<f64>>,
 }
 
 impl<'a> StepContext<'a> {
@@ -23,7 +25,7 @@ impl<'a> StepContext<'a> {
     /// [`Error::Invalid`] if h is not positive, or the state does not fit the mechanism.
     pub fn new(mechanism: &'a dyn Mechanism, state: &'a State, h: f64) -> Result<Self> {
         check_input(mechanism, state, h)?;
-        Ok(StepContext { mechanism, state, h, inertia: OnceCell::new(), contacts: OnceCell::new() })
+        Ok(StepContext { mechanism, state, h, inertia: OnceCell::new(), contacts: OnceCell::new(), explicit: OnceCell::new() })
     }
 
     /// What moves.
@@ -41,12 +43,19 @@ impl<'a> StepContext<'a> {
         self.h
     }
 
-    /// This step with another view of the same mechanism, for example one with fewer candidates. M(q) is not computed again.
+    /// This step with another view of the same mechanism, for example one with fewer candidates. M(q) and F are not computed again.
     pub(super) fn of<'b>(&self, mechanism: &'b dyn Mechanism) -> StepContext<'b>
     where
         'a: 'b,
     {
-        StepContext { mechanism, state: self.state, h: self.h, inertia: self.inertia.clone(), contacts: OnceCell::new() }
+        StepContext {
+            mechanism,
+            state: self.state,
+            h: self.h,
+            inertia: self.inertia.clone(),
+            contacts: OnceCell::new(),
+            explicit: self.explicit.clone(),
+        }
     }
 
     /// M(q), factored.
@@ -57,7 +66,7 @@ impl<'a> StepContext<'a> {
         if let Some(known) = self.inertia.get() {
             return Ok(known.clone());
         }
-        let factored = Arc::new(Inertia::new(self.mechanism.mass_matrix(&self.state.position))?);
+        let factored = Arc::new(Inertia::of(self.mechanism.mass(&self.state.position))?);
         Ok(self.inertia.get_or_init(|| factored).clone())
     }
 
@@ -71,21 +80,15 @@ impl<'a> StepContext<'a> {
     /// # Errors
     /// [`Error::Invalid`] if M̂ is not positive definite or v_free is not finite.
     pub fn free_motion(&self, theta: f64) -> Result<(Arc<Inertia>, DVector<f64>)> {
-        let StepContext { mechanism, state, h, .. } = *self;
-        let mut force = mechanism.mean_force(&state.position, &state.velocity, h);
-        let inertia = match mechanism.linear_force().filter(|_| theta != 0.0) {
-            None => self.inertia()?,
-            Some(linear) => {
-                let mut mass = mechanism.mass_matrix(&state.position);
-                mass += &linear.damping * (h * theta) + &linear.stiffness * (h * h * theta * theta);
-                force -= &linear.stiffness * &state.velocity * (h * theta);
-                Arc::new(Inertia::new(mass)?)
-            }
+        let Some(linear) = self.mechanism.linear_force().filter(|_| theta != 0.0) else {
+            return Ok((self.inertia()?, self.forecast()?.clone()));
         };
-        let velocity = &state.velocity + inertia.solve(&force) * h;
-        if velocity.iter().any(|x| !x.is_finite()) {
-            return Err(Error::invalid("force", "is not finite", "every force and velocity must be a finite number"));
-        }
+        let StepContext { mechanism, state, h, .. } = *self;
+        let mut mass = mechanism.mass_matrix(&state.position);
+        mass += &linear.damping * (h * theta) + &linear.stiffness * (h * h * theta * theta);
+        let inertia = Arc::new(Inertia::new(mass)?);
+        let force = mechanism.mean_force(&state.position, &state.velocity, h) - &linear.stiffness * &state.velocity * (h * theta);
+        let velocity = moved(&state.velocity, &inertia.solve(&force), h)?;
         Ok((inertia, velocity))
     }
 
@@ -93,9 +96,24 @@ impl<'a> StepContext<'a> {
     ///
     /// # Errors
     /// Those of [`StepContext::free_motion`].
-    pub fn forecast(&self) -> Result<DVector<f64>> {
-        Ok(self.free_motion(0.0)?.1)
+    pub fn forecast(&self) -> Result<&DVector<f64>> {
+        if let Some(known) = self.explicit.get() {
+            return Ok(known);
+        }
+        let StepContext { mechanism, state, h, .. } = *self;
+        let pull = self.inertia()?.solve(&mechanism.mean_force(&state.position, &state.velocity, h));
+        let velocity = moved(&state.velocity, &pull, h)?;
+        Ok(self.explicit.get_or_init(|| velocity))
     }
+}
+
+/// v + h a, if it is made of numbers.
+fn moved(velocity: &DVector<f64>, acceleration: &DVector<f64>, h: f64) -> Result<DVector<f64>> {
+    let moved = velocity + acceleration * h;
+    if moved.iter().any(|x| !x.is_finite()) {
+        return Err(Error::invalid("force", "is not finite", "every force and velocity must be a finite number"));
+    }
+    Ok(moved)
 }
 
 /// Refuses a step size that is not positive, and velocities that the mechanism cannot have.
@@ -124,7 +142,7 @@ mod tests {
         assert!(Arc::ptr_eq(&at.inertia().expect("positive"), &at.free_motion(1.0).expect("finite").0), "no linear force, one M");
         assert!(Arc::ptr_eq(&at.inertia().expect("positive"), &at.of(&ball).inertia().expect("positive")));
         assert!(std::ptr::eq(at.contacts(), at.contacts()));
-        assert_eq!(at.forecast().expect("finite"), dvector![-5.0]);
+        assert_eq!(at.forecast().expect("finite"), &dvector![-5.0]);
         assert!(StepContext::new(&ball, &state, 0.0).is_err());
     }
 }

@@ -16,6 +16,7 @@
 
 use super::assembly::{self, Candidate, Rules, normal_only};
 use super::{Scheme, StepContext, StepProblem, Waist, passes_the_waist};
+use moreau_contact::contact::Components;
 use moreau_contact::problem::Law;
 use moreau_exact::Result;
 use nalgebra::DVector;
@@ -44,7 +45,7 @@ impl Rules for Euler {
         candidate.contact.gap <= 0.0
     }
 
-    fn shift(&self, candidate: &Candidate, _h: f64) -> DVector<f64> {
+    fn shift(&self, candidate: &Candidate, _h: f64) -> Components {
         normal_only(candidate.contact.restitution * candidate.velocity[0], candidate.velocity.len())
     }
 

@@ -8,11 +8,11 @@
 //! ```
 //! Several contacts hit at once with e > 0, and friction beside e > 0, have no theorem (`moreau::checks::energy_balance`).
 
+use super::assembly::stack;
 use super::{Certified, Inertia, Scheme, Start, Step, StepProblem};
 use crate::event_driven::{Collision, EventDriven};
 use crate::trajectory::LocatedImpact;
 use moreau_exact::Result;
-use nalgebra::DMatrix;
 use std::sync::Arc;
 
 /// Event-driven motion, sampled every h.
@@ -35,9 +35,9 @@ impl Scheme for Events {
             residual: None,
             active: motion.impulses.iter().map(|one| one.contact).collect(),
             places: motion.impulses.iter().map(|one| one.place).collect(),
-            jacobian: DMatrix::zeros(0, motion.state.velocity.len()),
+            jacobian: stack([].into_iter(), mechanism.rows_per_contact(), motion.state.velocity.len()),
             free_velocity: motion.state.velocity.clone(),
-            effective_mass: Arc::new(Inertia::new(mechanism.mass_matrix(&motion.state.position))?),
+            effective_mass: Arc::new(Inertia::of(mechanism.mass(&motion.state.position))?),
         };
         let located = |one: Collision| LocatedImpact { time: state.time + one.elapsed, normal_velocities: one.normal_velocities };
         let impacts = Some(motion.impacts.into_iter().map(located).collect());

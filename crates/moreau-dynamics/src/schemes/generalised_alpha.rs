@@ -27,7 +27,7 @@ use super::{Inertia, Scheme, Step, StepContext, StepProblem, Waist, passes_the_w
 use crate::mechanics::{Mechanism, State};
 use crate::tolerance::schemes::asymmetry;
 use moreau_contact::contact::delassus::MassFactor;
-use moreau_contact::contact::pairs;
+use moreau_contact::contact::{Components, pairs};
 use moreau_contact::problem::{ContactProblem, Law};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -179,12 +179,11 @@ impl Waist for GeneralisedAlpha {
         let active: Vec<usize> = (0..contacts.len()).filter(|&k| contacts[k].gap <= 0.0).collect();
         let rows = mechanism.rows_per_contact();
         let own = || active.iter().map(|&k| &contacts[k]);
-        let blocks: Vec<&DMatrix<f64>> = own().map(|contact| &contact.jacobian).collect();
-        let jacobian = assembly::stack(blocks.into_iter(), rows, mechanism.degrees_of_freedom());
-        let shifts: Vec<DVector<f64>> =
+        let jacobian = assembly::stack(own(), rows, mechanism.degrees_of_freedom());
+        let shifts: Vec<Components> =
             own().map(|contact| normal_only(contact.restitution * (&contact.jacobian * &state.velocity)[0], rows)).collect();
         let places: Vec<_> = own().map(|contact| contact.place).collect();
-        let problem = ContactProblem::from_inertia(&smooth.effective_mass, jacobian.clone(), &smooth.velocity)
+        let problem = ContactProblem::from_inertia(&smooth.effective_mass, &jacobian, &smooth.velocity)
             .name(format!("{} generalised-alpha t={}", mechanism.name(), state.time))
             .law(if rows == 1 { Law::Frictionless } else { Law::Coulomb })
             .rows_per_contact(rows)

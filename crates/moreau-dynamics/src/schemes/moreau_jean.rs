@@ -30,6 +30,7 @@
 
 use super::assembly::{self, Candidate, Rules, normal_only};
 use super::{Scheme, StepContext, StepProblem, Waist, passes_the_waist};
+use moreau_contact::contact::Components;
 use moreau_contact::problem::Law;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -140,8 +141,8 @@ impl Rules for MoreauJean {
         self.activation.is_active(candidate.contact.gap, candidate.velocity[0], candidate.free_velocity[0], h)
     }
 
-    fn shift(&self, candidate: &Candidate, _h: f64) -> DVector<f64> {
-        let reversed = &candidate.velocity * candidate.contact.restitution;
+    fn shift(&self, candidate: &Candidate, _h: f64) -> Components {
+        let reversed: Components = candidate.velocity.iter().map(|u| u * candidate.contact.restitution).collect();
         match self.restitution {
             RestitutionRule::NormalOnly => normal_only(reversed[0], reversed.len()),
             RestitutionRule::FullVector => reversed,

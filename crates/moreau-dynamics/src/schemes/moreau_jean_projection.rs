@@ -22,11 +22,12 @@ use crate::least_squares::least_squares;
 use crate::mechanics::Mechanism;
 use crate::tolerance::schemes::{DEPENDENT_NORMALS, projected};
 use moreau_contact::certificate::StepResidual;
-use moreau_contact::contact::{Contact, Identity, pairs};
+use moreau_contact::contact::{Components, Contact, Identity, pairs};
 use moreau_contact::problem::{ContactProblem, Law};
 use moreau_contact::solvers::{Auto, ContactSolver, LemkePivoting};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
+use std::sync::Arc;
 
 /// Moreau–Jean with combined projection.
 ///
@@ -87,17 +88,17 @@ impl MoreauJeanProjection {
         super::MoreauJean { theta: self.theta, ..Default::default() }.validate()
     }
 
-    fn problem(&self, at: &StepContext, held: &[(Identity, Contact)], mass: &Inertia, free: &DVector<f64>) -> Result<ContactProblem> {
+    fn problem(&self, at: &StepContext, held: &[(Identity, Contact)], mass: &Arc<Inertia>, free: &DVector<f64>) -> Result<ContactProblem> {
         let (mechanism, state) = (at.mechanism(), at.state());
         let (rows, before) = (mechanism.rows_per_contact(), at.contacts());
-        let jacobian = assembly::stack(held.iter().map(|(_, contact)| &contact.jacobian), rows, mechanism.degrees_of_freedom());
+        let jacobian = assembly::stack(held.iter().map(|(_, contact)| contact), rows, mechanism.degrees_of_freedom());
         let shifts = held.iter().map(|(key, contact)| {
             let earlier = before.iter().enumerate().find(|(k, one)| is_held(*k, one, std::slice::from_ref(key)));
             let arriving = &earlier.map_or(contact, |(_, one)| one).jacobian * &state.velocity;
             normal_only(contact.restitution * arriving[0], rows)
         });
-        let shifts: Vec<DVector<f64>> = shifts.collect();
-        ContactProblem::from_inertia(mass, jacobian, free)
+        let shifts: Vec<Components> = shifts.collect();
+        ContactProblem::from_inertia(mass, &jacobian, free)
             .name(format!("{} moreau-jean-projection t={}", mechanism.name(), state.time))
             .law(if rows == 1 { Law::Frictionless } else { Law::Coulomb })
             .rows_per_contact(rows)
@@ -136,14 +137,13 @@ impl Waist for MoreauJeanProjection {
             let certified = Certified::new(solver);
             let solution = certified.solve(&posed, None)?;
             residual = StepResidual::worse_of(residual, certified.take().0);
-            let jacobian = &posed.dynamics().ok_or_else(|| Error::Unsupported("a step has dynamics".into()))?.jacobian;
+            let jacobian = assembly::stack(held.iter().map(|(_, contact)| contact), mechanism.rows_per_contact(), free_velocity.len());
             let velocity = &free_velocity + effective_mass.solve(&jacobian.tr_mul(&solution.impulse));
             let keys: Vec<Identity> = held.iter().map(|(key, _)| *key).collect();
             reached = project(mechanism, self.advance(at, &velocity), &keys)?;
             problem = Some(posed);
         }
-        let rows = DMatrix::zeros(0, mechanism.degrees_of_freedom());
-        let jacobian = problem.as_ref().and_then(|posed| posed.dynamics()).map_or(rows, |dynamics| dynamics.jacobian.clone());
+        let jacobian = assembly::stack(held.iter().map(|(_, contact)| contact), mechanism.rows_per_contact(), free_velocity.len());
         let (active, places) = held.into_iter().map(|(key, _)| (key.index, key.place)).unzip();
         Ok(StepProblem { problem, active, places, effective_mass, free_velocity, jacobian, residual })
     }

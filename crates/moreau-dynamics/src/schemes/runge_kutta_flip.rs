@@ -18,14 +18,14 @@
 //! # Source
 //! Chapter §0, why high order is of no use across impacts.
 
-use super::assembly::normal_only;
+use super::assembly::stack;
 use super::{Inertia, Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use crate::mechanics::{Mechanism, State};
 use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::contact::pairs;
 use moreau_contact::problem::{ContactProblem, Law};
 use moreau_exact::{Error, Result};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use std::sync::Arc;
 
 /// Runge–Kutta with a flip at the end of the step.
@@ -66,20 +66,19 @@ impl Waist for RungeKuttaFlip {
         let (mechanism, state, h) = (at.mechanism(), at.state(), at.h());
         let [mean, free_velocity] = free_step(mechanism, state, h)?;
         let reached = at.mechanism().integrate(&at.state().position, &mean, h);
-        let effective_mass = Arc::new(Inertia::new(mechanism.mass_matrix(&reached))?);
+        let effective_mass = Arc::new(Inertia::of(mechanism.mass(&reached))?);
         let contacts = mechanism.contacts(&reached);
         let active: Vec<usize> = (0..contacts.len()).filter(|&k| contacts[k].gap <= 0.0).collect();
         let (rows, columns) = (mechanism.rows_per_contact(), mechanism.degrees_of_freedom());
-        let mut jacobian = DMatrix::zeros(rows * active.len(), columns);
+        let jacobian = stack(active.iter().map(|&k| &contacts[k]), rows, columns);
         let mut shift = DVector::zeros(rows * active.len());
         for (place, &k) in active.iter().enumerate() {
             let contact = &contacts[k];
-            jacobian.rows_mut(place * rows, rows).copy_from(&contact.jacobian);
             let arriving = (&contact.jacobian * &free_velocity)[0];
-            shift.rows_mut(place * rows, rows).copy_from(&normal_only(contact.restitution * arriving.min(0.0), rows));
+            shift[place * rows] = contact.restitution * arriving.min(0.0);
         }
         let places: Vec<_> = active.iter().map(|&k| contacts[k].place).collect();
-        let problem = ContactProblem::from_inertia(&effective_mass, jacobian.clone(), &free_velocity)
+        let problem = ContactProblem::from_inertia(&effective_mass, &jacobian, &free_velocity)
             .name(format!("{} runge-kutta-flip t={}", mechanism.name(), state.time))
             .law(if rows == 1 { Law::Frictionless } else { Law::Coulomb })
             .rows_per_contact(rows)

@@ -21,6 +21,7 @@
 
 use super::assembly::{self, Candidate, Rules, normal_only};
 use super::{Scheme, StepContext, StepProblem, Waist, passes_the_waist};
+use moreau_contact::contact::Components;
 use moreau_contact::problem::Law;
 use moreau_exact::Result;
 use nalgebra::DVector;
@@ -33,7 +34,7 @@ use nalgebra::DVector;
 pub struct SchatzmanPaoli;
 
 impl Rules for SchatzmanPaoli {
-    fn shift(&self, candidate: &Candidate, h: f64) -> DVector<f64> {
+    fn shift(&self, candidate: &Candidate, h: f64) -> Components {
         let restitution = candidate.contact.restitution;
         normal_only((1.0 + restitution) * candidate.contact.gap / h - restitution * candidate.velocity[0], candidate.velocity.len())
     }

@@ -5,10 +5,10 @@ use super::context::StepContext;
 use crate::mechanics::{Mechanism, State};
 use crate::trajectory::LocatedImpact;
 use moreau_contact::certificate::{Judgement, StepResidual};
-use moreau_contact::contact::{ContactImpulse, Inertia, Place};
+use moreau_contact::contact::{ContactImpulse, Inertia, Jacobian, Place};
 use moreau_contact::problem::{ContactProblem, Solution};
 use moreau_exact::Result;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use std::sync::Arc;
 
 /// The impulses of a step's law, and how well the scheme's own stopping rule is met, if it has one.
@@ -108,7 +108,7 @@ pub struct StepProblem {
     /// v_free = v + h M̂⁻¹F, with the linear part of F as in [`super::moreau_jean`].
     pub free_velocity: DVector<f64>,
     /// H of the active contacts.
-    pub jacobian: DMatrix<f64>,
+    pub jacobian: Arc<Jacobian>,
     /// The worst residual of problems that were solved to assemble this one; none for most schemes.
     pub residual: Option<StepResidual>,
 }

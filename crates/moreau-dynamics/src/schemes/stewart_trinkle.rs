@@ -18,6 +18,7 @@
 use super::assembly::{self, Candidate, Rules, normal_only};
 use super::{Scheme, StepContext, StepProblem, Waist, passes_the_waist};
 use crate::tolerance::limits::DIRECTIONS;
+use moreau_contact::contact::Components;
 use moreau_contact::problem::Law;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -54,7 +55,7 @@ impl StewartTrinkle {
 }
 
 impl Rules for StewartTrinkle {
-    fn shift(&self, candidate: &Candidate, h: f64) -> DVector<f64> {
+    fn shift(&self, candidate: &Candidate, h: f64) -> Components {
         normal_only(candidate.contact.gap / h, candidate.velocity.len())
     }
 

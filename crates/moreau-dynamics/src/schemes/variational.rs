@@ -19,6 +19,7 @@
 //! # Source
 //! Chapter §8; Fetecau, Marsden, Ortiz and West, *Nonsmooth Lagrangian mechanics and variational collision integrators* (2003).
 
+use super::assembly::stack;
 use super::{Certified, Inertia, Scheme, Start, Step, StepContext, StepProblem};
 use crate::event_driven::root::falling_root;
 use crate::mechanics::{Mechanism, State, afford};
@@ -145,7 +146,7 @@ impl<'a> Conservative<'a> {
         let slides = |motion: &DVector<f64>| (&contact.jacobian * motion).iter().skip(1).any(|u| u.abs() > rounding(64, motion.amax()));
         let rubs = contact.friction != 0.0 && (slides(&touching.velocity) || slides(&thrown));
         if contact.restitution != 1.0 || rubs {
-            let found = format!("e = 1 and no friction at {}: e = {}, μ = {}", contact.label, contact.restitution, contact.friction);
+            let found = format!("e = 1 and no friction at {}: e = {}, μ = {}", contact.label(), contact.restitution, contact.friction);
             return Err(self.refuse(&found));
         }
         Ok(normal)
@@ -221,7 +222,7 @@ fn step(mechanism: &dyn Mechanism, state: &State, h: f64) -> Result<Step> {
         residual: None,
         active: impulses.iter().map(|one| one.contact).collect(),
         places: impulses.iter().map(|one| one.place).collect(),
-        jacobian: DMatrix::zeros(0, velocity.len()),
+        jacobian: stack([].into_iter(), rows, velocity.len()),
         free_velocity: velocity.clone(),
         effective_mass: Arc::new(Inertia::new(conservative.mass)?),
     };

@@ -86,7 +86,7 @@ pub fn step_in_parts(start: &Start, parts: &Parts) -> Result<Step> {
     let whole = StepContext::new(mechanism, state, h)?;
     let mut reach = 2.0 * mechanism.reach(&state.velocity, h);
     if reach.is_finite() {
-        reach = reach.max(2.0 * mechanism.reach(&whole.forecast()?, h));
+        reach = reach.max(2.0 * mechanism.reach(whole.forecast()?, h));
     }
     loop {
         afford(mechanism, &state.position, reach)?;
@@ -122,8 +122,7 @@ fn finish(parts: &Parts, at: &StepContext, assembled: StepProblem) -> Result<Ste
     if let Some(solution) = &solution {
         velocity += assembled.effective_mass.solve(&assembled.jacobian.tr_mul(&solution.impulse));
         let places = assembled.active.iter().zip(&assembled.places);
-        let one =
-            |((&contact, &place), part): ((&usize, &Option<Place>), &[f64])| ContactImpulse { contact, impulse: part.to_vec(), place };
+        let one = |((&contact, &place), part): ((&usize, &Option<Place>), &[f64])| ContactImpulse { contact, impulse: part.into(), place };
         impulses = places.zip(solution.impulse.as_slice().chunks(at.mechanism().rows_per_contact())).map(one).collect();
     }
     let position = (parts.advance)(at, &assembled, &velocity)?;
@@ -135,9 +134,15 @@ fn finish(parts: &Parts, at: &StepContext, assembled: StepProblem) -> Result<Ste
 /// The previous impulses of the contacts that are active now, zero for the others \[N·s\].
 pub fn carry_over(previous: &[ContactImpulse], active: &[usize], places: &[Option<Place>], rows: usize) -> DVector<f64> {
     let mut start = DVector::zeros(rows * active.len());
+    // both lists are in nearly the same order: each contact is looked for behind the one before
+    let mut next = 0;
     for (k, (contact, place)) in active.iter().zip(places).enumerate() {
-        if let Some(known) = previous.iter().find(|known| known.acts_at(*contact, place.as_ref())) {
-            start.rows_mut(k * rows, rows).copy_from_slice(&known.impulse);
+        let (behind, ahead) = previous.split_at(next);
+        let found = ahead.iter().chain(behind).position(|known| known.acts_at(*contact, place.as_ref()));
+        if let Some(ahead) = found {
+            let at = (next + ahead) % previous.len();
+            start.rows_mut(k * rows, rows).copy_from_slice(&previous[at].impulse);
+            next = at + 1;
         }
     }
     start

@@ -5,6 +5,7 @@ pub mod impact_laws;
 pub mod integrators;
 pub mod limits;
 pub mod mechanics;
+pub mod neighbours;
 pub mod scenes;
 pub mod schemes;
 pub mod stabilisation;

@@ -29,7 +29,7 @@
 //! split impulses move rigid bodies in V without a law ([`crate::energy_balance`]).
 
 use moreau_contact::contact::delassus::{MassFactor, delassus};
-use moreau_contact::contact::{Contact, pairs};
+use moreau_contact::contact::{Components, Contact, pairs};
 use moreau_contact::problem::{ContactProblem, Law};
 use moreau_contact::solvers::{ContactSolver, ProjectedGaussSeidel};
 use moreau_dynamics::mechanics::{Mechanism, State};
@@ -157,7 +157,7 @@ impl Rules for Bullet {
         candidate.contact.gap <= self.margin
     }
 
-    fn shift(&self, candidate: &Candidate, h: f64) -> DVector<f64> {
+    fn shift(&self, candidate: &Candidate, h: f64) -> Components {
         let arriving = match self.bodies {
             Bodies::Multi => candidate.free_velocity[0],
             Bodies::Rigid => candidate.velocity[0],

@@ -255,10 +255,9 @@ impl BulletSteps {
             });
             Contact {
                 gap: points.distance[i],
-                jacobian,
+                jacobian: jacobian.into(),
                 friction: self.scene.material.friction,
                 restitution: self.scene.material.restitution,
-                label: format!("point {i}"),
                 place: Some(Place { bodies: (0, None), features: [i as u32, 0], frame }),
             }
         };

@@ -10,11 +10,13 @@
 //!
 //! The box |r·d₁| ≤ μ r_n, |r·d₂| ≤ μ r_n is the square with its corners on t₁ and t₂: the polyhedral law with four directions and √2 μ.
 
+use moreau_contact::contact::Jacobian;
 use moreau_contact::problem::{ContactProblemBuilder, Dynamics};
 use moreau_dynamics::schemes::StepProblem;
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
+use std::sync::Arc;
 
 /// Which of Bullet's two families of bodies steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -34,6 +36,7 @@ pub(super) fn turn(step: &mut StepProblem, bodies: Bodies, boxed: bool) -> Resul
         free_velocity: DMatrix::from_column_slice(problem.rows(), 1, problem.free_velocity().as_slice()),
         dynamics: problem.dynamics().cloned(),
     };
+    let mut own_rows = step.jacobian.to_dense();
     for (k, place) in step.places.iter_mut().enumerate() {
         let slip = [1, 2].map(|row| turned.free_velocity[(3 * k + row, 0)]);
         let frame = place.as_ref().map(|place| &place.frame);
@@ -47,8 +50,9 @@ pub(super) fn turn(step: &mut StepProblem, bodies: Bodies, boxed: bool) -> Resul
             let [t1, t2] = [place.frame[1], place.frame[2]];
             [place.frame[1], place.frame[2]] = rows.map(|[a, b]| [0, 1, 2].map(|i| a * t1[i] + b * t2[i]));
         }
-        turn_rows(&mut step.jacobian, 3 * k + 1, rows);
+        turn_rows(&mut own_rows, 3 * k + 1, rows);
     }
+    step.jacobian = Arc::new(Jacobian::from_dense(&own_rows, 3));
     let factor = if boxed { SQRT_2 } else { 1.0 };
     let friction = problem.friction().iter().map(|friction| friction * factor).collect();
     step.problem = Some(turned.of(problem.into_builder().friction(friction)).build()?);
@@ -138,10 +142,10 @@ mod tests {
                 let scheme = Bullet { bodies, friction, margin: 0.1, ..Bullet::default() };
                 let step = assembled(&scheme, [0.3, 0.4, 0.0]);
                 let problem = step.problem.expect("contacts");
-                let again = delassus(step.effective_mass.matrix(), &step.jacobian).expect("definite");
+                let again = delassus(step.effective_mass.matrix(), &step.jacobian.to_dense()).expect("definite");
                 assert!((problem.dense() - again).amax() <= rounding(64, problem.dense().amax()), "{bodies:?}");
-                assert!((problem.free_velocity() - &step.jacobian * &step.free_velocity).amax() <= rounding(64, 1.0));
-                assert_eq!(problem.dynamics().expect("given").jacobian, step.jacobian);
+                assert!((problem.free_velocity() - &*step.jacobian * &step.free_velocity).amax() <= rounding(64, 1.0));
+                assert_eq!(problem.dynamics().expect("given").jacobian, step.jacobian.to_dense());
                 for place in step.places {
                     let [n, t1, t2] = place.expect("bodies").frame;
                     let products = [dot(n, t1), dot(n, t2), dot(t1, t2), dot(t1, t1) - 1.0, dot(t2, t2) - 1.0];

@@ -39,7 +39,7 @@ impl Touch {
         let depth = -contact.gap;
         let opening = (&contact.jacobian * &state.velocity)[0];
         let explicit = h * material.stiffness * depth.max(0.0) * (1.0 - material.dissipation * opening).max(0.0);
-        let widened = contact.friction * SIGMA * response(mass, &contact.jacobian) * explicit;
+        let widened = contact.friction * SIGMA * response(mass, &contact.jacobian.to_dense()) * explicit;
         let slip_scale = material.stiction_tolerance.max(widened);
         Touch { time_step: h, material, depth, friction: contact.friction, explicit, slip_scale }
     }
@@ -81,7 +81,7 @@ fn answer(name: &str, assembled: &StepProblem, potential: &dyn Potential, rows: 
     if assembled.active.is_empty() {
         return Ok(None);
     }
-    let dynamics = Dynamics { mass: assembled.effective_mass.matrix().clone(), jacobian: assembled.jacobian.clone() };
+    let dynamics = Dynamics { mass: assembled.effective_mass.matrix().clone(), jacobian: assembled.jacobian.to_dense() };
     let free_velocity = &dynamics.jacobian * &assembled.free_velocity;
     let start = DVector::zeros(dynamics.mass.nrows());
     let minimum = minimise(name, &dynamics, &free_velocity, rows, potential, start)?;

@@ -20,6 +20,7 @@
 
 use crate::drake::touching::response;
 use crate::drake::{Material, SIGMA};
+use moreau_contact::contact::Components;
 use moreau_contact::problem::{Compliance, Coordinates, Law};
 use moreau_dynamics::schemes::assembly::{Candidate, Rules, normal_only};
 use moreau_dynamics::schemes::{Scheme, StepContext, StepProblem, Waist, assembly, passes_the_waist};
@@ -50,7 +51,7 @@ impl Rules for DrakeSap {
         candidate.contact.gap < 0.0
     }
 
-    fn shift(&self, candidate: &Candidate, h: f64) -> DVector<f64> {
+    fn shift(&self, candidate: &Candidate, h: f64) -> Components {
         normal_only(candidate.contact.gap / (h + self.material.relaxation_time), candidate.velocity.len())
     }
 
@@ -75,8 +76,7 @@ impl Waist for DrakeSap {
     fn assemble(&self, at: &StepContext) -> Result<StepProblem> {
         let mut step = assembly::assemble("drake-sap", self, at)?;
         if let Some(problem) = step.problem.take() {
-            let rows = problem.rows_per_contact();
-            let contact = |k: usize| step.jacobian.rows(k * rows, rows).into_owned();
+            let contact = |k: usize| step.jacobian.contacts()[k].to_dense();
             let parts = (0..problem.contacts()).flat_map(|k| self.regularisation(step.effective_mass.matrix(), &contact(k), at.h()));
             let diagonal = DVector::from_iterator(problem.rows(), parts);
             let compliance = Compliance { coordinates: Coordinates::Contact, diagonal };

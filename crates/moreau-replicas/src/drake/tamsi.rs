@@ -87,15 +87,15 @@ impl Equation<'_> {
     fn at(&self, velocity: &DVector<f64>) -> Residual {
         let StepProblem { effective_mass, free_velocity, jacobian: rows_of_contacts, .. } = self.assembled;
         let effective_mass = effective_mass.matrix();
-        let contact_velocity = rows_of_contacts * velocity;
+        let contact_velocity = &**rows_of_contacts * velocity;
         let mut impulse = DVector::zeros(contact_velocity.len());
         let mut jacobian = effective_mass.clone();
         for (k, touch) in self.touches.iter().enumerate() {
             let first = k * self.rows;
             let (part, derivative) = law(touch, &contact_velocity.as_slice()[first..first + self.rows]);
             impulse.rows_mut(first, self.rows).copy_from(&part);
-            let rows = rows_of_contacts.rows(first, self.rows);
-            jacobian -= rows.tr_mul(&(derivative * rows));
+            let rows = rows_of_contacts.contacts()[k].to_dense();
+            jacobian -= rows.tr_mul(&(derivative * &rows));
         }
         let momentum = effective_mass * (velocity - free_velocity);
         let received = rows_of_contacts.tr_mul(&impulse);
@@ -149,7 +149,7 @@ impl DrakeTamsi {
         let scale = assembled.effective_mass.matrix().diagonal().map(|m| 1.0 / m.sqrt());
         let equation = Equation { assembled, touches: &touches, rows: at.mechanism().rows_per_contact(), scale };
         let (velocity, Residual { impulse, size, terms, .. }, iterations) = equation.solve(&at.state().velocity)?;
-        let velocity = &assembled.jacobian * velocity;
+        let velocity = &*assembled.jacobian * &velocity;
         let relative = if terms > 0.0 { size / terms } else { 0.0 };
         let solution = Solution::new(NAME, impulse, velocity, iterations);
         Ok(Some(own_answer(solution, relative)))

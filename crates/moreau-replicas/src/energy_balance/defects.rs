@@ -286,7 +286,7 @@ fn scaled(step: &mut Step, factor: f64) {
     step.impulses.iter_mut().flat_map(|one| one.impulse.iter_mut()).for_each(|r| *r *= factor);
     if let Some(solution) = &mut step.solution {
         solution.impulse *= factor;
-        solution.velocity = &step.assembled.jacobian * &step.state.velocity;
+        solution.velocity = &*step.assembled.jacobian * &step.state.velocity;
     }
 }
 

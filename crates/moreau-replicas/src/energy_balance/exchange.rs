@@ -36,7 +36,7 @@ impl Exchange {
     /// Reads a step that assembled its M̂ and H.
     pub fn new(taken: &Taken) -> Result<Self> {
         let assembled = &taken.step.assembled;
-        let (mass, jacobian, free_velocity) = (assembled.effective_mass.matrix(), &assembled.jacobian, &assembled.free_velocity);
+        let (mass, jacobian, free_velocity) = (assembled.effective_mass.matrix(), assembled.jacobian.to_dense(), &assembled.free_velocity);
         let impulse = DVector::from_iterator(
             taken.step.impulses.iter().map(|one| one.impulse.len()).sum(),
             taken.step.impulses.iter().flat_map(|one| one.impulse.iter().copied()),
@@ -47,7 +47,7 @@ impl Exchange {
         }
         let State { velocity, .. } = &taken.step.state;
         let thrown = MassFactor::new(mass)?.solve(&jacobian.tr_mul(&impulse));
-        let of = |velocity: &DVector<f64>| jacobian * velocity;
+        let of = |velocity: &DVector<f64>| &jacobian * velocity;
         let speeds = velocity.abs() + free_velocity.abs() + thrown.abs() + taken.before.velocity.abs();
         let weighted = norm(mass, &speeds);
         Ok(Exchange {

@@ -84,7 +84,7 @@ impl Shift {
         };
         for (k, (&index, place)) in assembled.active.iter().zip(&assembled.places).enumerate() {
             let first = k * rows;
-            let normal = assembled.jacobian.row(first).transpose();
+            let normal = assembled.jacobian.contacts()[k].row(0).transpose();
             let at_start = candidate(&lists.start, index, place.as_ref(), &normal);
             let known = at_start
                 .or_else(|| candidate(&lists.end, index, place.as_ref(), &normal))

@@ -65,7 +65,7 @@ pub(super) fn judge(waist: &WaistLaw, taken: &Taken, posed: &Posed, constant: &C
     };
     let Some(fall) = constant.fall(taken.h) else { return none };
     let kept = (theta - 0.5) * taken.h * constant.force.dot(&(&after.velocity - &before.velocity));
-    let turning = &taken.step.assembled.jacobian * &turned.velocity;
+    let turning = &*taken.step.assembled.jacobian * &turned.velocity;
     let identity = turned.gain + 0.5 * exchange.impulse.dot(&(&exchange.after + &turning));
     let bound = match waist.one_restitution(posed) {
         Some(e) => {

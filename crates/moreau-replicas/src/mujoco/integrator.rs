@@ -16,6 +16,7 @@ use moreau_contact::contact::ContactImpulse;
 use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::solvers::ContactSolver;
 use moreau_dynamics::mechanics::{Mechanism, State};
+use moreau_dynamics::schemes::assembly::stack;
 use moreau_dynamics::schemes::{Inertia, Start, Step, StepContext, StepProblem};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
@@ -69,7 +70,7 @@ impl Mujoco {
         let impulse = solver.solve(&problem, None)?.impulse;
         let parts = impulse.as_slice().chunks(problem.rows_per_contact());
         let impulses = active.iter().zip(places).zip(parts);
-        let impulses = impulses.map(|((&contact, place), part)| ContactImpulse { contact, impulse: part.to_vec(), place }).collect();
+        let impulses = impulses.map(|((&contact, place), part)| ContactImpulse { contact, impulse: part.into(), place }).collect();
         Ok(Pushed { force: force + jacobian.tr_mul(&impulse) / h, impulses, residual: None })
     }
 
@@ -108,9 +109,9 @@ fn made(mechanism: &dyn Mechanism, state: State, impulses: Vec<ContactImpulse>, 
         residual: None,
         active: impulses.iter().map(|one| one.contact).collect(),
         places: impulses.iter().map(|one| one.place).collect(),
-        jacobian: DMatrix::zeros(0, state.velocity.len()),
+        jacobian: stack([].into_iter(), mechanism.rows_per_contact(), state.velocity.len()),
         free_velocity: state.velocity.clone(),
-        effective_mass: Arc::new(Inertia::new(mechanism.mass_matrix(&state.position))?),
+        effective_mass: Arc::new(Inertia::of(mechanism.mass(&state.position))?),
     };
     Ok(Step { state, impulses, assembled, solution: None, residual, rejected: None, impacts: None })
 }

@@ -47,9 +47,10 @@ use moreau_contact::contact::delassus::MassFactor;
 use moreau_contact::contact::{Contact, pairs};
 use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Law};
 use moreau_dynamics::mechanics::Mechanism;
+use moreau_dynamics::schemes::assembly::stack;
 use moreau_dynamics::schemes::{Certified, Inertia, Scheme, Start, Step, StepContext, StepProblem, Waist, waist};
 use moreau_exact::{Error, Result};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use parameters::Soft;
 use std::sync::Arc;
 
@@ -134,14 +135,13 @@ impl Mujoco {
         let contacts = self.active(mechanism, &state.position, inertia.factor());
         let rows = mechanism.rows_per_contact();
         let places: Vec<_> = contacts.iter().map(|soft| soft.contact.place).collect();
-        let mut jacobian = DMatrix::zeros(rows * contacts.len(), mechanism.degrees_of_freedom());
-        contacts.iter().enumerate().for_each(|(k, soft)| jacobian.rows_mut(k * rows, rows).copy_from(&soft.contact.jacobian));
+        let jacobian = stack(contacts.iter().map(|soft| &soft.contact), rows, mechanism.degrees_of_freedom());
         let problem = if contacts.is_empty() {
             None
         } else {
             let (law, compliance) = self.law(rows, &contacts);
             Some(
-                ContactProblem::from_inertia(&inertia, jacobian.clone(), &unconstrained)
+                ContactProblem::from_inertia(&inertia, &jacobian, &unconstrained)
                     .name(format!("{} {} t={}", mechanism.name(), self.name(), state.time))
                     .law(law)
                     .rows_per_contact(rows)

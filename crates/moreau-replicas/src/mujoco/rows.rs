@@ -58,7 +58,7 @@ impl Mujoco {
         let Soft { index, contact, inverse_mass } = soft;
         let (gap, mu, sliding) = (contact.gap, contact.friction, contact.jacobian.nrows());
         let mut friction = if mu > 0.0 { vec![mu; sliding - 1] } else { Vec::new() };
-        let mut jacobian = contact.jacobian.rows(0, 1 + friction.len()).into_owned();
+        let mut jacobian = contact.jacobian.to_dense().rows(0, 1 + friction.len()).into_owned();
         if friction.len() == 2 && self.rotational != Rotational::NONE {
             let more = self.rotational.coefficients();
             let turning = mechanism.contact_rotation(position, contact).ok_or_else(|| {
@@ -106,7 +106,7 @@ impl Mujoco {
         let own = |contact: &SoftRows| {
             let impulse = contact.edges.tr_mul(&answer.impulse.rows(first, contact.edges.nrows()));
             first += contact.edges.nrows();
-            ContactImpulse { contact: contact.index, impulse: impulse.as_slice().to_vec(), place: contact.place }
+            ContactImpulse { contact: contact.index, impulse: impulse.as_slice().into(), place: contact.place }
         };
         let impulses = contacts.iter().map(own).collect();
         let relative = answer.relative_gradient;

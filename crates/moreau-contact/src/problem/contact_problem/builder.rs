@@ -1,11 +1,13 @@
 //! How a contact problem is made: its pieces are set one by one, and `build` checks them together.
 
+use super::known::Known;
 use super::{Compliance, ContactProblem, Dynamics, Law};
-use crate::contact::Inertia;
 use crate::contact::delassus::delassus;
+use crate::contact::{Inertia, Jacobian};
 use crate::operator::{Operator, SparseDynamics};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
+use std::sync::{Arc, OnceLock};
 
 /// The pieces of a [`ContactProblem`]. The defaults are: no name, Coulomb's law, three rows per contact, no shift, hard contacts,
 /// unknown mass, unknown bodies.
@@ -20,7 +22,7 @@ pub struct ContactProblemBuilder {
     shift: Option<DVector<f64>>,
     delassus: Result<Operator>,
     compliance: Option<Compliance>,
-    dynamics: Option<Dynamics>,
+    dynamics: Option<Known>,
     bodies: Option<Vec<[Option<usize>; 2]>>,
 }
 
@@ -65,15 +67,18 @@ impl ContactProblem {
     /// # Ok::<(), moreau_contact::Error>(())
     /// ```
     pub fn from_dynamics(mass: DMatrix<f64>, jacobian: DMatrix<f64>, free_motion: &DVector<f64>) -> ContactProblemBuilder {
-        let free_velocity = contact_velocity(&jacobian, free_motion);
-        ContactProblemBuilder::of(delassus(&mass, &jacobian).map(Operator::from), free_velocity, Some(Dynamics { mass, jacobian }))
+        let free_velocity = fitting(jacobian.ncols(), free_motion).map(|motion| &jacobian * motion);
+        let known = Known::Dense(Dynamics { mass, jacobian });
+        let Dynamics { mass, jacobian } = known.dense();
+        ContactProblemBuilder::of(delassus(mass, jacobian).map(Operator::from), free_velocity, Some(known))
     }
 
-    /// Does what [`ContactProblem::from_dynamics`] does, from a mass matrix that is factored already.
-    pub fn from_inertia(inertia: &Inertia, jacobian: DMatrix<f64>, free_motion: &DVector<f64>) -> ContactProblemBuilder {
-        let free_velocity = contact_velocity(&jacobian, free_motion);
-        let mass = inertia.matrix().clone();
-        ContactProblemBuilder::of(inertia.delassus(&jacobian).map(Operator::from), free_velocity, Some(Dynamics { mass, jacobian }))
+    /// Does what [`ContactProblem::from_dynamics`] does, from a mass matrix that is factored already and rows that are kept body by body: W
+    /// is stored by blocks where most contacts do not meet, and no matrix is as large as the mechanism.
+    pub fn from_inertia(inertia: &Arc<Inertia>, jacobian: &Arc<Jacobian>, free_motion: &DVector<f64>) -> ContactProblemBuilder {
+        let free_velocity = fitting(jacobian.ncols(), free_motion).map(|motion| &**jacobian * motion);
+        let known = Known::Sparse { inertia: inertia.clone(), jacobian: jacobian.clone(), dense: OnceLock::new() };
+        ContactProblemBuilder::of(jacobian.delassus(inertia), free_velocity, Some(known))
     }
 
     /// Begins a problem from the mechanism by bodies: W = H M̂⁻¹ Hᵀ acts through the bodies and is not formed, u_free = H v_free.
@@ -155,12 +160,12 @@ fn friction(given: Option<Vec<f64>>, law: Law, size: usize, rows: usize) -> Resu
     }
 }
 
-/// H v_free.
-fn contact_velocity(jacobian: &DMatrix<f64>, free_motion: &DVector<f64>) -> Result<DVector<f64>> {
-    if free_motion.len() == jacobian.ncols() {
-        return Ok(jacobian * free_motion);
+/// v_free, if it has one entry per column of H.
+fn fitting(columns: usize, free_motion: &DVector<f64>) -> Result<&DVector<f64>> {
+    if free_motion.len() == columns {
+        return Ok(free_motion);
     }
-    Err(free_motion_of(jacobian.ncols(), free_motion.len()))
+    Err(free_motion_of(columns, free_motion.len()))
 }
 
 fn free_motion_of(wanted: usize, found: usize) -> Error {
@@ -168,7 +173,7 @@ fn free_motion_of(wanted: usize, found: usize) -> Error {
 }
 
 impl ContactProblemBuilder {
-    fn of(delassus: Result<Operator>, free_velocity: Result<DVector<f64>>, dynamics: Option<Dynamics>) -> Self {
+    fn of(delassus: Result<Operator>, free_velocity: Result<DVector<f64>>, dynamics: Option<Known>) -> Self {
         ContactProblemBuilder {
             name: String::new(),
             rows_per_contact: 3,
@@ -234,7 +239,7 @@ impl ContactProblemBuilder {
     /// The mass and Jacobian that W came from, or `None`. They are believed, not compared with W: [`ContactProblem::from_dynamics`]
     /// makes W of them.
     pub fn dynamics(mut self, dynamics: impl Into<Option<Dynamics>>) -> Self {
-        self.dynamics = dynamics.into();
+        self.dynamics = dynamics.into().map(Known::Dense);
         self
     }
 

@@ -5,12 +5,14 @@ use crate::operator::{ContactOperator, Operator};
 use nalgebra::{DMatrix, DVector};
 
 mod builder;
+mod known;
 mod polyhedral;
 #[cfg(test)]
 mod tests;
 mod validation;
 
 pub use builder::ContactProblemBuilder;
+use known::{Known, columns_of};
 
 /// In which coordinates a diagonal compliance R acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,7 +59,7 @@ pub struct ContactProblem {
     shift: DVector<f64>,
     delassus: Operator,
     compliance: Option<Compliance>,
-    dynamics: Option<Dynamics>,
+    dynamics: Option<Known>,
     bodies: Option<Vec<[Option<usize>; 2]>>,
 }
 
@@ -115,9 +117,22 @@ impl ContactProblem {
         }
     }
 
-    /// M̂ and H, where known.
+    /// M̂ and H, where known, as matrices with all their zeros; what is kept by bodies is written out, once.
     pub fn dynamics(&self) -> Option<&Dynamics> {
-        self.dynamics.as_ref()
+        self.dynamics.as_ref().map(Known::dense)
+    }
+
+    /// Whether H is known, as a matrix or by bodies.
+    pub(crate) fn knows_rows(&self) -> bool {
+        self.dynamics.is_some() || self.delassus.matrix_free().is_some()
+    }
+
+    /// The columns of H that the rows of a contact touch, growing; `None` where H is not known.
+    pub(crate) fn touched(&self, contact: usize) -> Option<Vec<usize>> {
+        match (self.delassus.matrix_free(), &self.dynamics) {
+            (Some(free), _) => Some(columns_of(free.jacobian(), contact)),
+            (None, known) => known.as_ref().map(|known| known.touched(contact, self.rows_per_contact)),
+        }
     }
 
     /// The two bodies of each contact by number, the ground as `None`, where known: contacts of one pair are judged by one size.

@@ -1,5 +1,6 @@
 //! What a contact problem must satisfy: its sizes fit together, its numbers are finite, and its signs and its law are valid.
 
+use super::known::Known;
 use super::{ContactProblem, Coordinates, Dynamics, Law};
 use crate::memory;
 use crate::tolerance::problem::POLYHEDRAL_UNKNOWNS;
@@ -105,7 +106,7 @@ impl ContactProblem {
     }
 
     fn validate_dynamics(&self) -> Result<()> {
-        let Some(Dynamics { mass, jacobian }) = &self.dynamics else { return Ok(()) };
+        let Some(Known::Dense(Dynamics { mass, jacobian })) = &self.dynamics else { return Ok(()) }; // by bodies they were checked with W
         if !mass.is_square() {
             return Err(Error::invalid("mass", format!("has shape {}×{}", mass.nrows(), mass.ncols()), "give a square mass matrix"));
         }

@@ -17,7 +17,7 @@ pub use shape::{PlanarBody, Shape};
 
 use super::{BodyState, Materials, Mechanism, PairMaterial, Plane, State};
 use features::{ground_touches, pair_touches};
-use moreau_contact::contact::{Contact, Place};
+use moreau_contact::contact::{Contact, Mass, Place, Rows};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use shape::Pose;
@@ -91,25 +91,18 @@ impl PlanarBodies {
     }
 
     fn contact(&self, first: usize, second: Option<usize>, touch: &Touch, poses: &[Pose], index: usize) -> Contact {
-        let mut jacobian = DMatrix::zeros(2, 3 * self.bodies.len());
-        let mut place = |body: usize, point: [f64; 2], sign: f64| {
+        let rows = |body: usize, point: [f64; 2], sign: f64| {
             let arm = [point[0] - poses[body].centre[0], point[1] - poses[body].centre[1]];
-            for (row, direction) in [touch.normal, touch.tangent()].into_iter().enumerate() {
-                jacobian[(row, 3 * body)] = sign * direction[0];
-                jacobian[(row, 3 * body + 1)] = sign * direction[1];
-                jacobian[(row, 3 * body + 2)] = sign * (direction[0] * arm[1] - direction[1] * arm[0]);
-            }
+            [touch.normal, touch.tangent()].map(|[x, z]| [sign * x, sign * z, sign * (x * arm[1] - z * arm[0])])
         };
-        place(first, touch.points[0], 1.0);
+        let mut jacobian = Rows::zeros(2, 3 * self.bodies.len()).with(3 * first, rows(first, touch.points[0], 1.0));
         if let Some(second) = second {
-            place(second, touch.points[1], -1.0);
+            jacobian = jacobian.with(3 * second, rows(second, touch.points[1], -1.0));
         }
         let (friction, restitution) = self.materials.of(first, second);
-        let other = second.map_or("ground", |second| self.bodies[second].name());
-        let label = format!("{}-{index}/{other}", self.bodies[first].name());
         let frame = [touch.normal, touch.tangent()].map(|[x, z]| [x, 0.0, z]);
         let place = Place { bodies: (first, second), features: [index as u32, 0], frame: [frame[0], frame[1], [0.0, 1.0, 0.0]] };
-        Contact { gap: touch.gap, jacobian, friction, restitution, label, place: Some(place) }
+        Contact { gap: touch.gap, jacobian, friction, restitution, place: Some(place) }
     }
 }
 
@@ -128,6 +121,14 @@ impl Mechanism for PlanarBodies {
 
     fn mass_matrix(&self, _position: &DVector<f64>) -> DMatrix<f64> {
         DMatrix::from_diagonal(&self.inertias())
+    }
+
+    fn mass(&self, _position: &DVector<f64>) -> Mass {
+        Mass::Diagonal(self.inertias())
+    }
+
+    fn is_free(&self) -> bool {
+        true
     }
 
     fn kinetic_energy(&self, state: &State) -> f64 {

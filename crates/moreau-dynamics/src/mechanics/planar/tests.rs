@@ -25,7 +25,7 @@ fn pair(first: PlanarBody, second: PlanarBody) -> PlanarBodies {
 
 /// The candidates between the bodies, without those of the ground.
 fn between(mechanism: &PlanarBodies, q: &DVector<f64>) -> Vec<Contact> {
-    mechanism.contacts(q).into_iter().filter(|contact| !contact.label.ends_with("/ground")).collect()
+    mechanism.contacts(q).into_iter().filter(|contact| contact.place.is_some_and(|place| place.bodies.1.is_some())).collect()
 }
 
 #[test]

@@ -46,7 +46,8 @@ fn touches(q: &DVector<f64>) -> [Vec<Touch>; 2] {
 /// The four lowest corners of the box, levelled and as they are.
 fn corners(bodies: &SpatialBodies, q: &DVector<f64>) -> [Vec<Touch>; 2] {
     let ground = bodies.ground.as_ref().expect("there is a ground");
-    let mut touches = ground_touches(bodies.bodies[0].shape(), &Pose::of(0, q), ground);
+    let mut touches = Vec::new();
+    ground_touches(bodies.bodies[0].shape(), &Pose::of(0, q), ground, &mut touches);
     touches.retain(|touch| touch.gap < UPPER[2]);
     [touches.clone(), touches.into_iter().map(|touch| Touch { seen: touch.points, ..touch }).collect()]
 }
@@ -55,7 +56,8 @@ fn corners(bodies: &SpatialBodies, q: &DVector<f64>) -> [Vec<Touch>; 2] {
 fn blocks(bodies: &SpatialBodies, q: &DVector<f64>, touches: &[Touch]) -> [DMatrix<f64>; 3] {
     let poses = bodies.poses(q);
     let second = (poses.len() > 1).then_some(1);
-    let rows: Vec<DMatrix<f64>> = touches.iter().map(|touch| bodies.contact(0, second, touch, &|body| poses[body]).jacobian).collect();
+    let rows: Vec<DMatrix<f64>> =
+        touches.iter().map(|touch| bodies.contact(0, second, touch, &|body| poses[body]).jacobian.to_dense()).collect();
     [0, 1, 2].map(|row| DMatrix::from_fn(rows.len(), rows[0].ncols(), |k, column| rows[k][(row, column)]))
 }
 

@@ -15,20 +15,19 @@ use super::touch::{Touch, direction};
 use crate::mechanics::Plane;
 use nalgebra::Vector3;
 
-/// The candidates of a shape with the ground: the deepest point of a sphere, the eight corners of a box.
-pub(super) fn ground_touches(shape: &Shape, pose: &Pose, ground: &Plane) -> Vec<Touch> {
+/// Appends the candidates of a shape with the ground: the deepest point of a sphere, the eight corners of a box.
+pub(super) fn ground_touches(shape: &Shape, pose: &Pose, ground: &Plane, touches: &mut Vec<Touch>) {
     let normal = Vector3::new(ground.normal[0], ground.normal[1], ground.normal[2]);
     let touch = |point: Vector3<f64>, radius: f64, feature: u32| {
         let touching = point - normal * radius;
         Touch::new(normal.dot(&point) - ground.offset - radius, normal, [touching, touching], [feature, 0])
     };
     match shape {
-        Shape::Sphere { radius } => vec![touch(pose.centre, *radius, 0)],
+        Shape::Sphere { radius } => touches.push(touch(pose.centre, *radius, 0)),
         Shape::Box { half_extents } => {
-            let all = (0..).zip(corners(*half_extents)).map(|(k, corner)| touch(pose.world(corner), 0.0, k));
-            let mut touches: Vec<Touch> = all.collect();
-            level_lowest_face(&mut touches, pose, &normal);
-            touches
+            let first = touches.len();
+            touches.extend((0..).zip(corners(*half_extents)).map(|(k, corner)| touch(pose.world(corner), 0.0, k)));
+            level_lowest_face(&mut touches[first..], pose, &normal);
         }
     }
 }
@@ -44,15 +43,21 @@ fn level_lowest_face(touches: &mut [Touch], pose: &Pose, normal: &Vector3<f64>) 
     level(&mut lowest, &outward, normal);
 }
 
-/// The candidates of a pair of shapes: one with a sphere, a manifold of a pair of boxes.
-pub(super) fn pair_touches(first: &Shape, pose_first: &Pose, second: &Shape, pose_second: &Pose) -> Vec<Touch> {
+/// Appends the candidates of a pair of shapes: one with a sphere, a manifold of a pair of boxes.
+pub(super) fn pair_touches(first: &Shape, pose_first: &Pose, second: &Shape, pose_second: &Pose, touches: &mut Vec<Touch>) {
     match (*first, *second) {
-        (Shape::Sphere { radius }, Shape::Sphere { radius: other }) => vec![sphere_sphere(radius, pose_first, other, pose_second)],
-        (Shape::Sphere { radius }, Shape::Box { half_extents }) => vec![sphere_box(radius, &pose_first.centre, half_extents, pose_second)],
-        (Shape::Box { half_extents }, Shape::Sphere { radius }) => {
-            vec![sphere_box(radius, &pose_second.centre, half_extents, pose_first).swapped()]
+        (Shape::Sphere { radius }, Shape::Sphere { radius: other }) => {
+            touches.push(sphere_sphere(radius, pose_first, other, pose_second));
         }
-        (Shape::Box { half_extents }, Shape::Box { half_extents: other }) => box_box(half_extents, pose_first, other, pose_second),
+        (Shape::Sphere { radius }, Shape::Box { half_extents }) => {
+            touches.push(sphere_box(radius, &pose_first.centre, half_extents, pose_second));
+        }
+        (Shape::Box { half_extents }, Shape::Sphere { radius }) => {
+            touches.push(sphere_box(radius, &pose_second.centre, half_extents, pose_first).swapped());
+        }
+        (Shape::Box { half_extents }, Shape::Box { half_extents: other }) => {
+            touches.extend(box_box(half_extents, pose_first, other, pose_second));
+        }
     }
 }
 

@@ -25,12 +25,13 @@ pub(crate) use shape::box_moments;
 pub use shape::{Shape, SpatialBody};
 pub(in crate::mechanics) use touch::Touch;
 
+use super::neighbours::Neighbours;
 use super::{BodyState, Materials, Mechanism, PairMaterial, Plane, State};
 use crate::tolerance::limits::PRECESSION_PARTS;
 use crate::tolerance::mechanics::{BESIDE, PARALLEL_FACES};
 use features::{ground_touches, pair_touches};
 use moreau_contact::contact::frame::spatial_tangents;
-use moreau_contact::contact::{Contact, Place};
+use moreau_contact::contact::{Contact, Mass, Place, Rows};
 use moreau_exact::number::significant;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector, Matrix3, UnitQuaternion, Vector3};
@@ -46,6 +47,7 @@ pub struct SpatialBodies {
     gravity: Vector3<f64>,
     ground: Option<Plane>,
     materials: Materials,
+    neighbours: Neighbours,
 }
 
 impl SpatialBodies {
@@ -73,7 +75,7 @@ impl SpatialBodies {
         if !gravity.iter().all(|g| g.is_finite()) {
             return Err(Error::invalid("gravity", format!("is {gravity:?}"), "use finite numbers"));
         }
-        Ok(SpatialBodies { name: name.into(), bodies, gravity: gravity.into(), ground: None, materials })
+        Ok(SpatialBodies { name: name.into(), bodies, gravity: gravity.into(), ground: None, materials, neighbours: Neighbours::default() })
     }
 
     /// The same bodies with some pairs' friction and restitution overridden.
@@ -98,29 +100,20 @@ impl SpatialBodies {
     fn contact(&self, first: usize, second: Option<usize>, touch: &Touch, pose: &dyn Fn(usize) -> Pose) -> Contact {
         let [t1, t2] = spatial_tangents(touch.normal.into());
         let frame = [touch.normal.into(), t1, t2];
-        let mut jacobian = DMatrix::zeros(3, 6 * self.bodies.len());
-        let mut place = |body: usize, point: Vector3<f64>, sign: f64| {
+        let rows = |body: usize, point: Vector3<f64>, sign: f64| {
             let pose = pose(body);
-            for (row, direction) in frame.into_iter().map(Vector3::from).enumerate() {
-                let arm = pose.rotation.tr_mul(&(point - pose.centre).cross(&direction));
-                for axis in 0..3 {
-                    jacobian[(row, 6 * body + axis)] = sign * direction[axis];
-                    jacobian[(row, 6 * body + 3 + axis)] = sign * arm[axis];
-                }
-            }
+            frame.map(|direction| {
+                let arm = pose.rotation.tr_mul(&(point - pose.centre).cross(&Vector3::from(direction)));
+                six(sign, direction, arm.into())
+            })
         };
-        place(first, touch.seen[0], 1.0);
+        let mut jacobian = Rows::zeros(3, 6 * self.bodies.len()).with(6 * first, rows(first, touch.seen[0], 1.0));
         if let Some(second) = second {
-            place(second, touch.seen[1], -1.0);
+            jacobian = jacobian.with(6 * second, rows(second, touch.seen[1], -1.0));
         }
         let (friction, restitution) = self.materials.of(first, second);
-        let [own, other] = touch.features;
-        let label = match second {
-            None => format!("{}-{own}/ground", self.bodies[first].name()),
-            Some(second) => format!("{}-{own}/{}-{other}", self.bodies[first].name(), self.bodies[second].name()),
-        };
         let place = Place { bodies: (first, second), features: touch.features, frame };
-        Contact { gap: touch.gap, jacobian, friction, restitution, label, place: Some(place) }
+        Contact { gap: touch.gap, jacobian, friction, restitution, place: Some(place) }
     }
 
     /// The candidates with a gap of at most `reach`, their rows taken at the points of the two bodies that `seen` chooses.
@@ -135,23 +128,27 @@ impl SpatialBodies {
 
     /// Shows where bodies touch with a gap of at most `reach`, in the order of the candidates.
     fn touches(&self, poses: &[Pose], reach: f64, mut show: impl FnMut(usize, Option<usize>, &Touch)) {
-        let mut keep = |first: usize, second: Option<usize>, touches: Vec<Touch>| {
+        let mut touches = Vec::new();
+        let mut keep = |first: usize, second: Option<usize>, touches: &mut Vec<Touch>| {
             touches.iter().filter(|touch| touch.gap <= reach).for_each(|touch| show(first, second, touch));
+            touches.clear();
         };
         if let Some(ground) = &self.ground {
             for (first, body) in self.bodies.iter().enumerate() {
-                keep(first, None, ground_touches(body.shape(), &poses[first], ground));
+                ground_touches(body.shape(), &poses[first], ground, &mut touches);
+                keep(first, None, &mut touches);
             }
         }
-        for first in 0..self.bodies.len() {
-            for second in first + 1..self.bodies.len() {
+        let centres: Vec<Vector3<f64>> = poses.iter().map(|pose| pose.centre).collect();
+        let radius = |body: usize| self.bodies[body].shape().radius();
+        self.neighbours.near(&centres, radius, reach, |first, second| {
+            let distance = (centres[first] - centres[second]).norm();
+            if distance - radius(first) - radius(second) <= reach {
                 let (own, other) = (self.bodies[first].shape(), self.bodies[second].shape());
-                let distance = (poses[first].centre - poses[second].centre).norm();
-                if distance - own.radius() - other.radius() <= reach {
-                    keep(first, Some(second), pair_touches(own, &poses[first], other, &poses[second]));
-                }
+                pair_touches(own, &poses[first], other, &poses[second], &mut touches);
+                keep(first, Some(second), &mut touches);
             }
-        }
+        });
     }
 
     /// (m g, τ) per body with the given torques in the body frame.
@@ -168,6 +165,11 @@ impl SpatialBodies {
 /// Ω of body k.
 fn spin(body: usize, velocity: &DVector<f64>) -> Vector3<f64> {
     velocity.fixed_rows::<3>(6 * body + 3).into_owned()
+}
+
+/// A row of H at one body: the direction in which its point moves, and the arm of a turn, both with a sign.
+pub(in crate::mechanics) fn six(sign: f64, direction: [f64; 3], arm: [f64; 3]) -> [f64; 6] {
+    std::array::from_fn(|axis| sign * if axis < 3 { direction[axis] } else { arm[axis - 3] })
 }
 
 /// Keeps the two largest values, the largest first.
@@ -194,6 +196,14 @@ impl Mechanism for SpatialBodies {
 
     fn mass_matrix(&self, _position: &DVector<f64>) -> DMatrix<f64> {
         DMatrix::from_diagonal(&self.inertias())
+    }
+
+    fn mass(&self, _position: &DVector<f64>) -> Mass {
+        Mass::Diagonal(self.inertias())
+    }
+
+    fn is_free(&self) -> bool {
+        true
     }
 
     fn kinetic_energy(&self, state: &State) -> f64 {
@@ -254,11 +264,14 @@ impl Mechanism for SpatialBodies {
 
     fn contacts_between(&self, position: &DVector<f64>, (first, second): (usize, Option<usize>)) -> Vec<Contact> {
         let pose = |body: usize| Pose::of(body, position);
-        let touches = match (second, &self.ground) {
-            (None, None) => Vec::new(),
-            (None, Some(ground)) => ground_touches(self.bodies[first].shape(), &pose(first), ground),
-            (Some(other), _) => pair_touches(self.bodies[first].shape(), &pose(first), self.bodies[other].shape(), &pose(other)),
-        };
+        let mut touches = Vec::new();
+        match (second, &self.ground) {
+            (None, None) => {}
+            (None, Some(ground)) => ground_touches(self.bodies[first].shape(), &pose(first), ground, &mut touches),
+            (Some(other), _) => {
+                pair_touches(self.bodies[first].shape(), &pose(first), self.bodies[other].shape(), &pose(other), &mut touches);
+            }
+        }
         touches.iter().map(|touch| self.contact(first, second, touch, &pose)).collect()
     }
 

@@ -100,7 +100,7 @@ fn gap_rates_of_boxes_equal_their_jacobian_wherever_the_features_stay_the_same()
             let (measured, rate) = ((after - before) / (2.0 * h), (&contact.jacobian * &v)[0]);
             // Edges that cross at the angle ψ turn their common normal 1/sin ψ times as fast as the boxes turn.
             let bound = mechanics::central_difference(v.norm(), 2.0) / mechanics::PARALLEL.powi(2).max(sine(&q, &place).powi(3));
-            assert!((measured - rate).abs() <= bound, "{}: dφ/dt = {measured}, H_n v = {rate}", contact.label);
+            assert!((measured - rate).abs() <= bound, "{}: dφ/dt = {measured}, H_n v = {rate}", contact.label());
             compared += 1;
         }
     }
@@ -184,7 +184,7 @@ fn exchanging_the_bodies_turns_the_normals_round() {
 fn cubes_face_to_face_touch_at_the_corners_of_their_common_area() {
     for (shift, yaw, expected) in [(0.0, 0.0, 4), (0.25, 0.0, 4), (0.0, std::f64::consts::FRAC_PI_4, 8)] {
         let contacts = cubes(&[[shift, shift, 1.25, 0.0, 0.0, yaw], [0.0; 6]]);
-        assert_eq!(contacts.len(), expected, "shift {shift}, yaw {yaw}: {:?}", contacts.iter().map(|c| &c.label).collect::<Vec<_>>());
+        assert_eq!(contacts.len(), expected, "shift {shift}, yaw {yaw}: {:?}", contacts.iter().map(|c| c.label()).collect::<Vec<_>>());
         for contact in contacts {
             assert!((contact.gap - 0.25).abs() <= rounding(32, 1.0), "{}", contact.gap);
             let [n, _, _] = contact.place.expect("bodies").frame;
@@ -256,7 +256,7 @@ fn a_contact_beyond_the_reach_does_not_close_in_the_step() {
             let reach = mechanism.reach(&v, h);
             for contact in mechanism.contacts(&q).iter().filter(|contact| contact.gap > reach) {
                 let u = &contact.jacobian * &v;
-                assert!(h * (u[0].abs() + 0.5 * u[1].hypot(u[2])) < contact.gap, "{}", contact.label);
+                assert!(h * (u[0].abs() + 0.5 * u[1].hypot(u[2])) < contact.gap, "{}", contact.label());
                 beyond += 1;
             }
         }
@@ -305,7 +305,7 @@ fn the_rotation_of_a_contact_is_the_relative_spin_in_its_frame() {
         let relative = spin(place.bodies.0) - place.bodies.1.map_or(Vector3::zeros(), spin);
         let found = bodies.contact_rotation(&q, &contact).expect("free bodies") * &v;
         for (row, direction) in place.frame.into_iter().enumerate() {
-            assert!((found[row] - relative.dot(&Vector3::from(direction))).abs() <= rounding(32, 8.0), "{} {row}", contact.label);
+            assert!((found[row] - relative.dot(&Vector3::from(direction))).abs() <= rounding(32, 8.0), "{} {row}", contact.label());
         }
     }
 }

@@ -17,14 +17,14 @@
 //! Sweeps project onto gaps that are taken anew, one contact at a time, and end after a declared number: neither T(v⁺) nor E has a bound
 //! (`moreau::checks::energy_balance`).
 
-use super::assembly::normal_only;
+use super::assembly::stack;
 use super::{Certified, Scheme, Start, Step, StepContext, StepProblem};
 use crate::mechanics::State;
 use crate::tolerance::limits::SWEEPS;
 use moreau_contact::contact::{ContactImpulse, pairs};
 use moreau_contact::problem::{Compliance, ContactProblem, Coordinates, Law};
 use moreau_exact::{Error, Result};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use sweeps::{Held, Positions};
 
 mod sweeps;
@@ -115,16 +115,15 @@ impl PositionBased {
         let (mechanism, state, h) = (at.mechanism(), at.state(), at.h());
         let (free_velocity, inertia, contacts) = (at.forecast()?, at.inertia()?, at.contacts());
         let rows = mechanism.rows_per_contact();
-        let mut jacobian = DMatrix::zeros(rows * contacts.len(), state.velocity.len());
+        let jacobian = stack(contacts.iter(), rows, state.velocity.len());
         let mut shift = DVector::zeros(rows * contacts.len());
         for (k, contact) in contacts.iter().enumerate() {
-            jacobian.rows_mut(k * rows, rows).copy_from(&contact.jacobian);
-            shift.rows_mut(k * rows, rows).copy_from(&normal_only(contact.gap / h, rows));
+            shift[k * rows] = contact.gap / h;
         }
         let [scaled, _] = self.weights(h);
         let diagonal = DVector::from_fn(rows * contacts.len(), |row, _| if row % rows == 0 { scaled } else { 0.0 });
         let places: Vec<_> = contacts.iter().map(|contact| contact.place).collect();
-        let problem = ContactProblem::from_inertia(&inertia, jacobian.clone(), &free_velocity)
+        let problem = ContactProblem::from_inertia(&inertia, &jacobian, free_velocity)
             .name(format!("{} {} t={}", mechanism.name(), self.name(), state.time))
             .law(if rows == 1 { Law::Frictionless } else { Law::Coulomb })
             .rows_per_contact(rows)
@@ -140,20 +139,20 @@ impl PositionBased {
         let (mechanism, state, h) = (at.mechanism(), at.state(), at.h());
         let (free, inertia) = (at.forecast()?, at.inertia()?);
         let pull = inertia.solve(&mechanism.force(&state.position, &state.velocity));
-        let predicted = mechanism.integrate(&state.position, &free, h);
-        let start = Positions::new(mechanism, inertia.factor(), predicted, &free * h);
-        let done = start.swept(self.sweeps, self.weights(h), SPARE * mechanism.reach(&free, h))?;
-        let residual = done.residual(self.weights(h)[0], SPARE * mechanism.reach(&free, h));
+        let predicted = mechanism.integrate(&state.position, free, h);
+        let start = Positions::new(mechanism, inertia.factor(), predicted, free * h);
+        let done = start.swept(self.sweeps, self.weights(h), SPARE * mechanism.reach(free, h))?;
+        let residual = done.residual(self.weights(h)[0], SPARE * mechanism.reach(free, h));
         let mut velocity = &done.motion / h;
-        let impulses = bounce(&done, &free, &pull, h, &mut velocity);
+        let impulses = bounce(&done, free, &pull, h, &mut velocity);
         let assembled = StepProblem {
             problem: None,
             residual: None,
             active: impulses.iter().map(|one| one.contact).collect(),
             places: impulses.iter().map(|one| one.place).collect(),
             effective_mass: inertia.clone(),
-            free_velocity: free,
-            jacobian: DMatrix::zeros(0, velocity.len()),
+            free_velocity: free.clone(),
+            jacobian: stack([].into_iter(), mechanism.rows_per_contact(), velocity.len()),
         };
         let state = State { time: state.time + h, position: done.position, velocity };
         Ok(Step { state, impulses, assembled, solution: None, residual, rejected: None, impacts: None })
@@ -166,7 +165,7 @@ fn bounce(done: &Positions, free: &DVector<f64>, pull: &DVector<f64>, h: f64, ve
     let (present, gone) = done.carrying();
     let of = |held: &Held| ContactImpulse {
         contact: held.identity.index,
-        impulse: (&held.multiplier / h).as_slice().to_vec(),
+        impulse: (&held.multiplier / h).as_slice().into(),
         place: held.identity.place,
     };
     let mut impulses = Vec::new();

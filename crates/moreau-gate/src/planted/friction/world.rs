@@ -92,9 +92,11 @@ pub(super) fn damped_spin(scene: &Scene) -> Result<Start> {
 /// Tangential rows without lever.
 pub(super) fn friction_at_centre(scene: &Scene) -> Result<Start> {
     let unlever = |contact: &mut Contact| {
-        for column in (0..contact.jacobian.ncols()).filter(|&k| is_spin(k)) {
-            (1..contact.jacobian.nrows()).for_each(|row| contact.jacobian[(row, column)] = 0.0);
+        let mut rows = contact.jacobian.to_dense();
+        for column in (0..rows.ncols()).filter(|&k| is_spin(k)) {
+            rows.view_mut((1, column), (rows.nrows() - 1, 1)).fill(0.0);
         }
+        contact.jacobian = rows.into();
     };
     changed(scene, |_, _, _| {}, unlever)
 }

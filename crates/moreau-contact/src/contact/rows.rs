@@ -1,0 +1,236 @@
+//! H of one contact: the few velocities its rows touch, body by body.
+//!
+//! ```text
+//!     u = H v = Σ_b H_b v_b        b over the bodies of the contact, H_b rows × 6 in space and rows × 3 in the plane
+//! ```
+//! A contact of two free bodies keeps two such parts in place; a contact of a linkage keeps one part, which is as wide as the linkage has
+//! velocities.
+
+use nalgebra::{DMatrix, DVector, RowDVector};
+use std::ops::{Index, Mul};
+
+/// Entries of a part that is kept in place: three rows of six velocities.
+const FEW: usize = 18;
+
+/// H of one contact, rows (n), (n, t₁) or (n, t₁, t₂), times all velocities of the mechanism.
+#[derive(Clone, Debug)]
+pub struct Rows {
+    rows: usize,
+    columns: usize,
+    /// The parts by growing columns; they do not overlap.
+    parts: [Option<Part>; 2],
+}
+
+#[derive(Clone, Debug)]
+struct Part {
+    first: usize,
+    width: usize,
+    entries: Entries,
+}
+
+/// The entries of a part, row after row.
+#[derive(Clone, Debug)]
+enum Entries {
+    Few([f64; FEW]),
+    Many(Vec<f64>),
+}
+
+/// The rows of one contact at the velocities of one body: `entries[row * width + axis]` stands in column `first + axis`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyRows<'a> {
+    /// The first column.
+    pub first: usize,
+    /// How many columns.
+    pub width: usize,
+    /// The entries, row after row.
+    pub entries: &'a [f64],
+}
+
+impl Rows {
+    /// Zeros: a contact that touches no velocity yet.
+    pub fn zeros(rows: usize, columns: usize) -> Self {
+        Rows { rows, columns, parts: [None, None] }
+    }
+
+    /// The same rows with the part of one more body, N velocities from column `first` on.
+    ///
+    /// # Panics
+    /// If there are two parts already, the number of rows is another one, a part is too large to be kept in place, or two parts overlap.
+    /// ```
+    /// use moreau_contact::contact::Rows;
+    /// use moreau_contact::nalgebra::dvector;
+    ///
+    /// // two masses on a line, of which the first lies on the second
+    /// let rows = Rows::zeros(1, 3).with(2, [[1.0]]).with(0, [[-1.0]]);
+    /// assert_eq!(&rows * &dvector![0.5, 7.0, 2.0], dvector![1.5]);
+    /// assert_eq!(rows.parts().map(|part| part.first).collect::<Vec<_>>(), [0, 2]);
+    /// ```
+    #[must_use]
+    pub fn with<const R: usize, const N: usize>(mut self, first: usize, block: [[f64; N]; R]) -> Self {
+        assert!(R == self.rows && R * N <= FEW && first + N <= self.columns, "a part fits the rows it is added to");
+        let mut entries = [0.0; FEW];
+        entries[..R * N].copy_from_slice(block.as_flattened());
+        let part = Part { first, width: N, entries: Entries::Few(entries) };
+        self.parts = match std::mem::take(&mut self.parts) {
+            [None, _] => [Some(part), None],
+            [Some(known), None] if known.first + known.width <= first => [Some(known), Some(part)],
+            [Some(known), None] if first + N <= known.first => [Some(part), Some(known)],
+            _ => panic!("a contact touches two bodies, and each once"),
+        };
+        self
+    }
+
+    /// How many rows.
+    pub fn nrows(&self) -> usize {
+        self.rows
+    }
+
+    /// How many velocities the mechanism has.
+    pub fn ncols(&self) -> usize {
+        self.columns
+    }
+
+    /// Rows and columns.
+    pub fn shape(&self) -> (usize, usize) {
+        (self.rows, self.columns)
+    }
+
+    /// The parts of the bodies, columns growing.
+    #[inline]
+    pub fn parts(&self) -> impl Iterator<Item = BodyRows<'_>> {
+        self.parts.iter().flatten().map(|Part { first, width, entries }| {
+            let entries = match entries {
+                Entries::Few(entries) => &entries[..self.rows * width],
+                Entries::Many(entries) => entries,
+            };
+            BodyRows { first: *first, width: *width, entries }
+        })
+    }
+
+    /// Adds H v to `velocity` \[m/s\].
+    ///
+    /// # Panics
+    /// If a size does not fit.
+    #[inline]
+    pub fn add_product(&self, velocities: &[f64], velocity: &mut [f64]) {
+        assert_eq!((velocities.len(), velocity.len()), (self.columns, self.rows), "sizes fit");
+        for BodyRows { first, width, entries } in self.parts() {
+            let moved = &velocities[first..first + width];
+            for (u, row) in velocity.iter_mut().zip(entries.chunks_exact(width.max(1))) {
+                row.iter().zip(moved).for_each(|(h, v)| *u += h * v);
+            }
+        }
+    }
+
+    /// Adds Hᵀ r to `impulse`, the generalised impulse of r \[N·s\].
+    ///
+    /// # Panics
+    /// If a size does not fit.
+    #[inline]
+    pub fn add_transposed(&self, contact: &[f64], impulse: &mut [f64]) {
+        assert_eq!((contact.len(), impulse.len()), (self.rows, self.columns), "sizes fit");
+        for BodyRows { first, width, entries } in self.parts() {
+            let pushed = &mut impulse[first..first + width];
+            for (r, row) in contact.iter().zip(entries.chunks_exact(width.max(1))) {
+                row.iter().zip(pushed.iter_mut()).for_each(|(h, p)| *p += h * r);
+            }
+        }
+    }
+
+    /// One row, with its zeros.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    pub fn row(&self, row: usize) -> RowDVector<f64> {
+        assert!(row < self.rows, "there is no such row");
+        let mut found = RowDVector::zeros(self.columns);
+        for BodyRows { first, width, entries } in self.parts() {
+            found.as_mut_slice()[first..first + width].copy_from_slice(&entries[row * width..(row + 1) * width]);
+        }
+        found
+    }
+
+    /// H with its zeros, rows × velocities.
+    pub fn to_dense(&self) -> DMatrix<f64> {
+        let mut dense = DMatrix::zeros(self.rows, self.columns);
+        for BodyRows { first, width, entries } in self.parts() {
+            dense
+                .view_mut((0, first), (self.rows, width))
+                .copy_from(&nalgebra::DMatrixView::from_slice(entries, width, self.rows).transpose());
+        }
+        dense
+    }
+
+    /// The columns in which an entry is not zero, growing.
+    pub fn touched(&self) -> impl Iterator<Item = usize> {
+        let any = |part: BodyRows, axis: usize| part.entries.iter().skip(axis).step_by(part.width).any(|entry| *entry != 0.0);
+        self.parts().flat_map(move |part| (0..part.width).filter(move |axis| any(part, *axis)).map(move |axis| part.first + axis))
+    }
+}
+
+impl From<DMatrix<f64>> for Rows {
+    /// One part with all entries.
+    fn from(dense: DMatrix<f64>) -> Self {
+        let (rows, columns) = dense.shape();
+        let part = Part { first: 0, width: columns, entries: Entries::Many(dense.transpose().as_slice().to_vec()) };
+        Rows { rows, columns, parts: [(columns > 0).then_some(part), None] }
+    }
+}
+
+impl PartialEq for Rows {
+    /// Whether all entries are the same, however they are kept.
+    fn eq(&self, other: &Self) -> bool {
+        self.shape() == other.shape() && self.to_dense() == other.to_dense()
+    }
+}
+
+impl Mul<&DVector<f64>> for &Rows {
+    type Output = DVector<f64>;
+
+    /// H v \[m/s\].
+    fn mul(self, velocities: &DVector<f64>) -> DVector<f64> {
+        let mut velocity = DVector::zeros(self.rows);
+        self.add_product(velocities.as_slice(), velocity.as_mut_slice());
+        velocity
+    }
+}
+
+impl Index<(usize, usize)> for Rows {
+    type Output = f64;
+
+    /// H_ij.
+    ///
+    /// # Panics
+    /// If there is no such row or column.
+    fn index(&self, (row, column): (usize, usize)) -> &f64 {
+        assert!(row < self.rows && column < self.columns, "there is no such entry");
+        let part = self.parts().find(|part| (part.first..part.first + part.width).contains(&column));
+        part.map_or(&0.0, |part| &part.entries[row * part.width + column - part.first])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::dvector;
+
+    #[test]
+    fn parts_act_as_the_dense_matrix() {
+        let rows = Rows::zeros(2, 7).with(4, [[1.0, -2.0, 3.0], [0.0, 5.0, 6.0]]).with(0, [[7.0, 0.0, 9.0], [4.0, 0.0, 2.0]]);
+        let dense = rows.to_dense();
+        let (v, r) = (dvector![1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0], [2.0, -1.0]);
+        assert_eq!(&rows * &v, &dense * &v, "small integers are exact");
+        let mut pushed = DVector::zeros(7);
+        rows.add_transposed(&r, pushed.as_mut_slice());
+        assert_eq!(pushed, dense.tr_mul(&dvector![2.0, -1.0]));
+        assert!((0..2).all(|i| rows.row(i) == dense.row(i).into_owned() && (0..7).all(|j| rows[(i, j)] == dense[(i, j)])));
+        assert_eq!(Rows::from(dense), rows);
+        assert_eq!(rows.touched().collect::<Vec<_>>(), [0, 2, 4, 5, 6]);
+    }
+
+    #[test]
+    #[should_panic(expected = "two bodies")]
+    fn parts_that_overlap_are_refused() {
+        let _ = Rows::zeros(1, 4).with(0, [[1.0, 1.0]]).with(1, [[1.0, 1.0]]);
+    }
+}

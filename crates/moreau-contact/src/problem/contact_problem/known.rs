@@ -1,0 +1,59 @@
+//! The mass and Jacobian that a problem is known to come from: as matrices, or by bodies until something asks for matrices.
+
+use super::Dynamics;
+use crate::contact::{Inertia, Jacobian};
+use crate::operator::BlockRows;
+use std::ops::Range;
+use std::sync::{Arc, OnceLock};
+
+/// M̂ and H, however they are kept.
+#[derive(Clone, Debug)]
+pub(super) enum Known {
+    /// As matrices.
+    Dense(Dynamics),
+    /// As a step has them, with the matrices once something asked for them.
+    Sparse { inertia: Arc<Inertia>, jacobian: Arc<Jacobian>, dense: OnceLock<Dynamics> },
+}
+
+impl Known {
+    /// M̂ and H with all their zeros.
+    pub fn dense(&self) -> &Dynamics {
+        match self {
+            Known::Dense(dynamics) => dynamics,
+            Known::Sparse { inertia, jacobian, dense } => {
+                dense.get_or_init(|| Dynamics { mass: inertia.matrix().clone(), jacobian: jacobian.to_dense() })
+            }
+        }
+    }
+
+    /// The columns of H that the rows of a contact touch, growing.
+    pub fn touched(&self, contact: usize, rows: usize) -> Vec<usize> {
+        match self {
+            Known::Sparse { jacobian, .. } => jacobian.contacts()[contact].touched().collect(),
+            Known::Dense(Dynamics { jacobian, .. }) => {
+                let rows = jacobian.rows(contact * rows, rows);
+                (0..jacobian.ncols()).filter(|column| rows.column(*column).iter().any(|entry| *entry != 0.0)).collect()
+            }
+        }
+    }
+}
+
+/// The columns that the rows of a contact touch, of an H by bodies.
+pub(super) fn columns_of(jacobian: &BlockRows, contact: usize) -> Vec<usize> {
+    let blocks = jacobian.contact(contact).map(|(body, block)| (jacobian.velocities(body), block));
+    let is_touched =
+        |range: &Range<usize>, block: &[f64], v: &usize| block.iter().skip(v - range.start).step_by(range.len()).any(|entry| *entry != 0.0);
+    blocks.flat_map(|(range, block)| range.clone().filter(move |v| is_touched(&range, block, v))).collect()
+}
+
+impl PartialEq for Known {
+    /// Whether both are the same mass and Jacobian.
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Known::Sparse { inertia, jacobian, .. }, Known::Sparse { inertia: mass, jacobian: rows, .. }) => {
+                jacobian == rows && inertia.mass() == mass.mass()
+            }
+            _ => self.dense() == other.dense(),
+        }
+    }
+}
