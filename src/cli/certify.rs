@@ -5,6 +5,7 @@ use super::output::print;
 use super::{Answer, Format};
 use crate::Result;
 use crate::certificate::backward::backward;
+use crate::certificate::forward::forward;
 use crate::certificate::residuals;
 use crate::problem::{ContactProblem, Solution};
 use crate::report::certificate::Certificate;
@@ -28,7 +29,8 @@ pub struct Arguments {
     /// Largest residual accepted, relative to the scale of its contact.
     #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: f64,
-    /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly. Not for polyhedral laws.
+    /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly; and by intervals, within which radius
+    /// the problem itself has a solution, or why that is not proved. Not for polyhedral laws.
     #[arg(long)]
     prove: bool,
     #[command(flatten)]
@@ -39,7 +41,7 @@ const EXAMPLES: &str = "\
 Examples:
   moreau certify problem.json solution.json
   moreau certify problem.json solution.json --tolerance 1e-12 --format json
-  moreau certify problem.json solution.json --prove      with a proved backward error
+  moreau certify problem.json solution.json --prove      with proved backward and forward errors
   moreau certify collected.hdf5                          an FCLIB file and the solution stored in it
 
 Exit code 0: a solution; 1: not a solution; 2: the files cannot be read or do not fit each other.";
@@ -56,6 +58,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let mut certificate = Certificate::new(&problem, &solution, &residuals, tolerance);
     if arguments.prove {
         certificate = certificate.with_proof(&backward(&problem, &solution.impulse).map_err(|error| error.in_file(&arguments.problem))?);
+        certificate = certificate.with_solution_near(&forward(&problem, &solution).map_err(|error| error.in_file(file))?);
     }
     print(&match arguments.common.format {
         Format::Text => certificate.text(),

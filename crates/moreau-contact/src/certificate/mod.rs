@@ -9,13 +9,16 @@ mod decision;
 pub mod definiteness;
 pub mod existence;
 pub mod feasibility;
+pub mod forward;
 mod groups;
+pub mod interval;
 mod judge;
 pub mod lcp;
 pub mod natural_map;
 pub mod p_matrix;
 mod part;
 mod polyhedral;
+mod rank;
 pub mod residuals;
 #[cfg(feature = "files")]
 mod residuals_json;

@@ -6,4 +6,5 @@ pub mod certificate;
 pub mod cones;
 pub mod limits;
 pub mod problem;
+pub mod proof;
 pub mod solvers;
