@@ -5,6 +5,7 @@ use super::output::print;
 use super::{Answer, Format};
 use crate::Result;
 use crate::certificate::backward::backward;
+use crate::certificate::forward::forward;
 use crate::certificate::lcp_proof::{count, lcp_of, prove};
 use crate::certificate::residuals;
 use crate::problem::{ContactProblem, Solution};
@@ -30,8 +31,9 @@ pub struct Arguments {
     /// Largest residual accepted, relative to the scale of its contact.
     #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: f64,
-    /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly. Not for polyhedral laws. Of a linear
-    /// complementarity problem, moreover: how far a solution is, and how many there are; without an answer, the latter alone.
+    /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly; and by intervals, within which radius
+    /// the problem itself has a solution, or why that is not proved. Not for polyhedral laws. Of a linear complementarity problem,
+    /// moreover: how far a solution is, and how many there are; without an answer, the latter alone.
     #[arg(long)]
     prove: bool,
     #[command(flatten)]
@@ -42,7 +44,7 @@ const EXAMPLES: &str = "\
 Examples:
   moreau certify problem.json solution.json
   moreau certify problem.json solution.json --tolerance 1e-12 --format json
-  moreau certify problem.json solution.json --prove      with a proved backward error
+  moreau certify problem.json solution.json --prove      with proved backward and forward errors
   moreau certify lcp.json --prove                        how many solutions a linear complementarity problem has
   moreau certify collected.hdf5                          an FCLIB file and the solution stored in it
 
@@ -66,6 +68,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let mut certificate = Certificate::new(&problem, &solution, &residuals, tolerance);
     if arguments.prove {
         certificate = certificate.with_proof(&backward(&problem, &solution.impulse).map_err(|error| error.in_file(&arguments.problem))?);
+        certificate = certificate.with_solution_near(&forward(&problem, &solution).map_err(|error| error.in_file(file))?);
     }
     if let Some(lcp) = &lcp {
         let answer = prove(lcp, &solution.impulse).map_err(|error| error.in_file(file))?;

@@ -2,6 +2,7 @@
 
 use super::lcp_proof::LcpProved;
 use crate::certificate::backward::{Backward, HeldAs};
+use crate::certificate::forward::{Forward, Radius, State};
 use crate::certificate::{Residuals, Worst};
 use crate::number::{significant, with_unit};
 use crate::problem::{ContactProblem, Solution};
@@ -25,6 +26,36 @@ pub struct Certificate<'a> {
     backward: Option<Proved>,
     #[serde(skip_serializing_if = "Option::is_none")]
     lcp: Option<LcpProved>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    forward: Option<Near>,
+}
+
+/// Whether a solution near was proved.
+#[derive(Serialize)]
+struct Near {
+    proved: bool,
+    /// Why not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<String>,
+    /// Where the bound on u is largest, or where the proof failed.
+    contact: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    radius: Option<Bounds>,
+}
+
+/// How far a solution is at most.
+#[derive(Serialize)]
+struct Bounds {
+    /// The largest ‖u* − u‖ of a contact [m/s].
+    velocity: f64,
+    /// The largest ‖r* − r‖ [N·s].
+    impulse: f64,
+    /// Of every contact.
+    states: Vec<&'static str>,
+    velocities: Vec<f64>,
+    impulses: Vec<f64>,
+    /// Rows that depend exactly on others.
+    dependent_rows: Vec<usize>,
 }
 
 /// A proved backward error.
@@ -56,7 +87,19 @@ impl<'a> Certificate<'a> {
             solution: solution_found,
             backward: None,
             lcp: None,
+            forward: None,
         }
+    }
+
+    /// The same with what was proved about a solution near.
+    pub fn with_solution_near(self, found: &Forward) -> Self {
+        let near = match found {
+            Forward::Proved(radius) => {
+                Near { proved: true, reason: None, contact: radius.worst().map(|(contact, _)| contact), radius: Some(Bounds::new(radius)) }
+            }
+            Forward::NotProved(reason) => Near { proved: false, reason: Some(reason.text.clone()), contact: reason.contact, radius: None },
+        };
+        Certificate { forward: Some(near), ..self }
     }
 
     /// The same with a proved backward error.
@@ -104,9 +147,10 @@ impl<'a> Certificate<'a> {
             line(format!(
                 "proved in fractions: impulses that differ by at most {impulse} at a contact solve exactly the problem whose free"
             ));
-            line(format!(
-                "  velocity differs by at most {velocity} at a contact{place}; whether the problem itself has a solution near is not proved"
-            ));
+            line(format!("  velocity differs by at most {velocity} at a contact{place}"));
+        }
+        if let Some(near) = &self.forward {
+            near.lines().into_iter().for_each(&mut line);
         }
         for said in self.lcp.iter().flat_map(LcpProved::lines) {
             line(said);
@@ -114,6 +158,45 @@ impl<'a> Certificate<'a> {
         let verdict = if self.solution { "a solution" } else { "NOT a solution" };
         line(format!("{verdict} to the relative tolerance {}", significant(self.tolerance)));
         text
+    }
+}
+
+impl Bounds {
+    fn new(radius: &Radius) -> Self {
+        let word = |state: &State| match state {
+            State::Open => "open",
+            State::Pressing => "pressing",
+            State::Sticking => "sticking",
+            State::Sliding => "sliding",
+            State::Undecided => "on a border",
+        };
+        Bounds {
+            velocity: radius.worst().map_or(0.0, |(_, velocity)| velocity),
+            impulse: radius.moved(),
+            states: radius.states.iter().map(word).collect(),
+            velocities: radius.velocity.clone(),
+            impulses: radius.impulse.clone(),
+            dependent_rows: radius.dependent.clone(),
+        }
+    }
+}
+
+impl Near {
+    fn lines(&self) -> Vec<String> {
+        let Some(bounds) = &self.radius else {
+            let reason = self.reason.as_deref().unwrap_or_default();
+            return vec![format!("not proved that the problem itself has a solution near: {reason}")];
+        };
+        let [velocity, impulse] = [(bounds.velocity, "m/s"), (bounds.impulse, "N·s")].map(|(number, unit)| with_unit(&above(number), unit));
+        let place = self.contact.map_or(String::new(), |contact| format!(" (contact {contact})"));
+        let mut lines = vec![format!(
+            "proved by intervals: the problem has a solution whose velocity differs by at most {velocity} at a contact{place},"
+        )];
+        lines.push(format!("  and its impulse by at most {impulse}"));
+        if !bounds.dependent_rows.is_empty() {
+            lines.push(format!("  {} rows depend exactly on others: other impulses give the same velocities", bounds.dependent_rows.len()));
+        }
+        lines
     }
 }
 

@@ -11,7 +11,9 @@ pub mod definiteness;
 mod dictionary;
 pub mod existence;
 pub mod feasibility;
+pub mod forward;
 mod groups;
+pub mod interval;
 mod judge;
 pub mod lcp;
 mod lcp_enclosure;
@@ -21,6 +23,7 @@ pub mod natural_map;
 pub mod p_matrix;
 mod part;
 mod polyhedral;
+mod rank;
 pub mod residuals;
 #[cfg(feature = "files")]
 mod residuals_json;

@@ -7,5 +7,6 @@ pub mod complementarity;
 pub mod cones;
 pub mod limits;
 pub mod problem;
+pub mod proof;
 pub mod solvers;
 pub mod sweeps;

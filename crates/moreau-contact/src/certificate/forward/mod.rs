@@ -1,0 +1,269 @@
+//! The forward error of an answer, proved: the problem as it is given has a solution within a radius of the answer.
+//!
+//! ```text
+//!     (r*, u*) solves the problem ,      ‖u*_k − u_k‖ ≤ ε_k [m/s] ,      ‖r*_k − r_k‖ ≤ ρ_k [N·s]      at every contact k
+//! ```
+//! The pattern – which contacts are open, stick or slide – is read off the answer. Its equations ([`pattern`]) are solved as near as
+//! numbers allow, and a solution is enclosed in a box ([`krawczyk`]). Then every inequality of the pattern is decided for the whole box, so
+//! that the solution of the equations is one of the law. Where an inequality is not decided – a contact on the border between two cases –
+//! the equations of that contact become Coulomb's law itself.
+//!
+//! Where M̂ and H are known, the problem is the one of the exact H M̂⁻¹ Hᵀ, and the proof covers the stored W as well: both are within what
+//! [`mechanism`] bounds. Rows that depend on each other exactly, decided in fractions from M̂ and H where they are known and from W otherwise ([`dependent`]),
+//! leave impulses undetermined: those of the dependent rows are taken as the answer gives them, and the solution is one of many with the
+//! same velocities. Where numbers are nearly but not exactly dependent there is no proof, and the contact is named.
+
+mod affine;
+mod dependent;
+mod krawczyk;
+mod mechanism;
+mod pattern;
+#[cfg(test)]
+mod tests;
+
+use super::interval::Interval;
+use crate::problem::{ContactProblem, Coordinates, Law, Solution};
+use crate::tolerance::proof::{PATTERNS, ROWS, enlarged};
+use affine::Affine;
+use krawczyk::{Enclosed, System};
+use moreau_exact::{Error, Result};
+use nalgebra::DMatrix;
+use pattern::{Contact, of, pressed_rows, read_off};
+
+pub use pattern::State;
+
+/// What was decided about the solution near an answer.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Forward {
+    /// There is one.
+    Proved(Radius),
+    /// Nothing was decided.
+    NotProved(Reason),
+}
+
+/// How far a solution is at most; all bounds are rounded outward.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Radius {
+    /// ‖u* − u‖ per contact \[m/s\], u as the answer stores it.
+    pub velocity: Vec<f64>,
+    /// ‖r* − r‖ per contact \[N·s\].
+    pub impulse: Vec<f64>,
+    /// What every contact does.
+    pub states: Vec<State>,
+    /// Rows that depend exactly on others: their impulses are those of the answer, and other ones do as well.
+    pub dependent: Vec<usize>,
+}
+
+/// Why nothing was proved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reason {
+    /// In words, with the contact.
+    pub text: String,
+    /// The contact where the proof failed.
+    pub contact: Option<usize>,
+}
+
+impl Radius {
+    /// The largest bound on u, and its contact; none without contacts.
+    pub fn worst(&self) -> Option<(usize, f64)> {
+        self.velocity.iter().copied().enumerate().reduce(|best, one| if one.1 > best.1 { one } else { best })
+    }
+
+    /// The largest bound on r \[N·s\].
+    pub fn moved(&self) -> f64 {
+        self.impulse.iter().copied().fold(0.0, f64::max)
+    }
+}
+
+impl Forward {
+    fn refused(text: impl Into<String>, contact: impl Into<Option<usize>>) -> Self {
+        Forward::NotProved(Reason { text: text.into(), contact: contact.into() })
+    }
+
+    /// The bounds, if there are some.
+    pub fn proved(self) -> Option<Radius> {
+        match self {
+            Forward::Proved(radius) => Some(radius),
+            Forward::NotProved(_) => None,
+        }
+    }
+}
+
+/// Proves that the problem has a solution near an answer.
+///
+/// # Errors
+/// [`Error::Invalid`] if the answer has another size than the problem or a number that is not finite.
+/// ```
+/// use moreau_contact::certificate::forward::forward;
+/// use moreau_contact::nalgebra::{DMatrix, dvector};
+/// use moreau_contact::{ContactProblem, Solution};
+///
+/// let block = ContactProblem::new(DMatrix::identity(2, 2), dvector![-1.0, 2.0]).rows_per_contact(2).friction(vec![0.5]).build()?;
+/// let answer = |r_n: f64| Solution::new("by hand", dvector![r_n, -0.5], dvector![r_n - 1.0, 1.5], 0);
+/// let near = forward(&block, &answer(1.0 + 1e-9))?.proved().expect("a solution is near");
+/// assert!(near.velocity[0] >= 1e-9 && near.velocity[0] < 1.001e-9); // as far as the answer was moved
+/// # Ok::<(), moreau_contact::Error>(())
+/// ```
+pub fn forward(problem: &ContactProblem, answer: &Solution) -> Result<Forward> {
+    let rows = problem.rows();
+    for (field, numbers) in [("impulse", &answer.impulse), ("velocity", &answer.velocity)] {
+        if numbers.len() != rows || numbers.iter().any(|number| !number.is_finite()) {
+            return Err(Error::invalid(field, format!("is not {rows} finite numbers"), "give one number per row"));
+        }
+    }
+    if problem.law().directions().is_some() || problem.compliance().is_some_and(|soft| soft.coordinates == Coordinates::Edge) {
+        let text = format!("the law `{}` is proved as a linear complementarity problem, not here", problem.law().name());
+        return Ok(Forward::refused(text, None));
+    }
+    Ok(Proof::new(problem, answer).run())
+}
+
+/// A proof under way.
+struct Proof<'a> {
+    problem: &'a ContactProblem,
+    answer: &'a Solution,
+    contacts: Vec<Contact>,
+    /// How far W may be from the stored one.
+    radius: Option<DMatrix<f64>>,
+}
+
+/// How an attempt with one pattern ended.
+enum Ended {
+    Proved(Radius),
+    /// The equations have no enclosure.
+    NotEnclosed(usize),
+    /// The inequalities of these contacts are not decided, at these impulses and velocities.
+    Undecided {
+        contacts: Vec<usize>,
+        impulse: Vec<f64>,
+        velocity: Vec<f64>,
+    },
+}
+
+impl<'a> Proof<'a> {
+    fn new(problem: &'a ContactProblem, answer: &'a Solution) -> Self {
+        let radius = mechanism::uncertainty(problem);
+        let contacts = (0..problem.contacts()).map(|k| Contact::new(problem, k)).collect();
+        Proof { problem, answer, contacts, radius }
+    }
+
+    fn run(&self) -> Forward {
+        let rows = self.problem.rows_per_contact();
+        let mut impulse = self.answer.impulse.as_slice().to_vec();
+        let mut states = read_off(&self.contacts, rows, &impulse, self.problem.law_velocity(&self.answer.impulse).as_slice());
+        let [mut left, mut borders] = [PATTERNS; 2];
+        loop {
+            if pressed_rows(&self.contacts, &states).len() > ROWS {
+                return Forward::refused(format!("more than {ROWS} rows have an impulse; proofs are dense"), None);
+            }
+            match self.attempt(&states, &impulse, &[]) {
+                Ended::Proved(radius) => return Forward::Proved(radius),
+                Ended::NotEnclosed(contact) => return self.with_dependent_rows(&states, &impulse, contact),
+                Ended::Undecided { contacts, impulse: found, velocity } => {
+                    let again = read_off(&self.contacts, rows, &found, &velocity);
+                    let changed = contacts.iter().any(|k| again[*k] != states[*k] && states[*k] != State::Undecided);
+                    if changed && left > 0 {
+                        left -= 1;
+                        contacts.iter().for_each(|k| states[*k] = again[*k]);
+                        impulse = found;
+                    } else if self.problem.law() == Law::Associated || borders == 0 {
+                        return Forward::refused(self.border(contacts[0], &states), contacts[0]);
+                    } else {
+                        (left, borders) = (0, borders - 1);
+                        contacts.iter().for_each(|k| states[*k] = State::Undecided);
+                    }
+                }
+            }
+        }
+    }
+
+    fn border(&self, contact: usize, states: &[State]) -> String {
+        let between = match states[contact] {
+            State::Open => "opening and pressing",
+            State::Pressing => "pressing and opening",
+            State::Sticking => "sticking and sliding or opening",
+            State::Sliding | State::Undecided => "sliding and sticking or opening",
+        };
+        format!("contact {contact} is on the border between {between}")
+    }
+
+    /// Takes the impulses of exactly dependent rows as given.
+    fn with_dependent_rows(&self, states: &[State], impulse: &[f64], contact: usize) -> Forward {
+        let rows = self.problem.rows_per_contact();
+        match dependent::dependent_rows(self.problem, &self.contacts, states) {
+            Err(reason) => Forward::NotProved(reason),
+            Ok(dependent) if dependent.is_empty() => {
+                let what =
+                    if states[contact] == State::Undecided { "on a border, and coupled to others" } else { "nearly dependent on others" };
+                Forward::refused(format!("the equations of contact {contact} are {what}"), contact)
+            }
+            Ok(dependent) => match self.attempt(states, impulse, &dependent) {
+                Ended::Proved(radius) => Forward::Proved(radius),
+                Ended::NotEnclosed(contact) => {
+                    let text = format!(
+                        "{} rows depend exactly on others, and the equations of contact {contact} are nearly dependent besides",
+                        dependent.len()
+                    );
+                    Forward::refused(text, contact)
+                }
+                Ended::Undecided { contacts, .. } => {
+                    let k = contacts[0];
+                    let text = format!(
+                        "{}, where {} rows depend exactly on others (the first at contact {})",
+                        self.border(k, states),
+                        dependent.len(),
+                        dependent[0] / rows
+                    );
+                    Forward::refused(text, k)
+                }
+            },
+        }
+    }
+
+    fn attempt(&self, states: &[State], impulse: &[f64], given: &[usize]) -> Ended {
+        let columns = pressed_rows(&self.contacts, states);
+        let affine = Affine::new(self.problem, columns.clone(), self.radius.as_ref());
+        let unknown = columns.iter().copied().filter(|row| !given.contains(row)).collect();
+        let system = System { affine: &affine, contacts: &self.contacts, states, unknown };
+        let middle = system.corrected(columns.iter().map(|row| impulse[*row]).collect());
+        let found = match system.enclosed(middle) {
+            Ok(found) => found,
+            Err(failed) => return Ended::NotEnclosed(failed.contact),
+        };
+        let (rows, boxed) = (self.problem.rows_per_contact(), system.impulses(&found.middle, Some(&found.radius)));
+        let at = |k: usize| self.contacts[k].holds(states[k], &of(&boxed, k, rows)[..rows], &of(&found.velocity, k, rows)[..rows]);
+        let undecided: Vec<usize> = (0..states.len()).filter(|k| !at(*k)).collect();
+        if undecided.is_empty() {
+            return Ended::Proved(self.measured(states, &boxed, &found, given));
+        }
+        let middle = |all: &[Interval]| all.iter().map(|x| x.middle()).collect();
+        Ended::Undecided { contacts: undecided, impulse: middle(&boxed), velocity: middle(&found.velocity) }
+    }
+
+    /// The distances of the answer from everything in the box.
+    fn measured(&self, states: &[State], impulse: &[Interval], found: &Enclosed, given: &[usize]) -> Radius {
+        let rows = self.problem.rows_per_contact();
+        let contact = |k: usize, row: usize| -> Interval {
+            // u = y − shift − R r; y is zero where the pattern says so
+            let at = k * rows + row;
+            let zero = row < self.contacts[k].linear_rows(states[k]);
+            let y = if zero { Interval::ZERO } else { found.velocity[at] };
+            y - Interval::point(self.problem.shift()[at]) - Interval::point(self.problem.row_compliance(at)) * impulse[at]
+        };
+        let size = |differences: Vec<f64>| enlarged(differences.iter().fold(0.0_f64, |sum, d| enlarged(sum.hypot(*d), 1)), 1);
+        let bound = |differences: Vec<f64>| if differences.iter().all(|d| *d == 0.0) { 0.0 } else { size(differences) };
+        let all = 0..self.contacts.len();
+        let told = |k: usize| match states[k] {
+            State::Undecided => self.contacts[k].decided(&of(impulse, k, rows)[..rows], &of(&found.velocity, k, rows)[..rows]),
+            state => state,
+        };
+        let velocity = |k: usize| (0..rows).map(|row| contact(k, row).reach(self.answer.velocity[k * rows + row])).collect();
+        let moved = |k: usize| (0..rows).map(|row| impulse[k * rows + row].reach(self.answer.impulse[k * rows + row])).collect();
+        Radius {
+            velocity: all.clone().map(|k| bound(velocity(k))).collect(),
+            impulse: all.clone().map(|k| bound(moved(k))).collect(),
+            states: all.map(told).collect(),
+            dependent: given.to_vec(),
+        }
+    }
+}

@@ -1,0 +1,281 @@
+//! The law at one contact as equations, once it is known whether the contact is open, presses, sticks or slides.
+//!
+//! ```text
+//!     open        r = 0                                            holds where  y_n ≥ 0  (associated: y_n ≥ μ‖y_t‖)
+//!     pressing    y_n = 0 ,  r_t = 0          (no friction)                     r_n ≥ 0
+//!     sticking    y = 0                                                         r_n ≥ 0 ,  ‖r_t‖² ≤ μ² r_n²
+//!     sliding     y_n = 0  (associated: y_n = μ‖y_t‖) ,                         r_n ≥ 0 ,  y_t ≠ 0
+//!                 r_t + μ r_n y_t/‖y_t‖ = 0
+//!     undecided   r_n = max(z_n, 0) ,  r_t = P(z_t) onto the disk of radius μ max(z_n, 0) ,  z = r − ρ y ,   always
+//! ```
+//! The equations of a decided contact are smooth; where its inequalities hold strictly, a solution of the equations solves the law. An
+//! undecided contact is one on the border between two cases. Its equations are those of Coulomb's law itself (Alart and Curnier) and only
+//! Lipschitz: in place of a derivative stands the hull of the generalised Jacobian, which has the mean value property as well.
+
+use super::affine::Affine;
+use crate::certificate::interval::Interval;
+use crate::problem::{ContactProblem, Law};
+
+/// What a contact does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum State {
+    /// No impulse.
+    Open,
+    /// An impulse along the normal and no friction.
+    Pressing,
+    /// No velocity.
+    Sticking,
+    /// Friction on the boundary of the cone against the slip.
+    Sliding,
+    /// On the border between two of these.
+    Undecided,
+}
+
+/// Interval blocks of one contact: value and derivatives of its equations, by r, by y, and by z = r − ρ y.
+pub(super) struct Equations {
+    pub value: [Interval; 3],
+    pub by_impulse: [[Interval; 3]; 3],
+    pub by_velocity: [[Interval; 3]; 3],
+    pub by_pushed: [[Interval; 3]; 3],
+}
+
+/// One contact with its law.
+#[derive(Clone, Copy)]
+pub(super) struct Contact {
+    pub law: Law,
+    pub friction: f64,
+    pub rows: usize,
+    /// ρ_n, ρ_t \[kg\].
+    pub weights: [f64; 2],
+}
+
+const ZERO: Interval = Interval::ZERO;
+
+impl Contact {
+    /// Contact k of a problem, ρ from the diagonal of A.
+    pub fn new(problem: &ContactProblem, k: usize) -> Self {
+        let rows = problem.rows_per_contact();
+        let entry = |row: usize| problem.entry(k * rows + row, k * rows + row) + problem.row_compliance(k * rows + row);
+        let inverse = |diagonal: f64| if diagonal > 0.0 { 1.0 / diagonal } else { 1.0 };
+        let tangential = (1..rows).map(entry).fold(0.0, f64::max);
+        let friction = if rows == 1 { 0.0 } else { problem.law().cone_friction(problem.friction()[k]) };
+        Contact { law: problem.law(), friction, rows, weights: [inverse(entry(0)), inverse(tangential)] }
+    }
+
+    /// The case nearest to r and y.
+    pub fn state(&self, r: &[f64], y: &[f64]) -> State {
+        let [normal, tangential] = self.weights;
+        let slip = y[1..].iter().fold(0.0_f64, |sum, y| sum.hypot(*y));
+        let lift = if self.law == Law::Associated { self.friction * slip } else { 0.0 };
+        let pushed = (1..self.rows).map(|i| r[i] - tangential * y[i]).fold(0.0_f64, f64::hypot);
+        match self.friction {
+            _ if r[0] <= normal * (y[0] - lift) || r[0] <= 0.0 => State::Open,
+            0.0 => State::Pressing,
+            mu if pushed > mu * r[0] && slip > 0.0 => State::Sliding,
+            _ => State::Sticking,
+        }
+    }
+
+    /// The rows whose impulses are unknown.
+    pub fn unknowns(&self, state: State) -> usize {
+        match state {
+            State::Open => 0,
+            State::Pressing => 1,
+            State::Undecided if self.friction == 0.0 => 1,
+            _ => self.rows,
+        }
+    }
+
+    /// How many of its first rows are equations y = 0, linear in the impulses.
+    pub fn linear_rows(&self, state: State) -> usize {
+        match state {
+            State::Sticking => self.rows,
+            State::Pressing => 1,
+            State::Sliding if self.law != Law::Associated => 1,
+            _ => 0,
+        }
+    }
+
+    /// The equations of this case where the impulse is in r and the velocity in y.
+    pub fn equations(&self, state: State, r: &[Interval], y: &[Interval]) -> Equations {
+        let none = [[ZERO; 3]; 3];
+        let mut made = Equations { value: [ZERO; 3], by_impulse: none, by_velocity: none, by_pushed: none };
+        match state {
+            State::Open => {}
+            State::Pressing | State::Sticking => {
+                for i in 0..self.unknowns(state) {
+                    made.value[i] = y[i];
+                    made.by_velocity[i][i] = Interval::ONE;
+                }
+            }
+            State::Sliding => self.slide(r, y, &mut made),
+            State::Undecided => self.natural_map(r, y, &mut made),
+        }
+        made
+    }
+
+    fn slide(&self, r: &[Interval], y: &[Interval], made: &mut Equations) {
+        let (mu, slip) = (Interval::point(self.friction), length(&y[1..]));
+        let t: Vec<Interval> = y[1..].iter().map(|y| component(*y, slip, self.rows)).collect();
+        (made.value[0], made.by_velocity[0][0]) = (y[0], Interval::ONE);
+        if self.law == Law::Associated {
+            made.value[0] = y[0] - mu * slip;
+            (1..self.rows).for_each(|j| made.by_velocity[0][j] = -(mu * t[j - 1]));
+        }
+        for i in 1..self.rows {
+            made.value[i] = r[i] + mu * r[0] * t[i - 1];
+            made.by_impulse[i][0] = mu * t[i - 1];
+            made.by_impulse[i][i] = Interval::ONE;
+            // the derivative of y_t/‖y_t‖ is (I − t tᵀ)/‖y_t‖; in the plane there is none
+            for j in (1..self.rows).filter(|_| self.rows == 3) {
+                made.by_velocity[i][j] = mu * r[0] * across(&t, i, j) / slip;
+            }
+        }
+    }
+
+    /// z = r − ρ y.
+    fn pushed(&self, r: &[Interval], y: &[Interval]) -> Vec<Interval> {
+        let weight = |i: usize| Interval::point(self.weights[usize::from(i > 0)]);
+        (0..self.rows).map(|i| r[i] - weight(i) * y[i]).collect()
+    }
+
+    /// r − Q(z): z is affine in the impulses, so that what Q does not know multiplies I − ρ A, which is small where contacts hardly couple.
+    fn natural_map(&self, r: &[Interval], y: &[Interval], made: &mut Equations) {
+        let z = self.pushed(r, y);
+        let pushes = step(z[0]);
+        made.value[0] = r[0] - z[0].positive_part();
+        made.by_impulse[0][0] = Interval::ONE;
+        made.by_pushed[0][0] = -pushes;
+        if self.friction == 0.0 {
+            return;
+        }
+        let (mu, radius) = (Interval::point(self.friction), Interval::point(self.friction) * z[0].positive_part());
+        let reach = length(&z[1..]);
+        let outside = step(reach - radius);
+        let unknown = |size: f64| Interval { low: -size, high: size };
+        let known = reach.low > 0.0;
+        let ratio = if known { radius / reach } else { Interval { low: 0.0, high: 1.0 } };
+        let shrunk = Interval { low: ratio.low.min(1.0), high: ratio.high.min(1.0) };
+        let t: Vec<Interval> = z[1..].iter().map(|z| if known { component(*z, reach, self.rows) } else { unknown(1.0) }).collect();
+        for i in 1..self.rows {
+            // inside of the disk the derivative of P is I, outside (ϱ/‖z‖)(I − t tᵀ), and t by the radius ϱ
+            made.value[i] = r[i] - between(outside, z[i], radius * t[i - 1]);
+            made.by_impulse[i][i] = Interval::ONE;
+            made.by_pushed[i][0] = -(outside * t[i - 1] * mu * pushes);
+            for j in 1..self.rows {
+                let identity = if i == j { Interval::ONE } else { ZERO };
+                let beyond = match (self.rows, known, i == j) {
+                    (2, ..) => ZERO,
+                    (_, true, _) => shrunk * across(&t, i, j),
+                    (_, false, true) => Interval { low: 0.0, high: 1.0 },
+                    (_, false, false) => unknown(0.5), // the product of two components of a unit vector
+                };
+                made.by_pushed[i][j] = -between(outside, identity, beyond);
+            }
+        }
+    }
+
+    /// What an undecided contact does after all, if every impulse in r and velocity in y tells the same.
+    pub fn decided(&self, r: &[Interval], y: &[Interval]) -> State {
+        let z = self.pushed(r, y);
+        if z[0].high < 0.0 {
+            return State::Open;
+        }
+        if self.friction == 0.0 {
+            return if z[0].low > 0.0 { State::Pressing } else { State::Undecided };
+        }
+        let (radius, reach) = (Interval::point(self.friction) * z[0], length(&z[1..]));
+        match z[0].low > 0.0 {
+            true if reach.high < radius.low => State::Sticking,
+            true if reach.low > radius.high => State::Sliding,
+            _ => State::Undecided,
+        }
+    }
+
+    /// Whether the law's inequalities hold for every impulse in r and velocity in y of this case.
+    pub fn holds(&self, state: State, r: &[Interval], y: &[Interval]) -> bool {
+        let pushes = r[0].low >= 0.0;
+        let squares = |of: &[Interval]| of[1..].iter().fold(ZERO, |sum, x| sum + x.square());
+        let mu_squared = Interval::point(self.friction).square();
+        match state {
+            State::Open if self.law == Law::Associated => y[0].low >= 0.0 && (y[0].square() - mu_squared * squares(y)).low >= 0.0,
+            State::Open => y[0].low >= 0.0,
+            State::Pressing => pushes,
+            State::Sticking => pushes && (mu_squared * r[0].square() - squares(r)).low >= 0.0,
+            State::Sliding => pushes && squares(y).low > 0.0,
+            State::Undecided => true,
+        }
+    }
+}
+
+/// The rows of one contact in a list over all rows.
+pub(super) fn of<T: Copy>(all: &[T], contact: usize, rows: usize) -> [T; 3] {
+    std::array::from_fn(|i| all[contact * rows + i.min(rows - 1)])
+}
+
+/// ‖x‖ of one or two components.
+fn length(x: &[Interval]) -> Interval {
+    match *x {
+        [one] => {
+            Interval { low: if one.low <= 0.0 && one.high >= 0.0 { 0.0 } else { one.low.abs().min(one.high.abs()) }, high: one.magnitude() }
+        }
+        _ => x.iter().fold(ZERO, |sum, x| sum + x.square()).sqrt(),
+    }
+}
+
+/// x/‖x‖, of which no component is larger than one; in the plane it is a sign.
+fn component(x: Interval, length: Interval, rows: usize) -> Interval {
+    let quotient = match rows {
+        2 if x.low > 0.0 => return Interval::ONE,
+        2 if x.high < 0.0 => return -Interval::ONE,
+        _ => x / length,
+    };
+    Interval { low: quotient.low.clamp(-1.0, 1.0), high: quotient.high.clamp(-1.0, 1.0) }
+}
+
+/// (I − t tᵀ)_ij, i and j from 1.
+fn across(t: &[Interval], i: usize, j: usize) -> Interval {
+    let product = if i == j { t[i - 1].square() } else { t[i - 1] * t[j - 1] };
+    if i == j { Interval::ONE - product } else { -product }
+}
+
+/// The derivative of max(x, 0): 0, 1, or all between.
+fn step(x: Interval) -> Interval {
+    if x.low > 0.0 {
+        Interval::ONE
+    } else if x.high < 0.0 {
+        ZERO
+    } else {
+        Interval { low: 0.0, high: 1.0 }
+    }
+}
+
+/// The first where `switch` is 0, the second where it is 1, and their hull where it is undecided.
+fn between(switch: Interval, first: Interval, second: Interval) -> Interval {
+    if switch == ZERO {
+        first
+    } else if switch == Interval::ONE {
+        second
+    } else {
+        first.hull(second)
+    }
+}
+
+/// The states of all contacts at r and y, those kept that are undecided.
+pub(super) fn read_off(contacts: &[Contact], affine_rows: usize, r: &[f64], y: &[f64]) -> Vec<State> {
+    let at = |k: usize| k * affine_rows..(k + 1) * affine_rows;
+    contacts.iter().enumerate().map(|(k, contact)| contact.state(&r[at(k)], &y[at(k)])).collect()
+}
+
+/// The rows with an impulse, contact by contact.
+pub(super) fn pressed_rows(contacts: &[Contact], states: &[State]) -> Vec<usize> {
+    let rows = |k: usize| k * contacts[k].rows..k * contacts[k].rows + contacts[k].unknowns(states[k]);
+    (0..contacts.len()).flat_map(rows).collect()
+}
+
+/// Where each row stands among the columns.
+pub(super) fn places(affine: &Affine, rows: usize) -> Vec<Option<usize>> {
+    let mut places = vec![None; rows];
+    affine.columns.iter().enumerate().for_each(|(place, row)| places[*row] = Some(place));
+    places
+}

@@ -1,0 +1,237 @@
+//! The rank of a matrix of binary numbers, decided in whole numbers modulo primes.
+//!
+//! ```text
+//!     rank_p ≤ rank        for every prime p
+//!     rank ≤ s             if rank_p ≤ s for primes whose product exceeds every minor of s + 1 rows
+//! ```
+//! Every row is scaled by a power of two so that its numbers are whole; by Hadamard's inequality a minor is at most the product of its
+//! rows' lengths. A minor that is divisible by primes whose product exceeds it is zero. One prime is enough where the rows are independent.
+
+use crate::tolerance::proof::RANK_STEPS;
+
+/// An entry: the sum of two numbers.
+pub(crate) type Entry = [f64; 2];
+
+/// The rank of these rows, all equally long; none if deciding it would take too long.
+///
+/// # Panics
+/// If a number is not finite.
+pub(crate) fn rank(rows: &[Vec<Entry>]) -> Option<usize> {
+    let whole: Vec<Row> = rows.iter().map(|row| Row::new(row)).collect();
+    let mut bits: Vec<f64> = whole.iter().map(|row| row.bits).collect();
+    bits.sort_by(|a, b| b.total_cmp(a));
+    let (mut found, mut below, mut steps) = (0, 0.0, 0.0);
+    for prime in primes() {
+        let modulus = Modulus::new(prime);
+        let here = modulus.rank(whole.iter().map(|row| row.modulo(&modulus)).collect());
+        if here > found {
+            (found, below) = (here, 0.0);
+        }
+        if here == rows.len() {
+            return Some(here);
+        }
+        below += 60.0; // every prime is above 2⁶⁰
+        if below > bits.iter().take(found + 1).sum::<f64>() {
+            return Some(found);
+        }
+        steps += (rows.len() * (here + 1) * rows.first().map_or(0, Vec::len)) as f64;
+        if steps > RANK_STEPS {
+            break;
+        }
+    }
+    None
+}
+
+/// Whether these rows are independent: one prime may tell, and if it does not they are taken for dependent.
+pub(crate) fn surely_independent(rows: &[&Vec<Entry>]) -> bool {
+    let modulus = Modulus::new(primes().next().expect("there is one"));
+    modulus.rank(rows.iter().map(|row| Row::new(row).modulo(&modulus)).collect()) == rows.len()
+}
+
+/// A row of whole numbers m 2^k: sign, m and k of both parts of an entry.
+struct Row {
+    entries: Vec<[(bool, u64, i32); 2]>,
+    /// The binary logarithm of its length, at least.
+    bits: f64,
+}
+
+impl Row {
+    fn new(row: &[Entry]) -> Self {
+        let mut entries: Vec<[(bool, u64, i32); 2]> = row.iter().map(|entry| entry.map(parts)).collect();
+        let nonzero = || row.iter().flatten().filter(|x| **x != 0.0);
+        let least = nonzero().map(|x| parts(*x).2).min().unwrap_or(0);
+        entries.iter_mut().flatten().for_each(|(_, m, k)| *k = if *m == 0 { 0 } else { *k - least });
+        let most = entries.iter().flatten().filter(|(_, m, _)| *m != 0).map(|(_, m, k)| f64::from(64 - m.leading_zeros()) + f64::from(*k));
+        // twice the largest number, times the root of their number
+        let bits = most.fold(0.0, f64::max) + 2.0 + 0.5 * (row.len() as f64).log2().max(0.0);
+        Row { entries, bits }
+    }
+
+    fn modulo(&self, modulus: &Modulus) -> Vec<u64> {
+        let part = |(negative, m, k): &(bool, u64, i32)| {
+            let size = modulus.product(modulus.enter(*m % modulus.prime), modulus.power_of_two(*k as u32));
+            if *negative && size != 0 { modulus.prime - size } else { size }
+        };
+        self.entries.iter().map(|[one, other]| modulus.sum(part(one), part(other))).collect()
+    }
+}
+
+/// Sign, odd whole part and exponent: x = ± m 2^k.
+fn parts(x: f64) -> (bool, u64, i32) {
+    assert!(x.is_finite(), "only finite numbers are rational");
+    if x == 0.0 {
+        return (false, 0, 0);
+    }
+    let (bits, negative) = (x.abs().to_bits(), x < 0.0);
+    let (raw, fraction) = ((bits >> 52) as i32, bits & ((1 << 52) - 1));
+    let (m, k) = if raw == 0 { (fraction, -1074) } else { (fraction | (1 << 52), raw - 1075) };
+    (negative, m >> m.trailing_zeros(), k + m.trailing_zeros() as i32)
+}
+
+/// Calculation modulo a prime, numbers multiplied by 2⁶⁴ (Montgomery).
+struct Modulus {
+    prime: u64,
+    /// −1/p modulo 2⁶⁴.
+    inverse: u64,
+    /// 2¹²⁸ modulo p.
+    square: u64,
+}
+
+impl Modulus {
+    fn new(prime: u64) -> Self {
+        let mut inverse: u64 = 1;
+        for _ in 0..6 {
+            inverse = inverse.wrapping_mul(2_u64.wrapping_sub(prime.wrapping_mul(inverse)));
+        }
+        let once = (1_u128 << 64) % u128::from(prime);
+        Modulus { prime, inverse: inverse.wrapping_neg(), square: (once * once % u128::from(prime)) as u64 }
+    }
+
+    fn enter(&self, number: u64) -> u64 {
+        self.product(number, self.square)
+    }
+
+    fn product(&self, a: u64, b: u64) -> u64 {
+        let wide = u128::from(a) * u128::from(b);
+        let part = (wide as u64).wrapping_mul(self.inverse);
+        let reduced = ((wide + u128::from(part) * u128::from(self.prime)) >> 64) as u64;
+        if reduced >= self.prime { reduced - self.prime } else { reduced }
+    }
+
+    fn sum(&self, a: u64, b: u64) -> u64 {
+        let sum = a + b; // below 2⁶²
+        if sum >= self.prime { sum - self.prime } else { sum }
+    }
+
+    fn power(&self, base: u64, mut exponent: u64) -> u64 {
+        let (mut power, mut base) = (self.enter(1), base);
+        while exponent > 0 {
+            if exponent & 1 == 1 {
+                power = self.product(power, base);
+            }
+            base = self.product(base, base);
+            exponent >>= 1;
+        }
+        power
+    }
+
+    fn power_of_two(&self, exponent: u32) -> u64 {
+        self.power(self.enter(2), u64::from(exponent))
+    }
+
+    /// Row echelon form, pivots counted.
+    fn rank(&self, mut rows: Vec<Vec<u64>>) -> usize {
+        let columns = rows.first().map_or(0, Vec::len);
+        let mut rank = 0;
+        for column in 0..columns {
+            let Some(pivot) = (rank..rows.len()).find(|&i| rows[i][column] != 0) else { continue };
+            rows.swap(rank, pivot);
+            let (above, below) = rows.split_at_mut(rank + 1);
+            let row = &above[rank];
+            let inverse = self.power(row[column], self.prime - 2);
+            for other in below.iter_mut().filter(|other| other[column] != 0) {
+                let factor = self.prime - self.product(other[column], inverse);
+                for (x, y) in other[column..].iter_mut().zip(&row[column..]).filter(|(_, y)| **y != 0) {
+                    *x = self.sum(*x, self.product(factor, *y));
+                }
+            }
+            rank += 1;
+        }
+        rank
+    }
+}
+
+/// Primes between 2⁶⁰ and 2⁶¹, from above.
+fn primes() -> impl Iterator<Item = u64> {
+    (1_u64 << 60..1_u64 << 61).rev().step_by(2).filter(|candidate| is_prime(*candidate))
+}
+
+/// The test of Miller and Rabin with the bases that decide all numbers of 64 bits (J. Sorenson, J. Webster 2017: the first twelve primes).
+fn is_prime(odd: u64) -> bool {
+    let modulus = Modulus::new(odd);
+    let (one, twos) = (modulus.enter(1), (odd - 1).trailing_zeros());
+    let minus_one = odd - one;
+    [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37].into_iter().all(|base| {
+        let first = modulus.power(modulus.enter(base), (odd - 1) >> twos);
+        let mut squares = std::iter::successors(Some(first), |power| Some(modulus.product(*power, *power))).take(twos as usize);
+        first == one || squares.any(|power| power == minus_one)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use moreau_exact::elimination;
+    use moreau_exact::scalar::{Rational, exact};
+    use nalgebra::DMatrix;
+
+    fn entries(matrix: &DMatrix<f64>) -> Vec<Vec<Entry>> {
+        matrix.row_iter().map(|row| row.iter().map(|x| [*x, 0.0]).collect()).collect()
+    }
+
+    #[test]
+    fn the_rank_is_that_of_elimination_in_fractions() {
+        let mut state = 3_u64;
+        let mut draw = |most: u64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) % most
+        };
+        for size in 1..9 {
+            for inner in 1..=size {
+                let mut factor = |n, m| DMatrix::from_fn(n, m, |_, _| (draw(9) as f64 - 4.0) * 2.0_f64.powi(draw(40) as i32 - 20));
+                let matrix = factor(size, inner) * factor(inner, size);
+                let exactly: DMatrix<Rational> = matrix.map(exact);
+                assert_eq!(rank(&entries(&matrix)), Some(elimination::rank(&exactly)), "{matrix}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_last_digit_makes_the_difference() {
+        let near = |x: f64| DMatrix::from_row_slice(2, 2, &[0.1, 0.3, 0.2, x]);
+        assert_eq!(rank(&entries(&near(0.6))), Some(elimination::rank(&near(0.6).map(exact))));
+        assert_eq!((rank(&entries(&near(2.0 * 0.3))), rank(&entries(&near((2.0_f64 * 0.3).next_up())))), (Some(1), Some(2)));
+        // a sum of two numbers that is none
+        let sum = vec![vec![[1.0, 2.0_f64.powi(-60)], [1.0, 0.0]], vec![[1.0, 0.0], [1.0, 0.0]]];
+        assert_eq!(rank(&sum), Some(2));
+        assert_eq!((rank(&[]), rank(&[vec![[0.0, 0.0]; 3]])), (Some(0), Some(0)));
+    }
+
+    #[test]
+    fn a_prime_that_divides_every_minor_does_not_decide() {
+        // the minor is the first prime itself: modulo it the rank is one
+        let prime = primes().next().unwrap();
+        assert_eq!(prime, (1 << 61) - 1, "a prime of Mersenne");
+        let [high, low] = [(1_u64 << 61) as f64, -1.0];
+        let rows = vec![vec![[high, low], [0.0, 0.0]], vec![[0.0, 0.0], [1.0, 0.0]]];
+        assert!(!surely_independent(&rows.iter().collect::<Vec<_>>()));
+        assert_eq!(rank(&rows), Some(2));
+    }
+
+    #[test]
+    fn primes_are_prime() {
+        let small = |n: u64| (2..n).take_while(|d| d * d <= n).all(|d| n % d != 0);
+        assert!((41..2000).step_by(2).all(|n| is_prime(n) == small(n)));
+        assert!(!is_prime(3_215_031_751) && !is_prime((1 << 61) + 1), "a strong pseudoprime to 2, 3, 5 and 7; a multiple of 3");
+    }
+}
