@@ -71,6 +71,7 @@ pub mod defects;
 pub mod gate;
 pub mod matrix;
 pub mod prelude;
+pub mod problems;
 pub mod report;
 pub mod schemes;
 pub mod solvers;

@@ -19,6 +19,7 @@ mod mujoco_options;
 mod near;
 mod output;
 mod owned;
+mod problems;
 mod protocol_check;
 mod scene;
 mod schema;
@@ -53,6 +54,7 @@ Examples:
   moreau solve problem.json --out answer.json
   moreau certify problem.json answer.json    residuals with units: is it a solution?
   moreau bench problems/                     times of solvers, each beside its certified residual
+  moreau problems list                       contact problems with certified answers
   moreau simulate --scene bouncing-ball --step 0.01 --plot ball.svg
   moreau compare bouncing-ball --step 0.01 --plot schemes.svg
   moreau systems                             every simulator on four axes, with measured agreement
@@ -71,6 +73,7 @@ enum Command {
     Solve(solve::Arguments),
     Certify(certify::Arguments),
     Bench(bench::Arguments),
+    Problems(problems::Arguments),
     Simulate(Box<simulate::Arguments>),
     Compare(compare::Arguments),
     Gate(Box<gate::Arguments>),
@@ -97,6 +100,7 @@ pub fn run() -> ExitCode {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Certify(arguments) => certify::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
+        Command::Problems(arguments) => problems::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Gate(arguments) => gate::run(&arguments),

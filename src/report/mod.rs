@@ -10,6 +10,7 @@ pub mod lcp_proof;
 pub mod matrix;
 pub mod motion;
 pub mod no_answer;
+pub mod problems;
 pub mod schemas;
 pub mod steps;
 pub mod systems;

@@ -5,12 +5,14 @@
 use super::bench::Bench;
 use super::comparison::Comparison;
 use super::json::{ClaimEntry, ExplanationEntry, OutcomeEntry};
+use super::problems::Line;
 use super::witnesses::WitnessDocument;
 use crate::gate::baseline::Baseline;
 use crate::gate::conformance::Conformance;
 use crate::gate::process::messages::{Points, ReplyForm, Request};
 use crate::gate::{Description, Report};
 use crate::problem::{LcpFile, ProblemFile, SolutionFile};
+use crate::problems::Record;
 use crate::scenes::Scene;
 use crate::systems;
 use crate::trajectory::Trajectory;
@@ -27,7 +29,7 @@ pub struct Format {
 }
 
 /// Every message and file format.
-pub const FORMATS: [Format; 19] = [
+pub const FORMATS: [Format; 21] = [
     Format { name: "request", about: "a line from the gate to an engine", generate: written::<Request> },
     Format { name: "reply", about: "the line that answers it", generate: read::<ReplyForm> },
     Format { name: "description", about: "the result of `describe`", generate: read::<Description> },
@@ -41,6 +43,12 @@ pub const FORMATS: [Format; 19] = [
     },
     Format { name: "solution", about: "solution/1, the result of `solve`", generate: read::<SolutionFile> },
     Format { name: "bench", about: "what `moreau bench` writes", generate: written::<Bench> },
+    Format { name: "problems", about: "what `moreau problems list` writes", generate: written::<Vec<Line>> },
+    Format {
+        name: "answered-problem",
+        about: "answered-problem/1, the record of a problem of the collection, what `moreau problems show` writes",
+        generate: read::<Record>,
+    },
     Format { name: "points", about: "the result of `project`", generate: read::<Points> },
     Format { name: "gate-report", about: "gate-report/1, what `moreau gate` writes", generate: written::<Report> },
     Format { name: "gate-baseline", about: "gate-baseline/1, in TOML", generate: read::<Baseline> },

@@ -23,6 +23,8 @@
 //! # Ok::<(), moreau_contact::Error>(())
 //! ```
 
+#[cfg(feature = "files")]
+pub mod answered;
 pub mod certificate;
 pub mod cones;
 pub mod contact;

@@ -190,7 +190,8 @@ impl Judge {
                 Law::PolyhedralAssociated { directions } => polyhedral::edges(&mut self.pairs, problem, solution, directions, &here)?,
                 law => second_order(law, &here),
             };
-            judged.take(k, at);
+            let uncertain = self.scales.uncertain_at(k, k * rows..(k + 1) * rows);
+            judged.take(k, AtContact { dual: uncertain.map_or(at.dual, |part| at.dual.worse(part)), ..at });
         }
         Ok(judged)
     }

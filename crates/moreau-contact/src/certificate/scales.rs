@@ -16,13 +16,15 @@
 //!
 //! None is more than 10⁶ ρ V, V the largest velocity of the problem in q or W r, net: impulses that push against each other and move
 //! nothing would otherwise excuse any velocity, and a jaw that closes from both sides, which has no solution, would have one. Nor is a
-//! floor more than a hundredth of the largest velocity in q: where rounding hides that, nothing is certain.
+//! floor more than a hundredth of the largest velocity in q: where rounding hides that, nothing is certain, and the rounding itself counts
+//! as a residual of y, which may be zero only because q was lost in it.
 //!
 //! Which contacts lie between the same two bodies is told by [`groups`].
 //!
 //! `DIFFERENCE` One ρ = rows/tr(W_kk) for a whole contact would accept a normal velocity that is wrong by W_tt/W_nn times τ.
 
 use super::groups;
+use super::part::Part;
 use crate::cones::polyhedral::direction;
 use crate::cones::second_order::{length, tangential_norm};
 use crate::problem::{ContactProblem, Law};
@@ -105,8 +107,20 @@ impl Scales {
     /// rounding may hide.
     pub fn floors_at(&self, rows: std::ops::Range<usize>) -> [f64; 2] {
         let floors = &self.floors[rows];
-        let most = if self.fastest[0] > 0.0 { self.fastest[0] * HIDDEN } else { f64::INFINITY };
+        let most = self.hidden();
         [floors[0].min(most), tangential_norm(floors).min(most)]
+    }
+
+    /// The rounding of y at a contact where it hides more of the given velocities than it may: as large a residual, for y tells nothing there.
+    pub fn uncertain_at(&self, contact: usize, rows: std::ops::Range<usize>) -> Option<Part> {
+        let (floors, most) = (&self.floors[rows], self.hidden());
+        let value = floors[0].max(tangential_norm(floors));
+        (value > most).then(|| Part { value, scale: self.at(contact)[0] / self.weights[contact][0], floor: most })
+    }
+
+    /// What rounding may hide of the given velocities \[m/s\].
+    fn hidden(&self) -> f64 {
+        if self.fastest[0] > 0.0 { self.fastest[0] * HIDDEN } else { f64::INFINITY }
     }
 
     /// s_n, s_r and s_t of contact k \[N·s\].

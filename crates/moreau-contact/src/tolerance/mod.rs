@@ -2,6 +2,7 @@
 //!
 //! A tolerance is a rounding bound ([`moreau_exact::tolerance`]), a stopping rule with its reason, or a limit of sizes.
 
+pub mod answered;
 pub mod certificate;
 pub mod complementarity;
 pub mod cones;

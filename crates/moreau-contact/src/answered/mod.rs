@@ -1,0 +1,11 @@
+//! A contact problem with its answers: what every solver does with it, and the record `answered-problem/1` of what is known.
+//!
+//! ```text
+//!     answers   r with different u, each certified at 1e-8, with δ of the nearest problem it solves exactly and who else found it
+//! ```
+
+mod measure;
+mod record;
+
+pub use measure::{Found, Measured, measure};
+pub use record::{Agreement, Answered, Bound, Difficulty, Ended, Known, Outcome, RECORD_SCHEMA, Record, Uniqueness};

@@ -1,0 +1,98 @@
+//! `moreau problems export`: problems and answers as files.
+
+use super::super::Answer;
+use super::super::output::{print, print_aside};
+use super::named;
+use crate::files::write_together;
+use crate::problems::{ALL, Stored, solution};
+use crate::{Error, Result};
+use clap::ValueEnum;
+use nalgebra::DVector;
+use std::path::{Path, PathBuf};
+
+/// Write a problem and its answers into a folder, or all of them.
+///
+/// contact-problem/1 comes with one solution/1 per answer, NAME.solution.json, NAME.solution-2.json and so on. A file of FCLIB holds the
+/// problem, the first answer as its solution, and no impulses as its guess; it has no place for other laws than Coulomb's, for a shift and
+/// for a compliance. What cannot be written is named on standard error.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// The problem's name and the folder; with --all the folder alone.
+    #[arg(required = true, num_args = 1..=2, value_names = ["NAME", "FOLDER"])]
+    what: Vec<String>,
+    /// All problems that are stored.
+    #[arg(long)]
+    all: bool,
+    /// The format.
+    #[arg(long, value_enum, default_value_t)]
+    to: To,
+}
+
+/// The formats that are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum To {
+    /// contact-problem/1 and solution/1.
+    #[default]
+    ContactProblem,
+    /// HDF5 of FCLIB.
+    Fclib,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  moreau problems export box-rough .
+  moreau problems export --all problems --to fclib
+
+Exit code 0: written; 2: the problem is not stored, or the format has no place for it. With --all what has no place is passed over.";
+
+/// Runs the subcommand.
+pub fn run(arguments: &Arguments) -> Result<Answer> {
+    let (chosen, folder): (Vec<&Stored>, &str) = match (arguments.all, &arguments.what[..]) {
+        (true, [folder]) => (ALL.iter().filter(|stored| stored.problem.is_some()).collect(), folder),
+        (false, [name, folder]) => (vec![named(name)?], folder),
+        (true, _) => return Err(Error::invalid("NAME", "is given with --all", "give the folder alone")),
+        (false, _) => return Err(Error::invalid("FOLDER", "is missing", "give a problem's name and a folder, or --all and a folder")),
+    };
+    let folder = Path::new(folder);
+    if !folder.is_dir() {
+        std::fs::create_dir_all(folder).map_err(|source| Error::Write { file: folder.into(), source })?;
+    }
+    let (mut files, mut problems) = (Vec::new(), 0);
+    for stored in chosen {
+        match written(stored, arguments.to, folder) {
+            Ok(made) => {
+                files.extend(made);
+                problems += 1;
+            }
+            Err(error @ Error::Unsupported(_)) if arguments.all => print_aside(&format!("{}: not written: {error}\n", stored.name)),
+            Err(error) => return Err(error),
+        }
+    }
+    let together: Vec<(&Path, &[u8])> = files.iter().map(|(file, bytes)| (file.as_path(), &bytes[..])).collect();
+    write_together(&together)?;
+    print(&format!("{problems} problems in {} files in {}\n", files.len(), folder.display()))?;
+    Ok(Answer::Yes)
+}
+
+/// The files of one problem.
+fn written(stored: &Stored, to: To, folder: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>> {
+    let (problem, record) = (stored.problem()?, stored.record()?);
+    let answers: Vec<_> = record.answers.iter().map(|answer| solution(&problem, answer)).collect();
+    let text = stored.problem.unwrap_or_default();
+    match to {
+        To::ContactProblem => {
+            let mut files = vec![(folder.join(format!("{}.json", stored.name)), text.as_bytes().to_vec())];
+            for (number, answer) in answers.iter().enumerate() {
+                let end = if number == 0 { String::new() } else { format!("-{}", number + 1) };
+                let file = folder.join(format!("{}.solution{end}.json", stored.name));
+                files.push((file, answer.to_json(Some(problem.name()), None).into_bytes()));
+            }
+            Ok(files)
+        }
+        To::Fclib => {
+            let bytes = problem.to_fclib(answers.first(), Some(&DVector::zeros(problem.rows())))?;
+            Ok(vec![(folder.join(format!("{}.hdf5", stored.name)), bytes)])
+        }
+    }
+}

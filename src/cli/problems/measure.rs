@@ -1,0 +1,63 @@
+//! `moreau problems measure`: what every solver does with a problem, as the records of the collection say it.
+
+use super::super::limits::CommonOptions;
+use super::super::output::print;
+use super::super::{Answer, Format};
+use crate::Result;
+use crate::problem::{ContactProblem, Solution};
+use crate::problems::{Measured, measure};
+use crate::report::json::pretty;
+use crate::solvers::Solvers;
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// Ask every solver of moreau-contact for an answer, judge each, and compare their velocities.
+///
+/// Iterative solvers may make as many iterations as a fixed number of multiplications by W allows, so that the same problem gives the same
+/// answer on every machine.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// The problem: contact-problem/1, lcp/1, .dat of Siconos, or HDF5 of FCLIB.
+    problem: PathBuf,
+    /// An answer from elsewhere, a file solution/1, that is judged and compared with the others; may be given several times.
+    #[arg(long, value_name = "FILE")]
+    given: Vec<PathBuf>,
+    #[command(flatten)]
+    common: CommonOptions,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  moreau problems measure problem.json
+  moreau problems measure problem.json --given mine.json --format json
+
+Exit code 0: some answer is accepted; 1: none is.";
+
+/// Runs the subcommand.
+pub fn run(arguments: &Arguments) -> Result<Answer> {
+    arguments.common.memory.apply()?;
+    let problem = ContactProblem::read(&arguments.problem)?;
+    let given: Vec<Solution> = arguments.given.iter().map(|file| Solution::read(file, &problem)).collect::<Result<_>>()?;
+    let measured = measure(&problem, &given, &Solvers::own())?;
+    print(&match arguments.common.format {
+        Format::Text => text(&measured),
+        Format::Json => pretty(&measured)?,
+    })?;
+    Ok((!measured.answers.is_empty()).into())
+}
+
+fn text(measured: &Measured) -> String {
+    let mut text = String::new();
+    for outcome in &measured.solvers {
+        let number = |value: Option<f64>| value.map_or("–".into(), |value| format!("{value:.1e}"));
+        let [relative, difference] = [outcome.relative, outcome.difference].map(number);
+        let iterations = outcome.iterations.map_or("–".into(), |iterations| iterations.to_string());
+        let reason = outcome.reason.as_deref().unwrap_or_default();
+        let _ = writeln!(text, "{:18} {:9} {relative:>8} {iterations:>8} {difference:>8} {reason}", outcome.solver, outcome.ended.name());
+    }
+    let sweeps =
+        measured.difficulty.sweeps.map_or_else(|| measured.difficulty.reason.clone().unwrap_or_default(), |sweeps| sweeps.to_string());
+    let _ = writeln!(text, "answers with different velocities: {}; plain sweeps to 1e-8: {sweeps}", measured.answers.len());
+    text
+}

@@ -1,0 +1,28 @@
+//! `moreau problems show`: one problem with its answers.
+
+use super::super::output::print;
+use super::super::{Answer, Format};
+use super::named;
+use crate::Result;
+use crate::report::json::pretty;
+use crate::report::problems::show;
+
+/// Show a problem's answers with what is proved of them, and what every solver did.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The problem's name.
+    name: String,
+    /// How to write it; JSON is the whole record, answered-problem/1.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+/// Runs the subcommand.
+pub fn run(arguments: &Arguments) -> Result<Answer> {
+    let record = named(&arguments.name)?.record()?;
+    print(&match arguments.format {
+        Format::Text => show(&record),
+        Format::Json => pretty(&record)?,
+    })?;
+    Ok(Answer::Yes)
+}

@@ -1,0 +1,82 @@
+//! The collection of contact problems with certified answers, `references/problems/`, as the program embeds it.
+//!
+//! ```text
+//!     problem   contact-problem/1        u = W r + u_free ,   y = u + shift + R r ,   (r, y) in the law
+//!     record    answered-problem/1       impulses r, residuals, δ, radius, uniqueness, difficulty
+//! ```
+//! A problem that is too large to be stored has its record all the same, with the command that makes it and its hash.
+
+mod table;
+
+pub use moreau_contact::answered::*;
+
+use crate::problem::{ContactProblem, Solution};
+use crate::{Error, Result};
+use nalgebra::DVector;
+
+/// A problem of the collection, as it is embedded.
+#[derive(Clone, Copy, Debug)]
+pub struct Stored {
+    /// The problem's name.
+    pub name: &'static str,
+    /// The text of the problem; none where it is too large to be stored.
+    pub problem: Option<&'static str>,
+    /// The text of the record.
+    pub record: &'static str,
+}
+
+/// Every problem, in order.
+pub static ALL: &[Stored] = table::STORED;
+
+/// The problem of this name.
+///
+/// # Errors
+/// [`Error::Unsupported`] if there is none.
+/// ```
+/// use moreau::certificate::residuals;
+///
+/// let stored = moreau::problems::named("single-slide")?;
+/// let (problem, record) = (stored.problem()?, stored.record()?);
+/// let answer = moreau::problems::solution(&problem, &record.answers[0]);
+/// assert!(residuals(&problem, &answer)?.is_solution(1e-8));
+/// # Ok::<(), moreau::Error>(())
+/// ```
+pub fn named(name: &str) -> Result<&'static Stored> {
+    let missing = || Error::Unsupported(format!("there is no problem `{name}`; `moreau problems list` lists them"));
+    ALL.iter().find(|stored| stored.name == name).ok_or_else(missing)
+}
+
+/// The stored answer with its velocity, u = W r + u_free.
+pub fn solution(problem: &ContactProblem, answer: &Answered) -> Solution {
+    let impulse = DVector::from_column_slice(&answer.impulse);
+    let velocity = problem.velocity(&impulse);
+    let vector = |numbers: &Option<Vec<f64>>| numbers.as_deref().map(DVector::from_column_slice);
+    let mut solution = Solution::new(answer.by.clone(), impulse, velocity, 0);
+    (solution.beta, solution.sigma) = (vector(&answer.beta), vector(&answer.sigma));
+    solution
+}
+
+impl Stored {
+    /// The problem itself.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] with the command that makes it where it is not stored.
+    pub fn problem(&self) -> Result<ContactProblem> {
+        match self.problem {
+            Some(text) => ContactProblem::from_json(text),
+            None => Err(Error::Unsupported(format!(
+                "`{}` is too large to be stored; make it in the repository with `{}`",
+                self.name,
+                self.record()?.script
+            ))),
+        }
+    }
+
+    /// Its record.
+    ///
+    /// # Errors
+    /// [`Error::Json`] if the stored text is none.
+    pub fn record(&self) -> Result<Record> {
+        Ok(serde_json::from_str(self.record)?)
+    }
+}
