@@ -323,3 +323,15 @@ fn a_stored_tangential_velocity_is_held_against_the_tangential_mass() {
     let scale = 100.0 * 1.25f64.sqrt();
     assert!(accepted(0.99e-3 * scale) && !accepted(1.01e-3 * scale));
 }
+
+/// Rows (0 1 −1; −1 0 0; −1 0 0) and q = (0, −1, 1): w₂ = −z₁ − 1 < 0, so that no z ≥ 0 is even feasible.
+#[test]
+fn an_impulse_that_does_not_move_its_own_contact_excuses_no_velocity() {
+    let w = DMatrix::from_row_slice(3, 3, &[0.0, 1.0, -1.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0]);
+    let problem = ContactProblem::new(w, DVector::from_row_slice(&[0.0, -1.0, 1.0])).rows_per_contact(1).build().unwrap();
+    for size in [1.0, 2f64.powi(28), 2f64.powi(60)] {
+        let impulse = DVector::from_row_slice(&[0.0, size, 0.0]);
+        let answer = Solution::new("along a ray", impulse.clone(), problem.velocity(&impulse), 0);
+        assert!(!residuals(&problem, &answer).unwrap().is_solution(0.1), "{size}");
+    }
+}

@@ -19,6 +19,9 @@
 //! floor more than a hundredth of the largest velocity in q: where rounding hides that, nothing is certain, and the rounding itself counts
 //! as a residual of y, which may be zero only because q was lost in it.
 //!
+//! An impulse that does not move its own contact, W_nn = 0 as in many complementarity problems, says nothing about the size of that
+//! contact's velocity: |r_n| is left out of its s_n. Growing along a ray such an impulse would excuse any velocity.
+//!
 //! Which contacts lie between the same two bodies is told by [`groups`].
 //!
 //! `DIFFERENCE` One ρ = rows/tr(W_kk) for a whole contact would accept a normal velocity that is wrong by W_tt/W_nn times τ.
@@ -35,6 +38,8 @@ use crate::tolerance::certificate::{HIDDEN, JAMMED, PROJECTED, gamma};
 pub(super) struct Scales {
     /// ρ_n and ρ_t per contact \[kg\].
     pub weights: Vec<[f64; 2]>,
+    /// Whether a normal impulse moves its own contact: W_nn + R_nn > 0.
+    moves_itself: Vec<bool>,
     /// The first contact of the same two bodies: see [`groups`].
     group: Vec<usize>,
     /// Floor per row \[m/s\].
@@ -59,6 +64,8 @@ impl Scales {
             let tangential: f64 = (k * rows + 1..(k + 1) * rows).map(diagonal).sum();
             [inverse(1.0, diagonal(k * rows)), inverse((rows - 1) as f64, tangential)]
         }));
+        self.moves_itself.clear();
+        self.moves_itself.extend(self.weights.iter().map(|[normal, _]| normal.is_finite()));
         // A block without a trace has no mass of its own. Every mass > 0 has the same zeros: the largest of the problem is the strictest.
         let largest = self.weights.iter().flatten().copied().filter(|rho| rho.is_finite()).fold(0.0, f64::max);
         let instead = if largest > 0.0 { largest } else { 1.0 };
@@ -91,7 +98,8 @@ impl Scales {
             let ([normal, tangential], mu) = (self.weights[k], problem.friction()[k]);
             let moved = |row: usize| if row < rows { y[row] - q[row] } else { 0.0 };
             let net = length(moved(1), moved(2));
-            let pushed = [r[0].abs().max(normal * moved(0).abs()), r[0].abs(), length(tangential_norm(r), r[0]).max(tangential * net)];
+            let own = if self.moves_itself[k] { r[0].abs() } else { 0.0 };
+            let pushed = [own.max(normal * moved(0).abs()), r[0].abs(), length(tangential_norm(r), r[0]).max(tangential * net)];
             for (row, q) in q[..rows].iter().enumerate() {
                 let [given, fastest] = self.fastest;
                 self.fastest = [given.max(q.abs()), fastest.max(q.abs()).max(moved(row).abs())];

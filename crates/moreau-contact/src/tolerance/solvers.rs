@@ -209,10 +209,11 @@ pub const SOFT_STEPS: usize = 12;
 /// Set.
 pub const AUTO_SWEEPS: usize = 20 * FIRST_SWEEPS;
 
-/// Accelerated sweeps before Newton's method is tried: as many as the acceleration remembers. They show which contacts press, and they
-/// solve easy contacts. For n contacts some ten steps of Newton's method cost as much as 10 n of these sweeps.
+/// Accelerated sweeps before Newton's method is tried: four times as many as the acceleration remembers. They show which contacts press,
+/// and they solve easy contacts: of the 26 friction files of Siconos and FCLIB that were tried 22 are solved within them, at half the time
+/// of fewer sweeps with Newton's method after them. For n contacts ten steps of Newton's method cost as much as 10 n of these sweeps.
 /// Set.
-pub const FEW_SWEEPS: usize = MEMORY;
+pub const FEW_SWEEPS: usize = 4 * MEMORY;
 
 /// Plain sweeps that `auto` makes after accelerated ones have stalled. A problem that they bring no nearer to a solution goes to the other
 /// algorithms.

@@ -18,13 +18,11 @@ pub(super) type Takes = fn(&ContactProblem) -> bool;
 /// One algorithm of [`Auto`](super::Auto), from the impulses to start from, which stops at this relative residual.
 pub(super) type Stage = fn(&ContactProblem, Option<&DVector<f64>>, f64) -> Result<Solution>;
 
-/// The algorithms with the problems they are for, in order, that cost little: they go on until [`ENOUGH`].
+/// The algorithms with the problems they are for, in order, that cost little: they go on until the goal's `enough`.
 pub(super) const QUICK: &[(Takes, Stage)] = &[
     (|problem| problem.compliance().is_some(), |problem, start, _| GaussNewton::default().solve(problem, start)),
     (is_iterated, few_sweeps),
-    (has_blocks, |problem, start, stop| {
-        NonsmoothNewton { steps: tolerance::SHORT_STEPS, starts: 1, tolerance: stop }.solve(problem, start)
-    }),
+    (is_iterated, short_newton),
     (is_large, through_interior),
     (is_iterated, newton),
 ];
@@ -86,6 +84,11 @@ pub(super) fn left_out(problem: &ContactProblem) -> &'static str {
 /// Whether W is stored by blocks, so that a step of Newton's method costs little more than a sweep.
 fn has_blocks(problem: &ContactProblem) -> bool {
     is_iterated(problem) && problem.delassus().blocks().is_some()
+}
+
+/// A few steps of Newton's method, which end most problems; where they do not, others lead it.
+fn short_newton(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
+    NonsmoothNewton { steps: tolerance::SHORT_STEPS, starts: 1, tolerance: stop }.solve(problem, start)
 }
 
 /// Whether interior points are for it.
