@@ -20,13 +20,13 @@ pub(super) struct MatrixFile {
     pub(super) shape: [usize; 2],
     /// Row by row.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    rows: Option<Vec<Vec<f64>>>,
+    pub(super) rows: Option<Vec<Vec<f64>>>,
     /// Entry by entry, each place at most once.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) triplets: Option<Triplets>,
     /// Block by block, of W only, each place at most once.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    blocks: Option<BlocksFile>,
+    pub(super) blocks: Option<BlocksFile>,
     /// Of the mass only: the blocks M_b \[kg\] of all bodies, one after the other along the diagonal, each row by row.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) diagonal_blocks: Option<Vec<Vec<f64>>>,
@@ -39,7 +39,7 @@ pub(super) struct MatrixFile {
 #[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Blocks")]
-struct BlocksFile {
+pub(super) struct BlocksFile {
     /// The contacts j that the blocks move.
     row: Vec<usize>,
     /// The contacts k that push.
