@@ -7,6 +7,7 @@ mod contact_problem;
 mod fclib;
 #[cfg(feature = "files")]
 mod json;
+mod keys;
 mod law;
 mod lcp;
 mod planar_problem;
@@ -18,6 +19,7 @@ pub mod stewart_trinkle;
 pub use contact_problem::{Compliance, ContactProblem, ContactProblemBuilder, Coordinates, Dynamics};
 #[cfg(feature = "files")]
 pub use json::{LcpFile, ProblemFile, SolutionFile};
+pub use keys::{ContactKey, carried};
 pub use law::Law;
 pub use lcp::Lcp;
 pub use planar_problem::{ImpulseLcp, PlanarProblem, Response};

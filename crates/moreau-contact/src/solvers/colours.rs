@@ -1,7 +1,8 @@
 //! Blocks of consecutive contacts, coloured so that two blocks of one colour touch no body in common.
 //!
 //! Blocks of one colour may be swept in any order, or at the same time, to the same bits. The order – colour after colour, block after
-//! block, contact after contact – depends on the problem alone, whoever sweeps. A problem of one block is swept as it is listed.
+//! block, contact after contact – depends on the problem alone, whoever sweeps. A problem of one block is swept as it is listed: to colour
+//! contact by contact would take every one from another place of the memory.
 
 use crate::operator::MatrixFree;
 use crate::tolerance::sweeps::BLOCK;

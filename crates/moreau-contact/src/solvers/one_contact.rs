@@ -6,14 +6,18 @@
 //! ```
 //! Without friction (κ → ∞) r_n = −q_n/A_nn > 0 and r_t = 0, so ‖r_t‖ − μ r_n < 0; if the sticking answer (κ = 0)
 //! is outside the cone, the intermediate value theorem gives a κ with ‖r_t‖ = μ r_n: a sliding contact always exists. Newton's method
-//! finds it from the κ of the last sweep, as the root of μ r_n/‖r_t‖ − 1, which is nearly a straight line of κ.
+//! finds it as the root of μ r_n/‖r_t‖ − 1, which is nearly a straight line of κ: the first time to rounding, then from the κ of the last
+//! sweep until a step is short, whose error is its square and vanishes with the changes of the sweeps.
 //!
 //! **Associated.** min ½ rᵀA r + qᵀr over K_μ. With A = L Lᵀ and L⁻¹ diag(μ², −1, −1) L⁻ᵀ = Q diag(a, −b, −c) Qᵀ the
 //! answer on the boundary is x = QᵀLᵀr, x_i = p_i / (1 − ν j_i), p = −QᵀL⁻¹q, with a multiplier ν ≥ 0 found from one
 //! scalar equation that has exactly one root, by Newton's method from the ν of the last sweep.
 
 use super::polyhedral_contact::PolyhedralContact;
-use crate::tolerance::{solvers::ROOT_STEPS, sweeps::SQUARED};
+use crate::tolerance::{
+    solvers::ROOT_STEPS,
+    sweeps::{SHORT, SQUARED},
+};
 use nalgebra::{Cholesky, Matrix3, Vector3};
 
 /// A contact that is prepared once and solved for many q.
@@ -68,7 +72,7 @@ pub(super) struct Coulomb {
     /// S⁻¹ by rows, S = A_tt − A_tn A_nt/A_nn.
     stick: [f64; 4],
     mu: f64,
-    /// κ of the last sweep.
+    /// κ of the last time the contact slid, negative before.
     damper: f64,
 }
 
@@ -83,7 +87,7 @@ impl Coulomb {
             let determinant = s * v - t * u;
             stick = [v / determinant, -t / determinant, -u / determinant, s / determinant];
         }
-        (a[0] > 0.0).then_some(Coulomb { block: a, inverse, stick, mu, damper: 0.0 })
+        (a[0] > 0.0).then_some(Coulomb { block: a, inverse, stick, mu, damper: -1.0 })
     }
 
     /// The sliding answer for r_n without friction and the velocity `rest` that sticking would stop; Newton's method on
@@ -92,7 +96,9 @@ impl Coulomb {
     fn slide(&mut self, q: f64, pressed: f64, rest: [f64; 2]) -> [f64; 3] {
         let (a, mu) = (&self.block, self.mu);
         let [s, t, u, v] = schur(a, self.inverse);
-        let (mut low, mut high, mut kappa) = (0.0, f64::INFINITY, self.damper);
+        // the first time to rounding; then a short step is enough, whose error is its square
+        let (short, start) = if self.damper < 0.0 { (SQUARED, 0.0) } else { (SHORT, self.damper) };
+        let (mut low, mut high, mut kappa) = (0.0, f64::INFINITY, start);
         let mut tangential = [0.0; 2];
         for _ in 0..ROOT_STEPS {
             let (m, n) = (s + kappa, v + kappa);
@@ -101,12 +107,12 @@ impl Coulomb {
             tangential = solve(rest);
             let slope = solve(tangential);
             let square = tangential[0] * tangential[0] + tangential[1] * tangential[1];
-            let size = square.sqrt();
             let normal = pressed - (a[1] * tangential[0] + a[2] * tangential[1]) * self.inverse;
             let normal_slope = -(a[1] * slope[0] + a[2] * slope[1]) * self.inverse;
-            let turned = (tangential[0] * slope[0] + tangential[1] * slope[1]) / square;
-            let excess = mu * normal - size;
-            let next = kappa - excess / (mu * (normal_slope - normal * turned));
+            let turned = tangential[0] * slope[0] + tangential[1] * slope[1];
+            let excess = mu * normal - square.sqrt();
+            let step = -excess * square / (mu * (normal_slope * square - normal * turned));
+            let next = kappa + step;
             if excess < 0.0 {
                 low = kappa
             } else {
@@ -121,9 +127,8 @@ impl Coulomb {
                 kappa = middle;
                 continue;
             }
-            let step = next - kappa;
             kappa = next;
-            if step.abs() <= SQUARED * (kappa + s + v) {
+            if step.abs() <= short * (kappa + s + v) {
                 // the rest of the step changes the direction to second order
                 tangential = [tangential[0] + slope[0] * step, tangential[1] + slope[1] * step];
                 break;
@@ -340,7 +345,8 @@ mod tests {
             let bound = rounding(1024, 64.0) * 16.0;
             let mut coulomb = Coulomb::new(&a, mu).unwrap();
             coulomb.solve(before);
-            let r = coulomb.solve(q);
+            // four short steps square an error of a thousandth to rounding
+            let r = [(); 4].map(|()| coulomb.solve(q))[3];
             let mut y = velocity(&a, r, q);
             y[0] += mu * y[1].hypot(y[2]);
             let off = [distance(&r, mu), dual_distance(&y, mu), (0..3).map(|k| r[k] * y[k]).sum::<f64>().abs()];

@@ -261,18 +261,16 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
         let (impulses, state) = (point.x.as_mut_slice().as_chunks_mut::<D>().0, point.state.as_mut_slice());
         let mut squares = 0.0;
         let mut moved = false;
-        for range in order.iter() {
-            let own = impulses[range.clone()].iter_mut().zip(&mut contacts[range.clone()]);
-            for (k, (impulse, contact)) in range.clone().zip(own) {
-                let new = contact.solve(without(contact.block(), impulse, &swept.at(k, impulse, state)));
-                let mut change = [0.0; D];
-                (0..D).for_each(|row| change[row] = new[row] - impulse[row]);
-                impulse.copy_from_slice(&new[..D]);
-                if change.iter().any(|change| *change != 0.0) {
-                    moved = true;
-                    squares += contact.block()[0] * change.iter().map(|change| change * change).sum::<f64>();
-                    swept.push(k, &change, state);
-                }
+        for k in order.iter().cloned().flatten() {
+            let (impulse, contact) = (&mut impulses[k], &mut contacts[k]);
+            let new = contact.solve(without(contact.block(), impulse, &swept.at(k, impulse, state)));
+            let mut change = [0.0; D];
+            (0..D).for_each(|row| change[row] = new[row] - impulse[row]);
+            impulse.copy_from_slice(&new[..D]);
+            if change.iter().any(|change| *change != 0.0) {
+                moved = true;
+                squares += contact.block()[0] * change.iter().map(|change| change * change).sum::<f64>();
+                swept.push(k, &change, state);
             }
         }
         self.sweeps += 1;

@@ -4,6 +4,11 @@
 /// Derived.
 pub const SQUARED: f64 = 1.0 / 134_217_728.0;
 
+/// A Newton step from the multiplier of the last sweep that is as short as this, relative to the operator, ends the local step: its error is
+/// a millionth, the square, while the sweep moves the contact by a thousandth. Sweeps that converge make it vanish.
+/// Set.
+pub const SHORT: f64 = 1.0 / 1024.0;
+
 /// Most sweeps between two evaluations of the certificate's residual; an evaluation costs about three sweeps. Between them the change of a
 /// sweep tells when the residual may be small enough.
 /// Set.

@@ -1,7 +1,7 @@
 //! How a contact problem is made: its pieces are set one by one, and `build` checks them together.
 
 use super::known::Known;
-use super::{Compliance, ContactProblem, Dynamics, Law};
+use super::{Compliance, ContactKey, ContactProblem, Dynamics, Law};
 use crate::contact::delassus::delassus;
 use crate::contact::{Inertia, Jacobian};
 use crate::operator::{Operator, SparseDynamics};
@@ -24,6 +24,7 @@ pub struct ContactProblemBuilder {
     compliance: Option<Compliance>,
     dynamics: Option<Known>,
     bodies: Option<Vec<[Option<usize>; 2]>>,
+    keys: Option<Vec<ContactKey>>,
 }
 
 impl ContactProblem {
@@ -128,6 +129,7 @@ impl ContactProblem {
             compliance: self.compliance,
             dynamics: self.dynamics,
             bodies: self.bodies,
+            keys: self.keys,
         }
     }
 }
@@ -185,6 +187,7 @@ impl ContactProblemBuilder {
             compliance: None,
             dynamics,
             bodies: None,
+            keys: None,
         }
     }
 
@@ -249,6 +252,12 @@ impl ContactProblemBuilder {
         self
     }
 
+    /// What tells each contact from the others in any list; or `None`.
+    pub fn keys(mut self, keys: impl Into<Option<Vec<ContactKey>>>) -> Self {
+        self.keys = keys.into();
+        self
+    }
+
     /// The problem, if its pieces are valid together.
     ///
     /// # Errors
@@ -268,6 +277,7 @@ impl ContactProblemBuilder {
             compliance: self.compliance,
             dynamics: self.dynamics,
             bodies: self.bodies,
+            keys: self.keys,
         };
         problem.validate()?;
         Ok(problem)

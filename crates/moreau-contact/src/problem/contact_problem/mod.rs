@@ -1,6 +1,6 @@
 //! The one-step contact problem: u = W r + u_free, y = u + shift + R r, (r, y) in the law.
 
-use super::Law;
+use super::{ContactKey, Law};
 use crate::operator::{ContactOperator, Operator};
 use nalgebra::{DMatrix, DVector};
 
@@ -61,6 +61,7 @@ pub struct ContactProblem {
     compliance: Option<Compliance>,
     dynamics: Option<Known>,
     bodies: Option<Vec<[Option<usize>; 2]>>,
+    keys: Option<Vec<ContactKey>>,
 }
 
 impl ContactProblem {
@@ -138,6 +139,11 @@ impl ContactProblem {
     /// The two bodies of each contact by number, the ground as `None`, where known: contacts of one pair are judged by one size.
     pub fn bodies(&self) -> Option<&[[Option<usize>; 2]]> {
         self.bodies.as_deref()
+    }
+
+    /// What tells each contact from the others in any list, where known; by it [`carried`](super::carried) takes impulses to a changed list.
+    pub fn keys(&self) -> Option<&[ContactKey]> {
+        self.keys.as_deref()
     }
 
     /// W_ij \[1/kg\].

@@ -5,6 +5,7 @@ use super::{ContactProblem, Coordinates, Dynamics, Law};
 use crate::memory;
 use crate::tolerance::problem::POLYHEDRAL_UNKNOWNS;
 use moreau_exact::{Error, Result};
+use std::collections::HashMap;
 
 impl ContactProblem {
     /// Checks sizes, finiteness and signs.
@@ -41,6 +42,7 @@ impl ContactProblem {
         self.validate_law()?;
         self.validate_compliance()?;
         self.validate_bodies()?;
+        self.validate_keys()?;
         self.validate_dynamics()
     }
 
@@ -103,6 +105,25 @@ impl ContactProblem {
                 Err(Error::invalid(format!("bodies[{k}]"), "names the same body twice", "name two bodies, or one and null for the ground"))
             }
         }
+    }
+
+    fn validate_keys(&self) -> Result<()> {
+        let Some(keys) = &self.keys else { return Ok(()) };
+        if keys.len() != self.contacts() {
+            let cure = format!("give one for each of the {} contacts", self.contacts());
+            return Err(Error::invalid("keys", format!("has size {}", keys.len()), cure));
+        }
+        let mut seen = HashMap::with_capacity(keys.len());
+        for (k, key) in keys.iter().enumerate() {
+            if let Some(first) = seen.insert(key, k) {
+                let problem = format!("is that of keys[{first}]");
+                return Err(Error::invalid(format!("keys[{k}]"), problem, "give every contact bodies and features of its own"));
+            }
+            if self.bodies.as_ref().is_some_and(|bodies| bodies[k] != key.bodies) {
+                return Err(Error::invalid(format!("keys[{k}]"), "names other bodies than `bodies`", "name the same two in both"));
+            }
+        }
+        Ok(())
     }
 
     fn validate_dynamics(&self) -> Result<()> {

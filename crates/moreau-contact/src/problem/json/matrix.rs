@@ -1,5 +1,7 @@
-//! A matrix in a file: row by row, its entries that are not zero, or – W alone – its blocks that are not zero.
+//! A matrix in a file: row by row, its entries that are not zero, or – W alone – its blocks that are not zero. A mass and a Jacobian by
+//! bodies are blocks on the diagonal and sparse rows.
 
+use super::by_bodies::SparseRows;
 use crate::operator::{BlockSparse, Operator};
 use crate::tolerance::problem::DENSE_ENTRIES;
 use moreau_exact::{Error, Result};
@@ -7,29 +9,37 @@ use nalgebra::DMatrix;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A matrix: all its rows, its entries that are not zero, or – W alone – the blocks of contacts that meet.
+/// A matrix: all its rows, its entries that are not zero, or – W alone – the blocks of contacts that meet; by bodies, a mass is blocks on the
+/// diagonal and a Jacobian sparse rows.
 #[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(rename = "Matrix", extend("oneOf" = [{"required": ["rows"]}, {"required": ["triplets"]}, {"required": ["blocks"]}]))]
+#[schemars(rename = "Matrix", extend("oneOf" = [{"required": ["rows"]}, {"required": ["triplets"]},
+    {"required": ["blocks"]}, {"required": ["diagonal_blocks"]}, {"required": ["sparse_rows"]}]))]
 pub(super) struct MatrixFile {
     /// Numbers of rows and columns.
     pub(super) shape: [usize; 2],
     /// Row by row.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    rows: Option<Vec<Vec<f64>>>,
+    pub(super) rows: Option<Vec<Vec<f64>>>,
     /// Entry by entry, each place at most once.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) triplets: Option<Triplets>,
     /// Block by block, of W only, each place at most once.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    blocks: Option<BlocksFile>,
+    pub(super) blocks: Option<BlocksFile>,
+    /// Of the mass only: the blocks M_b \[kg\] of all bodies, one after the other along the diagonal, each row by row.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) diagonal_blocks: Option<Vec<Vec<f64>>>,
+    /// Of the Jacobian only, with a mass of diagonal blocks.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) sparse_rows: Option<SparseRows>,
 }
 
 /// Contacts, counted from 0, and the blocks W_jk between them.
 #[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Blocks")]
-struct BlocksFile {
+pub(super) struct BlocksFile {
     /// The contacts j that the blocks move.
     row: Vec<usize>,
     /// The contacts k that push.
@@ -51,9 +61,20 @@ pub(super) struct Triplets {
 }
 
 impl MatrixFile {
+    /// No form yet.
+    pub(super) fn empty(shape: [usize; 2]) -> Self {
+        MatrixFile { shape, rows: None, triplets: None, blocks: None, diagonal_blocks: None, sparse_rows: None }
+    }
+
+    /// How many forms are given.
+    pub(super) fn forms(&self) -> usize {
+        let by_bodies = [self.diagonal_blocks.is_some(), self.sparse_rows.is_some()];
+        [self.rows.is_some(), self.triplets.is_some(), self.blocks.is_some()].into_iter().chain(by_bodies).filter(|given| *given).count()
+    }
+
     pub(super) fn dense(matrix: &DMatrix<f64>) -> Self {
         let rows = matrix.row_iter().map(|row| row.iter().copied().collect()).collect();
-        MatrixFile { shape: [matrix.nrows(), matrix.ncols()], rows: Some(rows), triplets: None, blocks: None }
+        MatrixFile { rows: Some(rows), ..MatrixFile::empty([matrix.nrows(), matrix.ncols()]) }
     }
 
     /// W as it is stored.
@@ -68,7 +89,7 @@ impl MatrixFile {
                 file.value.extend((0..d * d).map(|place| block[place % d * d + place / d]));
             }
         }
-        MatrixFile { shape: operator.shape(), rows: None, triplets: None, blocks: Some(file) }
+        MatrixFile { blocks: Some(file), ..MatrixFile::empty(operator.shape()) }
     }
 
     /// Whether its blocks are given.
@@ -80,13 +101,16 @@ impl MatrixFile {
     pub(super) fn read_operator(mut self, field: &str, rows_per_contact: usize) -> Result<Operator> {
         match self.blocks.take() {
             None => Ok(self.read(field)?.into()),
-            Some(_) if self.rows.is_some() || self.triplets.is_some() => Err(one_form(field)),
+            Some(_) if self.forms() > 0 => Err(one_form(field)),
             Some(blocks) => Ok(blocks.read(field, rows_per_contact, self.shape[0] / rows_per_contact)?.into()),
         }
     }
 
     pub(super) fn read(self, field: &str) -> Result<DMatrix<f64>> {
         let [nrows, ncols] = self.shape;
+        if self.forms() != 1 {
+            return Err(one_form(field));
+        }
         match (self.rows, self.triplets) {
             (Some(rows), None) => {
                 if rows.len() != nrows {
@@ -108,8 +132,8 @@ impl MatrixFile {
     }
 }
 
-fn one_form(field: &str) -> Error {
-    let cure = "give one of `rows` and `triplets`; W may have `blocks` instead";
+pub(super) fn one_form(field: &str) -> Error {
+    let cure = "give one of `rows` and `triplets`; W may have `blocks` instead, a mass `diagonal_blocks` and its Jacobian `sparse_rows`";
     Error::invalid(field, "has none of its forms, more than one, or `blocks` that are not of W", cure)
 }
 

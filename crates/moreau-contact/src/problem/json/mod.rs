@@ -6,11 +6,12 @@
 //! ```
 //! Numbers in SI. `dimension` is the number of rows per contact. A matrix is `rows`, or `triplets` {row, column, value}
 //! counted from 0, each place at most once; W may be `blocks` {row, column, value}, of the contacts that meet. Instead of
-//! `delassus` a file may give `mass` and `jacobian`. Optional:
+//! `delassus` a file may give `mass` and `jacobian`; with `diagonal_blocks` of the mass and `sparse_rows` of the Jacobian W is not formed.
+//! Optional: `keys` (bodies and features of each contact, by which impulses are carried to a changed list),
 //! `shift` (default 0), `directions` (polyhedral laws), `compliance` {coordinates: contact | edge, diagonal}, `bodies` (the two bodies of
 //! each contact, the ground as null), `provenance` (anything).
 
-use super::{Compliance, ContactProblem, Coordinates, Dynamics, Law, Solution, siconos};
+use super::{Compliance, ContactKey, ContactProblem, Coordinates, Dynamics, Law, Solution, siconos};
 use crate::contact::delassus::delassus;
 use crate::files::{names_schema, read_json, read_problem, read_schema, write_atomically};
 use crate::memory;
@@ -21,6 +22,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
+mod by_bodies;
 mod lcp;
 mod matrix;
 
@@ -77,9 +79,23 @@ pub struct ProblemFile {
     /// The two bodies of each contact, numbered from 0, the ground as null: contacts of one pair are judged by one size.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     bodies: Option<Vec<[Option<usize>; 2]>>,
+    /// What tells each contact from the others in any list.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    keys: Option<Vec<KeyFile>>,
     /// How the problem was made; opaque here.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     provenance: Option<serde_json::Value>,
+}
+
+/// Which contact it is.
+#[derive(Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "ContactKey")]
+struct KeyFile {
+    /// The two bodies, numbered from 0, the ground as null.
+    bodies: [Option<usize>; 2],
+    /// Which features of the two touch.
+    features: [u32; 2],
 }
 
 /// Diagonal softness R \[1/kg\].
@@ -181,12 +197,20 @@ impl ContactProblem {
             .compliance(file.compliance.map(read_compliance).transpose()?)
             .dynamics(dynamics)
             .bodies(file.bodies)
+            .keys(file.keys.map(|keys| keys.into_iter().map(|KeyFile { bodies, features }| ContactKey { bodies, features }).collect()))
             .build()
     }
 
     /// The problem as text `contact-problem/1`. Mass and Jacobian are written in place of W if W follows from them bit for bit.
     pub fn to_json(&self) -> String {
-        let dynamics = self.dynamics().filter(|Dynamics { mass, jacobian }| delassus(mass, jacobian).is_ok_and(|w| w == *self.dense()));
+        let follows = |dynamics: &&Dynamics| delassus(&dynamics.mass, &dynamics.jacobian).is_ok_and(|w| w == *self.dense());
+        let [mass, jacobian] = match self.delassus().matrix_free() {
+            Some(free) => by_bodies::written(free).map(Some),
+            None => self
+                .dynamics()
+                .filter(follows)
+                .map_or([None, None], |dynamics| [Some(MatrixFile::dense(&dynamics.mass)), Some(MatrixFile::dense(&dynamics.jacobian))]),
+        };
         let file = ProblemFile {
             schema: PROBLEM_SCHEMA.into(),
             name: self.name().into(),
@@ -196,14 +220,15 @@ impl ContactProblem {
             friction: self.friction().to_vec(),
             free_velocity: self.free_velocity().as_slice().to_vec(),
             shift: Some(self.shift().as_slice().to_vec()),
-            delassus: dynamics.is_none().then(|| MatrixFile::operator(self.delassus())),
-            mass: dynamics.map(|dynamics| MatrixFile::dense(&dynamics.mass)),
-            jacobian: dynamics.map(|dynamics| MatrixFile::dense(&dynamics.jacobian)),
+            delassus: mass.is_none().then(|| MatrixFile::operator(self.delassus())),
+            mass,
+            jacobian,
             compliance: self.compliance().map(|compliance| ComplianceFile {
                 coordinates: if compliance.coordinates == Coordinates::Edge { "edge" } else { "contact" }.into(),
                 diagonal: compliance.diagonal.as_slice().to_vec(),
             }),
             bodies: self.bodies().map(<[_]>::to_vec),
+            keys: self.keys().map(|keys| keys.iter().map(|key| KeyFile { bodies: key.bodies, features: key.features }).collect()),
             provenance: None,
         };
         text(&file)
@@ -342,6 +367,12 @@ fn read_operator(
             }
             shape("mass", &mass, [velocities, velocities])?;
             shape("jacobian", &jacobian, [rows, velocities])?;
+            if let Some((field, _)) = [("mass", &mass), ("jacobian", &jacobian)].into_iter().find(|(_, matrix)| matrix.forms() != 1) {
+                return Err(matrix::one_form(field));
+            }
+            if by_bodies::is_given(&mass, &jacobian) {
+                return Ok((by_bodies::read(mass, jacobian, rows_per_contact)?.into(), None));
+            }
             room(velocities)?;
             let dynamics = Dynamics { mass: mass.read("mass")?, jacobian: jacobian.read("jacobian")? };
             Ok((delassus(&dynamics.mass, &dynamics.jacobian)?.into(), Some(dynamics)))

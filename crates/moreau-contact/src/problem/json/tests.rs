@@ -79,6 +79,35 @@ fn blocks_are_read_row_by_row_kept_as_blocks_and_come_back() {
     refused(&CHAIN.replace("\"blocks\"", "\"rows\":[],\"blocks\""), &["delassus", "more than one"]);
 }
 
+/// A ball of 2 kg on the floor and a plate of 4 kg on it, planar: the ball has two velocities, the plate one.
+const BODIES: &str = r#"{"schema":"contact-problem/1","name":"bodies","dimension":2,"law":"coulomb","friction":[0.5,0.25],
+    "free_velocity":[-1,2,-0.5,0.125],"mass":{"shape":[3,3],"diagonal_blocks":[[2,0.5,0.5,1],[4]]},
+    "jacobian":{"shape":[4,3],"sparse_rows":{"starts":[0,1,2,4,5],"column":[0,1,0,2,1],"value":[1,0.1,-1,1,-0.30000000000000004]}},
+    "keys":[{"bodies":[0,null],"features":[0,0]},{"bodies":[1,0],"features":[3,1]}]}"#;
+
+#[test]
+fn masses_and_sparse_rows_make_an_operator_that_is_not_formed_and_come_back_bit_for_bit() {
+    let problem = ContactProblem::from_json(BODIES).unwrap();
+    let free = problem.delassus().matrix_free().expect("W is not formed");
+    assert_eq!((free.jacobian().bodies(1), free.mass(0)[(0, 1)], problem.keys().unwrap()[1].features), (&[0, 1][..], 0.5, [3, 1]));
+    let back = ContactProblem::from_json(&problem.to_json()).unwrap();
+    assert_eq!((&back, back.delassus().entries()), (&problem, problem.delassus().entries()));
+    let mass = DMatrix::from_row_slice(3, 3, &[2.0, 0.5, 0.0, 0.5, 1.0, 0.0, 0.0, 0.0, 4.0]);
+    let jacobian = DMatrix::from_row_slice(4, 3, &[1.0, 0.0, 0.0, 0.0, 0.1, 0.0, -1.0, 0.0, 1.0, 0.0, -0.1 - 0.2, 0.0]);
+    let dense = delassus(&mass, &jacobian).unwrap();
+    assert!((problem.dense() - &dense).amax() <= moreau_exact::tolerance::rounding(16, dense.amax()));
+    refused(&BODIES.replace("[4]]", "[4,1]]"), &["mass.diagonal_blocks[1]", "2 entries"]);
+    refused(&BODIES.replace(",[4]]", "]"), &["mass.diagonal_blocks", "2 rows"]);
+    refused(&BODIES.replace("[4]]", "[-4]]"), &["mass", "positive definite"]);
+    refused(&BODIES.replace("[0,1,2,4,5]", "[0,1,2,4]"), &["jacobian.sparse_rows", "4 starts"]);
+    refused(&BODIES.replace("[0,1,2,4,5]", "[0,2,1,4,5]"), &["jacobian.sparse_rows.starts"]);
+    refused(&BODIES.replace("[0,1,0,2,1]", "[0,1,0,3,1]"), &["jacobian.sparse_rows.column[3]", "below 3"]);
+    refused(&BODIES.replace("[0,1,0,2,1]", "[0,1,0,0,1]"), &["jacobian.sparse_rows", "(2, 0)"]);
+    refused(&BODIES.replace("\"diagonal_blocks\":[[2,0.5,0.5,1],[4]]", "\"rows\":[[2,0,0],[0,1,0],[0,0,4]]"), &["mass", "both"]);
+    refused(&BODIES.replace("\"sparse_rows\"", "\"rows\":[],\"sparse_rows\""), &["jacobian", "more than one"]);
+    refused(&BODIES.replace("[1,0],\"features\":[3,1]", "[0,null],\"features\":[0,0]"), &["keys[1]"]);
+}
+
 #[test]
 fn every_mistake_is_named() {
     refused(&BLOCK.replace("0.30000000000000004", "1e999"), &["free_velocity", "finite"]);
