@@ -6,6 +6,7 @@ mod at_contact;
 pub mod backward;
 pub mod copositivity;
 mod decision;
+mod definite;
 pub mod definiteness;
 pub mod existence;
 pub mod feasibility;
@@ -24,6 +25,7 @@ pub mod residuals;
 mod residuals_json;
 mod scales;
 mod step;
+pub mod uniqueness;
 
 pub use decision::Decision;
 pub use judge::{Judge, Judged, Worst};
