@@ -10,6 +10,7 @@ use crate::certificate::residuals;
 use crate::problem::{ContactProblem, Solution};
 use crate::report::certificate::Certificate;
 use crate::report::json::pretty;
+use crate::report::proofs::Proofs;
 use crate::tolerance::cli::CERTIFY;
 use std::path::PathBuf;
 
@@ -30,7 +31,7 @@ pub struct Arguments {
     #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: f64,
     /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly; and by intervals, within which radius
-    /// the problem itself has a solution, or why that is not proved. Not for polyhedral laws.
+    /// the problem itself has a solution, or why that is not proved; whether its velocities are unique; whether there is no solution at all. Not for polyhedral laws.
     #[arg(long)]
     prove: bool,
     #[command(flatten)]
@@ -59,6 +60,8 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     if arguments.prove {
         certificate = certificate.with_proof(&backward(&problem, &solution.impulse).map_err(|error| error.in_file(&arguments.problem))?);
         certificate = certificate.with_solution_near(&forward(&problem, &solution).map_err(|error| error.in_file(file))?);
+        let accepted = certificate.accepts();
+        certificate = certificate.with_proofs(Proofs::new(&problem, accepted));
     }
     print(&match arguments.common.format {
         Format::Text => certificate.text(),

@@ -5,6 +5,7 @@ use crate::certificate::forward::{Forward, Radius, State};
 use crate::certificate::{Residuals, Worst};
 use crate::number::{significant, with_unit};
 use crate::problem::{ContactProblem, Solution};
+use crate::report::proofs::Proofs;
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -25,6 +26,8 @@ pub struct Certificate<'a> {
     backward: Option<Proved>,
     #[serde(skip_serializing_if = "Option::is_none")]
     forward: Option<Near>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    solutions: Option<Proofs>,
 }
 
 /// Whether a solution near was proved.
@@ -84,7 +87,13 @@ impl<'a> Certificate<'a> {
             solution: solution_found,
             backward: None,
             forward: None,
+            solutions: None,
         }
+    }
+
+    /// The same with what was proved about all solutions.
+    pub fn with_proofs(self, proofs: Proofs) -> Self {
+        Certificate { solutions: Some(proofs), ..self }
     }
 
     /// The same with what was proved about a solution near.
@@ -142,6 +151,9 @@ impl<'a> Certificate<'a> {
         }
         if let Some(near) = &self.forward {
             near.lines().into_iter().for_each(&mut line);
+        }
+        if let Some(proofs) = &self.solutions {
+            proofs.lines().into_iter().for_each(&mut line);
         }
         let verdict = if self.solution { "a solution" } else { "NOT a solution" };
         line(format!("{verdict} to the relative tolerance {}", significant(self.tolerance)));

@@ -9,6 +9,7 @@ pub mod json;
 pub mod matrix;
 pub mod motion;
 pub mod no_answer;
+pub mod proofs;
 pub mod schemas;
 pub mod steps;
 pub mod systems;
