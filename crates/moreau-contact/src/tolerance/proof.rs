@@ -67,3 +67,20 @@ pub fn dependent_pivot(rows: usize) -> f64 {
 /// Most multiplications for deciding a rank, a few seconds.
 /// Set.
 pub const RANK_STEPS: f64 = 2e9;
+
+/// Most rows of a matrix whose definiteness is decided in fractions: a second at most.
+/// Set.
+pub const EXACT_ROWS: usize = 40;
+
+/// Weights α of the condition for uniqueness, relative to √(W_nn W_tt) of the contact. They only decide which of the problems that have one
+/// solution are seen to.
+/// Set.
+pub const WEIGHTS: [f64; 7] = [1.0, 0.5, 2.0, 0.25, 4.0, 0.125, 8.0];
+
+/// Most contacts of a problem for which a witness is searched by a linear program in fractions: seconds at most.
+/// Set.
+pub const WITNESS_CONTACTS: usize = 12;
+
+/// Most contacts in the plane all of whose patterns are tried, 4⁶ = 4 096 linear systems in fractions.
+/// Set.
+pub const PATTERN_CONTACTS: usize = 6;
