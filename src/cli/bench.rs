@@ -1,14 +1,17 @@
 //! `moreau bench`: times solvers on problems, each beside the residual of its certified answer.
 
-use super::limits::{CommonOptions, check_tolerance};
+use super::limits::CommonOptions;
 use super::output::print;
+use super::problem_law::LawOption;
+use super::solver_options::ToleranceOption;
 use super::{Answer, Format};
 use crate::certificate::{natural_map, residuals};
-use crate::problem::ContactProblem;
+use crate::files::write_atomically;
+use crate::problem::{ContactProblem, Solution};
 use crate::report::bench::{Bench, Run};
 use crate::report::json::pretty;
-use crate::solvers::{self, ContactSolver};
-use crate::tolerance::cli::CERTIFY;
+use crate::solvers::ContactSolver;
+use crate::solvers::watch::watched;
 use crate::{Error, Result};
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
@@ -27,12 +30,19 @@ pub struct Arguments {
     /// A solver to time; may be given several times.
     #[arg(long, default_value = "auto", value_name = "NAME")]
     solver: Vec<String>,
-    /// Largest residual that counts as solved, relative to the scale of its contact.
-    #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
-    tolerance: f64,
+    #[command(flatten)]
+    tolerance: ToleranceOption,
     /// Time to spend on repeating one measurement [s].
     #[arg(long, default_value_t = 0.2, value_name = "SECONDS", allow_hyphen_values = true)]
     repeat: f64,
+    /// Solve this often instead, whatever the time.
+    #[arg(long, value_name = "NUMBER", conflicts_with = "repeat")]
+    solves: Option<usize>,
+    /// Write every answer into this folder, a solution/1 named after problem and solver.
+    #[arg(long, value_name = "FOLDER")]
+    answers: Option<PathBuf>,
+    #[command(flatten)]
+    law: LawOption,
     #[command(flatten)]
     common: CommonOptions,
 }
@@ -41,6 +51,7 @@ const EXAMPLES: &str = "\
 Examples:
   moreau bench problems/
   moreau bench problems/ --solver auto --solver pgs --format json > times.json
+  moreau bench problems/ --law associated --tolerance 1e-12 --answers answers/
 
 Exit code 0: every problem was solved by some solver; 1: some was not; 2: a file cannot be read.";
 
@@ -49,18 +60,18 @@ const ENDS: [&str; 4] = ["json", "dat", "hdf5", "h5"];
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
-    check_tolerance("--tolerance", arguments.tolerance)?;
+    arguments.tolerance.check()?;
     if !(arguments.repeat >= 0.0 && arguments.repeat.is_finite()) {
         return Err(Error::invalid("--repeat", format!("is {}", arguments.repeat), "give a time ≥ 0 in seconds"));
     }
     arguments.common.memory.apply()?;
-    let named = |name: &String| solvers::ALL.by_name(name).map_err(|error| Error::Unsupported(format!("--solver: {error}")));
+    let named = |name: &String| arguments.tolerance.solver(name, None);
     let solvers: Vec<Box<dyn ContactSolver>> = arguments.solver.iter().map(named).collect::<Result<_>>()?;
     let files = files(&arguments.problems)?;
     let bar = ProgressBar::new((files.len() * solvers.len()) as u64);
     let mut runs = Vec::new();
     for file in &files {
-        let problem = ContactProblem::read(file)?;
+        let problem = arguments.law.pose(ContactProblem::read(file)?)?;
         let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
         for solver in &solvers {
             runs.push(measured(&problem, &name, solver.as_ref(), arguments)?);
@@ -68,7 +79,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         }
     }
     bar.finish_and_clear();
-    let bench = Bench::new(arguments.tolerance, runs);
+    let bench = Bench::new(arguments.tolerance.accepted(), runs);
     print(&match arguments.common.format {
         Format::Text => bench.text(),
         Format::Json => pretty(&bench)?,
@@ -103,13 +114,20 @@ fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>> {
 }
 
 fn measured(problem: &ContactProblem, name: &str, solver: &dyn ContactSolver, arguments: &Arguments) -> Result<Run> {
-    let (begun, mut repeats, mut seconds) = (Instant::now(), 0, f64::INFINITY);
+    let (begun, mut repeats, mut seconds, mut reproducible) = (Instant::now(), 0, f64::INFINITY, true);
     let answer = loop {
         let start = Instant::now();
-        let answer = solver.solve(problem, None);
+        let answer = if arguments.tolerance.has_time_limit() {
+            let (answer, seen) = arguments.tolerance.within_time(|interrupt| watched(interrupt, || solver.solve(problem, None)));
+            reproducible &= !seen.interrupted;
+            answer
+        } else {
+            solver.solve(problem, None)
+        };
         seconds = seconds.min(start.elapsed().as_secs_f64());
         repeats += 1;
-        if answer.is_err() || begun.elapsed().as_secs_f64() >= arguments.repeat {
+        let enough = arguments.solves.map_or(begun.elapsed().as_secs_f64() >= arguments.repeat, |solves| repeats >= solves);
+        if answer.is_err() || enough {
             break answer;
         }
     };
@@ -119,22 +137,37 @@ fn measured(problem: &ContactProblem, name: &str, solver: &dyn ContactSolver, ar
         solver: solver.name().into(),
         seconds,
         repeats,
+        reproducible,
         iterations: 0,
+        certifying: None,
         relative: None,
         natural_map_one: None,
         solved: false,
+        answer: None,
         failure: None,
     };
     match answer {
-        Ok(solution) => {
-            let judged = residuals(problem, &solution)?;
-            run.iterations = solution.iterations;
-            run.relative = Some(judged.judged.relative());
-            run.natural_map_one = natural_map::of_unit_mass(problem, &solution.impulse);
-            run.solved = judged.is_solution(arguments.tolerance);
-        }
+        Ok(solution) => judge(problem, &solution, arguments, &mut run)?,
         Err(error @ Error::Solver { .. }) => run.failure = Some(error.to_string()),
         Err(error) => return Err(error),
     }
     Ok(run)
+}
+
+/// What the certificate says of the answer, and the answer itself where it is kept.
+fn judge(problem: &ContactProblem, solution: &Solution, arguments: &Arguments, run: &mut Run) -> Result<()> {
+    let start = Instant::now();
+    let judged = residuals(problem, solution)?;
+    run.certifying = Some(start.elapsed().as_secs_f64());
+    run.iterations = solution.iterations;
+    run.relative = Some(judged.judged.relative());
+    run.natural_map_one = natural_map::of_unit_mass(problem, &solution.impulse);
+    run.solved = judged.is_solution(arguments.tolerance.accepted());
+    if let Some(folder) = &arguments.answers {
+        std::fs::create_dir_all(folder).map_err(|source| Error::Write { file: folder.clone(), source })?;
+        let name = format!("{}.{}.json", run.problem, run.solver);
+        write_atomically(&folder.join(&name), solution.to_json(Some(problem.name()), None).as_bytes())?;
+        run.answer = Some(name);
+    }
+    Ok(())
 }

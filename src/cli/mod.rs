@@ -9,6 +9,7 @@ mod certificate_options;
 mod certify;
 mod claim_filters;
 mod compare;
+mod convert;
 mod defects;
 mod drake_options;
 mod dump_options;
@@ -19,6 +20,7 @@ mod mujoco_options;
 mod near;
 mod output;
 mod owned;
+mod problem_law;
 mod problems;
 mod protocol_check;
 mod scene;
@@ -28,6 +30,7 @@ mod scoreboard;
 mod section;
 mod simulate;
 mod solve;
+mod solver_options;
 mod systems;
 mod verify;
 
@@ -74,6 +77,7 @@ enum Command {
     Certify(certify::Arguments),
     Bench(bench::Arguments),
     Problems(problems::Arguments),
+    Convert(convert::Arguments),
     Simulate(Box<simulate::Arguments>),
     Compare(compare::Arguments),
     Gate(Box<gate::Arguments>),
@@ -101,6 +105,7 @@ pub fn run() -> ExitCode {
         Command::Certify(arguments) => certify::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Problems(arguments) => problems::run(&arguments),
+        Command::Convert(arguments) => convert::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Gate(arguments) => gate::run(&arguments),

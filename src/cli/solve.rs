@@ -1,18 +1,19 @@
 //! `moreau solve`: solves a contact problem and certifies its own answer.
 
 use super::limits::CommonOptions;
-use super::limits::check_tolerance;
 use super::output::{keep_input, no_answer, print, print_aside};
+use super::problem_law::LawOption;
+use super::solver_options::ToleranceOption;
 use super::{Answer, Format};
 use crate::certificate::residuals;
 use crate::files::write_atomically;
 use crate::memory;
-use crate::problem::ContactProblem;
-use crate::report::certificate::Certificate;
+use crate::problem::{ContactProblem, Solution};
+use crate::report::certificate::{Certificate, Ending};
 use crate::report::json::pretty;
 use crate::report::proofs::no_solution;
 use crate::solvers;
-use crate::tolerance::cli::CERTIFY;
+use crate::solvers::watch::watched;
 use crate::{Error, Result};
 use std::path::PathBuf;
 
@@ -28,12 +29,19 @@ pub struct Arguments {
     /// Which algorithm proposes the answer.
     #[arg(long, default_value = "auto", value_name = "NAME", help = solver_help())]
     solver: String,
-    /// Largest residual accepted, relative to the scale of its contact.
-    #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
-    tolerance: f64,
+    #[command(flatten)]
+    tolerance: ToleranceOption,
     /// Most sweeps, steps or pivots of an iterative solver; its own number if absent.
     #[arg(long, value_name = "NUMBER")]
     iterations: Option<usize>,
+    /// Start from the impulses of this solution/1, in place of zero.
+    #[arg(long, value_name = "FILE")]
+    start: Option<PathBuf>,
+    /// Add to the JSON the largest relative residual of every look that the solver took.
+    #[arg(long)]
+    history: bool,
+    #[command(flatten)]
+    law: LawOption,
     /// Write the solution to this file, completely or not at all, instead of standard output.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -46,10 +54,12 @@ Examples:
   moreau solve problem.json                              solution/1 on standard output
   moreau solve problem.json --solver pgs --out answer.json
   moreau solve problem.json | moreau certify problem.json /dev/stdin
+  moreau solve problem.json --start answer.json --tolerance 1e-12 --history --format json --out better.json
 
 Exit code 1 means that the solver gave no answer, or one that its certificate rejects; a rejected
-answer is written all the same, with its residuals. In JSON, \"status\" tells which: solved, rejected,
-refused (not a problem for this solver), breakdown, ray, limit.
+answer is written all the same, with its residuals. In JSON, \"status\" tells which: solved; stalled or
+limit, of an answer that the certificate rejects, the latter after the most iterations or the time; and
+without an answer refused (not a problem for this solver), breakdown, ray, limit.
 
 The smallest problem, a block of 1 kg that slides and arrives at 1 m/s:
   {\"schema\": \"contact-problem/1\", \"name\": \"block\", \"dimension\": 2, \"law\": \"coulomb\",
@@ -62,17 +72,22 @@ pub fn solver_help() -> String {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
-    check_tolerance("--tolerance", arguments.tolerance)?;
+    arguments.tolerance.check()?;
     arguments.common.memory.apply()?;
-    let solver = solvers::ALL
-        .with_iterations(&arguments.solver, arguments.iterations)
-        .map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
+    let solver = arguments.tolerance.solver(&arguments.solver, arguments.iterations)?;
     keep_input(&arguments.problem, "--out", arguments.out.as_deref())?;
-    let problem = ContactProblem::read(&arguments.problem)?;
+    let problem = arguments.law.pose(ContactProblem::read(&arguments.problem)?)?;
+    let start = arguments.start.as_deref().map(|file| Solution::read(file, &problem).map(|solution| (file, solution))).transpose()?;
     if problem.delassus().blocks().is_none() {
         memory::require(&format!("solving {} rows", problem.rows()), 8 * memory::matrix(problem.rows(), problem.rows()))?;
     }
-    let solution = match solver.solve(&problem, None).map_err(|error| error.in_file(&arguments.problem)) {
+    let warm = start.as_ref().map(|(_, solution)| &solution.impulse);
+    let (answer, seen) = arguments.tolerance.within_time(|interrupt| watched(interrupt, || solver.solve(&problem, warm)));
+    let place = match (&answer, &start) {
+        (Err(Error::Invalid { field, .. }), Some((file, _))) if field == "warm_start" => file,
+        _ => arguments.problem.as_path(),
+    };
+    let solution = match answer.map_err(|error| error.in_file(place)) {
         Ok(solution) => solution,
         Err(error) => {
             if let Some(proof) = no_solution(&problem) {
@@ -82,7 +97,9 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         }
     };
     let residuals = residuals(&problem, &solution)?;
-    let certificate = Certificate::new(&problem, &solution, &residuals, arguments.tolerance);
+    let exhausted = seen.interrupted || solver.iteration_limit().is_some_and(|most| solution.iterations >= most);
+    let ending = Ending { exhausted, reproducible: !seen.interrupted, history: arguments.history.then_some(seen.history) };
+    let certificate = Certificate::new(&problem, &solution, &residuals, arguments.tolerance.accepted()).with_ending(ending);
     let report = match arguments.common.format {
         Format::Text => certificate.text(),
         Format::Json => pretty(&certificate)?,

@@ -38,14 +38,21 @@ pub struct Run {
     pub seconds: f64,
     /// How often it was measured.
     pub repeats: usize,
+    /// Whether the same command finds the answer again: false if a time limit ended a solve.
+    pub reproducible: bool,
     /// Iterations, sweeps or pivots.
     pub iterations: usize,
+    /// The time of the certificate of the answer \[s\]; absent where there is no answer.
+    pub certifying: Option<f64>,
     /// The largest residual of a contact relative to its scale; absent where there is no answer.
     pub relative: Option<f64>,
     /// ‖r − P_K(r − ŷ)‖/‖q‖ with ρ = 1 kg, as other collections compare; absent for polyhedral laws and without an answer.
     pub natural_map_one: Option<f64>,
     /// Whether the certificate accepts the answer.
     pub solved: bool,
+    /// The file of the answer in the folder of answers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub answer: Option<String>,
     /// Why there is no answer.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub failure: Option<String>,
@@ -89,14 +96,25 @@ impl Bench {
     /// For reading.
     pub fn text(&self) -> String {
         let width = self.runs.iter().map(|run| run.problem.chars().count()).max().unwrap_or(0).max("problem".len());
-        let mut text =
-            format!("{:width$} {:>8} {:18} {:>11} {:>10} {:>10}\n", "problem", "contacts", "solver", "time", "residual", "iterations");
+        let heads = ["contacts", "solver", "time", "residual", "ρ = 1", "iterations"];
+        let mut text = format!(
+            "{:width$} {:>8} {:18} {:>11} {:>10} {:>10} {:>10}\n",
+            "problem", heads[0], heads[1], heads[2], heads[3], heads[4], heads[5]
+        );
         for run in &self.runs {
             let end = match (&run.failure, run.relative) {
                 (Some(failure), _) => failure.clone(),
                 (None, relative) => {
-                    let residual = relative.map_or("-".into(), |relative| format!("{relative:.1e}"));
-                    format!("{residual:>10} {:>10}{}", run.iterations, if run.solved { "" } else { "  not solved" })
+                    let [residual, map] = [relative, run.natural_map_one].map(|e| e.map_or("-".into(), |e| format!("{e:.1e}")));
+                    format!(
+                        "{residual:>10} {map:>10} {:>10}{}",
+                        run.iterations,
+                        match (run.solved, run.reproducible) {
+                            (_, false) => "  ended by the time limit",
+                            (true, true) => "",
+                            (false, true) => "  not solved",
+                        }
+                    )
                 }
             };
             let (problem, contacts, solver) = (&run.problem, run.contacts, &run.solver);
@@ -150,10 +168,13 @@ mod tests {
             solver,
             seconds,
             repeats: 1,
+            reproducible: true,
             iterations: 1,
+            certifying: Some(0.0),
             relative: Some(0.0),
             natural_map_one: None,
             solved,
+            answer: None,
             failure: None,
         }
     }

@@ -13,7 +13,7 @@ use std::fmt::Write;
 /// The certificate of one answer.
 #[derive(Serialize)]
 pub struct Certificate<'a> {
-    /// `solved` or `rejected`.
+    /// `solved` or `rejected`; of a solver's own answer that is rejected `stalled` or `limit`.
     status: &'static str,
     problem: &'a str,
     law: &'static str,
@@ -31,6 +31,12 @@ pub struct Certificate<'a> {
     forward: Option<Near>,
     #[serde(skip_serializing_if = "Option::is_none")]
     solutions: Option<Proofs>,
+    /// Whether the same command finds this answer again; absent where nobody knows how it was made.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reproducible: Option<bool>,
+    /// The largest relative residual of a contact, look by look of the solver.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    history: Option<Vec<f64>>,
 }
 
 /// Whether a solution near was proved.
@@ -59,6 +65,17 @@ struct Bounds {
     impulses: Vec<f64>,
     /// Rows that depend exactly on others.
     dependent_rows: Vec<usize>,
+}
+
+/// How the solver of an answer ended.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ending {
+    /// Whether it did as many iterations as it may, or took as long.
+    pub exhausted: bool,
+    /// Whether the same command finds this answer again.
+    pub reproducible: bool,
+    /// The residuals of its looks, where they were asked for.
+    pub history: Option<Vec<f64>>,
 }
 
 /// A proved backward error.
@@ -92,6 +109,8 @@ impl<'a> Certificate<'a> {
             lcp: None,
             forward: None,
             solutions: None,
+            reproducible: None,
+            history: None,
         }
     }
 
@@ -109,6 +128,16 @@ impl<'a> Certificate<'a> {
             Forward::NotProved(reason) => Near { proved: false, reason: Some(reason.text.clone()), contact: reason.contact, radius: None },
         };
         Certificate { forward: Some(near), ..self }
+    }
+
+    /// The same of an answer whose solver ended like this.
+    pub fn with_ending(self, ending: Ending) -> Self {
+        let status = match (self.solution, ending.exhausted) {
+            (true, _) => "solved",
+            (false, true) => "limit",
+            (false, false) => "stalled",
+        };
+        Certificate { status, reproducible: Some(ending.reproducible), history: ending.history, ..self }
     }
 
     /// The same with a proved backward error.
@@ -166,6 +195,9 @@ impl<'a> Certificate<'a> {
         }
         if let Some(proofs) = &self.solutions {
             proofs.lines().into_iter().for_each(&mut line);
+        }
+        if self.reproducible == Some(false) {
+            line("ended by the time limit: another run need not find this answer again".into());
         }
         let verdict = if self.solution { "a solution" } else { "NOT a solution" };
         line(format!("{verdict} to the relative tolerance {}", significant(self.tolerance)));

@@ -243,6 +243,10 @@ pub mod report {
 pub mod cli {
     pub use moreau_contact::tolerance::certificate::CERTIFY;
 
+    /// Part of the tolerance asked for at which a solver stops: a half, so that the certificate, which computes y anew, accepts it.
+    /// Set.
+    pub const ASKED_SHARE: f64 = 0.5;
+
     /// Most steps `simulate` records: a body takes about 200 bytes per step in memory and 300 in a file, so that a scene
     /// of a few bodies stays near a gigabyte.
     /// Set.

@@ -89,3 +89,35 @@ fn a_proof_tells_how_far_the_problem_is_that_a_wrong_answer_solves() {
     let polyhedral = folder.file("polyhedral.json", &PROBLEM.replace(r#""coulomb""#, r#""polyhedral-coulomb", "directions": 2"#));
     moreau(&["certify", &polyhedral, &wrong, "--prove"]).is_refused(&["polyhedral.json", "not proved"]);
 }
+
+#[test]
+fn a_converted_problem_is_the_same_number_for_number() {
+    let folder = Folder::new("convert");
+    let dat = folder.file("b.dat", DAT);
+    let [json, hdf5, back] = ["b.json", "b.hdf5", "back.json"].map(|name| folder.path(name));
+    for (from, to) in [(&dat, &json), (&json, &hdf5), (&hdf5, &back)] {
+        assert_eq!(moreau(&["convert", from, "--out", to]).code, 0, "{from} to {to}");
+    }
+    let [first, last] = [&json, &back].map(|file| ContactProblem::read(std::path::Path::new(file)).unwrap());
+    assert_eq!((first.dense(), first.free_velocity(), first.friction()), (last.dense(), last.free_velocity(), last.friction()));
+    assert_eq!(moreau(&["convert", &dat]).json()["law"], "coulomb");
+    assert_eq!(moreau(&["convert", &dat, "--law", "associated"]).json()["law"], "associated");
+    moreau(&["convert", &dat, "--out", &folder.path("b.xml")]).is_refused(&["--out", ".json"]);
+    moreau(&["convert", &dat, "--out", &dat]).is_refused(&["--out"]);
+}
+
+#[test]
+fn answers_are_kept_counts_are_kept_and_the_law_can_be_another() {
+    let folder = Folder::new("bench-answers");
+    let (problem, answers) = (folder.file("b.dat", DAT), folder.path("answers"));
+    let words =
+        ["bench", &problem, "--solves", "3", "--answers", &answers, "--law", "associated", "--tolerance", "1e-12", "--format", "json"];
+    let run = moreau(&words);
+    assert_eq!(run.code, 0, "{}{}", run.output, run.message);
+    let line = &run.json()["runs"][0];
+    assert_eq!((line["repeats"].as_u64(), line["answer"].as_str()), (Some(3), Some("b.dat.auto.json")));
+    assert!(line["certifying"].as_f64().unwrap() > 0.0 && line["natural_map_one"].as_f64().unwrap() <= 1e-12, "{line}");
+    let convex = folder.path("convex.json");
+    assert_eq!(moreau(&["convert", &problem, "--law", "associated", "--out", &convex]).code, 0);
+    assert_eq!(moreau(&["certify", &convex, &format!("{answers}/b.dat.auto.json")]).code, 0);
+}

@@ -69,7 +69,9 @@ fn the_status_in_json_tells_how_a_solver_ended() {
     // one sweep is not enough where the contact's rows depend on each other
     let coupled = folder.file("coupled.json", &PROBLEM.replace("[[1, 0], [0, 1]]", "[[1, 0.9], [0.9, 1]]"));
     assert_eq!(status(&coupled, "apgd", &[]), "refused");
-    assert_eq!(status(&coupled, "psor", &["--iterations", "1"]), "rejected");
+    assert_eq!(status(&coupled, "psor", &["--iterations", "1"]), "limit");
+    // nothing stops what W = 0 does not move
+    assert_eq!(status(&empty, "admm", &["--iterations", "20"]), "limit");
     assert!(folder.names().contains(&"answer.json".into()), "a rejected answer is written");
     // without a file the answer would be on standard output, where nothing else may be
     let run = moreau(&["solve", &problem, "--solver", "clarabel", "--format", "json"]);
@@ -165,4 +167,44 @@ fn a_problem_too_large_for_memory_is_refused_before_it_is_built() {
     let fields = format!(r#""mass": {mass}, "jacobian": {jacobian}"#);
     let text = PROBLEM.replace(r#""delassus": {"shape": [2, 2], "rows": [[1, 0], [0, 1]]}"#, &fields);
     moreau(&["solve", &folder.file("mass.json", &text)]).is_refused(&["mass.json", "field `mass`", "dense"]);
+}
+
+#[test]
+fn a_start_the_history_and_the_tolerance_that_was_asked_for() {
+    let folder = Folder::new("solve-start");
+    let problem = folder.file("problem.json", &PROBLEM.replace("[[1, 0], [0, 1]]", "[[1, 0.9], [0.9, 1]]"));
+    let [answer, again] = ["answer.json", "again.json"].map(|name| folder.path(name));
+    let solve = |more: &[&str]| {
+        let run = moreau(&[&["solve", &problem, "--solver", "admm", "--history", "--format", "json"], more].concat());
+        assert_eq!(run.code, 0, "{}{}", run.output, run.message);
+        let json = run.json();
+        let history: Vec<f64> = json["history"].as_array().unwrap().iter().map(|entry| entry.as_f64().unwrap()).collect();
+        (json, history)
+    };
+    let (cold, history) = solve(&["--tolerance", "1e-10", "--out", &answer]);
+    assert!(history.len() > 1 && history[0] > 1e-10 && *history.last().unwrap() <= 0.5e-10, "{history:?}");
+    assert_eq!((&cold["status"], &cold["reproducible"]), (&"solved".into(), &true.into()));
+    let (coarse, short) = solve(&["--tolerance", "0.01", "--out", &again]);
+    assert!(short.len() < history.len(), "what is asked for is less work: {short:?}");
+    assert!(coarse["iterations"].as_u64() < cold["iterations"].as_u64());
+    let (warm, none) = solve(&["--tolerance", "1e-9", "--start", &answer, "--out", &again]);
+    assert!(none.len() <= history.len() && warm["iterations"].as_u64() < cold["iterations"].as_u64(), "{none:?}");
+    let short = folder.file("short.json", r#"{"schema": "solution/1", "impulse": [1], "velocity": [0]}"#);
+    moreau(&["solve", &problem, "--start", &short]).is_refused(&["short.json", "1 entries"]);
+}
+
+#[test]
+fn an_answer_of_a_time_limit_is_marked() {
+    let folder = Folder::new("solve-time");
+    // W = 0: no impulse stops the block, and the iteration would go on
+    let empty = folder.file("empty.json", &PROBLEM.replace("[[1, 0], [0, 1]]", "[[0, 0], [0, 0]]"));
+    let answer = folder.path("answer.json");
+    let words = ["solve", &empty, "--solver", "admm", "--iterations", "1000000", "--out", &answer, "--time-limit", "0.01"];
+    let run = moreau(&[&words[..], &["--format", "json"]].concat());
+    assert_eq!((run.code, &run.json()["status"], &run.json()["reproducible"]), (1, &"limit".into(), &false.into()));
+    let run = moreau(&words);
+    assert!(run.output.contains("another run need not find"), "{}", run.output);
+    for (option, value) in [("--time-limit", "0"), ("--time-limit", "nan"), ("--tolerance", "-1")] {
+        moreau(&["solve", &empty, option, value]).is_refused(&[option]);
+    }
 }

@@ -11,6 +11,10 @@
 //! ```
 //! for every solution r*. These are bounds, not slopes: most problems converge much faster. Restarting the momentum when it points
 //! uphill keeps the descent of strongly convex problems linear; it is the default for solving.
+//!
+//! Only products A p are formed, dense or by blocks. Where W is asymmetric by a little, as in files that hold few digits, A p + q is no
+//! gradient: the iteration r⁺ = P_K(r − (A r + q)/L) has the right fixed points all the same, and whether it got to one is for the
+//! certificate to say. The bounds hold for a symmetric W alone.
 
 use super::ContactSolver;
 use super::stopping::Stopping;
@@ -30,7 +34,7 @@ pub enum Momentum {
     Restarted,
 }
 
-/// Projected gradient descent for the frictionless and associated laws, with or without momentum; W must be symmetric.
+/// Projected gradient descent for the frictionless and associated laws, with or without momentum; W must be symmetric, or nearly so.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AcceleratedProjectedGradient {
     /// The momentum.
@@ -54,6 +58,14 @@ impl ContactSolver for AcceleratedProjectedGradient {
         NAME
     }
 
+    fn with_tolerance(&self, relative: f64) -> Option<Box<dyn ContactSolver>> {
+        Some(Box::new(Self { tolerance: relative, ..*self }))
+    }
+
+    fn iteration_limit(&self) -> Option<usize> {
+        Some(self.iterations)
+    }
+
     fn takes(&self, law: Law, _rows: usize, symmetric: bool) -> bool {
         super::parts::takes_convex(law, symmetric)
     }
@@ -67,24 +79,23 @@ impl AcceleratedProjectedGradient {
     /// Like [`ContactSolver::solve`], showing every iterate: `observe(k, r_k)` for k = 1, 2, ….
     ///
     /// # Errors
-    /// [`moreau_exact::Error::Solver`] for another law or an asymmetric W.
+    /// [`moreau_exact::Error::Solver`] for another law or a W that is far from symmetric.
     pub fn solve_observed(
         &self,
         problem: &ContactProblem,
         warm_start: Option<&DVector<f64>>,
         mut observe: impl FnMut(usize, &DVector<f64>),
     ) -> Result<Solution> {
-        super::parts::require_convex(NAME, problem)?;
-        let operator = problem.law_delassus()?;
+        super::parts::require_nearly_convex(NAME, problem)?;
         let q = problem.free_velocity() + problem.shift();
-        let step = step_length(&operator);
+        let product_of = |impulse: &DVector<f64>| super::parts::law_product(problem, impulse);
+        let step = step_length(problem);
         let mut stopping = Stopping::new(problem, self.tolerance);
 
         let mut impulse = super::start(problem, warm_start)?;
-        let mut product = &operator * &impulse;
+        let mut product = product_of(&impulse);
         let (mut point, mut point_product) = (impulse.clone(), product.clone());
         let mut next = impulse.clone();
-        let mut next_product = product.clone();
         let mut t: f64 = 1.0;
         let mut done = 0;
         while done < self.iterations && !stopping.holds(&impulse, &(&product + &q)) {
@@ -92,7 +103,7 @@ impl AcceleratedProjectedGradient {
             next.axpy(-step, &point_product, 1.0);
             next.axpy(-step, &q, 1.0);
             super::project(problem, &mut next);
-            next_product.gemv(1.0, &operator, &next, 0.0);
+            let mut next_product = product_of(&next);
             let uphill = (0..next.len()).map(|k| (point[k] - next[k]) * (next[k] - impulse[k])).sum::<f64>() > 0.0;
             let beta = match self.momentum {
                 Momentum::Plain => 0.0,
@@ -131,9 +142,20 @@ pub fn largest_eigenvalue_bound(operator: &DMatrix<f64>) -> f64 {
     rows.min(operator.norm())
 }
 
-/// 1/L \[kg\].
-pub(super) fn step_length(operator: &DMatrix<f64>) -> f64 {
-    let bound = largest_eigenvalue_bound(operator);
+/// 1/L \[kg\]: L is the smaller of the Frobenius norm and the largest absolute column sum of A, which bound ‖A‖₂ where A is symmetric.
+pub(super) fn step_length(problem: &ContactProblem) -> f64 {
+    let (mut largest, mut squares) = (0.0_f64, 0.0);
+    for column in 0..problem.rows() {
+        let (mut sum, mut diagonal) = (0.0, super::compliance(problem, column));
+        problem.delassus().for_each_in_column(column, |row, w| {
+            let entry = if row == column { w + std::mem::take(&mut diagonal) } else { w };
+            sum += entry.abs();
+            squares += entry * entry;
+        });
+        largest = largest.max(sum + diagonal);
+        squares += diagonal * diagonal;
+    }
+    let bound = largest.min(squares.sqrt());
     if bound > 0.0 { 1.0 / bound } else { 1.0 }
 }
 

@@ -5,26 +5,28 @@
 //!     x ← argmin ½xᵀA x + (q + s)ᵀx − zᵀ(x − p) + ½ρ‖x − p‖² + ½η‖x − x₋‖² ,   impulse of the dynamics
 //!     z ← z − ρ (x − p) ,                                                   velocity: at the solution z = A x + q + s
 //! ```
-//! with A = W + R and q = u_free + shift. The middle line is one system with the matrix A + (ρ + η)I, which is definite whatever A is. For
-//! Coulomb's law s = μ‖z_t‖n is de Saxcé's correction of the last z, contact by contact; for the convex laws s = 0. The answer is p.
+//! with A = W + R and q = u_free + shift. The middle line is one system with the matrix A + (ρ + η)I: a Cholesky factor where W is
+//! symmetric, L U where it is not, contact by contact where W is stored by blocks (`shifted_operator.rs`). For Coulomb's law s = μ‖z_t‖n is de Saxcé's correction of the last z, contact by contact; for the convex laws s = 0. The answer is p.
 //!
 //! **ρ by itself.** With the primal residual ‖x − p‖ \[N·s\] and the dual one max(ρ, η)‖x − x₋‖ \[m/s\], ρ is multiplied by √(primal/dual)
-//! as soon as one exceeds ten times the other. Everything is measured in units in which the mean diagonal entry of A is 1 and so is the
-//! largest entry of q, so that a change of units changes nothing. For a convex law and ρ held fixed the method converges from anywhere; to
-//! that end ρ is held longer and longer, the n-th value for n iterations. For Coulomb's law nothing is promised: the certificate decides.
+//! as soon as that is a factor of five or more, for each change costs a factorisation. Everything is measured in units in which the mean diagonal entry of A is 1 and so is the
+//! largest entry of q, so that a change of units changes nothing. For a convex law, W + Wᵀ + 2R ⪰ 0 and ρ held fixed the method converges
+//! from anywhere, for r ↦ A r + q is monotone then, symmetric or not; to that end ρ is held longer and longer, the n-th value for n
+//! iterations. For another W and for Coulomb's law nothing is promised: the certificate decides.
 //!
 //! `DIFFERENCE` Pinocchio 4.1.0 writes τρ for ρ (τ = ½), may change ρ in every iteration, and has no units: its η = 10⁻⁶ and the bounds of
 //! ρ are numbers. Project Chrono has the same iteration with the proximal term on p and ρ balanced every six iterations.
 
 use super::ContactSolver;
+use super::shifted_operator::{Shifted, ShiftedOperator};
 use super::stopping::Stopping;
 use crate::certificate::natural_map;
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::solvers as tolerance;
 use moreau_exact::{Error, Result};
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use nalgebra::DVector;
 
-/// Alternating directions for the frictionless, associated and Coulomb laws; W must be symmetric.
+/// Alternating directions for the frictionless, associated and Coulomb laws; W may be asymmetric.
 ///
 /// # Source
 /// Carpentier, Le Lidec, Montaut, *From compliant to rigid contact simulation: a unified and efficient approach* (2024); Pinocchio 4.1.0,
@@ -48,10 +50,10 @@ const NAME: &str = "admm";
 /// The problem in its own units, and the factorised matrix A + (ρ + η)I.
 struct Scaled<'a> {
     problem: &'a ContactProblem,
-    operator: DMatrix<f64>,
+    operator: ShiftedOperator<'a>,
     free: DVector<f64>,
     penalty: f64,
-    factor: Cholesky<f64, Dyn>,
+    factor: Shifted,
 }
 
 impl ContactSolver for AlternatingDirections {
@@ -59,25 +61,31 @@ impl ContactSolver for AlternatingDirections {
         NAME
     }
 
-    fn takes(&self, law: Law, _rows: usize, symmetric: bool) -> bool {
-        symmetric && law.directions().is_none()
+    fn with_tolerance(&self, relative: f64) -> Option<Box<dyn ContactSolver>> {
+        Some(Box::new(Self { tolerance: relative, ..*self }))
+    }
+
+    fn iteration_limit(&self) -> Option<usize> {
+        Some(self.iterations)
+    }
+
+    fn takes(&self, law: Law, _rows: usize, _symmetric: bool) -> bool {
+        law.directions().is_none()
     }
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         if problem.law().directions().is_some() {
             return Err(Error::refused(NAME, format!("does not solve the law `{}`; use `lemke`", problem.law().name())));
         }
-        super::require_symmetry(NAME, problem)?;
         let start = super::start(problem, warm_start)?;
         let data = problem.law_velocity(&DVector::zeros(problem.rows()));
-        let operator = problem.law_delassus()?;
-        let mass = if operator.trace() > 0.0 { problem.rows() as f64 / operator.trace() } else { 1.0 };
+        let operator = ShiftedOperator::new(problem)?;
         let speed = if data.amax() > 0.0 { data.amax() } else { 1.0 };
-        let unit = mass * speed;
+        let unit = operator.mass() * speed;
         let mut stopping = Stopping::new(problem, self.tolerance);
-        let mut scaled = Scaled::new(problem, operator * mass, data / speed)?;
+        let mut scaled = Scaled::new(problem, operator, data / speed)?;
         let mut x = start / unit;
-        let mut z = scaled.corrected(&(&scaled.operator * &x + &scaled.free));
+        let mut z = scaled.corrected(&(scaled.operator.apply(&x) + &scaled.free));
         let mut cone = x.clone();
         super::project(problem, &mut cone);
         let (mut done, mut held, mut changes) = (0, 0, 0);
@@ -102,8 +110,8 @@ impl ContactSolver for AlternatingDirections {
 }
 
 impl<'a> Scaled<'a> {
-    fn new(problem: &'a ContactProblem, operator: DMatrix<f64>, free: DVector<f64>) -> Result<Self> {
-        let factor = factorise(&operator, 1.0)?;
+    fn new(problem: &'a ContactProblem, operator: ShiftedOperator<'a>, free: DVector<f64>) -> Result<Self> {
+        let factor = operator.shifted(NAME, 1.0 + tolerance::ADMM_PROXIMAL)?;
         Ok(Scaled { problem, operator, free, penalty: 1.0, factor })
     }
 
@@ -113,7 +121,7 @@ impl<'a> Scaled<'a> {
         super::project(self.problem, &mut cone);
         // −(q + s) + z + ρ p + η x₋, where s = corrected − z
         let right = z * 2.0 - &self.free - self.corrected(z) + &cone * self.penalty + x * tolerance::ADMM_PROXIMAL;
-        let next = self.factor.solve(&right);
+        let next = self.operator.solve(&self.factor, &right);
         (cone, next)
     }
 
@@ -128,29 +136,25 @@ impl<'a> Scaled<'a> {
 
     /// Changes ρ where the residuals ask for it; returns whether it did.
     fn balance(&mut self, (primal, dual): (f64, f64)) -> Result<bool> {
-        if primal <= tolerance::BALANCE * dual && dual <= tolerance::BALANCE * primal {
+        let factor = (primal / dual).sqrt();
+        if factor < tolerance::BALANCE && 1.0 / factor < tolerance::BALANCE {
             return Ok(false);
         }
-        let penalty = (self.penalty * (primal / dual).sqrt()).clamp(tolerance::PENALTIES.0, tolerance::PENALTIES.1);
+        let penalty = (self.penalty * factor).clamp(tolerance::PENALTIES.0, tolerance::PENALTIES.1);
         if !penalty.is_finite() || penalty == self.penalty {
             return Ok(false);
         }
-        self.factor = factorise(&self.operator, penalty)?;
+        self.factor = self.operator.shifted(NAME, penalty + tolerance::ADMM_PROXIMAL)?;
         self.penalty = penalty;
         Ok(true)
     }
-}
-
-fn factorise(operator: &DMatrix<f64>, penalty: f64) -> Result<Cholesky<f64, Dyn>> {
-    let mut damped = operator.clone();
-    (0..damped.nrows()).for_each(|k| damped[(k, k)] += penalty + tolerance::ADMM_PROXIMAL);
-    Cholesky::new(damped).ok_or_else(|| Error::refused(NAME, "needs a positive semidefinite W + R; use `pgs`"))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::problem::Law;
+    use nalgebra::DMatrix;
 
     fn block(law: Law) -> ContactProblem {
         ContactProblem::new(DMatrix::identity(2, 2), DVector::from_vec(vec![-0.8, 0.6]))
@@ -180,6 +184,22 @@ mod tests {
         // powers of two: the same numbers, bit for bit
         assert_eq!(one.iterations, two.iterations);
         assert_eq!(one.impulse * 2f64.powi(-100), two.impulse);
+    }
+
+    #[test]
+    fn an_asymmetric_w_is_solved_dense_and_by_blocks() {
+        // rows (1, ½) and (−½, 1): W + Wᵀ = 2 I. Sticking, r = −W⁻¹q = (1, 0) N·s for q = (−1, ½)
+        let rolling = DMatrix::from_row_slice(2, 2, &[1.0, 0.5, -0.5, 1.0]);
+        let free = DVector::from_vec(vec![-1.0, 0.5]);
+        for law in [Law::Coulomb, Law::Associated] {
+            let dense = block(law).into_builder().delassus(rolling.clone()).free_velocity(free.clone()).build().unwrap();
+            let blocks = crate::operator::BlockSparse::new(2, 1, vec![(0, 0, rolling.clone())]).unwrap();
+            let stored = dense.clone().into_builder().delassus(blocks).build().unwrap();
+            for problem in [dense, stored] {
+                let answer = AlternatingDirections::default().solve(&problem, None).unwrap();
+                assert!((answer.impulse - DVector::from_vec(vec![1.0, 0.0])).amax() <= 8.0 * tolerance::STOP, "{law:?}");
+            }
+        }
     }
 
     #[test]

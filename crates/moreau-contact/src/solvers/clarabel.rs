@@ -6,7 +6,7 @@
 //! An interior-point answer is inside the cones by its tolerance, which a relative stopping test leaves at 1e-9 to 1e-5 of
 //! the natural map; projected Gauss–Seidel from there identifies stick, slip and separation exactly. Neither is
 //! believed: both are judged by the certificate, the better one is returned, and a polishing that did not help is named
-//! in the answer.
+//! in the answer. Of a W that is asymmetric by a little Clarabel is given (W + Wᵀ)/2; the polishing and the certificate take W itself.
 
 use super::{ContactSolver, ProjectedGaussSeidel};
 use crate::certificate::{Residuals, residuals};
@@ -20,7 +20,8 @@ use moreau_exact::error::Failure;
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 
-/// Clarabel followed by projected Gauss–Seidel, for the frictionless, associated and polyhedral associated laws; W must be symmetric.
+/// Clarabel followed by projected Gauss–Seidel, for the frictionless, associated and polyhedral associated laws; W must be symmetric, or
+/// nearly so.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ClarabelPolished;
 
@@ -65,7 +66,7 @@ impl ClarabelPolished {
     /// # Errors
     /// [`Error::Solver`] for another law, an asymmetric W, or if Clarabel ends without numbers (an unbounded problem has no solution).
     pub fn solve_judged(&self, problem: &ContactProblem) -> Result<Polished> {
-        super::require_symmetry(NAME, problem)?;
+        super::parts::require_near_symmetry(NAME, problem)?;
         match problem.law() {
             Law::Frictionless | Law::Associated => {}
             Law::PolyhedralAssociated { directions } => return through_edges(problem, directions),
@@ -91,9 +92,8 @@ impl ClarabelPolished {
 
 /// Clarabel's r and its iterations, on data scaled to size one.
 fn interior_point(problem: &ContactProblem) -> Result<(DVector<f64>, usize)> {
-    let operator = problem.law_delassus()?;
     let data = problem.free_velocity() + problem.shift();
-    let (stiffness, speed) = (operator.amax(), data.amax());
+    let (stiffness, speed) = (largest_entry(problem), data.amax());
     if speed == 0.0 {
         return Ok((DVector::zeros(problem.rows()), 0));
     }
@@ -101,7 +101,7 @@ fn interior_point(problem: &ContactProblem) -> Result<(DVector<f64>, usize)> {
         return Err(Error::breakdown(NAME, "W + R is zero, so no impulse changes any velocity"));
     }
     let n = problem.rows();
-    let quadratic = upper_triangle(&(operator / stiffness));
+    let quadratic = upper_triangle(problem, stiffness);
     let linear: Vec<f64> = data.iter().map(|q| q / speed).collect();
     let (constraint, cones) = cones(problem);
     let settings = DefaultSettingsBuilder::default()
@@ -147,15 +147,30 @@ fn cones(problem: &ContactProblem) -> (CscMatrix<f64>, Vec<SupportedConeT<f64>>)
     (CscMatrix::new(n, n, (0..=n).collect(), (0..n).collect(), diagonal), cones)
 }
 
-fn upper_triangle(matrix: &DMatrix<f64>) -> CscMatrix<f64> {
-    let n = matrix.nrows();
+/// The largest entry of W or R \[1/kg\].
+fn largest_entry(problem: &ContactProblem) -> f64 {
+    let mut largest = 0.0_f64;
+    for column in 0..problem.rows() {
+        largest = largest.max(super::compliance(problem, column));
+        problem.delassus().for_each_in_column(column, |_, w| largest = largest.max(w.abs()));
+    }
+    largest
+}
+
+/// The upper triangle of ((W + Wᵀ)/2 + R)/unit, entries that are zero left out.
+fn upper_triangle(problem: &ContactProblem, unit: f64) -> CscMatrix<f64> {
+    let n = problem.rows();
     let mut starts = vec![0];
-    let (mut rows, mut values) = (Vec::new(), Vec::new());
+    let (mut rows, mut values): (Vec<usize>, Vec<f64>) = (Vec::new(), Vec::new());
     for column in 0..n {
-        for row in 0..=column {
-            rows.push(row);
-            values.push(matrix[(row, column)]);
-        }
+        problem.delassus().for_each_in_column(column, |row, w| {
+            if row < column {
+                rows.push(row);
+                values.push(0.5 * (w + problem.entry(column, row)) / unit);
+            }
+        });
+        rows.push(column);
+        values.push((problem.entry(column, column) + super::compliance(problem, column)) / unit);
         starts.push(rows.len());
     }
     CscMatrix::new(n, n, starts, rows, values)

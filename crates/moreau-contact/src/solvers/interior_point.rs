@@ -48,6 +48,14 @@ impl ContactSolver for InteriorPoint {
         NAME
     }
 
+    fn with_tolerance(&self, relative: f64) -> Option<Box<dyn ContactSolver>> {
+        Some(Box::new(Self { tolerance: relative, ..*self }))
+    }
+
+    fn iteration_limit(&self) -> Option<usize> {
+        Some(self.steps)
+    }
+
     fn takes(&self, law: Law, _rows: usize, _symmetric: bool) -> bool {
         law.directions().is_none()
     }

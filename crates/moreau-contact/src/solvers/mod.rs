@@ -45,6 +45,7 @@ mod block_elimination;
 #[cfg(feature = "clarabel")]
 mod clarabel;
 mod colours;
+mod convex_subproblems;
 mod elimination;
 pub mod enumeration;
 mod friction_set;
@@ -65,9 +66,11 @@ mod principal_pivoting;
 mod principal_tableau;
 mod projected_gauss_seidel;
 mod projected_over_relaxation;
+mod shifted_operator;
 mod stopping;
 mod swept;
 mod table;
+pub mod watch;
 
 pub use accelerated_projected_gradient::{AcceleratedProjectedGradient, Momentum, largest_eigenvalue_bound, objective};
 pub use alternating_directions::AlternatingDirections;
@@ -75,6 +78,7 @@ pub use auto::{Auto, AutoWithin};
 pub use barzilai_borwein::BarzilaiBorwein;
 #[cfg(feature = "clarabel")]
 pub use clarabel::{ClarabelPolished, Polished};
+pub use convex_subproblems::ConvexSubproblems;
 pub use enumeration::Enumeration;
 pub use gauss::GaussNewton;
 pub use interior_point::InteriorPoint;
@@ -97,6 +101,14 @@ pub trait ContactSolver: Send + Sync {
     /// Whether the algorithm is a declared number of sweeps and promises no solution: what its certificate rejects counts as unconverged.
     fn is_truncated(&self) -> bool {
         false
+    }
+    /// The same algorithm with another relative residual at which it stops; `None` where it has no such number.
+    fn with_tolerance(&self, _relative: f64) -> Option<Box<dyn ContactSolver>> {
+        None
+    }
+    /// Its own limit of iterations, if it has one.
+    fn iteration_limit(&self) -> Option<usize> {
+        None
     }
     /// Whether the algorithm is made for this law, at contacts of `rows` rows each, with a W that is symmetric or not. What else a problem
     /// may lack (a compliance, the mass, a definite block) is told by [`solve`](ContactSolver::solve), which refuses it.

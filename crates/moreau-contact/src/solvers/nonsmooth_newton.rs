@@ -57,6 +57,14 @@ impl ContactSolver for NonsmoothNewton {
         NAME
     }
 
+    fn with_tolerance(&self, relative: f64) -> Option<Box<dyn ContactSolver>> {
+        Some(Box::new(Self { tolerance: relative, ..*self }))
+    }
+
+    fn iteration_limit(&self) -> Option<usize> {
+        Some(self.steps)
+    }
+
     fn takes(&self, _law: Law, _rows: usize, _symmetric: bool) -> bool {
         true
     }
@@ -84,14 +92,14 @@ impl ContactSolver for NonsmoothNewton {
                     best = (relative, impulse.clone());
                 }
                 let patience = if least <= tolerance::ACCEPTABLE { tolerance::NONSMOOTH_ENDED } else { tolerance::NONSMOOTH_STALLED };
-                if relative <= self.tolerance || since >= patience {
+                if relative <= self.tolerance || since >= patience || super::watch::is_over() {
                     break;
                 }
                 let Some(next) = equations.step(&impulse, &law_velocity, proximals) else { break };
                 impulse = next;
                 steps += 1;
             }
-            if best.0 <= self.tolerance.max(tolerance::ACCEPTABLE) {
+            if best.0 <= self.tolerance.max(tolerance::ACCEPTABLE) || super::watch::is_over() {
                 break;
             }
         }

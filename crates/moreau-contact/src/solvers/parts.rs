@@ -2,6 +2,7 @@
 
 use crate::cones::second_order;
 use crate::problem::{ContactProblem, Law, Solution};
+use crate::tolerance::first_order::SLIGHTLY;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 
@@ -34,6 +35,15 @@ pub fn finite(solution: Solution) -> Result<Solution> {
 /// R of one contact row \[1/kg\], zero if the problem is hard or its compliance acts on edges.
 pub fn compliance(problem: &ContactProblem, row: usize) -> f64 {
     problem.row_compliance(row)
+}
+
+/// (W + R) r \[m/s\] for impulses r \[N·s\]; a compliance on edges is not part of it.
+pub fn law_product(problem: &ContactProblem, impulse: &DVector<f64>) -> DVector<f64> {
+    let mut product = problem.apply(impulse);
+    for (row, y) in product.iter_mut().enumerate() {
+        *y += compliance(problem, row) * impulse[row];
+    }
+    product
 }
 
 /// μ of the cone that the law uses at contact k: 0 without friction.
@@ -70,13 +80,37 @@ pub fn require_convex(solver: &str, problem: &ContactProblem) -> Result<()> {
     require_symmetry(solver, problem)
 }
 
+/// Refuses another law than [`takes_convex`] takes, and a W that is asymmetric by more than [`SLIGHTLY`].
+///
+/// # Errors
+/// [`Error::Solver`] with a solver that takes it, or with the relative asymmetry.
+pub fn require_nearly_convex(solver: &str, problem: &ContactProblem) -> Result<()> {
+    if !takes_convex(problem.law(), true) {
+        return Err(not_convex(solver, problem.law()));
+    }
+    require_near_symmetry(solver, problem)
+}
+
+/// Refuses a W that is asymmetric by more than [`SLIGHTLY`], in the name of a solver for symmetric ones whose answer is judged by the W
+/// that was given.
+///
+/// # Errors
+/// [`Error::Solver`] with the relative asymmetry.
+pub fn require_near_symmetry(solver: &str, problem: &ContactProblem) -> Result<()> {
+    at_most(solver, problem, SLIGHTLY)
+}
+
 /// Refuses an asymmetric W in the name of a solver that minimises ½rᵀWr, whose gradient is W r only if W is symmetric.
 ///
 /// # Errors
 /// [`Error::Solver`] with the relative asymmetry.
 pub fn require_symmetry(solver: &str, problem: &ContactProblem) -> Result<()> {
+    at_most(solver, problem, crate::tolerance::solvers::SYMMETRY)
+}
+
+fn at_most(solver: &str, problem: &ContactProblem, most: f64) -> Result<()> {
     let asymmetry = problem.asymmetry();
-    if asymmetry <= crate::tolerance::solvers::SYMMETRY {
+    if asymmetry <= most {
         return Ok(());
     }
     Err(Error::refused(solver, format!("needs a symmetric W, and this one has relative asymmetry {asymmetry:.1e}; use `pgs` or `lemke`")))

@@ -67,6 +67,14 @@ impl ContactSolver for ProjectedGaussSeidel {
         NAME
     }
 
+    fn with_tolerance(&self, relative: f64) -> Option<Box<dyn ContactSolver>> {
+        Some(Box::new(Self { tolerance: relative, ..*self }))
+    }
+
+    fn iteration_limit(&self) -> Option<usize> {
+        Some(self.sweeps)
+    }
+
     fn takes(&self, law: Law, rows: usize, _symmetric: bool) -> bool {
         is_swept(law, rows)
     }
@@ -207,7 +215,7 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
     fn plain(&mut self, solver: &ProjectedGaussSeidel) {
         let patience = tolerance::stalled(self.problem.contacts());
         let mut relative = self.measure();
-        while relative > solver.tolerance && self.sweeps < solver.sweeps && !self.has_stalled(patience) {
+        while relative > solver.tolerance && self.sweeps < solver.sweeps && !self.has_stalled(patience) && !super::watch::is_over() {
             let goes_on = self.sweep() && self.look.change.is_finite();
             // a declared number of sweeps is answered as it is
             if self.sweeps < solver.sweeps && (!goes_on || self.is_due(solver.tolerance)) {
@@ -226,7 +234,7 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
         let mut anderson = Anderson::new(solver.memory);
         let mut before = self.point.x.clone();
         let mut relative = self.measure();
-        while relative > solver.tolerance && self.sweeps < solver.sweeps && !self.has_stalled(patience) {
+        while relative > solver.tolerance && self.sweeps < solver.sweeps && !self.has_stalled(patience) && !super::watch::is_over() {
             before.clone_from(&self.point.x);
             let goes_on = self.sweep() && self.look.change.is_finite() && self.sweeps < solver.sweeps;
             if !goes_on || self.is_due(solver.tolerance) {

@@ -46,6 +46,14 @@ impl ContactSolver for ProjectedOverRelaxation {
         NAME
     }
 
+    fn with_tolerance(&self, relative: f64) -> Option<Box<dyn ContactSolver>> {
+        Some(Box::new(Self { tolerance: relative, ..*self }))
+    }
+
+    fn iteration_limit(&self) -> Option<usize> {
+        Some(self.sweeps)
+    }
+
     fn takes(&self, law: Law, _rows: usize, _symmetric: bool) -> bool {
         law.directions().is_none()
     }

@@ -1,5 +1,6 @@
 //! When an iteration may stop, and how good an answer is on the way: the certificate's own measure of the worst contact.
 
+use super::watch;
 use crate::certificate::Judge;
 use crate::problem::{ContactProblem, Solution};
 use crate::tolerance::solvers::{FRESH_ROUNDING, NEAR_SOLUTION, SAME_SIZE};
@@ -25,9 +26,9 @@ impl<'a> Stopping<'a> {
         Stopping { problem, judge, relative, answer, calls: 0, sized: 0.0 }
     }
 
-    /// Whether (r, y = u_free + shift + (W + R) r) is a solution up to the tolerance.
+    /// Whether (r, y = u_free + shift + (W + R) r) is a solution up to the tolerance, or the caller ends the iteration.
     pub(super) fn holds(&mut self, impulse: &DVector<f64>, law_velocity: &DVector<f64>) -> bool {
-        self.relative(impulse, law_velocity) <= self.relative
+        self.relative(impulse, law_velocity) <= self.relative || watch::is_over()
     }
 
     /// The largest relative residual over the contacts, infinite where it is not a number.
@@ -35,6 +36,12 @@ impl<'a> Stopping<'a> {
     /// The rounding of y costs a pass over W. It is taken from an earlier call where the residual is large, or where it is above the
     /// tolerance and the impulses are still of one size, on which alone that rounding depends; and now and then it is taken anew.
     pub(super) fn relative(&mut self, impulse: &DVector<f64>, law_velocity: &DVector<f64>) -> f64 {
+        let measured = self.evaluate(impulse, law_velocity);
+        watch::note(measured);
+        measured
+    }
+
+    fn evaluate(&mut self, impulse: &DVector<f64>, law_velocity: &DVector<f64>) -> f64 {
         self.answer.impulse.clone_from(impulse);
         self.calls += 1;
         if self.calls % FRESH_ROUNDING != 1 {

@@ -3,8 +3,8 @@
 #[cfg(feature = "clarabel")]
 use super::ClarabelPolished;
 use super::{
-    AcceleratedProjectedGradient, AlternatingDirections, Auto, BarzilaiBorwein, ContactSolver, Enumeration, GaussNewton, InteriorPoint,
-    LemkePivoting, Murty, NewtonMin, NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation,
+    AcceleratedProjectedGradient, AlternatingDirections, Auto, BarzilaiBorwein, ContactSolver, ConvexSubproblems, Enumeration, GaussNewton,
+    InteriorPoint, LemkePivoting, Murty, NewtonMin, NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation,
 };
 use crate::tolerance::solvers::MOST_ITERATIONS;
 use moreau_exact::{Error, Result};
@@ -74,6 +74,11 @@ const OWN: &[SolverEntry] = &[
         name: "interior-point",
         default: || Box::new(InteriorPoint::default()),
         limited: Some(|limit| Box::new(InteriorPoint { steps: limit, ..Default::default() })),
+    },
+    SolverEntry {
+        name: "convex-subproblems",
+        default: || Box::new(ConvexSubproblems::default()),
+        limited: Some(|limit| Box::new(ConvexSubproblems { steps: limit, ..Default::default() })),
     },
     #[cfg(feature = "clarabel")]
     SolverEntry { name: "clarabel", default: || Box::new(ClarabelPolished), limited: None },

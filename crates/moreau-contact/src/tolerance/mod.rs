@@ -6,6 +6,7 @@ pub mod answered;
 pub mod certificate;
 pub mod complementarity;
 pub mod cones;
+pub mod first_order;
 pub mod limits;
 pub mod problem;
 pub mod proof;

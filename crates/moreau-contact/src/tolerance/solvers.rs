@@ -245,10 +245,10 @@ pub const ADMM_PROXIMAL: f64 = 1e-6;
 /// Set.
 pub const PENALTIES: (f64, f64) = (1e-6, 1e6);
 
-/// Factor by which the primal residual of the alternating directions may exceed the dual one, or the reverse, before ρ changes: ten, as in
-/// the literature and in Pinocchio. Only the number of iterations depends on it.
+/// Factor by which ρ of the alternating directions is changed at least: five, as in OSQP. A smaller change is not worth the factorisation
+/// of W + ρI. Only the number of iterations depends on it.
 /// Set.
-pub const BALANCE: f64 = 10.0;
+pub const BALANCE: f64 = 5.0;
 
 /// Number of past values of the objective that a Barzilai–Borwein step must stay below: ten, as Birgin, Martínez and Raydan choose. Only
 /// the number of steps depends on it.

@@ -75,6 +75,11 @@ impl ContactSolver for Auto {
         NAME
     }
 
+    fn with_tolerance(&self, relative: f64) -> Option<Box<dyn ContactSolver>> {
+        // below STOP the rounding of y begins
+        Some(Box::new(AutoWithin { tolerance: relative.max(STOP) }))
+    }
+
     fn takes(&self, _law: Law, _rows: usize, _symmetric: bool) -> bool {
         true
     }
@@ -87,6 +92,11 @@ impl ContactSolver for Auto {
 impl ContactSolver for AutoWithin {
     fn name(&self) -> &'static str {
         NAME
+    }
+
+    fn with_tolerance(&self, relative: f64) -> Option<Box<dyn ContactSolver>> {
+        // below STOP the rounding of y begins
+        Some(Box::new(AutoWithin { tolerance: relative.max(STOP) }))
     }
 
     fn takes(&self, _law: Law, _rows: usize, _symmetric: bool) -> bool {
@@ -134,7 +144,7 @@ fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal
     let mut failure = None;
     let stages = QUICK.iter().map(|stage| (stage, goal.enough)).chain(THOROUGH.iter().map(|stage| (stage, goal.acceptable)));
     for ((takes, stage), enough) in stages {
-        if best.as_ref().is_some_and(|(least, _)| *least <= enough) {
+        if best.as_ref().is_some_and(|(least, _)| *least <= enough || super::watch::is_over()) {
             break;
         }
         if !takes(problem) {

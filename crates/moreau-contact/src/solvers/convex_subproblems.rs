@@ -1,0 +1,161 @@
+//! Coulomb's law as a fixed point of convex problems, by de Saxcé's correction:
+//!
+//! ```text
+//!     r(s) = argmin { ½ rᵀA r + (q + Σ s_k n_k)ᵀr : r ∈ K } ,   y(s) = A r(s) + q ,   F(s)_k = μ_k ‖y_t(s)_k‖ ,   s = F(s)
+//!     s ← s + θ (F(s) − s)
+//! ```
+//! with A = W + R, q = u_free + shift. Each subproblem has the associated law and is solved from the last impulses, by Newton's method or,
+//! where that does not end, by interior points and Newton's method from there. A fixed point is a solution of Coulomb's problem.
+//!
+//! **Safeguards.** θ = 1 is de Saxcé's iteration, a contraction for small friction only. While ‖F(s) − s‖ grows θ is halved, and doubled
+//! again, to at most 1, while it falls. Where s cycles for every θ the iteration ends with the best iterate by the certificate's residual;
+//! no fixed point is promised, and none need exist.
+//!
+//! # Source
+//! De Saxcé and Feng, *The bipotential method* (1998); Acary, Cadoux, Lemaréchal and Malick, *A formulation of the linear discrete Coulomb
+//! friction problem via convex optimization*, ZAMM 91 (2011).
+
+use super::stopping::Stopping;
+use super::{ContactSolver, InteriorPoint, NonsmoothNewton};
+use crate::certificate::Judge;
+use crate::problem::{ContactProblem, Law, Solution};
+use crate::tolerance::{first_order, solvers as tolerance};
+use moreau_exact::{Error, Result};
+use nalgebra::DVector;
+
+/// De Saxcé's fixed point for Coulomb's law; W may be asymmetric and rank deficient.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ConvexSubproblems {
+    /// Most convex problems.
+    pub steps: usize,
+    /// Relative residual at which it stops.
+    pub tolerance: f64,
+}
+
+impl Default for ConvexSubproblems {
+    fn default() -> Self {
+        ConvexSubproblems { steps: first_order::SUBPROBLEMS, tolerance: tolerance::STOP }
+    }
+}
+
+const NAME: &str = "convex-subproblems";
+
+impl ContactSolver for ConvexSubproblems {
+    fn name(&self) -> &'static str {
+        NAME
+    }
+
+    fn with_tolerance(&self, relative: f64) -> Option<Box<dyn ContactSolver>> {
+        Some(Box::new(Self { tolerance: relative, ..*self }))
+    }
+
+    fn iteration_limit(&self) -> Option<usize> {
+        Some(self.steps)
+    }
+
+    fn takes(&self, law: Law, _rows: usize, _symmetric: bool) -> bool {
+        law == Law::Coulomb
+    }
+
+    fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+        if problem.law() != Law::Coulomb {
+            let reason = format!("is for Coulomb's law, and this one is `{}`; use `auto`", problem.law().name());
+            return Err(Error::refused(NAME, reason));
+        }
+        let mut impulse = super::start(problem, warm_start)?;
+        let mut stopping = Stopping::new(problem, self.tolerance);
+        let mut lift = lift_of(problem, &problem.law_velocity(&impulse));
+        let mut convex = problem.clone();
+        let (mut best, mut theta, mut before, mut done) = ((f64::INFINITY, impulse.clone()), 1.0_f64, f64::INFINITY, 0);
+        loop {
+            let velocity = problem.law_velocity(&impulse);
+            let relative = stopping.relative(&impulse, &velocity);
+            if relative < best.0 {
+                best = (relative, impulse.clone());
+            }
+            if relative <= self.tolerance || done == self.steps || super::watch::is_over() {
+                break;
+            }
+            if done > 0 {
+                let change = lift_of(problem, &velocity) - &lift;
+                let size = change.norm();
+                theta = if size < before { (2.0 * theta).min(1.0) } else { (0.5 * theta).max(first_order::LEAST_SHARE) };
+                before = size;
+                lift += change * theta;
+            }
+            (convex, impulse) = subproblem(problem, convex, &lift, &impulse)?;
+            done += 1;
+        }
+        let velocity = problem.velocity(&best.1);
+        super::finite(Solution::new(NAME, best.1, velocity, done))
+    }
+}
+
+/// μ‖y_t‖ of every contact \[m/s\].
+fn lift_of(problem: &ContactProblem, law_velocity: &DVector<f64>) -> DVector<f64> {
+    let contacts = law_velocity.as_slice().chunks_exact(problem.rows_per_contact());
+    let slip = |y: &[f64]| y[1..].iter().map(|t| t * t).sum::<f64>().sqrt();
+    DVector::from_iterator(problem.contacts(), contacts.zip(problem.friction()).map(|(y, mu)| mu * slip(y)))
+}
+
+/// The associated problem with this lift, and its impulses.
+fn subproblem(
+    problem: &ContactProblem,
+    convex: ContactProblem,
+    lift: &DVector<f64>,
+    start: &DVector<f64>,
+) -> Result<(ContactProblem, DVector<f64>)> {
+    let mut shift = problem.shift().clone();
+    lift.iter().enumerate().for_each(|(k, s)| shift[k * problem.rows_per_contact()] += s);
+    let convex = convex.into_builder().law(Law::Associated).shift(shift).build()?;
+    let newton = NonsmoothNewton { starts: 1, ..Default::default() };
+    let near = newton.solve(&convex, Some(start))?;
+    let mut judge = Judge::default();
+    let reached = judge.judge(&convex, &near)?.relative();
+    if reached <= tolerance::ACCEPTABLE {
+        return Ok((convex, near.impulse));
+    }
+    let inner = InteriorPoint::default().solve(&convex, None)?;
+    let ended = newton.solve(&convex, Some(&inner.impulse))?;
+    let better = judge.judge(&convex, &ended)?.relative() < reached;
+    Ok((convex, if better { ended.impulse } else { near.impulse }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certificate::residuals;
+    use nalgebra::DMatrix;
+
+    fn block(friction: f64) -> ContactProblem {
+        ContactProblem::new(DMatrix::identity(2, 2), DVector::from_vec(vec![-0.8, 0.6]))
+            .name("block")
+            .rows_per_contact(2)
+            .friction(vec![friction])
+            .build()
+            .unwrap()
+    }
+
+    #[test]
+    fn one_sliding_block_slides_as_coulomb_says() {
+        // r = 0.8 (1, −½), u = (0, 0.2)
+        let answer = ConvexSubproblems::default().solve(&block(0.5), None).unwrap();
+        assert!((answer.velocity - DVector::from_vec(vec![0.0, 0.2])).amax() <= 8.0 * tolerance::STOP);
+    }
+
+    #[test]
+    fn a_fixed_point_that_repels_the_plain_iteration_is_found_with_shorter_steps() {
+        // W couples normal and tangent: dF/ds = −μ w_tt μ …; the plain iteration of this block swings between two lifts
+        let w = DMatrix::from_row_slice(2, 2, &[1.0, -0.7, -0.7, 1.0]);
+        let problem = block(1.2).into_builder().delassus(w).free_velocity(DVector::from_vec(vec![-0.2, 1.0])).build().unwrap();
+        let answer = ConvexSubproblems::default().solve(&problem, None).unwrap();
+        assert!(residuals(&problem, &answer).unwrap().is_solution(tolerance::ENOUGH));
+    }
+
+    #[test]
+    fn other_laws_are_refused_by_name() {
+        let problem = block(0.5).into_builder().law(Law::Associated).build().unwrap();
+        let message = ConvexSubproblems::default().solve(&problem, None).unwrap_err().to_string();
+        assert!(message.contains("`convex-subproblems`") && message.contains("`associated`"), "{message}");
+    }
+}

@@ -1,0 +1,117 @@
+//! A running solver as its caller sees it: the residuals it has passed, and an early end.
+//!
+//! Iterations measure how good they are by the certificate's own residual; each such number is noted here, in order, whichever solver of a
+//! chain measured it. When the caller interrupts, an iteration ends at its next look and gives the best it has: where that is depends on
+//! the machine, so that such an answer is not reproducible. No clock is read here.
+
+use std::cell::RefCell;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// A word to end, given from any thread; a clone is the same one.
+#[derive(Clone, Debug, Default)]
+pub struct Interrupt(Arc<AtomicBool>);
+
+impl Interrupt {
+    /// Ends what watches this word.
+    pub fn now(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether it was given.
+    pub fn is_given(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+/// What was seen of a solver.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Seen {
+    /// The largest relative residual of a contact, look by look.
+    pub history: Vec<f64>,
+    /// Whether an iteration was ended early.
+    pub interrupted: bool,
+}
+
+struct Watch {
+    interrupt: Interrupt,
+    seen: Seen,
+}
+
+thread_local! {
+    static WATCH: RefCell<Option<Watch>> = const { RefCell::new(None) };
+}
+
+/// Runs `solve` on this thread, with what was seen of it; of watches within watches the inner one sees.
+/// ```
+/// use moreau_contact::nalgebra::{DMatrix, dvector};
+/// use moreau_contact::prelude::*;
+/// use moreau_contact::solvers::watch::{Interrupt, watched};
+///
+/// let block = ContactProblem::new(DMatrix::identity(2, 2), dvector![-1.0, 2.0]).rows_per_contact(2).friction(vec![0.5]).build()?;
+/// let (answer, seen) = watched(&Interrupt::default(), || Auto.solve(&block, None));
+/// assert_eq!(answer?.impulse, dvector![1.0, -0.5]);
+/// assert!(!seen.interrupted && seen.history.last() <= seen.history.first());
+/// # Ok::<(), moreau_contact::Error>(())
+/// ```
+pub fn watched<T>(interrupt: &Interrupt, solve: impl FnOnce() -> T) -> (T, Seen) {
+    let watch = Watch { interrupt: interrupt.clone(), seen: Seen::default() };
+    let outer = WATCH.replace(Some(watch));
+    let result = solve();
+    let watch = WATCH.replace(outer);
+    (result, watch.map_or_else(Seen::default, |watch| watch.seen))
+}
+
+/// Notes a residual.
+pub(super) fn note(relative: f64) {
+    WATCH.with_borrow_mut(|watch| {
+        if let Some(watch) = watch {
+            watch.seen.history.push(relative);
+        }
+    });
+}
+
+/// Whether the iteration that asks should end now.
+pub(super) fn is_over() -> bool {
+    WATCH.with_borrow_mut(|watch| {
+        watch.as_mut().is_some_and(|watch| {
+            let given = watch.interrupt.is_given();
+            watch.seen.interrupted |= given;
+            given
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{AlternatingDirections, ContactSolver};
+    use super::*;
+    use crate::problem::{ContactProblem, Law};
+    use nalgebra::{DMatrix, DVector};
+
+    fn block() -> ContactProblem {
+        ContactProblem::new(DMatrix::identity(2, 2), DVector::from_vec(vec![-0.8, 0.6]))
+            .law(Law::Associated)
+            .rows_per_contact(2)
+            .friction(vec![0.5])
+            .build()
+            .unwrap()
+    }
+
+    #[test]
+    fn the_history_falls_to_the_tolerance_and_is_empty_where_nobody_watches() {
+        let solver = AlternatingDirections::default();
+        let (answer, seen) = watched(&Interrupt::default(), || solver.solve(&block(), None));
+        assert!(seen.history.len() > 2 && *seen.history.last().unwrap() <= solver.tolerance, "{:?}", seen.history);
+        assert_eq!(answer.unwrap(), solver.solve(&block(), None).unwrap(), "watching changes no bit");
+        assert_eq!(watched(&Interrupt::default(), || ()).1, Seen::default());
+    }
+
+    #[test]
+    fn an_interrupted_iteration_ends_at_its_next_look_and_says_so() {
+        let interrupt = Interrupt::default();
+        interrupt.now();
+        let (answer, seen) = watched(&interrupt, || AlternatingDirections::default().solve(&block(), None));
+        assert_eq!((answer.unwrap().iterations, seen.history.len(), seen.interrupted), (0, 1, true));
+    }
+}

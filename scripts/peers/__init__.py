@@ -1,0 +1,1 @@
+"""Contact solvers of other projects, timed on the files that `moreau bench` is timed on."""
