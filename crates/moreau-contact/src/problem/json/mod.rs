@@ -6,7 +6,7 @@
 //! ```
 //! Numbers in SI. `dimension` is the number of rows per contact. A matrix is `rows`, or `triplets` {row, column, value}
 //! counted from 0, each place at most once; W may be `blocks` {row, column, value}, of the contacts that meet. Instead of
-//! `delassus` a file may give `mass` and `jacobian`. Optional:
+//! `delassus` a file may give `mass` and `jacobian`. By triplets and with more than 240 rows they make W by blocks and are not kept. Optional:
 //! `shift` (default 0), `directions` (polyhedral laws), `compliance` {coordinates: contact | edge, diagonal}, `bodies` (the two bodies of
 //! each contact, the ground as null), `provenance` (anything).
 
@@ -14,7 +14,8 @@ use super::{Compliance, ContactProblem, Coordinates, Dynamics, Law, Solution, si
 use crate::contact::delassus::delassus;
 use crate::files::{names_schema, read_json, read_problem, read_schema, write_atomically};
 use crate::memory;
-use crate::operator::Operator;
+use crate::operator::{Operator, SparseDynamics};
+use crate::tolerance::problem::DENSE_ROWS;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 use schemars::JsonSchema;
@@ -342,6 +343,10 @@ fn read_operator(
             }
             shape("mass", &mass, [velocities, velocities])?;
             shape("jacobian", &jacobian, [rows, velocities])?;
+            if rows > DENSE_ROWS && mass.triplets.is_some() && jacobian.triplets.is_some() {
+                let (mass, jacobian) = (mass.read_sparse("mass")?, jacobian.read_sparse("jacobian")?);
+                return Ok((SparseDynamics::new(&mass, &jacobian, rows_per_contact)?.delassus()?.into(), None));
+            }
             room(velocities)?;
             let dynamics = Dynamics { mass: mass.read("mass")?, jacobian: jacobian.read("jacobian")? };
             Ok((delassus(&dynamics.mass, &dynamics.jacobian)?.into(), Some(dynamics)))
