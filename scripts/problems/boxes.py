@@ -113,6 +113,23 @@ def _towers():
                     _tower(10, 0.5, lambda k, x=ratio: 1.0 if k % 2 else float(x)).problem(f"tower-alternating-1e{exponent}"))
 
 
+def _convex():
+    """Towers and arches under laws of convex programs: one velocity, by a theorem, and slow for most solvers."""
+    for law in ("associated", "frictionless"):
+        for levels in (5, 8, 15):
+            yield Posed("convex", f"the tower of {levels} boxes at rest under the law {law}", _tower(levels, 0.5).problem(f"tower-{levels}-rest-{law}", law))
+        for exponent in (3, 6):
+            ratio = 10.0 ** exponent
+            yield Posed("convex", f"four boxes, each upper one heavier, 1 to 1e{exponent}, under the law {law}",
+                        _tower(4, 0.5, lambda k, x=exponent: float(10 ** (x * k // 3))).problem(f"tower-heavy-above-1e{exponent}-{law}", law))
+            yield Posed("convex", f"six boxes, light and heavy in turn, ratio 1e{exponent}, under the law {law}",
+                        _tower(6, 0.5, lambda k, x=ratio: 1.0 if k % 2 else x).problem(f"tower-alternating-6-1e{exponent}-{law}", law))
+    for boxes in (5, 10, 20):
+        for law in ("associated", "frictionless"):
+            yield Posed("convex", f"a tower of {boxes} planar boxes at rest under the law {law}",
+                        _planar_tower(boxes, 0.5, 0).problem(f"tower-plane-{boxes}-rest-{law}", law))
+
+
 def _wall(width, height, friction, push=0.0):
     """Bricks in running bond: each rests on four corners of what it shares with the one or two bricks below."""
     world, below = Space(), []
@@ -201,5 +218,5 @@ def _tables():
 
 def all_problems():
     """The problems, in order."""
-    for family in (_on_floor, _planar, _towers, _walls, _arches, _tables):
+    for family in (_on_floor, _planar, _towers, _convex, _walls, _arches, _tables):
         yield from family()

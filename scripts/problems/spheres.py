@@ -85,6 +85,16 @@ def _pyramids():
                         world.problem(f"pyramid-14-{name}-1e{exponent}"))
 
 
+def _convex():
+    """Pyramids of spheres of very different masses under laws of convex programs."""
+    centres = _pyramid(3)
+    for law in ("associated", "frictionless"):
+        for exponent in (0, 3, 6):
+            world = _pile(centres, [0.5] * len(centres), FLOOR, 0.5, masses=lambda k, e=exponent: 10.0 ** e if k == len(centres) - 1 else 1.0)
+            yield Posed("convex", f"a pyramid of 14 spheres at rest, the top one 1e{exponent} times as heavy, under the law {law}",
+                        world.problem(f"pyramid-14-rest-1e{exponent}-{law}", law))
+
+
 def _crates():
     for width in (2, 4, 6):
         centres = [[x + 0.5, y + 0.5, z + 0.5] for z in range(width) for x in range(width) for y in range(width)]
@@ -263,5 +273,5 @@ def _disks():
 
 def all_problems():
     """The problems, in order."""
-    for family in (_pyramids, _crates, _deposits, _capsules, _disks):
+    for family in (_pyramids, _convex, _crates, _deposits, _capsules, _disks):
         yield from family()

@@ -5,6 +5,7 @@ mod certify;
 mod compare;
 mod gate;
 mod limits;
+mod problems;
 mod schema;
 mod scoreboard;
 mod simulate;

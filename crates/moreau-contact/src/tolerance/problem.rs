@@ -8,3 +8,7 @@ pub const DENSE_ENTRIES: usize = 1 << 27;
 /// copy hold 6·8192² numbers, 3 GiB.
 /// Set.
 pub const POLYHEDRAL_UNKNOWNS: usize = 1 << 13;
+
+/// Rows of a problem up to which a sparse mass and Jacobian make a dense W: its algorithms cost less there than those on blocks.
+/// Set.
+pub const DENSE_ROWS: usize = 240;

@@ -2,7 +2,7 @@
 //! bodies are blocks on the diagonal and sparse rows.
 
 use super::by_bodies::SparseRows;
-use crate::operator::{BlockSparse, Operator};
+use crate::operator::{BlockSparse, Operator, Sparse};
 use crate::tolerance::problem::DENSE_ENTRIES;
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
@@ -106,6 +106,14 @@ impl MatrixFile {
         }
     }
 
+    /// Its entries, where it is given by them alone.
+    pub(super) fn read_sparse(self, field: &str) -> Result<Sparse> {
+        match (self.rows, self.triplets) {
+            (None, Some(triplets)) => Ok(Sparse { shape: self.shape, entries: triplets.entries(field, self.shape)? }),
+            _ => Err(one_form(field)),
+        }
+    }
+
     pub(super) fn read(self, field: &str) -> Result<DMatrix<f64>> {
         let [nrows, ncols] = self.shape;
         if self.forms() != 1 {
@@ -153,17 +161,24 @@ impl BlocksFile {
 
 impl Triplets {
     fn read(self, field: &str, nrows: usize, ncols: usize) -> Result<DMatrix<f64>> {
+        if nrows.saturating_mul(ncols) > DENSE_ENTRIES {
+            let problem = format!("has shape {nrows}×{ncols}");
+            return Err(Error::invalid(field, problem, format!("use at most {DENSE_ENTRIES} entries: a matrix is stored dense")));
+        }
+        let mut matrix = DMatrix::zeros(nrows, ncols);
+        self.entries(field, [nrows, ncols])?.into_iter().for_each(|(i, j, value)| matrix[(i, j)] = value);
+        Ok(matrix)
+    }
+
+    /// Its entries, each within the shape and at a place of its own.
+    fn entries(self, field: &str, [nrows, ncols]: [usize; 2]) -> Result<Vec<(usize, usize, f64)>> {
         let count = self.value.len();
         if self.row.len() != count || self.column.len() != count {
             let problem = format!("has {} rows, {} columns and {count} values", self.row.len(), self.column.len());
             return Err(Error::invalid(format!("{field}.triplets"), problem, "give three lists of one length"));
         }
-        if nrows.saturating_mul(ncols) > DENSE_ENTRIES {
-            let problem = format!("has shape {nrows}×{ncols}");
-            return Err(Error::invalid(field, problem, format!("use at most {DENSE_ENTRIES} entries: a matrix is stored dense")));
-        }
         let mut seen = std::collections::HashSet::with_capacity(count);
-        let mut matrix = DMatrix::zeros(nrows, ncols);
+        let mut entries = Vec::with_capacity(count);
         for (k, ((&i, &j), &value)) in self.row.iter().zip(&self.column).zip(&self.value).enumerate() {
             for (name, index, size) in [("row", i, nrows), ("column", j, ncols)] {
                 if index >= size {
@@ -175,8 +190,8 @@ impl Triplets {
                 let problem = format!("repeats the place ({i}, {j})");
                 return Err(Error::invalid(format!("{field}.triplets"), problem, "add the values up and give the place once"));
             }
-            matrix[(i, j)] = value;
+            entries.push((i, j, value));
         }
-        Ok(matrix)
+        Ok(entries)
     }
 }

@@ -6,8 +6,9 @@
 //! ```
 //! Numbers in SI. `dimension` is the number of rows per contact. A matrix is `rows`, or `triplets` {row, column, value}
 //! counted from 0, each place at most once; W may be `blocks` {row, column, value}, of the contacts that meet. Instead of
-//! `delassus` a file may give `mass` and `jacobian`; with `diagonal_blocks` of the mass and `sparse_rows` of the Jacobian W is not formed.
-//! Optional: `keys` (bodies and features of each contact, by which impulses are carried to a changed list),
+//! `delassus` a file may give `mass` and `jacobian`; with `diagonal_blocks` of the mass and `sparse_rows` of the Jacobian W is not formed, and
+//! by triplets and with more than 240 rows they make W by blocks and are not kept. Optional: `keys` (bodies and features of each contact,
+//! by which impulses are carried to a changed list),
 //! `shift` (default 0), `directions` (polyhedral laws), `compliance` {coordinates: contact | edge, diagonal}, `bodies` (the two bodies of
 //! each contact, the ground as null), `provenance` (anything).
 
@@ -15,7 +16,8 @@ use super::{Compliance, ContactKey, ContactProblem, Coordinates, Dynamics, Law, 
 use crate::contact::delassus::delassus;
 use crate::files::{names_schema, read_json, read_problem, read_schema, write_atomically};
 use crate::memory;
-use crate::operator::Operator;
+use crate::operator::{Operator, SparseDynamics};
+use crate::tolerance::problem::DENSE_ROWS;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
 use schemars::JsonSchema;
@@ -372,6 +374,10 @@ fn read_operator(
             }
             if by_bodies::is_given(&mass, &jacobian) {
                 return Ok((by_bodies::read(mass, jacobian, rows_per_contact)?.into(), None));
+            }
+            if rows > DENSE_ROWS && mass.triplets.is_some() && jacobian.triplets.is_some() {
+                let (mass, jacobian) = (mass.read_sparse("mass")?, jacobian.read_sparse("jacobian")?);
+                return Ok((SparseDynamics::new(&mass, &jacobian, rows_per_contact)?.delassus()?.into(), None));
             }
             room(velocities)?;
             let dynamics = Dynamics { mass: mass.read("mass")?, jacobian: jacobian.read("jacobian")? };

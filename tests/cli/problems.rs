@@ -1,0 +1,53 @@
+//! `moreau problems`: the collection of contact problems with certified answers.
+
+use super::{Folder, moreau};
+
+#[test]
+fn problems_are_listed_and_filtered() {
+    let all = moreau(&["problems", "list", "--format", "json"]).json();
+    let lines = all.as_array().expect("a list");
+    assert!(lines.len() >= 100);
+    let hard = moreau(&["problems", "list", "--hard", "--format", "json"]).json();
+    assert!(hard.as_array().expect("a list").iter().all(|line| line["failures"].as_u64() >= Some(3)));
+    let small = moreau(&["problems", "list", "--to", "1", "--law", "coulomb"]);
+    assert!(small.code == 0 && small.output.contains("single-slide") && !small.output.contains("tower"), "{}", small.output);
+    moreau(&["problems", "list", "--group", "sphere"]).is_refused(&["--group", "`spheres`"]);
+    moreau(&["problems", "list", "--velocity", "two"]).is_refused(&["--velocity", "unique"]);
+}
+
+#[test]
+fn a_problem_is_shown_with_its_proofs_and_a_misspelt_one_with_its_neighbours() {
+    let shown = moreau(&["problems", "show", "painleve-leaves"]);
+    assert!(shown.code == 0 && shown.output.contains("velocity several") && shown.output.contains("answer 3"), "{}", shown.output);
+    let record = moreau(&["problems", "show", "painleve-leaves", "--format", "json"]).json();
+    assert_eq!((record["schema"].as_str(), record["uniqueness"]["count"].as_u64()), (Some("answered-problem/1"), Some(3)));
+    moreau(&["problems", "show", "painleve-leave"]).is_refused(&["painleve-leaves"]);
+}
+
+#[test]
+fn exported_problems_are_certified_in_both_formats_and_what_has_no_place_is_refused() {
+    let folder = Folder::new("problems");
+    let place = folder.path(".");
+    assert_eq!(moreau(&["problems", "export", "single-slide", &place]).code, 0);
+    assert_eq!(moreau(&["certify", &folder.path("single-slide.json"), &folder.path("single-slide.solution.json")]).code, 0);
+    assert_eq!(moreau(&["problems", "export", "single-slide", &place, "--to", "fclib"]).code, 0);
+    assert_eq!(moreau(&["certify", &folder.path("single-slide.hdf5")]).code, 0);
+    moreau(&["problems", "export", "single-associated", &place, "--to", "fclib"]).is_refused(&["FCLIB", "contact-problem/1"]);
+    moreau(&["problems", "export", "single-slide"]).is_refused(&["FOLDER"]);
+    moreau(&["problems", "export", "single-slide", &place, "--all"]).is_refused(&["--all"]);
+}
+
+#[test]
+fn a_problem_is_measured_and_one_without_solution_is_answered_no() {
+    let folder = Folder::new("problems-measured");
+    for name in ["single-slide", "rail-deep"] {
+        assert_eq!(moreau(&["problems", "export", name, &folder.path(".")]).code, 0);
+    }
+    let measured = moreau(&["problems", "measure", &folder.path("single-slide.json"), "--format", "json"]);
+    assert_eq!((measured.code, measured.json()["difficulty"]["sweeps"].as_u64()), (0, Some(1)));
+    let given = folder.path("single-slide.solution.json");
+    let with = moreau(&["problems", "measure", &folder.path("single-slide.json"), "--given", &given, "--format", "json"]);
+    assert_eq!(with.json()["answers"].as_array().map(Vec::len), Some(1));
+    let none = moreau(&["problems", "measure", &folder.path("rail-deep.json")]);
+    assert!(none.code == 1 && none.output.contains("answers with different velocities: 0"), "{}", none.output);
+}
