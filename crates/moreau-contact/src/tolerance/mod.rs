@@ -4,6 +4,8 @@
 
 pub mod certificate;
 pub mod cones;
+pub mod fronts;
 pub mod limits;
 pub mod problem;
 pub mod solvers;
+pub mod velocities;
