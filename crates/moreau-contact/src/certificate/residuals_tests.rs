@@ -323,3 +323,16 @@ fn a_stored_tangential_velocity_is_held_against_the_tangential_mass() {
     let scale = 100.0 * 1.25f64.sqrt();
     assert!(accepted(0.99e-3 * scale) && !accepted(1.01e-3 * scale));
 }
+
+#[test]
+fn impulses_that_grow_without_end_excuse_no_velocity() {
+    // w₂ = −z₁ − 1 < 0 for all z ≥ 0; (0, t, 0) leaves w = (t, −1, 1), which is small beside t
+    let matrix = DMatrix::from_row_slice(3, 3, &[0.0, 1.0, -1.0, -1.0, 0.0, 0.0, -1.0, 0.0, 0.0]);
+    let problem =
+        ContactProblem::new(matrix, DVector::from_row_slice(&[0.0, -1.0, 1.0])).law(Law::Frictionless).rows_per_contact(1).build().unwrap();
+    for t in [1.0, 1e6, 268_435_456.0, 1e12] {
+        let impulse = DVector::from_row_slice(&[0.0, t, 0.0]);
+        let velocity = problem.velocity(&impulse);
+        assert!(!residuals(&problem, &Solution::new("", impulse, velocity, 0)).unwrap().is_solution(1e-8), "{t}");
+    }
+}
