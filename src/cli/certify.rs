@@ -6,14 +6,16 @@ use super::{Answer, Format};
 use crate::Result;
 use crate::certificate::backward::backward;
 use crate::certificate::forward::forward;
-use crate::certificate::lcp_proof::{count, lcp_of, prove};
+use crate::certificate::lcp_proof::{Count, count, different, lcp_of, prove};
 use crate::certificate::residuals;
-use crate::problem::{ContactProblem, Solution};
+use crate::problem::{ContactProblem, Lcp, Solution};
 use crate::report::certificate::Certificate;
 use crate::report::json::pretty;
 use crate::report::lcp_proof::{Counted, LcpProved};
 use crate::report::proofs::Proofs;
+use crate::solvers;
 use crate::tolerance::cli::CERTIFY;
+use crate::tolerance::complementarity::EXACT_ROWS;
 use std::path::PathBuf;
 
 /// Certify an answer to a contact problem: residuals with units, and whether they are small enough.
@@ -50,7 +52,8 @@ Examples:
   moreau certify lcp.json --prove                        how many solutions a linear complementarity problem has
   moreau certify collected.hdf5                          an FCLIB file and the solution stored in it
 
-Exit code 0: a solution, or one is proved to exist; 1: not a solution, or none is proved to exist; 2: the files cannot be read or do not fit each other.";
+Exit code 0: a solution, or one is proved to exist; 1: not a solution, or none is proved to exist;
+2: the files cannot be read or do not fit each other.";
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
@@ -60,7 +63,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let problem = ContactProblem::read(&arguments.problem)?;
     let lcp = arguments.prove.then(|| lcp_of(&problem)).flatten();
     if let (Some(lcp), None) = (&lcp, &arguments.solution) {
-        let counted = Counted::new(problem.name(), lcp, &count(lcp)?);
+        let counted = Counted::new(problem.name(), lcp, &counted(&problem, lcp, None)?);
         print(&if arguments.common.format == Format::Json { pretty(&counted)? } else { counted.text() })?;
         return Ok(counted.is_solvable().into());
     }
@@ -76,11 +79,28 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     }
     if let Some(lcp) = &lcp {
         let answer = prove(lcp, &solution.impulse).map_err(|error| error.in_file(file))?;
-        certificate = certificate.with_lcp(LcpProved::new(lcp, Some(&answer), &count(lcp)?));
+        certificate = certificate.with_lcp(LcpProved::new(lcp, Some(&answer), &counted(&problem, lcp, Some(&solution))?));
     }
     print(&match arguments.common.format {
         Format::Text => certificate.text(),
         Format::Json => pretty(&certificate)?,
     })?;
     Ok(certificate.accepts().into())
+}
+
+/// Solvers whose answers may be different solutions of one problem.
+const SEVERAL: [&str; 4] = ["lemke", "newton-min", "parametric-pivoting", "nonsmooth-newton"];
+
+/// How many solutions there are; if that is not known, how many different ones the given answer and those of some solvers are near.
+fn counted(problem: &ContactProblem, lcp: &Lcp<f64>, given: Option<&Solution>) -> Result<Count> {
+    let count = count(lcp)?;
+    if count.is_solvable().is_some() || lcp.size() > EXACT_ROWS {
+        return Ok(count);
+    }
+    let proposed = SEVERAL.iter().filter_map(|name| solvers::ALL.by_name(name).ok()?.solve(problem, None).ok());
+    let answers: Vec<_> = proposed.map(|answer| answer.impulse).chain(given.map(|answer| answer.impulse.clone())).collect();
+    Ok(match different(lcp, &answers)? {
+        0 => count,
+        found => Count::AtLeast(found),
+    })
 }

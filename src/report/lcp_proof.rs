@@ -20,6 +20,9 @@ pub struct LcpProved {
     /// How many, where there are several and no others.
     #[serde(skip_serializing_if = "Option::is_none")]
     count: Option<usize>,
+    /// How many there are at least, where there may be more.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    at_least: Option<usize>,
     why: String,
     /// All solutions, or the two ends of a continuum, rounded.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -75,6 +78,7 @@ impl LcpProved {
             Count::Exactly(points) => {
                 ("several", format!("{size} rows, all complementary cones"), points.iter().map(rounded).collect(), Vec::new())
             }
+            Count::AtLeast(_) => ("several", "so many answers have solutions near that lie apart".into(), Vec::new(), Vec::new()),
             Count::Continuum(ends) => {
                 ("continuum", "all on the way between two ends".into(), ends.iter().map(rounded).collect(), Vec::new())
             }
@@ -85,7 +89,8 @@ impl LcpProved {
             Count::Unknown(why) => ("unknown", why.clone(), Vec::new(), Vec::new()),
         };
         let exactly = matches!(count, Count::Exactly(_)).then_some(points.len());
-        LcpProved { near, not_proved, solutions, count: exactly, why, points, witness }
+        let at_least = if let Count::AtLeast(least) = count { Some(*least) } else { None };
+        LcpProved { near, not_proved, solutions, count: exactly, at_least, why, points, witness }
     }
 
     /// The same for readers.
@@ -107,6 +112,7 @@ impl LcpProved {
         lines.push(match (self.solutions, self.count) {
             ("one", _) => format!("proved: exactly one solution; {}", self.why),
             (_, Some(count)) => format!("proved: exactly {count} solutions; {}", self.why),
+            ("several", _) => format!("proved: at least {} solutions; {}", self.at_least.unwrap_or_default(), self.why),
             ("continuum", _) => format!("proved: infinitely many solutions, {}", self.why),
             ("none", _) => format!("proved: NO solution; {}", self.why),
             _ => format!("how many solutions there are is not known: {}", self.why),

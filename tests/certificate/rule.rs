@@ -96,8 +96,9 @@ pub fn judge(problem: &Exact, groups: &[Vec<usize>], answer: &Answer, limits: Li
     let own: Vec<Scales> = at.iter().map(|at| at.scales).collect();
     let data = problem.free.iter().zip(&problem.shift).map(|(free, shift)| nearest(&(free + shift)).abs());
     let stiff = (0..y.len()).map(|i| nearest(&(&y[i] - &problem.free[i] - &problem.shift[i])).abs());
-    // no size is more than 10⁶ times what the fastest velocity of all asks of the contact
-    let most = 1e6 * data.chain(stiff).fold(0.0, f64::max);
+    // no size is more than 10⁶ times what the fastest velocity of the data asks of the contact; of the impulses, if the data have none
+    let [given, moved] = [data.fold(0.0, f64::max), stiff.fold(0.0, f64::max)];
+    let most = 1e6 * if given > 0.0 { given } else { moved };
     for (at, group) in at.iter_mut().zip(groups) {
         let largest = |scale: fn(&Scales) -> f64| group.iter().map(|&j| scale(&own[j])).fold(0.0, f64::max);
         at.scales = Scales {

@@ -4,7 +4,8 @@
 //!     0 ≤ z* ⟂ w* = M z* + q ≥ 0 ,    max |z* − z| ≤ distance ,    max |w* − (M z + q)| ≤ slack distance
 //! ```
 //! The numbers of the data are taken as they are stored. Up to [`EXACT_ROWS`] rows z* is a vector of fractions and every sign is decided in
-//! whole numbers; above, z* is enclosed, and every sign is that of an interval.
+//! whole numbers; above, z* is enclosed, and every sign is that of an interval, or again in fractions where one is left open, up to
+//! [`OPEN_ROWS`] rows.
 
 use super::Decision;
 use super::complementary_cones::{self, SolutionSet, all_solutions, infeasible, some_solution};
@@ -13,7 +14,7 @@ use super::lcp_exact::{ExactSolution, WrongSign, exact_near, support};
 use super::p_matrix::p_matrix;
 use super::verified_cholesky::is_positive_definite;
 use crate::problem::{ContactProblem, Law, Lcp};
-use crate::tolerance::complementarity::{EXACT_ROWS, FEASIBLE_ROWS, SEARCHED_ROWS};
+use crate::tolerance::complementarity::{EXACT_ROWS, FEASIBLE_ROWS, OPEN_ROWS, SEARCHED_ROWS};
 use moreau_exact::scalar::{Rational, Scalar, exact};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -54,6 +55,8 @@ pub enum Count {
     One(&'static str),
     /// These, two or more, and no others.
     Exactly(Vec<DVector<Rational>>),
+    /// At least so many: answers whose solutions lie apart.
+    AtLeast(usize),
     /// Infinitely many: all on the way between these two.
     Continuum([DVector<Rational>; 2]),
     /// None: y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0.
@@ -68,7 +71,7 @@ impl Count {
     /// Whether there is a solution, if that is known.
     pub fn is_solvable(&self) -> Option<bool> {
         match self {
-            Count::One(_) | Count::Exactly(_) | Count::Continuum(_) => Some(true),
+            Count::One(_) | Count::Exactly(_) | Count::Continuum(_) | Count::AtLeast(_) => Some(true),
             Count::Infeasible(_) | Count::NoCone => Some(false),
             Count::Unknown(_) => None,
         }
@@ -107,7 +110,11 @@ pub fn prove(lcp: &Lcp<f64>, z: &DVector<f64>) -> Result<Answer> {
     }
     let support = support(lcp, z);
     if lcp.size() > EXACT_ROWS {
-        return Ok(enclosed(lcp, z, &support));
+        let enclosed = enclosed(lcp, z, &support);
+        // a row with z = w = 0 has a sign that no interval decides
+        if matches!(enclosed, Answer::Near(_)) || lcp.size() > OPEN_ROWS {
+            return Ok(enclosed);
+        }
     }
     let whole = whole(lcp);
     Ok(match exact_near(&whole, z, support) {
@@ -226,6 +233,32 @@ pub fn count(lcp: &Lcp<f64>) -> Result<Count> {
         Some(Ok(None)) => Count::NoCone,
         _ => Count::Unknown(unknown),
     })
+}
+
+/// How many of these answers have solutions near that are different from each other, as far as their distances tell.
+///
+/// # Errors
+/// As [`prove`].
+/// ```
+/// use moreau_contact::certificate::lcp_proof::different;
+/// use moreau_contact::nalgebra::{dmatrix, dvector};
+/// use moreau_contact::problem::Lcp;
+///
+/// let lcp = Lcp::new(dmatrix![1.0, 2.0; 2.0, 1.0], dvector![-1.0, -1.0]); // (1, 0), (0, 1) and (⅓, ⅓)
+/// assert_eq!(different(&lcp, &[dvector![1.0, 0.0], dvector![1.0, 0.0], dvector![0.0, 1.0], dvector![0.0, 0.0]])?, 2);
+/// # Ok::<(), moreau_contact::Error>(())
+/// ```
+pub fn different(lcp: &Lcp<f64>, answers: &[DVector<f64>]) -> Result<usize> {
+    let mut apart: Vec<(&DVector<f64>, f64)> = Vec::new();
+    for z in answers {
+        let Answer::Near(Near { distance, .. }) = prove(lcp, z)? else { continue };
+        // the difference is rounded once, far below the half of it
+        let differs = |(other, its): &(&DVector<f64>, f64)| 0.5 * (z - *other).amax() > distance + its;
+        if apart.iter().all(differs) {
+            apart.push((z, distance));
+        }
+    }
+    Ok(apart.len())
 }
 
 fn of_set(lcp: &Lcp<Rational>, set: SolutionSet) -> Count {

@@ -14,8 +14,9 @@
 //! and tangential parts stay apart, so that fast sliding does not widen what a normal impulse is held against: for the associated laws q_n
 //! − μ‖q_t‖ stands in place of q_n, and a point that leaves fast excuses no other point of its body.
 //!
-//! None is more than 10⁶ ρ V, V the largest velocity of the problem in q or W r, net: impulses that push against each other and move
-//! nothing would otherwise excuse any velocity, and a jaw that closes from both sides, which has no solution, would have one. Nor is a
+//! None is more than 10⁶ ρ V, V the largest velocity in q – in W r, net, where q = 0: impulses that push against each other and move
+//! nothing would otherwise excuse any velocity, and a jaw that closes from both sides, which has no solution, would have one. What impulses
+//! move is no V either: where W is not positive semidefinite they may grow without end, each the excuse of the other. Nor is a
 //! floor more than a hundredth of the largest velocity in q: where rounding hides that, nothing is certain, and the rounding itself counts
 //! as a residual of y, which may be zero only because q was lost in it.
 //!
@@ -134,7 +135,8 @@ impl Scales {
     /// s_n, s_r and s_t of contact k \[N·s\].
     pub fn at(&self, contact: usize) -> [f64; 3] {
         let ([s_n, s_r, s_t], [own_n, own_t]) = (self.shared[self.group[contact]], self.own[contact]);
-        let [most_n, most_t] = self.weights[contact].map(|weight| JAMMED * weight * self.fastest[1]);
+        let [given, moved] = self.fastest;
+        let [most_n, most_t] = self.weights[contact].map(|weight| JAMMED * weight * if given > 0.0 { given } else { moved });
         [s_n.max(own_n).min(most_n), s_r.max(own_n).min(most_n), s_t.max(own_t).min(most_t)]
     }
 }

@@ -11,9 +11,13 @@ pub const CONES: usize = 1 << 16;
 /// Required: of every proved answer to a linear complementarity problem, by the users of `moreau certify --prove`.
 pub const EXACT_ROWS: usize = 100;
 
+/// Rows of a problem up to which a sign that an enclosure leaves open is decided in fractions: hundreds of rows take seconds.
+/// Set.
+pub const OPEN_ROWS: usize = 400;
+
 /// Rows that may change sides before an answer is given up as one that points to no exact solution: a handful of contacts that barely touch.
 /// Set.
-pub const EXCHANGES: usize = 16;
+pub const EXCHANGES: usize = 8;
 
 /// Least trace of a matrix that is shown to be definite: 2⁻⁵⁰⁰, far above what underflow loses.
 /// Set.
@@ -40,7 +44,7 @@ pub const FULL_STEPS: usize = 10;
 
 /// Most steps of Newton-min. It takes some ten in full steps; one row at a time, it may take as many as there are supports.
 /// Set.
-pub const NEWTON_MIN_STEPS: usize = 10_000;
+pub const NEWTON_MIN_STEPS: usize = 1000;
 
 /// What is rounding in a tableau of n rows whose data are of order one, after pivots: √n times half of the digits are kept apart from zero,
 /// 2⁻⁴⁰ √n. Zero for exact rationals. What it decides wrongly is seen by the certificate.
