@@ -7,6 +7,7 @@ pub mod backward;
 pub mod complementary_cones;
 pub mod copositivity;
 mod decision;
+mod definite;
 pub mod definiteness;
 mod dictionary;
 pub mod existence;
@@ -29,6 +30,7 @@ pub mod residuals;
 mod residuals_json;
 mod scales;
 mod step;
+pub mod uniqueness;
 pub mod verified_cholesky;
 
 pub use decision::Decision;

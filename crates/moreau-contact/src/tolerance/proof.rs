@@ -67,3 +67,12 @@ pub fn dependent_pivot(rows: usize) -> f64 {
 /// Most multiplications for deciding a rank, a few seconds.
 /// Set.
 pub const RANK_STEPS: f64 = 2e9;
+
+/// Most rows of a matrix whose definiteness is decided in fractions: a second at most.
+/// Set.
+pub const EXACT_ROWS: usize = 40;
+
+/// Weights α of the condition for uniqueness, relative to √(W_nn W_tt) of the contact. They only decide which of the problems that have one
+/// solution are seen to.
+/// Set.
+pub const WEIGHTS: [f64; 7] = [1.0, 0.5, 2.0, 0.25, 4.0, 0.125, 8.0];

@@ -4,7 +4,7 @@
 //!     y ∈ (ỹ_hi + ỹ_lo) ± e ,       e of the size ε² Σ|A r| + Σ E |r| ,       |y(X) − y(x)| ≤ (|A| + E) η  for  |X − x| ≤ η
 //! ```
 //! E bounds, entry by entry, how far the exact operator may be from the stored one: zero where the numbers of the problem are the problem,
-//! [`Mechanism`](super::mechanism) where it is M̂ and H.
+//! `mechanism` where it is M̂ and H.
 
 use crate::certificate::interval::{Interval, SMALLEST_EXACT, two_product, two_sum};
 use crate::problem::ContactProblem;
@@ -60,7 +60,7 @@ impl<'a> Affine<'a> {
 }
 
 /// |matrix| x for x ≥ 0, rounded up.
-pub(super) fn times(matrix: &DMatrix<f64>, x: &[f64]) -> Vec<f64> {
+pub(in crate::certificate) fn times(matrix: &DMatrix<f64>, x: &[f64]) -> Vec<f64> {
     let mut sums = vec![0.0; matrix.nrows()];
     for (column, x) in matrix.column_iter().zip(x).filter(|(_, x)| **x != 0.0) {
         sums.iter_mut().zip(column.iter()).for_each(|(sum, entry)| *sum += entry.abs() * x);

@@ -3,13 +3,13 @@
 //! ```text
 //!     (r*, u*) solves the problem ,      ‖u*_k − u_k‖ ≤ ε_k [m/s] ,      ‖r*_k − r_k‖ ≤ ρ_k [N·s]      at every contact k
 //! ```
-//! The pattern – which contacts are open, stick or slide – is read off the answer. Its equations ([`pattern`]) are solved as near as
-//! numbers allow, and a solution is enclosed in a box ([`krawczyk`]). Then every inequality of the pattern is decided for the whole box, so
+//! The pattern – which contacts are open, stick or slide – is read off the answer. Its equations (`pattern`) are solved as near as
+//! numbers allow, and a solution is enclosed in a box (`krawczyk`). Then every inequality of the pattern is decided for the whole box, so
 //! that the solution of the equations is one of the law. Where an inequality is not decided – a contact on the border between two cases –
 //! the equations of that contact become Coulomb's law itself.
 //!
 //! Where M̂ and H are known, the problem is the one of the exact H M̂⁻¹ Hᵀ, and the proof covers the stored W as well: both are within what
-//! [`mechanism`] bounds. Rows that depend on each other exactly, decided in fractions from M̂ and H where they are known and from W otherwise ([`dependent`]),
+//! `mechanism` bounds. Rows that depend on each other exactly, decided in fractions from M̂ and H where they are known and from W otherwise (`dependent`),
 //! leave impulses undetermined: those of the dependent rows are taken as the answer gives them, and the solution is one of many with the
 //! same velocities. Where numbers are nearly but not exactly dependent there is no proof, and the contact is named.
 
@@ -25,6 +25,7 @@ use super::interval::Interval;
 use crate::problem::{ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::proof::{PATTERNS, ROWS, enlarged};
 use affine::Affine;
+pub(super) use affine::times;
 use krawczyk::{Enclosed, System};
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;

@@ -103,8 +103,8 @@ impl Contact {
         match state {
             State::Open => {}
             State::Pressing | State::Sticking => {
-                for i in 0..self.unknowns(state) {
-                    made.value[i] = y[i];
+                for (i, y) in y.iter().enumerate().take(self.unknowns(state)) {
+                    made.value[i] = *y;
                     made.by_velocity[i][i] = Interval::ONE;
                 }
             }
