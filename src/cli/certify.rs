@@ -12,6 +12,7 @@ use crate::problem::{ContactProblem, Solution};
 use crate::report::certificate::Certificate;
 use crate::report::json::pretty;
 use crate::report::lcp_proof::{Counted, LcpProved};
+use crate::report::proofs::Proofs;
 use crate::tolerance::cli::CERTIFY;
 use std::path::PathBuf;
 
@@ -32,8 +33,9 @@ pub struct Arguments {
     #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: f64,
     /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly; and by intervals, within which radius
-    /// the problem itself has a solution, or why that is not proved. Not for polyhedral laws. Of a linear complementarity problem,
-    /// moreover: how far a solution is, and how many there are; without an answer, the latter alone.
+    /// the problem itself has a solution, or why that is not proved; whether velocities are unique; whether there is no solution at all.
+    /// Not for polyhedral laws. Of a linear complementarity problem, moreover: how far a solution is, and how many there are; without an
+    /// answer, the latter alone.
     #[arg(long)]
     prove: bool,
     #[command(flatten)]
@@ -69,6 +71,10 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     if arguments.prove {
         certificate = certificate.with_proof(&backward(&problem, &solution.impulse).map_err(|error| error.in_file(&arguments.problem))?);
         certificate = certificate.with_solution_near(&forward(&problem, &solution).map_err(|error| error.in_file(file))?);
+        if lcp.is_none() {
+            let accepted = certificate.accepts();
+            certificate = certificate.with_proofs(Proofs::new(&problem, accepted));
+        }
     }
     if let Some(lcp) = &lcp {
         let answer = prove(lcp, &solution.impulse).map_err(|error| error.in_file(file))?;

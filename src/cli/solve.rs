@@ -10,6 +10,7 @@ use crate::memory;
 use crate::problem::ContactProblem;
 use crate::report::certificate::Certificate;
 use crate::report::json::pretty;
+use crate::report::proofs::no_solution;
 use crate::solvers;
 use crate::tolerance::cli::CERTIFY;
 use crate::{Error, Result};
@@ -73,8 +74,12 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     }
     let solution = match solver.solve(&problem, None).map_err(|error| error.in_file(&arguments.problem)) {
         Ok(solution) => solution,
-        Err(error) if arguments.common.format == Format::Json => return no_answer(error, arguments.out.is_none()),
-        Err(error) => return Err(error),
+        Err(error) => {
+            if let Some(proof) = no_solution(&problem) {
+                print_aside(&proof);
+            }
+            return if arguments.common.format == Format::Json { no_answer(error, arguments.out.is_none()) } else { Err(error) };
+        }
     };
     let residuals = residuals(&problem, &solution)?;
     let certificate = Certificate::new(&problem, &solution, &residuals, arguments.tolerance);
@@ -92,6 +97,11 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
             print(&answer)?;
             print_aside(&report);
         }
+    }
+    if !certificate.accepts()
+        && let Some(proof) = no_solution(&problem)
+    {
+        print_aside(&proof);
     }
     Ok(certificate.accepts().into())
 }

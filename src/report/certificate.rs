@@ -6,6 +6,7 @@ use crate::certificate::forward::{Forward, Radius, State};
 use crate::certificate::{Residuals, Worst};
 use crate::number::{significant, with_unit};
 use crate::problem::{ContactProblem, Solution};
+use crate::report::proofs::Proofs;
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -28,6 +29,8 @@ pub struct Certificate<'a> {
     lcp: Option<LcpProved>,
     #[serde(skip_serializing_if = "Option::is_none")]
     forward: Option<Near>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    solutions: Option<Proofs>,
 }
 
 /// Whether a solution near was proved.
@@ -88,7 +91,13 @@ impl<'a> Certificate<'a> {
             backward: None,
             lcp: None,
             forward: None,
+            solutions: None,
         }
+    }
+
+    /// The same with what was proved about all solutions.
+    pub fn with_proofs(self, proofs: Proofs) -> Self {
+        Certificate { solutions: Some(proofs), ..self }
     }
 
     /// The same with what was proved about a solution near.
@@ -154,6 +163,9 @@ impl<'a> Certificate<'a> {
         }
         for said in self.lcp.iter().flat_map(LcpProved::lines) {
             line(said);
+        }
+        if let Some(proofs) = &self.solutions {
+            proofs.lines().into_iter().for_each(&mut line);
         }
         let verdict = if self.solution { "a solution" } else { "NOT a solution" };
         line(format!("{verdict} to the relative tolerance {}", significant(self.tolerance)));

@@ -11,6 +11,7 @@ pub mod matrix;
 pub mod motion;
 pub mod no_answer;
 pub mod problems;
+pub mod proofs;
 pub mod schemas;
 pub mod steps;
 pub mod systems;

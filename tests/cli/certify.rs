@@ -121,3 +121,37 @@ fn how_many_solutions_there_are_is_proved_without_an_answer() {
     let (code, json, _) = count("empty.json", [[0.0, 0.0], [0.0, 1.0]], [-1.0, 1.0]);
     assert_eq!((code, &json["lcp"]["witness"]), (1, &serde_json::json!(["1", "0"])));
 }
+
+#[test]
+fn a_proof_names_a_radius_and_whether_the_velocities_are_unique() {
+    let folder = Folder::new("certify-prove");
+    let problem = folder.file("problem.json", PROBLEM);
+    let file = folder.file("solution.json", &solution(1e-10));
+    let run = moreau(&["certify", &problem, &file, "--prove"]);
+    assert_eq!(run.code, 0, "{}{}", run.output, run.message);
+    for part in ["proved by intervals", "at most one solution", "all 4 patterns tried, the solutions have exactly 1 velocity"] {
+        assert!(run.output.contains(part), "{part}: {}", run.output);
+    }
+    let json = moreau(&["certify", &problem, &file, "--prove", "--format", "json"]).json();
+    let bound = json["forward"]["radius"]["velocity"].as_f64().expect("a number");
+    assert!((1e-10..1.01e-10).contains(&bound), "{bound}");
+    assert_eq!((&json["solutions"]["unique"], &json["solutions"]["all"]["velocities"]), (&"solution".into(), &1.into()));
+}
+
+#[test]
+fn a_problem_without_solution_is_refuted_with_a_witness() {
+    let folder = Folder::new("certify-none");
+    // a body that slides along two walls, which close in
+    let walls = r#"{"schema": "contact-problem/1", "name": "walls", "dimension": 2, "law": "coulomb", "friction": [0.5, 0.5],
+        "free_velocity": [-1, 2, -0.5, 2],
+        "delassus": {"shape": [4, 4], "rows": [[1, 0, -1, 0], [0, 1, 0, 1], [-1, 0, 1, 0], [0, 1, 0, 1]]}}"#;
+    let problem = folder.file("problem.json", walls);
+    let answer = folder.file("answer.json", r#"{"schema": "solution/1", "impulse": [1, -0.5, 0, 0], "velocity": [0, 1.5, -1.5, 1.5]}"#);
+    let run = moreau(&["certify", &problem, &answer, "--prove"]);
+    assert_eq!(run.code, 1, "{}{}", run.output, run.message);
+    for part in ["there is no solution; impulses p", "all 16 patterns tried, there is no solution", "not proved that the problem itself"] {
+        assert!(run.output.contains(part), "{part}: {}", run.output);
+    }
+    let solved = moreau(&["solve", &problem]);
+    assert!(solved.code == 1 && solved.message.contains("the problem has no solution"), "{}{}", solved.output, solved.message);
+}

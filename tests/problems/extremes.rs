@@ -22,7 +22,8 @@ fn is_solution(problem: &ContactProblem, answer: &Solution) -> bool {
 #[test]
 fn a_problem_without_contacts_is_solved_by_nothing() {
     for law in [Law::Frictionless, Law::Coulomb, Law::Associated, Law::PolyhedralCoulomb { directions: 4 }] {
-        let empty = ContactProblem::new(DMatrix::zeros(0, 0), DVector::zeros(0)).law(law).friction(Vec::new()).build().expect("no contacts");
+        let empty =
+            ContactProblem::new(DMatrix::zeros(0, 0), DVector::zeros(0)).law(law).friction(Vec::new()).build().expect("no contacts");
         let answer = Auto.solve(&empty, None).expect("nothing to solve");
         assert!(answer.impulse.is_empty() && is_solution(&empty, &answer));
     }

@@ -38,7 +38,12 @@ fn unchanged(what: &str, subject: &(ContactProblem, Record, Option<DVector<f64>>
         assert_eq!(after.is_some(), before.is_some(), "{}: {what}, {stored}: the verdict", record.name);
         if let (Some(after), Some(wanted), Known::Unique) = (after, &wanted, record.uniqueness.velocity) {
             let scale = wanted.amax().max(other.free_velocity().amax());
-            assert!((&after - wanted).amax() <= SAME * scale, "{}: {what}, {stored}: u differs by {}", record.name, (after - wanted).amax());
+            assert!(
+                (&after - wanted).amax() <= SAME * scale,
+                "{}: {what}, {stored}: u differs by {}",
+                record.name,
+                (after - wanted).amax()
+            );
         }
     }
 }
@@ -116,9 +121,8 @@ fn sliding(law: Law, angle: f64) -> DVector<f64> {
 
 #[test]
 fn polygons_tend_to_the_disk_with_the_square_of_their_sides_where_the_slip_is_across_a_side() {
-    let apart = |directions: usize, angle: f64| {
-        (sliding(Law::PolyhedralCoulomb { directions }, angle) - sliding(Law::Coulomb, angle)).amax()
-    };
+    let apart =
+        |directions: usize, angle: f64| (sliding(Law::PolyhedralCoulomb { directions }, angle) - sliding(Law::Coulomb, angle)).amax();
     let across = |d: usize| std::f64::consts::PI / d as f64;
     for d in [8, 16, 32, 64] {
         // the middle of a side is μ r_n (1 − cos(π/d)) inside the disk

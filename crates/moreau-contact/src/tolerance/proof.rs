@@ -76,3 +76,11 @@ pub const EXACT_ROWS: usize = 40;
 /// solution are seen to.
 /// Set.
 pub const WEIGHTS: [f64; 7] = [1.0, 0.5, 2.0, 0.25, 4.0, 0.125, 8.0];
+
+/// Most contacts of a problem for which a witness is searched by a linear program in fractions: seconds at most.
+/// Set.
+pub const WITNESS_CONTACTS: usize = 12;
+
+/// Most contacts in the plane all of whose patterns are tried, 4⁶ = 4 096 linear systems in fractions.
+/// Set.
+pub const PATTERN_CONTACTS: usize = 6;

@@ -1,0 +1,105 @@
+//! What was proved about all solutions of a problem: how many there are, or that there is none.
+
+use crate::certificate::infeasible::{Infeasible, infeasible};
+use crate::certificate::patterns::{Solutions, solutions};
+use crate::certificate::uniqueness::{Uniqueness, uniqueness};
+use crate::number::significant;
+use crate::problem::ContactProblem;
+use crate::scalar::{Rational, Scalar};
+use serde::Serialize;
+
+/// What is known about all solutions of one problem.
+#[derive(Serialize)]
+pub struct Proofs {
+    /// `solution`, `velocity` or `unknown`.
+    unique: &'static str,
+    /// Why it is, or why it is not known.
+    reason: String,
+    /// All solutions, where all patterns were tried.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    all: Option<All>,
+    /// A witness that there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    infeasible: Option<Refuted>,
+}
+
+/// All solutions of a problem in the plane.
+#[derive(Serialize)]
+struct All {
+    patterns: usize,
+    /// How many velocities; at the vertices, if they are a continuum.
+    velocities: usize,
+    continuum: bool,
+    /// u of each \[m/s\], rounded.
+    found: Vec<Vec<f64>>,
+}
+
+/// p in fractions, and p·(u_free + shift).
+#[derive(Serialize)]
+struct Refuted {
+    witness: Vec<String>,
+    product: String,
+}
+
+impl Proofs {
+    /// Proves what can be proved; a witness against any solution is searched only where the answer at hand is none.
+    pub fn new(problem: &ContactProblem, accepted: bool) -> Self {
+        let (unique, reason) = match uniqueness(problem) {
+            Uniqueness::Solution(reason) => ("solution", reason.into()),
+            Uniqueness::Velocity(reason) => ("velocity", reason.into()),
+            Uniqueness::Unknown(reason) => ("unknown", reason),
+        };
+        let refuted = if accepted { None } else { infeasible(problem) };
+        Proofs { unique, reason, all: solutions(problem).ok().map(All::from), infeasible: refuted.map(Refuted::from) }
+    }
+
+    /// For reading, line by line.
+    pub fn lines(&self) -> Vec<String> {
+        let mut lines = vec![match self.unique {
+            "solution" => format!("proved: at most one solution: {}", self.reason),
+            "velocity" => format!("proved: all solutions have the same velocities: {}", self.reason),
+            _ => format!("not proved that the velocities are unique: {}", self.reason),
+        }];
+        if let Some(all) = &self.all {
+            let count = match (all.velocities, all.continuum) {
+                (0, _) => "there is no solution".into(),
+                (_, true) => "the velocities of the solutions are a continuum".into(),
+                (1, false) => "the solutions have exactly 1 velocity".into(),
+                (count, false) => format!("the solutions have exactly {count} velocities"),
+            };
+            lines.push(format!("proved in fractions: all {} patterns tried, {count}", all.patterns));
+        }
+        if let Some(refuted) = &self.infeasible {
+            lines.push(format!(
+                "proved in fractions: there is no solution; impulses p with −Wᵀp in K* and p·(u_free + shift) = {}",
+                refuted.product
+            ));
+        }
+        lines
+    }
+}
+
+/// That there is no solution, in a line; nothing where no witness is found.
+pub fn no_solution(problem: &ContactProblem) -> Option<String> {
+    let found = infeasible(problem)?;
+    let product = significant(Scalar::to_f64(&found.product));
+    Some(format!("proved in fractions: the problem has no solution; impulses p with −Wᵀp in K* have p·(u_free + shift) = {product} J\n"))
+}
+
+impl From<Solutions> for All {
+    fn from(all: Solutions) -> Self {
+        let rounded = |numbers: &[Rational]| numbers.iter().map(Scalar::to_f64).collect();
+        All {
+            patterns: all.patterns,
+            velocities: all.found.len(),
+            continuum: all.continuum.is_some(),
+            found: all.found.iter().map(|one| rounded(one.velocity.as_slice())).collect(),
+        }
+    }
+}
+
+impl From<Infeasible> for Refuted {
+    fn from(found: Infeasible) -> Self {
+        Refuted { witness: found.witness.iter().map(Rational::to_string).collect(), product: found.product.to_string() }
+    }
+}
