@@ -35,9 +35,9 @@ pub struct Arguments {
     #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: f64,
     /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly; and by intervals, within which radius
-    /// the problem itself has a solution, or why that is not proved; whether its velocities are unique; whether there is no solution at
-    /// all. Not for polyhedral laws. Of a linear complementarity problem, moreover: how far a solution is, and how many there are; without
-    /// an answer, the latter alone.
+    /// the problem itself has a solution, or why that is not proved; whether velocities are unique; whether there is no solution at all.
+    /// Not for polyhedral laws. Of a linear complementarity problem, moreover: how far a solution is, and how many there are; without an
+    /// answer, the latter alone.
     #[arg(long)]
     prove: bool,
     #[command(flatten)]
@@ -74,8 +74,10 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     if arguments.prove {
         certificate = certificate.with_proof(&backward(&problem, &solution.impulse).map_err(|error| error.in_file(&arguments.problem))?);
         certificate = certificate.with_solution_near(&forward(&problem, &solution).map_err(|error| error.in_file(file))?);
-        let accepted = certificate.accepts();
-        certificate = certificate.with_proofs(Proofs::new(&problem, accepted));
+        if lcp.is_none() {
+            let accepted = certificate.accepts();
+            certificate = certificate.with_proofs(Proofs::new(&problem, accepted));
+        }
     }
     if let Some(lcp) = &lcp {
         let answer = prove(lcp, &solution.impulse).map_err(|error| error.in_file(file))?;

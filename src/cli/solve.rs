@@ -115,5 +115,10 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
             print_aside(&report);
         }
     }
+    if !certificate.accepts()
+        && let Some(proof) = no_solution(&problem)
+    {
+        print_aside(&proof);
+    }
     Ok(certificate.accepts().into())
 }

@@ -141,13 +141,15 @@ fn a_proof_names_a_radius_and_whether_the_velocities_are_unique() {
 #[test]
 fn a_problem_without_solution_is_refuted_with_a_witness() {
     let folder = Folder::new("certify-none");
-    let walls = r#"{"schema": "contact-problem/1", "name": "walls", "dimension": 1, "law": "frictionless", "friction": [0, 0],
-        "free_velocity": [-1, -0.5], "delassus": {"shape": [2, 2], "rows": [[1, -1], [-1, 1]]}}"#;
+    // a body that slides along two walls, which close in
+    let walls = r#"{"schema": "contact-problem/1", "name": "walls", "dimension": 2, "law": "coulomb", "friction": [0.5, 0.5],
+        "free_velocity": [-1, 2, -0.5, 2],
+        "delassus": {"shape": [4, 4], "rows": [[1, 0, -1, 0], [0, 1, 0, 1], [-1, 0, 1, 0], [0, 1, 0, 1]]}}"#;
     let problem = folder.file("problem.json", walls);
-    let answer = folder.file("answer.json", r#"{"schema": "solution/1", "impulse": [1, 0], "velocity": [0, -1.5]}"#);
+    let answer = folder.file("answer.json", r#"{"schema": "solution/1", "impulse": [1, -0.5, 0, 0], "velocity": [0, 1.5, -1.5, 1.5]}"#);
     let run = moreau(&["certify", &problem, &answer, "--prove"]);
     assert_eq!(run.code, 1, "{}{}", run.output, run.message);
-    for part in ["there is no solution; impulses p", "all 4 patterns tried, there is no solution", "not proved that the problem itself"] {
+    for part in ["there is no solution; impulses p", "all 16 patterns tried, there is no solution", "not proved that the problem itself"] {
         assert!(run.output.contains(part), "{part}: {}", run.output);
     }
     let solved = moreau(&["solve", &problem]);
