@@ -116,12 +116,12 @@ impl<'a> Scaled<'a> {
     }
 
     /// p and x of the module's equations.
-    fn alternate(&self, x: &DVector<f64>, z: &DVector<f64>) -> (DVector<f64>, DVector<f64>) {
+    fn alternate(&mut self, x: &DVector<f64>, z: &DVector<f64>) -> (DVector<f64>, DVector<f64>) {
         let mut cone = x - z / self.penalty;
         super::project(self.problem, &mut cone);
         // −(q + s) + z + ρ p + η x₋, where s = corrected − z
         let right = z * 2.0 - &self.free - self.corrected(z) + &cone * self.penalty + x * tolerance::ADMM_PROXIMAL;
-        let next = self.operator.solve(&self.factor, &right);
+        let next = self.operator.solve(&mut self.factor, &right);
         (cone, next)
     }
 

@@ -7,7 +7,7 @@
 //! ```
 //! No dense matrix is made of blocks.
 
-use super::block_elimination::{Factored, Slopes};
+use super::block_elimination::{BlockElimination, Slopes};
 use crate::operator::BlockSparse;
 use crate::problem::ContactProblem;
 use crate::tolerance::solvers::SYMMETRY;
@@ -24,14 +24,15 @@ pub(super) struct ShiftedOperator<'a> {
 enum Stored<'a> {
     /// All entries of A, in units of the mass, and whether they are symmetric.
     Dense(DMatrix<f64>, bool),
-    Blocks(&'a BlockSparse),
+    /// The blocks, and whether they are symmetric to the last bit.
+    Blocks(&'a BlockSparse, bool),
 }
 
 /// A + δI, factored.
 pub(super) enum Shifted {
     Symmetric(Cholesky<f64, Dyn>),
     Any(LU<f64, Dyn, Dyn>),
-    Blocks(Factored),
+    Blocks(BlockElimination),
 }
 
 impl<'a> ShiftedOperator<'a> {
@@ -43,7 +44,7 @@ impl<'a> ShiftedOperator<'a> {
         let trace: f64 = (0..problem.rows()).map(|row| problem.entry(row, row) + super::compliance(problem, row)).sum();
         let mass = if trace > 0.0 { problem.rows() as f64 / trace } else { 1.0 };
         let stored = match problem.delassus().blocks() {
-            Some(blocks) => Stored::Blocks(blocks),
+            Some(blocks) => Stored::Blocks(blocks, problem.asymmetry() == 0.0),
             None => Stored::Dense(problem.law_delassus()? * mass, problem.asymmetry() <= SYMMETRY),
         };
         Ok(ShiftedOperator { problem, mass, stored })
@@ -58,7 +59,7 @@ impl<'a> ShiftedOperator<'a> {
     pub(super) fn apply(&self, x: &DVector<f64>) -> DVector<f64> {
         match &self.stored {
             Stored::Dense(matrix, _) => matrix * x,
-            Stored::Blocks(_) => super::parts::law_product(self.problem, x) * self.mass,
+            Stored::Blocks(..) => super::parts::law_product(self.problem, x) * self.mass,
         }
     }
 
@@ -78,16 +79,19 @@ impl<'a> ShiftedOperator<'a> {
                 let factor = shifted.lu();
                 if factor.is_invertible() { Ok(Shifted::Any(factor)) } else { Err(indefinite(solver)) }
             }
-            Stored::Blocks(blocks) => Factored::new(blocks, &self.slopes(shift)).map(Shifted::Blocks).ok_or_else(|| indefinite(solver)),
+            Stored::Blocks(blocks, symmetric) => {
+                let mut factor = BlockElimination::default();
+                if factor.factor(blocks, &self.slopes(shift), *symmetric) { Ok(Shifted::Blocks(factor)) } else { Err(indefinite(solver)) }
+            }
         }
     }
 
     /// The x with (A + δI) x = b.
-    pub(super) fn solve(&self, factor: &Shifted, right_side: &DVector<f64>) -> DVector<f64> {
+    pub(super) fn solve(&self, factor: &mut Shifted, right_side: &DVector<f64>) -> DVector<f64> {
         match (factor, &self.stored) {
             (Shifted::Symmetric(factor), _) => factor.solve(right_side),
             (Shifted::Any(factor), _) => factor.solve(right_side).expect("it was found to be invertible"),
-            (Shifted::Blocks(factor), Stored::Blocks(blocks)) => factor.solve(blocks, right_side),
+            (Shifted::Blocks(factor), Stored::Blocks(blocks, _)) => factor.solve(blocks, right_side),
             (Shifted::Blocks(_), Stored::Dense(..)) => unreachable!("blocks are factored where W is stored so"),
         }
     }
@@ -99,7 +103,7 @@ impl<'a> ShiftedOperator<'a> {
             let softness = |i: usize| if i < rows { super::compliance(self.problem, k * rows + i) } else { 0.0 };
             Matrix3::from_fn(|i, j| if i == j { self.mass * softness(i) + shift } else { 0.0 })
         };
-        (0..self.problem.contacts()).map(|k| Slopes { own: own(k), through: Matrix3::identity() * self.mass }).collect()
+        (0..self.problem.contacts()).map(|k| Slopes { own: own(k), through: Matrix3::identity() * self.mass, inverse: None }).collect()
     }
 }
 
@@ -143,7 +147,7 @@ mod tests {
             let other = one.clone().into_builder().delassus(blocks).build().unwrap();
             for problem in [&one, &other] {
                 let operator = ShiftedOperator::new(problem).unwrap();
-                let x = operator.solve(&operator.shifted("test", 0.5).unwrap(), &right);
+                let x = operator.solve(&mut operator.shifted("test", 0.5).unwrap(), &right);
                 let left = operator.apply(&x) + &x * 0.5;
                 assert!((left - &right).amax() <= moreau_exact::tolerance::rounding(64, 8.0), "asymmetry {asymmetry}");
                 let full = problem.law_velocity(&x) - problem.free_velocity();

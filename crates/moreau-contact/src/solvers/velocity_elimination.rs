@@ -11,7 +11,7 @@ use super::block_elimination::Slopes;
 use super::elimination_tree::Tree;
 use super::multifrontal::{Factor, Front, Work};
 use super::velocity_factor::VelocityFactor;
-use crate::operator::BlockSparse;
+use crate::operator::{BlockSparse, ContactOperator};
 use crate::tolerance::velocities::{REFINED, REFINEMENTS, TRUSTED};
 use nalgebra::{DVector, Matrix3, Vector3};
 
