@@ -3,7 +3,9 @@
 use super::Stored;
 
 macro_rules! record {
-    ($name:literal) => { include_str!(concat!("../../references/problems/answers/", $name, ".json")) };
+    ($name:literal) => {
+        include_str!(concat!("../../references/problems/answers/", $name, ".json"))
+    };
 }
 
 macro_rules! stored {

@@ -7,29 +7,29 @@
 use crate::problem::ContactProblem;
 use crate::tolerance::certificate::COUPLED;
 
-/// The first contact of the same two bodies, for every contact; `found` is overwritten.
-pub(super) fn find(problem: &ContactProblem, found: &mut Vec<usize>) {
-    found.clear();
-    found.extend(0..problem.contacts());
+/// The first contact of the same two bodies, for every contact.
+pub(super) fn find(problem: &ContactProblem) -> Vec<usize> {
+    let mut found: Vec<usize> = (0..problem.contacts()).collect();
     let knows_rows = problem.knows_rows();
     if problem.bodies().is_none() && !knows_rows {
-        return;
+        return found;
     }
     let pair = |k: usize| problem.bodies().map(|bodies| sorted(bodies[k]));
     let mut order: Vec<usize> = (0..problem.contacts()).collect();
     order.sort_by_key(|k| pair(*k));
     for named in order.chunk_by(|one, other| pair(*one) == pair(*other)).filter(|named| named.len() > 1) {
         if !knows_rows {
-            join_all_coupled(problem, named, found);
+            join_all_coupled(problem, named, &mut found);
             continue;
         }
         let mut touching: Vec<(Option<Vec<usize>>, usize)> = named.iter().map(|k| (problem.touched(*k), *k)).collect();
         touching.sort();
         for same in touching.chunk_by(|one, other| one.0 == other.0) {
             let members: Vec<usize> = same.iter().map(|(_, k)| *k).collect();
-            join_connected(problem, &members, found);
+            join_connected(problem, &members, &mut found);
         }
     }
+    found
 }
 
 fn sorted([first, second]: [Option<usize>; 2]) -> [Option<usize>; 2] {
@@ -81,12 +81,6 @@ mod tests {
     use crate::operator::{Sparse, SparseDynamics};
     use nalgebra::{DMatrix, DVector, dmatrix};
 
-    fn groups(problem: &ContactProblem) -> Vec<usize> {
-        let mut found = vec![7];
-        find(problem, &mut found);
-        found
-    }
-
     fn one_row(delassus: DMatrix<f64>, bodies: Vec<[Option<usize>; 2]>) -> ContactProblem {
         let free = DVector::from_element(delassus.nrows(), -1.0);
         ContactProblem::new(delassus, free).rows_per_contact(1).bodies(bodies).build().unwrap()
@@ -96,10 +90,10 @@ mod tests {
     fn named_contacts_share_a_group_where_every_two_are_coupled() {
         let pair = [Some(0), Some(1)];
         let chain = dmatrix![1.0, 0.5, 0.0; 0.5, 1.0, 0.5; 0.0, 0.5, 1.0];
-        assert_eq!(groups(&one_row(chain.clone(), vec![pair; 3])), [0, 0, 2], "the third never meets the first");
-        assert_eq!(groups(&one_row(chain.clone(), vec![pair, [Some(1), Some(0)], [Some(2), None]])), [0, 0, 2], "in either order");
+        assert_eq!(find(&one_row(chain.clone(), vec![pair; 3])), [0, 0, 2], "the third never meets the first");
+        assert_eq!(find(&one_row(chain.clone(), vec![pair, [Some(1), Some(0)], [Some(2), None]])), [0, 0, 2], "in either order");
         let unnamed = one_row(chain, vec![pair; 3]).into_builder().bodies(None).build().unwrap();
-        assert_eq!(groups(&unnamed), [0, 1, 2]);
+        assert_eq!(find(&unnamed), [0, 1, 2]);
     }
 
     #[test]
@@ -107,11 +101,11 @@ mod tests {
         let jacobian = dmatrix![1.0, 1.0; 1.0, -1.0; 1.0, 0.5; 0.0, 1.0];
         let free = DVector::zeros(2);
         let problem = ContactProblem::from_dynamics(DMatrix::identity(2, 2), jacobian, &free).rows_per_contact(1).build().unwrap();
-        assert_eq!(groups(&problem), [0, 0, 0, 3], "the first two meet through the third; the last touches other velocities");
+        assert_eq!(find(&problem), [0, 0, 0, 3], "the first two meet through the third; the last touches other velocities");
         let rows = &problem.dynamics().unwrap().jacobian;
         let (mass, rows) = (Sparse::of(&DMatrix::identity(2, 2)), Sparse::of(rows));
         let by_bodies = SparseDynamics::new(&mass, &rows, 1).unwrap();
         let by_bodies = ContactProblem::from_sparse_dynamics(&by_bodies, &free).friction(vec![0.0; 4]).build().unwrap();
-        assert_eq!(groups(&by_bodies), [0, 0, 0, 3]);
+        assert_eq!(find(&by_bodies), [0, 0, 0, 3]);
     }
 }

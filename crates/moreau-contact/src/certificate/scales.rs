@@ -71,7 +71,8 @@ impl Scales {
         let largest = self.weights.iter().flatten().copied().filter(|rho| rho.is_finite()).fold(0.0, f64::max);
         let instead = if largest > 0.0 { largest } else { 1.0 };
         self.weights.iter_mut().flatten().filter(|rho| !rho.is_finite()).for_each(|rho| *rho = instead);
-        groups::find(problem, &mut self.group);
+        self.group.clear();
+        self.group.extend_from_slice(problem.groups(groups::find));
     }
 
     /// The floors at the impulses r; one pass over |W|.

@@ -12,6 +12,7 @@ mod blocks;
 mod contact_operator;
 mod dense;
 mod matrix_free;
+mod of_mechanism;
 mod sparse;
 mod sparse_dynamics;
 
@@ -19,6 +20,7 @@ pub use block_rows::BlockRows;
 pub use blocks::BlockSparse;
 pub use contact_operator::ContactOperator;
 pub use matrix_free::MatrixFree;
+pub use of_mechanism::of_mechanism;
 pub use sparse::Sparse;
 pub use sparse_dynamics::SparseDynamics;
 

@@ -1,10 +1,11 @@
 //! How a contact problem is made: its pieces are set one by one, and `build` checks them together.
 
 use super::known::Known;
+use super::once::Once;
 use super::{Compliance, ContactKey, ContactProblem, Dynamics, Law};
 use crate::contact::delassus::delassus;
 use crate::contact::{Inertia, Jacobian};
-use crate::operator::{Operator, SparseDynamics};
+use crate::operator::{Operator, SparseDynamics, of_mechanism};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
 use std::sync::{Arc, OnceLock};
@@ -79,7 +80,7 @@ impl ContactProblem {
     pub fn from_inertia(inertia: &Arc<Inertia>, jacobian: &Arc<Jacobian>, free_motion: &DVector<f64>) -> ContactProblemBuilder {
         let free_velocity = fitting(jacobian.ncols(), free_motion).map(|motion| &**jacobian * motion);
         let known = Known::Sparse { inertia: inertia.clone(), jacobian: jacobian.clone(), dense: OnceLock::new() };
-        ContactProblemBuilder::of(jacobian.delassus(inertia), free_velocity, Some(known))
+        ContactProblemBuilder::of(of_mechanism(inertia, jacobian), free_velocity, Some(known))
     }
 
     /// Begins a problem from the mechanism by bodies: W = H M̂⁻¹ Hᵀ acts through the bodies and is not formed, u_free = H v_free.
@@ -278,6 +279,7 @@ impl ContactProblemBuilder {
             dynamics: self.dynamics,
             bodies: self.bodies,
             keys: self.keys,
+            groups: Once::default(),
         };
         problem.validate()?;
         Ok(problem)

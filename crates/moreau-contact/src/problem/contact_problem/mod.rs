@@ -6,6 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 mod builder;
 mod known;
+mod once;
 mod polyhedral;
 #[cfg(test)]
 mod tests;
@@ -13,6 +14,7 @@ mod validation;
 
 pub use builder::ContactProblemBuilder;
 use known::{Known, columns_of};
+use once::Once;
 
 /// In which coordinates a diagonal compliance R acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,6 +64,7 @@ pub struct ContactProblem {
     dynamics: Option<Known>,
     bodies: Option<Vec<[Option<usize>; 2]>>,
     keys: Option<Vec<ContactKey>>,
+    groups: Once<Vec<usize>>,
 }
 
 impl ContactProblem {
@@ -121,6 +124,11 @@ impl ContactProblem {
     /// M̂ and H, where known, as matrices with all their zeros; what is kept by bodies is written out, once.
     pub fn dynamics(&self) -> Option<&Dynamics> {
         self.dynamics.as_ref().map(Known::dense)
+    }
+
+    /// What `find` says of the contacts, which the certificate asks for every answer: it is found once.
+    pub(crate) fn groups(&self, find: impl FnOnce(&Self) -> Vec<usize>) -> &[usize] {
+        self.groups.get_or(|| find(self))
     }
 
     /// Whether H is known, as a matrix or by bodies.

@@ -1,0 +1,179 @@
+//! What a simulation costs: steps per second, allocations per step after warm-up, memory, and the share of the certificates.
+//!
+//! `cargo bench --bench simulating` runs all scenes, `cargo bench --bench simulating -- stack` those whose name has the word. The share of
+//! the certificates is the time of judging every answer once more over the time of the same run, so that a busy machine changes it little.
+//! Live memory is what the allocator has given out and not got back, measured at the end of each step while its parts are still held.
+
+use moreau::certificate::Judge;
+use moreau::problem::{ContactProblem, Solution};
+use moreau::scenes::Scene;
+use moreau::schemes::{Certified, MoreauJean, run_certified};
+use moreau::solvers::{Auto, ContactSolver};
+use nalgebra::DVector;
+use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
+use std::alloc::System;
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+#[global_allocator]
+static COUNTED: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
+
+/// The default solver, and how long it and one more judgement of its answers take.
+#[derive(Default)]
+struct Timed(Mutex<(Judge, Duration, Duration)>);
+
+impl ContactSolver for Timed {
+    fn name(&self) -> &'static str {
+        "auto"
+    }
+
+    fn takes(&self, _law: moreau::Law, _rows: usize, _symmetric: bool) -> bool {
+        true
+    }
+
+    fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> moreau::Result<Solution> {
+        let begun = Instant::now();
+        let solution = Auto.solve(problem, warm_start)?;
+        let solved = begun.elapsed();
+        let mut kept = self.0.lock().expect("no other thread panics");
+        let (judge, solving, judging) = &mut *kept;
+        let begun = Instant::now();
+        let judged = judge.judge(problem, &solution)?;
+        *judging += begun.elapsed();
+        *solving += solved;
+        assert!(judged.relative().is_finite(), "{}", problem.name());
+        Ok(solution)
+    }
+}
+
+/// One scene, its step, and how many steps are taken before anything is measured and while it is.
+struct Case {
+    name: &'static str,
+    scene: Scene,
+    h: f64,
+    warm: usize,
+    steps: usize,
+}
+
+/// Numbers of no pattern in [−1, 1).
+fn scattered(seed: u64) -> f64 {
+    let mixed = (seed ^ (seed >> 31)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    ((mixed ^ (mixed >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9) >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+}
+
+/// A scene under gravity, over the ground, with μ = ½.
+fn scene(name: &str, bodies: &[String]) -> Scene {
+    let text = format!(
+        r#"{{"schema": "scene/1", "name": "{name}", "gravity": [0, 0, -9.81], "ground": {{"normal": [0, 0, 1], "offset": 0}},
+            "bodies": [{}], "material": {{"friction": 0.5, "restitution": 0}}, "duration": 1}}"#,
+        bodies.join(", ")
+    );
+    Scene::from_json(&text).expect("a valid scene")
+}
+
+fn body(name: String, shape: &str, mass: f64, [x, y, z]: [f64; 3]) -> String {
+    format!(r#"{{"name": "{name}", {shape}, "mass": {mass}, "position": [{x}, {y}, {z}]}}"#)
+}
+
+fn cube(half: f64) -> String {
+    format!(r#""box": {{"half_extents": [{half}, {half}, {half}]}}"#)
+}
+
+fn ball(radius: f64) -> String {
+    format!(r#""sphere": {{"radius": {radius}}}"#)
+}
+
+/// Ten cubes of edge 0.1 m on each other, each a few millimetres beside the one below.
+fn stack() -> Scene {
+    let place = |k: u64| [2e-3 * scattered(2 * k), 2e-3 * scattered(2 * k + 1), 0.05 + 0.1 * k as f64];
+    scene("stack", &(0..10).map(|k| body(format!("b{k}"), &cube(0.05), 1.0, place(k))).collect::<Vec<_>>())
+}
+
+/// A hundred spheres that fall onto each other, five by five in four layers.
+fn heap() -> Scene {
+    let place = |k: u64| {
+        let [x, y, z] = [k % 5, k / 5 % 5, k / 25].map(|n| n as f64);
+        [0.11 * x + 5e-3 * scattered(3 * k), 0.11 * y + 5e-3 * scattered(3 * k + 1), 0.06 + 0.12 * z]
+    };
+    scene("heap", &(0..100).map(|k| body(format!("s{k}"), &ball(0.05), 0.5, place(k))).collect::<Vec<_>>())
+}
+
+/// Spheres at rest on the ground, side by side without touching each other.
+fn field() -> Scene {
+    let place = |k: u64| [0.21 * (k % 32) as f64, 0.21 * (k / 32) as f64, 0.1];
+    scene("field", &(0..1000).map(|k| body(format!("s{k}"), &ball(0.1), 1.0, place(k))).collect::<Vec<_>>())
+}
+
+/// A thousand spheres in a box of four heavy walls, in layers that fall into the gaps of those below.
+fn pile() -> Scene {
+    let (radius, side) = (0.05, 10);
+    let spacing = 2.02 * radius;
+    let width = 0.5 * spacing * (side as f64 + 0.6);
+    let place = |k: u64| {
+        let [x, y, z] = [k % side, k / side % side, k / (side * side)].map(|n| n as f64);
+        let beside = if (z as u64).is_multiple_of(2) { -0.25 } else { 0.25 };
+        let at = |n: f64, seed: u64| spacing * (n + 0.5 + beside) - 0.5 * spacing * side as f64 + 1e-3 * scattered(seed);
+        [at(x, 2 * k), at(y, 2 * k + 1), radius * (1.0 + 1.5 * z)]
+    };
+    let mut bodies: Vec<String> = (0..1000).map(|k| body(format!("s{k}"), &ball(radius), 0.5, place(k))).collect();
+    let (half, thick) = (0.6, 0.5);
+    for (k, [x, y]) in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]].into_iter().enumerate() {
+        let extents = if x == 0.0 { [width, thick, half] } else { [thick, width + 2.0 * thick, half] };
+        let shape = format!(r#""box": {{"half_extents": {extents:?}}}"#);
+        bodies.push(body(format!("wall{k}"), &shape, 1e5, [x * (width + thick), y * (width + thick), half]));
+    }
+    scene("pile", &bodies)
+}
+
+fn run(Case { name, scene, h, warm, steps }: Case) {
+    let (mechanism, start) = scene.spatial_mechanism().expect("bodies in space");
+    let timed = Timed::default();
+    let certified = Certified::new(&timed);
+    let region = Region::new(COUNTED);
+    let (mut begun, mut counted, mut taken, mut slowest) = (Instant::now(), region.change(), 0, 0.0f64);
+    let (mut live, mut contacts, mut rejected, mut last) = (0usize, 0, 0, Instant::now());
+    run_certified(&MoreauJean::default(), &certified, &*mechanism, start, h, warm + steps, |step| {
+        let now = Instant::now();
+        taken += 1;
+        slowest = slowest.max((now - last).as_secs_f64());
+        last = now;
+        let given = region.change();
+        live = live.max(given.bytes_allocated.saturating_sub(given.bytes_deallocated));
+        rejected += usize::from(step.rejected.is_some());
+        contacts = step.impulses.len();
+        if taken == warm {
+            (begun, counted, slowest) = (now, given, 0.0);
+            *timed.0.lock().expect("no other thread panics") = Default::default();
+        }
+        Ok(())
+    })
+    .expect("every step has an answer");
+    let (all, given) = (begun.elapsed().as_secs_f64(), region.change());
+    let (_, solving, judging) = &*timed.0.lock().expect("no other thread panics");
+    let each = |count: usize| count as f64 / steps as f64;
+    // every answer is judged twice here, once as every simulation does it and once for its time
+    let plain = all - judging.as_secs_f64();
+    println!(
+        "{name:8} {steps:6} {contacts:8} {:10.0} {:12.3} {:11.1} {:10.1} {:12.1} {:8.1} % {:8.1} % {rejected:8}",
+        steps as f64 / plain,
+        1e3 * slowest,
+        each(given.allocations - counted.allocations),
+        each(given.bytes_allocated - counted.bytes_allocated) / 1e3,
+        live as f64 / 1e6,
+        100.0 * solving.as_secs_f64() / plain,
+        100.0 * judging.as_secs_f64() / plain,
+    );
+}
+
+fn main() {
+    let word = std::env::args().skip(1).find(|word| !word.starts_with('-')).unwrap_or_default();
+    println!("scene     steps contacts    steps/s  slowest [ms] allocations  kB a step  live [MB]    solver   certificates rejected");
+    let cases = [
+        Case { name: "stack", scene: stack(), h: 0.002, warm: 10, steps: 1000 },
+        Case { name: "at-rest", scene: stack(), h: 0.002, warm: 1000, steps: 1000 },
+        Case { name: "heap", scene: heap(), h: 0.002, warm: 10, steps: 500 },
+        Case { name: "field", scene: field(), h: 0.001, warm: 10, steps: 100 },
+        Case { name: "pile", scene: pile(), h: 0.002, warm: 50, steps: 50 },
+    ];
+    cases.into_iter().filter(|case| case.name.contains(&word)).for_each(run);
+}

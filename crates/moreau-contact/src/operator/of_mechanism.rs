@@ -1,0 +1,248 @@
+//! W of a mechanism whose mass and rows are known body by body, with the entries that the dense formula gives, bit for bit.
+//!
+//! ```text
+//!     W_jk = Σ_b (L_b⁻¹H_jbᵀ)ᵀ D_b⁻¹ (L_b⁻¹H_kbᵀ)        b over the bodies that both contacts touch
+//! ```
+//! It costs as much as there are pairs of contacts that meet.
+
+use super::{BlockSparse, Operator};
+use crate::contact::delassus::delassus_factored;
+use crate::contact::{Inertia, Jacobian, Rows};
+use crate::memory;
+use moreau_exact::{Error, Result};
+
+/// What one contact has at one body: H_bᵀ from the left, and the same over the pivots of the body's mass, velocities × rows.
+struct Half {
+    body: usize,
+    left: [f64; LARGEST],
+    weighted: [f64; LARGEST],
+}
+
+/// Velocities of a free body times rows of a contact, at most.
+const LARGEST: usize = 18;
+
+/// W = H M⁻¹ Hᵀ \[1/kg\]: by blocks where the mass consists of bodies and most contacts do not meet, densely otherwise. Its entries are
+/// the same bit for bit.
+///
+/// # Errors
+/// [`Error::Invalid`] if H does not fit the mass, is not finite, or needs more memory than is allowed.
+pub fn of_mechanism(inertia: &Inertia, jacobian: &Jacobian) -> Result<Operator> {
+    if inertia.size() != jacobian.ncols() {
+        let cure = format!("give {} columns, one per row of the mass matrix", inertia.size());
+        return Err(Error::invalid("jacobian", format!("has {} columns", jacobian.ncols()), cure));
+    }
+    let n = jacobian.contacts().len();
+    if let Some(width) = body_width(jacobian).filter(|width| inertia.is_made_of(*width)) {
+        let meeting = Meeting::new(jacobian, width);
+        let blocks = blocks(inertia, jacobian, width, &meeting)?;
+        return Ok(if 2 * meeting.pairs() < n * n { blocks.into() } else { blocks.to_dense().into() });
+    }
+    let room = memory::matrix(jacobian.nrows(), jacobian.nrows())
+        .saturating_add(memory::matrix(jacobian.nrows(), jacobian.ncols()).saturating_mul(2));
+    memory::require("the Delassus operator of this step", room)?;
+    delassus_factored(inertia.factor(), &jacobian.to_dense()).map(Operator::from)
+}
+
+/// The number of velocities of every body, if each part belongs to one of equal bodies that follow each other.
+fn body_width(jacobian: &Jacobian) -> Option<usize> {
+    let mut parts = jacobian.contacts().iter().flat_map(Rows::parts);
+    let width = jacobian.contacts().first()?.parts().next()?.width;
+    let is_one = width * jacobian.rows_per_contact() <= LARGEST && jacobian.ncols().is_multiple_of(width);
+    (is_one && parts.all(|part| part.width == width && part.first.is_multiple_of(width))).then_some(width)
+}
+
+fn blocks(inertia: &Inertia, jacobian: &Jacobian, width: usize, meeting: &Meeting) -> Result<BlockSparse> {
+    let (d, n) = (jacobian.rows_per_contact(), jacobian.contacts().len());
+    memory::require("the Delassus blocks of this step", (meeting.pairs() as u128).saturating_mul((8 * d * d + 16) as u128))?;
+    let mut halves: Vec<Half> = Vec::with_capacity(meeting.members.len());
+    let mut starts = Vec::with_capacity(n + 1);
+    for contact in jacobian.contacts() {
+        starts.push(halves.len());
+        for part in contact.parts() {
+            if let Some(entry) = part.entries.iter().find(|entry| !entry.is_finite()) {
+                return Err(Error::invalid("jacobian", format!("holds {entry}"), "use finite numbers"));
+            }
+            let (mut left, mut weighted) = ([0.0; LARGEST], [0.0; LARGEST]);
+            left[..part.entries.len()].copy_from_slice(part.entries);
+            for row in left[..part.entries.len()].chunks_exact_mut(width) {
+                inertia.factor().forward_within(part.first, row);
+            }
+            let pivots = &inertia.factor().pivots()[part.first..part.first + width];
+            for (row, half) in weighted.chunks_exact_mut(width).zip(left[..part.entries.len()].chunks_exact(width)) {
+                row.iter_mut().zip(half).zip(pivots).for_each(|((weighted, y), d)| *weighted = y / d);
+            }
+            halves.push(Half { body: part.first / width, left, weighted });
+        }
+    }
+    starts.push(halves.len());
+    let own = |k: usize| &halves[starts[k]..starts[k + 1]];
+    let mut made = BlockSparse::with_capacity(d, n, meeting.pairs());
+    let mut met = Vec::new();
+    let mut block = [0.0; 9];
+    for k in 0..n {
+        meeting.of(own(k).iter().map(|half| half.body), &mut met);
+        for &j in &met {
+            product(own(j.max(k)), own(j.min(k)), [d, width], j == k, &mut block);
+            if j < k {
+                transpose(&mut block, d);
+            }
+            made.push(j, k, &block[..d * d])?;
+        }
+    }
+    made.finish(n);
+    Ok(made)
+}
+
+/// W_jk of two contacts, j ≥ k, column by column: Σ_b (L⁻¹H_jᵀ D⁻¹)(L⁻¹H_kᵀ) with the terms in the order of the velocities. Of a diagonal
+/// block the lower triangle is computed and mirrored.
+fn product(later: &[Half], earlier: &[Half], [d, width]: [usize; 2], diagonal: bool, block: &mut [f64; 9]) {
+    block[..d * d].fill(0.0);
+    let mut others = earlier.iter().peekable();
+    for half in later {
+        while others.next_if(|other| other.body < half.body).is_some() {}
+        let Some(other) = others.next_if(|other| other.body == half.body) else { continue };
+        for i in 0..d {
+            for j in 0..if diagonal { i + 1 } else { d } {
+                let (weighted, left) = (&half.weighted[i * width..(i + 1) * width], &other.left[j * width..(j + 1) * width]);
+                let entry = &mut block[j * d + i];
+                weighted.iter().zip(left).for_each(|(weighted, left)| *entry += weighted * left);
+            }
+        }
+    }
+    if diagonal {
+        for (i, j) in (0..d).flat_map(|i| (0..i).map(move |j| (i, j))) {
+            block[i * d + j] = block[j * d + i];
+        }
+    }
+}
+
+fn transpose(block: &mut [f64; 9], d: usize) {
+    for (i, j) in (0..d).flat_map(|i| (0..i).map(move |j| (i, j))) {
+        block.swap(i * d + j, j * d + i);
+    }
+}
+
+/// The contacts of every body, one body after the other.
+struct Meeting {
+    starts: Vec<usize>,
+    members: Vec<usize>,
+    pairs: usize,
+}
+
+impl Meeting {
+    fn new(jacobian: &Jacobian, width: usize) -> Self {
+        let bodies = |contact: &Rows| contact.parts().map(move |part| part.first / width).collect::<BodiesOf>();
+        let mut starts = vec![0; jacobian.ncols() / width + 1];
+        let touched: Vec<BodiesOf> = jacobian.contacts().iter().map(bodies).collect();
+        touched.iter().flat_map(BodiesOf::iter).for_each(|body| starts[body + 1] += 1);
+        (1..starts.len()).for_each(|body| starts[body] += starts[body - 1]);
+        let mut next = starts.clone();
+        let mut members = vec![0; *starts.last().expect("one more than bodies")];
+        for (k, touched) in touched.iter().enumerate() {
+            for body in touched.iter() {
+                members[next[body]] = k;
+                next[body] += 1;
+            }
+        }
+        let mut meeting = Meeting { starts, members, pairs: 0 };
+        let mut met = Vec::new();
+        meeting.pairs = touched.iter().map(|touched| meeting.count(touched, &mut met)).sum();
+        meeting
+    }
+
+    fn count(&self, touched: &BodiesOf, met: &mut Vec<usize>) -> usize {
+        self.of(touched.iter(), met);
+        met.len()
+    }
+
+    /// How many blocks W has.
+    fn pairs(&self) -> usize {
+        self.pairs
+    }
+
+    fn at(&self, body: usize) -> &[usize] {
+        &self.members[self.starts[body]..self.starts[body + 1]]
+    }
+
+    /// The contacts that touch one of at most two bodies, growing, each once.
+    fn of(&self, mut bodies: impl Iterator<Item = usize>, met: &mut Vec<usize>) {
+        met.clear();
+        let mut next = || bodies.next().map_or(&[][..], |body| self.at(body));
+        let (mut one, mut other) = (next(), next());
+        while let (Some(a), Some(b)) = (one.first(), other.first()) {
+            met.push(*a.min(b));
+            (one, other) = (&one[usize::from(a <= b)..], &other[usize::from(b <= a)..]);
+        }
+        met.extend_from_slice(one);
+        met.extend_from_slice(other);
+    }
+}
+
+/// The one or two bodies of a contact.
+#[derive(Default)]
+struct BodiesOf([Option<usize>; 2]);
+
+impl BodiesOf {
+    fn iter(&self) -> impl Iterator<Item = usize> {
+        self.0.into_iter().flatten()
+    }
+}
+
+impl FromIterator<usize> for BodiesOf {
+    fn from_iter<I: IntoIterator<Item = usize>>(bodies: I) -> Self {
+        let mut bodies = bodies.into_iter();
+        BodiesOf([bodies.next(), bodies.next()])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::Mass;
+    use nalgebra::{DMatrix, DVector, dmatrix};
+
+    /// A chain of planar bodies, each of which meets the one before; their rows are of one scale and of no special form.
+    fn chain(bodies: usize) -> Jacobian {
+        let entry = |seed: usize| ((seed * 7919 + 13) % 101) as f64 / 37.0 - 1.0;
+        let block = |seed: usize| [[entry(seed), entry(seed + 1), entry(seed + 2)], [entry(seed + 3), entry(seed + 4), entry(seed + 5)]];
+        let contact = |k: usize| Rows::zeros(2, 3 * bodies).with(3 * k, block(11 * k)).with(3 * k - 3, block(11 * k + 6));
+        let mut contacts = vec![Rows::zeros(2, 3 * bodies).with(0, block(5))];
+        contacts.extend((1..bodies).map(contact));
+        Jacobian::new(2, 3 * bodies, contacts)
+    }
+
+    #[test]
+    fn blocks_equal_the_dense_operator_to_the_last_bit() {
+        let jacobian = chain(8);
+        let coupled = dmatrix![2.0, 0.5, 0.25; 0.5, 1.0, 0.125; 0.25, 0.125, 3.0];
+        let masses = [
+            Mass::Diagonal(DVector::from_fn(24, |i, _| 0.3 + i as f64 / 7.0)),
+            Mass::Blocks((0..8).map(|k| &coupled * (1.0 + k as f64 / 3.0)).collect()),
+        ];
+        for mass in masses {
+            let inertia = Inertia::of(mass).expect("definite");
+            let found = of_mechanism(&inertia, &jacobian).expect("it fits");
+            let expected = delassus_factored(inertia.factor(), &jacobian.to_dense()).expect("it fits");
+            assert_eq!(found.blocks().expect("few contacts meet").block_count(), 8 + 2 * 7);
+            assert_eq!(found.dense(), &expected);
+        }
+    }
+
+    #[test]
+    fn a_coupled_mass_or_contacts_that_all_meet_make_a_dense_operator() {
+        let (jacobian, coupled) = (chain(8), DMatrix::from_fn(24, 24, |i, j| if i == j { 2.0 } else { 0.01 }));
+        assert!(of_mechanism(&Inertia::new(coupled).expect("definite"), &jacobian).expect("it fits").blocks().is_none());
+        let few = Jacobian::new(2, 24, jacobian.contacts()[..2].to_vec());
+        let inertia = Inertia::of(Mass::Diagonal(DVector::from_fn(24, |i, _| 1.0 + i as f64 / 7.0))).expect("definite");
+        let found = of_mechanism(&inertia, &few).expect("it fits");
+        assert!(found.is_dense() && found.dense() == &delassus_factored(inertia.factor(), &few.to_dense()).expect("it fits"));
+    }
+
+    #[test]
+    fn what_does_not_fit_is_refused() {
+        let inertia = Inertia::new(DMatrix::identity(2, 2)).expect("definite");
+        assert!(of_mechanism(&inertia, &chain(5)).expect_err("sizes").to_string().contains("`jacobian`"));
+        let broken = Jacobian::new(1, 2, vec![Rows::zeros(1, 2).with(0, [[f64::NAN]])]);
+        assert!(of_mechanism(&inertia, &broken).is_err());
+    }
+}
