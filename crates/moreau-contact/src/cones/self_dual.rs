@@ -77,7 +77,9 @@ impl Scaling {
         }
         let (unit_x, unit_z) = (x / det_x.sqrt(), z / det_z.sqrt());
         let gamma = (0.5 * (1.0 + unit_x.dot(&unit_z))).sqrt();
-        let w = (unit_x + flipped(&unit_z)) / (2.0 * gamma);
+        let mut w = (unit_x + flipped(&unit_z)) / (2.0 * gamma);
+        // det w = 1 to the last digit, so that P² and P⁻² stay inverse to each other near the boundary
+        w[0] = (1.0 + w[1] * w[1] + w[2] * w[2]).sqrt();
         let v = (w + Vector3::x()) / (2.0 * (w[0] + 1.0)).sqrt();
         let beta = (det_x / det_z).sqrt().sqrt();
         let j = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, -1.0));
@@ -96,6 +98,11 @@ impl Scaling {
     /// P⁻².
     pub(crate) fn inverse_square(&self) -> Matrix3<f64> {
         self.square
+    }
+
+    /// P²; zero in rows that a half line has not.
+    pub(crate) fn square(&self) -> Matrix3<f64> {
+        self.matrix * self.matrix
     }
 
     /// P⁻¹ c.

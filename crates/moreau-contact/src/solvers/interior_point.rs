@@ -15,7 +15,8 @@
 //! points with the lift of Coulomb's law.
 
 use super::ContactSolver;
-use super::block_elimination::{Factored, Slopes};
+use super::block_elimination::Slopes;
+use super::contact_systems::ContactSystems;
 use super::stopping::Stopping;
 use crate::certificate::Judge;
 use crate::cones::self_dual::{self, Scaling};
@@ -79,7 +80,12 @@ impl ContactSolver for InteriorPoint {
                 mark = (gap, steps);
             }
             let has_stalled = steps - mark.1 > tolerance::INTERIOR_PATIENCE;
-            if has_stalled || steps >= self.steps || stopping.holds(&path.impulse, &velocity) || !path.step(&velocity) {
+            if has_stalled
+                || steps >= self.steps
+                || super::watch::is_over()
+                || stopping.holds(&path.impulse, &velocity)
+                || !path.step(&velocity)
+            {
                 break;
             }
             steps += 1;
@@ -95,6 +101,9 @@ impl ContactSolver for InteriorPoint {
 struct Path<'a> {
     problem: &'a ContactProblem,
     operator: Cow<'a, BlockSparse>,
+    systems: ContactSystems,
+    /// Whether the linear systems are symmetric: W is, no lift is linearised, and every row takes part.
+    is_symmetric: bool,
     impulse: DVector<f64>,
     /// z of every contact, padded \[m/s\].
     dual: Vec<Vector3<f64>>,
@@ -127,7 +136,11 @@ impl<'a> Path<'a> {
             Some(blocks) => Cow::Borrowed(blocks),
             None => Cow::Owned(BlockSparse::from_sparse(&Sparse::of(problem.dense()), rows)?),
         };
-        Ok(Path { problem, operator, impulse, dual, first: None })
+        let is_symmetric = problem.law() == Law::Associated
+            && (0..problem.contacts()).all(|k| super::cone_friction(problem, k) > 0.0)
+            && problem.asymmetry() <= tolerance::SYMMETRY;
+        let systems = ContactSystems::new(problem, &operator);
+        Ok(Path { problem, operator, systems, is_symmetric, impulse, dual, first: None })
     }
 
     /// x = T⁻¹ r of contact k, padded.
@@ -151,9 +164,11 @@ impl<'a> Path<'a> {
             return false;
         };
         let slopes: Vec<Slopes> = locals.iter().map(|local| local.slopes).collect();
-        let Some(factored) = Factored::new(&self.operator, &slopes) else { return false };
+        if !self.systems.factor(&self.operator, &slopes, self.is_symmetric) {
+            return false;
+        }
         let towards_zero: Vec<Vector3<f64>> = locals.iter().map(|local| -local.scaling.middle()).collect();
-        let predicted = self.direction(&factored, &locals, &towards_zero);
+        let Some(predicted) = self.direction(&locals, &towards_zero) else { return false };
         let affine = self.longest(&points, &predicted);
         let shifted =
             |(x, z): (Vector3<f64>, Vector3<f64>), (dx, dz): &(Vector3<f64>, Vector3<f64>)| (x + dx * affine).dot(&(z + dz * affine));
@@ -167,7 +182,7 @@ impl<'a> Path<'a> {
         let target = (sigma * gap).max(open.min(2.0 * gap));
         let corrected: Vec<Vector3<f64>> =
             locals.iter().zip(&predicted).map(|(local, (dx, dz))| local.scaling.corrector(target, dx, dz)).collect();
-        let direction = self.direction(&factored, &locals, &corrected);
+        let Some(direction) = self.direction(&locals, &corrected) else { return false };
         let length = (tolerance::BOUNDARY * self.longest(&points, &direction)).min(1.0);
         self.advance(&direction, length)
     }
@@ -182,7 +197,7 @@ impl<'a> Path<'a> {
             let scaling = Scaling::half_line(x[0], z[0])?;
             through = Matrix3::from_diagonal(&Vector3::new(1.0, 0.0, 0.0));
             own[(0, 0)] = scaling.inverse_square()[(0, 0)] + self.problem.row_compliance(k * rows);
-            return Some(Local { scaling, slopes: Slopes { own, through }, residual: Vector3::new(y(0) - z[0], 0.0, 0.0) });
+            return Some(Local { scaling, slopes: Slopes { own, through, inverse: None }, residual: Vector3::new(y(0) - z[0], 0.0, 0.0) });
         }
         let scaling = Scaling::round(x, &z, rows)?;
         let slip = y(1).hypot(y(2));
@@ -199,11 +214,15 @@ impl<'a> Path<'a> {
             (0..rows).for_each(|i| own[(i, row)] += through[(i, row)] * softness);
         }
         let residual = Vector3::new(y(0) + lift * slip - t[0] * z[0], y(1) - z[1], y(2) - z[2]);
-        Some(Local { scaling, slopes: Slopes { own, through }, residual })
+        let square = scaling.square();
+        let known = self.problem.compliance().is_none() && rows == 3;
+        let inverse = known.then(|| Matrix3::from_fn(|i, j| square[(i, j)] / (t[i] * t[j])));
+        Some(Local { scaling, slopes: Slopes { own, through, inverse }, residual })
     }
 
-    /// (dx, dz) of every contact for the c of every contact.
-    fn direction(&self, factored: &Factored, locals: &[Local], c: &[Vector3<f64>]) -> Vec<(Vector3<f64>, Vector3<f64>)> {
+    /// (dx, dz) of every contact for the c of every contact. dz comes from the velocities, dz = T(ρ + B (W + R) dr), so that rounding
+    /// leaves y and z together and goes into the gap.
+    fn direction(&mut self, locals: &[Local], c: &[Vector3<f64>]) -> Option<Vec<(Vector3<f64>, Vector3<f64>)>> {
         let rows = self.problem.rows_per_contact();
         let mut right_side = DVector::zeros(self.problem.rows());
         for (k, (local, c)) in locals.iter().zip(c).enumerate() {
@@ -211,18 +230,18 @@ impl<'a> Path<'a> {
             let t = scale(super::cone_friction(self.problem, k));
             (0..rows).for_each(|row| right_side[k * rows + row] = pushed[row] * if row == 0 { t } else { 1.0 } - local.residual[row]);
         }
-        let moved = factored.solve(&self.operator, &right_side);
-        locals
-            .iter()
-            .zip(c)
-            .enumerate()
-            .map(|(k, (local, c))| {
-                let mu = super::cone_friction(self.problem, k);
-                let part = |row: usize| if row < rows && (row == 0 || mu > 0.0) { moved[k * rows + row] } else { 0.0 };
-                let dx = Vector3::new(part(0) * scale(mu), part(1), part(2));
-                (dx, local.scaling.unscaled(c) - local.scaling.inverse_square() * dx)
-            })
-            .collect()
+        let moved = self.systems.solve(&self.operator, &right_side)?;
+        let mut answered = self.problem.apply(&moved);
+        moved.iter().enumerate().for_each(|(row, dr)| answered[row] += self.problem.row_compliance(row) * dr);
+        let padded = |of: &DVector<f64>, k: usize| Vector3::from_fn(|row, _| if row < rows { of[k * rows + row] } else { 0.0 });
+        let one = |(k, local): (usize, &Local)| {
+            let mu = super::cone_friction(self.problem, k);
+            let (t, dr) = (scale(mu), padded(&moved, k));
+            let dx = if mu > 0.0 { Vector3::new(dr[0] * t, dr[1], dr[2]) } else { Vector3::new(dr[0], 0.0, 0.0) };
+            let dz = local.residual + local.slopes.through * padded(&answered, k);
+            (dx, Vector3::new(dz[0] / t, dz[1], dz[2]))
+        };
+        Some(locals.iter().enumerate().map(one).collect())
     }
 
     /// The longest step, at most 1/BOUNDARY, that stays in the cone.

@@ -23,7 +23,8 @@
 //! Mech. Eng. 92 (1991).
 
 use super::ContactSolver;
-use super::block_elimination::{self, Slopes};
+use super::block_elimination::Slopes;
+use super::contact_systems::ContactSystems;
 use super::elimination;
 use super::friction_set::{FrictionSet, Piece};
 use super::stopping::Stopping;
@@ -73,7 +74,7 @@ impl ContactSolver for NonsmoothNewton {
         if !NonsmoothNewton::fits(problem) {
             return Err(Error::refused(NAME, "does not solve a compliance on edges, of which the impulse is not a function; use `lemke`"));
         }
-        let equations = Equations::new(problem)?;
+        let mut equations = Equations::new(problem)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
         let start = super::start(problem, warm_start)?;
         let mut best = (f64::INFINITY, start.clone());
@@ -123,6 +124,8 @@ struct Equations<'a> {
     set: FrictionSet,
     /// W + R where it is stored densely; blocks are taken as they are.
     operator: Option<DMatrix<f64>>,
+    /// What solves with J where W is stored by blocks.
+    systems: Option<ContactSystems>,
     /// ρ_n, ρ_t per contact \[kg\].
     weights: Vec<[f64; 2]>,
 }
@@ -134,11 +137,12 @@ impl<'a> Equations<'a> {
             _ => FrictionSet::Disk,
         };
         let operator = problem.delassus().blocks().is_none().then(|| problem.law_delassus()).transpose()?;
-        Ok(Equations { problem, set, operator, weights: Judge::weights(problem) })
+        let systems = problem.delassus().blocks().map(|w| ContactSystems::new(problem, w));
+        Ok(Equations { problem, set, operator, systems, weights: Judge::weights(problem) })
     }
 
     /// r + s d with the first η and s that halve ‖F‖, or else those with the least; none where every d is not a number.
-    fn step(&self, from: &DVector<f64>, law_velocity: &DVector<f64>, proximals: &[f64]) -> Option<DVector<f64>> {
+    fn step(&mut self, from: &DVector<f64>, law_velocity: &DVector<f64>, proximals: &[f64]) -> Option<DVector<f64>> {
         let mut best: Option<(f64, DVector<f64>)> = None;
         for &proximal in proximals {
             let (residual, slopes) = self.linearise(from, law_velocity, proximal);
@@ -175,17 +179,17 @@ impl<'a> Equations<'a> {
     }
 
     /// The d with J d = b.
-    fn direction(&self, slopes: &[Slopes], right_side: &DVector<f64>) -> Option<DVector<f64>> {
-        match (&self.operator, self.problem.delassus().blocks()) {
-            (None, Some(blocks)) => block_elimination::solve(blocks, slopes, right_side),
-            (operator, _) => elimination::solve(&self.jacobian(operator.as_ref()?, slopes), right_side),
+    fn direction(&mut self, slopes: &[Slopes], right_side: &DVector<f64>) -> Option<DVector<f64>> {
+        match (&mut self.systems, self.problem.delassus().blocks()) {
+            (Some(systems), Some(w)) => systems.factor(w, slopes, false).then(|| systems.solve(w, right_side)).flatten(),
+            _ => elimination::solve(&self.jacobian(self.operator.as_ref()?, slopes), right_side),
         }
     }
 
     /// J, row by row: B times the rows of A, and A_k of the contact itself.
     fn jacobian(&self, operator: &DMatrix<f64>, slopes: &[Slopes]) -> DMatrix<f64> {
         let (rows, mut jacobian) = (self.problem.rows_per_contact(), DMatrix::zeros(self.problem.rows(), self.problem.rows()));
-        for (k, Slopes { own, through }) in slopes.iter().enumerate() {
+        for (k, Slopes { own, through, .. }) in slopes.iter().enumerate() {
             for i in 0..rows {
                 let mut changed = jacobian.row_mut(k * rows + i);
                 // tangential columns first
@@ -260,7 +264,7 @@ impl<'a> Equations<'a> {
                 (0..rows).for_each(|i| own[(i, column)] += through[(i, column)] * softness);
             }
         }
-        Slopes { own, through }
+        Slopes { own, through, inverse: None }
     }
 }
 
@@ -331,7 +335,7 @@ mod tests {
                 let stored = by_blocks(&problem);
                 let velocity = problem.law_velocity(&impulse);
                 let [dense, blocks] = [&problem, &stored].map(|problem| {
-                    let equations = Equations::new(problem).unwrap();
+                    let mut equations = Equations::new(problem).unwrap();
                     let (residual, slopes) = equations.linearise(&impulse, &velocity, 1e-3);
                     equations.direction(&slopes, &-residual).unwrap()
                 });

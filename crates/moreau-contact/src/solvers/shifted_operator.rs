@@ -3,16 +3,17 @@
 //! ```text
 //!     symmetric W, dense     A + δI = L Lᵀ         refused where it is not definite
 //!     asymmetric W, dense    A + δI = P L U        regular where W + Wᵀ + 2R ⪰ 0, for then x·(A + δI)x ≥ δ‖x‖²
-//!     blocks                 A + δI = L U          contact by contact, in an order of least degree
+//!     blocks                 A + δI = L U          by fronts, in an order of least degree
 //! ```
 //! No dense matrix is made of blocks.
 
-use super::block_elimination::{Factored, Slopes};
+use super::block_elimination::{BlockElimination, Slopes};
 use crate::operator::BlockSparse;
 use crate::problem::ContactProblem;
 use crate::tolerance::solvers::SYMMETRY;
 use moreau_exact::{Error, Result};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, LU, Matrix3};
+use std::cell::RefCell;
 
 /// A of a problem, every entry times one mass.
 pub(super) struct ShiftedOperator<'a> {
@@ -31,7 +32,7 @@ enum Stored<'a> {
 pub(super) enum Shifted {
     Symmetric(Cholesky<f64, Dyn>),
     Any(LU<f64, Dyn, Dyn>),
-    Blocks(Factored),
+    Blocks(Box<RefCell<BlockElimination>>),
 }
 
 impl<'a> ShiftedOperator<'a> {
@@ -78,7 +79,11 @@ impl<'a> ShiftedOperator<'a> {
                 let factor = shifted.lu();
                 if factor.is_invertible() { Ok(Shifted::Any(factor)) } else { Err(indefinite(solver)) }
             }
-            Stored::Blocks(blocks) => Factored::new(blocks, &self.slopes(shift)).map(Shifted::Blocks).ok_or_else(|| indefinite(solver)),
+            Stored::Blocks(blocks) => {
+                let mut elimination = BlockElimination::default();
+                let is_regular = elimination.factor(blocks, &self.slopes(shift), false);
+                if is_regular { Ok(Shifted::Blocks(Box::new(RefCell::new(elimination)))) } else { Err(indefinite(solver)) }
+            }
         }
     }
 
@@ -87,7 +92,7 @@ impl<'a> ShiftedOperator<'a> {
         match (factor, &self.stored) {
             (Shifted::Symmetric(factor), _) => factor.solve(right_side),
             (Shifted::Any(factor), _) => factor.solve(right_side).expect("it was found to be invertible"),
-            (Shifted::Blocks(factor), Stored::Blocks(blocks)) => factor.solve(blocks, right_side),
+            (Shifted::Blocks(factor), Stored::Blocks(blocks)) => factor.borrow_mut().solve(blocks, right_side),
             (Shifted::Blocks(_), Stored::Dense(..)) => unreachable!("blocks are factored where W is stored so"),
         }
     }
@@ -99,7 +104,7 @@ impl<'a> ShiftedOperator<'a> {
             let softness = |i: usize| if i < rows { super::compliance(self.problem, k * rows + i) } else { 0.0 };
             Matrix3::from_fn(|i, j| if i == j { self.mass * softness(i) + shift } else { 0.0 })
         };
-        (0..self.problem.contacts()).map(|k| Slopes { own: own(k), through: Matrix3::identity() * self.mass }).collect()
+        (0..self.problem.contacts()).map(|k| Slopes { own: own(k), through: Matrix3::identity() * self.mass, inverse: None }).collect()
     }
 }
 

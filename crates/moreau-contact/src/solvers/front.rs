@@ -1,0 +1,171 @@
+//! The first columns of a dense matrix eliminated, column by column in memory.
+//!
+//! ```text
+//!     F = ⎡P Q⎤ = ⎡L₁₁  ⎤ ⎡U₁₁ U₁₂⎤ ,     S ← S − R P⁻¹ Q ;     symmetric: U = Lᵀ, and only the lower triangle is touched
+//!         ⎣R S⎦   ⎣L₂₁ 1⎦ ⎣     S'⎦
+//! ```
+//! Panels of columns are eliminated one after the other, and the rest of the front is updated by a matrix product. Rows are exchanged for
+//! the largest pivot among the pivot rows only: what lies below belongs to other fronts.
+
+use crate::tolerance::fronts::{PANEL, SMALL_PRODUCT, STRIP};
+use nalgebra::{DMatrixView, DMatrixViewMut};
+
+/// C ← C − A B of m × n entries with k terms; A and C have columns of length `size`, B any strides.
+fn subtract(c: &mut [f64], [m, n, k]: [usize; 3], size: usize, a: &[f64], b: &[f64], strides: [usize; 2]) {
+    if m == 0 || n == 0 || k == 0 {
+        return;
+    }
+    if k >= SMALL_PRODUCT.0 && m * n >= SMALL_PRODUCT.1 {
+        let a = DMatrixView::from_slice_with_strides(a, m, k, 1, size);
+        let b = DMatrixView::from_slice_with_strides(b, k, n, strides[0], strides[1]);
+        DMatrixViewMut::from_slice_with_strides_mut(c, m, n, 1, size).gemm(-1.0, &a, &b, 1.0);
+        return;
+    }
+    for j in 0..n {
+        let column = &mut c[j * size..j * size + m];
+        let factor = |p: usize| b[p * strides[0] + j * strides[1]];
+        let of = |p: usize| &a[p * size..p * size + m];
+        let mut p = 0;
+        while p + 4 <= k {
+            let (f, [a0, a1, a2, a3]) = ([0, 1, 2, 3].map(|q| factor(p + q)), [0, 1, 2, 3].map(|q| of(p + q)));
+            for i in 0..m {
+                column[i] -= a0[i] * f[0] + a1[i] * f[1] + a2[i] * f[2] + a3[i] * f[3];
+            }
+            p += 4;
+        }
+        for p in p..k {
+            let f = factor(p);
+            column.iter_mut().zip(of(p)).for_each(|(c, a)| *c -= a * f);
+        }
+    }
+}
+
+/// L of the first `pivots` columns of a symmetric front of which the lower triangle is given; false where a pivot is not positive.
+pub(super) fn cholesky(front: &mut [f64], size: usize, pivots: usize) -> bool {
+    let mut first = 0;
+    while first < pivots {
+        let end = (first + PANEL).min(pivots);
+        for j in first..end {
+            let (left, right) = front.split_at_mut((j + 1) * size);
+            let column = &mut left[j * size..];
+            if column[j] <= 0.0 || !column[j].is_finite() {
+                return false;
+            }
+            let inverse = 1.0 / column[j].sqrt();
+            column[j..].iter_mut().for_each(|entry| *entry *= inverse);
+            for (other, target) in right.chunks_exact_mut(size).take(end - j - 1).enumerate() {
+                let (from, factor) = (j + 1 + other, column[j + 1 + other]);
+                target[from..].iter_mut().zip(&column[from..]).for_each(|(entry, above)| *entry -= above * factor);
+            }
+        }
+        let (left, right) = front.split_at_mut(end * size);
+        for strip in (end..size).step_by(STRIP) {
+            let (a, wide) = (&left[first * size + strip..], STRIP.min(size - strip));
+            let target = &mut right[(strip - end) * size + strip..];
+            subtract(target, [size - strip, wide, end - first], size, a, a, [size, 1]);
+        }
+        first = end;
+    }
+    true
+}
+
+/// L (unit diagonal) and U of the first `pivots` columns; `exchanged[j]` is the row that took the place of row j. False where no pivot is
+/// left that is a number other than zero.
+pub(super) fn lu(front: &mut [f64], size: usize, pivots: usize, exchanged: &mut [usize], copied: &mut Vec<f64>) -> bool {
+    let mut first = 0;
+    while first < pivots {
+        let end = (first + PANEL).min(pivots);
+        for j in first..end {
+            let entry = |i: usize| front[j * size + i].abs();
+            let pivot = (j + 1..pivots).fold(j, |best, i| if entry(i) > entry(best) { i } else { best });
+            exchanged[j] = pivot;
+            if pivot != j {
+                front.chunks_exact_mut(size).for_each(|column| column.swap(j, pivot));
+            }
+            let (left, right) = front.split_at_mut((j + 1) * size);
+            let column = &mut left[j * size..];
+            if column[j] == 0.0 || !column[j].is_finite() {
+                return false;
+            }
+            let inverse = 1.0 / column[j];
+            column[j + 1..].iter_mut().for_each(|entry| *entry *= inverse);
+            for target in right.chunks_exact_mut(size).take(end - j - 1) {
+                let factor = target[j];
+                target[j + 1..].iter_mut().zip(&column[j + 1..]).for_each(|(entry, l)| *entry -= l * factor);
+            }
+        }
+        let (left, right) = front.split_at_mut(end * size);
+        copied.clear();
+        for target in right.chunks_exact_mut(size) {
+            for j in first..end {
+                let (factor, column) = (target[j], &left[j * size..]);
+                target[j + 1..end].iter_mut().zip(&column[j + 1..end]).for_each(|(entry, l)| *entry -= l * factor);
+            }
+            copied.extend_from_slice(&target[first..end]);
+        }
+        let (rest, terms) = (size - end, end - first);
+        if rest > 0 {
+            subtract(&mut right[end..], [rest, rest, terms], size, &left[first * size + end..], copied, [1, terms]);
+        }
+        first = end;
+    }
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::DMatrix;
+
+    fn matrix(size: usize, seed: u64) -> DMatrix<f64> {
+        let mut state = seed;
+        DMatrix::from_fn(size, size, |_, _| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as f64 / (1u64 << 30) as f64 - 1.0
+        })
+    }
+
+    /// S − R P⁻¹ Q by nalgebra's LU.
+    fn complement(matrix: &DMatrix<f64>, pivots: usize) -> DMatrix<f64> {
+        let rest = matrix.nrows() - pivots;
+        let part = |i: usize, j: usize, m: usize, n: usize| matrix.view((i, j), (m, n)).into_owned();
+        let solved = part(0, 0, pivots, pivots).lu().solve(&part(0, pivots, pivots, rest)).expect("regular");
+        part(pivots, pivots, rest, rest) - part(pivots, 0, rest, pivots) * solved
+    }
+
+    #[test]
+    fn what_is_left_is_the_schur_complement() {
+        for (size, pivots) in [(1, 1), (3, 1), (7, 4), (60, 30), (130, 70), (131, 131)] {
+            let general = matrix(size, size as u64);
+            let definite = &general * general.transpose() + DMatrix::identity(size, size);
+            let (mut front, mut exchanged, mut copied) = (general.as_slice().to_vec(), vec![0; pivots], Vec::new());
+            assert!(lu(&mut front, size, pivots, &mut exchanged, &mut copied));
+            let rest = |front: &[f64]| {
+                DMatrix::from_column_slice(size, size, front).view((pivots, pivots), (size - pivots, size - pivots)).into_owned()
+            };
+            let expected = complement(&general, pivots);
+            let growth = general.view((0, 0), (pivots, pivots)).into_owned().try_inverse().expect("regular").amax().max(1.0);
+            let bound = |scale: f64| moreau_exact::tolerance::rounding(8 * size, scale);
+            assert!((rest(&front) - &expected).amax() <= bound(growth * size as f64), "{size} {pivots}");
+            let mut front = definite.as_slice().to_vec();
+            assert!(cholesky(&mut front, size, pivots));
+            let expected = complement(&definite, pivots);
+            let found = rest(&front);
+            for j in 0..size - pivots {
+                for i in j..size - pivots {
+                    assert!((found[(i, j)] - expected[(i, j)]).abs() <= bound(definite.amax() * size as f64), "{size} {pivots}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_front_without_pivot_is_told() {
+        let (mut exchanged, mut copied) = (vec![0; 2], Vec::new());
+        assert!(!lu(&mut [1.0, 2.0, 2.0, 4.0], 2, 2, &mut exchanged, &mut copied), "singular");
+        assert!(lu(&mut [0.0, 2.0, 4.0, 0.0], 2, 2, &mut exchanged, &mut copied), "an exchange of rows");
+        assert!(!lu(&mut [f64::NAN; 4], 2, 2, &mut exchanged, &mut copied));
+        assert!(!cholesky(&mut [1.0, 2.0, 2.0, 1.0], 2, 2), "indefinite");
+        assert!(!cholesky(&mut [f64::NAN; 4], 2, 2));
+    }
+}

@@ -1,0 +1,159 @@
+//! J x = b for a sparse J by dense fronts, one per node of the elimination tree.
+//!
+//! ```text
+//!     F_node = entries of J in the pivots' rows and columns + Σ_children S_child ;     F_node → L, U, S_node ;     S_node → parent
+//! ```
+//! With W = Y Yᵀ in place of a J over contacts the groups are bodies; over contacts they are contacts. The fronts hold what is given and
+//! nothing else: who assembles them decides.
+//!
+//! # Source
+//! Duff and Reid, *The multifrontal solution of indefinite sparse symmetric linear equations*, ACM Trans. Math. Softw. 9 (1983).
+
+use super::elimination_tree::{Node, Tree};
+use super::front;
+use nalgebra::DVector;
+
+/// A front that is being assembled.
+pub(super) struct Front<'a> {
+    pub entries: &'a mut [f64],
+    /// Length of a column.
+    pub size: usize,
+    /// Where each group of the front has its first row.
+    pub local: &'a [usize],
+}
+
+/// L and U, node by node.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Factor {
+    is_symmetric: bool,
+    /// The pivot columns of every node.
+    lower: Vec<f64>,
+    /// Where J is not symmetric the pivot rows of every node, row after row.
+    upper: Vec<f64>,
+    /// The exchanges of every node's pivot rows, one after the other, where J is not symmetric.
+    exchanged: Vec<usize>,
+}
+
+/// Memory that factoring and solving use again.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Work {
+    front: Vec<f64>,
+    updates: Vec<Vec<f64>>,
+    local: Vec<usize>,
+    copied: Vec<f64>,
+    part: Vec<f64>,
+}
+
+impl Factor {
+    /// Factors what `assemble` puts into the front of every node; of a symmetric J the lower triangle. False where a pivot is missing.
+    pub(super) fn compute(
+        &mut self,
+        tree: &Tree,
+        is_symmetric: bool,
+        work: &mut Work,
+        mut assemble: impl FnMut(usize, &mut Front),
+    ) -> bool {
+        self.is_symmetric = is_symmetric;
+        self.lower.resize(tree.storage, 0.0);
+        self.upper.resize(if is_symmetric { 0 } else { tree.storage }, 0.0);
+        self.exchanged.resize(if is_symmetric { 0 } else { tree.starts[tree.starts.len() - 1] }, 0);
+        work.updates.resize(tree.nodes.len(), Vec::new());
+        work.local.resize(tree.node_of.len(), 0);
+        let mut exchanges = 0;
+        for (id, node) in tree.nodes.iter().enumerate() {
+            let size = node.size;
+            work.front.clear();
+            work.front.resize(size * size, 0.0);
+            tree.place_rows(id, &mut work.local);
+            assemble(id, &mut Front { entries: &mut work.front, size, local: &work.local });
+            for &child in &node.children {
+                add_child(&mut work.front, size, &tree.nodes[child], &work.updates[child], is_symmetric);
+            }
+            let exchanged = if is_symmetric { &mut [] } else { &mut self.exchanged[exchanges..exchanges + node.pivots] };
+            exchanges += node.pivots;
+            let is_regular = match is_symmetric {
+                true => front::cholesky(&mut work.front, size, node.pivots),
+                false => front::lu(&mut work.front, size, node.pivots, exchanged, &mut work.copied),
+            };
+            if !is_regular {
+                return false;
+            }
+            self.store(node, &work.front);
+            let left = &mut work.updates[id];
+            left.clear();
+            work.front.chunks_exact(size.max(1)).skip(node.pivots).for_each(|column| left.extend_from_slice(&column[node.pivots..]));
+        }
+        true
+    }
+
+    fn store(&mut self, node: &Node, front: &[f64]) {
+        let range = node.offset..node.offset + node.size * node.pivots;
+        self.lower[range.clone()].copy_from_slice(&front[..node.size * node.pivots]);
+        if !self.is_symmetric {
+            let rows = &mut self.upper[range];
+            for (j, column) in front.chunks_exact(node.size.max(1)).enumerate() {
+                (0..node.pivots).for_each(|i| rows[i * node.size + j] = column[i]);
+            }
+        }
+    }
+
+    /// x ← J⁻¹ x.
+    ///
+    /// # Panics
+    /// If x has another size than J.
+    pub(super) fn solve(&self, tree: &Tree, x: &mut DVector<f64>, work: &mut Work) {
+        assert_eq!(x.len(), tree.starts[tree.starts.len() - 1], "the right side has one entry per row");
+        let (x, part) = (x.as_mut_slice(), &mut work.part);
+        let mut exchanges = 0;
+        for node in &tree.nodes {
+            gather(tree, node, x, part);
+            if !self.is_symmetric {
+                let rows = &self.exchanged[exchanges..exchanges + node.pivots];
+                rows.iter().enumerate().for_each(|(j, pivot)| part.swap(j, *pivot));
+                exchanges += node.pivots;
+            }
+            for (j, column) in self.lower[node.offset..].chunks_exact(node.size.max(1)).take(node.pivots).enumerate() {
+                if self.is_symmetric {
+                    part[j] /= column[j];
+                }
+                let known = part[j];
+                part[j + 1..].iter_mut().zip(&column[j + 1..]).for_each(|(rest, l)| *rest -= l * known);
+            }
+            scatter(tree, node, x, part);
+        }
+        let upper = if self.is_symmetric { &self.lower } else { &self.upper };
+        for node in tree.nodes.iter().rev() {
+            gather(tree, node, x, part);
+            for j in (0..node.pivots).rev() {
+                let row = &upper[node.offset + j * node.size..node.offset + (j + 1) * node.size];
+                let known: f64 = row[j + 1..].iter().zip(&part[j + 1..]).map(|(u, x)| u * x).sum();
+                part[j] = (part[j] - known) / row[j];
+            }
+            scatter(tree, node, x, part);
+        }
+    }
+}
+
+/// Adds what a child left over.
+fn add_child(front: &mut [f64], size: usize, child: &Node, left: &[f64], is_symmetric: bool) {
+    let rows = child.size - child.pivots;
+    for (j, column) in left.chunks_exact(rows.max(1)).enumerate() {
+        let target = &mut front[child.into_parent[j] * size..(child.into_parent[j] + 1) * size];
+        let from = if is_symmetric { j } else { 0 };
+        column[from..].iter().zip(&child.into_parent[from..]).for_each(|(entry, row)| target[*row] += entry);
+    }
+}
+
+fn gather(tree: &Tree, node: &Node, x: &[f64], part: &mut Vec<f64>) {
+    part.clear();
+    node.groups.iter().for_each(|&group| part.extend_from_slice(&x[tree.starts[group]..tree.starts[group + 1]]));
+}
+
+fn scatter(tree: &Tree, node: &Node, x: &mut [f64], part: &[f64]) {
+    let mut at = 0;
+    for &group in &node.groups {
+        let target = &mut x[tree.starts[group]..tree.starts[group + 1]];
+        target.copy_from_slice(&part[at..at + target.len()]);
+        at += target.len();
+    }
+}

@@ -1,0 +1,22 @@
+//! Settings of the elimination by fronts; none bounds a result.
+
+/// Columns of a front that are eliminated before the rest of it is updated: a panel of them stays in the nearest cache while the product
+/// that follows is large enough for the blocked kernel.
+/// Set.
+pub const PANEL: usize = 24;
+
+/// Columns that one product updates: the triangle above the diagonal that is computed in vain is this wide.
+/// Set.
+pub const STRIP: usize = 48;
+
+/// Terms and entries from which a product is left to the blocked kernel; below, its packing costs more than the product.
+/// Set.
+pub const SMALL_PRODUCT: (usize, usize) = (8, 256);
+
+/// Two fronts become one if at most this share of its pivot columns is then stored in vain: an eighth.
+/// Set.
+pub const VAIN: usize = 8;
+
+/// Narrow fronts become one if at most this share is stored in vain, a third, up to so many pivot columns: their overhead is larger.
+/// Set.
+pub const NARROW: (usize, usize) = (3, 24);
