@@ -1,10 +1,12 @@
 //! The linear systems of Newton's method and of interior points, J = B W + A with one block of A and B per contact: eliminated in
-//! velocities where the blocks of W determine them and they are fewer, until too many digits are lost; else over contacts.
+//! velocities where bodies are known, or the blocks of W determine them, and they are fewer, until too many digits are lost; else over
+//! contacts.
 
 use super::block_elimination::{BlockElimination, Slopes};
 use super::velocity_elimination::VelocityElimination;
 use super::velocity_factor::VelocityFactor;
 use crate::operator::BlockSparse;
+use crate::problem::ContactProblem;
 use crate::tolerance::velocities::PAYS;
 use nalgebra::DVector;
 
@@ -18,10 +20,15 @@ pub(super) struct ContactSystems {
 }
 
 impl ContactSystems {
-    pub(super) fn new(w: &BlockSparse) -> Self {
+    /// Of this problem, W by blocks.
+    pub(super) fn new(problem: &ContactProblem, w: &BlockSparse) -> Self {
         let rows = w.contacts() * w.rows_per_contact();
         let few = |factor: &VelocityFactor| factor.columns.iter().sum::<usize>() as f64 <= PAYS * rows as f64;
-        let velocities = VelocityFactor::recover(w).filter(few).map(|factor| VelocityElimination::new(&factor, w.rows_per_contact()));
+        let factor = match problem.delassus().matrix_free() {
+            Some(free) => VelocityFactor::of_bodies(free),
+            None => VelocityFactor::recover(w),
+        };
+        let velocities = factor.filter(few).map(|factor| VelocityElimination::new(&factor, w.rows_per_contact()));
         ContactSystems { velocities, contacts: BlockElimination::default(), last: None }
     }
 

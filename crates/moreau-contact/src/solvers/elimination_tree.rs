@@ -1,7 +1,7 @@
 //! In which order the groups of a sparse matrix are eliminated, and which are eliminated together in one dense front.
 //!
 //! ```text
-//!     J = L U by groups ;   front of a node = its pivots, then the groups they meet when they are eliminated ;   parent = the first of these
+//!     J = L U by groups ;   front of a node = its pivots and the groups they meet when they are eliminated ;   parent: the first of them
 //! ```
 //! Next comes the group that meets the fewest unknowns of those that are left, for what it meets will meet each other. A node takes in its
 //! child where the two have nearly the same front: few zeros are stored, and dense kernels have longer loops.
@@ -112,9 +112,9 @@ impl Ordered {
     /// Fewest rows first, the first of several.
     fn new(rows: &[usize], mut met: Vec<Vec<usize>>) -> Self {
         let degree = |list: &[usize]| width(rows, list);
-        let mut waiting: BinaryHeap<Reverse<(usize, usize)>> = met.iter().enumerate().map(|(k, list)| Reverse((degree(list), k))).collect();
         let (mut order, mut done) = (Vec::with_capacity(rows.len()), vec![false; rows.len()]);
         let mut degrees: Vec<usize> = met.iter().map(|list| degree(list)).collect();
+        let mut waiting: BinaryHeap<_> = degrees.iter().enumerate().map(|(k, degree)| Reverse((*degree, k))).collect();
         let mut later = vec![Vec::new(); rows.len()];
         let mut merged = Vec::new();
         while let Some(Reverse((degree_then, k))) = waiting.pop() {

@@ -80,7 +80,12 @@ impl ContactSolver for InteriorPoint {
                 mark = (gap, steps);
             }
             let has_stalled = steps - mark.1 > tolerance::INTERIOR_PATIENCE;
-            if has_stalled || steps >= self.steps || stopping.holds(&path.impulse, &velocity) || !path.step(&velocity) {
+            if has_stalled
+                || steps >= self.steps
+                || super::watch::is_over()
+                || stopping.holds(&path.impulse, &velocity)
+                || !path.step(&velocity)
+            {
                 break;
             }
             steps += 1;
@@ -134,7 +139,7 @@ impl<'a> Path<'a> {
         let is_symmetric = problem.law() == Law::Associated
             && (0..problem.contacts()).all(|k| super::cone_friction(problem, k) > 0.0)
             && problem.asymmetry() <= tolerance::SYMMETRY;
-        let systems = ContactSystems::new(&operator);
+        let systems = ContactSystems::new(problem, &operator);
         Ok(Path { problem, operator, systems, is_symmetric, impulse, dual, first: None })
     }
 
@@ -215,8 +220,8 @@ impl<'a> Path<'a> {
         Some(Local { scaling, slopes: Slopes { own, through, inverse }, residual })
     }
 
-    /// (dx, dz) of every contact for the c of every contact. dz comes from the velocities, dz = T(ρ + B (W + R) dr), so that rounding leaves
-    /// y and z together and goes into the gap.
+    /// (dx, dz) of every contact for the c of every contact. dz comes from the velocities, dz = T(ρ + B (W + R) dr), so that rounding
+    /// leaves y and z together and goes into the gap.
     fn direction(&mut self, locals: &[Local], c: &[Vector3<f64>]) -> Option<Vec<(Vector3<f64>, Vector3<f64>)>> {
         let rows = self.problem.rows_per_contact();
         let mut right_side = DVector::zeros(self.problem.rows());

@@ -81,7 +81,7 @@ impl Factor {
             self.store(node, &work.front);
             let left = &mut work.updates[id];
             left.clear();
-            work.front.chunks_exact(size).skip(node.pivots).for_each(|column| left.extend_from_slice(&column[node.pivots..]));
+            work.front.chunks_exact(size.max(1)).skip(node.pivots).for_each(|column| left.extend_from_slice(&column[node.pivots..]));
         }
         true
     }
@@ -91,7 +91,7 @@ impl Factor {
         self.lower[range.clone()].copy_from_slice(&front[..node.size * node.pivots]);
         if !self.is_symmetric {
             let rows = &mut self.upper[range];
-            for (j, column) in front.chunks_exact(node.size).enumerate() {
+            for (j, column) in front.chunks_exact(node.size.max(1)).enumerate() {
                 (0..node.pivots).for_each(|i| rows[i * node.size + j] = column[i]);
             }
         }
@@ -112,7 +112,7 @@ impl Factor {
                 rows.iter().enumerate().for_each(|(j, pivot)| part.swap(j, *pivot));
                 exchanges += node.pivots;
             }
-            for (j, column) in self.lower[node.offset..].chunks_exact(node.size).take(node.pivots).enumerate() {
+            for (j, column) in self.lower[node.offset..].chunks_exact(node.size.max(1)).take(node.pivots).enumerate() {
                 if self.is_symmetric {
                     part[j] /= column[j];
                 }

@@ -137,7 +137,7 @@ impl<'a> Equations<'a> {
             _ => FrictionSet::Disk,
         };
         let operator = problem.delassus().blocks().is_none().then(|| problem.law_delassus()).transpose()?;
-        let systems = problem.delassus().blocks().map(ContactSystems::new);
+        let systems = problem.delassus().blocks().map(|w| ContactSystems::new(problem, w));
         Ok(Equations { problem, set, operator, systems, weights: Judge::weights(problem) })
     }
 

@@ -106,7 +106,7 @@ impl VelocityElimination {
     /// J x.
     fn apply(&self, w: &BlockSparse, x: &DVector<f64>) -> DVector<f64> {
         let (d, mut found) = (self.rows_per_contact, DVector::zeros(x.len()));
-        x.as_slice().chunks_exact(d).enumerate().for_each(|(k, part)| w.add_contact(k, part, found.as_mut_slice()));
+        w.add_product(x.as_slice(), found.as_mut_slice());
         for (k, [_, through, own]) in self.slopes.iter().enumerate() {
             let padded = |of: &DVector<f64>| Vector3::from_fn(|i, _| if i < d { of[k * d + i] } else { 0.0 });
             let row = through * padded(&found) + own * padded(x);

@@ -10,7 +10,7 @@
 //! the end belongs to a body that nothing else touches. Nothing is taken on trust: Y Yᵀ is held against every block of W, and where it
 //! differs – contacts of spheres are single, and one does not determine a body – there is no factor.
 
-use crate::operator::BlockSparse;
+use crate::operator::{BlockSparse, MatrixFree};
 use crate::tolerance::velocities::{MOST_ROWS, MOST_VELOCITIES, RANK, RECOVERED};
 use nalgebra::DMatrix;
 use std::collections::BTreeMap;
@@ -39,6 +39,22 @@ struct Bundle {
 }
 
 impl VelocityFactor {
+    /// Of bodies that are known, in coordinates in which every mass is one; none where a mass is not symmetric.
+    pub(super) fn of_bodies(free: &MatrixFree) -> Option<Self> {
+        if !free.is_symmetric() {
+            return None;
+        }
+        let (jacobian, d) = (free.jacobian(), free.rows_per_contact());
+        let block = |block: usize, body: usize| {
+            let (range, entries) = (jacobian.velocities(body), &free.left()[jacobian.place(block)]);
+            let scale = &free.inverse()[range.clone()];
+            (body, DMatrix::from_fn(d, range.len(), |i, j| entries[i * range.len() + j] * scale[j].sqrt()))
+        };
+        let contact = |k: usize| jacobian.blocks(k).zip(jacobian.bodies(k)).map(|(at, body)| block(at, *body as usize)).collect();
+        let columns = (0..jacobian.body_count()).map(|body| jacobian.velocities(body).len()).collect();
+        Some(VelocityFactor { columns, parts: (0..free.contacts()).map(contact).collect() })
+    }
+
     /// None where W is not such a product, or its blocks do not determine the bodies.
     pub(super) fn recover(w: &BlockSparse) -> Option<Self> {
         let mut bundles = bundles(w)?;
@@ -287,10 +303,11 @@ fn spread(w: &BlockSparse, bundles: &[Bundle], bodies: &[Vec<usize>], known: &mu
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::operator::{Sparse, SparseDynamics};
+    use crate::operator::{BlockRows, Sparse, SparseDynamics};
+    use nalgebra::dmatrix;
 
-    /// W of a wall of bricks 1 m × ½ m × ½ m in running bond, four contacts where two overlap; a brick has `ratio` times the mass of the one
-    /// before.
+    /// W of a wall of bricks 1 m × ½ m × ½ m in running bond, four contacts where two overlap; a brick has `ratio` times the mass of the
+    /// one before.
     pub(in crate::solvers) fn wall(wide: usize, high: usize, ratio: f64) -> BlockSparse {
         let (mut mass, mut jacobian, mut row) = (Vec::new(), Vec::new(), 0);
         let place = |i: usize, j: usize| j as f64 + 0.5 * (i % 2) as f64;
@@ -352,6 +369,19 @@ pub(super) mod tests {
                 assert!(difference[(k, k)].abs() <= RECOVERED * scale, "{wide} × {high} {ratio}");
             }
         }
+    }
+
+    #[test]
+    fn known_bodies_make_the_same_operator() {
+        // a body of two coupled velocities, one that cannot move, and one of a single velocity
+        let masses = [dmatrix![2.0, 0.5; 0.5, 1.0], DMatrix::zeros(0, 0), dmatrix![4.0]];
+        let mut jacobian = BlockRows::new(2, [2, 0, 1]).unwrap();
+        jacobian.push(&[(0, &[1.0, -1.0, 0.5, 2.0]), (2, &[3.0, 1.0])]).unwrap();
+        jacobian.push(&[(0, &[0.0, 1.0, 1.0, 0.0]), (1, &[])]).unwrap();
+        let free = MatrixFree::new(&masses, jacobian).unwrap();
+        let factor = VelocityFactor::of_bodies(&free).expect("symmetric masses");
+        let w = free.delassus().unwrap().to_dense();
+        assert!((product(&factor, 2, 2) - &w).amax() <= moreau_exact::tolerance::rounding(16, w.amax()));
     }
 
     #[test]
