@@ -9,8 +9,7 @@ use nalgebra::DMatrix;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A matrix: all its rows, its entries that are not zero, or – W alone – the blocks of contacts that meet; by bodies, a mass is blocks on the
-/// diagonal and a Jacobian sparse rows.
+/// A matrix: all its rows, its entries that are not zero, blocks of contacts that meet (W) or of bodies (M̂), or sparse rows (H).
 #[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Matrix", extend("oneOf" = [{"required": ["rows"]}, {"required": ["triplets"]},
