@@ -78,7 +78,7 @@ fn has_friction(problem: &ContactProblem) -> bool {
 /// A at the rows that may have an impulse.
 fn pressing(problem: &ContactProblem) -> (Vec<usize>, DMatrix<f64>) {
     let d = problem.rows_per_contact();
-    let may = |row: &usize| row % d == 0 || problem.law().cone_friction(problem.friction()[row / d]) > 0.0;
+    let may = |row: &usize| row.is_multiple_of(d) || problem.law().cone_friction(problem.friction()[row / d]) > 0.0;
     let rows: Vec<usize> = (0..problem.rows()).filter(may).collect();
     let entry = |i: usize, j: usize| problem.entry(rows[i], rows[j]) + if i == j { problem.row_compliance(rows[i]) } else { 0.0 };
     let matrix = DMatrix::from_fn(rows.len(), rows.len(), entry);
@@ -126,8 +126,8 @@ fn coulomb(problem: &ContactProblem) -> Uniqueness {
     let sizes: Vec<f64> = (0..problem.contacts()).map(size).collect();
     for weight in WEIGHTS {
         let alpha = |row: usize| weight * sizes[row / d];
-        let normal: Vec<f64> = rows.iter().map(|row| if row % d == 0 { mu(*row) * alpha(*row) } else { 0.0 }).collect();
-        let tangential: Vec<f64> = rows.iter().map(|row| if row % d == 0 { 0.0 } else { mu(*row) / alpha(*row) }).collect();
+        let normal: Vec<f64> = rows.iter().map(|row| if row.is_multiple_of(d) { mu(*row) * alpha(*row) } else { 0.0 }).collect();
+        let tangential: Vec<f64> = rows.iter().map(|row| if row.is_multiple_of(d) { 0.0 } else { mu(*row) / alpha(*row) }).collect();
         if !normal.iter().chain(&tangential).all(|x| x.is_finite()) {
             continue;
         }
