@@ -114,7 +114,7 @@ fn main() {
         let problem = pile(k);
         // the system tells the time of the processor in steps of a few milliseconds: many solutions at once
         let all = |sweeps: usize| (0..repetitions).map(|_| seconds(&problem, sweeps, begun)).sum::<f64>();
-        let least = |sweeps: usize| (0..3).map(|_| all(sweeps)).fold(f64::INFINITY, f64::min);
+        let least = |sweeps: usize| (0..2).map(|_| all(sweeps)).fold(f64::INFINITY, f64::min);
         let each = (least(200) - least(100)) / (100 * repetitions * problem.contacts()) as f64;
         println!("{:8} contacts {:8.1} ns per contact and sweep", problem.contacts(), each * 1e9);
     }
