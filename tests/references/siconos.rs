@@ -154,7 +154,7 @@ fn stale_normal(run: &SiconosSteps) -> Result<Vec<Finding>, Failed> {
     let mechanism = run.mechanism()?;
     let (earlier, before, after) = (run.state(k - 1), run.state(k), run.state(k + 1));
     let contact = |q: &DVector<f64>| mechanism.contacts(q).swap_remove(0);
-    let along = |q: &DVector<f64>, v: &DVector<f64>| (contact(q).jacobian * v)[0];
+    let along = |q: &DVector<f64>, v: &DVector<f64>| (&contact(q).jacobian * v)[0];
     let normal = (&after.velocity - &before.velocity + dvector![0.0, 9.81 * run.time_step]) / run.impulses[k][0];
     let reversed = -normal.dot(&after.velocity) / contact(&before.position).restitution;
     let stale = along(&(&earlier.position + &earlier.velocity * run.time_step), &before.velocity);

@@ -110,6 +110,6 @@ mod tests {
         let state = State { time: 0.0, position: dvector![1.0], velocity: dvector![0.0] };
         let next = step(&Anitescu, &ProjectedGaussSeidel::default(), &ball, &state, 0.01).expect("one contact");
         assert_eq!(next.impulses.len(), 1);
-        assert_eq!(next.impulses[0].impulse, vec![0.0]);
+        assert_eq!(&next.impulses[0].impulse[..], [0.0]);
     }
 }

@@ -212,8 +212,12 @@ fn momentum_changes_by_weight_and_contact_impulses_alone_and_a_lost_impulse_show
         assert!(contacts > 100, "{}: only {contacts} contacts", scheme.name());
         let defect =
             |impulses: &[Vec<ContactImpulse>]| momentum_defect(mechanism.as_ref(), &masses, scene.gravity, &recording.samples, impulses, h);
-        let largest =
-            recording.impulses.iter().flatten().flat_map(|contact| &contact.impulse).fold(0.0, |most: f64, part| most.max(part.abs()));
+        let largest = recording
+            .impulses
+            .iter()
+            .flatten()
+            .flat_map(|contact| contact.impulse.iter())
+            .fold(0.0, |most: f64, part| most.max(part.abs()));
         let bound = rounding(128, largest + 10.0);
         assert!(defect(&recording.impulses) <= bound, "{}: {}", scheme.name(), defect(&recording.impulses));
         let mut lost = recording.impulses.clone();
