@@ -51,13 +51,19 @@ exit status: 0 everything agrees (or was written), 1 there are differences or co
 """
 
 
-def posed_problems():
-    """Every problem that is stored, then those that are not, as pairs with that."""
+MOST_CONTACTS = 300  # of a problem that is stored with a record; larger ones are made with --large alone
+
+
+def all_posed():
+    """Every problem that is posed, the large ones too."""
     for module in (small, boxes, spheres, steps):
-        for posed in module.all_problems():
-            yield posed, True
-    for posed in spheres.large():
-        yield posed, False
+        yield from module.all_problems()
+    yield from spheres.large()
+
+
+def posed_problems():
+    """Every problem that is stored."""
+    return (posed for posed in all_posed() if posed.contacts <= MOST_CONTACTS)
 
 
 def arguments():
@@ -90,23 +96,22 @@ def main():
     options = arguments()
     command = [os.environ.get("MOREAU") or str(ROOT / "target" / "release" / "moreau")]
     only = set(filter(None, options.only.split(",")))
-    every = list(posed_problems())
-    unknown = only - {posed.name for posed, _ in every}
+    every = list(all_posed()) if options.large else list(posed_problems())
+    unknown = only - {posed.name for posed in every}
     if unknown:
         print(f"no problem is called {', '.join(sorted(unknown))}", file=sys.stderr)
         return 2
-    chosen = [(posed, stored) for posed, stored in every if not only or posed.name in only]
+    chosen = [posed for posed in every if not only or posed.name in only]
     if options.large:
-        for posed, _ in chosen:
+        for posed in chosen:
             compare_or_write(options.large / f"{posed.name}.json", text(posed.document), False)
         return 0
-    different = [posed.name for posed, stored in chosen
-                 if stored and not compare_or_write(options.folder / f"{posed.name}.json", text(posed.document), options.check)]
+    different = [posed.name for posed in chosen
+                 if not compare_or_write(options.folder / f"{posed.name}.json", text(posed.document), options.check)]
 
-    def answer(pair):
-        posed, stored = pair
+    def answer(posed):
         try:
-            made = text(record(posed, command, stored))
+            made = text(record(posed, command))
         except Contradiction as problem:
             return f"{posed.name}: {problem}"
         same = compare_or_write(options.folder / "answers" / f"{posed.name}.json", made, options.check)
@@ -116,9 +121,9 @@ def main():
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             different += filter(None, pool.map(answer, chosen))
     if not only and options.folder == FOLDER:
-        if not compare_or_write(TABLE, table([(posed.name, stored) for posed, stored in every]), options.check):
+        if not compare_or_write(TABLE, table([(posed.name, True) for posed in every]), options.check):
             different.append(str(TABLE))
-        known = {posed.name for posed, stored in every if stored}
+        known = {posed.name for posed in every}
         different += [f"{file.name}: posed by no script" for file in sorted(FOLDER.glob("*.json")) if file.stem not in known]
     for name in different:
         print(f"DIFFERENT {name}" if options.check else f"NOT WRITTEN {name}", file=sys.stderr)

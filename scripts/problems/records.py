@@ -11,7 +11,7 @@ from problems import exact
 
 SAME = 1e-6  # of the largest velocity: an exact velocity and a certified answer nearer than this are one
 BY_PATTERNS = "all patterns of states, in fractions"
-NO_FORWARD = "not proved: no enclosure of a solution was found"
+NO_FORWARD = "not asked: the program that made this record, or the law, has no proof of a solution near"
 
 
 class Contradiction(Exception):
@@ -100,9 +100,11 @@ def forward(certificate):
     proof = certificate.get("forward")
     if not isinstance(proof, dict):
         return {"reason": NO_FORWARD}
-    if proof.get("velocity") is not None:
-        return {key: proof[key] for key in ("velocity", "impulse") if proof.get(key) is not None}
-    return {"reason": proof.get("reason") or NO_FORWARD}
+    radius = proof.get("radius")
+    if proof.get("proved") and radius:
+        return {"velocity": radius["velocity"], "impulse": radius["impulse"]}
+    place = "" if proof.get("contact") is None else f" (contact {proof['contact']})"
+    return {"reason": (proof.get("reason") or NO_FORWARD) + place}
 
 
 def _check(posed, answers, measured):
@@ -155,7 +157,7 @@ def record(posed, command, stored=True):
         for answer in measured["answers"]:
             certificate = _proved(command, problem, posed, answer, folder)
             answer["forward"] = forward(certificate)
-            uniqueness = _better(uniqueness, certificate.get("uniqueness"), posed)
+            uniqueness = _better(uniqueness, certificate.get("solutions"), posed)
             stored_answers.append({key: value for key, value in answer.items() if key != "velocity" and value is not None})
     return {"schema": "answered-problem/1", "name": posed.name, "group": posed.group, "about": posed.about,
             "contacts": posed.contacts, "dimension": document["dimension"], "law": document["law"],
@@ -167,8 +169,14 @@ def record(posed, command, stored=True):
 
 def _better(known, proved, posed):
     """The uniqueness that `certify --prove` proves, where nothing else did; two proofs must not contradict each other."""
-    if not isinstance(proved, dict) or proved.get("velocity") not in ("unique", "several"):
+    if not isinstance(proved, dict):
         return known
+    count = (proved.get("all") or {}).get("velocities")
+    unique = proved.get("unique") in ("solution", "velocity") or count == 1
+    several = (proved.get("all") or {}).get("continuum") or (count or 0) > 1
+    if not (unique or several):
+        return known
+    proved = {"velocity": "unique" if unique else "several", "reason": proved.get("reason")}
     if known["velocity"] not in ("unknown", proved["velocity"]):
         raise Contradiction(f"{posed.name}: the velocity is {known['velocity']} ({known['reason']}), and certify --prove says {proved['velocity']}")
     if known["velocity"] != "unknown":

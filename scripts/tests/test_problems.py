@@ -13,6 +13,7 @@ from pathlib import Path
 SCRIPTS = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(SCRIPTS)]
 
+from generate_problems import MOST_CONTACTS  # noqa: E402
 from problems import boxes, exact, small, steps  # noqa: E402
 from problems.mechanism import Points, Space  # noqa: E402
 from problems.posed import Posed  # noqa: E402
@@ -101,7 +102,7 @@ class Contradictions(unittest.TestCase):
 class Stored(unittest.TestCase):
     def test_the_posed_problems_are_the_stored_ones(self):
         for module in (small, boxes, steps):
-            for posed in module.all_problems():
+            for posed in (one for one in module.all_problems() if one.contacts <= MOST_CONTACTS):
                 file = STORED / f"{posed.name}.json"
                 self.assertTrue(file.exists() and file.read_text(encoding="utf-8") == text(posed.document), posed.name)
 
