@@ -101,11 +101,11 @@ fn semidefinite(problem: &ContactProblem) -> Uniqueness {
     if problem.dynamics().is_some_and(|dynamics| dynamics.mass == dynamics.mass.transpose()) {
         return Uniqueness::Velocity("the law is convex and W = H M̂⁻¹ Hᵀ is positive semidefinite");
     }
-    if problem.asymmetry() > 0.0 {
-        return Uniqueness::Unknown("W is not symmetric".into());
-    }
     if problem.rows() > EXACT_ROWS {
         return Uniqueness::Unknown(format!("whether W is positive semidefinite is decided in fractions to {EXACT_ROWS} rows"));
+    }
+    if *problem.dense() != problem.dense().transpose() {
+        return Uniqueness::Unknown("W is not symmetric".into());
     }
     let exactly: DMatrix<Rational> = problem.dense().map(exact);
     match definiteness(&exactly) {
