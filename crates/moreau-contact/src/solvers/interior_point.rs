@@ -72,14 +72,15 @@ impl ContactSolver for InteriorPoint {
         super::start(problem, warm_start)?;
         let mut path = Path::new(problem)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
-        let (mut steps, mut mark) = (0, (f64::INFINITY, 0));
+        let (mut steps, mut mark, mut marked) = (0, [f64::INFINITY; 2], 0);
         loop {
             let velocity = problem.law_velocity(&path.impulse);
-            let gap = path.gap();
-            if gap < 0.5 * mark.0 {
-                mark = (gap, steps);
+            let now = [path.gap(), path.residual];
+            if now.iter().zip(&mark).any(|(now, mark)| *now < 0.5 * mark) {
+                mark = [now[0].min(mark[0]), now[1].min(mark[1])];
+                marked = steps;
             }
-            let has_stalled = steps - mark.1 > tolerance::INTERIOR_PATIENCE;
+            let has_stalled = steps - marked > tolerance::INTERIOR_PATIENCE;
             if has_stalled
                 || steps >= self.steps
                 || super::watch::is_over()
@@ -109,6 +110,8 @@ struct Path<'a> {
     dual: Vec<Vector3<f64>>,
     /// The gap per contact and the largest ρ at the beginning.
     first: Option<[f64; 2]>,
+    /// The largest ρ before the last step \[m/s\].
+    residual: f64,
 }
 
 /// What a step needs of one contact.
@@ -140,7 +143,7 @@ impl<'a> Path<'a> {
             && (0..problem.contacts()).all(|k| super::cone_friction(problem, k) > 0.0)
             && problem.asymmetry() <= tolerance::SYMMETRY;
         let systems = ContactSystems::new(problem, &operator);
-        Ok(Path { problem, operator, systems, is_symmetric, impulse, dual, first: None })
+        Ok(Path { problem, operator, systems, is_symmetric, impulse, dual, first: None, residual: f64::INFINITY })
     }
 
     /// x = T⁻¹ r of contact k, padded.
@@ -176,6 +179,7 @@ impl<'a> Path<'a> {
             points.iter().zip(&self.dual).zip(&predicted).map(|((x, z), d)| shifted((*x, *z), d)).sum::<f64>() / contacts.max(1) as f64;
         let sigma = (ahead / gap).clamp(0.0, 1.0).powi(3).max(tolerance::LEAST_CENTRING);
         let residual = locals.iter().map(|local| local.residual.amax()).fold(0.0, f64::max);
+        self.residual = residual;
         let [first_gap, first_residual] = *self.first.get_or_insert([gap, residual]);
         // a gap that closes before y fits leaves the path for good
         let open = if first_residual > 0.0 { tolerance::LAG * first_gap * residual / first_residual } else { 0.0 };

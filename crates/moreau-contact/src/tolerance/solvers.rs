@@ -320,7 +320,7 @@ pub const NEWTON_STALLED: usize = 3;
 /// Set.
 pub const INTERIOR_STEPS: usize = 100;
 
-/// Steps of the interior point method in which the gap is not halved, after which rounding has ended it.
+/// Steps of the interior point method in which neither the gap nor the residual of y is halved, after which rounding has ended it.
 /// Set.
 pub const INTERIOR_PATIENCE: usize = 3;
 
