@@ -44,9 +44,9 @@ pub fn print_aside(text: &str) {
 ///
 /// # Errors
 /// Any other error, as it is.
-pub fn no_answer(error: Error, aside: bool) -> Result<Answer> {
+pub fn no_answer(error: Error, no_solution: Option<String>, aside: bool) -> Result<Answer> {
     let Some(failure) = NoAnswer::of(&error) else { return Err(error) };
-    let text = pretty(&failure)?;
+    let text = pretty(&failure.with_proof(no_solution))?;
     if aside {
         print_aside(&text)
     } else {

@@ -97,7 +97,7 @@ struct Summary<'a> {
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     match &arguments.scene {
         Some(scene) if !arguments.list => match simulate(arguments, scene) {
-            Err(error) if arguments.common.format == Format::Json => no_answer(error, false),
+            Err(error) if arguments.common.format == Format::Json => no_answer(error, None, false),
             answer => answer,
         },
         _ => list(arguments.common.format).map(|()| Answer::Yes),

@@ -90,16 +90,21 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let solution = match answer.map_err(|error| error.in_file(place)) {
         Ok(solution) => solution,
         Err(error) => {
-            if let Some(proof) = no_solution(&problem) {
+            let proof = no_solution(&problem);
+            if arguments.common.format == Format::Json {
+                return no_answer(error, proof, arguments.out.is_none());
+            }
+            if let Some(proof) = proof {
                 print_aside(&proof);
             }
-            return if arguments.common.format == Format::Json { no_answer(error, arguments.out.is_none()) } else { Err(error) };
+            return Err(error);
         }
     };
     let residuals = residuals(&problem, &solution)?;
     let exhausted = seen.interrupted || solver.iteration_limit().is_some_and(|most| solution.iterations >= most);
     let ending = Ending { exhausted, reproducible: !seen.interrupted, history: arguments.history.then_some(seen.history) };
     let certificate = Certificate::new(&problem, &solution, &residuals, arguments.tolerance.accepted()).with_ending(ending);
+    let certificate = if certificate.accepts() { certificate } else { certificate.with_no_solution(no_solution(&problem)) };
     let report = match arguments.common.format {
         Format::Text => certificate.text(),
         Format::Json => pretty(&certificate)?,
@@ -114,11 +119,6 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
             print(&answer)?;
             print_aside(&report);
         }
-    }
-    if !certificate.accepts()
-        && let Some(proof) = no_solution(&problem)
-    {
-        print_aside(&proof);
     }
     Ok(certificate.accepts().into())
 }

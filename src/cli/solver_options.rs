@@ -11,8 +11,8 @@ use std::time::Duration;
 /// The residual that is asked for, and that the certificate accepts.
 #[derive(clap::Args)]
 pub struct ToleranceOption {
-    /// Largest residual accepted, relative to the scale of its contact [default: 1e-8]. Where it is given, iterations stop at half of it, or
-    /// where only rounding is left.
+    /// Largest residual accepted, relative to the scale of its contact [default: 1e-8]. Where it is given, iterations stop at half of it,
+    /// or where only rounding is left.
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: Option<f64>,
     /// End a solve after this time with the best answer so far, which the next run need not find again: it is marked as not reproducible.

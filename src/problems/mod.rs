@@ -6,24 +6,15 @@
 //! ```
 //! A problem that is too large to be stored has its record all the same, with the command that makes it and its hash.
 
+mod stored;
 mod table;
 
 pub use moreau_contact::answered::*;
+pub use stored::Stored;
 
 use crate::problem::{ContactProblem, Solution};
 use crate::{Error, Result};
 use nalgebra::DVector;
-
-/// A problem of the collection, as it is embedded.
-#[derive(Clone, Copy, Debug)]
-pub struct Stored {
-    /// The problem's name.
-    pub name: &'static str,
-    /// The text of the problem; none where it is too large to be stored.
-    pub problem: Option<&'static str>,
-    /// The text of the record.
-    pub record: &'static str,
-}
 
 /// Every problem, in order.
 pub static ALL: &[Stored] = table::STORED;
@@ -54,29 +45,4 @@ pub fn solution(problem: &ContactProblem, answer: &Answered) -> Solution {
     let mut solution = Solution::new(answer.by.clone(), impulse, velocity, 0);
     (solution.beta, solution.sigma) = (vector(&answer.beta), vector(&answer.sigma));
     solution
-}
-
-impl Stored {
-    /// The problem itself.
-    ///
-    /// # Errors
-    /// [`Error::Unsupported`] with the command that makes it where it is not stored.
-    pub fn problem(&self) -> Result<ContactProblem> {
-        match self.problem {
-            Some(text) => ContactProblem::from_json(text),
-            None => Err(Error::Unsupported(format!(
-                "`{}` is too large to be stored; make it in the repository with `{}`",
-                self.name,
-                self.record()?.script
-            ))),
-        }
-    }
-
-    /// Its record.
-    ///
-    /// # Errors
-    /// [`Error::Json`] if the stored text is none.
-    pub fn record(&self) -> Result<Record> {
-        Ok(serde_json::from_str(self.record)?)
-    }
 }

@@ -1,6 +1,6 @@
 //! The problems that the program embeds, in the order in which they are posed; `scripts/generate_problems.py` writes this table.
 
-use super::Stored;
+use super::stored::Stored;
 
 macro_rules! record {
     ($name:literal) => {

@@ -1,6 +1,6 @@
 //! What is proved of a linear complementarity problem, for readers and in JSON.
 
-use super::certificate::above;
+use super::bound::above;
 use crate::certificate::lcp_proof::{Answer, Count};
 use crate::problem::Lcp;
 use crate::scalar::{Rational, Scalar};

@@ -1,6 +1,7 @@
 //! Reports: text, JSON and pictures of what was found. Nothing here computes; nothing here prints.
 
 pub mod bench;
+mod bound;
 pub mod certificate;
 pub mod comparison;
 pub mod explanation;

@@ -6,20 +6,28 @@ use serde::Serialize;
 /// A solver that ended without an answer.
 #[derive(Debug, PartialEq, Serialize)]
 pub struct NoAnswer<'a> {
-    /// `refused`, `breakdown`, `ray` or `limit`.
+    /// `refused`, `breakdown`, `ray`, `limit` or `infeasible`.
     status: &'static str,
     solver: &'a str,
     reason: &'a str,
+    /// Why the problem has no solution, where that is proved.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_solution: Option<String>,
 }
 
 impl<'a> NoAnswer<'a> {
     /// The solver's failure in an error, or in the error of a file; `None` for any other error.
     pub fn of(error: &'a Error) -> Option<Self> {
         match error {
-            Error::Solver { solver, failure, reason } => Some(NoAnswer { status: failure.name(), solver, reason }),
+            Error::Solver { solver, failure, reason } => Some(NoAnswer { status: failure.name(), solver, reason, no_solution: None }),
             Error::InFile { inner, .. } => NoAnswer::of(inner),
             _ => None,
         }
+    }
+
+    /// The same with a proof that the problem has no solution.
+    pub fn with_proof(self, no_solution: Option<String>) -> Self {
+        NoAnswer { no_solution, ..self }
     }
 }
 
@@ -31,7 +39,7 @@ mod tests {
     #[test]
     fn only_a_solver_s_failure_is_an_answer_that_there_is_none() {
         let ray = Error::ray("lemke", "ended").in_file(Path::new("p.json"));
-        assert_eq!(NoAnswer::of(&ray), Some(NoAnswer { status: "ray", solver: "lemke", reason: "ended" }));
+        assert_eq!(NoAnswer::of(&ray), Some(NoAnswer { status: "ray", solver: "lemke", reason: "ended", no_solution: None }));
         assert_eq!(NoAnswer::of(&Error::invalid("mass", "is negative", "use a positive number")), None);
     }
 }

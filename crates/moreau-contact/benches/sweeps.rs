@@ -1,9 +1,9 @@
 //! What a sweep of projected Gauss–Seidel costs: nanoseconds per contact and sweep on piles of spheres, W by bodies.
 //!
-//! `cargo bench -p moreau-contact --bench sweeps`; with `MOREAU_SWEEPS_CONTACTS=1000000` also on a pile of about that many contacts, with the
-//! certificate of a hundred sweeps. The local step is the exact answer of one contact (closed form where it opens or sticks, Newton's method
-//! from the last multiplier where it slides). The difference of two runs is divided, so that what is done once does not count; the residual
-//! that is measured now and then does.
+//! `cargo bench -p moreau-contact --bench sweeps`; with `MOREAU_SWEEPS_CONTACTS=1000000` also on a pile of about that many contacts, with
+//! the certificate of a hundred sweeps. The local step is the exact answer of one contact (closed form where it opens or sticks, Newton's
+//! method from the last multiplier where it slides). The difference of two runs is divided, so that what is done once does not count; the
+//! residual that is measured now and then does.
 
 use moreau_contact::ContactProblem;
 use moreau_contact::certificate::residuals;

@@ -19,15 +19,15 @@ pub fn residual<'a, T: Scalar>(b: &T, products: impl Iterator<Item = (&'a T, &'a
 
 /// Sums b − Σ aᵢxᵢ of many rows at once, as [`residual`] computes each.
 #[derive(Clone, Debug)]
-pub struct Residuals<T: Scalar> {
+pub struct DoubledResiduals<T: Scalar> {
     sums: Vec<T>,
     left: Vec<T>,
 }
 
-impl<T: Scalar> Residuals<T> {
+impl<T: Scalar> DoubledResiduals<T> {
     /// b.
     pub fn new(b: &[T]) -> Self {
-        Residuals { sums: b.to_vec(), left: vec![T::zero(); b.len()] }
+        DoubledResiduals { sums: b.to_vec(), left: vec![T::zero(); b.len()] }
     }
 
     /// Takes a column of A times its x from all rows.
@@ -116,7 +116,7 @@ mod tests {
     fn rows_at_once_are_rows_one_by_one() {
         let columns = [[1.0 / 3.0, 1e10 / 7.0, -3e-8 / 11.0], [2.0 / 7.0, -1e3 / 9.0, 0.1]];
         let (x, b) = ([7.0 / 9.0, -1.1e-3], [0.25, 1.1e9, -7.0]);
-        let mut at_once = Residuals::new(&b);
+        let mut at_once = DoubledResiduals::new(&b);
         columns.iter().zip(&x).for_each(|(column, x)| at_once.subtract(column, x));
         at_once.subtract_unit(1, &0.3);
         let found = at_once.values();

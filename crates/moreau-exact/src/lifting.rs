@@ -4,8 +4,8 @@
 //!     x ≡ Σ xₖ pᵏ ,   xₖ = A⁻¹rₖ mod p ,   r₀ = b ,   rₖ₊₁ = (rₖ − A xₖ)/p          (Dixon)
 //!     x = y / d ,     A y = d b                                                     checked without rounding
 //! ```
-//! Elimination in fractions costs n³ operations on numbers of n times the digits of the data; a digit of all of x costs n² on the data's own.
-//! What the digits stand for is guessed, as the fractions of least numerator and denominator; what is returned fits the equations.
+//! Elimination in fractions costs n³ operations on numbers of n times the digits of the data; a digit of all of x costs n² on the data's
+//! own. What the digits stand for is guessed, as the fractions of least numerator and denominator; what is returned fits the equations.
 
 use crate::scalar::Rational;
 use dashu_int::ops::{Abs, BitTest, Gcd, SquareRoot};

@@ -2,7 +2,7 @@
 
 use super::super::Answer;
 use super::super::output::{print, print_aside};
-use super::named;
+use super::named::named;
 use crate::files::write_together;
 use crate::problems::{ALL, Stored, solution};
 use crate::{Error, Result};

@@ -3,19 +3,18 @@
 mod export;
 mod list;
 mod measure;
+mod named;
 mod show;
 
 use super::Answer;
-use super::near::suggestion;
-use crate::problems::{ALL, Stored};
-use crate::{Error, Result};
+use crate::Result;
 use clap::Subcommand;
 
 /// Contact problems with certified answers: list them, show one, write them as files, measure one of your own.
 ///
 /// Each has one or more answers with different velocities u, certified at 1e-8 without knowing who found them; δ, a proved bound on how far
-/// the nearest problem is that the answer solves exactly; the proved distance from a solution in u, or the reason why there is none; whether
-/// u is the only velocity; and how many plain Gauss–Seidel sweeps it takes. references/problems/README.md specifies all of it.
+/// the nearest problem is that the answer solves exactly; the proved distance from a solution in u, or the reason why there is none;
+/// whether u is the only velocity; and how many plain Gauss–Seidel sweeps it takes. references/problems/README.md specifies all of it.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES, arg_required_else_help = true)]
 pub struct Arguments {
@@ -50,12 +49,4 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
         Command::Export(arguments) => export::run(arguments),
         Command::Measure(arguments) => measure::run(arguments),
     }
-}
-
-/// The problem of this name, or the names near it.
-fn named(name: &str) -> Result<&'static Stored> {
-    ALL.iter().find(|stored| stored.name == name).ok_or_else(|| {
-        let cure = suggestion(name, ALL.iter().map(|stored| stored.name), "`moreau problems list` lists them");
-        Error::Unsupported(format!("no problem `{name}`; {cure}"))
-    })
 }

@@ -2,7 +2,7 @@
 
 use super::super::output::print;
 use super::super::{Answer, Format};
-use super::named;
+use super::named::named;
 use crate::Result;
 use crate::report::json::pretty;
 use crate::report::problems::show;

@@ -8,8 +8,8 @@
 //! term is at most 0 and the second is negative. Two walls that close in on a body are the example. Contacts are hard: R = 0. A problem may
 //! have no solution without such a witness; then this says nothing.
 //!
-//! The search is a linear program in fractions, with eight generators of each cone for the candidates and eight bounds around each dual cone;
-//! what it finds is checked against the round cones after squaring.
+//! The search is a linear program in fractions, with eight generators of each cone for the candidates and eight bounds around each dual
+//! cone; what it finds is checked against the round cones after squaring.
 
 use super::feasibility::nonnegative_solution;
 use crate::problem::{ContactProblem, Law};

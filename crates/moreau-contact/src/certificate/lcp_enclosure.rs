@@ -4,9 +4,9 @@
 //!     A = M_αα ,  b = −q_α ,  C ≈ A⁻¹ ,  r = b − A x̃      β = max_i ρ_i < 1 ,  ρ_i ≥ Σ_j |1 − C A|_ij
 //!     |x − x̃|_i ≤ |C r|_i + ρ_i ‖C r‖_∞/(1 − β)
 //! ```
-//! (S. M. Rump, *Verification methods*, Acta Numerica 19 (2010), §10). All bounds are sums of numbers that are not negative, enlarged by what
-//! rounding can take from them; residuals are evaluated with twice the digits. A is then regular, and the solution with that basis is one:
-//! if z_α − e ≥ 0 and every other w, with its error, is not negative.
+//! (S. M. Rump, *Verification methods*, Acta Numerica 19 (2010), §10). All bounds are sums of numbers that are not negative, enlarged by
+//! what rounding can take from them; residuals are evaluated with twice the digits. A is then regular, and the solution with that basis is
+//! one: if z_α − e ≥ 0 and every other w, with its error, is not negative.
 
 use crate::problem::Lcp;
 use crate::tolerance::certificate::gamma;

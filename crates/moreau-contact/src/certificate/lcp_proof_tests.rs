@@ -154,7 +154,12 @@ proptest! {
     }
 
     #[test]
-    fn order_and_units_of_rows_change_no_verdict(size in 2usize..8, seed in 0u64..1000, shift in 1usize..8, powers in proptest::collection::vec(-20i32..21, 8)) {
+    fn order_and_units_of_rows_change_no_verdict(
+        size in 2usize..8,
+        seed in 0u64..1000,
+        shift in 1usize..8,
+        powers in proptest::collection::vec(-20i32..21, 8),
+    ) {
         let (lcp, z) = constructed(size, seed, true);
         let place = |i: usize| (i + shift) % size;
         let moved = z.map(|z| z * 1.001);
@@ -167,7 +172,8 @@ proptest! {
         back.sort_unstable();
         prop_assert_eq!(&back, &found.degenerate);
         let unit = |i: usize| 2f64.powi(powers[i]);
-        let scaled = Lcp::new(DMatrix::from_fn(size, size, |i, j| unit(i) * lcp.matrix[(i, j)]), DVector::from_fn(size, |i, _| unit(i) * lcp.vector[i]));
+        let matrix = DMatrix::from_fn(size, size, |i, j| unit(i) * lcp.matrix[(i, j)]);
+        let scaled = Lcp::new(matrix, DVector::from_fn(size, |i, _| unit(i) * lcp.vector[i]));
         let again = near(&scaled, &moved);
         prop_assert_eq!((again.distance, again.support, again.degenerate), (found.distance, found.support, found.degenerate));
         prop_assert!(matches!(count(&scaled).unwrap(), Count::One(_)));

@@ -121,7 +121,8 @@ impl Scales {
         [floors[0].min(most), tangential_norm(floors).min(most)]
     }
 
-    /// The rounding of y at a contact where it hides more of the given velocities than it may: as large a residual, for y tells nothing there.
+    /// The rounding of y at a contact where it hides more of the given velocities than it may: as large a residual, for y tells nothing
+    /// there.
     pub fn uncertain_at(&self, contact: usize, rows: std::ops::Range<usize>) -> Option<Part> {
         let (floors, most) = (&self.floors[rows], self.hidden());
         let value = floors[0].max(tangential_norm(floors));

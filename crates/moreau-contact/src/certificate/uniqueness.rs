@@ -1,7 +1,7 @@
 //! Whether all solutions of a problem have the same velocities, with the reason that proves it.
 //!
-//! Let r, r′ be solutions, e = r − r′, y, y′ their law velocities, f = y − y′ = A e with A = W + R, and ŷ as in the law. Each impulse lies in
-//! K and each ŷ in K*, and r·ŷ = r′·ŷ′ = 0, so
+//! Let r, r′ be solutions, e = r − r′, y, y′ their law velocities, f = y − y′ = A e with A = W + R, and ŷ as in the law. Each impulse lies
+//! in K and each ŷ in K*, and r·ŷ = r′·ŷ′ = 0, so
 //!
 //! ```text
 //!     (1)     e·(ŷ − ŷ′) = −r·ŷ′ − r′·ŷ ≤ 0 .
@@ -20,7 +20,8 @@
 //! sees beyond it how little the normal and the tangential rows are coupled. Near μ = W_nn/|W_nt|, where one contact in the plane gets a
 //! second solution, the condition must fail; the tests hold it against such problems.
 //!
-//! All this is said of W as the problem stores it, and of the exact H M̂⁻¹ Hᵀ where that is named. Rows that never have an impulse – tangents without friction – are left out of A.
+//! All this is said of W as the problem stores it, and of the exact H M̂⁻¹ Hᵀ where that is named. Rows that never have an impulse –
+//! tangents without friction – are left out of A.
 
 use super::definite::surely_definite;
 use super::definiteness::{Definiteness, definiteness};

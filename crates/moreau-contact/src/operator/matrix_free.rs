@@ -4,10 +4,11 @@
 //!     M̂ = diag(M₁, M₂, …) ,   M_b = L_b D_b L_bᵀ ,   Y_kb = L_b⁻¹ H_kbᵀ
 //!     w_b = D_b⁻¹ Σ_k Y_kb r_k ,      (W r)_k = Σ_b Y_kbᵀ w_b                                               [m/s]
 //! ```
-//! w_b = L_bᵀ M_b⁻¹(Hᵀr)_b are the velocities of body b in coordinates in which its mass is D_b. Where M_b is not symmetric, w_b = M_b⁻¹(Hᵀr)_b,
-//! with H_kbᵀ and M_b⁻¹H_kbᵀ in place of the two Y. Memory and a sweep grow with the number of contacts, however many meet at one body.
+//! w_b = L_bᵀ M_b⁻¹(Hᵀr)_b are the velocities of body b in coordinates in which its mass is D_b. Where M_b is not symmetric, w_b =
+//! M_b⁻¹(Hᵀr)_b, with H_kbᵀ and M_b⁻¹H_kbᵀ in place of the two Y. Memory and a sweep grow with the number of contacts, however many meet at
+//! one body.
 
-use super::sparse_dynamics::Factor;
+use super::mass_block::Factor;
 use super::{BlockRows, BlockSparse, ContactOperator};
 use crate::memory;
 use moreau_exact::{Error, Result};

@@ -11,6 +11,7 @@ mod block_rows;
 mod blocks;
 mod contact_operator;
 mod dense;
+mod mass_block;
 mod matrix_free;
 mod of_mechanism;
 mod sparse;

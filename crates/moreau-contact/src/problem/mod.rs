@@ -2,6 +2,7 @@
 //!
 //! This module imports no solver and no scheme.
 
+mod carried;
 mod contact_problem;
 #[cfg(feature = "fclib")]
 mod fclib;
@@ -16,10 +17,11 @@ mod siconos;
 mod solution;
 pub mod stewart_trinkle;
 
+pub use carried::carried;
 pub use contact_problem::{Compliance, ContactProblem, ContactProblemBuilder, Coordinates, Dynamics};
 #[cfg(feature = "files")]
 pub use json::{LcpFile, ProblemFile, SolutionFile};
-pub use keys::{ContactKey, carried};
+pub use keys::ContactKey;
 pub use law::Law;
 pub use lcp::Lcp;
 pub use planar_problem::{ImpulseLcp, PlanarProblem, Response};

@@ -6,13 +6,14 @@
 //!     z ← z − ρ (x − p) ,                                                   velocity: at the solution z = A x + q + s
 //! ```
 //! with A = W + R and q = u_free + shift. The middle line is one system with the matrix A + (ρ + η)I: a Cholesky factor where W is
-//! symmetric, L U where it is not, contact by contact where W is stored by blocks (`shifted_operator.rs`). For Coulomb's law s = μ‖z_t‖n is de Saxcé's correction of the last z, contact by contact; for the convex laws s = 0. The answer is p.
+//! symmetric, L U where it is not, contact by contact where W is stored by blocks (`shifted_operator.rs`). For Coulomb's law s = μ‖z_t‖n is
+//! de Saxcé's correction of the last z, contact by contact; for the convex laws s = 0. The answer is p.
 //!
 //! **ρ by itself.** With the primal residual ‖x − p‖ \[N·s\] and the dual one max(ρ, η)‖x − x₋‖ \[m/s\], ρ is multiplied by √(primal/dual)
-//! as soon as that is a factor of five or more, for each change costs a factorisation. Everything is measured in units in which the mean diagonal entry of A is 1 and so is the
-//! largest entry of q, so that a change of units changes nothing. For a convex law, W + Wᵀ + 2R ⪰ 0 and ρ held fixed the method converges
-//! from anywhere, for r ↦ A r + q is monotone then, symmetric or not; to that end ρ is held longer and longer, the n-th value for n
-//! iterations. For another W and for Coulomb's law nothing is promised: the certificate decides.
+//! as soon as that is a factor of five or more, for each change costs a factorisation. Everything is measured in units in which the mean
+//! diagonal entry of A is 1 and so is the largest entry of q, so that a change of units changes nothing. For a convex law, W + Wᵀ + 2R ⪰ 0
+//! and ρ held fixed the method converges from anywhere, for r ↦ A r + q is monotone then, symmetric or not; to that end ρ is held longer
+//! and longer, the n-th value for n iterations. For another W and for Coulomb's law nothing is promised: the certificate decides.
 //!
 //! `DIFFERENCE` Pinocchio 4.1.0 writes τρ for ρ (τ = ½), may change ρ in every iteration, and has no units: its η = 10⁻⁶ and the bounds of
 //! ρ are numbers. Project Chrono has the same iteration with the proximal term on p and ρ balanced every six iterations.

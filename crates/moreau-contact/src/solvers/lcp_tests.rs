@@ -1,5 +1,5 @@
-//! Known families of linear complementarity problems: every solver gives a certified answer or says honestly why not, and `auto` solves what
-//! has a solution.
+//! Known families of linear complementarity problems: every solver gives a certified answer or says honestly why not, and `auto` solves
+//! what has a solution.
 
 use super::*;
 use crate::certificate::lcp_proof::{Answer, Count, count, lcp_of, prove};

@@ -16,7 +16,7 @@
 use super::lemke_outcome::LemkeOutcome;
 use crate::problem::Lcp;
 use crate::tolerance::solvers::{KNOWN_PIVOT, SMALL_BASIS, cancellation, mean_of_data, smallest_pivot, sum_of_data, updates};
-use moreau_exact::doubled::Residuals;
+use moreau_exact::doubled::DoubledResiduals;
 use moreau_exact::scalar::Scalar;
 use moreau_exact::{Error, Result, elimination};
 use nalgebra::{DMatrix, DVector};
@@ -108,7 +108,7 @@ impl<T: Scalar> Tableau<T> {
 
     /// a − B x in doubled precision.
     fn residual(&self, x: &DVector<T>, data: &DVector<T>) -> DVector<T> {
-        let mut residuals = Residuals::new(data.as_slice());
+        let mut residuals = DoubledResiduals::new(data.as_slice());
         for (&variable, factor) in self.basis.iter().zip(x.iter()).filter(|(_, factor)| !factor.is_zero()) {
             if variable < self.size() {
                 residuals.subtract_unit(variable, factor);

@@ -361,7 +361,11 @@ mod tests {
 
         /// An asymmetric A with a definite symmetric part has a sliding answer, too.
         #[test]
-        fn coulomb_answers_of_asymmetric_blocks_satisfy_the_law(q in prop::array::uniform3(-1.0..1.0f64), skew in -0.5..0.5f64, mu in 0.05..1.0f64) {
+        fn coulomb_answers_of_asymmetric_blocks_satisfy_the_law(
+            q in prop::array::uniform3(-1.0..1.0f64),
+            skew in -0.5..0.5f64,
+            mu in 0.05..1.0f64,
+        ) {
             let a = Matrix3::new(1.0, 0.2 + skew, 0.1, 0.2 - skew, 1.0, skew, 0.1, -skew, 2.0);
             let r = Coulomb::new(&a, mu).unwrap().solve(q);
             let mut y = velocity(&a, r, q);

@@ -3,7 +3,7 @@
 //! ```text
 //!     Murty         the row of least index with a negative number changes sides                        M a P-matrix
 //!     parametric    0 ≤ z ⟂ M z + q + t 1 ≥ 0 is kept, from large t to t = 0: where a number reaches
-//!                   zero its row changes sides, or it and a second row do                              M positive semidefinite, or a P-matrix
+//!                   zero its row changes sides, or it and a second row do              M positive semidefinite, or a P-matrix
 //! ```
 //! A P-matrix has positive diagonals in all its principal transforms, a positive semidefinite one none that is negative. What shows
 //! otherwise is refused, with the row: nothing is said of it. If M is positive semidefinite, the second method ends at a solution or shows
@@ -191,9 +191,8 @@ fn through(
             super::finite(form.solution(problem, &z, name, pivots))
         }
         PrincipalOutcome::Infeasible(row) => {
-            let reason = format!(
-                "row {row} stays negative for all impulses that keep the others, to rounding; there is no solution if W is positive semidefinite"
-            );
+            let reason =
+                format!("row {row} stays negative whatever impulses keep the others; if W is positive semidefinite there is no solution");
             Err(Error::ray(name, reason))
         }
     }

@@ -66,7 +66,11 @@ fn contacts_without_friction_are_solved_by_each_and_friction_is_refused() {
 
 proptest! {
     #[test]
-    fn both_end_at_the_solution_of_a_p_matrix(entries in proptest::collection::vec(-4i64..5, 25), q in proptest::collection::vec(-5i64..6, 5), size in 1usize..6) {
+    fn both_end_at_the_solution_of_a_p_matrix(
+        entries in proptest::collection::vec(-4i64..5, 25),
+        q in proptest::collection::vec(-5i64..6, 5),
+        size in 1usize..6,
+    ) {
         let matrix = DMatrix::from_fn(size, size, |i, j| ratio(entries[5 * i + j] + if i == j { 20 } else { 0 }, 1));
         let lcp = Lcp::new(matrix, DVector::from_fn(size, |i, _| ratio(q[i], 1)));
         for outcome in [Murty::default().basis(&lcp).unwrap(), ParametricPivoting::default().basis(&lcp).unwrap()] {
@@ -77,7 +81,9 @@ proptest! {
 
     #[test]
     fn a_semidefinite_matrix_is_solved_or_infeasible(
-        factor in proptest::collection::vec(-2i64..3, 15), skew in proptest::collection::vec(-2i64..3, 25), q in proptest::collection::vec(-3i64..4, 5),
+        factor in proptest::collection::vec(-2i64..3, 15),
+        skew in proptest::collection::vec(-2i64..3, 25),
+        q in proptest::collection::vec(-3i64..4, 5),
         size in 1usize..6, rank in 1usize..4,
     ) {
         let factor = DMatrix::from_fn(rank, size, |i, j| ratio(factor[5 * i + j], 1));

@@ -5,8 +5,8 @@
 //! Each contact is solved to rounding (`one_contact`). For symmetric positive semidefinite W and a convex law the
 //! sweeps descend on ½rᵀ(W+R)r + (u_free+shift)ᵀr and converge; for Coulomb's law they usually do, and the certificate tells.
 //!
-//! Where W acts through bodies, their velocities are kept in place of y (`swept`), and contacts are swept block by block in the order of the
-//! blocks' colours (`colours`).
+//! Where W acts through bodies, their velocities are kept in place of y (`swept`), and contacts are swept block by block in the order of
+//! the blocks' colours (`colours`).
 //!
 //! The certificate's residual is measured seldom. In between the change of a sweep, (Σ A_nn‖Δr‖²)^½, tells how it falls: it is measured
 //! again where that predicts the tolerance, and after as many sweeps as before, up to a limit. Every measurement computes y afresh, because

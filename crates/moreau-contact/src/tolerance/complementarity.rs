@@ -15,7 +15,8 @@ pub const EXACT_ROWS: usize = 100;
 /// Set.
 pub const OPEN_ROWS: usize = 400;
 
-/// Rows that may change sides before an answer is given up as one that points to no exact solution: a handful of contacts that barely touch.
+/// Rows that may change sides before an answer is given up as one that points to no exact solution: a handful of contacts that barely
+/// touch.
 /// Set.
 pub const EXCHANGES: usize = 8;
 
@@ -32,8 +33,8 @@ pub const FEASIBLE_ROWS: usize = 60;
 /// Set.
 pub const SEARCHED_ROWS: usize = 40;
 
-/// Pivots after which principal pivoting ends. On usual problems there are a small multiple of n; on Murty's and Fathi's examples 2ⁿ, so that
-/// n = 16 is the largest of these that is solved.
+/// Pivots after which principal pivoting ends. On usual problems there are a small multiple of n; on Murty's and Fathi's examples 2ⁿ, so
+/// that n = 16 is the largest of these that is solved.
 /// Set.
 pub const PRINCIPAL_PIVOTS: usize = 1 << 16;
 

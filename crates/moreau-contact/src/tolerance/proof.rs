@@ -15,7 +15,7 @@ pub fn enlarged(sum: f64, terms: usize) -> f64 {
 /// most 2.1 n u times that, and the rounded magnitude is too small by at most γ_n; 4 n (n + 2) u² bounds it for n < 2²⁰. Each product may
 /// lose a number below the smallest normal one besides.
 ///
-/// Derived: T. Ogita, S. M. Rump, S. Oishi, *Accurate sum and dot product*, SIAM J. Sci. Comput. 26 (2005), §5, with larger constants.
+/// Source: T. Ogita, S. M. Rump, S. Oishi, *Accurate sum and dot product*, SIAM J. Sci. Comput. 26 (2005), §5, with larger constants.
 /// Derived.
 pub fn compensated(terms: usize, magnitude: f64) -> f64 {
     let n = terms as f64;

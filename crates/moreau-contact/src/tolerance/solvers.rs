@@ -181,8 +181,8 @@ pub const LEMKE_LAST: usize = 2000;
 /// Set.
 pub const SMALL_BASIS: usize = 64;
 
-/// Pivots for which B⁻¹ of a larger basis of n rows is updated before it is computed anew: an update takes n² operations, computing it n³, so
-/// that n/8 updates cost about as much. What the updates lose is measured by residuals of the data at every pivot.
+/// Pivots for which B⁻¹ of a larger basis of n rows is updated before it is computed anew: an update takes n² operations, computing it n³,
+/// so that n/8 updates cost about as much. What the updates lose is measured by residuals of the data at every pivot.
 /// Set.
 pub const fn updates(rows: usize) -> usize {
     if rows < 256 { 32 } else { rows / 8 }

@@ -4,8 +4,8 @@
 /// Derived.
 pub const SQUARED: f64 = 1.0 / 134_217_728.0;
 
-/// A Newton step from the multiplier of the last sweep that is as short as this, relative to the operator, ends the local step: its error is
-/// a millionth, the square, while the sweep moves the contact by a thousandth. Sweeps that converge make it vanish.
+/// A Newton step from the multiplier of the last sweep that is as short as this, relative to the operator, ends the local step: its error
+/// is a millionth, the square, while the sweep moves the contact by a thousandth. Sweeps that converge make it vanish.
 /// Set.
 pub const SHORT: f64 = 1.0 / 1024.0;
 

@@ -3,8 +3,8 @@
 //! ```text
 //!     X ≈ M̂⁻¹ ,  R = I − X M̂ ,  α = ‖R‖∞ < 1 :      |M̂⁻¹ − X|_ij ≤ Σ_k |R_ik| · max_k |X_kj| / (1 − α)
 //! ```
-//! because M̂⁻¹ − X = R M̂⁻¹ and the columns of M̂⁻¹ are at most 1/(1 − α) times as large as those of X. M̂ is taken apart into the groups of
-//! velocities that it couples; W then follows in intervals.
+//! because M̂⁻¹ − X = R M̂⁻¹ and the columns of M̂⁻¹ are at most 1/(1 − α) times as large as those of X. M̂ is taken apart into the groups
+//! of velocities that it couples; W then follows in intervals.
 
 use crate::certificate::interval::Interval;
 use crate::problem::{ContactProblem, Dynamics};

@@ -9,15 +9,16 @@
 //! the equations of that contact become Coulomb's law itself.
 //!
 //! Where M̂ and H are known, the problem is the one of the exact H M̂⁻¹ Hᵀ, and the proof covers the stored W as well: both are within what
-//! `mechanism` bounds. Rows that depend on each other exactly, decided in fractions from M̂ and H where they are known and from W otherwise (`dependent`),
-//! leave impulses undetermined: those of the dependent rows are taken as the answer gives them, and the solution is one of many with the
-//! same velocities. Where numbers are nearly but not exactly dependent there is no proof, and the contact is named.
+//! `mechanism` bounds. Rows that depend on each other exactly, decided in fractions from M̂ and H where they are known and from W otherwise
+//! (`dependent`), leave impulses undetermined: those of the dependent rows are taken as the answer gives them, and the solution is one of
+//! many with the same velocities. Where numbers are nearly but not exactly dependent there is no proof, and the contact is named.
 
 mod affine;
 mod dependent;
 mod krawczyk;
 mod mechanism;
 mod pattern;
+mod reason;
 #[cfg(test)]
 mod tests;
 
@@ -32,6 +33,7 @@ use nalgebra::DMatrix;
 use pattern::{Contact, of, pressed_rows, read_off};
 
 pub use pattern::State;
+pub use reason::Reason;
 
 /// What was decided about the solution near an answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,15 +55,6 @@ pub struct Radius {
     pub states: Vec<State>,
     /// Rows that depend exactly on others: their impulses are those of the answer, and other ones do as well.
     pub dependent: Vec<usize>,
-}
-
-/// Why nothing was proved.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Reason {
-    /// In words, with the contact.
-    pub text: String,
-    /// The contact where the proof failed.
-    pub contact: Option<usize>,
 }
 
 impl Radius {

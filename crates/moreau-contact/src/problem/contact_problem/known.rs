@@ -1,6 +1,6 @@
 //! The mass and Jacobian that a problem is known to come from: as matrices, or by bodies until something asks for matrices.
 
-use super::Dynamics;
+use super::dynamics::Dynamics;
 use crate::contact::{Inertia, Jacobian};
 use crate::operator::BlockRows;
 use std::ops::Range;

@@ -5,6 +5,7 @@ use crate::operator::{ContactOperator, Operator};
 use nalgebra::{DMatrix, DVector};
 
 mod builder;
+mod dynamics;
 mod known;
 mod once;
 mod polyhedral;
@@ -13,6 +14,7 @@ mod tests;
 mod validation;
 
 pub use builder::ContactProblemBuilder;
+pub use dynamics::Dynamics;
 use known::{Known, columns_of};
 use once::Once;
 
@@ -32,15 +34,6 @@ pub struct Compliance {
     pub coordinates: Coordinates,
     /// The diagonal, all entries ≥ 0.
     pub diagonal: DVector<f64>,
-}
-
-/// The mass and Jacobian a Delassus operator came from, where known.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Dynamics {
-    /// Effective mass M̂, symmetric positive definite, nv × nv.
-    pub mass: DMatrix<f64>,
-    /// Contact Jacobian H, (rows_per_contact · contacts) × nv.
-    pub jacobian: DMatrix<f64>,
 }
 
 /// One step's contact problem, valid since it was built.
@@ -149,7 +142,8 @@ impl ContactProblem {
         self.bodies.as_deref()
     }
 
-    /// What tells each contact from the others in any list, where known; by it [`carried`](super::carried) takes impulses to a changed list.
+    /// What tells each contact from the others in any list, where known; by it [`carried`](super::carried) takes impulses to a changed
+    /// list.
     pub fn keys(&self) -> Option<&[ContactKey]> {
         self.keys.as_deref()
     }

@@ -1,24 +1,10 @@
 //! W by bodies in a file: the masses as blocks on the diagonal of `mass`, H as sparse rows of `jacobian`.
 
 use super::matrix::MatrixFile;
+use super::sparse_rows::SparseRows;
 use crate::operator::{BlockRows, MatrixFree};
 use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-/// Rows of a sparse matrix, one after the other.
-#[derive(Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(rename = "SparseRows")]
-pub(super) struct SparseRows {
-    /// Row i has the entries starts\[i\] up to starts\[i + 1\]: one number more than there are rows.
-    starts: Vec<usize>,
-    /// Their columns, counted from 0, each at most once in a row.
-    column: Vec<usize>,
-    /// The entries.
-    value: Vec<f64>,
-}
 
 /// Whether both matrices, or one of them, are given by bodies.
 pub(super) fn is_given(mass: &MatrixFile, jacobian: &MatrixFile) -> bool {
@@ -78,42 +64,6 @@ fn read_masses(blocks: Vec<Vec<f64>>, velocities: usize) -> Result<Vec<DMatrix<f
     }
     let problem = format!("have {sum} rows together");
     Err(Error::invalid("mass.diagonal_blocks", problem, format!("give {velocities}, as `shape` says")))
-}
-
-impl SparseRows {
-    fn entries(&self, row: usize) -> std::ops::Range<usize> {
-        self.starts[row]..self.starts[row + 1]
-    }
-
-    fn check(&self, rows: usize, columns: usize) -> Result<()> {
-        let invalid =
-            |field: &str, problem: String, cure: String| Err(Error::invalid(format!("jacobian.sparse_rows{field}"), problem, cure));
-        let count = self.value.len();
-        if self.column.len() != count || self.starts.len() != rows + 1 {
-            let problem = format!("has {} starts, {} columns and {count} values", self.starts.len(), self.column.len());
-            return invalid("", problem, format!("give {} starts, and a column for each value", rows + 1));
-        }
-        if self.starts[0] != 0 || self.starts[rows] != count || self.starts.windows(2).any(|pair| pair[0] > pair[1]) {
-            return invalid(
-                ".starts",
-                "do not grow from 0 to the number of values".into(),
-                "give where each row begins, and the end".into(),
-            );
-        }
-        if let Some(place) = self.column.iter().position(|column| *column >= columns) {
-            let problem = format!("is {}", self.column[place]);
-            return invalid(&format!(".column[{place}]"), problem, format!("use an index below {columns}; indices count from 0"));
-        }
-        let mut seen = vec![usize::MAX; columns];
-        for row in 0..rows {
-            for column in &self.column[self.entries(row)] {
-                if std::mem::replace(&mut seen[*column], row) == row {
-                    return invalid("", format!("repeats the place ({row}, {column})"), "add the values up and give it once".into());
-                }
-            }
-        }
-        Ok(())
-    }
 }
 
 /// `mass` and `jacobian` of W by bodies; entries of H that are zero are left out.

@@ -1,7 +1,7 @@
 //! A matrix in a file: row by row, its entries that are not zero, or – W alone – its blocks that are not zero. A mass and a Jacobian by
 //! bodies are blocks on the diagonal and sparse rows.
 
-use super::by_bodies::SparseRows;
+use super::sparse_rows::SparseRows;
 use crate::operator::{BlockSparse, Operator, Sparse};
 use crate::tolerance::problem::DENSE_ENTRIES;
 use moreau_exact::{Error, Result};

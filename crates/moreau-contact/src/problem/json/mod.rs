@@ -6,11 +6,10 @@
 //! ```
 //! Numbers in SI. `dimension` is the number of rows per contact. A matrix is `rows`, or `triplets` {row, column, value}
 //! counted from 0, each place at most once; W may be `blocks` {row, column, value}, of the contacts that meet. Instead of
-//! `delassus` a file may give `mass` and `jacobian`; with `diagonal_blocks` of the mass and `sparse_rows` of the Jacobian W is not formed, and
-//! by triplets and with more than 240 rows they make W by blocks and are not kept. Optional: `keys` (bodies and features of each contact,
-//! by which impulses are carried to a changed list),
-//! `shift` (default 0), `directions` (polyhedral laws), `compliance` {coordinates: contact | edge, diagonal}, `bodies` (the two bodies of
-//! each contact, the ground as null), `provenance` (anything).
+//! `delassus` a file may give `mass` and `jacobian`; with `diagonal_blocks` of the mass and `sparse_rows` of the Jacobian W is not formed,
+//! and by triplets and with more than 240 rows they make W by blocks and are not kept. Optional: `keys` (bodies and features of each
+//! contact, by which impulses are carried to a changed list), `shift` (default 0), `directions` (polyhedral laws), `compliance`
+//! {coordinates: contact | edge, diagonal}, `bodies` (the two bodies of each contact, the ground as null), `provenance` (anything).
 
 use super::{Compliance, ContactKey, ContactProblem, Coordinates, Dynamics, Law, Solution, siconos};
 use crate::contact::delassus::delassus;
@@ -27,6 +26,7 @@ use std::path::Path;
 mod by_bodies;
 mod lcp;
 mod matrix;
+mod sparse_rows;
 
 pub use lcp::LcpFile;
 use matrix::MatrixFile;

@@ -1,0 +1,12 @@
+//! The mass and Jacobian of a contact problem, W = H M̂⁻¹ Hᵀ.
+
+use nalgebra::DMatrix;
+
+/// The mass and Jacobian a Delassus operator came from, where known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dynamics {
+    /// Effective mass M̂, symmetric positive definite, nv × nv.
+    pub mass: DMatrix<f64>,
+    /// Contact Jacobian H, (rows_per_contact · contacts) × nv.
+    pub jacobian: DMatrix<f64>,
+}
