@@ -3,7 +3,7 @@
 use super::bound::above;
 use super::lcp_proof::LcpProved;
 use crate::certificate::backward::{Backward, HeldAs};
-use crate::certificate::forward::{Forward, Radius, State};
+use crate::certificate::forward::{ContactState, Forward, Radius};
 use crate::certificate::{Residuals, Worst};
 use crate::number::{significant, with_unit};
 use crate::problem::{ContactProblem, Solution};
@@ -220,12 +220,12 @@ impl<'a> Certificate<'a> {
 
 impl Bounds {
     fn new(radius: &Radius) -> Self {
-        let word = |state: &State| match state {
-            State::Open => "open",
-            State::Pressing => "pressing",
-            State::Sticking => "sticking",
-            State::Sliding => "sliding",
-            State::Undecided => "on a border",
+        let word = |state: &ContactState| match state {
+            ContactState::Open => "open",
+            ContactState::Pressing => "pressing",
+            ContactState::Sticking => "sticking",
+            ContactState::Sliding => "sliding",
+            ContactState::Undecided => "on a border",
         };
         Bounds {
             velocity: radius.worst().map_or(0.0, |(_, velocity)| velocity),

@@ -6,7 +6,7 @@
 //! An iterative solver may make as many iterations as a fixed number of multiplications by W allows, so that the same problem ends in the
 //! same way on every machine: no clock is asked.
 
-use super::record::{Agreement, Bound, Difficulty, Ended, Outcome};
+use super::record::{Bound, Difficulty, Ended, OtherAnswer, Outcome};
 use crate::certificate::backward::backward;
 use crate::certificate::{natural_map, residuals};
 use crate::problem::{ContactProblem, Solution};
@@ -54,7 +54,7 @@ pub struct Found {
     /// The proved backward error.
     pub backward: Bound,
     /// Others that found it, of other families of algorithms, nearest first.
-    pub agreement: Vec<Agreement>,
+    pub agreement: Vec<OtherAnswer>,
 }
 
 /// An answer that the certificate accepts.
@@ -175,7 +175,7 @@ fn answers(problem: &ContactProblem, mut accepted: Vec<Accepted>) -> Result<Vec<
         match nearest {
             Some((difference, answer, family)) if difference <= DIFFERENT * scale => {
                 if one.family != *family && answer.agreement.iter().all(|known| self::family(&known.by) != one.family) {
-                    answer.agreement.push(Agreement { by: one.by.clone(), difference });
+                    answer.agreement.push(OtherAnswer { by: one.by.clone(), difference });
                 }
             }
             Some(_) if one.relative > FIRM => {}

@@ -8,4 +8,4 @@ mod measure;
 mod record;
 
 pub use measure::{Found, Measured, measure};
-pub use record::{Agreement, Answered, Bound, Difficulty, Ended, Known, Outcome, RECORD_SCHEMA, Record, Uniqueness};
+pub use record::{Answered, Bound, Difficulty, Ended, Known, OtherAnswer, Outcome, RECORD_SCHEMA, Record, Uniqueness};

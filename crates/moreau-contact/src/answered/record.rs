@@ -71,7 +71,7 @@ pub struct Answered {
     /// Proved: a solution of the problem itself lies this near in u.
     pub forward: Bound,
     /// Others that found the same velocity, of other families of algorithms, nearest first.
-    pub agreement: Vec<Agreement>,
+    pub agreement: Vec<OtherAnswer>,
 }
 
 /// A proved bound, or the reason why there is none.
@@ -92,7 +92,7 @@ pub struct Bound {
 /// Another answer with the same velocity.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Agreement {
+pub struct OtherAnswer {
     /// The solver, the engine, or how a closed form comes about.
     pub by: String,
     /// max |u − u′| \[m/s\].

@@ -126,6 +126,9 @@ pub fn is_infeasible_by(lcp: &Lcp<Rational>, y: &DVector<Rational>) -> bool {
         && lcp.vector.dot(y) < Rational::ZERO
 }
 
+/// A support, a vertex of its solutions, and a direction if there is more.
+type Piece = (Vec<bool>, DVector<Rational>, Option<DVector<Rational>>);
+
 /// The search among the cones.
 struct Search<'a> {
     lcp: &'a Lcp<Rational>,
@@ -134,7 +137,7 @@ struct Search<'a> {
     /// Sets of cones left to look at.
     cones: usize,
     /// Supports α with a vertex, and a direction if there is more.
-    pieces: Vec<(Vec<bool>, DVector<Rational>, Option<DVector<Rational>>)>,
+    pieces: Vec<Piece>,
 }
 
 impl Search<'_> {

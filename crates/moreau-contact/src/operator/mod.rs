@@ -33,7 +33,7 @@ pub enum Operator {
     /// The blocks of contacts that meet.
     Blocks(Blocks),
     /// The bodies that contacts touch; W is not formed.
-    Bodies(Bodies),
+    Bodies(Box<Bodies>),
 }
 
 /// W by the bodies that contacts touch, with its blocks once something asked for them.
@@ -64,7 +64,7 @@ impl From<BlockSparse> for Operator {
 
 impl From<MatrixFree> for Operator {
     fn from(free: MatrixFree) -> Self {
-        Operator::Bodies(Bodies { free, blocks: OnceLock::new() })
+        Operator::Bodies(Box::new(Bodies { free, blocks: OnceLock::new() }))
     }
 }
 

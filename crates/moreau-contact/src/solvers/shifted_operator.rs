@@ -32,7 +32,7 @@ enum Stored<'a> {
 pub(super) enum Shifted {
     Symmetric(Cholesky<f64, Dyn>),
     Any(LU<f64, Dyn, Dyn>),
-    Blocks(BlockElimination),
+    Blocks(Box<BlockElimination>),
 }
 
 impl<'a> ShiftedOperator<'a> {
@@ -81,7 +81,7 @@ impl<'a> ShiftedOperator<'a> {
             }
             Stored::Blocks(blocks, symmetric) => {
                 let mut factor = BlockElimination::default();
-                if factor.factor(blocks, &self.slopes(shift), *symmetric) { Ok(Shifted::Blocks(factor)) } else { Err(indefinite(solver)) }
+                if factor.factor(blocks, &self.slopes(shift), *symmetric) { Ok(Shifted::Blocks(Box::new(factor))) } else { Err(indefinite(solver)) }
             }
         }
     }

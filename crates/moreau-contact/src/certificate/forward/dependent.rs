@@ -6,14 +6,14 @@
 //! Where the rows B of the pattern's linear equations y = 0 are independent and the others depend on them, with their free velocities, the
 //! equations of D follow from those of B. Compliant rows are independent of all others: in M̂ and H each has a column of its own.
 
-use super::pattern::{Contact, State, pressed_rows};
+use super::pattern::{Contact, ContactState, pressed_rows};
 use super::reason::Reason;
 use crate::certificate::rank::{Entry, rank, surely_independent};
 use crate::problem::ContactProblem;
 use crate::tolerance::proof::dependent_pivot;
 
 /// Rows to leave out so that the others are independent and the equations of those left out follow from theirs.
-pub(super) fn dependent_rows(problem: &ContactProblem, contacts: &[Contact], states: &[State]) -> Result<Vec<usize>, Reason> {
+pub(super) fn dependent_rows(problem: &ContactProblem, contacts: &[Contact], states: &[ContactState]) -> Result<Vec<usize>, Reason> {
     let linear: Vec<usize> =
         (0..contacts.len()).flat_map(|k| k * contacts[k].rows..k * contacts[k].rows + contacts[k].linear_rows(states[k])).collect();
     let rows = entries(problem, &linear, &pressed_rows(contacts, states));

@@ -9,7 +9,7 @@
 //! only one in X. All sums are bounds: the product C J̃ is rounded, and its error is bounded a priori (Rump).
 
 use super::affine::{Affine, times};
-use super::pattern::{Contact, Equations, State, of, places};
+use super::pattern::{Contact, ContactState, Equations, of, places};
 use crate::certificate::interval::Interval;
 use crate::tolerance::proof::{BOXES, CORRECTIONS, ENTRY, INFLATION, SMALLEST_BOX, enlarged, product};
 use nalgebra::{DMatrix, DVector};
@@ -33,7 +33,7 @@ pub(super) struct Failed {
 pub(super) struct System<'a> {
     pub affine: &'a Affine<'a>,
     pub contacts: &'a [Contact],
-    pub states: &'a [State],
+    pub states: &'a [ContactState],
     /// The unknown rows, which are among the columns of A.
     pub unknown: Vec<usize>,
 }
@@ -159,7 +159,7 @@ impl System<'_> {
     fn pushed(&self, radius: &[f64], unsure: &[f64]) -> Vec<f64> {
         let (rows, columns) = (self.rows(), places(self.affine, self.affine.matrix.nrows()));
         let mut found = vec![0.0; self.affine.matrix.nrows()];
-        for row in (0..found.len()).filter(|row| self.states[row / rows] == State::Undecided) {
+        for row in (0..found.len()).filter(|row| self.states[row / rows] == ContactState::Undecided) {
             let weight = self.contacts[row / rows].weights[usize::from(row % rows > 0)];
             let entry = |place: usize| f64::from(u8::from(columns[row] == Some(place))) - weight * self.affine.matrix[(row, place)];
             let rounded = |place: usize| ENTRY * (1.0 + weight * self.affine.matrix[(row, place)].abs());

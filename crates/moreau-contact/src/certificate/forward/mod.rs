@@ -32,7 +32,7 @@ use moreau_exact::{Error, Result};
 use nalgebra::DMatrix;
 use pattern::{Contact, of, pressed_rows, read_off};
 
-pub use pattern::State;
+pub use pattern::ContactState;
 pub use reason::Reason;
 
 /// What was decided about the solution near an answer.
@@ -52,7 +52,7 @@ pub struct Radius {
     /// ‖r* − r‖ per contact \[N·s\].
     pub impulse: Vec<f64>,
     /// What every contact does.
-    pub states: Vec<State>,
+    pub states: Vec<ContactState>,
     /// Rows that depend exactly on others: their impulses are those of the answer, and other ones do as well.
     pub dependent: Vec<usize>,
 }
@@ -155,7 +155,7 @@ impl<'a> Proof<'a> {
                 Ended::NotEnclosed(contact) => return self.with_dependent_rows(&states, &impulse, contact),
                 Ended::Undecided { contacts, impulse: found, velocity } => {
                     let again = read_off(&self.contacts, rows, &found, &velocity);
-                    let changed = contacts.iter().any(|k| again[*k] != states[*k] && states[*k] != State::Undecided);
+                    let changed = contacts.iter().any(|k| again[*k] != states[*k] && states[*k] != ContactState::Undecided);
                     if changed && left > 0 {
                         left -= 1;
                         contacts.iter().for_each(|k| states[*k] = again[*k]);
@@ -164,31 +164,34 @@ impl<'a> Proof<'a> {
                         return Forward::refused(self.border(contacts[0], &states), contacts[0]);
                     } else {
                         (left, borders) = (0, borders - 1);
-                        contacts.iter().for_each(|k| states[*k] = State::Undecided);
+                        contacts.iter().for_each(|k| states[*k] = ContactState::Undecided);
                     }
                 }
             }
         }
     }
 
-    fn border(&self, contact: usize, states: &[State]) -> String {
+    fn border(&self, contact: usize, states: &[ContactState]) -> String {
         let between = match states[contact] {
-            State::Open => "opening and pressing",
-            State::Pressing => "pressing and opening",
-            State::Sticking => "sticking and sliding or opening",
-            State::Sliding | State::Undecided => "sliding and sticking or opening",
+            ContactState::Open => "opening and pressing",
+            ContactState::Pressing => "pressing and opening",
+            ContactState::Sticking => "sticking and sliding or opening",
+            ContactState::Sliding | ContactState::Undecided => "sliding and sticking or opening",
         };
         format!("contact {contact} is on the border between {between}")
     }
 
     /// Takes the impulses of exactly dependent rows as given.
-    fn with_dependent_rows(&self, states: &[State], impulse: &[f64], contact: usize) -> Forward {
+    fn with_dependent_rows(&self, states: &[ContactState], impulse: &[f64], contact: usize) -> Forward {
         let rows = self.problem.rows_per_contact();
         match dependent::dependent_rows(self.problem, &self.contacts, states) {
             Err(reason) => Forward::NotProved(reason),
             Ok(dependent) if dependent.is_empty() => {
-                let what =
-                    if states[contact] == State::Undecided { "on a border, and coupled to others" } else { "nearly dependent on others" };
+                let what = if states[contact] == ContactState::Undecided {
+                    "on a border, and coupled to others"
+                } else {
+                    "nearly dependent on others"
+                };
                 Forward::refused(format!("the equations of contact {contact} are {what}"), contact)
             }
             Ok(dependent) => match self.attempt(states, impulse, &dependent) {
@@ -214,7 +217,7 @@ impl<'a> Proof<'a> {
         }
     }
 
-    fn attempt(&self, states: &[State], impulse: &[f64], given: &[usize]) -> Ended {
+    fn attempt(&self, states: &[ContactState], impulse: &[f64], given: &[usize]) -> Ended {
         let columns = pressed_rows(&self.contacts, states);
         let affine = Affine::new(self.problem, columns.clone(), self.radius.as_ref());
         let unknown = columns.iter().copied().filter(|row| !given.contains(row)).collect();
@@ -235,7 +238,7 @@ impl<'a> Proof<'a> {
     }
 
     /// The distances of the answer from everything in the box.
-    fn measured(&self, states: &[State], impulse: &[Interval], found: &Enclosed, given: &[usize]) -> Radius {
+    fn measured(&self, states: &[ContactState], impulse: &[Interval], found: &Enclosed, given: &[usize]) -> Radius {
         let rows = self.problem.rows_per_contact();
         let contact = |k: usize, row: usize| -> Interval {
             // u = y − shift − R r; y is zero where the pattern says so
@@ -248,7 +251,7 @@ impl<'a> Proof<'a> {
         let bound = |differences: Vec<f64>| if differences.iter().all(|d| *d == 0.0) { 0.0 } else { size(differences) };
         let all = 0..self.contacts.len();
         let told = |k: usize| match states[k] {
-            State::Undecided => self.contacts[k].decided(&of(impulse, k, rows)[..rows], &of(&found.velocity, k, rows)[..rows]),
+            ContactState::Undecided => self.contacts[k].decided(&of(impulse, k, rows)[..rows], &of(&found.velocity, k, rows)[..rows]),
             state => state,
         };
         let velocity = |k: usize| (0..rows).map(|row| contact(k, row).reach(self.answer.velocity[k * rows + row])).collect();

@@ -18,7 +18,7 @@ use crate::problem::{ContactProblem, Law};
 
 /// What a contact does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum State {
+pub enum ContactState {
     /// No impulse.
     Open,
     /// An impulse along the normal and no friction.
@@ -63,53 +63,53 @@ impl Contact {
     }
 
     /// The case nearest to r and y.
-    pub fn state(&self, r: &[f64], y: &[f64]) -> State {
+    pub fn state(&self, r: &[f64], y: &[f64]) -> ContactState {
         let [normal, tangential] = self.weights;
         let slip = y[1..].iter().fold(0.0_f64, |sum, y| sum.hypot(*y));
         let lift = if self.law == Law::Associated { self.friction * slip } else { 0.0 };
         let pushed = (1..self.rows).map(|i| r[i] - tangential * y[i]).fold(0.0_f64, f64::hypot);
         match self.friction {
-            _ if r[0] <= normal * (y[0] - lift) || r[0] <= 0.0 => State::Open,
-            0.0 => State::Pressing,
-            mu if pushed > mu * r[0] && slip > 0.0 => State::Sliding,
-            _ => State::Sticking,
+            _ if r[0] <= normal * (y[0] - lift) || r[0] <= 0.0 => ContactState::Open,
+            0.0 => ContactState::Pressing,
+            mu if pushed > mu * r[0] && slip > 0.0 => ContactState::Sliding,
+            _ => ContactState::Sticking,
         }
     }
 
     /// The rows whose impulses are unknown.
-    pub fn unknowns(&self, state: State) -> usize {
+    pub fn unknowns(&self, state: ContactState) -> usize {
         match state {
-            State::Open => 0,
-            State::Pressing => 1,
-            State::Undecided if self.friction == 0.0 => 1,
+            ContactState::Open => 0,
+            ContactState::Pressing => 1,
+            ContactState::Undecided if self.friction == 0.0 => 1,
             _ => self.rows,
         }
     }
 
     /// How many of its first rows are equations y = 0, linear in the impulses.
-    pub fn linear_rows(&self, state: State) -> usize {
+    pub fn linear_rows(&self, state: ContactState) -> usize {
         match state {
-            State::Sticking => self.rows,
-            State::Pressing => 1,
-            State::Sliding if self.law != Law::Associated => 1,
+            ContactState::Sticking => self.rows,
+            ContactState::Pressing => 1,
+            ContactState::Sliding if self.law != Law::Associated => 1,
             _ => 0,
         }
     }
 
     /// The equations of this case where the impulse is in r and the velocity in y.
-    pub fn equations(&self, state: State, r: &[Interval], y: &[Interval]) -> Equations {
+    pub fn equations(&self, state: ContactState, r: &[Interval], y: &[Interval]) -> Equations {
         let none = [[ZERO; 3]; 3];
         let mut made = Equations { value: [ZERO; 3], by_impulse: none, by_velocity: none, by_pushed: none };
         match state {
-            State::Open => {}
-            State::Pressing | State::Sticking => {
+            ContactState::Open => {}
+            ContactState::Pressing | ContactState::Sticking => {
                 for (i, y) in y.iter().enumerate().take(self.unknowns(state)) {
                     made.value[i] = *y;
                     made.by_velocity[i][i] = Interval::ONE;
                 }
             }
-            State::Sliding => self.slide(r, y, &mut made),
-            State::Undecided => self.natural_map(r, y, &mut made),
+            ContactState::Sliding => self.slide(r, y, &mut made),
+            ContactState::Undecided => self.natural_map(r, y, &mut made),
         }
         made
     }
@@ -176,34 +176,34 @@ impl Contact {
     }
 
     /// What an undecided contact does after all, if every impulse in r and velocity in y tells the same.
-    pub fn decided(&self, r: &[Interval], y: &[Interval]) -> State {
+    pub fn decided(&self, r: &[Interval], y: &[Interval]) -> ContactState {
         let z = self.pushed(r, y);
         if z[0].high < 0.0 {
-            return State::Open;
+            return ContactState::Open;
         }
         if self.friction == 0.0 {
-            return if z[0].low > 0.0 { State::Pressing } else { State::Undecided };
+            return if z[0].low > 0.0 { ContactState::Pressing } else { ContactState::Undecided };
         }
         let (radius, reach) = (Interval::point(self.friction) * z[0], length(&z[1..]));
         match z[0].low > 0.0 {
-            true if reach.high < radius.low => State::Sticking,
-            true if reach.low > radius.high => State::Sliding,
-            _ => State::Undecided,
+            true if reach.high < radius.low => ContactState::Sticking,
+            true if reach.low > radius.high => ContactState::Sliding,
+            _ => ContactState::Undecided,
         }
     }
 
     /// Whether the law's inequalities hold for every impulse in r and velocity in y of this case.
-    pub fn holds(&self, state: State, r: &[Interval], y: &[Interval]) -> bool {
+    pub fn holds(&self, state: ContactState, r: &[Interval], y: &[Interval]) -> bool {
         let pushes = r[0].low >= 0.0;
         let squares = |of: &[Interval]| of[1..].iter().fold(ZERO, |sum, x| sum + x.square());
         let mu_squared = Interval::point(self.friction).square();
         match state {
-            State::Open if self.law == Law::Associated => y[0].low >= 0.0 && (y[0].square() - mu_squared * squares(y)).low >= 0.0,
-            State::Open => y[0].low >= 0.0,
-            State::Pressing => pushes,
-            State::Sticking => pushes && (mu_squared * r[0].square() - squares(r)).low >= 0.0,
-            State::Sliding => pushes && squares(y).low > 0.0,
-            State::Undecided => true,
+            ContactState::Open if self.law == Law::Associated => y[0].low >= 0.0 && (y[0].square() - mu_squared * squares(y)).low >= 0.0,
+            ContactState::Open => y[0].low >= 0.0,
+            ContactState::Pressing => pushes,
+            ContactState::Sticking => pushes && (mu_squared * r[0].square() - squares(r)).low >= 0.0,
+            ContactState::Sliding => pushes && squares(y).low > 0.0,
+            ContactState::Undecided => true,
         }
     }
 }
@@ -262,13 +262,13 @@ fn between(switch: Interval, first: Interval, second: Interval) -> Interval {
 }
 
 /// The states of all contacts at r and y, those kept that are undecided.
-pub(super) fn read_off(contacts: &[Contact], affine_rows: usize, r: &[f64], y: &[f64]) -> Vec<State> {
+pub(super) fn read_off(contacts: &[Contact], affine_rows: usize, r: &[f64], y: &[f64]) -> Vec<ContactState> {
     let at = |k: usize| k * affine_rows..(k + 1) * affine_rows;
     contacts.iter().enumerate().map(|(k, contact)| contact.state(&r[at(k)], &y[at(k)])).collect()
 }
 
 /// The rows with an impulse, contact by contact.
-pub(super) fn pressed_rows(contacts: &[Contact], states: &[State]) -> Vec<usize> {
+pub(super) fn pressed_rows(contacts: &[Contact], states: &[ContactState]) -> Vec<usize> {
     let rows = |k: usize| k * contacts[k].rows..k * contacts[k].rows + contacts[k].unknowns(states[k]);
     (0..contacts.len()).flat_map(rows).collect()
 }

@@ -23,7 +23,7 @@ const DIRECTIONS: [[i64; 2]; 4] = [[4, 3], [-3, 4], [-4, -3], [3, -4]];
 /// A problem of so many contacts with a solution (r, u) that is exact in numbers, its pattern drawn.
 ///
 /// W = G Gᵀ + I with whole G. A sliding contact has r_n = 20 c, r_t = −3 c (4, 3) of length 15 c = ¾ r_n, and y_t = ½ (4, 3).
-fn known(law: Law, contacts: usize, seed: u64) -> (ContactProblem, Solution, Vec<State>) {
+fn known(law: Law, contacts: usize, seed: u64) -> (ContactProblem, Solution, Vec<ContactState>) {
     let mut draw = Draw(seed);
     let n = 3 * contacts;
     let factor = DMatrix::from_fn(n, n, |_, _| draw.whole(2) as f64);
@@ -32,7 +32,7 @@ fn known(law: Law, contacts: usize, seed: u64) -> (ContactProblem, Solution, Vec
     for k in 0..contacts {
         let [along, across] = DIRECTIONS[draw.whole(20).unsigned_abs() as usize % 4];
         let size = 1.0 + draw.whole(3).abs() as f64;
-        let state = [State::Open, State::Sticking, State::Sliding][draw.whole(30).unsigned_abs() as usize % 3];
+        let state = [ContactState::Open, ContactState::Sticking, ContactState::Sliding][draw.whole(30).unsigned_abs() as usize % 3];
         let sliding = |r: &mut DVector<f64>, y: &mut DVector<f64>| {
             // ‖r_t‖ = 15 size = ¾ · 20 size, along (4, 3)/5
             r.rows_mut(3 * k, 3).copy_from_slice(&[20.0 * size, -3.0 * size * along as f64, -3.0 * size * across as f64]);
@@ -42,15 +42,15 @@ fn known(law: Law, contacts: usize, seed: u64) -> (ContactProblem, Solution, Vec
             }
         };
         match (law, state) {
-            (_, State::Open) => y.rows_mut(3 * k, 3).copy_from_slice(&[8.0 * size, along as f64, across as f64]),
+            (_, ContactState::Open) => y.rows_mut(3 * k, 3).copy_from_slice(&[8.0 * size, along as f64, across as f64]),
             (Law::Frictionless, _) => {
                 r[3 * k] = size;
                 y.rows_mut(3 * k + 1, 2).copy_from_slice(&[along as f64, across as f64]);
             }
-            (_, State::Sticking) => r.rows_mut(3 * k, 3).copy_from_slice(&[10.0 * size, along as f64, across as f64]),
+            (_, ContactState::Sticking) => r.rows_mut(3 * k, 3).copy_from_slice(&[10.0 * size, along as f64, across as f64]),
             _ => sliding(&mut r, &mut y),
         }
-        states.push(if law == Law::Frictionless && state != State::Open { State::Pressing } else { state });
+        states.push(if law == Law::Frictionless && state != ContactState::Open { ContactState::Pressing } else { state });
     }
     let free = &y - &w * &r; // exact: all of it is whole or half, and small
     let problem = ContactProblem::new(w, free).law(law).friction(vec![MU; contacts]).build().unwrap();
@@ -143,7 +143,7 @@ fn problems_without_solution_are_never_proved() {
             if let Forward::Proved(radius) = forward(problem, &answer).unwrap() {
                 // Painlevé's block has one: it sticks, far away
                 assert!(name != "jammed", "{impulse:?} {radius:?}");
-                assert!([State::Sticking, State::Undecided].contains(&radius.states[0]));
+                assert!([ContactState::Sticking, ContactState::Undecided].contains(&radius.states[0]));
                 let stuck = dvector![7.0, -3.0];
                 assert!(radius.impulse[0] >= (impulse.clone() - stuck).norm() * 0.999);
             }
@@ -166,7 +166,7 @@ fn a_grazing_contact_is_proved_by_the_law_itself() {
     let problem = ContactProblem::new(w.clone(), -&w * &r).friction(vec![0.5, 0.5]).build().unwrap();
     let answer = Solution::new("by construction", r, DVector::zeros(6), 0);
     let radius = forward(&problem, &answer).unwrap().proved().expect("weakly coupled");
-    assert!(radius.states.contains(&State::Undecided) || radius.states[1] == State::Open, "{radius:?}");
+    assert!(radius.states.contains(&ContactState::Undecided) || radius.states[1] == ContactState::Open, "{radius:?}");
     assert!(radius.velocity.iter().all(|bound| *bound <= 1e-13), "{radius:?}");
 }
 
@@ -226,14 +226,14 @@ fn the_feet_of_a_table_depend_on_each_other_and_their_velocities_are_proved_all_
         let velocity = sliding.velocity(&impulse);
         assert_eq!(velocity, DVector::from_iterator(12, [0.0, 1.5, 0.0].into_iter().cycle().take(12)), "it slows down and stays level");
         let radius = forward(&sliding, &Solution::new("by construction", impulse, velocity, 0)).unwrap().proved().expect("it slides");
-        assert_eq!((radius.dependent.len(), radius.states), (1, vec![State::Sliding; 4]), "four normals, three motions");
+        assert_eq!((radius.dependent.len(), radius.states), (1, vec![ContactState::Sliding; 4]), "four normals, three motions");
         assert!(radius.velocity.iter().all(|bound| *bound <= 1e-13), "{:?}", radius.velocity);
     }
     let impulse = impulses([0.28125, 0.28125, 0.21875, 0.21875], &|_| -0.0625);
     let velocity = sticking.velocity(&impulse);
     assert_eq!(velocity.amax(), 0.0);
     let radius = forward(&sticking, &Solution::new("", impulse.clone(), velocity.clone(), 0)).unwrap().proved().expect("it sticks");
-    assert_eq!((radius.dependent.len(), radius.states), (6, vec![State::Sticking; 4]), "twelve rows, six motions");
+    assert_eq!((radius.dependent.len(), radius.states), (6, vec![ContactState::Sticking; 4]), "twelve rows, six motions");
     assert!(radius.velocity.iter().all(|bound| *bound == 0.0), "all velocities are zero: {:?}", radius.velocity);
     // a foot that stands a little higher has another free velocity: its row depends on the others, its velocity does not
     let uneven = table(0.5, [0.25, 0.0, -1.0, 0.0, 0.0, 0.0], 2.0_f64.powi(-40));
