@@ -80,7 +80,7 @@ def natural_map(operator, free, friction, dimension, law, impulse):
 def projected(points, mu):
     """The nearest points of the cones ‖t‖ ≤ μ n."""
     n, t = points[:, 0], np.linalg.norm(points[:, 1:], axis=1)
-    inside, polar = t <= mu * n, mu * t <= -n
+    inside, polar = (t <= mu * n) & (n >= 0.0), mu * t <= -n
     normal = np.where(inside, n, np.where(polar, 0.0, (n + mu * t) / (1.0 + mu * mu)))
     shrunk = np.divide(mu * normal, t, out=np.ones_like(t), where=t > 0.0)
     share = np.where(inside, 1.0, shrunk)

@@ -32,6 +32,15 @@ def report(*problems):
     return made
 
 
+@unittest.skipUnless(HAS_NUMPY, "numpy is not installed")
+class Cones(unittest.TestCase):
+    def test_a_pull_without_friction_is_projected_to_nothing(self):
+        import numpy
+        from peers.arrays import projected
+        points = numpy.array([[-1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 3.0, 0.0]])
+        self.assertEqual(projected(points, numpy.zeros(3)).tolist(), [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 0.0, 0.0]])
+
+
 class Statistics(unittest.TestCase):
     def test_the_virtual_best_peer_is_the_fastest_that_reaches_the_accuracy(self):
         made = report((3, result("moreau", "auto", 2e-6), result("siconos", "NSGS", 1e-6, reached=False),

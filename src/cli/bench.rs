@@ -101,7 +101,8 @@ fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>> {
             .map(|entry| entry.map(|entry| entry.path()))
             .collect::<std::io::Result<_>>()
             .map_err(failed)?;
-        let is_problem = |file: &Path| file.extension().is_some_and(|end| ENDS.iter().any(|known| end == *known));
+        let ends = |file: &Path| file.extension().is_some_and(|end| ENDS.iter().any(|known| end == *known));
+        let is_problem = |file: &Path| ends(file) && !is_answer(file);
         let mut problems: Vec<PathBuf> = entries.into_iter().filter(|file| is_problem(file)).collect();
         if problems.is_empty() {
             let cure = format!("give a folder with files that end in {}", ENDS.join(", "));
@@ -111,6 +112,17 @@ fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>> {
         found.extend(problems);
     }
     Ok(found)
+}
+
+/// Whether a file of a folder is an answer, as `moreau problems export` puts beside its problem.
+fn is_answer(file: &Path) -> bool {
+    #[derive(serde::Deserialize)]
+    struct Head {
+        schema: Option<String>,
+    }
+    let text = || std::fs::read_to_string(file).ok();
+    let head = || serde_json::from_str::<Head>(&text()?).ok();
+    file.extension().is_some_and(|end| end == "json") && head().is_some_and(|head| head.schema.as_deref() == Some("solution/1"))
 }
 
 fn measured(problem: &ContactProblem, name: &str, solver: &dyn ContactSolver, arguments: &Arguments) -> Result<Run> {

@@ -59,7 +59,8 @@ Examples:
 Exit code 1 means that the solver gave no answer, or one that its certificate rejects; a rejected
 answer is written all the same, with its residuals. In JSON, \"status\" tells which: solved; stalled or
 limit, of an answer that the certificate rejects, the latter after the most iterations or the time; and
-without an answer refused (not a problem for this solver), breakdown, ray, limit.
+without an answer refused (not a problem for this solver), breakdown, ray, limit. Where it is proved that
+there is no solution, it is infeasible, and \"no_solution\" has the proof.
 
 The smallest problem, a block of 1 kg that slides and arrives at 1 m/s:
   {\"schema\": \"contact-problem/1\", \"name\": \"block\", \"dimension\": 2, \"law\": \"coulomb\",

@@ -160,7 +160,8 @@ impl<'a> Certificate<'a> {
 
     /// The same with a proof that the problem has no solution.
     pub fn with_no_solution(self, no_solution: Option<String>) -> Self {
-        Certificate { no_solution, ..self }
+        let status = if no_solution.is_some() { "infeasible" } else { self.status };
+        Certificate { status, no_solution, ..self }
     }
 
     /// The same with what is proved of the linear complementarity problem that it is.

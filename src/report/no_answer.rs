@@ -27,7 +27,8 @@ impl<'a> NoAnswer<'a> {
 
     /// The same with a proof that the problem has no solution.
     pub fn with_proof(self, no_solution: Option<String>) -> Self {
-        NoAnswer { no_solution, ..self }
+        let status = if no_solution.is_some() { "infeasible" } else { self.status };
+        NoAnswer { status, no_solution, ..self }
     }
 }
 

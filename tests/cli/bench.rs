@@ -14,6 +14,15 @@ fn spatial() -> ContactProblem {
 }
 
 #[test]
+fn an_answer_in_a_folder_of_problems_is_passed_over() {
+    let folder = Folder::new("bench-exported");
+    let place = folder.path("");
+    assert_eq!(moreau(&["problems", "export", "single-slide", &place]).code, 0);
+    let run = moreau(&["bench", &place, "--repeat", "0"]);
+    assert!(run.code == 0 && run.output.contains("1 of 1 solved"), "{}{}", run.output, run.message);
+}
+
+#[test]
 fn a_folder_of_problems_is_timed_and_certified() {
     let folder = Folder::new("bench");
     folder.file("a.json", PROBLEM);

@@ -81,7 +81,11 @@ impl<'a> ShiftedOperator<'a> {
             }
             Stored::Blocks(blocks, symmetric) => {
                 let mut factor = BlockElimination::default();
-                if factor.factor(blocks, &self.slopes(shift), *symmetric) { Ok(Shifted::Blocks(Box::new(factor))) } else { Err(indefinite(solver)) }
+                if factor.factor(blocks, &self.slopes(shift), *symmetric) {
+                    Ok(Shifted::Blocks(Box::new(factor)))
+                } else {
+                    Err(indefinite(solver))
+                }
             }
         }
     }

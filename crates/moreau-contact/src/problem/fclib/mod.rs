@@ -32,7 +32,9 @@ const FILE_SHARE: u64 = 4;
 /// Whether a file begins as HDF5 files do.
 pub(super) fn is_hdf5(file: &Path) -> bool {
     let mut start = [0; 8];
-    std::fs::File::open(file).is_ok_and(|mut open| open.read_exact(&mut start).is_ok() && start == *b"\x89HDF\r\n\x1a\n")
+    // what was read of a pipe would be lost
+    std::fs::metadata(file).is_ok_and(|found| found.is_file())
+        && std::fs::File::open(file).is_ok_and(|mut open| open.read_exact(&mut start).is_ok() && start == *b"\x89HDF\r\n\x1a\n")
 }
 
 /// Reads the problem of a file.

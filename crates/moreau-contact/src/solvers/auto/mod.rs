@@ -4,7 +4,7 @@ mod stages;
 
 use super::ContactSolver;
 use crate::certificate::Judge;
-use crate::problem::{ContactProblem, Law, Solution};
+use crate::problem::{ContactProblem, Coordinates, Law, Solution};
 use crate::tolerance::certificate::CERTIFY;
 use crate::tolerance::solvers::{ACCEPTABLE, ENOUGH, STOP};
 use moreau_exact::error::Failure;
@@ -114,8 +114,11 @@ fn is_infeasible(error: &Error) -> bool {
 }
 
 /// Whether every contact opens by itself, so that r = 0 solves the problem to the last bit: q = u_free + shift is in K*, or q_n ≥ 0 under
-/// the laws that are not associated.
+/// the laws that are not associated. An answer to a compliance on edges must give the impulses of the edges, which Lemke's does.
 fn opens_everywhere(problem: &ContactProblem) -> bool {
+    if problem.compliance().is_some_and(|compliance| compliance.coordinates == Coordinates::Edge) {
+        return false;
+    }
     let rows = problem.rows_per_contact();
     let (free, shift) = (problem.free_velocity().as_slice(), problem.shift().as_slice());
     let associated = matches!(problem.law(), Law::Associated | Law::PolyhedralAssociated { .. });
@@ -189,6 +192,7 @@ fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal
 mod tests {
     use super::*;
     use crate::certificate::residuals;
+    use crate::problem::Compliance;
     use nalgebra::{DMatrix, dvector};
 
     #[test]
@@ -204,6 +208,16 @@ mod tests {
             assert_eq!(residuals(&problem(opens), &answer).unwrap().judged.relative(), 0.0, "{law:?}");
             assert!(!opens_everywhere(&problem(closes)), "{law:?}");
         }
+    }
+
+    #[test]
+    fn open_contacts_with_a_compliance_on_edges_are_answered_with_the_impulses_of_the_edges() {
+        let law = Law::PolyhedralAssociated { directions: 4 };
+        let compliance = Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(4, 1.0) };
+        let problem = ContactProblem::new(DMatrix::identity(3, 3), dvector![1.0, 0.0, 0.0]).law(law).friction(vec![0.5]);
+        let problem = problem.compliance(compliance).build().unwrap();
+        let answer = Auto.solve(&problem, None).unwrap();
+        assert!(residuals(&problem, &answer).unwrap().is_solution(0.0), "{answer:?}");
     }
 
     #[test]
