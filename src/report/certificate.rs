@@ -121,7 +121,8 @@ impl<'a> Certificate<'a> {
 
     /// The same with what was proved about all solutions.
     pub fn with_proofs(self, proofs: Proofs) -> Self {
-        Certificate { solutions: Some(proofs), ..self }
+        let denied = proofs.denies();
+        Certificate { solutions: Some(proofs), ..self }.denied(denied)
     }
 
     /// The same with what was proved about a solution near.
@@ -166,7 +167,13 @@ impl<'a> Certificate<'a> {
 
     /// The same with what is proved of the linear complementarity problem that it is.
     pub fn with_lcp(self, proved: LcpProved) -> Self {
-        Certificate { lcp: Some(proved), ..self }
+        let denied = proved.denies();
+        Certificate { lcp: Some(proved), ..self }.denied(denied)
+    }
+
+    /// What is proved to have no solution has none, whatever the residuals say.
+    fn denied(self, denied: bool) -> Self {
+        if denied { Certificate { status: "infeasible", solution: false, ..self } } else { self }
     }
 
     /// Whether the answer is a solution.

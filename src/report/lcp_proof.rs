@@ -15,7 +15,7 @@ pub struct LcpProved {
     near: Option<Near>,
     #[serde(skip_serializing_if = "Option::is_none")]
     not_proved: Option<NotProved>,
-    /// `one`, `several`, `continuum`, `none` or `unknown`.
+    /// `one`, `several`, `continuum`, `none`, `some` where others were not excluded, or `unknown`.
     solutions: &'static str,
     /// How many, where there are several and no others.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -78,6 +78,9 @@ impl LcpProved {
             Count::Exactly(points) => {
                 ("several", format!("{size} rows, all complementary cones"), points.iter().map(rounded).collect(), Vec::new())
             }
+            Count::AtLeast(1) => {
+                ("some", "an answer has a solution near; others were not looked for to the end".into(), Vec::new(), Vec::new())
+            }
             Count::AtLeast(_) => ("several", "so many answers have solutions near that lie apart".into(), Vec::new(), Vec::new()),
             Count::Continuum(ends) => {
                 ("continuum", "all on the way between two ends".into(), ends.iter().map(rounded).collect(), Vec::new())
@@ -91,6 +94,11 @@ impl LcpProved {
         let exactly = matches!(count, Count::Exactly(_)).then_some(points.len());
         let at_least = if let Count::AtLeast(least) = count { Some(*least) } else { None };
         LcpProved { near, not_proved, solutions, count: exactly, at_least, why, points, witness }
+    }
+
+    /// Whether it is proved that there is no solution.
+    pub fn denies(&self) -> bool {
+        self.solutions == "none"
     }
 
     /// The same for readers.
@@ -112,6 +120,7 @@ impl LcpProved {
         lines.push(match (self.solutions, self.count) {
             ("one", _) => format!("proved: exactly one solution; {}", self.why),
             (_, Some(count)) => format!("proved: exactly {count} solutions; {}", self.why),
+            ("some", _) => format!("proved: at least one solution; {}", self.why),
             ("several", _) => format!("proved: at least {} solutions; {}", self.at_least.unwrap_or_default(), self.why),
             ("continuum", _) => format!("proved: infinitely many solutions, {}", self.why),
             ("none", _) => format!("proved: NO solution; {}", self.why),

@@ -53,6 +53,11 @@ impl Proofs {
         Proofs { unique, reason, all: solutions(problem).ok().map(All::from), infeasible: refuted.map(Refuted::from) }
     }
 
+    /// Whether it is proved that there is no solution.
+    pub fn denies(&self) -> bool {
+        self.infeasible.is_some() || self.all.as_ref().is_some_and(|all| all.velocities == 0)
+    }
+
     /// For reading, line by line.
     pub fn lines(&self) -> Vec<String> {
         let mut lines = vec![match self.unique {

@@ -23,6 +23,8 @@ pub(super) struct Here<'a> {
     pub weights: [f64; 2],
     /// s_n, s_r, s_t \[N·s\].
     pub sizes: [f64; 3],
+    /// The scale of r_n and its rounding \[N·s\].
+    pub impulse: [f64; 2],
     /// Rounding of y_n and of y_t \[m/s\].
     pub floors: [f64; 2],
 }

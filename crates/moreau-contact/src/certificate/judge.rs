@@ -183,6 +183,7 @@ impl Judge {
                 y,
                 weights: self.scales.weights[k],
                 sizes: self.scales.at(k),
+                impulse: self.scales.of_impulse(k),
                 floors: self.scales.floors_at(k * rows..(k + 1) * rows),
             };
             let at = match problem.law() {
@@ -217,7 +218,8 @@ fn second_order(law: Law, here: &Here) -> AtContact {
     let radius = mu * r[0].max(0.0);
     let (w, floor) = if law == Law::Associated { (y[0] - mu * slip, floor_n + mu * floor_t) } else { (y[0], floor_n) };
     let velocity = Part { value: w.abs(), scale: s_n / rho, floor };
-    let (scale, rounded) = if r[0] < 0.0 { (s_n, 0.0) } else { (here.friction_scale(mu), PROJECTED * radius) };
+    let [s_i, rounding] = here.impulse;
+    let (scale, rounded) = if r[0] < 0.0 { (s_i, rounding) } else { (here.friction_scale(mu), PROJECTED * radius) };
     let outside = Part { value: distance(r, mu), scale, floor: rounded };
     let loss = radius * slip + r[1..].iter().zip(&y[1..]).map(|(r, y)| r * y).sum::<f64>();
     let sliding = Part { value: loss.abs(), scale: here.friction_scale(mu) * slip.max(here.sizes[2] / here.weights[1]), floor: 0.0 };
@@ -228,7 +230,7 @@ fn second_order(law: Law, here: &Here) -> AtContact {
         primal: outside,
         dual: nan_kept(penetrating, w).times(1.0 / mu.hypot(1.0)),
         complementarity: product.worse(if law == Law::Frictionless { Part::default() } else { rounded }),
-        normal: pair([r[0], w], Part { value: r[0].abs(), scale: s_n, floor: 0.0 }, velocity.times(rho)),
+        normal: pair([r[0], w], Part { value: r[0].abs(), scale: s_i, floor: rounding }, velocity.times(rho)),
         tangential: friction(mu, s_r, here),
     }
 }

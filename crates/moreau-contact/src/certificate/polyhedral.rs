@@ -43,7 +43,7 @@ pub(super) fn stewart_trinkle(pairs: &mut Pairs, solution: &Solution, d: usize, 
     let friction = here.friction_scale(here.friction);
     let sticks = left >= rho_t * sigma;
     let mut at = AtContact::default();
-    let normal = Members { impulse: s_n, velocity: s_n / rho_n, floor: here.floors[0], rho: rho_n };
+    let normal = Members { impulse: here.impulse[0].max(here.impulse[1]), velocity: s_n / rho_n, floor: here.floors[0], rho: rho_n };
     at.normal = normal.judge(pairs.pairs[0], &mut at);
     let velocity = if sticks { s_t } else { friction } / rho_t;
     let tangential = Members { impulse: friction, velocity, floor: here.floors[1], rho: rho_t };

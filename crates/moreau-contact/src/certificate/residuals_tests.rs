@@ -335,3 +335,17 @@ fn an_impulse_that_does_not_move_its_own_contact_excuses_no_velocity() {
         assert!(!residuals(&problem, &answer).unwrap().is_solution(0.1), "{size}");
     }
 }
+
+/// −4·10⁹ z − 1 ≥ 0 asks for z < 0: a pull of 2.5·10⁻¹⁰ N·s is small beside the kilograms of other contacts, and a pull all the same.
+#[test]
+fn a_pull_at_a_contact_that_does_not_move_itself_is_held_against_impulses() {
+    for (w, q, pull) in [
+        (DMatrix::from_element(1, 1, -4e9), [-1.0].as_slice(), [-2.5e-10].as_slice()),
+        (DMatrix::from_row_slice(2, 2, &[1e-6, 0.0, 0.0, -1e3]), &[-1.0; 2], &[1e6, -1e-3]),
+    ] {
+        let problem = ContactProblem::new(w, DVector::from_row_slice(q)).rows_per_contact(1).build().unwrap();
+        let impulse = DVector::from_row_slice(pull);
+        let answer = Solution::new("a pull", impulse.clone(), problem.velocity(&impulse), 0);
+        assert!(!residuals(&problem, &answer).unwrap().is_solution(0.1), "{pull:?}");
+    }
+}

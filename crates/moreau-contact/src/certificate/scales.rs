@@ -12,7 +12,7 @@
 //!
 //! with q = u_free + shift and (W r) with R r in it, net: what cancels between the contacts of a body is no excuse for another body. Normal
 //! and tangential parts stay apart, so that fast sliding does not widen what a normal impulse is held against: for the associated laws q_n
-//! − μ‖q_t‖ stands in place of q_n, and a point that leaves fast excuses no other point of its body.
+//! − μ‖q_t‖ stands in place of q_n, and a point that leaves fast excuses no other point of its body. Not in s_r: slip makes no friction.
 //!
 //! None is more than 10⁶ ρ V, V the largest velocity in q – in W r, net, where q = 0: impulses that push against each other and move
 //! nothing would otherwise excuse any velocity, and a jaw that closes from both sides, which has no solution, would have one. What impulses
@@ -21,7 +21,8 @@
 //! as a residual of y, which may be zero only because q was lost in it.
 //!
 //! An impulse that does not move its own contact, W_nn = 0 as in many complementarity problems, says nothing about the size of that
-//! contact's velocity: |r_n| is left out of its s_n. Growing along a ray such an impulse would excuse any velocity.
+//! contact's velocity: |r_n| is left out of its s_n. Growing along a ray such an impulse would excuse any velocity. Nor does a velocity
+//! say anything about its size: r_n is held against the normal impulses of its pair and the rounding of the largest one.
 //!
 //! Which contacts lie between the same two bodies is told by [`groups`].
 //!
@@ -47,8 +48,8 @@ pub(super) struct Scales {
     pub floors: Vec<f64>,
     /// What a group shares of s_n, s_r, s_t, at its first contact \[N·s\].
     shared: Vec<[f64; 3]>,
-    /// What the data of a contact add to its own s_n and s_t \[N·s\].
-    own: Vec<[f64; 2]>,
+    /// What the data of a contact add to its own s_n, s_r and s_t \[N·s\].
+    own: Vec<[f64; 3]>,
     /// The largest velocity in the data, and the same or of the impulses, net \[m/s\].
     fastest: [f64; 2],
 }
@@ -108,8 +109,9 @@ impl Scales {
             }
             let sizes = &mut self.shared[self.group[k]];
             sizes.iter_mut().zip(pushed).for_each(|(size, pushed)| *size = size.max(pushed));
-            let data = closing(problem.law(), mu, &q[..rows]).abs() + PROJECTED * (q[0].abs() + mu * tangential_norm(&q[..rows]));
-            self.own.push([normal * data, tangential * tangential_norm(&q[..rows])]);
+            let projected = PROJECTED * (q[0].abs() + mu * tangential_norm(&q[..rows]));
+            let data = closing(problem.law(), mu, &q[..rows]).abs() + projected;
+            self.own.push([normal * data, normal * (q[0].abs() + projected), tangential * tangential_norm(&q[..rows])]);
         }
     }
 
@@ -134,12 +136,22 @@ impl Scales {
         if self.fastest[0] > 0.0 { self.fastest[0] * HIDDEN } else { f64::INFINITY }
     }
 
+    /// The scale of r_n itself, with its rounding \[N·s\]: s_n, or – where an impulse does not move its own contact, so that no velocity
+    /// tells how large it should be – the normal impulses there are between the two bodies.
+    pub fn of_impulse(&self, contact: usize) -> [f64; 2] {
+        if self.moves_itself[contact] {
+            return [self.at(contact)[0], 0.0];
+        }
+        let largest = self.shared.iter().map(|shared| shared[1]).fold(0.0, f64::max);
+        [self.shared[self.group[contact]][1], gamma(2 * self.shared.len() + 8) * largest]
+    }
+
     /// s_n, s_r and s_t of contact k \[N·s\].
     pub fn at(&self, contact: usize) -> [f64; 3] {
-        let ([s_n, s_r, s_t], [own_n, own_t]) = (self.shared[self.group[contact]], self.own[contact]);
+        let ([s_n, s_r, s_t], [own_n, own_r, own_t]) = (self.shared[self.group[contact]], self.own[contact]);
         let [given, moved] = self.fastest;
         let [most_n, most_t] = self.weights[contact].map(|weight| JAMMED * weight * if given > 0.0 { given } else { moved });
-        [s_n.max(own_n).min(most_n), s_r.max(own_n).min(most_n), s_t.max(own_t).min(most_t)]
+        [s_n.max(own_n).min(most_n), s_r.max(own_r).min(most_n), s_t.max(own_t).min(most_t)]
     }
 }
 

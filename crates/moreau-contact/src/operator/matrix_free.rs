@@ -96,6 +96,10 @@ impl MatrixFree {
             made.write_block(k, k, &mut block);
             made.diagonal.extend_from_slice(&block);
         }
+        if let Some(place) = made.diagonal.iter().position(|entry| !entry.is_finite()) {
+            let problem = format!("makes W infinite at contact {}", place / (rows * rows).max(1));
+            return Err(Error::invalid("mass", problem, "rescale the units of the problem: some mass is too small for a number"));
+        }
         Ok(made)
     }
 

@@ -64,14 +64,14 @@ impl Matrix {
     }
 }
 
-/// Sizes again, and row after row.
+/// Sizes again, and column after column, as Siconos's `NM_new_from_filename` takes them (siconos 4.5: `1 2 3 4` is [1 3; 2 4]).
 fn dense(tokens: &mut Tokens, what: &str, shape: [usize; 2]) -> Result<Matrix> {
     let again = [tokens.whole(what)?, tokens.whole(what)?];
     if again != shape {
         return Err(tokens.error(what, format!("has the sizes {again:?} after {shape:?}"), "give the same sizes twice"));
     }
     let numbers = tokens.vector(what, shape[0].saturating_mul(shape[1]))?;
-    Ok(Matrix::Dense(DMatrix::from_row_slice(shape[0], shape[1], &numbers)))
+    Ok(Matrix::Dense(DMatrix::from_column_slice(shape[0], shape[1], &numbers)))
 }
 
 /// Where the blocks of rows and columns end, and where in the lists of places each row of blocks begins.

@@ -1,7 +1,7 @@
 use super::*;
 use nalgebra::{dmatrix, dvector};
 
-/// Two planar contacts, W dense.
+/// Two planar contacts, W dense, column after column.
 const DENSE: &str = "2\n2\n0\n4\n4\n4\t4\n2 0.5 1 0\n0.5 3 0 1\n1 0 2 0\n0 1 0 2\n-1 0.25 -2 0\n0.5 0\n1";
 /// The same, by blocks, each column by column.
 const BLOCKS: &str = "2 2 1 4 4  4 2 2  2 4  2 4  3 4  0 2 4  0 1 0 1
@@ -14,8 +14,8 @@ const COLUMNS: &str = "2 2 2 4 4 2\nCSparse Version 3.1.9, May 4, 2016.  Copyrig
       1 : 1\n      3 : 2\n-1 0.25 -2 0\n0.5 0";
 /// A ball of 2 kg over the plane and a block of 4 kg that turns: M v = H r + f, u = Hᵀ v + b.
 const GLOBAL: &str = "2 2 2 3 3 1\nCSparse Version\ntriplet: 3-by-3, nzmax: 3 nnz: 3\n 0 0 : 2\n 1 1 : 2\n 2 2 : 4
-    0 3 4 3 4  1 0 0 0  0 1 0 0  0 0 1 -1\n -2 1 8   0.5 0 0 -3   0.25 0.75";
-const LCP: &str = "3\n0\n3\n3\n3 3\n1 0 0\n2 1 0\n2 2 1\n-1 -1 -1\n# remarks follow";
+    0 3 4 3 4  1 0 0  0 1 0  0 0 1  0 0 -1\n -2 1 8   0.5 0 0 -3   0.25 0.75";
+const LCP: &str = "3\n0\n3\n3\n3 3\n1 2 2\n0 1 2\n0 0 1\n-1 -1 -1\n# remarks follow";
 
 fn expected() -> DMatrix<f64> {
     dmatrix![2.0, 0.5, 1.0, 0.0; 0.5, 3.0, 0.0, 1.0; 1.0, 0.0, 2.0, 0.0; 0.0, 1.0, 0.0, 2.0]
