@@ -66,8 +66,9 @@ struct Scales {
     normal: f64,
     carried: f64,
     tangential: f64,
-    /// What the data of the contact itself add to s_n and s_t.
+    /// What the data of the contact itself add to s_n, s_r and s_t.
     data_n: f64,
+    data_r: f64,
     data_t: f64,
 }
 
@@ -103,7 +104,7 @@ pub fn judge(problem: &Exact, groups: &[Vec<usize>], answer: &Answer, limits: Li
         let largest = |scale: fn(&Scales) -> f64| group.iter().map(|&j| scale(&own[j])).fold(0.0, f64::max);
         at.scales = Scales {
             normal: largest(|s| s.normal).max(at.scales.data_n).min(most * at.rho_n),
-            carried: largest(|s| s.carried).max(at.scales.data_n).min(most * at.rho_n),
+            carried: largest(|s| s.carried).max(at.scales.data_r).min(most * at.rho_n),
             tangential: largest(|s| s.tangential).max(at.scales.data_t).min(most * nearest(&at.rho_t)),
             ..at.scales
         };
@@ -145,12 +146,16 @@ fn at(problem: &Exact, answer: &Answer, y: &[Rational], k: usize, limits: Limits
     // its evaluation rounds by 8ε of its terms
     let rounded = 8.0 * f64::EPSILON * (size_of(&data[0]) + nearest(mu) * length(&data[1..]));
     let data_n = rho_n * if OWN_DATA { size_of(&towards(problem.law, mu, &data)) + rounded } else { size_of(&data[0]) };
+    // slip makes no friction: the smaller of |q_n| and |q_n − μ‖q_t‖|
+    let pressed = size_of(&towards(problem.law, mu, &data)).min(size_of(&data[0])) + rounded;
+    let data_r = rho_n * if OWN_DATA { pressed } else { size_of(&data[0]) };
     let shared = |data: f64| if OWN_DATA { 0.0 } else { data };
     let scales = Scales {
         normal: size_of(&r[n]).max(rho_n * size_of(&net[n])).max(shared(data_n)),
         carried: size_of(&r[n]),
         tangential: length(&r[n..n + rows]).max(net_t).max(shared(data_t)),
         data_n,
+        data_r,
         data_t,
     };
     At {

@@ -200,7 +200,11 @@ fn an_answer_of_a_time_limit_is_marked() {
     let answer = folder.path("answer.json");
     let words = ["solve", &empty, "--solver", "admm", "--iterations", "1000000", "--out", &answer, "--time-limit", "0.01"];
     let run = moreau(&[&words[..], &["--format", "json"]].concat());
-    assert_eq!((run.code, &run.json()["status"], &run.json()["reproducible"]), (1, &"limit".into(), &false.into()));
+    assert_eq!(
+        (run.code, &run.json()["status"], &run.json()["reproducible"]),
+        (1, &"infeasible".into(), &false.into()),
+        "the proof takes no time limit"
+    );
     let run = moreau(&words);
     assert!(run.output.contains("another run need not find"), "{}", run.output);
     for (option, value) in [("--time-limit", "0"), ("--time-limit", "nan"), ("--tolerance", "-1")] {

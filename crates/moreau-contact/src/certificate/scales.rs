@@ -12,7 +12,8 @@
 //!
 //! with q = u_free + shift and (W r) with R r in it, net: what cancels between the contacts of a body is no excuse for another body. Normal
 //! and tangential parts stay apart, so that fast sliding does not widen what a normal impulse is held against: for the associated laws q_n
-//! − μ‖q_t‖ stands in place of q_n, and a point that leaves fast excuses no other point of its body. Not in s_r: slip makes no friction.
+//! − μ‖q_t‖ stands in place of q_n, and a point that leaves fast excuses no other point of its body. In s_r the smaller of
+//! |q_n| and |q_n − μ‖q_t‖| stands: slip makes no friction.
 //!
 //! None is more than 10⁶ ρ V, V the largest velocity in q – in W r, net, where q = 0: impulses that push against each other and move
 //! nothing would otherwise excuse any velocity, and a jaw that closes from both sides, which has no solution, would have one. What impulses
@@ -111,7 +112,8 @@ impl Scales {
             sizes.iter_mut().zip(pushed).for_each(|(size, pushed)| *size = size.max(pushed));
             let projected = PROJECTED * (q[0].abs() + mu * tangential_norm(&q[..rows]));
             let data = closing(problem.law(), mu, &q[..rows]).abs() + projected;
-            self.own.push([normal * data, normal * (q[0].abs() + projected), tangential * tangential_norm(&q[..rows])]);
+            let pressed = closing(problem.law(), mu, &q[..rows]).abs().min(q[0].abs()) + projected;
+            self.own.push([normal * data, normal * pressed, tangential * tangential_norm(&q[..rows])]);
         }
     }
 
