@@ -22,10 +22,12 @@ FOLDER = ROOT / "references" / "problems"
 TABLE = ROOT / "src" / "problems" / "table.rs"
 HEAD = """//! The problems that the program embeds, in the order in which they are posed; `scripts/generate_problems.py` writes this table.
 
-use super::Stored;
+use super::stored::Stored;
 
 macro_rules! record {
-    ($name:literal) => { include_str!(concat!("../../references/problems/answers/", $name, ".json")) };
+    ($name:literal) => {
+        include_str!(concat!("../../references/problems/answers/", $name, ".json"))
+    };
 }
 
 macro_rules! stored {

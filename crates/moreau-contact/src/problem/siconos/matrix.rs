@@ -64,7 +64,7 @@ impl Matrix {
     }
 }
 
-/// Sizes again, and column after column, as Siconos's `NM_new_from_filename` takes them (siconos 4.5: `1 2 3 4` is [1 3; 2 4]).
+/// Sizes again, and column after column, as Siconos's `NM_new_from_filename` takes them (Siconos 4.4.0: `1 2 3 4` is [1 3; 2 4]).
 fn dense(tokens: &mut Tokens, what: &str, shape: [usize; 2]) -> Result<Matrix> {
     let again = [tokens.whole(what)?, tokens.whole(what)?];
     if again != shape {
