@@ -1,3 +1,5 @@
+//! Tests of the reader and writer of FCLIB's HDF5.
+
 use super::*;
 use hdf5_pure::{FileBuilder, GroupBuilder};
 use nalgebra::{DMatrix, dmatrix, dvector};

@@ -1,3 +1,5 @@
+//! Tests of the reader of Siconos's `.dat` files.
+
 use super::*;
 use nalgebra::{dmatrix, dvector};
 
