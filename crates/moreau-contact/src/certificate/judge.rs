@@ -96,6 +96,10 @@ impl Judged {
 impl Worst {
     /// The first part is kept even where it is 0: it has a limit that readers look at.
     fn take(&mut self, contact: usize, part: Part) {
+        let is_rounding = part.value <= part.floor && part.floor.is_finite();
+        if is_rounding && part.value <= self.part.value {
+            return; // its relative size is 0, and its value no larger
+        }
         self.largest = worst(self.largest, part.value);
         if self.part == Part::default() || part.exceeds(&self.part) {
             (self.part, self.contact) = (part, contact);
@@ -129,8 +133,13 @@ impl Judge {
     /// # Ok::<(), moreau_contact::Error>(())
     /// ```
     pub fn judge(&mut self, problem: &ContactProblem, solution: &Solution) -> Result<Judged> {
-        let impulse = solution.impulse.as_slice();
         self.scales.prepare(problem);
+        self.judge_prepared(problem, solution)
+    }
+
+    /// [`Judge::judge`] of another answer to the problem that was prepared last.
+    pub(crate) fn judge_prepared(&mut self, problem: &ContactProblem, solution: &Solution) -> Result<Judged> {
+        let impulse = solution.impulse.as_slice();
         self.scales.set_floors(problem, impulse);
         self.set_law_velocity(problem, impulse);
         let law_velocity = std::mem::take(&mut self.law_velocity);
@@ -166,7 +175,7 @@ impl Judge {
     fn set_law_velocity(&mut self, problem: &ContactProblem, impulse: &[f64]) {
         let y = &mut self.law_velocity;
         y.clear();
-        y.extend(problem.free_velocity().iter().zip(problem.shift()).map(|(free, shift)| free + shift));
+        y.extend(problem.free_velocity().as_slice().iter().zip(problem.shift().as_slice()).map(|(free, shift)| free + shift));
         problem.delassus().of_contacts().add_product(impulse, y);
         y.iter_mut().enumerate().for_each(|(row, y)| *y += problem.row_compliance(row) * impulse[row]);
     }
@@ -176,6 +185,9 @@ impl Judge {
         let rows = problem.rows_per_contact();
         let mut judged = Judged::default();
         for (k, (r, y)) in impulse.chunks_exact(rows).zip(law_velocity.chunks_exact(rows)).enumerate() {
+            if k > 0 && self.is_plainly_open(problem.law(), [r, y], k * rows) {
+                continue;
+            }
             let here = Here {
                 contact: k,
                 friction: problem.friction()[k],
@@ -197,15 +209,25 @@ impl Judge {
         Ok(judged)
     }
 
+    /// Whether a contact without an impulse opens, and its rounding is known and small: all its residuals are 0. Of the first contact they
+    /// are taken in any case, for their limits.
+    fn is_plainly_open(&self, law: Law, [r, y]: [&[f64]; 2], first: usize) -> bool {
+        let no_impulse = r.iter().all(|r| *r == 0.0) && y[0] >= 0.0 && y.iter().all(|y| y.is_finite());
+        no_impulse && matches!(law, Law::Frictionless | Law::Coulomb) && self.scales.is_certain(first..first + r.len())
+    }
+
     /// Judges the stored u: its difference from W r + u_free.
     fn stored_velocity(&self, problem: &ContactProblem, solution: &Solution, judged: &mut Judged) {
         let rows = problem.rows_per_contact();
-        for (row, stored) in solution.velocity.iter().enumerate() {
-            let (contact, normal) = (row / rows, row % rows == 0);
-            let found = self.law_velocity[row] - problem.shift()[row] - problem.row_compliance(row) * solution.impulse[row];
+        for (contact, stored) in solution.velocity.as_slice().chunks_exact(rows).enumerate() {
             let ([s_n, _, s_t], [rho_n, rho_t]) = (self.scales.at(contact), self.scales.weights[contact]);
-            let scale = if normal { s_n / rho_n } else { s_t / rho_t };
-            judged.velocity.take(contact, Part { value: (stored - found).abs(), scale, floor: self.scales.floors[row] });
+            let (normal, tangential) = (s_n / rho_n, s_t / rho_t);
+            for (at, stored) in stored.iter().enumerate() {
+                let row = contact * rows + at;
+                let found = self.law_velocity[row] - problem.shift()[row] - problem.row_compliance(row) * solution.impulse[row];
+                let scale = if at == 0 { normal } else { tangential };
+                judged.velocity.take(contact, Part { value: (stored - found).abs(), scale, floor: self.scales.floors[row] });
+            }
         }
     }
 }
@@ -228,7 +250,7 @@ fn second_order(law: Law, here: &Here) -> AtContact {
     let product = Part { value: (r[0] * w).abs(), scale: s_n * w.abs().max(s_n / rho), floor: r[0].abs() * floor };
     AtContact {
         primal: outside,
-        dual: nan_kept(penetrating, w).times(1.0 / mu.hypot(1.0)),
+        dual: nan_kept(penetrating, w).times(1.0 / length(mu, 1.0)),
         complementarity: product.worse(if law == Law::Frictionless { Part::default() } else { rounded }),
         normal: pair([r[0], w], Part { value: r[0].abs(), scale: s_i, floor: rounding }, velocity.times(rho)),
         tangential: friction(mu, s_r, here),

@@ -36,6 +36,9 @@ use crate::cones::second_order::{length, tangential_norm};
 use crate::problem::{ContactProblem, Law};
 use crate::tolerance::certificate::{HIDDEN, JAMMED, PROJECTED, gamma};
 
+/// Entries of the largest block of a contact, of six rows.
+const MOST_ENTRIES: usize = 36;
+
 /// The weights and scales of a problem's contacts at an answer; its memory is used again for the next problem.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scales {
@@ -62,10 +65,13 @@ impl Scales {
         self.floors.clear();
         self.floors.resize(problem.rows(), 0.0);
         self.weights.clear();
+        let (operator, mut block) = (problem.delassus().of_contacts(), [0.0; MOST_ENTRIES]);
+        let block = &mut block[..rows * rows];
         self.weights.extend((0..contacts).map(|k| {
-            let diagonal = |row: usize| problem.entry(row, row) + problem.row_compliance(row);
-            let tangential: f64 = (k * rows + 1..(k + 1) * rows).map(diagonal).sum();
-            [inverse(1.0, diagonal(k * rows)), inverse((rows - 1) as f64, tangential)]
+            operator.diagonal_block(k, block);
+            let diagonal = |row: usize| block[row * (rows + 1)] + problem.row_compliance(k * rows + row);
+            let tangential: f64 = (1..rows).map(diagonal).sum();
+            [inverse(1.0, diagonal(0)), inverse((rows - 1) as f64, tangential)]
         }));
         self.moves_itself.clear();
         self.moves_itself.extend(self.weights.iter().map(|[normal, _]| normal.is_finite()));
@@ -79,7 +85,7 @@ impl Scales {
 
     /// The floors at the impulses r; one pass over |W|.
     pub fn set_floors(&mut self, problem: &ContactProblem, impulse: &[f64]) {
-        let data = problem.free_velocity().iter().zip(problem.shift());
+        let data = problem.free_velocity().as_slice().iter().zip(problem.shift().as_slice());
         let own = |(row, (free, shift)): (usize, (&f64, &f64))| free.abs() + shift.abs() + problem.row_compliance(row) * impulse[row].abs();
         self.floors.clear();
         self.floors.extend(data.enumerate().map(own));
@@ -131,6 +137,12 @@ impl Scales {
         let (floors, most) = (&self.floors[rows], self.hidden());
         let value = floors[0].max(tangential_norm(floors));
         (value > most).then(|| Part { value, scale: self.at(contact)[0] / self.weights[contact][0], floor: most })
+    }
+
+    /// Whether the rounding of y at these rows of a contact is within what it may hide.
+    pub fn is_certain(&self, rows: std::ops::Range<usize>) -> bool {
+        let most = self.hidden();
+        self.floors[rows].iter().all(|floor| floor.is_finite() && *floor <= 0.5 * most)
     }
 
     /// What rounding may hide of the given velocities \[m/s\].

@@ -29,12 +29,18 @@ pub fn tangential_norm(z: &[f64]) -> f64 {
 /// √(a² + b²), by `hypot` only where a square overflows, or where one that underflows could be seen: it costs as much as ten square roots.
 pub(crate) fn length(a: f64, b: f64) -> f64 {
     let square = a * a + b * b;
-    if square > f64::MIN_POSITIVE / f64::EPSILON && square.is_finite() { square.sqrt() } else { a.hypot(b) }
+    if square > f64::MIN_POSITIVE / f64::EPSILON && square.is_finite() {
+        square.sqrt()
+    } else if a == 0.0 {
+        b.abs()
+    } else {
+        a.hypot(b)
+    }
 }
 
 /// Cosine and sine of the half-angle of K_μ, `(1, μ)/√(1 + μ²)`.
 pub(super) fn half_angle(mu: f64) -> (f64, f64) {
-    let length = mu.hypot(1.0);
+    let length = length(mu, 1.0);
     (1.0 / length, mu / length)
 }
 
@@ -97,7 +103,7 @@ pub fn distance(z: &[f64], mu: f64) -> f64 {
     if contains(z, mu) {
         0.0
     } else if polar_contains(z, mu) {
-        norm.hypot(z[0])
+        length(norm, z[0])
     } else {
         let (c, s) = half_angle(mu);
         c * norm - s * z[0]
@@ -110,7 +116,7 @@ pub fn dual_distance(u: &[f64], mu: f64) -> f64 {
     if dual_contains(u, mu) {
         0.0
     } else if -u[0] >= 0.0 && norm <= -mu * u[0] {
-        norm.hypot(u[0])
+        length(norm, u[0])
     } else {
         let (c, s) = half_angle(mu);
         s * norm - c * u[0]

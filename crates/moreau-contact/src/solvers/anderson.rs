@@ -14,9 +14,8 @@
 //! # Source
 //! Walker and Ni, *Anderson acceleration for fixed-point iterations*, SIAM J. Numer. Anal. 49 (2011).
 
-use crate::tolerance::solvers::DEPENDENT;
+use crate::tolerance::sweeps::DEPENDENT_SQUARE;
 use nalgebra::DVector;
-use std::collections::VecDeque;
 
 /// A point and its state.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,83 +24,135 @@ pub(super) struct Point {
     pub state: DVector<f64>,
 }
 
-impl Point {
-    fn minus(&self, other: &Point) -> Point {
-        Point { x: &self.x - &other.x, state: &self.state - &other.state }
-    }
+/// ΔF and ΔG of one step.
+struct Difference {
+    residual: DVector<f64>,
+    image: Point,
 }
 
-/// The memory of the acceleration.
+/// The memory of the acceleration; its vectors are used again and again.
 pub(super) struct Anderson {
     memory: usize,
-    /// (ΔF, ΔG), the newest first.
-    differences: VecDeque<(DVector<f64>, Point)>,
+    /// As many as there were steps, at most `memory`, in no order.
+    differences: Vec<Difference>,
+    /// The places in `differences` that are in use, the newest first.
+    order: Vec<usize>,
+    /// ΔF_i · ΔF_j by places.
+    gram: Vec<f64>,
     /// f and G(x) of the last step.
     last: Option<(DVector<f64>, Point)>,
+    /// Those of this step.
+    residual: DVector<f64>,
+    /// γ, and what it is found with: rows of T and Eᵀf.
+    weights: Vec<f64>,
+    triangle: Vec<f64>,
 }
 
 impl Anderson {
     pub(super) fn new(memory: usize) -> Self {
-        Anderson { memory, differences: VecDeque::new(), last: None }
+        let (differences, order, residual) = (Vec::new(), Vec::with_capacity(memory + 1), DVector::zeros(0));
+        let [gram, triangle] = [vec![0.0; memory * memory], vec![0.0; memory * memory]];
+        Anderson { memory, differences, order, gram, last: None, residual, weights: vec![0.0; memory], triangle }
     }
 
     /// Forgets all steps.
     pub(super) fn forget(&mut self) {
-        self.differences.clear();
+        self.order.clear();
         self.last = None;
     }
 
-    /// The next point after G has been evaluated at x.
-    pub(super) fn next(&mut self, x: &DVector<f64>, image: &Point) -> Point {
-        let residual = &image.x - x;
-        if let Some((last_residual, last_image)) = self.last.take() {
-            let smaller = residual.norm() <= last_residual.norm(); // not of a residual that is not a number
-            if !self.differences.is_empty() && !smaller {
-                self.differences.clear();
-                return last_image;
+    /// Replaces G(x), which has been evaluated at x, by the next point.
+    pub(super) fn extrapolate(&mut self, x: &DVector<f64>, image: &mut Point) {
+        self.residual.clone_from(&image.x);
+        self.residual -= x;
+        match self.last.take() {
+            None => self.last = Some((self.residual.clone(), image.clone())),
+            Some((last_residual, last_image)) => {
+                let smaller = self.residual.norm() <= last_residual.norm(); // not of a residual that is not a number
+                if !self.order.is_empty() && !smaller {
+                    self.order.clear();
+                    *image = last_image;
+                    return;
+                }
+                self.remember(last_residual, last_image, image);
             }
-            self.differences.push_front((&residual - last_residual, image.minus(&last_image)));
-            self.differences.truncate(self.memory);
         }
-        let mut next = image.clone();
-        for ((_, moved), weight) in self.differences.iter().zip(self.weights(&residual)).filter(|(_, weight)| *weight != 0.0) {
-            next.x.axpy(-weight, &moved.x, 1.0);
-            next.state.axpy(-weight, &moved.state, 1.0);
+        self.find_weights();
+        for (&place, weight) in self.order.iter().zip(&self.weights).filter(|(_, weight)| **weight != 0.0) {
+            let moved = &self.differences[place].image;
+            image.x.axpy(-weight, &moved.x, 1.0);
+            image.state.axpy(-weight, &moved.state, 1.0);
         }
-        self.last = Some((residual, image.clone()));
-        next
     }
 
-    /// γ by orthogonalising the ΔF, newest first, ΔF = E T with T upper triangular, T γ = Eᵀf; dependent ones have no weight.
-    fn weights(&self, residual: &DVector<f64>) -> Vec<f64> {
-        let mut rest = residual.clone();
-        // of every difference that is kept: its number, its unit vector, its column of T and its part of f
-        let mut kept: Vec<(usize, DVector<f64>, Vec<f64>, f64)> = Vec::with_capacity(self.differences.len());
-        for (number, (difference, _)) in self.differences.iter().enumerate() {
-            let (mut left, size) = (difference.clone(), difference.norm());
-            let mut column = Vec::with_capacity(kept.len() + 1);
-            for (_, unit, ..) in &kept {
-                let part = unit.dot(&left);
-                left.axpy(-part, unit, 1.0);
-                column.push(part);
-            }
-            let length = left.norm();
-            if length > DEPENDENT * size {
-                left /= length;
-                column.push(length);
-                let part = left.dot(&rest);
-                rest.axpy(-part, &left, 1.0);
-                kept.push((number, left, column, part));
+    /// Puts the differences from the last step in place of the oldest ones, and keeps f and G(x).
+    fn remember(&mut self, mut last_residual: DVector<f64>, mut last: Point, image: &Point) {
+        if self.memory > 0 {
+            let place = self.place(image);
+            let Difference { residual, image: moved } = &mut self.differences[place];
+            difference(residual, &self.residual, &last_residual);
+            difference(&mut moved.x, &image.x, &last.x);
+            difference(&mut moved.state, &image.state, &last.state);
+            self.order.insert(0, place);
+            for &other in &self.order {
+                let product = self.differences[place].residual.dot(&self.differences[other].residual);
+                self.gram[place * self.memory + other] = product;
+                self.gram[other * self.memory + place] = product;
             }
         }
-        let mut weights = vec![0.0; self.differences.len()];
-        for place in (0..kept.len()).rev() {
-            let known: f64 = kept[place + 1..].iter().map(|(number, _, column, _)| column[place] * weights[*number]).sum();
-            let (number, _, column, part) = &kept[place];
-            weights[*number] = (part - known) / column[place];
-        }
-        weights
+        last_residual.copy_from(&self.residual);
+        last.x.copy_from(&image.x);
+        last.state.copy_from(&image.state);
+        self.last = Some((last_residual, last));
     }
+
+    /// A place for a new difference: a free one, or that of the oldest.
+    fn place(&mut self, image: &Point) -> usize {
+        if self.order.len() == self.memory {
+            return self.order.pop().expect("there are as many as the memory, at least one");
+        }
+        if let Some(free) = (0..self.differences.len()).find(|place| !self.order.contains(place)) {
+            return free;
+        }
+        self.differences.push(Difference { residual: self.residual.clone(), image: image.clone() });
+        self.differences.len() - 1
+    }
+
+    /// γ from the normal equations ΔFᵀΔF γ = ΔFᵀf by ΔFᵀΔF = TᵀT, newest first; dependent ones have no weight.
+    fn find_weights(&mut self) {
+        let (n, m) = (self.order.len(), self.memory);
+        let Anderson { differences, order, gram, residual, weights, triangle, .. } = self;
+        // row i of `triangle` is column i of T; a dependent one has a zero on the diagonal
+        for i in 0..n {
+            let of = |j: usize| gram[order[i] * m + order[j]];
+            let mut square = of(i);
+            let mut part = differences[order[i]].residual.dot(residual);
+            for j in 0..i {
+                let diagonal = triangle[j * m + j];
+                let known: f64 = (0..j).map(|l| triangle[i * m + l] * triangle[j * m + l]).sum();
+                let entry = if diagonal > 0.0 { (of(j) - known) / diagonal } else { 0.0 };
+                triangle[i * m + j] = entry;
+                square -= entry * entry;
+                part -= entry * weights[j];
+            }
+            let independent = square > DEPENDENT_SQUARE * of(i);
+            triangle[i * m + i] = if independent { square.sqrt() } else { 0.0 };
+            weights[i] = if independent { part / triangle[i * m + i] } else { 0.0 };
+        }
+        for i in (0..n).rev() {
+            let diagonal = triangle[i * m + i];
+            if diagonal > 0.0 {
+                let known: f64 = (i + 1..n).map(|j| triangle[j * m + i] * weights[j]).sum();
+                weights[i] = (weights[i] - known) / diagonal;
+            }
+        }
+    }
+}
+
+/// into = a − b.
+fn difference(into: &mut DVector<f64>, a: &DVector<f64>, b: &DVector<f64>) {
+    into.copy_from(a);
+    *into -= b;
 }
 
 #[cfg(test)]
@@ -121,6 +172,12 @@ mod tests {
         Point { x, state }
     }
 
+    /// The next point in place of G(x).
+    fn next(anderson: &mut Anderson, x: &DVector<f64>, mut image: Point) -> Point {
+        anderson.extrapolate(x, &mut image);
+        image
+    }
+
     fn steps(memory: usize, limit: usize) -> usize {
         let mut x = DVector::from_fn(10, |k, _| (k as f64 + 1.0).sqrt());
         let mut anderson = Anderson::new(memory);
@@ -132,7 +189,7 @@ mod tests {
             x = if memory == 0 {
                 image
             } else {
-                let next = anderson.next(&x, &point(image));
+                let next = next(&mut anderson, &x, point(image));
                 assert!((&next.state - point(next.x.clone()).state).amax() <= rounding(1000, 16.0), "an affine state follows");
                 next.x
             };
@@ -151,12 +208,12 @@ mod tests {
         let mut anderson = Anderson::new(4);
         let vector = |x: f64| DVector::from_element(1, x);
         let at = |x: f64| point(vector(x));
-        anderson.next(&vector(0.0), &at(1.0));
-        let second = anderson.next(&vector(1.0), &at(1.5));
+        next(&mut anderson, &vector(0.0), at(1.0));
+        let second = next(&mut anderson, &vector(1.0), at(1.5));
         assert_eq!(second, at(2.0), "the secant step");
         // G(2) = 9 is a surprise: back to the last plain value, and no memory of it
-        assert_eq!(anderson.next(&second.x, &at(9.0)), at(1.5));
-        assert_eq!(anderson.next(&vector(1.5), &at(1.7)), at(1.7));
+        assert_eq!(next(&mut anderson, &second.x, at(9.0)), at(1.5));
+        assert_eq!(next(&mut anderson, &vector(1.5), at(1.7)), at(1.7));
     }
 
     #[test]
@@ -164,8 +221,8 @@ mod tests {
         let mut anderson = Anderson::new(4);
         let vector = |x: f64| DVector::from_element(1, x);
         let at = |x: f64| point(vector(x));
-        anderson.next(&vector(0.0), &at(1.0));
-        let second = anderson.next(&vector(1.0), &at(1.5));
-        assert_eq!(anderson.next(&second.x, &at(f64::NAN)), at(1.5));
+        next(&mut anderson, &vector(0.0), at(1.0));
+        let second = next(&mut anderson, &vector(1.0), at(1.5));
+        assert_eq!(next(&mut anderson, &second.x, at(f64::NAN)), at(1.5));
     }
 }

@@ -39,6 +39,14 @@ fn definite(block: &Matrix3<f64>) -> Option<Cholesky<f64, nalgebra::Const<3>>> {
     Cholesky::new((block + block.transpose()) * 0.5)
 }
 
+/// Whether the symmetric part of A is positive definite: its three pivots are positive.
+pub(super) fn is_definite(block: &Matrix3<f64>) -> bool {
+    let of = |i: usize, j: usize| 0.5 * (block[(i, j)] + block[(j, i)]);
+    let (first, second, third) = (of(0, 0), of(1, 0) / of(0, 0), of(2, 0) / of(0, 0));
+    let [s, t, u] = [of(1, 1) - second * of(1, 0), of(2, 1) - third * of(1, 0), of(2, 2) - third * of(2, 0)];
+    first > 0.0 && s > 0.0 && u - t / s * t > 0.0
+}
+
 /// 0 ≤ r_n ⟂ A_nn r_n + q_n ≥ 0 and r_t = 0.
 #[derive(Clone, Debug)]
 pub(super) struct Frictionless {
@@ -82,7 +90,7 @@ impl Coulomb {
         let (a, mut stick) = (by_rows(block), [0.0; 4]);
         let inverse = 1.0 / a[0];
         if mu > 0.0 {
-            definite(block)?;
+            is_definite(block).then_some(())?;
             let [s, t, u, v] = schur(&a, inverse);
             let determinant = s * v - t * u;
             stick = [v / determinant, -t / determinant, -u / determinant, s / determinant];

@@ -17,14 +17,14 @@
 
 use super::ContactSolver;
 use super::anderson::{Anderson, Point};
-use super::one_contact::{Associated, Coulomb, Frictionless, OneContact, Polyhedral};
+use super::one_contact::{Associated, Coulomb, Frictionless, OneContact, Polyhedral, is_definite};
 use super::stopping::Stopping;
 use super::swept::{Bodies, Free, Stored, Swept};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::solvers as tolerance;
 use crate::tolerance::sweeps::{LOOK, PREDICTED};
 use moreau_exact::{Error, Result};
-use nalgebra::{Cholesky, DVector, Matrix3};
+use nalgebra::{DVector, Matrix3};
 use std::ops::Range;
 
 /// Block projected Gauss–Seidel for the frictionless, Coulomb and associated laws and, at spatial contacts, polyhedral Coulomb; W may be
@@ -106,7 +106,10 @@ impl ProjectedGaussSeidel {
         start: DVector<f64>,
         one: impl Fn(&Matrix3<f64>, f64) -> Option<L>,
     ) -> Result<Solution> {
-        let contacts = (0..problem.contacts()).map(|k| prepare(problem, k, &one)).collect::<Result<Vec<_>>>()?;
+        let mut contacts = Vec::with_capacity(problem.contacts());
+        for k in 0..problem.contacts() {
+            contacts.push(prepare(problem, k, &one)?);
+        }
         match problem.rows_per_contact() {
             1 => self.solve_rows::<L, 1>(problem, start, contacts),
             2 => self.solve_rows::<L, 2>(problem, start, contacts),
@@ -214,7 +217,7 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
     /// Sweep after sweep.
     fn plain(&mut self, solver: &ProjectedGaussSeidel) {
         let patience = tolerance::stalled(self.problem.contacts());
-        let mut relative = self.measure();
+        let mut relative = self.begin(solver);
         while relative > solver.tolerance && self.sweeps < solver.sweeps && !self.has_stalled(patience) && !super::watch::is_over() {
             let goes_on = self.sweep() && self.look.change.is_finite();
             // a declared number of sweeps is answered as it is
@@ -233,7 +236,7 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
         let patience = tolerance::accelerated_stalled(self.problem.contacts());
         let mut anderson = Anderson::new(solver.memory);
         let mut before = self.point.x.clone();
-        let mut relative = self.measure();
+        let mut relative = self.begin(solver);
         while relative > solver.tolerance && self.sweeps < solver.sweeps && !self.has_stalled(patience) && !super::watch::is_over() {
             before.clone_from(&self.point.x);
             let goes_on = self.sweep() && self.look.change.is_finite() && self.sweeps < solver.sweeps;
@@ -246,8 +249,13 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
             if !goes_on || relative <= solver.tolerance {
                 break;
             }
-            self.point = anderson.next(&before, &self.point);
+            anderson.extrapolate(&before, &mut self.point);
         }
+    }
+
+    /// The residual at the start; r = 0, where a sweep tells at once whether no contact closes, is not measured.
+    fn begin(&mut self, solver: &ProjectedGaussSeidel) -> f64 {
+        if solver.sweeps > 0 && self.point.x.iter().all(|r| *r == 0.0) { f64::INFINITY } else { self.measure() }
     }
 
     fn has_stalled(&self, patience: usize) -> bool {
@@ -327,10 +335,9 @@ fn prepare<L>(problem: &ContactProblem, k: usize, one: impl Fn(&Matrix3<f64>, f6
     if !matches!(problem.law(), Law::Coulomb | Law::PolyhedralCoulomb { .. }) {
         block = (block + block.transpose()) * 0.5;
     }
-    let symmetric = (block + block.transpose()) * 0.5;
     let least = Matrix3::identity() * (tolerance::PROXIMAL * trace);
     // the smallest eigenvalue is below PROXIMAL times the trace
-    if Cholesky::new(symmetric - least).is_none() {
+    if !is_definite(&(block - least)) {
         block += least;
     }
     one(&block, problem.friction()[k]).ok_or_else(|| {

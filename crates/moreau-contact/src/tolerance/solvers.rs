@@ -67,10 +67,6 @@ pub const MOST_ITERATIONS: usize = 100 * SWEEPS;
 /// Set.
 pub const MEMORY: usize = 10;
 
-/// √ε. Orthogonalisation reduces a difference of sweeps. If less than this part of its size remains, the remainder is rounding.
-/// Derived.
-pub const DEPENDENT: f64 = 1.0 / 67_108_864.0;
-
 /// Sweeps that are tried before a polyhedral problem goes to Lemke's method. They cost about as much as one factorisation of its tableau
 /// with (2 + d) n unknowns: 8·1000 n² against 2·1000 n³/3 operations for d = 8, with the tens of contacts of a usual step.
 /// Set.
@@ -208,6 +204,17 @@ pub const SOFT_STEPS: usize = 12;
 /// Accelerated sweeps that `auto` makes before it goes on to other algorithms. It makes as many sweeps of over-relaxation after them.
 /// Set.
 pub const AUTO_SWEEPS: usize = 20 * FIRST_SWEEPS;
+
+/// Most contacts of a problem without friction on which `auto` tries direct methods first: elimination over so few rows takes about a
+/// microsecond, as much as a few sweeps.
+/// Set.
+pub const DIRECT_CONTACTS: usize = 12;
+
+/// Steps of the first of them for n contacts: as many as there are changes of side from nothing to everything and back.
+/// Set.
+pub const fn direct_steps(contacts: usize) -> usize {
+    2 * contacts
+}
 
 /// Accelerated sweeps before Newton's method is tried: four times as many as the acceleration remembers. They show which contacts press,
 /// and they solve easy contacts: of the 26 friction files of Siconos and FCLIB that were tried 22 are solved within them, at half the time

@@ -22,3 +22,8 @@ pub const PREDICTED: f64 = 2.0;
 /// time. A block of 1024 contacts takes some 30 µs, and a few blocks fill no thread; so smaller problems are one block.
 /// Set.
 pub const BLOCK: usize = 1024;
+
+/// 2⁻⁴⁰: what is left of the square of a difference of sweeps, beside the others, if it is more than the rounding of its inner products,
+/// which are relatively off by as many ε as there are rows in the worst case and by their root in the mean.
+/// Derived.
+pub const DEPENDENT_SQUARE: f64 = 1.0 / 1_099_511_627_776.0;

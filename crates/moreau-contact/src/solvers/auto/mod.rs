@@ -18,6 +18,7 @@ use stages::{QUICK, THOROUGH, left_out};
 /// | for | algorithm |
 /// |---|---|
 /// | soft contacts | Newton on Gauss's principle |
+/// | no friction, a few contacts | Newton-min, Lemke |
 /// | all but a compliance on edges | a few accelerated sweeps, and a few steps of nonsmooth Newton from what they found |
 /// | W stored by blocks, round cones | interior points, and Newton from there |
 /// | all but a compliance on edges | Newton |
@@ -136,10 +137,11 @@ fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal
         return Ok(Solution::new(NAME, DVector::zeros(problem.rows()), problem.free_velocity().clone(), 0));
     }
     let (mut judge, mut iterations) = (Judge::default(), 0);
+    judge.prepare(problem);
     if let Some(kept) = warm_start {
         // at rest the impulses of the step before are those of this one
         let solution = Solution::new(NAME, kept.clone(), problem.velocity(kept), 0);
-        if judge.judge(problem, &solution).is_ok_and(|judged| judged.relative() <= goal.enough) {
+        if judge.judge_prepared(problem, &solution).is_ok_and(|judged| judged.relative() <= goal.enough) {
             return Ok(solution);
         }
     }
@@ -164,7 +166,7 @@ fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal
             }
         };
         iterations += solution.iterations;
-        let relative = judge.judge(problem, &solution)?.relative();
+        let relative = judge.judge_prepared(problem, &solution)?.relative();
         let better = !relative.is_nan() && best.as_ref().is_none_or(|(least, _)| relative < *least);
         if better {
             best = Some((relative, solution));

@@ -3,7 +3,7 @@
 #[cfg(feature = "clarabel")]
 use super::super::ClarabelPolished;
 use super::super::{
-    AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, Enumeration, GaussNewton, InteriorPoint, LemkePivoting,
+    AcceleratedProjectedGradient, AlternatingDirections, ContactSolver, Enumeration, GaussNewton, InteriorPoint, LemkePivoting, NewtonMin,
     NonsmoothNewton, ProjectedGaussSeidel, ProjectedOverRelaxation, compliance,
 };
 use crate::certificate::Judge;
@@ -21,6 +21,8 @@ pub(super) type Stage = fn(&ContactProblem, Option<&DVector<f64>>, f64) -> Resul
 /// The algorithms with the problems they are for, in order, that cost little: they go on until the goal's `enough`.
 pub(super) const QUICK: &[(Takes, Stage)] = &[
     (|problem| problem.compliance().is_some(), |problem, start, _| GaussNewton::default().solve(problem, start)),
+    (is_direct, |problem, start, _| NewtonMin { steps: tolerance::direct_steps(problem.contacts()) }.solve(problem, start)),
+    (is_direct, |problem, _, _| LemkePivoting.solve(problem, None)),
     (is_iterated, few_sweeps),
     (is_iterated, short_newton),
     (is_large, through_interior),
@@ -65,6 +67,11 @@ pub(super) const THOROUGH: &[(Takes, Stage)] = &[
     (is_pivoted_last, |problem, _, _| LemkePivoting.solve(problem, None)),
     (is_enumerated, |problem, _, _| Enumeration.solve(problem, None)),
 ];
+
+/// Whether it is a linear complementarity problem of a few contacts.
+fn is_direct(problem: &ContactProblem) -> bool {
+    problem.law() == Law::Frictionless && problem.contacts() <= tolerance::DIRECT_CONTACTS && is_iterated(problem)
+}
 
 /// Whether it is a linear complementarity problem as it stands, with few enough unknowns for all of its complementary cones.
 fn is_enumerated(problem: &ContactProblem) -> bool {
