@@ -97,7 +97,7 @@ impl Worst {
     /// The first part is kept even where it is 0: it has a limit that readers look at.
     fn take(&mut self, contact: usize, part: Part) {
         let is_rounding = part.value <= part.floor && part.floor.is_finite();
-        if is_rounding && part.value <= self.part.value {
+        if is_rounding && part.value <= self.part.value && self.part != Part::default() {
             return; // its relative size is 0, and its value no larger
         }
         self.largest = worst(self.largest, part.value);

@@ -45,6 +45,12 @@ impl Jacobian {
         &self.contacts
     }
 
+    /// H of some of the contacts.
+    pub(crate) fn of(&self, members: &[usize]) -> Self {
+        let contacts = members.iter().map(|k| self.contacts[*k].clone()).collect();
+        Jacobian { rows_per_contact: self.rows_per_contact, columns: self.columns, contacts }
+    }
+
     /// How many rows each contact has.
     pub fn rows_per_contact(&self) -> usize {
         self.rows_per_contact

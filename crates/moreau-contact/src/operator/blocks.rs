@@ -92,11 +92,16 @@ impl BlockSparse {
         BlockSparse { rows_per_contact, starts, coupled: Vec::with_capacity(blocks), entries }
     }
 
-    /// Appends W_jk, given column by column; columns and rows must grow.
-    pub(crate) fn push(&mut self, row: usize, column: usize, block: &[f64]) -> Result<()> {
+    /// Begins a column, by which those before are complete.
+    pub(crate) fn begin(&mut self, column: usize) {
         while self.starts.len() <= column {
             self.starts.push(self.coupled.len());
         }
+    }
+
+    /// Appends W_jk, given column by column; columns and rows must grow.
+    pub(crate) fn push(&mut self, row: usize, column: usize, block: &[f64]) -> Result<()> {
+        self.begin(column);
         let first = self.starts[column];
         if self.coupled[first..].last().is_some_and(|last| *last >= row) {
             let problem = format!("repeats the block ({row}, {column}), or has it out of order");
@@ -159,6 +164,19 @@ impl BlockSparse {
         self.block(row / d, column / d).map_or(0.0, |block| block[column % d * d + row % d])
     }
 
+    /// W of these contacts, growing, which meet no other; `place` is the place of each among them.
+    pub(crate) fn of(&self, members: &[usize], place: &[usize]) -> Self {
+        let (d, count) = (self.rows_per_contact, members.iter().map(|k| self.starts[k + 1] - self.starts[*k]).sum());
+        let mut made = BlockSparse::with_capacity(d, members.len(), count);
+        for k in members {
+            let range = self.starts[*k]..self.starts[k + 1];
+            made.coupled.extend(self.coupled[range.clone()].iter().map(|j| place[*j]));
+            made.entries.extend_from_slice(&self.entries[range.start * d * d..range.end * d * d]);
+            made.starts.push(made.coupled.len());
+        }
+        made
+    }
+
     fn add_rows(&self, contact: usize, impulse: &[f64], velocity: &mut [f64]) {
         let d = self.rows_per_contact;
         for (j, block) in self.column(contact) {
@@ -215,6 +233,17 @@ impl ContactOperator for BlockSparse {
     fn add_magnitudes(&self, impulse: &[f64], sums: &mut [f64]) {
         let d = self.rows_per_contact;
         for (k, r) in impulse.chunks_exact(d.max(1)).enumerate().filter(|(_, r)| r.iter().any(|r| *r != 0.0)) {
+            if let &[x, y, z] = r {
+                let ([x, y, z], sums) = ([x.abs(), y.abs(), z.abs()], sums.as_chunks_mut::<3>().0);
+                let range = self.starts[k]..self.starts[k + 1];
+                let blocks = self.entries[9 * range.start..9 * range.end].as_chunks::<9>().0;
+                for (j, w) in self.coupled[range].iter().zip(blocks) {
+                    for (i, u) in sums[*j].iter_mut().enumerate() {
+                        *u += w[i].abs() * x + w[3 + i].abs() * y + w[6 + i].abs() * z;
+                    }
+                }
+                continue;
+            }
             for (j, block) in self.column(k) {
                 let u = &mut sums[d * j..d * j + d];
                 for (column, r) in block.chunks_exact(d).zip(r) {

@@ -11,19 +11,25 @@ mod block_rows;
 mod blocks;
 mod contact_operator;
 mod dense;
+mod islands;
 mod mass_block;
 mod matrix_free;
 mod of_mechanism;
 mod sparse;
 mod sparse_dynamics;
+mod velocity_factor;
 
 pub use block_rows::BlockRows;
 pub use blocks::BlockSparse;
 pub use contact_operator::ContactOperator;
+pub(crate) use islands::Islands;
 pub use matrix_free::MatrixFree;
 pub use of_mechanism::of_mechanism;
 pub use sparse::Sparse;
 pub use sparse_dynamics::SparseDynamics;
+pub(crate) use velocity_factor::VelocityFactor;
+#[cfg(test)]
+pub(crate) use velocity_factor::tests::wall;
 
 /// W, however it is stored.
 #[derive(Clone, Debug)]

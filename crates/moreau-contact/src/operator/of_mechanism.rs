@@ -21,6 +21,9 @@ struct Half {
 /// Velocities of a free body times rows of a contact, at most.
 const LARGEST: usize = 18;
 
+/// Rows and velocities of contacts between free bodies in space, which nearly all are.
+const SPATIAL: [usize; 2] = [3, 6];
+
 /// W = H M⁻¹ Hᵀ \[1/kg\]: by blocks where the mass consists of bodies and most contacts do not meet, densely otherwise. Its entries are
 /// the same bit for bit.
 ///
@@ -44,7 +47,7 @@ pub fn of_mechanism(inertia: &Inertia, jacobian: &Jacobian) -> Result<Operator> 
 }
 
 /// The number of velocities of every body, if each part belongs to one of equal bodies that follow each other.
-fn body_width(jacobian: &Jacobian) -> Option<usize> {
+pub(super) fn body_width(jacobian: &Jacobian) -> Option<usize> {
     let mut parts = jacobian.contacts().iter().flat_map(Rows::parts);
     let width = jacobian.contacts().first()?.parts().next()?.width;
     let is_one = width * jacobian.rows_per_contact() <= LARGEST && jacobian.ncols().is_multiple_of(width);
@@ -81,10 +84,16 @@ fn blocks(inertia: &Inertia, jacobian: &Jacobian, width: usize, meeting: &Meetin
     let mut block = [0.0; 9];
     for k in 0..n {
         meeting.of(own(k).iter().map(|half| half.body), &mut met);
+        made.begin(k);
         for &j in &met {
-            product(own(j.max(k)), own(j.min(k)), [d, width], j == k, &mut block);
             if j < k {
+                // W_jk = W_kjᵀ, which stands in the column of j
+                block[..d * d].copy_from_slice(made.block(k, j).expect("contacts that meet meet in both orders"));
                 transpose(&mut block, d);
+            } else if [d, width] == SPATIAL {
+                product(own(j), own(k), SPATIAL, j == k, &mut block);
+            } else {
+                product(own(j), own(k), [d, width], j == k, &mut block);
             }
             made.push(j, k, &block[..d * d])?;
         }
@@ -95,6 +104,7 @@ fn blocks(inertia: &Inertia, jacobian: &Jacobian, width: usize, meeting: &Meetin
 
 /// W_jk of two contacts, j ≥ k, column by column: Σ_b (L⁻¹H_jᵀ D⁻¹)(L⁻¹H_kᵀ) with the terms in the order of the velocities. Of a diagonal
 /// block the lower triangle is computed and mirrored.
+#[inline(always)]
 fn product(later: &[Half], earlier: &[Half], [d, width]: [usize; 2], diagonal: bool, block: &mut [f64; 9]) {
     block[..d * d].fill(0.0);
     let mut others = earlier.iter().peekable();

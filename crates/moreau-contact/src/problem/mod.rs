@@ -18,6 +18,7 @@ mod solution;
 pub mod stewart_trinkle;
 
 pub use carried::carried;
+pub(crate) use contact_problem::island_rows;
 pub use contact_problem::{Compliance, ContactProblem, ContactProblemBuilder, Coordinates, Dynamics};
 #[cfg(feature = "files")]
 pub use json::{LcpFile, ProblemFile, SolutionFile};

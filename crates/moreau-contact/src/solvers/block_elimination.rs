@@ -3,13 +3,15 @@
 //! ```text
 //!     J_jk = B_j W_jk + δ_jk A_j
 //! ```
-//! A contact that is open has B = 0: its rows give its own unknowns at once. The others are eliminated by fronts (`multifrontal.rs`).
+//! A contact that is open has B = 0: its rows give its own unknowns at once. The others are eliminated by fronts (`multifrontal.rs`). From
+//! one J to the next a few contacts open and close: the order is kept while all that are closed are in it, and most in it are closed.
 //! Rows are exchanged inside of a front, between fronts they are not: for Newton's method J is a shifted, row-scaled positive semidefinite
 //! W, and what rounding spoils costs a step, not the answer.
 
 use super::elimination_tree::Tree;
 use super::multifrontal::{Factor, Front, Work};
 use crate::operator::BlockSparse;
+use crate::tolerance::fronts::ONE_FRONT;
 use nalgebra::{DVector, Matrix3, Vector3};
 
 /// A_j and B_j of one contact, padded to three rows.
@@ -43,7 +45,9 @@ pub(super) struct BlockElimination {
 /// Which contacts are eliminated by fronts, and how.
 #[derive(Debug)]
 struct Plan {
-    is_open: Vec<bool>,
+    /// Whether a contact is left out because it is open.
+    is_left_out: Vec<bool>,
+    /// The others; some of them may be open, too.
     closed: Vec<usize>,
     neighbours: Vec<Vec<usize>>,
     tree: Tree,
@@ -55,8 +59,15 @@ impl Plan {
         let mut number = vec![usize::MAX; is_open.len()];
         closed.iter().enumerate().for_each(|(place, &k)| number[k] = place);
         let neighbours = neighbours(w, &closed, &number);
-        let tree = Tree::new(&vec![w.rows_per_contact(); closed.len()], neighbours.clone());
-        Plan { is_open, closed, neighbours, tree }
+        let rows = vec![w.rows_per_contact(); closed.len()];
+        let tree = if closed.len() <= ONE_FRONT { Tree::of_one_front(&rows) } else { Tree::new(&rows, neighbours.clone()) };
+        Plan { is_left_out: is_open, closed, neighbours, tree }
+    }
+
+    /// Whether it serves for a J with these open contacts.
+    fn serves(&self, is_open: &[bool]) -> bool {
+        let still_open = self.is_left_out.iter().zip(is_open).all(|(left_out, open)| !left_out || *open);
+        still_open && 2 * is_open.iter().filter(|open| !**open).count() >= self.closed.len()
     }
 }
 
@@ -69,17 +80,18 @@ impl BlockElimination {
         let is_open: Vec<bool> = slopes.iter().map(Slopes::is_open).collect();
         let d = w.rows_per_contact();
         assert!((1..=3).contains(&d), "contacts have 1, 2 or 3 rows, not {d}");
-        self.open.clear();
-        for (k, slopes) in slopes.iter().enumerate().filter(|(k, _)| is_open[*k]) {
-            let Some(inverse) = padded(&slopes.own, d).try_inverse() else { return false };
-            self.open.push((k, inverse));
-        }
-        self.through = slopes.iter().map(|slopes| slopes.through).collect();
         let plan = match self.plan.take() {
-            Some(plan) if plan.is_open == is_open => plan,
+            Some(plan) if plan.serves(&is_open) => plan,
             _ => Plan::new(w, is_open),
         };
         let plan = self.plan.insert(plan);
+        self.open.clear();
+        for (k, slopes) in slopes.iter().enumerate().filter(|(k, _)| plan.is_left_out[*k]) {
+            let Some(inverse) = padded(&slopes.own, d).try_inverse() else { return false };
+            self.open.push((k, inverse));
+        }
+        self.through.clear();
+        self.through.extend(slopes.iter().map(|slopes| slopes.through));
         self.factor.compute(&plan.tree, is_symmetric, &mut self.work, |node, front| assemble(w, slopes, plan, node, is_symmetric, front))
     }
 
@@ -94,7 +106,7 @@ impl BlockElimination {
         for (k, inverse) in &self.open {
             let own = inverse * part(&found, d, *k);
             (0..d).for_each(|i| found[k * d + i] = own[i]);
-            for (j, block) in w.column(*k).filter(|(j, _)| !plan.is_open[*j]) {
+            for (j, block) in w.column(*k).filter(|(j, _)| !plan.is_left_out[*j]) {
                 let moved = Vector3::from_fn(|i, _| if i < d { (0..d).map(|c| block[c * d + i] * own[c]).sum() } else { 0.0 });
                 let pushed = self.through[j] * moved;
                 (0..d).for_each(|i| found[j * d + i] -= pushed[i]);

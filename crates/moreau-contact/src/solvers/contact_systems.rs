@@ -4,10 +4,8 @@
 
 use super::block_elimination::{BlockElimination, Slopes};
 use super::velocity_elimination::VelocityElimination;
-use super::velocity_factor::VelocityFactor;
-use crate::operator::BlockSparse;
+use crate::operator::{BlockSparse, VelocityFactor};
 use crate::problem::ContactProblem;
-use crate::tolerance::velocities::PAYS;
 use nalgebra::DVector;
 
 /// How systems with one W are solved.
@@ -22,13 +20,11 @@ pub(super) struct ContactSystems {
 impl ContactSystems {
     /// Of this problem, W by blocks.
     pub(super) fn new(problem: &ContactProblem, w: &BlockSparse) -> Self {
-        let rows = w.contacts() * w.rows_per_contact();
-        let few = |factor: &VelocityFactor| factor.columns.iter().sum::<usize>() as f64 <= PAYS * rows as f64;
-        let factor = match problem.delassus().matrix_free() {
-            Some(free) => VelocityFactor::of_bodies(free),
-            None => VelocityFactor::recover(w),
+        let rows = w.rows_per_contact();
+        let velocities = match problem.delassus().blocks() {
+            Some(_) => problem.velocity_factor().map(|factor| VelocityElimination::new(factor, rows)),
+            None => VelocityFactor::recover(w).filter(VelocityFactor::pays).map(|factor| VelocityElimination::new(&factor, rows)),
         };
-        let velocities = factor.filter(few).map(|factor| VelocityElimination::new(&factor, w.rows_per_contact()));
         ContactSystems { velocities, contacts: BlockElimination::default(), last: None }
     }
 

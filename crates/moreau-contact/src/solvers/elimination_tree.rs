@@ -74,6 +74,16 @@ impl Tree {
         tree
     }
 
+    /// Of few groups, which are not worth an order: all in one front.
+    pub(super) fn of_one_front(rows: &[usize]) -> Self {
+        let mut starts = vec![0];
+        rows.iter().for_each(|count| starts.push(starts[starts.len() - 1] + count));
+        let (count, size) = (rows.len(), starts[rows.len()]);
+        let groups = (0..count).collect();
+        let node = Node { groups, pivot_groups: count, pivots: size, size, children: Vec::new(), into_parent: Vec::new(), offset: 0 };
+        Tree { nodes: vec![node], starts, node_of: vec![0; count], storage: size * size }
+    }
+
     fn map_children(&mut self, rows: &[usize]) {
         let mut local = vec![0; rows.len()];
         for id in 0..self.nodes.len() {

@@ -75,7 +75,6 @@ mod stopping;
 mod swept;
 mod table;
 mod velocity_elimination;
-mod velocity_factor;
 pub mod watch;
 
 pub use accelerated_projected_gradient::{AcceleratedProjectedGradient, Momentum, largest_eigenvalue_bound, objective};

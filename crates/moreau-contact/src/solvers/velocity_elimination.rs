@@ -10,8 +10,7 @@
 use super::block_elimination::Slopes;
 use super::elimination_tree::Tree;
 use super::multifrontal::{Factor, Front, Work};
-use super::velocity_factor::VelocityFactor;
-use crate::operator::{BlockSparse, ContactOperator};
+use crate::operator::{BlockSparse, ContactOperator, VelocityFactor};
 use crate::tolerance::velocities::{REFINED, REFINEMENTS, TRUSTED};
 use nalgebra::{DVector, Matrix3, Vector3};
 
@@ -176,8 +175,8 @@ fn add_contact(tree: &Tree, parts: &[(usize, usize)], y: &[f64], d: &Matrix3<f64
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::operator::wall;
     use crate::solvers::block_elimination::BlockElimination;
-    use crate::solvers::velocity_factor::tests::wall;
     use moreau_exact::tolerance::rounding;
 
     /// Elimination over contacts is the independent derivation; half of the contacts are open, every fifth is stiff.

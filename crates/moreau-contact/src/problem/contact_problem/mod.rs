@@ -1,13 +1,14 @@
 //! The one-step contact problem: u = W r + u_free, y = u + shift + R r, (r, y) in the law.
 
 use super::{ContactKey, Law};
-use crate::operator::{ContactOperator, Operator};
+use crate::operator::{ContactOperator, Operator, VelocityFactor};
 use nalgebra::{DMatrix, DVector};
 
 mod builder;
 mod dynamics;
 mod known;
 mod once;
+mod part;
 mod polyhedral;
 #[cfg(test)]
 mod tests;
@@ -17,6 +18,7 @@ pub use builder::ContactProblemBuilder;
 pub use dynamics::Dynamics;
 use known::{Known, columns_of};
 use once::Once;
+pub(crate) use part::island_rows;
 
 /// In which coordinates a diagonal compliance R acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,6 +60,7 @@ pub struct ContactProblem {
     bodies: Option<Vec<[Option<usize>; 2]>>,
     keys: Option<Vec<ContactKey>>,
     groups: Once<Vec<usize>>,
+    velocity_factor: Once<Option<VelocityFactor>>,
 }
 
 impl ContactProblem {
@@ -122,6 +125,17 @@ impl ContactProblem {
     /// What `find` says of the contacts, which the certificate asks for every answer: it is found once.
     pub(crate) fn groups(&self, find: impl FnOnce(&Self) -> Vec<usize>) -> &[usize] {
         self.groups.get_or(|| find(self))
+    }
+
+    /// W = Y Yᵀ by bodies, found once: from the mechanism or the bodies where they are known, else from the blocks of W; `None` where they
+    /// do not tell, or there are too many velocities for elimination in them to pay.
+    pub(crate) fn velocity_factor(&self) -> Option<&VelocityFactor> {
+        let find = || match (self.delassus.matrix_free(), &self.dynamics) {
+            (Some(free), _) => VelocityFactor::of_bodies(free).filter(VelocityFactor::pays),
+            (None, Some(Known::Sparse { inertia, jacobian, .. })) => VelocityFactor::of_mechanism(inertia, jacobian),
+            _ => self.delassus.blocks().and_then(VelocityFactor::recover).filter(VelocityFactor::pays),
+        };
+        self.velocity_factor.get_or(find).as_ref()
     }
 
     /// Whether H is known, as a matrix or by bodies.

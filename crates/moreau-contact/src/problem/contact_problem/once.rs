@@ -7,6 +7,16 @@ use std::sync::OnceLock;
 pub(super) struct Once<T>(OnceLock<T>);
 
 impl<T> Once<T> {
+    /// A value that is known.
+    pub fn known(value: T) -> Self {
+        Once(OnceLock::from(value))
+    }
+
+    /// The value, if it is known.
+    pub fn get(&self) -> Option<&T> {
+        self.0.get()
+    }
+
     /// The value, made now if it is not known.
     pub fn get_or(&self, make: impl FnOnce() -> T) -> &T {
         self.0.get_or_init(make)

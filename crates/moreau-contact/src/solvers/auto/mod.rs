@@ -4,7 +4,8 @@ mod stages;
 
 use super::ContactSolver;
 use crate::certificate::Judge;
-use crate::problem::{ContactProblem, Coordinates, Law, Solution};
+use crate::operator::Islands;
+use crate::problem::{ContactProblem, Coordinates, Law, Solution, island_rows};
 use crate::tolerance::certificate::CERTIFY;
 use crate::tolerance::solvers::{ACCEPTABLE, ENOUGH, STOP};
 use moreau_exact::error::Failure;
@@ -17,6 +18,8 @@ use stages::{QUICK, THOROUGH, left_out};
 ///
 /// | for | algorithm |
 /// |---|---|
+/// | W stored by blocks | each island of contacts that meet by itself, then the whole from there |
+/// | a warm start that is no solution any more | a few steps of nonsmooth Newton from it |
 /// | soft contacts | Newton on Gauss's principle |
 /// | no friction, a few contacts | Newton-min, Lemke |
 /// | all but a compliance on edges | a few accelerated sweeps, and a few steps of nonsmooth Newton from what they found |
@@ -130,22 +133,68 @@ fn opens_everywhere(problem: &ContactProblem) -> bool {
     })
 }
 
-/// One algorithm after another until the goal is reached, and the best answer of all.
+/// The impulses that are kept, if they are good enough; else one island after another; else one algorithm after another.
 fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Result<Solution> {
     super::start(problem, warm_start)?;
-    if opens_everywhere(problem) {
-        return Ok(Solution::new(NAME, DVector::zeros(problem.rows()), problem.free_velocity().clone(), 0));
+    if let Some(solution) = at_once(problem, warm_start, goal) {
+        return Ok(solution);
     }
-    let (mut judge, mut iterations) = (Judge::default(), 0);
-    judge.prepare(problem);
-    if let Some(kept) = warm_start {
-        // at rest the impulses of the step before are those of this one
-        let solution = Solution::new(NAME, kept.clone(), problem.velocity(kept), 0);
-        if judge.judge_prepared(problem, &solution).is_ok_and(|judged| judged.relative() <= goal.enough) {
-            return Ok(solution);
+    let by_islands = islands(problem, warm_start, goal);
+    stages_in_turn(problem, by_islands.as_ref().map(|solution| &solution.impulse).or(warm_start), goal, by_islands.clone())
+}
+
+/// What needs no algorithm: r = 0 where every contact opens, or what is kept where it is still a solution – at rest the impulses of the
+/// step before are those of this one.
+fn at_once(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Option<Solution> {
+    if opens_everywhere(problem) {
+        return Some(Solution::new(NAME, DVector::zeros(problem.rows()), problem.free_velocity().clone(), 0));
+    }
+    let kept = warm_start?;
+    let solution = Solution::new(NAME, kept.clone(), problem.velocity(kept), 0);
+    Judge::default().judge(problem, &solution).is_ok_and(|judged| judged.relative() <= goal.enough).then_some(solution)
+}
+
+/// The answers to all islands, if there are several and each is answered. It has the name and the iterations of the algorithm that took
+/// most of them.
+fn islands(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Option<Solution> {
+    let blocks = problem.delassus().blocks()?;
+    let islands = Islands::of(blocks);
+    if islands.members.len() < 2 || !stages::is_iterated(problem) {
+        return None;
+    }
+    let (rows, mut impulse) = (problem.rows_per_contact(), DVector::zeros(problem.rows()));
+    let mut longest: Option<(usize, String)> = None;
+    for members in &islands.members {
+        let island = problem.island(blocks, &islands, members);
+        let kept = warm_start.map(|whole| island_rows(whole, members, rows));
+        let solution = match at_once(&island, kept.as_ref(), goal) {
+            Some(solution) => solution,
+            None => stages_in_turn(&island, kept.as_ref(), goal, None).ok()?,
+        };
+        for (k, part) in members.iter().zip(solution.impulse.as_slice().chunks_exact(rows)) {
+            impulse.rows_mut(k * rows, rows).copy_from_slice(part);
+        }
+        if longest.as_ref().is_none_or(|(most, _)| solution.iterations > *most) {
+            longest = Some((solution.iterations, solution.solver));
         }
     }
+    let (iterations, solver) = longest?;
+    let velocity = problem.velocity(&impulse);
+    Some(Solution { solver, ..Solution::new(NAME, impulse, velocity, iterations) })
+}
+
+/// One algorithm after another until the goal is reached, and the best answer of all and of the one that is there.
+fn stages_in_turn(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal, begun: Option<Solution>) -> Result<Solution> {
+    let (mut judge, mut iterations) = (Judge::default(), 0);
+    judge.prepare(problem);
     let mut best: Option<(f64, Solution)> = None;
+    // most contacts do what they did in the step before: Newton's method from there
+    let kept = warm_start.filter(|_| begun.is_none() && stages::is_iterated(problem));
+    let begun = begun.or_else(|| stages::short_newton(problem, Some(kept?), goal.stop).ok());
+    if let Some(solution) = begun {
+        iterations += solution.iterations;
+        best = Some((judge.judge_prepared(problem, &solution)?.relative(), solution)).filter(|(relative, _)| !relative.is_nan());
+    }
     let mut failure = None;
     let stages = QUICK.iter().map(|stage| (stage, goal.enough)).chain(THOROUGH.iter().map(|stage| (stage, goal.acceptable)));
     for ((takes, stage), enough) in stages {

@@ -94,7 +94,7 @@ fn has_blocks(problem: &ContactProblem) -> bool {
 }
 
 /// A few steps of Newton's method, which end most problems; where they do not, others lead it.
-fn short_newton(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
+pub(super) fn short_newton(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
     NonsmoothNewton { steps: tolerance::SHORT_STEPS, starts: 1, tolerance: stop }.solve(problem, start)
 }
 
@@ -104,7 +104,7 @@ fn is_large(problem: &ContactProblem) -> bool {
 }
 
 /// All but a compliance on edges.
-fn is_iterated(problem: &ContactProblem) -> bool {
+pub(super) fn is_iterated(problem: &ContactProblem) -> bool {
     NonsmoothNewton::fits(problem)
 }
 

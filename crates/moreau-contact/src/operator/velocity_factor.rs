@@ -10,18 +10,24 @@
 //! the end belongs to a body that nothing else touches. Nothing is taken on trust: Y Yᵀ is held against every block of W, and where it
 //! differs – contacts of spheres are single, and one does not determine a body – there is no factor.
 
-use crate::operator::{BlockSparse, MatrixFree};
-use crate::tolerance::velocities::{MOST_ROWS, MOST_VELOCITIES, RANK, RECOVERED};
+use super::of_mechanism::body_width;
+use super::{BlockSparse, MatrixFree};
+use crate::contact::{BodyRows, Inertia, Jacobian, Rows};
+use crate::tolerance::velocities::{MOST_ROWS, MOST_VELOCITIES, PAYS, RANK, RECOVERED};
 use nalgebra::DMatrix;
 use std::collections::BTreeMap;
 
 /// Y by contacts and groups of velocities.
 #[derive(Clone, Debug)]
-pub(super) struct VelocityFactor {
+pub(crate) struct VelocityFactor {
     /// Columns of every group.
     pub columns: Vec<usize>,
     /// Of every contact its groups, with the rows of the contact × the columns of the group.
     pub parts: Vec<Vec<(usize, DMatrix<f64>)>>,
+}
+
+fn pays(velocities: usize, rows: usize) -> bool {
+    velocities as f64 <= PAYS * rows as f64
 }
 
 /// Contacts with the same neighbours.
@@ -39,8 +45,40 @@ struct Bundle {
 }
 
 impl VelocityFactor {
+    /// Whether there are so much fewer velocities than rows that elimination in them pays.
+    pub fn pays(&self) -> bool {
+        let rows: usize = self.parts.iter().filter_map(|parts| parts.first()).map(|(_, block)| block.nrows()).sum();
+        pays(self.columns.iter().sum(), rows)
+    }
+
+    /// Of a mechanism that consists of bodies of one size; none where it does not, or its velocities are too many to pay.
+    pub fn of_mechanism(inertia: &Inertia, jacobian: &Jacobian) -> Option<Self> {
+        let width = body_width(jacobian).filter(|width| inertia.is_made_of(*width))?;
+        let mut bodies: Vec<usize> = jacobian.contacts().iter().flat_map(Rows::parts).map(|part| part.first / width).collect();
+        bodies.sort_unstable();
+        bodies.dedup();
+        if !pays(bodies.len() * width, jacobian.nrows()) {
+            return None;
+        }
+        let factor = inertia.factor();
+        let parts = jacobian.contacts().iter().map(|contact| {
+            let block = |part: BodyRows| {
+                let mut block = DMatrix::from_row_slice(part.entries.len() / width, width, part.entries);
+                for mut row in block.row_iter_mut() {
+                    let mut left: Vec<f64> = row.iter().copied().collect();
+                    factor.forward_within(part.first, &mut left);
+                    let pivots = &factor.pivots()[part.first..part.first + width];
+                    row.iter_mut().zip(left.iter().zip(pivots)).for_each(|(y, (left, pivot))| *y = left / pivot.sqrt());
+                }
+                (bodies.binary_search(&(part.first / width)).expect("a body of a contact is one of all"), block)
+            };
+            contact.parts().map(block).collect()
+        });
+        Some(VelocityFactor { columns: vec![width; bodies.len()], parts: parts.collect() })
+    }
+
     /// Of bodies that are known, in coordinates in which every mass is one; none where a mass is not symmetric.
-    pub(super) fn of_bodies(free: &MatrixFree) -> Option<Self> {
+    pub fn of_bodies(free: &MatrixFree) -> Option<Self> {
         if !free.is_symmetric() {
             return None;
         }
@@ -56,7 +94,7 @@ impl VelocityFactor {
     }
 
     /// None where W is not such a product, or its blocks do not determine the bodies.
-    pub(super) fn recover(w: &BlockSparse) -> Option<Self> {
+    pub fn recover(w: &BlockSparse) -> Option<Self> {
         let mut bundles = bundles(w)?;
         let bodies = bodies(&mut bundles)?;
         let mut known: Vec<Option<Known>> = bodies.iter().map(|_| None).collect();
@@ -301,14 +339,14 @@ fn spread(w: &BlockSparse, bundles: &[Bundle], bodies: &[Vec<usize>], known: &mu
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::operator::{BlockRows, Sparse, SparseDynamics};
     use nalgebra::dmatrix;
 
     /// W of a wall of bricks 1 m × ½ m × ½ m in running bond, four contacts where two overlap; a brick has `ratio` times the mass of the
     /// one before.
-    pub(in crate::solvers) fn wall(wide: usize, high: usize, ratio: f64) -> BlockSparse {
+    pub(crate) fn wall(wide: usize, high: usize, ratio: f64) -> BlockSparse {
         let (mut mass, mut jacobian, mut row) = (Vec::new(), Vec::new(), 0);
         let place = |i: usize, j: usize| j as f64 + 0.5 * (i % 2) as f64;
         for (body, (i, j)) in (0..high).flat_map(|i| (0..wide).map(move |j| (i, j))).enumerate() {

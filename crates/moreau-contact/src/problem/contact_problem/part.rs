@@ -1,0 +1,48 @@
+//! The problem of some of the contacts, which W joins with no other.
+
+use super::known::Known;
+use super::once::Once;
+use super::{Compliance, ContactProblem};
+use crate::operator::{BlockSparse, Islands};
+use nalgebra::DVector;
+use std::sync::OnceLock;
+
+impl ContactProblem {
+    /// The problem of one island of W = `blocks`, this problem's.
+    pub(crate) fn island(&self, blocks: &BlockSparse, islands: &Islands, members: &[usize]) -> ContactProblem {
+        let rows = self.rows_per_contact;
+        let part = |whole: &DVector<f64>| island_rows(whole, members, rows);
+        let known = match &self.dynamics {
+            Some(Known::Sparse { inertia, jacobian, .. }) => {
+                Some(Known::Sparse { inertia: inertia.clone(), jacobian: jacobian.of(members).into(), dense: OnceLock::new() })
+            }
+            _ => None,
+        };
+        // contacts of one group are joined by W
+        let groups = self.groups.get().map(|groups| members.iter().map(|k| islands.place[groups[*k]]).collect());
+        ContactProblem {
+            name: self.name.clone(),
+            rows_per_contact: rows,
+            law: self.law,
+            friction: members.iter().map(|k| self.friction[*k]).collect(),
+            free_velocity: part(&self.free_velocity),
+            shift: part(&self.shift),
+            delassus: blocks.of(members, &islands.place).into(),
+            compliance: self.compliance.as_ref().map(|Compliance { coordinates, diagonal }| Compliance {
+                coordinates: *coordinates,
+                diagonal: island_rows(diagonal, members, diagonal.len() / self.contacts()),
+            }),
+            dynamics: known,
+            bodies: self.bodies.as_ref().map(|bodies| members.iter().map(|k| bodies[*k]).collect()),
+            keys: None,
+            groups: groups.map_or_else(Once::default, Once::known),
+            velocity_factor: Once::default(),
+        }
+    }
+}
+
+/// The rows of these contacts.
+pub(crate) fn island_rows(whole: &DVector<f64>, members: &[usize], rows: usize) -> DVector<f64> {
+    let contacts = members.iter().flat_map(|k| &whole.as_slice()[k * rows..(k + 1) * rows]);
+    DVector::from_iterator(members.len() * rows, contacts.copied())
+}
