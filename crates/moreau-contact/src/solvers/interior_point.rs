@@ -34,11 +34,14 @@ pub struct InteriorPoint {
     pub steps: usize,
     /// Relative residual at which it stops.
     pub tolerance: f64,
+    /// Part of the first gap, and of the first difference of z from ŷ, at which it stops as well: soon the right contacts press, stick and
+    /// slide, and Newton's method is nearer to the end. 0 stops nothing.
+    pub gap: f64,
 }
 
 impl Default for InteriorPoint {
     fn default() -> Self {
-        InteriorPoint { steps: tolerance::INTERIOR_STEPS, tolerance: tolerance::STOP }
+        InteriorPoint { steps: tolerance::INTERIOR_STEPS, tolerance: tolerance::STOP, gap: 0.0 }
     }
 }
 
@@ -84,6 +87,7 @@ impl ContactSolver for InteriorPoint {
             if has_stalled
                 || steps >= self.steps
                 || super::watch::is_over()
+                || path.is_within(self.gap)
                 || stopping.holds(&path.impulse, &velocity)
                 || !path.step(&velocity)
             {
@@ -156,6 +160,11 @@ impl<'a> Path<'a> {
     /// x·z over all contacts \[J\].
     fn gap(&self) -> f64 {
         (0..self.problem.contacts()).map(|k| self.primal(k).dot(&self.dual[k])).sum()
+    }
+
+    /// Whether the gap and ρ are at most this part of the first ones.
+    fn is_within(&self, part: f64) -> bool {
+        self.first.is_some_and(|[gap, residual]| self.gap() <= part * gap && self.residual <= part * residual)
     }
 
     /// One predictor and one corrector with the same factor; false where no number comes out.

@@ -216,6 +216,20 @@ pub const fn direct_steps(contacts: usize) -> usize {
     2 * contacts
 }
 
+/// Part of its first gap at which the interior point method hands over to Newton's: of walls of 1 060 and 10 084 bricks' contacts, at rest
+/// and pushed, Newton's method ended those from 10⁻³ and 10⁻⁴ in the fewest steps, and from 10⁻⁵ a pushed one cost half as much again.
+/// Set.
+pub const IDENTIFIED: f64 = 1e-4;
+
+/// Fewest contacts of a problem on which `auto` begins with interior points where there are fewer velocities than rows: below, a few dozen
+/// sweeps cost less than their twenty steps.
+/// Set.
+pub const FEWEST_REDUNDANT: usize = 200;
+
+/// Fewest contacts of a problem that `auto` takes apart into islands: what is smaller is solved in the time that takes.
+/// Set.
+pub const FEWEST_IN_ISLANDS: usize = 16;
+
 /// Accelerated sweeps before Newton's method is tried: four times as many as the acceleration remembers. They show which contacts press,
 /// and they solve easy contacts: of the 26 friction files of Siconos and FCLIB that were tried 22 are solved within them, at half the time
 /// of fewer sweeps with Newton's method after them. For n contacts ten steps of Newton's method cost as much as 10 n of these sweeps.

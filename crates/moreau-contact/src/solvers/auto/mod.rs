@@ -7,7 +7,7 @@ use crate::certificate::Judge;
 use crate::operator::Islands;
 use crate::problem::{ContactProblem, Coordinates, Law, Solution, island_rows};
 use crate::tolerance::certificate::CERTIFY;
-use crate::tolerance::solvers::{ACCEPTABLE, ENOUGH, STOP};
+use crate::tolerance::solvers::{ACCEPTABLE, ENOUGH, FEWEST_IN_ISLANDS, STOP};
 use moreau_exact::error::Failure;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -22,6 +22,7 @@ use stages::{QUICK, THOROUGH, left_out};
 /// | a warm start that is no solution any more | a few steps of nonsmooth Newton from it |
 /// | soft contacts | Newton on Gauss's principle |
 /// | no friction, a few contacts | Newton-min, Lemke |
+/// | many contacts, fewer velocities than rows, round cones | interior points until the contacts are told apart, and Newton from there |
 /// | all but a compliance on edges | a few accelerated sweeps, and a few steps of nonsmooth Newton from what they found |
 /// | W stored by blocks, round cones | interior points, and Newton from there |
 /// | all but a compliance on edges | Newton |
@@ -158,6 +159,9 @@ fn at_once(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Go
 /// most of them.
 fn islands(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Option<Solution> {
     let blocks = problem.delassus().blocks()?;
+    if problem.contacts() < FEWEST_IN_ISLANDS {
+        return None;
+    }
     let islands = Islands::of(blocks);
     if islands.members.len() < 2 || !stages::is_iterated(problem) {
         return None;

@@ -22,10 +22,11 @@ pub(super) type Stage = fn(&ContactProblem, Option<&DVector<f64>>, f64) -> Resul
 pub(super) const QUICK: &[(Takes, Stage)] = &[
     (|problem| problem.compliance().is_some(), |problem, start, _| GaussNewton::default().solve(problem, start)),
     (is_direct, |problem, start, _| NewtonMin { steps: tolerance::direct_steps(problem.contacts()) }.solve(problem, start)),
-    (is_direct, |problem, _, _| LemkePivoting.solve(problem, None)),
+    (|problem| is_direct(problem) && !is_swept_alone(problem), |problem, _, _| LemkePivoting.solve(problem, None)),
+    (is_redundant, |problem, _, stop| through_interior(problem, tolerance::IDENTIFIED, stop)),
     (is_iterated, few_sweeps),
     (is_iterated, short_newton),
-    (is_large, through_interior),
+    (is_large, |problem, _, stop| through_interior(problem, 0.0, stop)),
     (is_iterated, newton),
 ];
 
@@ -73,6 +74,12 @@ fn is_direct(problem: &ContactProblem) -> bool {
     problem.law() == Law::Frictionless && problem.contacts() <= tolerance::DIRECT_CONTACTS && is_iterated(problem)
 }
 
+/// Whether every contact can be solved alone: its normal impulse moves itself.
+fn is_swept_alone(problem: &ContactProblem) -> bool {
+    let normal = |contact: usize| contact * problem.rows_per_contact();
+    (0..problem.contacts()).all(|k| problem.entry(normal(k), normal(k)) + compliance(problem, normal(k)) > 0.0)
+}
+
 /// Whether it is a linear complementarity problem as it stands, with few enough unknowns for all of its complementary cones.
 fn is_enumerated(problem: &ContactProblem) -> bool {
     problem.rows_per_contact() == 1 && Enumeration::fits(problem)
@@ -96,6 +103,11 @@ fn has_blocks(problem: &ContactProblem) -> bool {
 /// A few steps of Newton's method, which end most problems; where they do not, others lead it.
 pub(super) fn short_newton(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
     NonsmoothNewton { steps: tolerance::SHORT_STEPS, starts: 1, tolerance: stop }.solve(problem, start)
+}
+
+/// Whether interior points are for it, and it has so many more rows than velocities that they cost little where others go astray.
+fn is_redundant(problem: &ContactProblem) -> bool {
+    problem.contacts() >= tolerance::FEWEST_REDUNDANT && is_large(problem) && problem.velocity_factor().is_some()
 }
 
 /// Whether interior points are for it.
@@ -163,8 +175,8 @@ fn through_softness(problem: &ContactProblem, _: Option<&DVector<f64>>, stop: f6
 }
 
 /// Interior points, which tell which contacts press, stick and slide however redundant they are, and Newton from there.
-fn through_interior(problem: &ContactProblem, _: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
-    let begun = InteriorPoint { tolerance: stop, ..Default::default() }.solve(problem, None)?;
+fn through_interior(problem: &ContactProblem, gap: f64, stop: f64) -> Result<Solution> {
+    let begun = InteriorPoint { tolerance: stop, gap, ..Default::default() }.solve(problem, None)?;
     let ended = NonsmoothNewton { starts: 1, tolerance: stop, ..Default::default() }.solve(problem, Some(&begun.impulse))?;
     Ok(Solution { iterations: begun.iterations + ended.iterations, ..ended })
 }
