@@ -4,14 +4,16 @@ use super::limits::CommonOptions;
 use super::output::print;
 use super::problem_law::LawOption;
 use super::solver_options::ToleranceOption;
-use super::{Answer, Format};
+use super::{Answer, Format, solver_table};
 use crate::certificate::{natural_map, residuals};
 use crate::files::write_atomically;
+use crate::number::significant;
 use crate::problem::{ContactProblem, Solution};
-use crate::report::bench::{Bench, Run};
+use crate::report::bench::{Bench, FACTORS, Run};
 use crate::report::json::pretty;
-use crate::solvers::ContactSolver;
 use crate::solvers::watch::watched;
+use crate::solvers::{self, ContactSolver};
+use crate::tolerance::bench::SHIFT;
 use crate::{Error, Result};
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
@@ -22,13 +24,13 @@ use std::time::Instant;
 /// Solving is timed alone, without reading and certifying, and repeated until the given time is used up; the least time counts. One
 /// thread solves.
 #[derive(clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{}", explained()))]
 pub struct Arguments {
     /// Problems (contact-problem/1, lcp/1, .dat of Siconos, HDF5 of FCLIB), or folders of them.
     #[arg(required = true)]
     problems: Vec<PathBuf>,
     /// A solver to time; may be given several times.
-    #[arg(long, default_value = "auto", value_name = "NAME")]
+    #[arg(long, default_value = "auto", value_name = "NAME", long_help = format!("{}; may be given several times", solver_table::table()))]
     solver: Vec<String>,
     #[command(flatten)]
     tolerance: ToleranceOption,
@@ -54,6 +56,31 @@ Examples:
   moreau bench problems/ --law associated --tolerance 1e-12 --answers answers/
 
 Exit code 0: every problem was solved by some solver; 1: some was not; 2: a file cannot be read.";
+
+/// What the columns and the lines below them are.
+fn explained() -> String {
+    let (shift, factors) = (significant(1e3 * SHIFT), FACTORS.map(significant).join(", "));
+    format!(
+        "\
+A line per problem and solver:
+  contacts    of the problem
+  time        the least time of a solve, without reading and certifying
+  residual    the largest residual of the certificate relative to the scale of its contact; solved is what has at most --tolerance
+              (`moreau certify --help` explains each residual)
+  ρ = 1       ‖r − P_K(r − ŷ)‖/‖q‖ with ρ = 1 kg and q = u_free + shift, the number other collections compare; it decides nothing, and
+              polyhedral laws have none
+  iterations  sweeps, steps or pivots of that solve
+In place of the numbers stands why there is no answer; `not solved` is an answer that the certificate rejects.
+
+A line per solver, below:
+  shifted geometric mean    exp(mean ln(t + s)) − s over the problems that it solved, s = {shift} ms: ten times as long counts alike for
+                            short and long problems, and times far below s count alike. Compare it only between solvers that solved the
+                            same problems
+  P % within τ              performance profile: of all problems, solved or not, this part was solved in at most τ times the best time
+                            of any solver of this run; τ = {factors}. At τ = 1: how often it was the
+                            fastest; at the largest τ: how many it solves at all. With one solver every number is the part that it solved"
+    )
+}
 
 /// The ends of files that hold problems.
 const ENDS: [&str; 4] = ["json", "dat", "hdf5", "h5"];
@@ -160,7 +187,7 @@ fn measured(problem: &ContactProblem, name: &str, solver: &dyn ContactSolver, ar
     };
     match answer {
         Ok(solution) => judge(problem, &solution, arguments, &mut run)?,
-        Err(error @ Error::Solver { .. }) => run.failure = Some(error.to_string()),
+        Err(error @ Error::Solver { .. }) => run.failure = Some(solvers::ALL.with_cure(error, problem).to_string()),
         Err(error) => return Err(error),
     }
     Ok(run)

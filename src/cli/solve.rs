@@ -1,14 +1,16 @@
 //! `moreau solve`: solves a contact problem and certifies its own answer.
 
+use super::kind::read_problem;
 use super::limits::CommonOptions;
 use super::output::{keep_input, no_answer, print, print_aside};
 use super::problem_law::LawOption;
+use super::residual_names::RESIDUALS;
 use super::solver_options::ToleranceOption;
-use super::{Answer, Format};
+use super::{Answer, Format, solver_table};
 use crate::certificate::residuals;
 use crate::files::write_atomically;
 use crate::memory;
-use crate::problem::{ContactProblem, Solution};
+use crate::problem::Solution;
 use crate::report::certificate::{Certificate, Ending};
 use crate::report::json::pretty;
 use crate::report::proofs::no_solution;
@@ -22,12 +24,12 @@ use std::path::PathBuf;
 /// Reads a file contact-problem/1, lcp/1, Siconos's .dat or FCLIB's HDF5, writes a solution/1 with its residuals, and prints the
 /// certificate: on standard error if the solution goes to standard output, on standard output if it goes to a file.
 #[derive(clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{RESIDUALS}"))]
 pub struct Arguments {
     /// The problem: contact-problem/1, lcp/1, .dat of Siconos, or HDF5 of FCLIB.
     problem: PathBuf,
     /// Which algorithm proposes the answer.
-    #[arg(long, default_value = "auto", value_name = "NAME", help = solver_help())]
+    #[arg(long, default_value = "auto", value_name = "NAME", help = solver_table::names(), long_help = solver_table::table())]
     solver: String,
     #[command(flatten)]
     tolerance: ToleranceOption,
@@ -49,6 +51,8 @@ pub struct Arguments {
     common: CommonOptions,
 }
 
+const USAGE: &str = "moreau solve PROBLEM";
+
 const EXAMPLES: &str = "\
 Examples:
   moreau solve problem.json                              solution/1 on standard output
@@ -66,18 +70,13 @@ The smallest problem, a block of 1 kg that slides and arrives at 1 m/s:
   {\"schema\": \"contact-problem/1\", \"name\": \"block\", \"dimension\": 2, \"law\": \"coulomb\",
    \"friction\": [0.5], \"free_velocity\": [-1, 2], \"delassus\": {\"shape\": [2, 2], \"rows\": [[1, 0], [0, 1]]}}";
 
-/// The solvers there are, for `--help`.
-pub fn solver_help() -> String {
-    format!("Which algorithm proposes the answer: {}", solvers::ALL.names().collect::<Vec<_>>().join(", "))
-}
-
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     arguments.tolerance.check()?;
     arguments.common.memory.apply()?;
     let solver = arguments.tolerance.solver(&arguments.solver, arguments.iterations)?;
     keep_input(&arguments.problem, "--out", arguments.out.as_deref())?;
-    let problem = arguments.law.pose(ContactProblem::read(&arguments.problem)?)?;
+    let problem = arguments.law.pose(read_problem(&arguments.problem, USAGE)?)?;
     let start = arguments.start.as_deref().map(|file| Solution::read(file, &problem).map(|solution| (file, solution))).transpose()?;
     if problem.delassus().blocks().is_none() {
         memory::require(&format!("solving {} rows", problem.rows()), 8 * memory::matrix(problem.rows(), problem.rows()))?;
@@ -85,10 +84,10 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let warm = start.as_ref().map(|(_, solution)| &solution.impulse);
     let (answer, seen) = arguments.tolerance.within_time(|interrupt| watched(interrupt, || solver.solve(&problem, warm)));
     let place = match (&answer, &start) {
-        (Err(Error::Invalid { field, .. }), Some((file, _))) if field == "warm_start" => file,
+        (Err(Error::Invalid { field, .. }), Some((file, _))) if field.starts_with("warm_start") => file,
         _ => arguments.problem.as_path(),
     };
-    let solution = match answer.map_err(|error| error.in_file(place)) {
+    let solution = match answer.map_err(|error| solvers::ALL.with_cure(error, &problem).in_file(place)) {
         Ok(solution) => solution,
         Err(error) => {
             let proof = no_solution(&problem);

@@ -8,28 +8,42 @@ use crate::certificate::{Residuals, Worst};
 use crate::number::{significant, with_unit};
 use crate::problem::{ContactProblem, Solution};
 use crate::report::proofs::Proofs;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write;
 
 /// The certificate of one answer.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct Certificate<'a> {
-    /// `solved` or `rejected`; of a solver's own answer that is rejected `stalled` or `limit`.
+    /// `solved` or `rejected`; of a solver's own answer that is rejected `stalled` or `limit`; `infeasible` where no solution is proved.
+    #[schemars(extend("enum" = ["solved", "rejected", "stalled", "limit", "infeasible"]))]
     status: &'static str,
+    /// The problem's name.
     problem: &'a str,
+    /// Its law.
     law: &'static str,
+    /// Number of contacts.
     contacts: usize,
+    /// Who proposed the answer; empty where nobody is named.
     solver: &'a str,
+    /// Iterations or pivots; 0 where they are not known.
     iterations: usize,
+    /// Every residual where it is worst, and norms.
     residuals: &'a Residuals,
+    /// The largest relative residual that is accepted.
     tolerance: f64,
+    /// Whether the answer is accepted.
     solution: bool,
+    /// The nearest problem that impulses near these solve exactly, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     backward: Option<Proved>,
+    /// What is proved of a linear complementarity problem, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     lcp: Option<LcpProved>,
+    /// A solution of the problem itself near the answer, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     forward: Option<Near>,
+    /// What is proved of all solutions, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     solutions: Option<Proofs>,
     /// Why the problem has no solution, where an answer is rejected and that is proved.
@@ -44,28 +58,32 @@ pub struct Certificate<'a> {
 }
 
 /// Whether a solution near was proved.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Near {
+    /// Whether there is one.
     proved: bool,
     /// Why not.
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<String>,
     /// Where the bound on u is largest, or where the proof failed.
     contact: Option<usize>,
+    /// How far it is at most.
     #[serde(skip_serializing_if = "Option::is_none")]
     radius: Option<Bounds>,
 }
 
 /// How far a solution is at most.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Bounds {
-    /// The largest ‖u* − u‖ of a contact [m/s].
+    /// The largest ‖u* − u‖ of a contact \[m/s\].
     velocity: f64,
-    /// The largest ‖r* − r‖ [N·s].
+    /// The largest ‖r* − r‖ \[N·s\].
     impulse: f64,
     /// Of every contact.
     states: Vec<&'static str>,
+    /// ‖u* − u‖ at most, of every contact \[m/s\].
     velocities: Vec<f64>,
+    /// ‖r* − r‖ at most, of every contact \[N·s\].
     impulses: Vec<f64>,
     /// Rows that depend exactly on others.
     dependent_rows: Vec<usize>,
@@ -83,15 +101,17 @@ pub struct Ending {
 }
 
 /// A proved backward error.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Proved {
-    /// The largest ‖δ_k‖ [m/s], and its contact.
+    /// The largest ‖δ_k‖ \[m/s\].
     velocity: f64,
+    /// Its contact.
     contact: Option<usize>,
-    /// The largest ‖r′ − r‖ [N·s].
+    /// The largest ‖r′ − r‖ \[N·s\].
     impulse: f64,
     /// Of every contact.
     states: Vec<&'static str>,
+    /// ‖δ_k‖ of every contact \[m/s\].
     velocities: Vec<f64>,
 }
 

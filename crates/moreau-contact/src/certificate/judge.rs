@@ -287,9 +287,9 @@ fn friction(mu: f64, s_r: f64, here: &Here) -> Part {
 pub(super) fn check_sizes(problem: &ContactProblem, solution: &Solution) -> Result<()> {
     // in the plane every cone is polyhedral, with the two senses of tangent₁ as directions
     let d = problem.law().directions().unwrap_or(if problem.rows_per_contact() == 2 { 2 } else { 0 });
+    problem.require_size("impulse", solution.impulse.len())?;
+    problem.require_size("velocity", solution.velocity.len())?;
     let given = [
-        ("impulse", Some(solution.impulse.len()), problem.rows()),
-        ("velocity", Some(solution.velocity.len()), problem.rows()),
         ("beta", solution.beta.as_ref().map(|beta| beta.len()), d * problem.contacts()),
         ("sigma", solution.sigma.as_ref().map(|sigma| sigma.len()), problem.contacts()),
     ];
@@ -298,7 +298,7 @@ pub(super) fn check_sizes(problem: &ContactProblem, solution: &Solution) -> Resu
         Some((field, size, needed)) => Err(Error::invalid(
             field,
             format!("has size {}", size.unwrap_or(0)),
-            format!("give size {needed}, which the problem `{}` needs", problem.name()),
+            format!("give size {needed}, for {} contacts", problem.contacts()),
         )),
     }
 }

@@ -82,8 +82,7 @@ impl ContactSolver for ProjectedGaussSeidel {
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         let rows = problem.rows_per_contact();
         if !is_swept(problem.law(), rows) {
-            let reason =
-                format!("does not solve the law `{}` with {rows} rows per contact; use `lemke` or `clarabel`", problem.law().name());
+            let reason = format!("does not solve the law `{}` with {rows} rows per contact", problem.law().name());
             return Err(Error::refused(NAME, reason));
         }
         let start = super::start(problem, warm_start)?;

@@ -16,19 +16,13 @@ impl ContactProblem {
         if !(1..=3).contains(&self.rows_per_contact) {
             return Err(Error::invalid("dimension", format!("is {}", self.rows_per_contact), "use 1 (normal rows only), 2 or 3"));
         }
-        let rows = self.rows();
         let sizes = [
             ("free_velocity", self.free_velocity.len()),
             ("shift", self.shift.len()),
             ("delassus", self.delassus.shape()[0]),
             ("delassus", self.delassus.shape()[1]),
         ];
-        for (field, size) in sizes {
-            if size != rows {
-                let cure = format!("give size {rows} for {} contacts with {} rows each", self.contacts(), self.rows_per_contact);
-                return Err(Error::invalid(field, format!("has size {size}"), cure));
-            }
-        }
+        sizes.into_iter().try_for_each(|(field, size)| self.require_size(field, size))?;
         if let Some(rows) = self.delassus.rows_per_contact().filter(|rows| *rows != self.rows_per_contact) {
             let problem = format!("has blocks of {rows} rows");
             return Err(Error::invalid("delassus", problem, format!("use blocks of the contacts, of {} rows", self.rows_per_contact)));
@@ -44,6 +38,19 @@ impl ContactProblem {
         self.validate_bodies()?;
         self.validate_keys()?;
         self.validate_dynamics()
+    }
+
+    /// Refuses a list of another size than the problem has rows.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] names the field, its size and that of the problem.
+    pub(crate) fn require_size(&self, field: &str, size: usize) -> Result<()> {
+        let rows = self.rows();
+        if size == rows {
+            return Ok(());
+        }
+        let cure = format!("give size {rows}, for {} contacts with {} rows each", self.contacts(), self.rows_per_contact);
+        Err(Error::invalid(field, format!("has size {size}"), cure))
     }
 
     fn validate_law(&self) -> Result<()> {
@@ -99,12 +106,7 @@ impl ContactProblem {
             let cure = format!("give one pair for each of the {} contacts", self.contacts());
             return Err(Error::invalid("bodies", format!("has size {}", bodies.len()), cure));
         }
-        match bodies.iter().position(|[first, second]| first == second) {
-            None => Ok(()),
-            Some(k) => {
-                Err(Error::invalid(format!("bodies[{k}]"), "names the same body twice", "name two bodies, or one and null for the ground"))
-            }
-        }
+        bodies.iter().enumerate().try_for_each(|(k, pair)| two_bodies("bodies", k, *pair))
     }
 
     fn validate_keys(&self) -> Result<()> {
@@ -115,6 +117,7 @@ impl ContactProblem {
         }
         let mut seen = HashMap::with_capacity(keys.len());
         for (k, key) in keys.iter().enumerate() {
+            two_bodies("keys", k, key.bodies)?;
             if let Some(first) = seen.insert(key, k) {
                 let problem = format!("is that of keys[{first}]");
                 return Err(Error::invalid(format!("keys[{k}]"), problem, "give every contact bodies and features of its own"));
@@ -138,6 +141,14 @@ impl ContactProblem {
         finite("mass", mass.as_slice())?;
         finite("jacobian", jacobian.as_slice())
     }
+}
+
+/// Refuses a contact of a body with itself, and of the ground with the ground.
+fn two_bodies(field: &str, k: usize, [first, second]: [Option<usize>; 2]) -> Result<()> {
+    if first != second {
+        return Ok(());
+    }
+    Err(Error::invalid(format!("{field}[{k}]"), "names the same body twice", "name two bodies, or one and null for the ground"))
 }
 
 fn finite(field: &str, values: &[f64]) -> Result<()> {

@@ -136,9 +136,9 @@ pub struct SolutionFile {
     /// The solver's name.
     #[serde(default)]
     solver: String,
-    /// Iterations or pivots used.
-    #[serde(default)]
-    iterations: usize,
+    /// Iterations or pivots used; absent where there were none, or nobody knows.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    iterations: Option<usize>,
     /// Residuals, for people; not trusted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     residuals: Option<serde_json::Value>,
@@ -280,7 +280,7 @@ impl Solution {
             beta: self.beta.as_ref().map(list),
             sigma: self.sigma.as_ref().map(list),
             solver: self.solver.clone(),
-            iterations: self.iterations,
+            iterations: Some(self.iterations).filter(|iterations| *iterations > 0),
             residuals,
         })
     }
@@ -307,7 +307,7 @@ impl From<SolutionFile> for Solution {
             beta: file.beta.map(DVector::from_vec),
             sigma: file.sigma.map(DVector::from_vec),
             solver: file.solver,
-            iterations: file.iterations,
+            iterations: file.iterations.unwrap_or_default(),
         }
     }
 }
@@ -346,7 +346,8 @@ fn read_operator(
     // sizes are compared before a matrix is made, so that a wrong shape cannot ask for all the memory
     let shape = |field: &str, matrix: &MatrixFile, wanted: [usize; 2]| {
         let problem = format!("has shape {}×{}", matrix.shape[0], matrix.shape[1]);
-        let cure = format!("use the shape {}×{}, which fits the contacts", wanted[0], wanted[1]);
+        let contacts = rows / rows_per_contact;
+        let cure = format!("use the shape {}×{}, for {contacts} contacts with {rows_per_contact} rows each", wanted[0], wanted[1]);
         if matrix.shape == wanted { Ok(()) } else { Err(Error::invalid(field, problem, cure)) }
     };
     let room = |velocities: usize| {
