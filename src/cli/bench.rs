@@ -2,17 +2,17 @@
 
 use super::limits::CommonOptions;
 use super::output::print;
+use super::posed::{self, answer_of};
 use super::problem_law::LawOption;
 use super::solver_options::ToleranceOption;
 use super::{Answer, Format, solver_table};
-use crate::certificate::{natural_map, residuals};
 use crate::files::write_atomically;
 use crate::number::significant;
-use crate::problem::{ContactProblem, Solution};
+use crate::problem::{Posed, Solution};
 use crate::report::bench::{Bench, FACTORS, Run};
 use crate::report::json::pretty;
+use crate::solvers::ContactSolver;
 use crate::solvers::watch::watched;
-use crate::solvers::{self, ContactSolver};
 use crate::tolerance::bench::SHIFT;
 use crate::{Error, Result};
 use indicatif::ProgressBar;
@@ -98,7 +98,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let bar = ProgressBar::new((files.len() * solvers.len()) as u64);
     let mut runs = Vec::new();
     for file in &files {
-        let problem = arguments.law.pose(ContactProblem::read(file)?)?;
+        let problem = arguments.law.pose(Posed::read(file)?)?;
         let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
         for solver in &solvers {
             runs.push(measured(&problem, &name, solver.as_ref(), arguments)?);
@@ -152,16 +152,16 @@ fn is_answer(file: &Path) -> bool {
     file.extension().is_some_and(|end| end == "json") && head().is_some_and(|head| head.schema.as_deref() == Some("solution/1"))
 }
 
-fn measured(problem: &ContactProblem, name: &str, solver: &dyn ContactSolver, arguments: &Arguments) -> Result<Run> {
+fn measured(problem: &Posed, name: &str, solver: &dyn ContactSolver, arguments: &Arguments) -> Result<Run> {
     let (begun, mut repeats, mut seconds, mut reproducible) = (Instant::now(), 0, f64::INFINITY, true);
     let answer = loop {
         let start = Instant::now();
         let answer = if arguments.tolerance.has_time_limit() {
-            let (answer, seen) = arguments.tolerance.within_time(|interrupt| watched(interrupt, || solver.solve(problem, None)));
+            let (answer, seen) = arguments.tolerance.within_time(|interrupt| watched(interrupt, || answer_of(problem, solver)));
             reproducible &= !seen.interrupted;
             answer
         } else {
-            solver.solve(problem, None)
+            answer_of(problem, solver)
         };
         seconds = seconds.min(start.elapsed().as_secs_f64());
         repeats += 1;
@@ -172,7 +172,7 @@ fn measured(problem: &ContactProblem, name: &str, solver: &dyn ContactSolver, ar
     };
     let mut run = Run {
         problem: name.into(),
-        contacts: problem.contacts(),
+        contacts: posed::constraints(problem),
         solver: solver.name().into(),
         seconds,
         repeats,
@@ -187,25 +187,25 @@ fn measured(problem: &ContactProblem, name: &str, solver: &dyn ContactSolver, ar
     };
     match answer {
         Ok(solution) => judge(problem, &solution, arguments, &mut run)?,
-        Err(error @ Error::Solver { .. }) => run.failure = Some(solvers::ALL.with_cure(error, problem).to_string()),
+        Err(error @ Error::Solver { .. }) => run.failure = Some(posed::with_cure(error, problem).to_string()),
         Err(error) => return Err(error),
     }
     Ok(run)
 }
 
 /// What the certificate says of the answer, and the answer itself where it is kept.
-fn judge(problem: &ContactProblem, solution: &Solution, arguments: &Arguments, run: &mut Run) -> Result<()> {
+fn judge(problem: &Posed, solution: &Solution, arguments: &Arguments, run: &mut Run) -> Result<()> {
     let start = Instant::now();
-    let judged = residuals(problem, solution)?;
+    let judged = posed::judge(problem, solution)?;
     run.certifying = Some(start.elapsed().as_secs_f64());
     run.iterations = solution.iterations;
-    run.relative = Some(judged.judged.relative());
-    run.natural_map_one = natural_map::of_unit_mass(problem, &solution.impulse);
+    run.relative = Some(judged.relative());
+    run.natural_map_one = posed::natural_map(problem, solution);
     run.solved = judged.is_solution(arguments.tolerance.accepted());
     if let Some(folder) = &arguments.answers {
         std::fs::create_dir_all(folder).map_err(|source| Error::Write { file: folder.clone(), source })?;
         let name = format!("{}.{}.json", run.problem, run.solver);
-        write_atomically(&folder.join(&name), solution.to_json(Some(problem.name()), None).as_bytes())?;
+        write_atomically(&folder.join(&name), solution.to_json(Some(posed::name(problem)), None).as_bytes())?;
         run.answer = Some(name);
     }
     Ok(())

@@ -1,6 +1,6 @@
 //! What a file is, so that a message can say what was mistaken for what.
 
-use crate::problem::ContactProblem;
+use crate::problem::Posed;
 use crate::{Error, Result};
 use serde::Deserialize;
 use std::io::Read;
@@ -73,12 +73,12 @@ fn schema(file: &Path) -> Option<String> {
     serde_json::from_str::<Head>(&text).ok().map(|head| head.schema)
 }
 
-/// The problem of a file; where it is an answer, the error says so.
+/// What a file poses; where it is an answer, the error says so.
 ///
 /// # Errors
-/// Those of [`ContactProblem::read`], and [`Error::Invalid`] where the file holds an answer.
-pub fn read_problem(file: &Path, usage: &str) -> Result<ContactProblem> {
-    ContactProblem::read(file).map_err(|error| match Kind::of(file) {
+/// Those of [`Posed::read`], and [`Error::Invalid`] where the file holds an answer.
+pub fn read_problem(file: &Path, usage: &str) -> Result<Posed> {
+    Posed::read(file).map_err(|error| match Kind::of(file) {
         kind if kind.is_answer() => {
             let problem = format!("is {}, which is {}, an answer and no problem", file.display(), kind.words());
             Error::invalid("PROBLEM", problem, format!("give the problem that it answers: {usage}"))

@@ -21,6 +21,7 @@ mod mujoco_options;
 mod near;
 mod output;
 mod owned;
+mod posed;
 mod problem_law;
 mod problems;
 mod protocol_check;

@@ -11,6 +11,7 @@ that the law allows, ‖r_t‖ ≤ μ r_n, K* its dual; ŷ = y + μ‖y_t‖n fo
   normal           [N·s]  min(r_n, ρ_n y_n): pressed and open at once, or neither
   tangential       [N·s]  ‖r_t − P(r_t − ρ_t y_t)‖, P the projection on the disk of radius μ r_n: friction is not that of the slip
   velocity         [m/s]  |u − (W r + u_free)|: the velocity stored in the answer is not that of its impulses
+  bilateral        [m/s]  ‖y_k‖ of a constraint that holds in both directions, where a problem has `kinds`: it moves
 Accepted is what is at most its limit, the larger one of tolerance × scale and of the rounding of its evaluation. The scale is the size of
 the impulses and velocities of the contact's own pair of bodies. relative is the residual over its scale, and 0 where it is rounding.
 Norms over all contacts decide nothing:

@@ -6,6 +6,7 @@ mod certify;
 mod compare;
 mod gate;
 mod help;
+mod joints;
 mod limits;
 mod problems;
 mod schema;

@@ -97,6 +97,11 @@ fn what_solve_and_certify_write_is_as_their_schemas_say() {
             is_as("certificate", &proved, "/forward/proved", "yes".into());
         }
     }
+    let bob = folder.file("bob.json", super::joints::BOB);
+    let jointed = moreau(&["solve", &bob, "--out", &answer, "--format", "json"]);
+    is_as("certificate", &jointed.json(), "/residuals/bilateral/unit", 7.into());
+    let posed: serde_json::Value = serde_json::from_str(super::joints::BOB).expect("JSON");
+    is_as("contact-problem", &posed, "/kinds/1/bilateral", 7.into());
     is_as("lcp-count", &moreau(&["certify", &lcp, "--prove", "--format", "json"]).json(), "/status", "perhaps".into());
     let refused = moreau(&["solve", &problem, "--solver", "apgd", "--out", &answer, "--format", "json"]);
     assert_eq!(refused.code, 1);

@@ -95,7 +95,7 @@ impl Judged {
 
 impl Worst {
     /// The first part is kept even where it is 0: it has a limit that readers look at.
-    fn take(&mut self, contact: usize, part: Part) {
+    pub(super) fn take(&mut self, contact: usize, part: Part) {
         let is_rounding = part.value <= part.floor && part.floor.is_finite();
         if is_rounding && part.value <= self.part.value {
             return; // its relative size is 0, and its value no larger
@@ -139,8 +139,19 @@ impl Judge {
 
     /// [`Judge::judge`] of another answer to the problem that was prepared last.
     pub(crate) fn judge_prepared(&mut self, problem: &ContactProblem, solution: &Solution) -> Result<Judged> {
+        self.judge_rounded(problem, solution, &[])
+    }
+
+    /// [`Judge::judge`] where the given velocities have this rounding \[m/s\] besides that of y; none where it is empty.
+    pub(super) fn judge_within(&mut self, problem: &ContactProblem, solution: &Solution, rounding: &[f64]) -> Result<Judged> {
+        self.scales.prepare(problem);
+        self.judge_rounded(problem, solution, rounding)
+    }
+
+    fn judge_rounded(&mut self, problem: &ContactProblem, solution: &Solution, rounding: &[f64]) -> Result<Judged> {
         let impulse = solution.impulse.as_slice();
         self.scales.set_floors(problem, impulse);
+        self.scales.floors.iter_mut().zip(rounding).for_each(|(floor, more)| *floor += more);
         self.set_law_velocity(problem, impulse);
         let law_velocity = std::mem::take(&mut self.law_velocity);
         let judged = self.contacts(problem, solution, impulse, &law_velocity);

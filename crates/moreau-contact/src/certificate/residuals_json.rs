@@ -1,5 +1,6 @@
 //! Residuals in a file: a map of `{"value": …, "unit": …}`, with relative size, scale, rounding and contact where they decide.
 
+use super::joints::JointedResiduals;
 use super::judge::Worst;
 use super::residuals::Residuals;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
@@ -55,6 +56,9 @@ struct Written {
     tangential: Entry,
     /// |u − (W r + u_free)| of the stored u \[m/s\].
     velocity: Entry,
+    /// ‖y_k‖ of the bilateral constraint that moves most \[m/s\]; absent where there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bilateral: Option<Entry>,
     /// ‖r − P_K(r − ρŷ)‖ over all contacts \[N·s\]; decides nothing.
     natural_map: Measure,
     /// The natural map with ρ = 1 kg by Siconos's size; decides nothing.
@@ -92,6 +96,7 @@ impl From<&Residuals> for Written {
             normal,
             tangential,
             velocity,
+            bilateral: None,
             natural_map,
             siconos,
             fclib,
@@ -106,6 +111,24 @@ impl From<&Residuals> for Written {
 impl Serialize for Residuals {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
         Written::from(self).serialize(serializer)
+    }
+}
+
+/// The same with the residual of bilateral constraints, where there are some.
+impl Serialize for JointedResiduals {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        let bilateral = self.bilateral.map(|worst| Entry::new(("bilateral", worst, "m/s")));
+        Written { bilateral, ..Written::from(&self.contacts) }.serialize(serializer)
+    }
+}
+
+impl JsonSchema for JointedResiduals {
+    fn schema_name() -> Cow<'static, str> {
+        Written::schema_name()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        Written::json_schema(generator)
     }
 }
 

@@ -208,7 +208,9 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
         }
         // plain sweeps that reach their declared number answer the last iterate
         let keeps_best = solver.memory > 0 || self.sweeps < solver.sweeps;
-        let impulse = if keeps_best && self.is_finite() { self.best.impulse } else { self.point.x };
+        // one that is ended before its first look has none that was measured
+        let measured = !self.best.impulse.is_empty();
+        let impulse = if keeps_best && measured && self.is_finite() { self.best.impulse } else { self.point.x };
         let velocity = self.problem.velocity(&impulse);
         super::finite(Solution::new(NAME, impulse, velocity, self.sweeps))
     }

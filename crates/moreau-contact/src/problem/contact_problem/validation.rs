@@ -7,6 +7,10 @@ use crate::tolerance::problem::POLYHEDRAL_UNKNOWNS;
 use moreau_exact::{Error, Result};
 use std::collections::HashMap;
 
+/// What to do where a contact has other rows.
+pub(in crate::problem) const ROWS: &str = "use 1 (normal rows only), 2 or 3: friction of 4 to 6 rows, rolling and drilling, is no law here, \
+                                           and a joint is a bilateral constraint of `kinds`";
+
 impl ContactProblem {
     /// Checks sizes, finiteness and signs.
     ///
@@ -14,7 +18,7 @@ impl ContactProblem {
     /// [`Error::Invalid`] names the first field that is not valid.
     pub(super) fn validate(&self) -> Result<()> {
         if !(1..=3).contains(&self.rows_per_contact) {
-            return Err(Error::invalid("dimension", format!("is {}", self.rows_per_contact), "use 1 (normal rows only), 2 or 3"));
+            return Err(Error::invalid("dimension", format!("is {}", self.rows_per_contact), ROWS));
         }
         let sizes = [
             ("free_velocity", self.free_velocity.len()),
@@ -144,21 +148,21 @@ impl ContactProblem {
 }
 
 /// Refuses a contact of a body with itself, and of the ground with the ground.
-fn two_bodies(field: &str, k: usize, [first, second]: [Option<usize>; 2]) -> Result<()> {
+pub(in crate::problem) fn two_bodies(field: &str, k: usize, [first, second]: [Option<usize>; 2]) -> Result<()> {
     if first != second {
         return Ok(());
     }
     Err(Error::invalid(format!("{field}[{k}]"), "names the same body twice", "name two bodies, or one and null for the ground"))
 }
 
-fn finite(field: &str, values: &[f64]) -> Result<()> {
+pub(in crate::problem) fn finite(field: &str, values: &[f64]) -> Result<()> {
     match values.iter().position(|x| !x.is_finite()) {
         None => Ok(()),
         Some(k) => Err(Error::invalid(format!("{field}[{k}]"), format!("is {}", values[k]), "use a finite number")),
     }
 }
 
-fn not_negative(field: &str, values: &[f64]) -> Result<()> {
+pub(in crate::problem) fn not_negative(field: &str, values: &[f64]) -> Result<()> {
     finite(field, values)?;
     match values.iter().position(|x| *x < 0.0) {
         None => Ok(()),

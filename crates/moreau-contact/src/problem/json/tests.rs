@@ -1,6 +1,7 @@
 //! Tests of the readers: what goes out comes back bit for bit, and every mistake is named.
 
 use super::*;
+use crate::Law;
 use nalgebra::DMatrix;
 
 const BLOCK: &str = r#"{"schema":"contact-problem/1","name":"block","dimension":2,"law":"coulomb","friction":[0.5],
