@@ -134,15 +134,19 @@ fn bob(is_global: bool, answer: Option<[&[f64]; 3]>) -> Vec<u8> {
     problem.create_dataset("spacedim").with_i32_data(&[2]);
     let diagonal: [&[i32]; 2] = [&[0, 1], &[0, 1]];
     let column: [&[i32]; 2] = [&[0, 0], &[0, 1]];
-    let matrices: &[(&str, [i32; 2], i32, [&[i32]; 2], &[f64])] = if is_global {
-        &[("M", [2, 2], 2, diagonal, &[2.0, 2.0]), ("H", [2, 2], 2, diagonal, &[1.0, 1.0]), ("G", [2, 1], 2, column, &[0.6, 0.8])]
-    } else {
-        &[("W", [2, 2], 2, diagonal, &[0.5, 0.5]), ("V", [2, 1], 2, column, &[0.3, 0.4]), ("R", [1, 1], 1, [&[0], &[0]], &[0.5])]
-    };
-    for (name, shape, nz, places, x) in matrices {
+    let mut add = |name: &str, shape: [i32; 2], places: [&[i32]; 2], x: &[f64]| {
         let mut group = problem.create_group(name);
-        matrix(&mut group, *shape, *nz, *places, x);
+        matrix(&mut group, shape, x.len() as i32, places, x);
         problem.add_group(group.finish());
+    };
+    if is_global {
+        add("M", [2, 2], diagonal, &[2.0, 2.0]);
+        add("H", [2, 2], diagonal, &[1.0, 1.0]);
+        add("G", [2, 1], column, &[0.6, 0.8]);
+    } else {
+        add("W", [2, 2], diagonal, &[0.5, 0.5]);
+        add("V", [2, 1], column, &[0.3, 0.4]);
+        add("R", [1, 1], [&[0], &[0]], &[0.5]);
     }
     let vectors: &[(&str, &[f64])] = if is_global {
         &[("f", &[-6.0, 2.0]), ("w", &[0.0, 0.0]), ("b", &[0.0]), ("mu", &[0.25])]
@@ -167,7 +171,6 @@ fn bob(is_global: bool, answer: Option<[&[f64]; 3]>) -> Vec<u8> {
 
 #[test]
 fn bilateral_rows_of_local_and_global_problems_are_joints() {
-    let mut found = Vec::new();
     for is_global in [false, true] {
         // with r_t = 0 the wall and the rod stop it: r_n (1, 0) + λ (3, 4)/5 = (6, −2)
         with_file(&bob(is_global, Some([&[7.5, 0.0], &[-2.5], &[0.0, 0.0]])), |file| {
@@ -179,9 +182,7 @@ fn bilateral_rows_of_local_and_global_problems_are_joints() {
             assert_eq!((answer.impulse, answer.velocity), (dvector![7.5, 0.0, -2.5], dvector![0.0, 0.0, 0.0]));
             assert!(ContactProblem::read(file).expect_err("contacts alone").to_string().contains("kinds"));
         });
-        found.push(is_global);
     }
-    assert_eq!(found.len(), 2);
     with_file(&bob(true, None), |file| {
         assert!(Solution::read_named(file, "").expect_err("no answer").to_string().contains("solution/r"));
     });
