@@ -3,6 +3,7 @@
 use moreau::contact::delassus::delassus;
 use moreau::error::Failure;
 use moreau::problem::{Compliance, Coordinates, Dynamics};
+use moreau::solvers::watch::{Interrupt, watched};
 use moreau::solvers::{ALL, ContactSolver};
 use moreau::{ContactProblem, Error, Law};
 use nalgebra::{DMatrix, DVector};
@@ -70,6 +71,25 @@ fn a_solver_refuses_what_it_does_not_take_and_takes_some_problem_of_each_kind_th
         }
     }
     assert!(taken > 50 && left > 50, "{taken} kinds taken, {left} left");
+}
+
+#[test]
+fn a_solver_that_is_ended_at_once_gives_an_answer_of_the_problem_s_size_or_none() {
+    let ended = Interrupt::default();
+    ended.now();
+    let mut answers = 0;
+    for (law, rows) in [(Law::Frictionless, 3), (Law::Coulomb, 2), (Law::Coulomb, 3), (Law::Associated, 3)] {
+        for problem in variants(law, rows, true) {
+            for name in ALL.names() {
+                let (answer, _) = watched(&ended, || ALL.by_name(name).expect("listed").solve(&problem, None));
+                if let Ok(answer) = answer {
+                    assert_eq!((answer.impulse.len(), answer.velocity.len()), (problem.rows(), problem.rows()), "{name}, {law:?}");
+                    answers += 1;
+                }
+            }
+        }
+    }
+    assert!(answers > 40, "{answers}");
 }
 
 #[test]

@@ -2,16 +2,18 @@
 
 use super::limits::CommonOptions;
 use super::output::print;
+use super::posed::{self, answer_of};
 use super::problem_law::LawOption;
 use super::solver_options::ToleranceOption;
-use super::{Answer, Format};
-use crate::certificate::{natural_map, residuals};
+use super::{Answer, Format, solver_table};
 use crate::files::write_atomically;
-use crate::problem::{ContactProblem, Solution};
-use crate::report::bench::{Bench, Run};
+use crate::number::significant;
+use crate::problem::{Posed, Solution};
+use crate::report::bench::{Bench, FACTORS, Run};
 use crate::report::json::pretty;
 use crate::solvers::ContactSolver;
 use crate::solvers::watch::watched;
+use crate::tolerance::bench::SHIFT;
 use crate::{Error, Result};
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
@@ -22,13 +24,13 @@ use std::time::Instant;
 /// Solving is timed alone, without reading and certifying, and repeated until the given time is used up; the least time counts. One
 /// thread solves.
 #[derive(clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{}", explained()))]
 pub struct Arguments {
     /// Problems (contact-problem/1, lcp/1, .dat of Siconos, HDF5 of FCLIB), or folders of them.
     #[arg(required = true)]
     problems: Vec<PathBuf>,
     /// A solver to time; may be given several times.
-    #[arg(long, default_value = "auto", value_name = "NAME")]
+    #[arg(long, default_value = "auto", value_name = "NAME", long_help = format!("{}; may be given several times", solver_table::table()))]
     solver: Vec<String>,
     #[command(flatten)]
     tolerance: ToleranceOption,
@@ -55,6 +57,31 @@ Examples:
 
 Exit code 0: every problem was solved by some solver; 1: some was not; 2: a file cannot be read.";
 
+/// What the columns and the lines below them are.
+fn explained() -> String {
+    let (shift, factors) = (significant(1e3 * SHIFT), FACTORS.map(significant).join(", "));
+    format!(
+        "\
+A line per problem and solver:
+  contacts    of the problem
+  time        the least time of a solve, without reading and certifying
+  residual    the largest residual of the certificate relative to the scale of its contact; solved is what has at most --tolerance
+              (`moreau certify --help` explains each residual)
+  ρ = 1       ‖r − P_K(r − ŷ)‖/‖q‖ with ρ = 1 kg and q = u_free + shift, the number other collections compare; it decides nothing, and
+              polyhedral laws have none
+  iterations  sweeps, steps or pivots of that solve
+In place of the numbers stands why there is no answer; `not solved` is an answer that the certificate rejects.
+
+A line per solver, below:
+  shifted geometric mean    exp(mean ln(t + s)) − s over the problems that it solved, s = {shift} ms: ten times as long counts alike for
+                            short and long problems, and times far below s count alike. Compare it only between solvers that solved the
+                            same problems
+  P % within τ              performance profile: of all problems, solved or not, this part was solved in at most τ times the best time
+                            of any solver of this run; τ = {factors}. At τ = 1: how often it was the
+                            fastest; at the largest τ: how many it solves at all. With one solver every number is the part that it solved"
+    )
+}
+
 /// The ends of files that hold problems.
 const ENDS: [&str; 4] = ["json", "dat", "hdf5", "h5"];
 
@@ -71,7 +98,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let bar = ProgressBar::new((files.len() * solvers.len()) as u64);
     let mut runs = Vec::new();
     for file in &files {
-        let problem = arguments.law.pose(ContactProblem::read(file)?)?;
+        let problem = arguments.law.pose(Posed::read(file)?)?;
         let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
         for solver in &solvers {
             runs.push(measured(&problem, &name, solver.as_ref(), arguments)?);
@@ -125,16 +152,16 @@ fn is_answer(file: &Path) -> bool {
     file.extension().is_some_and(|end| end == "json") && head().is_some_and(|head| head.schema.as_deref() == Some("solution/1"))
 }
 
-fn measured(problem: &ContactProblem, name: &str, solver: &dyn ContactSolver, arguments: &Arguments) -> Result<Run> {
+fn measured(problem: &Posed, name: &str, solver: &dyn ContactSolver, arguments: &Arguments) -> Result<Run> {
     let (begun, mut repeats, mut seconds, mut reproducible) = (Instant::now(), 0, f64::INFINITY, true);
     let answer = loop {
         let start = Instant::now();
         let answer = if arguments.tolerance.has_time_limit() {
-            let (answer, seen) = arguments.tolerance.within_time(|interrupt| watched(interrupt, || solver.solve(problem, None)));
+            let (answer, seen) = arguments.tolerance.within_time(|interrupt| watched(interrupt, || answer_of(problem, solver)));
             reproducible &= !seen.interrupted;
             answer
         } else {
-            solver.solve(problem, None)
+            answer_of(problem, solver)
         };
         seconds = seconds.min(start.elapsed().as_secs_f64());
         repeats += 1;
@@ -145,7 +172,7 @@ fn measured(problem: &ContactProblem, name: &str, solver: &dyn ContactSolver, ar
     };
     let mut run = Run {
         problem: name.into(),
-        contacts: problem.contacts(),
+        contacts: posed::constraints(problem),
         solver: solver.name().into(),
         seconds,
         repeats,
@@ -160,25 +187,25 @@ fn measured(problem: &ContactProblem, name: &str, solver: &dyn ContactSolver, ar
     };
     match answer {
         Ok(solution) => judge(problem, &solution, arguments, &mut run)?,
-        Err(error @ Error::Solver { .. }) => run.failure = Some(error.to_string()),
+        Err(error @ Error::Solver { .. }) => run.failure = Some(posed::with_cure(error, problem).to_string()),
         Err(error) => return Err(error),
     }
     Ok(run)
 }
 
 /// What the certificate says of the answer, and the answer itself where it is kept.
-fn judge(problem: &ContactProblem, solution: &Solution, arguments: &Arguments, run: &mut Run) -> Result<()> {
+fn judge(problem: &Posed, solution: &Solution, arguments: &Arguments, run: &mut Run) -> Result<()> {
     let start = Instant::now();
-    let judged = residuals(problem, solution)?;
+    let judged = posed::judge(problem, solution)?;
     run.certifying = Some(start.elapsed().as_secs_f64());
     run.iterations = solution.iterations;
-    run.relative = Some(judged.judged.relative());
-    run.natural_map_one = natural_map::of_unit_mass(problem, &solution.impulse);
+    run.relative = Some(judged.relative());
+    run.natural_map_one = posed::natural_map(problem, solution);
     run.solved = judged.is_solution(arguments.tolerance.accepted());
     if let Some(folder) = &arguments.answers {
         std::fs::create_dir_all(folder).map_err(|source| Error::Write { file: folder.clone(), source })?;
         let name = format!("{}.{}.json", run.problem, run.solver);
-        write_atomically(&folder.join(&name), solution.to_json(Some(problem.name()), None).as_bytes())?;
+        write_atomically(&folder.join(&name), solution.to_json(Some(posed::name(problem)), None).as_bytes())?;
         run.answer = Some(name);
     }
     Ok(())

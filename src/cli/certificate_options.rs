@@ -1,17 +1,17 @@
 //! What `simulate` and `compare` do about steps that the certificate rejects.
 
+use super::limits::default_tolerance;
 use super::output::print_aside;
 use super::{Answer, limits};
 use crate::Result;
 use crate::schemes::Certified;
 use crate::solvers::ContactSolver;
-use crate::tolerance::cli::CERTIFY;
 
 /// How steps are judged.
 #[derive(clap::Args)]
 pub struct CertificateOptions {
     /// Largest residual of a step that is accepted, relative to the scale of its contact.
-    #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
+    #[arg(long, default_value = default_tolerance(), value_name = "NUMBER", allow_hyphen_values = true)]
     certify_tolerance: f64,
     /// End with exit code 0 and a warning although the certificate rejects steps.
     #[arg(long)]

@@ -1,21 +1,22 @@
 //! `moreau certify`: judges an answer to a contact problem without knowing where it came from.
 
-use super::limits::{CommonOptions, check_tolerance};
+use super::kind::{Kind, read_problem};
+use super::limits::{CommonOptions, check_tolerance, default_tolerance};
 use super::output::print;
-use super::{Answer, Format};
-use crate::Result;
+use super::residual_names::RESIDUALS;
+use super::{Answer, Format, posed};
 use crate::certificate::backward::backward;
 use crate::certificate::forward::forward;
 use crate::certificate::lcp_proof::{Count, count, different, lcp_of, prove};
 use crate::certificate::residuals;
-use crate::problem::{ContactProblem, Lcp, Solution};
+use crate::problem::{ContactProblem, Lcp, Posed, Solution};
 use crate::report::certificate::Certificate;
 use crate::report::json::pretty;
 use crate::report::lcp_proof::{Counted, LcpProved};
 use crate::report::proofs::Proofs;
 use crate::solvers;
-use crate::tolerance::cli::CERTIFY;
 use crate::tolerance::complementarity::EXACT_ROWS;
+use crate::{Error, Result};
 use std::path::PathBuf;
 
 /// Certify an answer to a contact problem: residuals with units, and whether they are small enough.
@@ -25,14 +26,14 @@ use std::path::PathBuf;
 /// bodies, normal and tangential parts apart, and against the rounding of its evaluation; it is shown at the contact where
 /// it is worst.
 #[derive(clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{RESIDUALS}"))]
 pub struct Arguments {
     /// The problem: contact-problem/1, lcp/1, .dat of Siconos, or HDF5 of FCLIB.
     problem: PathBuf,
     /// The answer, a file solution/1; left out, the solution that an HDF5 file of FCLIB holds beside its problem.
     solution: Option<PathBuf>,
     /// Largest residual accepted, relative to the scale of its contact.
-    #[arg(long, default_value_t = CERTIFY, value_name = "NUMBER", allow_hyphen_values = true)]
+    #[arg(long, default_value = default_tolerance(), value_name = "NUMBER", allow_hyphen_values = true)]
     tolerance: f64,
     /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly; and by intervals, within which radius
     /// the problem itself has a solution, or why that is not proved; whether velocities are unique; whether there is no solution at all.
@@ -43,6 +44,8 @@ pub struct Arguments {
     #[command(flatten)]
     common: CommonOptions,
 }
+
+const USAGE: &str = "moreau certify PROBLEM SOLUTION";
 
 const EXAMPLES: &str = "\
 Examples:
@@ -60,34 +63,74 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     arguments.common.memory.apply()?;
     let tolerance = arguments.tolerance;
     check_tolerance("--tolerance", tolerance)?;
-    let problem = ContactProblem::read(&arguments.problem)?;
-    let lcp = arguments.prove.then(|| lcp_of(&problem)).flatten();
+    let posed = read_problem(&arguments.problem, USAGE)?;
+    if let (Posed::Jointed(_), false) = (&posed, arguments.prove) {
+        return jointed(arguments, &posed);
+    }
+    let problem = posed::contacts(&posed, "--prove").map_err(|error| error.in_file(&arguments.problem))?;
+    let lcp = arguments.prove.then(|| lcp_of(problem)).flatten();
     if let (Some(lcp), None) = (&lcp, &arguments.solution) {
-        let counted = Counted::new(problem.name(), lcp, &counted(&problem, lcp, None)?);
+        let counted = Counted::new(problem.name(), lcp, &counted(problem, lcp, None)?);
         print(&if arguments.common.format == Format::Json { pretty(&counted)? } else { counted.text() })?;
         return Ok(counted.is_solvable().into());
     }
-    let file = arguments.solution.as_ref().unwrap_or(&arguments.problem);
-    let solution = Solution::read(file, &problem)?;
-    let residuals = residuals(&problem, &solution).map_err(|error| error.in_file(file))?;
-    let mut certificate = Certificate::new(&problem, &solution, &residuals, tolerance);
+    let (file, solution) = read_answer(arguments, &posed)?;
+    let residuals = residuals(problem, &solution).map_err(|error| error.in_file(file))?;
+    let mut certificate = Certificate::new(problem, &solution, &residuals, tolerance);
     if arguments.prove {
-        certificate = certificate.with_proof(&backward(&problem, &solution.impulse).map_err(|error| error.in_file(&arguments.problem))?);
-        certificate = certificate.with_solution_near(&forward(&problem, &solution).map_err(|error| error.in_file(file))?);
+        certificate = certificate.with_proof(&backward(problem, &solution.impulse).map_err(|error| error.in_file(&arguments.problem))?);
+        certificate = certificate.with_solution_near(&forward(problem, &solution).map_err(|error| error.in_file(file))?);
         if lcp.is_none() {
             let accepted = certificate.accepts();
-            certificate = certificate.with_proofs(Proofs::new(&problem, accepted));
+            certificate = certificate.with_proofs(Proofs::new(problem, accepted));
         }
     }
     if let Some(lcp) = &lcp {
         let answer = prove(lcp, &solution.impulse).map_err(|error| error.in_file(file))?;
-        certificate = certificate.with_lcp(LcpProved::new(lcp, Some(&answer), &counted(&problem, lcp, Some(&solution))?));
+        certificate = certificate.with_lcp(LcpProved::new(lcp, Some(&answer), &counted(problem, lcp, Some(&solution))?));
     }
-    print(&match arguments.common.format {
+    show(&certificate, arguments.common.format)
+}
+
+/// The certificate of an answer with joints.
+fn jointed(arguments: &Arguments, posed: &Posed) -> Result<Answer> {
+    let (file, solution) = read_answer(arguments, posed)?;
+    let residuals = posed::judge(posed, &solution).map_err(|error| error.in_file(file))?;
+    let certificate = posed::certificate(posed, &solution, residuals, arguments.tolerance);
+    show(&certificate, arguments.common.format)
+}
+
+fn show(certificate: &Certificate, format: Format) -> Result<Answer> {
+    print(&match format {
         Format::Text => certificate.text(),
-        Format::Json => pretty(&certificate)?,
+        Format::Json => pretty(certificate)?,
     })?;
     Ok(certificate.accepts().into())
+}
+
+/// The answer, and the file that it is in.
+fn read_answer<'a>(arguments: &'a Arguments, problem: &Posed) -> Result<(&'a PathBuf, Solution)> {
+    let Some(file) = &arguments.solution else { return stored_answer(&arguments.problem, problem) };
+    let solution = posed::read_answer(problem, file).map_err(|error| match Kind::of(file) {
+        kind if kind.is_problem() => {
+            let found = format!("is {}, which is {}, a problem and no answer", file.display(), kind.words());
+            Error::invalid("SOLUTION", found, format!("give a solution/1: {USAGE}"))
+        }
+        _ => error,
+    })?;
+    Ok((file, solution))
+}
+
+/// The answer that an HDF5 file of FCLIB holds beside its problem; other problems hold none.
+fn stored_answer<'a>(file: &'a PathBuf, problem: &Posed) -> Result<(&'a PathBuf, Solution)> {
+    match Kind::of(file) {
+        Kind::Hdf5 => Ok((file, posed::read_answer(problem, file)?)),
+        kind => {
+            let found = format!("is missing: {} is {}, which holds no answer", file.display(), kind.words());
+            let cure = format!("give one: {USAGE}; `moreau solve {} --out answer.json` makes one", file.display());
+            Err(Error::invalid("SOLUTION", found, cure))
+        }
+    }
 }
 
 /// Solvers whose answers may be different solutions of one problem.

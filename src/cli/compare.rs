@@ -5,6 +5,7 @@ use super::limits::CommonOptions;
 use super::near::suggestion;
 use super::output::{keep_input, print};
 use super::scene::{count_steps, positive, stage};
+use super::solver_table::check_name;
 use super::{Answer, Format};
 use crate::files::write_together;
 use crate::number::significant;
@@ -43,7 +44,7 @@ pub struct Arguments {
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     duration: Option<f64>,
     /// The solver of the contact problems.
-    #[arg(long, value_name = "NAME", default_value = "auto", help = super::solve::solver_help())]
+    #[arg(long, value_name = "NAME", default_value = "auto", help = super::solver_table::names(), long_help = super::solver_table::table())]
     solver: String,
     #[command(flatten)]
     certificate: CertificateOptions,
@@ -65,7 +66,8 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     arguments.common.memory.apply()?;
     let names = arguments.names()?;
     keep_input(Path::new(&arguments.scene), "--plot", arguments.plot.as_deref())?;
-    let solver = solvers::ALL.by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
+    check_name(&arguments.solver)?;
+    let solver = solvers::ALL.by_name(&arguments.solver)?;
     let duration = arguments.duration.map(|duration| positive("--duration", duration)).transpose()?;
     let staged = stage(&arguments.scene, "SCENE", "")?;
     let duration = duration.unwrap_or(staged.duration);

@@ -3,9 +3,10 @@
 use super::Answer;
 use super::limits::MemoryOption;
 use super::output::{keep_input, print};
+use super::posed::contacts;
 use super::problem_law::LawOption;
 use crate::files::write_atomically;
-use crate::problem::ContactProblem;
+use crate::problem::{ContactProblem, Posed};
 use crate::{Error, Result};
 use std::path::PathBuf;
 
@@ -37,7 +38,8 @@ Examples:
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     arguments.memory.apply()?;
     keep_input(&arguments.problem, "--out", arguments.out.as_deref())?;
-    let problem = arguments.law.pose(ContactProblem::read(&arguments.problem)?)?;
+    let posed = arguments.law.pose(Posed::Contacts(Box::new(ContactProblem::read(&arguments.problem)?)))?;
+    let problem = contacts(&posed, "PROBLEM")?;
     let Some(file) = &arguments.out else {
         print(&problem.to_json())?;
         return Ok(Answer::Yes);

@@ -2,8 +2,11 @@
 
 use super::Format;
 use crate::memory::{self, size};
+use crate::number::significant;
+use crate::tolerance::cli::CERTIFY;
 use crate::tolerance::limits::MEMORY_BYTES;
 use crate::{Error, Result};
+use std::sync::LazyLock;
 
 /// How much memory a subcommand may take.
 #[derive(clap::Args)]
@@ -72,6 +75,12 @@ pub fn count(option: &str, value: usize, most: usize) -> Result<usize> {
     }
 }
 
+/// What is accepted where nobody says otherwise, as `1e-8`.
+pub fn default_tolerance() -> &'static str {
+    static TEXT: LazyLock<String> = LazyLock::new(|| significant(CERTIFY));
+    &TEXT
+}
+
 /// Refuses a tolerance that is negative or no number.
 pub fn check_tolerance(option: &str, tolerance: f64) -> Result<()> {
     if tolerance.is_finite() && tolerance >= 0.0 {
@@ -93,6 +102,12 @@ mod tests {
         for text in ["", "0", "-1", "GB", "1.5GB", "1gb", "4GiBs", "nan", "99999999999999999999", "99999999TiB"] {
             assert!(bytes(text).expect_err("no size").to_string().contains("--max-memory"), "{text}");
         }
+    }
+
+    #[test]
+    fn the_default_tolerance_is_written_short_and_read_back_to_the_last_bit() {
+        assert_eq!(default_tolerance(), "1e-8");
+        assert_eq!(default_tolerance().parse::<f64>().expect("a number"), CERTIFY);
     }
 
     #[test]

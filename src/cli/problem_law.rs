@@ -1,7 +1,7 @@
 //! `--law`: the same data under another contact law.
 
 use crate::Result;
-use crate::problem::{ContactProblem, Law};
+use crate::problem::{Law, Posed};
 
 /// The laws of round cones, between which data can be moved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -27,13 +27,19 @@ impl LawOption {
     ///
     /// # Errors
     /// [`crate::Error::Invalid`] where the data do not fit the law.
-    pub fn pose(&self, problem: ContactProblem) -> Result<ContactProblem> {
+    pub fn pose(&self, posed: Posed) -> Result<Posed> {
         let law = match self.law {
-            None => return Ok(problem),
+            None => return Ok(posed),
             Some(NamedLaw::Frictionless) => Law::Frictionless,
             Some(NamedLaw::Coulomb) => Law::Coulomb,
             Some(NamedLaw::Associated) => Law::Associated,
         };
-        problem.into_builder().law(law).build()
+        Ok(match posed {
+            Posed::Contacts(problem) => Posed::Contacts(Box::new(problem.into_builder().law(law).build()?)),
+            Posed::Jointed(problem) => {
+                let friction = problem.friction().to_vec();
+                Posed::Jointed(Box::new(problem.law(law, friction)?))
+            }
+        })
     }
 }

@@ -6,17 +6,18 @@ use super::limits::CommonOptions;
 use super::output::{keep_input, no_answer, print};
 use super::scene::{count_steps, find, for_scheme, positive};
 use super::scheme_options::SchemeOptions;
+use super::solver_table::{check_name, with_table};
 use super::{Answer, Format};
 use crate::files::{is_same_file, write_together};
 use crate::report::json::pretty;
-use crate::report::motion::{MotionReport, Quantity, lines};
+use crate::report::motion::MotionReport;
 use crate::report::plot;
 use crate::report::steps::StepSummary;
+use crate::report::summary::MotionSummary;
 use crate::scenes::{self, ExactMotion, Linkage, Scene, Staged};
 use crate::schemes::{self, Scheme, Step};
 use crate::trajectory::{Producer, Trajectory};
 use crate::{Error, Result, solvers};
-use serde::Serialize;
 use std::path::{Path, PathBuf};
 
 /// Simulate a scene with a scheme: summary, trajectory/1 and a picture.
@@ -47,7 +48,7 @@ pub struct Arguments {
     #[command(flatten)]
     options: SchemeOptions,
     /// The solver of the contact problems.
-    #[arg(long, value_name = "NAME", default_value = "auto", help = super::solve::solver_help())]
+    #[arg(long, value_name = "NAME", default_value = "auto", help = super::solver_table::names(), long_help = super::solver_table::table())]
     solver: String,
     #[command(flatten)]
     certificate: CertificateOptions,
@@ -80,19 +81,6 @@ Examples:
 
 Exit code 1: the certificate rejects a step, or a step has no answer; --accept-rejected makes the first a warning.";
 
-/// What was simulated, for the summary.
-#[derive(Serialize)]
-struct Summary<'a> {
-    scene: &'a str,
-    scheme: &'a str,
-    solver: &'a str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    note: Option<&'static str>,
-    closed_form: Option<&'static str>,
-    quantities: Vec<Quantity>,
-    steps: StepSummary,
-}
-
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     match &arguments.scene {
@@ -108,7 +96,8 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
     arguments.common.memory.apply()?;
     let scheme = arguments.options.build(&arguments.scheme)?;
     arguments.keep_files(scene)?;
-    let solver = solvers::ALL.by_name(&arguments.solver).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
+    check_name(&arguments.solver)?;
+    let solver = solvers::ALL.by_name(&arguments.solver)?;
     let (staged, scene, note) = match scenes::linkage(scene) {
         Some(linkage) => (arguments.build_linkage(linkage)?, None, None),
         None => {
@@ -121,11 +110,12 @@ fn simulate(arguments: &Arguments, scene: &str) -> Result<Answer> {
     let certified = arguments.certificate.certified(solver.as_ref())?;
     let mut dumps = arguments.dumps.start(steps)?;
     let observe = |step: &Step| dumps.see(step);
-    let recording = schemes::simulate_certified(scheme.as_ref(), &certified, mechanism, staged.start, arguments.step, steps, observe)?;
+    let recording = schemes::simulate_certified(scheme.as_ref(), &certified, mechanism, staged.start, arguments.step, steps, observe)
+        .map_err(with_table)?;
     let exact = staged.exact;
     let motion = MotionReport { mechanism, recording: &recording, exact: exact.as_ref(), gravity: staged.gravity };
     write(arguments, &motion, scene.as_ref(), solver.name())?;
-    let summary = Summary {
+    let summary = MotionSummary {
         scene: &staged.name,
         scheme: &recording.scheme,
         solver: solver.name(),
@@ -209,21 +199,6 @@ impl Arguments {
             "this scheme has no restitution: every impact is plastic, e = 0 in place of the scene's"
         };
         Ok((scene, plastic.then_some(note)))
-    }
-}
-
-impl Summary<'_> {
-    fn text(&self) -> String {
-        let note = self.note.map(|note| format!("note: {note}\n")).unwrap_or_default();
-        let form = self.closed_form.unwrap_or("none for this scene");
-        format!(
-            "scene {}\nscheme {}, solver {}\nclosed form: {form}\n{note}{}{}",
-            self.scene,
-            self.scheme,
-            self.solver,
-            lines(&self.quantities),
-            self.steps.text()
-        )
     }
 }
 

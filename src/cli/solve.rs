@@ -1,18 +1,15 @@
 //! `moreau solve`: solves a contact problem and certifies its own answer.
 
+use super::kind::read_problem;
 use super::limits::CommonOptions;
 use super::output::{keep_input, no_answer, print, print_aside};
 use super::problem_law::LawOption;
+use super::residual_names::RESIDUALS;
 use super::solver_options::ToleranceOption;
-use super::{Answer, Format};
-use crate::certificate::residuals;
+use super::{Answer, Format, posed, solver_table};
 use crate::files::write_atomically;
-use crate::memory;
-use crate::problem::{ContactProblem, Solution};
-use crate::report::certificate::{Certificate, Ending};
+use crate::report::certificate::Ending;
 use crate::report::json::pretty;
-use crate::report::proofs::no_solution;
-use crate::solvers;
 use crate::solvers::watch::watched;
 use crate::{Error, Result};
 use std::path::PathBuf;
@@ -22,12 +19,12 @@ use std::path::PathBuf;
 /// Reads a file contact-problem/1, lcp/1, Siconos's .dat or FCLIB's HDF5, writes a solution/1 with its residuals, and prints the
 /// certificate: on standard error if the solution goes to standard output, on standard output if it goes to a file.
 #[derive(clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{RESIDUALS}"))]
 pub struct Arguments {
     /// The problem: contact-problem/1, lcp/1, .dat of Siconos, or HDF5 of FCLIB.
     problem: PathBuf,
     /// Which algorithm proposes the answer.
-    #[arg(long, default_value = "auto", value_name = "NAME", help = solver_help())]
+    #[arg(long, default_value = "auto", value_name = "NAME", help = solver_table::names(), long_help = solver_table::table())]
     solver: String,
     #[command(flatten)]
     tolerance: ToleranceOption,
@@ -49,6 +46,8 @@ pub struct Arguments {
     common: CommonOptions,
 }
 
+const USAGE: &str = "moreau solve PROBLEM";
+
 const EXAMPLES: &str = "\
 Examples:
   moreau solve problem.json                              solution/1 on standard output
@@ -66,32 +65,25 @@ The smallest problem, a block of 1 kg that slides and arrives at 1 m/s:
   {\"schema\": \"contact-problem/1\", \"name\": \"block\", \"dimension\": 2, \"law\": \"coulomb\",
    \"friction\": [0.5], \"free_velocity\": [-1, 2], \"delassus\": {\"shape\": [2, 2], \"rows\": [[1, 0], [0, 1]]}}";
 
-/// The solvers there are, for `--help`.
-pub fn solver_help() -> String {
-    format!("Which algorithm proposes the answer: {}", solvers::ALL.names().collect::<Vec<_>>().join(", "))
-}
-
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Answer> {
     arguments.tolerance.check()?;
     arguments.common.memory.apply()?;
     let solver = arguments.tolerance.solver(&arguments.solver, arguments.iterations)?;
     keep_input(&arguments.problem, "--out", arguments.out.as_deref())?;
-    let problem = arguments.law.pose(ContactProblem::read(&arguments.problem)?)?;
-    let start = arguments.start.as_deref().map(|file| Solution::read(file, &problem).map(|solution| (file, solution))).transpose()?;
-    if problem.delassus().blocks().is_none() {
-        memory::require(&format!("solving {} rows", problem.rows()), 8 * memory::matrix(problem.rows(), problem.rows()))?;
-    }
+    let problem = arguments.law.pose(read_problem(&arguments.problem, USAGE)?)?;
+    let start = arguments.start.as_deref().map(|file| posed::read_answer(&problem, file).map(|solution| (file, solution))).transpose()?;
+    posed::require_memory(&problem)?;
     let warm = start.as_ref().map(|(_, solution)| &solution.impulse);
-    let (answer, seen) = arguments.tolerance.within_time(|interrupt| watched(interrupt, || solver.solve(&problem, warm)));
+    let (answer, seen) = arguments.tolerance.within_time(|interrupt| watched(interrupt, || posed::solve(&problem, &*solver, warm)));
     let place = match (&answer, &start) {
-        (Err(Error::Invalid { field, .. }), Some((file, _))) if field == "warm_start" => file,
+        (Err(Error::Invalid { field, .. }), Some((file, _))) if field.starts_with("warm_start") => file,
         _ => arguments.problem.as_path(),
     };
     let solution = match answer.map_err(|error| error.in_file(place)) {
         Ok(solution) => solution,
         Err(error) => {
-            let proof = no_solution(&problem);
+            let proof = posed::refuted(&problem);
             if arguments.common.format == Format::Json {
                 return no_answer(error, proof, arguments.out.is_none());
             }
@@ -101,16 +93,16 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
             return Err(error);
         }
     };
-    let residuals = residuals(&problem, &solution)?;
+    let residuals = posed::judge(&problem, &solution)?;
     let exhausted = seen.interrupted || solver.iteration_limit().is_some_and(|most| solution.iterations >= most);
     let ending = Ending { exhausted, reproducible: !seen.interrupted, history: arguments.history.then_some(seen.history) };
-    let certificate = Certificate::new(&problem, &solution, &residuals, arguments.tolerance.accepted()).with_ending(ending);
-    let certificate = if certificate.accepts() { certificate } else { certificate.with_no_solution(no_solution(&problem)) };
+    let certificate = posed::certificate(&problem, &solution, residuals, arguments.tolerance.accepted()).with_ending(ending);
+    let certificate = if certificate.accepts() { certificate } else { certificate.with_no_solution(posed::refuted(&problem)) };
     let report = match arguments.common.format {
         Format::Text => certificate.text(),
         Format::Json => pretty(&certificate)?,
     };
-    let answer = solution.to_json(Some(problem.name()), Some(serde_json::to_value(residuals)?));
+    let answer = solution.to_json(Some(posed::name(&problem)), Some(serde_json::to_value(residuals)?));
     match &arguments.out {
         Some(file) => {
             write_atomically(file, answer.as_bytes())?;

@@ -1,6 +1,7 @@
 //! How a solver is asked: its name, its limit of iterations, the residual at which it stops, and the time it may take.
 
 use super::limits::check_tolerance;
+use super::solver_table::check_name;
 use crate::solvers::watch::Interrupt;
 use crate::solvers::{self, ContactSolver};
 use crate::tolerance::cli::{ASKED_SHARE, CERTIFY};
@@ -46,6 +47,7 @@ impl ToleranceOption {
     /// # Errors
     /// [`Error::Unsupported`] where there is no such solver, or it has no such limit.
     pub fn solver(&self, name: &str, iterations: Option<usize>) -> Result<Box<dyn ContactSolver>> {
+        check_name(name)?;
         let solver = solvers::ALL.with_iterations(name, iterations).map_err(|error| Error::Unsupported(format!("--solver: {error}")))?;
         let exact = self.tolerance.and_then(|tolerance| solver.with_tolerance(ASKED_SHARE * tolerance));
         Ok(exact.unwrap_or(solver))

@@ -28,7 +28,7 @@ pub static ALL: &[Stored] = table::STORED;
 ///
 /// let stored = moreau::problems::named("single-slide")?;
 /// let (problem, record) = (stored.problem()?, stored.record()?);
-/// let answer = moreau::problems::solution(&problem, &record.answers[0]);
+/// let answer = moreau::problems::solution(&problem, &record, &record.answers[0]);
 /// assert!(residuals(&problem, &answer)?.is_solution(1e-8));
 /// # Ok::<(), moreau::Error>(())
 /// ```
@@ -37,12 +37,13 @@ pub fn named(name: &str) -> Result<&'static Stored> {
     ALL.iter().find(|stored| stored.name == name).ok_or_else(missing)
 }
 
-/// The stored answer with its velocity, u = W r + u_free.
-pub fn solution(problem: &ContactProblem, answer: &Answered) -> Solution {
+/// An answer of a record with its velocity, u = W r + u_free, and with the iterations of the solver of the record that proposed it.
+pub fn solution(problem: &ContactProblem, record: &Record, answer: &Answered) -> Solution {
     let impulse = DVector::from_column_slice(&answer.impulse);
     let velocity = problem.velocity(&impulse);
     let vector = |numbers: &Option<Vec<f64>>| numbers.as_deref().map(DVector::from_column_slice);
-    let mut solution = Solution::new(answer.by.clone(), impulse, velocity, 0);
+    let asked = record.solvers.iter().find(|outcome| outcome.solver == answer.by);
+    let mut solution = Solution::new(answer.by.clone(), impulse, velocity, asked.and_then(|outcome| outcome.iterations).unwrap_or(0));
     (solution.beta, solution.sigma) = (vector(&answer.beta), vector(&answer.sigma));
     solution
 }

@@ -4,32 +4,50 @@ use super::bound::above;
 use super::lcp_proof::LcpProved;
 use crate::certificate::backward::{Backward, HeldAs};
 use crate::certificate::forward::{ContactState, Forward, Radius};
+use crate::certificate::joints::JointedResiduals;
 use crate::certificate::{Residuals, Worst};
 use crate::number::{significant, with_unit};
-use crate::problem::{ContactProblem, Solution};
+use crate::problem::{ConstraintKind, ContactProblem, JointedProblem, Solution};
 use crate::report::proofs::Proofs;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write;
 
 /// The certificate of one answer.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct Certificate<'a> {
-    /// `solved` or `rejected`; of a solver's own answer that is rejected `stalled` or `limit`.
+    /// `solved` or `rejected`; of a solver's own answer that is rejected `stalled` or `limit`; `infeasible` where no solution is proved.
+    #[schemars(extend("enum" = ["solved", "rejected", "stalled", "limit", "infeasible"]))]
     status: &'static str,
+    /// The problem's name.
     problem: &'a str,
+    /// Its law.
     law: &'static str,
+    /// Number of contacts.
     contacts: usize,
+    /// Limits and bilateral constraints, where there are joints.
+    #[serde(flatten)]
+    joints: Option<JointCounts>,
+    /// Who proposed the answer; empty where nobody is named.
     solver: &'a str,
+    /// Iterations or pivots; 0 where they are not known.
     iterations: usize,
-    residuals: &'a Residuals,
+    /// Every residual where it is worst, and norms.
+    residuals: JointedResiduals,
+    /// The largest relative residual that is accepted.
     tolerance: f64,
+    /// Whether the answer is accepted.
     solution: bool,
+    /// The nearest problem that impulses near these solve exactly, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     backward: Option<Proved>,
+    /// What is proved of a linear complementarity problem, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     lcp: Option<LcpProved>,
+    /// A solution of the problem itself near the answer, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     forward: Option<Near>,
+    /// What is proved of all solutions, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     solutions: Option<Proofs>,
     /// Why the problem has no solution, where an answer is rejected and that is proved.
@@ -43,29 +61,48 @@ pub struct Certificate<'a> {
     history: Option<Vec<f64>>,
 }
 
+/// How many joints a problem has.
+#[derive(Serialize, JsonSchema)]
+struct JointCounts {
+    /// Limits of one row.
+    limits: usize,
+    /// Bilateral constraints.
+    bilateral: usize,
+}
+
+impl JointCounts {
+    fn text(&self) -> String {
+        format!(", limits: {}, bilateral constraints: {}", self.limits, self.bilateral)
+    }
+}
+
 /// Whether a solution near was proved.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Near {
+    /// Whether there is one.
     proved: bool,
     /// Why not.
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<String>,
     /// Where the bound on u is largest, or where the proof failed.
     contact: Option<usize>,
+    /// How far it is at most.
     #[serde(skip_serializing_if = "Option::is_none")]
     radius: Option<Bounds>,
 }
 
 /// How far a solution is at most.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Bounds {
-    /// The largest ‖u* − u‖ of a contact [m/s].
+    /// The largest ‖u* − u‖ of a contact \[m/s\].
     velocity: f64,
-    /// The largest ‖r* − r‖ [N·s].
+    /// The largest ‖r* − r‖ \[N·s\].
     impulse: f64,
     /// Of every contact.
     states: Vec<&'static str>,
+    /// ‖u* − u‖ at most, of every contact \[m/s\].
     velocities: Vec<f64>,
+    /// ‖r* − r‖ at most, of every contact \[N·s\].
     impulses: Vec<f64>,
     /// Rows that depend exactly on others.
     dependent_rows: Vec<usize>,
@@ -83,27 +120,53 @@ pub struct Ending {
 }
 
 /// A proved backward error.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Proved {
-    /// The largest ‖δ_k‖ [m/s], and its contact.
+    /// The largest ‖δ_k‖ \[m/s\].
     velocity: f64,
+    /// Its contact.
     contact: Option<usize>,
-    /// The largest ‖r′ − r‖ [N·s].
+    /// The largest ‖r′ − r‖ \[N·s\].
     impulse: f64,
     /// Of every contact.
     states: Vec<&'static str>,
+    /// ‖δ_k‖ of every contact \[m/s\].
     velocities: Vec<f64>,
 }
 
 impl<'a> Certificate<'a> {
     /// Holds the residuals against a tolerance relative to the scales of their units.
-    pub fn new(problem: &'a ContactProblem, solution: &'a Solution, residuals: &'a Residuals, tolerance: f64) -> Self {
+    pub fn new(problem: &'a ContactProblem, solution: &'a Solution, residuals: &Residuals, tolerance: f64) -> Self {
+        let residuals = JointedResiduals { contacts: *residuals, bilateral: None };
+        let named = (problem.name(), problem.law().name(), problem.contacts());
+        Certificate::of(named, None, solution, residuals, tolerance)
+    }
+
+    /// The same of an answer with joints.
+    pub fn of_jointed(problem: &'a JointedProblem, solution: &'a Solution, residuals: JointedResiduals, tolerance: f64) -> Self {
+        let count = |is: fn(&ConstraintKind) -> bool| problem.kinds().iter().filter(|kind| is(kind)).count();
+        let joints = JointCounts {
+            limits: count(|kind| *kind == ConstraintKind::Limit),
+            bilateral: count(|kind| matches!(kind, ConstraintKind::Bilateral { .. })),
+        };
+        let named = (problem.name(), problem.contact_law().name(), count(|kind| *kind == ConstraintKind::Contact));
+        Certificate::of(named, Some(joints), solution, residuals, tolerance)
+    }
+
+    fn of(
+        (problem, law, contacts): (&'a str, &'static str, usize),
+        joints: Option<JointCounts>,
+        solution: &'a Solution,
+        residuals: JointedResiduals,
+        tolerance: f64,
+    ) -> Self {
         let solution_found = residuals.is_solution(tolerance);
         Certificate {
             status: if solution_found { "solved" } else { "rejected" },
-            problem: problem.name(),
-            law: problem.law().name(),
-            contacts: problem.contacts(),
+            problem,
+            law,
+            contacts,
+            joints,
             solver: &solution.solver,
             iterations: solution.iterations,
             residuals,
@@ -184,16 +247,20 @@ impl<'a> Certificate<'a> {
     /// The certificate for readers.
     pub fn text(&self) -> String {
         let solver = if self.solver.is_empty() { "not named" } else { self.solver };
-        let mut text = format!("problem `{}`, law {}, contacts: {}\n", self.problem, self.law, self.contacts);
+        let joints = self.joints.as_ref().map_or(String::new(), JointCounts::text);
+        let mut text = format!("problem `{}`, law {}, contacts: {}{joints}\n", self.problem, self.law, self.contacts);
         let mut line = |content: String| writeln!(text, "{content}").expect("writing to a String cannot fail");
         line(format!("solver {solver}, iterations: {}", self.iterations));
-        for (name, Worst { part, contact, .. }, unit) in self.residuals.judged.entries() {
+        let bilateral = self.residuals.bilateral.map(|worst| ("bilateral", worst, "m/s"));
+        // contacts are counted among all constraints where there are joints
+        let place = if self.joints.is_some() { "constraint" } else { "contact" };
+        for (name, Worst { part, contact, .. }, unit) in self.residuals.contacts.judged.entries().into_iter().chain(bilateral) {
             let [relative, limit] = [part.relative(), part.limit(self.tolerance)].map(significant);
             let value = with_unit(&significant(part.value), unit);
-            line(format!("  {name:18} {value:16} relative {relative:10} limit {:16} contact {contact}", with_unit(&limit, unit)));
+            line(format!("  {name:18} {value:16} relative {relative:10} limit {:16} {place} {contact}", with_unit(&limit, unit)));
         }
         line("norms over all contacts, shown for comparison only:".into());
-        for (name, value, unit) in self.residuals.norms() {
+        for (name, value, unit) in self.residuals.contacts.norms() {
             line(format!("  {name:18} {}", with_unit(&significant(value), unit)));
         }
         if let Some(proof) = &self.backward {

@@ -5,17 +5,21 @@ use crate::certificate::lcp_proof::{Answer, Count};
 use crate::problem::Lcp;
 use crate::scalar::{Rational, Scalar};
 use nalgebra::DVector;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write;
 
 /// A proof of an answer and of the number of solutions.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct LcpProved {
+    /// A solution near the answer, where one is proved.
     #[serde(skip_serializing_if = "Option::is_none")]
     near: Option<Near>,
+    /// Why none is.
     #[serde(skip_serializing_if = "Option::is_none")]
     not_proved: Option<NotProved>,
-    /// `one`, `several`, `continuum`, `none`, `some` where others were not excluded, or `unknown`.
+    /// How many solutions there are; `some` where others were not excluded.
+    #[schemars(extend("enum" = ["one", "several", "continuum", "none", "some", "unknown"]))]
     solutions: &'static str,
     /// How many, where there are several and no others.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -23,6 +27,7 @@ pub struct LcpProved {
     /// How many there are at least, where there may be more.
     #[serde(skip_serializing_if = "Option::is_none")]
     at_least: Option<usize>,
+    /// By what it is proved, or why it is not.
     why: String,
     /// All solutions, or the two ends of a continuum, rounded.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -33,21 +38,29 @@ pub struct LcpProved {
 }
 
 /// A solution near the answer.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "NearLcp")]
 struct Near {
-    /// `fractions` or `intervals`.
+    /// The arithmetic of the proof.
     #[serde(rename = "in")]
+    #[schemars(extend("enum" = ["fractions", "intervals"]))]
     arithmetic: &'static str,
+    /// How far it is from z at most, row by row.
     distance: f64,
+    /// How far its w is from M z + q at most.
     slack_distance: f64,
+    /// The rows where its z is positive.
     support: Vec<usize>,
+    /// The rows where its z and w are both zero.
     degenerate: Vec<usize>,
 }
 
 /// Why no solution was found near.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct NotProved {
+    /// The row where the proof failed.
     row: Option<usize>,
+    /// Why.
     reason: String,
 }
 
@@ -136,12 +149,16 @@ impl LcpProved {
 }
 
 /// How many solutions a problem has, without an answer.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct Counted<'a> {
-    /// `solvable`, `infeasible` or `unknown`.
+    /// Whether it is proved to have a solution, or none.
+    #[schemars(extend("enum" = ["solvable", "infeasible", "unknown"]))]
     status: &'static str,
+    /// The problem's name.
     problem: &'a str,
+    /// Its rows.
     rows: usize,
+    /// How many solutions it has.
     lcp: LcpProved,
 }
 

@@ -6,6 +6,7 @@ use crate::number::{larger, significant, with_unit};
 use crate::scenes::ExactMotion;
 use crate::trajectory::Recording;
 use crate::trajectory::metrics::{creep_speed, effective_restitutions, energy_balance, penetration, settling_time};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -22,7 +23,7 @@ pub struct MotionReport<'a> {
 }
 
 /// One number of the summary; no value where it is not defined for this motion.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Quantity {
     /// What it is.
     pub name: &'static str,

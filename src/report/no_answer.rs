@@ -1,14 +1,18 @@
 //! What JSON says where a solver gave no answer: the same as the message, in parts.
 
 use crate::Error;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A solver that ended without an answer.
-#[derive(Debug, PartialEq, Serialize)]
+#[derive(Debug, PartialEq, Serialize, JsonSchema)]
 pub struct NoAnswer<'a> {
-    /// `refused`, `breakdown`, `ray`, `limit` or `infeasible`.
+    /// How it ended.
+    #[schemars(extend("enum" = ["refused", "breakdown", "ray", "limit", "infeasible"]))]
     status: &'static str,
+    /// Its name.
     solver: &'a str,
+    /// Why there is no answer, in words.
     reason: &'a str,
     /// Why the problem has no solution, where that is proved.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -6,12 +6,14 @@ use crate::certificate::uniqueness::{Uniqueness, uniqueness};
 use crate::number::significant;
 use crate::problem::ContactProblem;
 use crate::scalar::{Rational, Scalar};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// What is known about all solutions of one problem.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct Proofs {
-    /// `solution`, `velocity` or `unknown`.
+    /// What is proved to be unique.
+    #[schemars(extend("enum" = ["solution", "velocity", "unknown"]))]
     unique: &'static str,
     /// Why it is, or why it is not known.
     reason: String,
@@ -24,20 +26,25 @@ pub struct Proofs {
 }
 
 /// All solutions of a problem in the plane.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "AllSolutions")]
 struct All {
+    /// How many patterns of open, sticking and sliding contacts were tried: all there are.
     patterns: usize,
     /// How many velocities; at the vertices, if they are a continuum.
     velocities: usize,
+    /// Whether they are a continuum.
     continuum: bool,
     /// u of each \[m/s\], rounded.
     found: Vec<Vec<f64>>,
 }
 
 /// p in fractions, and p·(u_free + shift).
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Refuted {
+    /// p, a fraction per row.
     witness: Vec<String>,
+    /// p·(u_free + shift), a negative fraction.
     product: String,
 }
 

@@ -3,16 +3,21 @@
 //! A schema says which fields there are and of what kind; sizes that must agree, unit lengths and the like are checked by the readers.
 
 use super::bench::Bench;
+use super::certificate::Certificate;
 use super::comparison::Comparison;
 use super::json::{ClaimEntry, ExplanationEntry, OutcomeEntry};
+use super::lcp_proof::Counted;
+use super::no_answer::NoAnswer;
+use super::peers::PeerReport;
 use super::problems::Line;
+use super::summary::MotionSummary;
 use super::witnesses::WitnessDocument;
 use crate::gate::baseline::Baseline;
 use crate::gate::conformance::Conformance;
 use crate::gate::process::messages::{Points, ReplyForm, Request};
 use crate::gate::{Description, Report};
 use crate::problem::{LcpFile, ProblemFile, SolutionFile};
-use crate::problems::Record;
+use crate::problems::{Measured, Record};
 use crate::scenes::Scene;
 use crate::systems;
 use crate::trajectory::Trajectory;
@@ -29,7 +34,7 @@ pub struct Format {
 }
 
 /// Every message and file format.
-pub const FORMATS: [Format; 21] = [
+pub const FORMATS: [Format; 27] = [
     Format { name: "request", about: "a line from the gate to an engine", generate: written::<Request> },
     Format { name: "reply", about: "the line that answers it", generate: read::<ReplyForm> },
     Format { name: "description", about: "the result of `describe`", generate: read::<Description> },
@@ -42,6 +47,20 @@ pub const FORMATS: [Format; 21] = [
         generate: read::<LcpFile>,
     },
     Format { name: "solution", about: "solution/1, the result of `solve`", generate: read::<SolutionFile> },
+    Format {
+        name: "certificate",
+        about: "what `moreau certify` and `moreau solve --out FILE` write, and `solve` on standard error",
+        generate: written::<Certificate>,
+    },
+    Format { name: "no-answer", about: "what `solve` and `simulate` write where a solver gave no answer", generate: written::<NoAnswer> },
+    Format {
+        name: "lcp-count",
+        about: "what `moreau certify --prove` writes of a linear complementarity problem without an answer",
+        generate: written::<Counted>,
+    },
+    Format { name: "simulation", about: "what `moreau simulate` writes", generate: written::<MotionSummary> },
+    Format { name: "measured-problem", about: "what `moreau problems measure` writes", generate: written::<Measured> },
+    Format { name: "peers", about: "peers/1, what `scripts/bench_peers.py` writes", generate: read::<PeerReport> },
     Format { name: "bench", about: "what `moreau bench` writes", generate: written::<Bench> },
     Format { name: "problems", about: "what `moreau problems list` writes", generate: written::<Vec<Line>> },
     Format {

@@ -56,7 +56,7 @@ fn files_that_do_not_fit_or_cannot_be_read_are_refused() {
     let short = folder.file("short.json", &solution(0.0).replace(", -0.5", ""));
     moreau(&["certify", &problem, &short]).is_refused(&["short.json", "impulse"]);
     moreau(&["certify", &problem, &folder.file("nan.json", &solution(0.0).replace("-0.5", "NaN"))]).is_refused(&["nan.json", "impulse"]);
-    moreau(&["certify", &problem, &problem]).is_refused(&["problem.json", "schema"]);
+    moreau(&["certify", &problem, &problem]).is_refused(&["problem.json", "SOLUTION"]);
     moreau(&["certify", &problem, &folder.path("missing.json")]).is_refused(&["missing.json", "cannot read"]);
     for tolerance in ["NaN", "-1", "inf"] {
         moreau(&["certify", &problem, &good, "--tolerance", tolerance]).is_refused(&["--tolerance"]);

@@ -1,9 +1,12 @@
 //! The built command, seen from outside: exit codes, messages, shapes of output, and that an error writes nothing.
 
+mod advice;
 mod bench;
 mod certify;
 mod compare;
 mod gate;
+mod help;
+mod joints;
 mod limits;
 mod problems;
 mod schema;

@@ -52,7 +52,7 @@ fn every_answer_is_certified_again_and_a_spoilt_one_is_not() {
     let most = if is_campaign() { usize::MAX } else { CERTIFIED };
     for (_, problem, record) in stored(most) {
         for answer in &record.answers {
-            let solution = solution(&problem, answer);
+            let solution = solution(&problem, &record, answer);
             let judged = residuals(&problem, &solution).expect("an answer that fits");
             assert!(judged.is_solution(CERTIFY), "{}: {judged:?}", record.name);
             let mut spoilt = solution.clone();

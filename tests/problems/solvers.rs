@@ -28,7 +28,7 @@ fn every_solver_answers_certified_or_says_honestly_that_it_does_not() {
     let (most, solvers) = (if is_campaign() { 100 } else { ASKED }, Solvers::own());
     let (mut solved, mut asked) = (0, 0);
     for (_, problem, record) in stored(most) {
-        let known: Vec<Solution> = record.answers.iter().map(|answer| solution(&problem, answer)).collect();
+        let known: Vec<Solution> = record.answers.iter().map(|answer| solution(&problem, &record, answer)).collect();
         let scale = known.iter().map(|one| one.velocity.amax()).fold(problem.free_velocity().amax(), f64::max);
         for name in solvers.names() {
             let solver = solvers.with_iterations(name, Some(ITERATIONS)).or_else(|_| solvers.by_name(name)).expect("listed");

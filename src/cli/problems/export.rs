@@ -78,7 +78,7 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
 /// The files of one problem.
 fn written(stored: &Stored, to: To, folder: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>> {
     let (problem, record) = (stored.problem()?, stored.record()?);
-    let answers: Vec<_> = record.answers.iter().map(|answer| solution(&problem, answer)).collect();
+    let answers: Vec<_> = record.answers.iter().map(|answer| solution(&problem, &record, answer)).collect();
     let text = stored.problem.unwrap_or_default();
     match to {
         To::ContactProblem => {

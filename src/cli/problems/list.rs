@@ -12,7 +12,7 @@ use std::path::PathBuf;
 
 /// List the problems, all of them or those that fit every filter.
 #[derive(clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, after_long_help = format!("{EXAMPLES}\n\n{COLUMNS}\n\n{}", groups()))]
 pub struct Arguments {
     /// Those of this family.
     #[arg(long, value_name = "NAME")]
@@ -46,6 +46,42 @@ Examples:
   moreau problems list --law coulomb --from 100 --hard
   moreau problems list --velocity several --format json
   moreau problems list --readme docs/problems.md";
+
+const COLUMNS: &str = "\
+Columns:
+  problem   its name, for `moreau problems show` and `export`
+  contacts  how many
+  law       frictionless, coulomb, associated, or a polyhedral one
+  μ         the coefficient of friction, or the least and the largest
+  velocity  whether all solutions have one velocity u: unique, several and none (no solution) are proved, unknown is not
+  δ         [m/s] the first answer solves exactly a problem whose free velocity is this near at every contact, proved in fractions
+  radius    [m/s] the problem itself has a solution whose u is this near, proved by intervals; – where that is not proved
+  sweeps    plain Gauss–Seidel sweeps until the certificate accepts 1e-8; – where they do not get there
+  failed    how many solvers gave up, or answered what the certificate rejects; a solver of other laws does not fail";
+
+/// The families of problems, for `--group`.
+const GROUPS: [(&str, &str); 15] = [
+    ("single", "one point or ball under every law: sticking, sliding, on borders, open"),
+    ("painleve", "rods on the ground with Painlevé's paradox: several velocities at large μ"),
+    ("plane", "in the plane: beams on 2 to 60 points, and others"),
+    ("boxes", "a box that rests, lands, slides or turns on 4 to 100 points"),
+    ("towers", "boxes on each other, at rest and sliding"),
+    ("walls", "bricks in bond, at rest and pushed"),
+    ("arches", "arches of 3 to 31 stones that stand by friction"),
+    ("spheres", "piles and pyramids of spheres"),
+    ("capsules", "heaps and chains of capsules"),
+    ("jammed", "bodies in wedges, slots and crates that they fill"),
+    ("redundant", "tables on more legs than they need: impulses are not unique"),
+    ("mass-ratio", "piles and pyramids whose masses differ by up to 1e6"),
+    ("convex", "the same data under frictionless, associated and polyhedral laws"),
+    ("no-solution", "proved to have none, some of them feasible"),
+    ("steps", "steps of MuJoCo, Drake, Siconos and Bullet"),
+];
+
+fn groups() -> String {
+    let lines: Vec<String> = GROUPS.iter().map(|(name, what)| format!("  {name:12}{what}")).collect();
+    format!("Groups, for --group:\n{}", lines.join("\n"))
+}
 
 const MARKERS: [&str; 2] = [BEGIN, END];
 
@@ -88,4 +124,16 @@ fn known<'a>(option: &str, given: Option<&str>, names: impl Iterator<Item = &'a 
     }
     let fallback = format!("use one of {}", names.join(", "));
     Err(Error::invalid(option, format!("is `{given}`"), suggestion(given, names.iter().copied(), &fallback)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn every_group_of_the_collection_is_explained_and_no_other() {
+        let records = ALL.iter().map(|stored| stored.record().expect("a record").group);
+        assert_eq!(records.collect::<BTreeSet<_>>(), GROUPS.iter().map(|(name, _)| name.to_string()).collect());
+    }
 }

@@ -17,10 +17,11 @@ use crate::tolerance::solvers::SWEEPS;
 use moreau_exact::error::Failure;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// What came of a problem.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Measured {
     /// Accepted answers with different velocities, the best first.
     pub answers: Vec<Found>,
@@ -31,7 +32,7 @@ pub struct Measured {
 }
 
 /// An accepted answer.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Found {
     /// r \[N·s\].
     pub impulse: Vec<f64>,
@@ -73,7 +74,7 @@ struct Accepted {
 pub fn measure(problem: &ContactProblem, given: &[Solution], solvers: &Solvers) -> Result<Measured> {
     let mut accepted = Vec::new();
     for candidate in given {
-        check_size(problem, candidate)?;
+        problem.require_size("impulse", candidate.impulse.len())?;
         let solution = Solution { velocity: problem.velocity(&candidate.impulse), ..candidate.clone() };
         let judged = residuals(problem, &solution)?;
         if judged.is_solution(CERTIFY) {
@@ -98,14 +99,6 @@ pub fn measure(problem: &ContactProblem, given: &[Solution], solvers: &Solvers) 
         outcome.difference = velocity.as_ref().map(distance).filter(|distance| distance.is_finite());
     }
     Ok(Measured { answers, solvers: outcomes, difficulty: difficulty(problem)? })
-}
-
-fn check_size(problem: &ContactProblem, given: &Solution) -> Result<()> {
-    if given.impulse.len() == problem.rows() {
-        return Ok(());
-    }
-    let cure = format!("give {}, one per row of the problem", problem.rows());
-    Err(Error::invalid("impulse", format!("has {} numbers", given.impulse.len()), cure))
 }
 
 /// The family of an algorithm, by the name it gives itself: two of one family are no two witnesses.

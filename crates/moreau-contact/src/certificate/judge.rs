@@ -95,7 +95,7 @@ impl Judged {
 
 impl Worst {
     /// The first part is kept even where it is 0: it has a limit that readers look at.
-    fn take(&mut self, contact: usize, part: Part) {
+    pub(super) fn take(&mut self, contact: usize, part: Part) {
         let is_rounding = part.value <= part.floor && part.floor.is_finite();
         if is_rounding && part.value <= self.part.value && self.part != Part::default() {
             return; // its relative size is 0, and its value no larger
@@ -139,8 +139,19 @@ impl Judge {
 
     /// [`Judge::judge`] of another answer to the problem that was prepared last.
     pub(crate) fn judge_prepared(&mut self, problem: &ContactProblem, solution: &Solution) -> Result<Judged> {
+        self.judge_rounded(problem, solution, &[])
+    }
+
+    /// [`Judge::judge`] where the given velocities have this rounding \[m/s\] besides that of y; none where it is empty.
+    pub(super) fn judge_within(&mut self, problem: &ContactProblem, solution: &Solution, rounding: &[f64]) -> Result<Judged> {
+        self.scales.prepare(problem);
+        self.judge_rounded(problem, solution, rounding)
+    }
+
+    fn judge_rounded(&mut self, problem: &ContactProblem, solution: &Solution, rounding: &[f64]) -> Result<Judged> {
         let impulse = solution.impulse.as_slice();
         self.scales.set_floors(problem, impulse);
+        self.scales.floors.iter_mut().zip(rounding).for_each(|(floor, more)| *floor += more);
         self.set_law_velocity(problem, impulse);
         let law_velocity = std::mem::take(&mut self.law_velocity);
         let judged = self.contacts(problem, solution, impulse, &law_velocity);
@@ -287,9 +298,9 @@ fn friction(mu: f64, s_r: f64, here: &Here) -> Part {
 pub(super) fn check_sizes(problem: &ContactProblem, solution: &Solution) -> Result<()> {
     // in the plane every cone is polyhedral, with the two senses of tangent₁ as directions
     let d = problem.law().directions().unwrap_or(if problem.rows_per_contact() == 2 { 2 } else { 0 });
+    problem.require_size("impulse", solution.impulse.len())?;
+    problem.require_size("velocity", solution.velocity.len())?;
     let given = [
-        ("impulse", Some(solution.impulse.len()), problem.rows()),
-        ("velocity", Some(solution.velocity.len()), problem.rows()),
         ("beta", solution.beta.as_ref().map(|beta| beta.len()), d * problem.contacts()),
         ("sigma", solution.sigma.as_ref().map(|sigma| sigma.len()), problem.contacts()),
     ];
@@ -298,7 +309,7 @@ pub(super) fn check_sizes(problem: &ContactProblem, solution: &Solution) -> Resu
         Some((field, size, needed)) => Err(Error::invalid(
             field,
             format!("has size {}", size.unwrap_or(0)),
-            format!("give size {needed}, which the problem `{}` needs", problem.name()),
+            format!("give size {needed}, for {} contacts", problem.contacts()),
         )),
     }
 }

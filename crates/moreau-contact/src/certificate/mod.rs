@@ -16,6 +16,7 @@ pub mod forward;
 mod groups;
 pub mod infeasible;
 pub mod interval;
+pub mod joints;
 mod judge;
 pub mod lcp;
 mod lcp_enclosure;

@@ -72,8 +72,13 @@ pub struct Residuals {
 /// # Ok::<(), moreau_contact::Error>(())
 /// ```
 pub fn residuals(problem: &ContactProblem, solution: &Solution) -> Result<Residuals> {
+    with_rounding(problem, solution, &[])
+}
+
+/// The same where the given velocities have this rounding \[m/s\], row by row, besides that of y; none where it is empty.
+pub(super) fn with_rounding(problem: &ContactProblem, solution: &Solution, rounding: &[f64]) -> Result<Residuals> {
     check_sizes(problem, solution)?;
-    let judged = Judge::default().judge(problem, solution)?;
+    let judged = Judge::default().judge_within(problem, solution, rounding)?;
     let impulse = &solution.impulse;
     let data = problem.free_velocity() + problem.shift();
     let map = NaturalMap::new(problem, solution)?;

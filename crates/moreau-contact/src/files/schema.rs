@@ -47,10 +47,13 @@ pub fn read_object<T: DeserializeOwned>(text: &str, schema: &str) -> Result<T> {
     serde_json::from_str(text).map_err(|error| name_field(text, schema, error))
 }
 
-/// The error with the last key before the place where reading stopped; a text that ends too early has no such place.
+/// The error with the last key before the place where reading stopped.
 fn name_field(text: &str, schema: &str, error: serde_json::Error) -> Error {
     use serde_json::error::Category;
-    if matches!(error.classify(), Category::Io | Category::Eof) {
+    if error.classify() == Category::Eof {
+        return ends_early(text, &error);
+    }
+    if error.classify() == Category::Io {
         return Error::Json(error);
     }
     let (problem, cure) = if error.to_string().starts_with("number out of range") {
@@ -65,6 +68,17 @@ fn name_field(text: &str, schema: &str, error: serde_json::Error) -> Error {
         Some(field) => Error::invalid(field, problem, cure),
         None => Error::Json(error),
     }
+}
+
+/// The error of a text that is cut off: where it ends, and after which key.
+fn ends_early(text: &str, error: &serde_json::Error) -> Error {
+    let field = last_key(text, error.line(), error.column()).unwrap_or_else(|| "schema".into());
+    let problem = if text.trim().is_empty() {
+        "is missing, because the text is empty".into()
+    } else {
+        format!("is the last one of a text that ends early, at line {} column {}", error.line(), error.column())
+    };
+    Error::invalid(field, problem, "it is not valid JSON: write or copy the file again, whole")
 }
 
 /// The field that the message itself names: an unknown, missing or doubled one.
@@ -114,12 +128,14 @@ mod tests {
         assert!(message("\u{feff}{\"schema\":\"pair/1\"}").contains("start with"));
         assert!(message(r#"{"schema":"pair/2"}"#).contains("pair/1"));
         assert!(message(r#"{"first":[1]}"#).contains("`schema`"));
-        assert!(message(r#"{"schema":"pair/1","first":[1"#).contains("EOF"));
+        let cut = message("{\"schema\":\"pair/1\",\n\"first\":[1");
+        assert!(cut.contains("`first`") && cut.contains("ends early, at line 2 column 10") && cut.contains("not valid JSON"), "{cut}");
+        assert!(message("{").contains("ends early, at line 1"));
         assert!(message(r#"{"schema":"pair/1","first":[NaN],"second":2}"#).contains("`first`: not valid JSON"));
         assert!(message(r#"{"schema":"pair/1","first":[1],"second":-Infinity}"#).contains("`second`: not valid JSON"));
         for text in ["no JSON at all", "[1]", "null", "\"x\""] {
             assert!(message(text).contains("not a JSON object"), "{text}");
         }
-        assert!(message("").contains("not valid JSON"));
+        assert!(message(" \n").contains("the text is empty"));
     }
 }

@@ -6,12 +6,14 @@ mod carried;
 mod contact_problem;
 #[cfg(feature = "fclib")]
 mod fclib;
+mod jointed;
 #[cfg(feature = "files")]
 mod json;
 mod keys;
 mod law;
 mod lcp;
 mod planar_problem;
+mod posed;
 #[cfg(feature = "files")]
 mod siconos;
 mod solution;
@@ -20,10 +22,12 @@ pub mod stewart_trinkle;
 pub use carried::carried;
 pub(crate) use contact_problem::island_rows;
 pub use contact_problem::{Compliance, ContactProblem, ContactProblemBuilder, Coordinates, Dynamics};
+pub use jointed::{ConstraintKind, JointedProblem};
 #[cfg(feature = "files")]
 pub use json::{LcpFile, ProblemFile, SolutionFile};
 pub use keys::ContactKey;
 pub use law::Law;
 pub use lcp::Lcp;
 pub use planar_problem::{ImpulseLcp, PlanarProblem, Response};
+pub use posed::Posed;
 pub use solution::Solution;

@@ -76,7 +76,7 @@ impl ContactSolver for AlternatingDirections {
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         if problem.law().directions().is_some() {
-            return Err(Error::refused(NAME, format!("does not solve the law `{}`; use `lemke`", problem.law().name())));
+            return Err(Error::refused(NAME, format!("does not solve the law `{}`", problem.law().name())));
         }
         let start = super::start(problem, warm_start)?;
         let data = problem.law_velocity(&DVector::zeros(problem.rows()));

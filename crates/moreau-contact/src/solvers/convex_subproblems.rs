@@ -59,7 +59,7 @@ impl ContactSolver for ConvexSubproblems {
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         if problem.law() != Law::Coulomb {
-            let reason = format!("is for Coulomb's law, and this one is `{}`; use `auto`", problem.law().name());
+            let reason = format!("is for Coulomb's law, and this one is `{}`", problem.law().name());
             return Err(Error::refused(NAME, reason));
         }
         let mut impulse = super::start(problem, warm_start)?;

@@ -44,7 +44,7 @@ impl ContactSolver for Enumeration {
         super::start(problem, warm_start)?;
         let unknowns = form.unknowns(problem);
         if unknowns > SEARCHED_ROWS {
-            return Err(Error::refused(NAME, format!("is for up to {SEARCHED_ROWS} unknowns, this LCP has {unknowns}; use `lemke`")));
+            return Err(Error::refused(NAME, format!("is for up to {SEARCHED_ROWS} unknowns, this LCP has {unknowns}")));
         }
         let lcp = form.lcp(problem)?;
         let whole: Lcp<Rational> = Lcp::new(lcp.matrix.map(exact), lcp.vector.map(exact));

@@ -66,10 +66,7 @@ impl ContactSolver for InteriorPoint {
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         if !self.takes(problem.law(), problem.rows_per_contact(), true) {
-            return Err(Error::refused(
-                NAME,
-                format!("does not solve the law `{}`; use `nonsmooth-newton` or `lemke`", problem.law().name()),
-            ));
+            return Err(Error::refused(NAME, format!("does not solve the law `{}`", problem.law().name())));
         }
         // where it starts is in the middle of the cone, whatever is known
         super::start(problem, warm_start)?;

@@ -36,10 +36,7 @@ impl Form {
             (Law::PolyhedralAssociated { directions }, _) => Ok(Form::Edges { directions }),
             (Law::Associated, 2) => Ok(Form::Edges { directions: 2 }),
             (law, _) => {
-                let reason = format!(
-                    "the law `{}` in three dimensions is not linear; use `polyhedral-coulomb` or `polyhedral-associated`",
-                    law.name()
-                );
+                let reason = format!("is for linear complementarity problems, and the law `{}` in three dimensions is none", law.name());
                 Err(Error::refused(solver, reason))
             }
         }
@@ -52,7 +49,7 @@ impl Form {
     pub(super) fn frictionless(problem: &ContactProblem, solver: &str) -> Result<Form> {
         match problem.law() {
             Law::Frictionless => Ok(Form::Normals),
-            law => Err(Error::refused(solver, format!("is for the law `frictionless`, this is `{}`; use `lemke`", law.name()))),
+            law => Err(Error::refused(solver, format!("is for the law `frictionless`, this is `{}`", law.name()))),
         }
     }
 

@@ -72,7 +72,7 @@ impl ContactSolver for NonsmoothNewton {
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         if !NonsmoothNewton::fits(problem) {
-            return Err(Error::refused(NAME, "does not solve a compliance on edges, of which the impulse is not a function; use `lemke`"));
+            return Err(Error::refused(NAME, "does not solve a compliance on edges, of which the impulse is not a function"));
         }
         let mut equations = Equations::new(problem)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
@@ -394,6 +394,6 @@ mod tests {
         let compliance = Compliance { coordinates: Coordinates::Edge, diagonal: DVector::from_element(16, 1.0) };
         let hard = four_corners(Law::PolyhedralAssociated { directions: 4 }, 0.1, 0.0);
         let problem = hard.into_builder().compliance(compliance).build().unwrap();
-        assert!(NonsmoothNewton::default().solve(&problem, None).unwrap_err().to_string().contains("lemke"));
+        assert!(NonsmoothNewton::default().solve(&problem, None).unwrap_err().to_string().contains("compliance on edges"));
     }
 }

@@ -13,10 +13,12 @@ use nalgebra::DVector;
 pub fn start(problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<DVector<f64>> {
     match warm_start {
         None => Ok(DVector::zeros(problem.rows())),
-        Some(impulse) if impulse.len() == problem.rows() && impulse.iter().all(|r| r.is_finite()) => Ok(impulse.clone()),
         Some(impulse) => {
-            let cure = format!("give {} finite impulses", problem.rows());
-            Err(Error::invalid("warm_start", format!("has {} entries, or some not finite", impulse.len()), cure))
+            problem.require_size("warm_start", impulse.len())?;
+            match impulse.iter().position(|r| !r.is_finite()) {
+                None => Ok(impulse.clone()),
+                Some(row) => Err(Error::invalid(format!("warm_start[{row}]"), format!("is {}", impulse[row]), "give finite impulses")),
+            }
         }
     }
 }
@@ -58,10 +60,9 @@ pub fn project(problem: &ContactProblem, impulse: &mut DVector<f64>) {
     }
 }
 
-/// The error of a solver for convex laws that is given another one, with a solver that takes it.
+/// The error of a solver for convex laws that is given another one.
 pub fn not_convex(solver: &str, law: Law) -> Error {
-    let cure = if law.directions().is_some() { "lemke" } else { "pgs" };
-    Error::refused(solver, format!("does not solve the law `{}`; use `{cure}`", law.name()))
+    Error::refused(solver, format!("does not solve the law `{}`", law.name()))
 }
 
 /// Whether a solver of convex programs over second-order cones takes a problem with this law and symmetry.
@@ -72,7 +73,7 @@ pub fn takes_convex(law: Law, symmetric: bool) -> bool {
 /// Refuses what [`takes_convex`] does not take.
 ///
 /// # Errors
-/// [`Error::Solver`] with a solver that takes it, or with the relative asymmetry.
+/// [`Error::Solver`] with the law, or with the relative asymmetry.
 pub fn require_convex(solver: &str, problem: &ContactProblem) -> Result<()> {
     if !takes_convex(problem.law(), true) {
         return Err(not_convex(solver, problem.law()));
@@ -83,7 +84,7 @@ pub fn require_convex(solver: &str, problem: &ContactProblem) -> Result<()> {
 /// Refuses another law than [`takes_convex`] takes, and a W that is asymmetric by more than [`SLIGHTLY`].
 ///
 /// # Errors
-/// [`Error::Solver`] with a solver that takes it, or with the relative asymmetry.
+/// [`Error::Solver`] with the law, or with the relative asymmetry.
 pub fn require_nearly_convex(solver: &str, problem: &ContactProblem) -> Result<()> {
     if !takes_convex(problem.law(), true) {
         return Err(not_convex(solver, problem.law()));
@@ -113,5 +114,5 @@ fn at_most(solver: &str, problem: &ContactProblem, most: f64) -> Result<()> {
     if asymmetry <= most {
         return Ok(());
     }
-    Err(Error::refused(solver, format!("needs a symmetric W, and this one has relative asymmetry {asymmetry:.1e}; use `pgs` or `lemke`")))
+    Err(Error::refused(solver, format!("needs a symmetric W, and this one has relative asymmetry {asymmetry:.1e}")))
 }

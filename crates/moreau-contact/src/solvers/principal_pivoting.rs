@@ -82,7 +82,7 @@ impl Murty {
                 return Ok(PrincipalOutcome::Basis(tableau.support(), pivots));
             };
             if tableau.matrix[(place, place)] <= negligible(lcp.size()) {
-                return Err(refused(MURTY, place, "a P-matrix; use `parametric-pivoting` or `lemke`"));
+                return Err(refused(MURTY, place, "a P-matrix"));
             }
             tableau.exchange(place, place);
         }
@@ -102,7 +102,7 @@ impl ParametricPivoting {
         for pivots in 0..=self.pivots {
             let Some((s, parameter)) = next(&tableau) else { return Ok(PrincipalOutcome::Basis(tableau.support(), pivots)) };
             let (row, diagonal) = (tableau.basic[s] % size, tableau.matrix[(s, s)].clone());
-            let not_of_class = || refused(PARAMETRIC, row, "positive semidefinite, nor a P-matrix; use `lemke`");
+            let not_of_class = || refused(PARAMETRIC, row, "positive semidefinite, nor a P-matrix");
             if diagonal < -negligible::<T>(size) {
                 return Err(not_of_class());
             }

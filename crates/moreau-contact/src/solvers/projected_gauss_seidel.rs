@@ -82,8 +82,7 @@ impl ContactSolver for ProjectedGaussSeidel {
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         let rows = problem.rows_per_contact();
         if !is_swept(problem.law(), rows) {
-            let reason =
-                format!("does not solve the law `{}` with {rows} rows per contact; use `lemke` or `clarabel`", problem.law().name());
+            let reason = format!("does not solve the law `{}` with {rows} rows per contact", problem.law().name());
             return Err(Error::refused(NAME, reason));
         }
         let start = super::start(problem, warm_start)?;
@@ -209,7 +208,9 @@ impl<'a, S: Swept<D>, L: OneContact, const D: usize> Sweeper<'a, S, L, D> {
         }
         // plain sweeps that reach their declared number answer the last iterate
         let keeps_best = solver.memory > 0 || self.sweeps < solver.sweeps;
-        let impulse = if keeps_best && self.is_finite() { self.best.impulse } else { self.point.x };
+        // one that is ended before its first look has none that was measured
+        let measured = !self.best.impulse.is_empty();
+        let impulse = if keeps_best && measured && self.is_finite() { self.best.impulse } else { self.point.x };
         let velocity = self.problem.velocity(&impulse);
         super::finite(Solution::new(NAME, impulse, velocity, self.sweeps))
     }

@@ -60,7 +60,7 @@ impl ContactSolver for ProjectedOverRelaxation {
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         if problem.law().directions().is_some() {
-            return Err(Error::refused(NAME, format!("does not solve the law `{}`; use `lemke`", problem.law().name())));
+            return Err(Error::refused(NAME, format!("does not solve the law `{}`", problem.law().name())));
         }
         let rows = problem.rows_per_contact();
         let steps = step_lengths(problem, self.relaxation)?;

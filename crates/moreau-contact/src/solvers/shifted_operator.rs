@@ -112,7 +112,7 @@ impl<'a> ShiftedOperator<'a> {
 }
 
 fn indefinite(solver: &str) -> Error {
-    Error::refused(solver, "needs a positive semidefinite W + R; use `pgs`")
+    Error::refused(solver, "needs a positive semidefinite W + R")
 }
 
 #[cfg(test)]

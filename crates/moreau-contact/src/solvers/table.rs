@@ -2,12 +2,18 @@
 
 #[cfg(feature = "clarabel")]
 use super::ClarabelPolished;
+use super::watch::{Interrupt, watched};
 use super::{
     AcceleratedProjectedGradient, AlternatingDirections, Auto, BarzilaiBorwein, ContactSolver, ConvexSubproblems, Enumeration, GaussNewton,
     InteriorPoint, LemkePivoting, Murty, NewtonMin, NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation,
 };
-use crate::tolerance::solvers::MOST_ITERATIONS;
+use crate::problem::ContactProblem;
+use crate::tolerance::solvers::{ASKED_ROWS, MOST_ITERATIONS, SYMMETRY};
+use moreau_exact::error::Failure;
 use moreau_exact::{Error, Result};
+
+/// How many solvers a refusal names.
+const NAMED: usize = 3;
 
 /// One solver of a table.
 #[derive(Clone, Copy, Debug)]
@@ -155,6 +161,47 @@ impl Solvers {
         Ok(limited(limit))
     }
 
+    /// The names of those that take this problem and promise a solution, in order: each is asked by [`ContactSolver::takes`], and at up to
+    /// [`ASKED_ROWS`] rows by solving, which is ended at its first look.
+    /// ```
+    /// use moreau_contact::nalgebra::{DMatrix, dvector};
+    /// use moreau_contact::prelude::*;
+    /// use moreau_contact::solvers::Solvers;
+    ///
+    /// let block = ContactProblem::new(DMatrix::identity(3, 3), dvector![-1.0, 2.0, 0.0]).friction(vec![0.5]).build()?;
+    /// let solvers = Solvers::own();
+    /// let taking: Vec<&str> = solvers.taking(&block).collect();
+    /// assert!(taking.contains(&"pgs") && !taking.contains(&"lemke")); // Coulomb's law in space is no LCP
+    /// # Ok::<(), moreau_contact::Error>(())
+    /// ```
+    pub fn taking<'a>(&'a self, problem: &'a ContactProblem) -> impl Iterator<Item = &'static str> + 'a {
+        let symmetric = problem.asymmetry() <= SYMMETRY;
+        let takes = move |entry: &&SolverEntry| {
+            let solver = (entry.default)();
+            let in_scope = !solver.is_truncated() && solver.takes(problem.law(), problem.rows_per_contact(), symmetric);
+            in_scope && (problem.rows() > ASKED_ROWS || !is_refused(solver.as_ref(), problem))
+        };
+        self.0.iter().filter(takes).map(|entry| entry.name)
+    }
+
+    /// The error of a solver of this table, and, where that refused the problem, who takes it; the first [`NAMED`] of them.
+    pub fn with_cure(&self, error: Error, problem: &ContactProblem) -> Error {
+        match error {
+            Error::Solver { solver, failure: Failure::Refused, reason } => {
+                let others = self.taking(problem).filter(|name| *name != solver);
+                let taking: Vec<String> = others.take(NAMED).map(|name| format!("`{name}`")).collect();
+                let cure = match taking.split_last() {
+                    None => "no solver takes this problem".to_string(),
+                    Some((only, [])) => format!("use {only}, which takes this problem"),
+                    Some((last, others)) => format!("use {} or {last}, which take this problem", others.join(", ")),
+                };
+                Error::refused(solver, format!("{reason}; {cure}"))
+            }
+            Error::InFile { file, inner } => self.with_cure(*inner, problem).in_file(&file),
+            other => other,
+        }
+    }
+
     fn entry(&self, name: &str) -> Result<&SolverEntry> {
         let unknown = || {
             if name == "clarabel" && !cfg!(feature = "clarabel") {
@@ -164,6 +211,14 @@ impl Solvers {
         };
         self.0.iter().find(|entry| entry.name == name).ok_or_else(unknown)
     }
+}
+
+/// Whether it refuses the problem; an iteration ends at its first look.
+fn is_refused(solver: &dyn ContactSolver, problem: &ContactProblem) -> bool {
+    let ended = Interrupt::default();
+    ended.now();
+    let (answer, _) = watched(&ended, || solver.solve(problem, None));
+    matches!(answer, Err(Error::Solver { failure: Failure::Refused, .. }))
 }
 
 #[cfg(test)]

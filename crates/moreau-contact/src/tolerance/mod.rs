@@ -8,6 +8,7 @@ pub mod complementarity;
 pub mod cones;
 pub mod first_order;
 pub mod fronts;
+pub mod joints;
 pub mod limits;
 pub mod problem;
 pub mod proof;

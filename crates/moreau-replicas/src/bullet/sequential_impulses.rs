@@ -102,7 +102,7 @@ fn is_boxed(law: Law, rows: usize) -> Result<bool> {
         (Law::PolyhedralCoulomb { .. }, 2) => Ok(false),
         (Law::PolyhedralCoulomb { directions: 4 }, 3) => Ok(true),
         (Law::PolyhedralCoulomb { directions }, _) => {
-            Err(Error::refused(NAME, format!("bounds friction by a square, and this problem has {directions} directions; use `lemke`")))
+            Err(Error::refused(NAME, format!("bounds friction by a square, and this problem has {directions} directions")))
         }
         (law, _) => Err(parts::not_convex(NAME, law)),
     }

@@ -73,10 +73,7 @@ struct Projection<'a> {
 impl<'a> Projection<'a> {
     fn of(problem: &'a ContactProblem) -> Result<Self> {
         let Some(Compliance { coordinates: Coordinates::Contact, diagonal }) = problem.compliance() else {
-            return Err(Error::refused(
-                NAME,
-                "needs a compliance R > 0 in contact coordinates; use `pgs` or `clarabel` for a hard contact",
-            ));
+            return Err(Error::refused(NAME, "needs a compliance R > 0 in contact coordinates"));
         };
         let scaled = |(contact, part): (usize, &[f64])| {
             let friction = if problem.law() == Law::Frictionless { 0.0 } else { problem.friction()[contact] };

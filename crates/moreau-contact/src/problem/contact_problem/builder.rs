@@ -140,6 +140,15 @@ fn friction(given: Option<Vec<f64>>, law: Law, size: usize, rows: usize) -> Resu
     if !(1..=3).contains(&rows) {
         return Ok(given.unwrap_or_default()); // `validate` names the number of rows
     }
+    if let Some(friction) = given {
+        let contacts = friction.len();
+        if size == rows * contacts {
+            return Ok(friction);
+        }
+        let needed = format!("give size {}, for {contacts} contacts with {rows} rows each", rows * contacts);
+        let cure = format!("{needed}, or as many `friction` as contacts, or correct their rows (`rows_per_contact`, in files `dimension`)");
+        return Err(Error::invalid("free_velocity", format!("has size {size}"), cure));
+    }
     let contacts = size / rows;
     if !size.is_multiple_of(rows) {
         let cure = format!(
@@ -147,20 +156,11 @@ fn friction(given: Option<Vec<f64>>, law: Law, size: usize, rows: usize) -> Resu
         );
         return Err(Error::invalid("free_velocity", format!("has size {size}"), cure));
     }
-    match given {
-        Some(friction) if friction.len() != contacts => {
-            let cure = format!(
-                "give {contacts}, one per contact of {rows} rows, or correct the number of rows (`rows_per_contact`, in files `dimension`)"
-            );
-            Err(Error::invalid("friction", format!("has {} entries", friction.len()), cure))
-        }
-        Some(friction) => Ok(friction),
-        None if law == Law::Frictionless || rows < 2 || contacts == 0 => Ok(vec![0.0; contacts]),
-        None => {
-            let problem = format!("is missing, but the law `{}` needs it", law.name());
-            Err(Error::invalid("friction", problem, format!("give {contacts} numbers μ ≥ 0, with 0 for a contact without friction")))
-        }
+    if law == Law::Frictionless || rows < 2 || contacts == 0 {
+        return Ok(vec![0.0; contacts]);
     }
+    let problem = format!("is missing, but the law `{}` needs it", law.name());
+    Err(Error::invalid("friction", problem, format!("give {contacts} numbers μ ≥ 0, with 0 for a contact without friction")))
 }
 
 /// v_free, if it has one entry per column of H.

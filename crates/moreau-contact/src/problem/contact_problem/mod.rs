@@ -19,6 +19,9 @@ pub use dynamics::Dynamics;
 use known::{Known, columns_of};
 use once::Once;
 pub(crate) use part::island_rows;
+#[cfg(feature = "files")]
+pub(super) use validation::ROWS;
+pub(super) use validation::{finite, not_negative, two_bodies};
 
 /// In which coordinates a diagonal compliance R acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

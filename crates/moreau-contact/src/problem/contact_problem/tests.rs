@@ -1,6 +1,7 @@
 //! Tests of the builder: what is not said, and what is refused.
 
 use super::*;
+use crate::problem::ContactKey;
 use moreau_exact::Result;
 use nalgebra::{dmatrix, dvector};
 
@@ -59,6 +60,9 @@ fn no_problem_is_built_that_cannot_be_meant() {
     refused(point().compliance(diagonal(&[1.0])).build(), "compliance.diagonal");
     refused(point().compliance(diagonal(&[1.0, -1.0, 0.0])).build(), "compliance.diagonal[1]");
     refused(point().bodies(vec![[Some(1), Some(1)]]).build(), "bodies[0]");
+    for bodies in [[Some(1), Some(1)], [None, None]] {
+        refused(point().keys(vec![ContactKey { bodies, features: [0, 0] }]).build(), "keys[0]");
+    }
     refused(point().dynamics(Dynamics { mass: dmatrix![1.0], jacobian: dmatrix![1.0] }).build(), "jacobian");
     refused(ContactProblem::from_dynamics(dmatrix![1.0], dmatrix![1.0; 0.0; 0.0], &dvector![1.0, 2.0]).build(), "free_motion");
     refused(ContactProblem::from_dynamics(dmatrix![-1.0], dmatrix![1.0; 0.0; 0.0], &dvector![1.0]).build(), "mass");

@@ -7,6 +7,10 @@ use crate::tolerance::problem::POLYHEDRAL_UNKNOWNS;
 use moreau_exact::{Error, Result};
 use std::collections::HashMap;
 
+/// What to do where a contact has other rows.
+pub(in crate::problem) const ROWS: &str = "use 1 (normal rows only), 2 or 3: friction of 4 to 6 rows, rolling and drilling, is no law here, \
+                                           and a joint is a bilateral constraint of `kinds`";
+
 impl ContactProblem {
     /// Checks sizes, finiteness and signs.
     ///
@@ -14,21 +18,15 @@ impl ContactProblem {
     /// [`Error::Invalid`] names the first field that is not valid.
     pub(super) fn validate(&self) -> Result<()> {
         if !(1..=3).contains(&self.rows_per_contact) {
-            return Err(Error::invalid("dimension", format!("is {}", self.rows_per_contact), "use 1 (normal rows only), 2 or 3"));
+            return Err(Error::invalid("dimension", format!("is {}", self.rows_per_contact), ROWS));
         }
-        let rows = self.rows();
         let sizes = [
             ("free_velocity", self.free_velocity.len()),
             ("shift", self.shift.len()),
             ("delassus", self.delassus.shape()[0]),
             ("delassus", self.delassus.shape()[1]),
         ];
-        for (field, size) in sizes {
-            if size != rows {
-                let cure = format!("give size {rows} for {} contacts with {} rows each", self.contacts(), self.rows_per_contact);
-                return Err(Error::invalid(field, format!("has size {size}"), cure));
-            }
-        }
+        sizes.into_iter().try_for_each(|(field, size)| self.require_size(field, size))?;
         if let Some(rows) = self.delassus.rows_per_contact().filter(|rows| *rows != self.rows_per_contact) {
             let problem = format!("has blocks of {rows} rows");
             return Err(Error::invalid("delassus", problem, format!("use blocks of the contacts, of {} rows", self.rows_per_contact)));
@@ -44,6 +42,19 @@ impl ContactProblem {
         self.validate_bodies()?;
         self.validate_keys()?;
         self.validate_dynamics()
+    }
+
+    /// Refuses a list of another size than the problem has rows.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] names the field, its size and that of the problem.
+    pub(crate) fn require_size(&self, field: &str, size: usize) -> Result<()> {
+        let rows = self.rows();
+        if size == rows {
+            return Ok(());
+        }
+        let cure = format!("give size {rows}, for {} contacts with {} rows each", self.contacts(), self.rows_per_contact);
+        Err(Error::invalid(field, format!("has size {size}"), cure))
     }
 
     fn validate_law(&self) -> Result<()> {
@@ -99,12 +110,7 @@ impl ContactProblem {
             let cure = format!("give one pair for each of the {} contacts", self.contacts());
             return Err(Error::invalid("bodies", format!("has size {}", bodies.len()), cure));
         }
-        match bodies.iter().position(|[first, second]| first == second) {
-            None => Ok(()),
-            Some(k) => {
-                Err(Error::invalid(format!("bodies[{k}]"), "names the same body twice", "name two bodies, or one and null for the ground"))
-            }
-        }
+        bodies.iter().enumerate().try_for_each(|(k, pair)| two_bodies("bodies", k, *pair))
     }
 
     fn validate_keys(&self) -> Result<()> {
@@ -115,6 +121,7 @@ impl ContactProblem {
         }
         let mut seen = HashMap::with_capacity(keys.len());
         for (k, key) in keys.iter().enumerate() {
+            two_bodies("keys", k, key.bodies)?;
             if let Some(first) = seen.insert(key, k) {
                 let problem = format!("is that of keys[{first}]");
                 return Err(Error::invalid(format!("keys[{k}]"), problem, "give every contact bodies and features of its own"));
@@ -140,14 +147,22 @@ impl ContactProblem {
     }
 }
 
-fn finite(field: &str, values: &[f64]) -> Result<()> {
+/// Refuses a contact of a body with itself, and of the ground with the ground.
+pub(in crate::problem) fn two_bodies(field: &str, k: usize, [first, second]: [Option<usize>; 2]) -> Result<()> {
+    if first != second {
+        return Ok(());
+    }
+    Err(Error::invalid(format!("{field}[{k}]"), "names the same body twice", "name two bodies, or one and null for the ground"))
+}
+
+pub(in crate::problem) fn finite(field: &str, values: &[f64]) -> Result<()> {
     match values.iter().position(|x| !x.is_finite()) {
         None => Ok(()),
         Some(k) => Err(Error::invalid(format!("{field}[{k}]"), format!("is {}", values[k]), "use a finite number")),
     }
 }
 
-fn not_negative(field: &str, values: &[f64]) -> Result<()> {
+pub(in crate::problem) fn not_negative(field: &str, values: &[f64]) -> Result<()> {
     finite(field, values)?;
     match values.iter().position(|x| *x < 0.0) {
         None => Ok(()),

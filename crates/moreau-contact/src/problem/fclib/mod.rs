@@ -4,12 +4,12 @@
 //!     fclib_local     W, q, μ           u = W r + q                        r, u per contact (n, t₁, t₂)
 //!     fclib_global    M, H, f, w, μ     M v = H r + f ,  u = Hᵀ v + w      so W = Hᵀ M⁻¹ H ,  q = Hᵀ M⁻¹ f + w
 //! ```
-//! The law is Coulomb's. Global problems with bilateral rows G are refused.
+//! The law is Coulomb's. Bilateral rows are read by `joints`.
 //!
 //! # Source
 //! V. Acary et al., *FCLIB: a collection of discrete 3D frictional contact problems*; the format as its files show it.
 
-use super::{ContactProblem, Law, Solution};
+use super::{ContactProblem, Law, Posed, Solution};
 use crate::memory;
 use crate::operator::{BlockSparse, SparseDynamics};
 use datasets::{integers, numbers};
@@ -20,6 +20,7 @@ use std::io::Read;
 use std::path::Path;
 
 mod datasets;
+mod joints;
 mod matrix;
 mod write;
 
@@ -41,29 +42,32 @@ pub(super) fn is_hdf5(file: &Path) -> bool {
 ///
 /// # Errors
 /// [`Error::Invalid`] naming the group or dataset that is missing or does not fit.
-pub(super) fn read(file: &Path) -> Result<ContactProblem> {
+pub(super) fn read(file: &Path) -> Result<Posed> {
     let open = open(file)?;
     let name = file.file_stem().unwrap_or_default().to_string_lossy();
     let has = |group: &str| open.group(group).is_ok();
+    let contacts = |problem: ContactProblem| Posed::Contacts(Box::new(problem));
     match (has("fclib_local"), has("fclib_global")) {
-        (true, false) => local(&open, &name),
-        (false, true) => global(&open, &name),
-        _ => Err(Error::invalid(
-            "fclib_local",
-            "and `fclib_global` are both missing or both there",
-            "give a file that holds one problem of FCLIB",
-        )),
+        (true, true) | (false, false) => {}
+        _ if joints::is_given(&open) => return joints::read(&open, &name).map(|problem| Posed::Jointed(Box::new(problem))),
+        (true, false) => return local(&open, &name).map(contacts),
+        (false, true) => return global(&open, &name).map(contacts),
     }
+    Err(Error::invalid("fclib_local", "and `fclib_global` are both missing or both there", "give a file that holds one problem of FCLIB"))
 }
 
-/// Reads the group `solution`: r, and u as it is stored.
+/// Reads the group `solution`: r, and u as it is stored; with bilateral rows λ after r, and 0 for their velocities, which are not stored.
 ///
 /// # Errors
 /// [`Error::Invalid`] if there is none.
 pub(super) fn read_solution(file: &Path) -> Result<Solution> {
     let open = open(file)?;
-    let [impulse, velocity] = [numbers(&open, "solution/r")?, numbers(&open, "solution/u")?].map(DVector::from_vec);
-    Ok(Solution::new("stored", impulse, velocity, 0))
+    let [mut impulse, mut velocity] = [numbers(&open, "solution/r")?, numbers(&open, "solution/u")?];
+    if joints::is_given(&open) {
+        impulse.extend(numbers(&open, "solution/l")?);
+        velocity.resize(impulse.len(), 0.0);
+    }
+    Ok(Solution::new("stored", DVector::from_vec(impulse), DVector::from_vec(velocity), 0))
 }
 
 fn open(file: &Path) -> Result<File> {
@@ -80,13 +84,6 @@ fn local(file: &File, name: &str) -> Result<ContactProblem> {
 }
 
 fn global(file: &File, name: &str) -> Result<ContactProblem> {
-    if file.group("fclib_global/G").is_ok() {
-        return Err(Error::invalid(
-            "fclib_global/G",
-            "holds bilateral rows",
-            "eliminate them, or give the local problem: contacts alone are solved",
-        ));
-    }
     let dimension = dimension(file, "fclib_global/spacedim")?;
     let [mass, jacobian] = [matrix::read(file, "fclib_global/M")?, matrix::read(file, "fclib_global/H")?];
     let [force, added] = [numbers(file, "fclib_global/vectors/f")?, numbers(file, "fclib_global/vectors/w")?].map(DVector::from_vec);

@@ -1,6 +1,7 @@
 //! Tests of the reader and writer of FCLIB's HDF5.
 
 use super::*;
+use crate::problem::ConstraintKind;
 use hdf5_pure::{FileBuilder, GroupBuilder};
 use nalgebra::{DMatrix, dmatrix, dvector};
 use std::path::PathBuf;
@@ -124,4 +125,65 @@ fn what_fclib_cannot_hold_and_what_does_not_fit_is_named() {
     wrong(stored(3, [&[0, 1, -1], &[0, 0, 1]], &x), "(1, -1)");
     wrong(stored(4, [&[0, 1, 1], &[0, 0, 1]], &x), "places");
     wrong(FileBuilder::new().finish().unwrap(), "fclib_local");
+}
+
+/// A bob of 2 kg at (−3, 1) m/s on a rod along (3, 4)/5 hits a rough wall with normal (1, 0); r, λ and u of the answer where given.
+fn bob(is_global: bool, answer: Option<[&[f64]; 3]>) -> Vec<u8> {
+    let mut file = FileBuilder::new();
+    let mut problem = file.create_group(if is_global { "fclib_global" } else { "fclib_local" });
+    problem.create_dataset("spacedim").with_i32_data(&[2]);
+    let diagonal: [&[i32]; 2] = [&[0, 1], &[0, 1]];
+    let column: [&[i32]; 2] = [&[0, 0], &[0, 1]];
+    let mut add = |name: &str, shape: [i32; 2], places: [&[i32]; 2], x: &[f64]| {
+        let mut group = problem.create_group(name);
+        matrix(&mut group, shape, x.len() as i32, places, x);
+        problem.add_group(group.finish());
+    };
+    if is_global {
+        add("M", [2, 2], diagonal, &[2.0, 2.0]);
+        add("H", [2, 2], diagonal, &[1.0, 1.0]);
+        add("G", [2, 1], column, &[0.6, 0.8]);
+    } else {
+        add("W", [2, 2], diagonal, &[0.5, 0.5]);
+        add("V", [2, 1], column, &[0.3, 0.4]);
+        add("R", [1, 1], [&[0], &[0]], &[0.5]);
+    }
+    let vectors: &[(&str, &[f64])] = if is_global {
+        &[("f", &[-6.0, 2.0]), ("w", &[0.0, 0.0]), ("b", &[0.0]), ("mu", &[0.25])]
+    } else {
+        &[("q", &[-3.0, 1.0]), ("s", &[-1.0]), ("mu", &[0.25])]
+    };
+    let mut group = problem.create_group("vectors");
+    vectors.iter().for_each(|(name, values)| {
+        group.create_dataset(name).with_f64_data(values);
+    });
+    problem.add_group(group.finish());
+    file.add_group(problem.finish());
+    if let Some([r, l, u]) = answer {
+        let mut solution = file.create_group("solution");
+        for (name, values) in [("r", r), ("l", l), ("u", u)] {
+            solution.create_dataset(name).with_f64_data(values);
+        }
+        file.add_group(solution.finish());
+    }
+    file.finish().unwrap()
+}
+
+#[test]
+fn bilateral_rows_of_local_and_global_problems_are_joints() {
+    for is_global in [false, true] {
+        // with r_t = 0 the wall and the rod stop it: r_n (1, 0) + λ (3, 4)/5 = (6, −2)
+        with_file(&bob(is_global, Some([&[7.5, 0.0], &[-2.5], &[0.0, 0.0]])), |file| {
+            let Posed::Jointed(problem) = Posed::read(file).unwrap() else { panic!("it has joints") };
+            assert_eq!(problem.kinds(), [ConstraintKind::Contact, ConstraintKind::Bilateral { rows: 1 }]);
+            assert!((problem.delassus() - dmatrix![0.5, 0.0, 0.3; 0.0, 0.5, 0.4; 0.3, 0.4, 0.5]).amax() < 1e-15);
+            assert!((problem.free_velocity() - dvector![-3.0, 1.0, -1.0]).amax() < 1e-15);
+            let answer = Solution::read_named(file, problem.name()).unwrap();
+            assert_eq!((answer.impulse, answer.velocity), (dvector![7.5, 0.0, -2.5], dvector![0.0, 0.0, 0.0]));
+            assert!(ContactProblem::read(file).expect_err("contacts alone").to_string().contains("kinds"));
+        });
+    }
+    with_file(&bob(true, None), |file| {
+        assert!(Solution::read_named(file, "").expect_err("no answer").to_string().contains("solution/r"));
+    });
 }

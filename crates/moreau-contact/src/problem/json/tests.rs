@@ -1,6 +1,7 @@
 //! Tests of the readers: what goes out comes back bit for bit, and every mistake is named.
 
 use super::*;
+use crate::Law;
 use nalgebra::DMatrix;
 
 const BLOCK: &str = r#"{"schema":"contact-problem/1","name":"block","dimension":2,"law":"coulomb","friction":[0.5],
@@ -126,7 +127,7 @@ fn every_mistake_is_named() {
     refused(&BLOCK.replace("contact-problem/1", "contact-problem/2"), &["schema", "contact-problem/1"]);
     refused(&BLOCK.replace("[-0.1,", "[NaN,"), &["not valid JSON"]);
     refused(&BLOCK.replace("[-0.1,", "[\"-0.1\","), &["free_velocity"]);
-    refused(&BLOCK[..BLOCK.len() - 40], &["EOF"]);
+    refused(&BLOCK[..BLOCK.len() - 40], &["ends early, at line 3 column 51"]);
     refused(&BLOCK.replace("\"friction\":[0.5],", ""), &["friction"]);
     let normal = r#"{"schema":"contact-problem/1","name":"n","dimension":1,"law":"coulomb","friction":[0.5],"free_velocity":[-1],
         "delassus":{"shape":[1,1],"rows":[[1]]}}"#;

@@ -57,7 +57,7 @@ impl GaussProgram {
             return Err(super::super::not_convex(solver, problem.law()));
         }
         super::super::require_symmetry(solver, problem)?;
-        let dynamics = problem.dynamics().ok_or_else(|| Error::refused(solver, "needs mass and jacobian, not only W; use `clarabel`"))?;
+        let dynamics = problem.dynamics().ok_or_else(|| Error::refused(solver, "needs mass and jacobian, not only W"))?;
         let map = rows_of(problem);
         let pieces = pieces(solver, problem)?;
         let offset = &map * (problem.free_velocity() + problem.shift());
@@ -171,7 +171,7 @@ fn rows_of(problem: &ContactProblem) -> DMatrix<f64> {
 }
 
 fn pieces(solver: &str, problem: &ContactProblem) -> Result<Vec<SoftPiece>> {
-    let hard = || Error::refused(solver, "needs a compliance R > 0 in every row; use `clarabel` for a hard contact");
+    let hard = || Error::refused(solver, "needs a compliance R > 0 in every row");
     let Compliance { coordinates, diagonal } = problem.compliance().ok_or_else(hard)?;
     let one_sided = |softness: &f64| SoftPiece::OneSided { softness: *softness };
     match (problem.law(), coordinates) {
@@ -180,7 +180,7 @@ fn pieces(solver: &str, problem: &ContactProblem) -> Result<Vec<SoftPiece>> {
             let blocks = diagonal.as_slice().chunks(problem.rows_per_contact()).zip(problem.friction());
             blocks.map(|(softness, &mu)| cone(solver, softness, if problem.law() == Law::Associated { mu } else { 0.0 })).collect()
         }
-        (Law::PolyhedralAssociated { .. }, _) => Err(Error::refused(solver, "needs the compliance of each edge; use `clarabel`")),
+        (Law::PolyhedralAssociated { .. }, _) => Err(Error::refused(solver, "needs the compliance of each edge")),
         (law, _) => Err(super::super::not_convex(solver, law)),
     }
 }
@@ -190,7 +190,7 @@ fn cone(solver: &str, softness: &[f64], mu: f64) -> Result<SoftPiece> {
     match tangential {
         [first, rest @ ..] if mu > 0.0 => {
             if rest.iter().any(|other| (other - first).abs() > rounding(8, *first)) {
-                return Err(Error::refused(solver, "needs one tangential compliance per contact; use `clarabel`"));
+                return Err(Error::refused(solver, "needs one tangential compliance per contact"));
             }
             Ok(SoftPiece::Cone { normal: *normal, tangential: first * mu * mu, friction: vec![mu; tangential.len()] })
         }

@@ -1,0 +1,149 @@
+//! How good an answer with joints is: the residuals of its contacts and limits, and how fast its bilateral constraints move.
+//!
+//! ```text
+//!     bilateral   ‖y_k‖ ,   y = W r + u_free + shift + R r                                            [m/s]
+//!     scale       max( ‖q_k‖ ,  ‖(W r_u)_k‖ up to 10⁶ V ,  ‖W_kk r_k‖ up to V )                        [m/s]
+//!     floor       ‖γ (Σ_j |W_kj||r_j| + |u_free| + |shift| + R|r|)_k‖                                  [m/s]
+//! ```
+//! q = u_free + shift, V is its largest entry anywhere, and r_u are the impulses of contacts and limits: the size of a joint's velocity is
+//! what it would have without it, what contacts make of it, and what its own impulse does, the last up to V: impulses of joints that
+//! push against each other and move nothing excuse no velocity.
+//!
+//! Contacts and limits are judged as in a problem without joints, in which the impulses of the joints are given: u_free + W r_b in place of
+//! u_free, and the rounding of that product in the floors. Nothing here is eliminated: the answer is held against W as it was given.
+
+use super::judge::{Judged, Worst};
+use super::part::Part;
+use super::residuals::{Residuals, with_rounding};
+use crate::problem::{ConstraintKind, JointedProblem, Solution};
+use crate::tolerance::certificate::{HIDDEN, JAMMED, gamma};
+use moreau_exact::{Error, Result};
+use nalgebra::DVector;
+
+/// The residuals of an answer to a problem with joints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JointedResiduals {
+    /// Those of contacts and limits, and the stored velocity of all rows; their numbers are those of the problem's `kinds`.
+    pub contacts: Residuals,
+    /// The bilateral constraint that moves most, relative to its scale \[m/s\]; none where there is no such constraint.
+    pub bilateral: Option<Worst>,
+}
+
+impl JointedResiduals {
+    /// Whether every residual is at most max(`tolerance` · scale, rounding) at every constraint.
+    pub fn is_solution(&self, tolerance: f64) -> bool {
+        self.contacts.is_solution(tolerance) && self.bilateral.is_none_or(|worst| worst.part.relative() <= tolerance)
+    }
+
+    /// The largest relative size; not a number if one is not.
+    pub fn relative(&self) -> f64 {
+        let joints = self.bilateral.map_or(0.0, |worst| worst.part.relative());
+        moreau_exact::number::larger(self.contacts.judged.relative(), joints)
+    }
+}
+
+/// The residuals of `solution`, impulses and velocities of all rows, as an answer to `problem`.
+///
+/// # Errors
+/// [`Error::Invalid`] if the solution has another size than the problem, or gives numbers of a polyhedral law, which are not judged here,
+/// or if its impulses or W r are no finite numbers.
+pub fn jointed_residuals(problem: &JointedProblem, solution: &Solution) -> Result<JointedResiduals> {
+    problem.require_rows("impulse", solution.impulse.len())?;
+    problem.require_rows("velocity", solution.velocity.len())?;
+    if solution.beta.is_some() || solution.sigma.is_some() {
+        return Err(Error::invalid("beta", "is given with an answer of a problem with `kinds`", "leave `beta` and `sigma` out"));
+    }
+    let impulse = &solution.impulse;
+    if let Some(row) = problem.velocity(impulse).iter().position(|u| !u.is_finite()) {
+        let found = format!("makes the velocity of row {row} too large for a number, or is none itself");
+        return Err(Error::invalid("impulse", found, "give finite impulses, in units of their size"));
+    }
+    let floors = floors(problem, impulse);
+    let mut contacts = of_contacts(problem, solution)?;
+    let (law_velocity, stored) = (law_velocity(problem, impulse), &solution.velocity);
+    let joints = Joints::new(problem, impulse);
+    let found = problem.velocity(impulse);
+    let mut bilateral: Option<Worst> = None;
+    for k in problem.bilateral() {
+        let rows = problem.rows_of(k);
+        let norm = |vector: &DVector<f64>| vector.rows(rows.start, rows.len()).norm();
+        let (scale, floor) = (joints.scale(k), norm(&floors));
+        let part = joints.part(norm(&law_velocity), scale, floor);
+        bilateral.get_or_insert(Worst { part, contact: k, largest: part.value }).take(k, part);
+        contacts.judged.velocity.take(k, joints.part(norm(&(stored - &found)), scale, floor));
+    }
+    contacts.velocity = contacts.judged.velocity.largest;
+    Ok(JointedResiduals { contacts, bilateral })
+}
+
+/// Contacts and limits with the impulses of the joints given.
+fn of_contacts(problem: &JointedProblem, solution: &Solution) -> Result<Residuals> {
+    let mut held = DVector::zeros(problem.rows());
+    problem.bilateral().into_iter().flat_map(|k| problem.rows_of(k)).for_each(|row| held[row] = solution.impulse[row]);
+    let moved = problem.delassus() * &held;
+    let rounding = problem.delassus().abs() * held.abs() * gamma(2 * problem.rows() + 8);
+    let given = problem.unilateral(problem.delassus(), &(problem.free_velocity() + moved))?;
+    let [impulse, velocity] = [&solution.impulse, &solution.velocity].map(|all| problem.spread(all));
+    let mut residuals = with_rounding(&given, &Solution { impulse, velocity, ..solution.clone() }, problem.spread(&rounding).as_slice())?;
+    let pushing = problem.pushing();
+    let Judged { primal, dual, complementarity, normal, tangential, velocity } = &mut residuals.judged;
+    for worst in [primal, dual, complementarity, normal, tangential, velocity] {
+        worst.contact = pushing.get(worst.contact).copied().unwrap_or(0);
+    }
+    Ok(residuals)
+}
+
+fn law_velocity(problem: &JointedProblem, impulse: &DVector<f64>) -> DVector<f64> {
+    problem.velocity(impulse) + problem.shifts() + problem.softnesses().component_mul(impulse)
+}
+
+/// The rounding of y, row by row \[m/s\].
+fn floors(problem: &JointedProblem, impulse: &DVector<f64>) -> DVector<f64> {
+    let sums = problem.delassus().abs() * impulse.abs()
+        + problem.free_velocity().abs()
+        + problem.shifts().abs()
+        + problem.softnesses().component_mul(&impulse.abs());
+    sums * gamma(2 * problem.rows() + 8)
+}
+
+/// What the velocities of the joints are held against.
+struct Joints<'a> {
+    problem: &'a JointedProblem,
+    impulse: &'a DVector<f64>,
+    /// q.
+    data: DVector<f64>,
+    /// W r_u.
+    pushed: DVector<f64>,
+    /// V.
+    fastest: f64,
+}
+
+impl<'a> Joints<'a> {
+    fn new(problem: &'a JointedProblem, impulse: &'a DVector<f64>) -> Self {
+        let data = problem.free_velocity() + problem.shifts();
+        let mut pushing = DVector::zeros(problem.rows());
+        problem.pushing().into_iter().flat_map(|k| problem.rows_of(k)).for_each(|row| pushing[row] = impulse[row]);
+        let (pushed, fastest) = (problem.delassus() * pushing, data.amax());
+        Joints { problem, impulse, data, pushed, fastest }
+    }
+
+    fn scale(&self, k: usize) -> f64 {
+        debug_assert!(matches!(self.problem.kinds()[k], ConstraintKind::Bilateral { .. }));
+        let rows = self.problem.rows_of(k);
+        let of = |vector: &DVector<f64>| vector.rows(rows.start, rows.len()).norm();
+        let own = self.problem.delassus().view((rows.start, rows.start), (rows.len(), rows.len()));
+        let own = (own * self.impulse.rows(rows.start, rows.len())).norm();
+        of(&self.data).max(of(&self.pushed).min(JAMMED * self.fastest)).max(own.min(self.fastest))
+    }
+
+    /// The part with its floor; a floor that hides more of V than it may is a residual itself.
+    fn part(&self, value: f64, scale: f64, floor: f64) -> Part {
+        let most = if self.fastest > 0.0 { self.fastest * HIDDEN } else { f64::INFINITY };
+        let value = if floor > most { moreau_exact::number::larger(value, floor) } else { value };
+        Part { value, scale, floor: floor.min(most) }
+    }
+}
+
+#[cfg(test)]
+#[path = "joints_tests.rs"]
+mod tests;

@@ -1,0 +1,89 @@
+//! The closed form of a bob on a rod, and answers with one mistake each.
+
+use super::*;
+use crate::problem::Law;
+use nalgebra::{DMatrix, dmatrix, dvector};
+
+/// A bob of 1 kg at (−3, 1) m/s on a rod along (3, 4)/5 hits a wall with normal (1, 0); (3.75, −1.25) N·s stop it.
+fn bob() -> JointedProblem {
+    let kinds = vec![ConstraintKind::Contact, ConstraintKind::Bilateral { rows: 1 }];
+    let problem = JointedProblem::new(1, kinds, dmatrix![1.0, 0.6; 0.6, 1.0], dvector![-3.0, -1.0]).unwrap();
+    problem.law(Law::Frictionless, vec![0.0; 2]).unwrap()
+}
+
+fn judged(problem: &JointedProblem, impulse: DVector<f64>) -> JointedResiduals {
+    let velocity = problem.velocity(&impulse);
+    jointed_residuals(problem, &Solution::new("by hand", impulse, velocity, 0)).unwrap()
+}
+
+#[test]
+fn the_closed_form_is_accepted_to_rounding() {
+    let found = judged(&bob(), dvector![3.75, -1.25]);
+    assert!(found.is_solution(0.0) && found.relative() == 0.0, "{found:?}");
+    assert_eq!(found.bilateral.unwrap().contact, 1);
+}
+
+#[test]
+fn a_wrong_sign_a_missing_joint_and_a_small_error_are_rejected_at_the_joint() {
+    for impulse in [dvector![3.75, 1.25], dvector![3.0, 0.0], dvector![3.75, -1.25 + 1e-6]] {
+        let found = judged(&bob(), impulse.clone());
+        let worst = found.bilateral.expect("a joint");
+        assert!(!found.is_solution(1e-8) && worst.part.relative() > 1e-7 && worst.contact == 1, "{impulse}: {found:?}");
+    }
+    // without the joint the contact alone would be satisfied: this is what leaving its row out of the certificate would accept
+    assert!(judged(&bob(), dvector![3.0, 0.0]).contacts.is_solution(1e-8));
+    assert!((judged(&bob(), dvector![3.0, 0.0]).bilateral.unwrap().part.value - 0.8).abs() < 1e-15);
+}
+
+#[test]
+fn a_contact_that_is_wrong_is_told_by_its_number_among_the_kinds() {
+    let kinds = vec![ConstraintKind::Bilateral { rows: 1 }, ConstraintKind::Contact];
+    let problem = JointedProblem::new(1, kinds, dmatrix![1.0, 0.6; 0.6, 1.0], dvector![-1.0, -3.0]).unwrap();
+    let found = judged(&problem, dvector![1.0, 0.0]);
+    assert_eq!(found.contacts.judged.worst().1.contact, 1);
+    assert!(!found.contacts.is_solution(1e-8));
+}
+
+#[test]
+fn a_stored_velocity_of_a_joint_is_held_against_its_impulses() {
+    let impulse = dvector![3.75, -1.25];
+    let answer = |moved: f64| Solution::new("by hand", impulse.clone(), bob().velocity(&impulse) + dvector![0.0, moved], 0);
+    assert!(jointed_residuals(&bob(), &answer(0.0)).unwrap().is_solution(1e-8));
+    let found = jointed_residuals(&bob(), &answer(1e-6)).unwrap();
+    assert!(!found.is_solution(1e-8) && found.contacts.judged.velocity.contact == 1 && found.bilateral.unwrap().part.relative() == 0.0);
+}
+
+#[test]
+fn joints_that_push_against_each_other_excuse_no_velocity() {
+    // the rod twice: impulses (t, −t) of the two move nothing
+    let kinds = vec![ConstraintKind::Bilateral { rows: 1 }; 2];
+    let problem = JointedProblem::new(1, kinds, DMatrix::from_element(2, 2, 1.0), dvector![-1.0, -1.0]).unwrap();
+    assert!(judged(&problem, dvector![1.0, 0.0]).is_solution(0.0));
+    assert!(judged(&problem, dvector![1024.0, -1023.0]).is_solution(1e-8), "a solution stays one");
+    let moving = judged(&problem, dvector![1.0 - 1e-4 + 1024.0, -1024.0]);
+    assert!(!moving.is_solution(1e-8) && moving.bilateral.unwrap().part.relative() > 0.9e-4, "{moving:?}");
+    // where rounding hides everything, it is a residual itself
+    assert!(!judged(&problem, dvector![1e15, -1e15]).is_solution(1e-8));
+}
+
+#[test]
+fn softness_and_shift_belong_to_the_velocity_of_a_joint() {
+    let kinds = vec![ConstraintKind::Bilateral { rows: 1 }];
+    let problem = JointedProblem::new(1, kinds, dmatrix![1.0], dvector![-1.0]).unwrap();
+    let problem = problem.shift(dvector![0.25]).unwrap().softness(dvector![0.5]).unwrap();
+    assert!(judged(&problem, dvector![0.5]).is_solution(0.0));
+    assert!(!judged(&problem, dvector![0.75]).is_solution(1e-8) && !judged(&problem, dvector![1.0]).is_solution(1e-8));
+}
+
+#[test]
+fn answers_of_another_size_and_what_is_no_number_are_no_solutions() {
+    let short = Solution::new("", dvector![1.0], dvector![1.0, 2.0], 0);
+    assert!(jointed_residuals(&bob(), &short).expect_err("one row").to_string().contains("`impulse`"));
+    for impulse in [dvector![f64::NAN, 0.0], dvector![3.75, f64::NAN], dvector![3.75, f64::INFINITY], dvector![1e308, 1e308]] {
+        let answer = Solution::new("", impulse.clone(), dvector![0.0, 0.0], 0);
+        let message = jointed_residuals(&bob(), &answer).map(|found| found.is_solution(1e-8));
+        assert!(message.is_err() || message.is_ok_and(|accepted| !accepted), "{impulse}");
+    }
+    let nan = Solution::new("", dvector![3.75, -1.25], dvector![f64::NAN, f64::NAN], 0);
+    assert!(!jointed_residuals(&bob(), &nan).unwrap().is_solution(1e-8));
+}

@@ -1,0 +1,216 @@
+//! The fields of `contact-problem/1`, and how each is read.
+
+use super::by_bodies;
+use super::matrix::{self, MatrixFile};
+use crate::contact::delassus::delassus;
+use crate::memory;
+use crate::operator::{Operator, SparseDynamics};
+use crate::problem::{Compliance, ConstraintKind, Coordinates, Dynamics, Law};
+use crate::tolerance::problem::DENSE_ROWS;
+use moreau_exact::{Error, Result};
+use nalgebra::DVector;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Schema name of a contact problem.
+pub const PROBLEM_SCHEMA: &str = "contact-problem/1";
+/// One step's contact problem: u = W r + u_free, y = u + shift + R r, and (r, y) in the law, contact by contact.
+#[derive(Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "ContactProblem", extend("oneOf" = [{"required": ["delassus"]}, {"required": ["mass", "jacobian"]}]))]
+pub struct ProblemFile {
+    /// Always `contact-problem/1`.
+    #[schemars(extend("const" = PROBLEM_SCHEMA))]
+    pub(super) schema: String,
+    /// A name for messages.
+    pub(super) name: String,
+    /// Rows per contact: 1 (normal), 2 (normal, tangent) or 3 (normal, tangent 1, tangent 2).
+    #[schemars(range(min = 1, max = 3))]
+    pub(super) dimension: usize,
+    /// The contact law.
+    #[schemars(extend("enum" = ["frictionless", "coulomb", "associated", "polyhedral-coulomb", "polyhedral-associated"]))]
+    pub(super) law: String,
+    /// Number of friction directions, of polyhedral laws only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) directions: Option<usize>,
+    /// μ ≥ 0 per contact; with `kinds` one per constraint, 0 where it is no contact.
+    pub(super) friction: Vec<f64>,
+    /// u_free \[m/s\], `dimension` entries per contact; with `kinds` as many per constraint as it has rows.
+    pub(super) free_velocity: Vec<f64>,
+    /// What the scheme adds for the law \[m/s\]; 0 if absent.
+    #[serde(default)]
+    pub(super) shift: Option<Vec<f64>>,
+    /// W \[1/kg\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) delassus: Option<MatrixFile>,
+    /// M̂, in place of W.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) mass: Option<MatrixFile>,
+    /// H, with `mass`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) jacobian: Option<MatrixFile>,
+    /// R, of soft contacts.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) compliance: Option<ComplianceFile>,
+    /// The two bodies of each contact, numbered from 0, the ground as null: contacts of one pair are judged by one size.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) bodies: Option<Vec<[Option<usize>; 2]>>,
+    /// What tells each contact from the others in any list.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) keys: Option<Vec<KeyFile>>,
+    /// What each constraint is, where some are no contacts; the lists above then go by constraint, and rows stand in their order.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) kinds: Option<Vec<KindFile>>,
+    /// How the problem was made; opaque here.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) provenance: Option<serde_json::Value>,
+}
+
+/// Which contact it is.
+#[derive(Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "ContactKey")]
+pub(super) struct KeyFile {
+    /// The two bodies, numbered from 0, the ground as null.
+    pub(super) bodies: [Option<usize>; 2],
+    /// Which features of the two touch.
+    pub(super) features: [u32; 2],
+}
+
+/// Diagonal softness R \[1/kg\].
+#[derive(Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Compliance")]
+pub(super) struct ComplianceFile {
+    /// Where its entries act: on contact rows, or on the edges of a polyhedral cone.
+    #[schemars(extend("enum" = ["contact", "edge"]))]
+    pub(super) coordinates: String,
+    /// Its entries, all ≥ 0.
+    pub(super) diagonal: Vec<f64>,
+}
+
+/// What a constraint is.
+#[derive(Clone, Copy, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[schemars(rename = "ConstraintKind")]
+pub(super) enum KindFile {
+    /// A contact under the law, of `dimension` rows.
+    Contact,
+    /// One unilateral row: 0 ≤ r ⟂ y ≥ 0.
+    Limit,
+    /// So many rows that do not move, y = 0: 1 to 6.
+    Bilateral(#[schemars(range(min = 1, max = 6))] usize),
+}
+
+impl From<KindFile> for ConstraintKind {
+    fn from(kind: KindFile) -> Self {
+        match kind {
+            KindFile::Contact => ConstraintKind::Contact,
+            KindFile::Limit => ConstraintKind::Limit,
+            KindFile::Bilateral(rows) => ConstraintKind::Bilateral { rows },
+        }
+    }
+}
+
+impl From<ConstraintKind> for KindFile {
+    fn from(kind: ConstraintKind) -> Self {
+        match kind {
+            ConstraintKind::Contact => KindFile::Contact,
+            ConstraintKind::Limit => KindFile::Limit,
+            ConstraintKind::Bilateral { rows } => KindFile::Bilateral(rows),
+        }
+    }
+}
+
+/// The law of this name.
+pub(super) fn read_law(name: &str, directions: Option<usize>) -> Result<Law> {
+    let law = match name {
+        "frictionless" => Law::Frictionless,
+        "coulomb" => Law::Coulomb,
+        "associated" => Law::Associated,
+        "polyhedral-coulomb" | "polyhedral-associated" => {
+            let directions =
+                directions.ok_or_else(|| Error::invalid("directions", "is missing", "give the number of friction directions"))?;
+            return Ok(if name == "polyhedral-coulomb" {
+                Law::PolyhedralCoulomb { directions }
+            } else {
+                Law::PolyhedralAssociated { directions }
+            });
+        }
+        _ => {
+            let cure = "use frictionless, coulomb, associated, polyhedral-coulomb or polyhedral-associated";
+            return Err(Error::invalid("law", format!("is `{name}`"), cure));
+        }
+    };
+    match directions {
+        None => Ok(law),
+        Some(_) => Err(Error::invalid("directions", format!("is given with the law `{name}`"), "leave it out, or use a polyhedral law")),
+    }
+}
+
+/// W, or mass and Jacobian that make it.
+pub(super) fn read_operator(
+    operator: Option<MatrixFile>,
+    mass: Option<MatrixFile>,
+    jacobian: Option<MatrixFile>,
+    [rows_per_contact, rows]: [usize; 2],
+) -> Result<(Operator, Option<Dynamics>)> {
+    // sizes are compared before a matrix is made, so that a wrong shape cannot ask for all the memory
+    let shape = |field: &str, matrix: &MatrixFile, wanted: [usize; 2]| {
+        let problem = format!("has shape {}×{}", matrix.shape[0], matrix.shape[1]);
+        let contacts = rows / rows_per_contact;
+        let cure = format!("use the shape {}×{}, for {contacts} contacts with {rows_per_contact} rows each", wanted[0], wanted[1]);
+        if matrix.shape == wanted { Ok(()) } else { Err(Error::invalid(field, problem, cure)) }
+    };
+    let room = |velocities: usize| {
+        let matrices = [(2, rows, rows), (1, velocities, velocities), (2, rows, velocities)]
+            .map(|(times, n, m)| memory::matrix(n, m).saturating_mul(times));
+        memory::require("storing the matrices of this problem", matrices.into_iter().fold(0, u128::saturating_add))
+    };
+    match (operator, mass, jacobian) {
+        (Some(operator), None, None) => {
+            shape("delassus", &operator, [rows, rows])?;
+            if !operator.has_blocks() {
+                room(0)?;
+            }
+            Ok((operator.read_operator("delassus", rows_per_contact)?, None))
+        }
+        (None, Some(mass), Some(jacobian)) => {
+            let velocities = mass.shape[0];
+            if mass.triplets.as_ref().is_some_and(|triplets| triplets.value.len() < velocities) {
+                return Err(Error::invalid("mass", "has an empty row", "give every velocity a positive inertia"));
+            }
+            shape("mass", &mass, [velocities, velocities])?;
+            shape("jacobian", &jacobian, [rows, velocities])?;
+            if let Some((field, _)) = [("mass", &mass), ("jacobian", &jacobian)].into_iter().find(|(_, matrix)| matrix.forms() != 1) {
+                return Err(matrix::one_form(field));
+            }
+            if by_bodies::is_given(&mass, &jacobian) {
+                return Ok((by_bodies::read(mass, jacobian, rows_per_contact)?.into(), None));
+            }
+            if rows > DENSE_ROWS && mass.triplets.is_some() && jacobian.triplets.is_some() {
+                let (mass, jacobian) = (mass.read_sparse("mass")?, jacobian.read_sparse("jacobian")?);
+                return Ok((SparseDynamics::new(&mass, &jacobian, rows_per_contact)?.delassus()?.into(), None));
+            }
+            room(velocities)?;
+            let dynamics = Dynamics { mass: mass.read("mass")?, jacobian: jacobian.read("jacobian")? };
+            Ok((delassus(&dynamics.mass, &dynamics.jacobian)?.into(), Some(dynamics)))
+        }
+        _ => Err(Error::invalid("delassus", "must stand alone, or `mass` and `jacobian` in its place", "give one of the two")),
+    }
+}
+
+/// R of soft contacts.
+pub(super) fn read_compliance(file: ComplianceFile) -> Result<Compliance> {
+    let coordinates = match file.coordinates.as_str() {
+        "contact" => Coordinates::Contact,
+        "edge" => Coordinates::Edge,
+        other => return Err(Error::invalid("compliance.coordinates", format!("is `{other}`"), "use `contact` or `edge`")),
+    };
+    Ok(Compliance { coordinates, diagonal: DVector::from_vec(file.diagonal) })
+}
+
+/// The text of a file.
+pub(super) fn text(file: &impl Serialize) -> String {
+    serde_json::to_string(file).expect("numbers, strings and lists always have a JSON form") + "\n"
+}

@@ -1,0 +1,203 @@
+//! Joints: their rows are eliminated, any solver solves what is left of the contacts, and the impulses of the joints follow.
+//!
+//! ```text
+//!     y_b = W_bb r_b + W_bu r_u + q_b = 0   ⟹   r_b = −W_bb⁻¹ (W_bu r_u + q_b)
+//!     Ŵ = W_uu − W_ub W_bb⁻¹ W_bu ,      q̂ = q_u − W_ub W_bb⁻¹ q_b
+//! ```
+//! with R in W_bb and the shift in q_b. Rows are eliminated one by one, each time the one that keeps the largest part of its W_ii; a
+//! symmetric W stays symmetric to the last bit. A row of which nothing is left repeats others: its impulse is 0 if its velocity agrees with
+//! theirs. A row of which nearly nothing is left is refused, for nobody can tell whether it repeats them.
+
+use super::ContactSolver;
+use crate::problem::{ContactProblem, JointedProblem, Solution};
+use crate::tolerance::joints::{AGREES, DEPENDENT, INDEPENDENT};
+use moreau_exact::{Error, Result};
+use nalgebra::{DMatrix, DVector};
+
+/// A row that was eliminated: r_row = −(velocity + Σ coefficient_j r_j)/pivot over the rows that stood beside it.
+#[derive(Clone, Debug, PartialEq)]
+struct Eliminated {
+    row: usize,
+    pivot: f64,
+    velocity: f64,
+    coefficients: Vec<(usize, f64)>,
+}
+
+/// What is left of a problem once its joints are eliminated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WithoutJoints {
+    contacts: ContactProblem,
+    eliminated: Vec<Eliminated>,
+    dependent: Vec<usize>,
+}
+
+impl WithoutJoints {
+    /// Eliminates the bilateral rows.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] names the constraint whose rows contradict others, nearly depend on others, or have no positive definite W.
+    pub fn new(problem: &JointedProblem) -> Result<Self> {
+        let mut system = System::new(problem);
+        let mut eliminated = Vec::new();
+        while let Some(row) = system.next() {
+            system.require_independent(row)?;
+            eliminated.push(system.eliminate(row));
+        }
+        let dependent = std::mem::take(&mut system.left);
+        dependent.iter().try_for_each(|row| system.require_agreement(*row))?;
+        system.clear_fixed();
+        let contacts = problem.unilateral(&system.matrix, &(&system.velocity - problem.shifts()))?;
+        Ok(WithoutJoints { contacts, eliminated, dependent })
+    }
+
+    /// The contacts and limits: Ŵ, and q̂ without the shift.
+    pub fn contacts(&self) -> &ContactProblem {
+        &self.contacts
+    }
+
+    /// The rows that repeat others; their impulses are 0.
+    pub fn dependent(&self) -> &[usize] {
+        &self.dependent
+    }
+
+    /// Completes impulses \[N·s\] whose contacts and limits are known.
+    pub fn complete(&self, impulse: &mut DVector<f64>) {
+        self.dependent.iter().for_each(|row| impulse[*row] = 0.0);
+        for Eliminated { row, pivot, velocity, coefficients } in self.eliminated.iter().rev() {
+            let sum: f64 = coefficients.iter().map(|(other, coefficient)| coefficient * impulse[*other]).sum();
+            impulse[*row] = -(velocity + sum) / pivot;
+        }
+    }
+}
+
+/// W and q while rows are eliminated.
+struct System<'a> {
+    problem: &'a JointedProblem,
+    matrix: DMatrix<f64>,
+    velocity: DVector<f64>,
+    /// W_ii + R_ii as it was given.
+    given: DVector<f64>,
+    /// What each velocity was summed from, without signs.
+    terms: DVector<f64>,
+    /// The bilateral rows that are not eliminated.
+    left: Vec<usize>,
+    /// All rows that are not eliminated.
+    standing: Vec<usize>,
+}
+
+impl<'a> System<'a> {
+    fn new(problem: &'a JointedProblem) -> Self {
+        let mut matrix = problem.delassus().clone();
+        let left: Vec<usize> = problem.bilateral().into_iter().flat_map(|k| problem.rows_of(k)).collect();
+        left.iter().for_each(|row| matrix[(*row, *row)] += problem.softnesses()[*row]);
+        let velocity = problem.free_velocity() + problem.shifts();
+        let (given, terms) = (matrix.diagonal(), problem.free_velocity().abs() + problem.shifts().abs());
+        System { problem, matrix, velocity, given, terms, left, standing: (0..problem.rows()).collect() }
+    }
+
+    /// The part of W_ii that is left of a row.
+    fn kept(&self, row: usize) -> f64 {
+        if self.given[row] > 0.0 { self.matrix[(row, row)] / self.given[row] } else { 0.0 }
+    }
+
+    /// The row to eliminate next; none where every other one depends on those before.
+    fn next(&self) -> Option<usize> {
+        let best = self.left.iter().copied().reduce(|best, row| if self.kept(row) > self.kept(best) { row } else { best })?;
+        (self.kept(best) > DEPENDENT).then_some(best)
+    }
+
+    fn require_independent(&self, row: usize) -> Result<()> {
+        if self.kept(row) >= INDEPENDENT {
+            return Ok(());
+        }
+        let problem = format!("nearly depends on other bilateral rows: {:.1e} of its W_ii is left, which may be rounding", self.kept(row));
+        Err(self.invalid(row, problem, "leave the constraint out, or make it differ from the others"))
+    }
+
+    /// A row of which no diagonal entry is left moves nothing, and its velocity is that of the others.
+    fn require_agreement(&self, row: usize) -> Result<()> {
+        if self.moves_something(row) {
+            let problem = "moves other rows although nothing is left of its W_ii: W is not positive semidefinite".to_string();
+            return Err(self.invalid(row, problem, "correct `delassus`, or `mass` and `jacobian`"));
+        }
+        if self.velocity[row].abs() <= AGREES * self.terms[row] {
+            return Ok(());
+        }
+        let asked =
+            format!("depends on other bilateral rows and contradicts them by {:e} m/s: no impulses hold them all", self.velocity[row]);
+        Err(self.invalid(row, asked, "leave one of the constraints out, or make `free_velocity` and `shift` agree"))
+    }
+
+    /// Whether what is left of a row or column is more than rounding.
+    fn moves_something(&self, row: usize) -> bool {
+        let size = |other: usize| AGREES * (self.given[row] * self.given[other]).abs().sqrt();
+        let entry = |other: usize| self.matrix[(row, other)].abs().max(self.matrix[(other, row)].abs());
+        self.kept(row) < -DEPENDENT || self.standing.iter().any(|other| entry(*other) > size(*other))
+    }
+
+    fn invalid(&self, row: usize, problem: String, cure: &str) -> Error {
+        let starts = (0..self.problem.kinds().len()).map(|k| self.problem.rows_of(k));
+        let k = starts.enumerate().find(|(_, rows)| rows.contains(&row)).map_or(0, |(k, _)| k);
+        let own = row - self.problem.rows_of(k).start;
+        Error::invalid(format!("kinds[{k}]"), format!("has a row, its {}th from 0, that {problem}", own), cure)
+    }
+
+    /// Takes a row out of the system.
+    fn eliminate(&mut self, row: usize) -> Eliminated {
+        self.left.retain(|other| *other != row);
+        self.standing.retain(|other| *other != row);
+        let (pivot, own) = (self.matrix[(row, row)], self.velocity[row]);
+        let [coefficients, column] = [true, false].map(|is_row| {
+            let entry = |other: &usize| (*other, if is_row { self.matrix[(row, *other)] } else { self.matrix[(*other, row)] });
+            self.standing.iter().map(entry).filter(|(_, w)| *w != 0.0).collect::<Vec<_>>()
+        });
+        for (i, below) in &column {
+            // the product first: of a symmetric W both halves get the same number
+            coefficients.iter().for_each(|(j, beside)| self.matrix[(*i, *j)] -= below * beside / pivot);
+            let taken = below * own / pivot;
+            self.velocity[*i] -= taken;
+            self.terms[*i] += taken.abs() + (below / pivot).abs() * self.terms[row];
+        }
+        Eliminated { row, pivot, velocity: own, coefficients }
+    }
+
+    /// A contact or limit that the joints hold fast does not move: what rounding left of its row is cleared.
+    fn clear_fixed(&mut self) {
+        let pushing: Vec<usize> = self.problem.pushing().into_iter().flat_map(|k| self.problem.rows_of(k)).collect();
+        self.standing = pushing.clone();
+        let fixed: Vec<usize> =
+            pushing.into_iter().filter(|row| self.kept(*row).abs() <= DEPENDENT && !self.moves_something(*row)).collect();
+        for row in fixed {
+            self.matrix.row_mut(row).fill(0.0);
+            self.matrix.column_mut(row).fill(0.0);
+            if self.velocity[row].abs() <= DEPENDENT * self.terms[row] {
+                self.velocity[row] = 0.0;
+            }
+        }
+    }
+}
+
+/// Solves a problem with joints by a solver for contacts, from the impulses of all rows `warm_start` if given.
+///
+/// # Errors
+/// Those of [`WithoutJoints::new`] and of the solver; [`Error::Invalid`] if the warm start has another size.
+pub fn solve_jointed(problem: &JointedProblem, solver: &dyn ContactSolver, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+    if let Some(warm) = warm_start {
+        problem.require_rows("warm_start", warm.len())?;
+    }
+    let left = WithoutJoints::new(problem)?;
+    let start = warm_start.map(|all| problem.spread(all));
+    let found = match left.contacts().contacts() {
+        0 => Solution::new(solver.name(), DVector::zeros(0), DVector::zeros(0), 0),
+        _ => solver.solve(left.contacts(), start.as_ref())?,
+    };
+    let mut impulse = DVector::zeros(problem.rows());
+    problem.gather(&found.impulse, &mut impulse);
+    left.complete(&mut impulse);
+    let velocity = problem.velocity(&impulse);
+    super::finite(Solution::new(found.solver, impulse, velocity, found.iterations))
+}
+
+#[cfg(test)]
+#[path = "joints_tests.rs"]
+mod tests;

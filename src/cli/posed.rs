@@ -1,0 +1,112 @@
+//! What a file poses, contacts alone or contacts with joints: solved, judged and shown in the same way.
+
+use crate::certificate::joints::{JointedResiduals, jointed_residuals};
+use crate::certificate::natural_map::of_unit_mass;
+use crate::certificate::residuals;
+use crate::problem::{ContactProblem, Posed, Solution};
+use crate::report::certificate::Certificate;
+use crate::report::proofs::no_solution;
+use crate::solvers::{self, ContactSolver, WithoutJoints, solve_jointed};
+use crate::{Error, Result, memory};
+use nalgebra::DVector;
+use std::path::Path;
+
+/// Its name.
+pub fn name(posed: &Posed) -> &str {
+    match posed {
+        Posed::Contacts(problem) => problem.name(),
+        Posed::Jointed(problem) => problem.name(),
+    }
+}
+
+/// How many contacts and joints it has.
+pub fn constraints(posed: &Posed) -> usize {
+    match posed {
+        Posed::Contacts(problem) => problem.contacts(),
+        Posed::Jointed(problem) => problem.kinds().len(),
+    }
+}
+
+/// Refuses what takes more memory than is allowed before it is begun.
+pub fn require_memory(posed: &Posed) -> Result<()> {
+    match posed {
+        Posed::Contacts(problem) if problem.delassus().blocks().is_none() => {
+            memory::require(&format!("solving {} rows", problem.rows()), 8 * memory::matrix(problem.rows(), problem.rows()))
+        }
+        // joints are measured when they are read
+        _ => Ok(()),
+    }
+}
+
+/// The contacts, where there are no joints.
+pub fn contacts<'a>(posed: &'a Posed, option: &str) -> Result<&'a ContactProblem> {
+    match posed {
+        Posed::Contacts(problem) => Ok(problem),
+        Posed::Jointed(_) => Err(Error::invalid(option, "is for contacts alone, and this problem has `kinds` with joints", "leave it out")),
+    }
+}
+
+/// What a solver proposes from zero impulses, as it is timed.
+pub fn answer_of(posed: &Posed, solver: &dyn ContactSolver) -> Result<Solution> {
+    propose(posed, solver, None)
+}
+
+/// What a solver proposes; a refusal names solvers that take the contacts.
+pub fn solve(posed: &Posed, solver: &dyn ContactSolver, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+    propose(posed, solver, warm_start).map_err(|error| with_cure(error, posed))
+}
+
+fn propose(posed: &Posed, solver: &dyn ContactSolver, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
+    match posed {
+        Posed::Contacts(problem) => solver.solve(problem, warm_start),
+        Posed::Jointed(problem) => solve_jointed(problem, solver, warm_start),
+    }
+}
+
+/// The error of a solver; a refusal with solvers that take the contacts.
+pub fn with_cure(error: Error, posed: &Posed) -> Error {
+    match posed {
+        Posed::Contacts(problem) => solvers::ALL.with_cure(error, problem),
+        Posed::Jointed(problem) => match WithoutJoints::new(problem) {
+            Ok(left) => solvers::ALL.with_cure(error, left.contacts()),
+            Err(_) => error,
+        },
+    }
+}
+
+/// ‖r − P_K(r − ŷ)‖/‖q‖ with ρ = 1 kg; none with joints, which it does not know.
+pub fn natural_map(posed: &Posed, solution: &Solution) -> Option<f64> {
+    match posed {
+        Posed::Contacts(problem) => of_unit_mass(problem, &solution.impulse),
+        Posed::Jointed(_) => None,
+    }
+}
+
+/// The residuals of an answer.
+pub fn judge(posed: &Posed, solution: &Solution) -> Result<JointedResiduals> {
+    match posed {
+        Posed::Contacts(problem) => residuals(problem, solution).map(|contacts| JointedResiduals { contacts, bilateral: None }),
+        Posed::Jointed(problem) => jointed_residuals(problem, solution),
+    }
+}
+
+/// The answer of a file.
+pub fn read_answer(posed: &Posed, file: &Path) -> Result<Solution> {
+    Solution::read_named(file, name(posed))
+}
+
+/// The certificate of an answer with these residuals.
+pub fn certificate<'a>(posed: &'a Posed, solution: &'a Solution, residuals: JointedResiduals, tolerance: f64) -> Certificate<'a> {
+    match posed {
+        Posed::Contacts(problem) => Certificate::new(problem, solution, &residuals.contacts, tolerance),
+        Posed::Jointed(problem) => Certificate::of_jointed(problem, solution, residuals, tolerance),
+    }
+}
+
+/// That there is no solution, where that is proved; nothing is proved of joints.
+pub fn refuted(posed: &Posed) -> Option<String> {
+    match posed {
+        Posed::Contacts(problem) => no_solution(problem),
+        Posed::Jointed(_) => None,
+    }
+}

@@ -1,0 +1,42 @@
+//! What `moreau simulate` says of a motion: its quantities with units, and what the certificate says of its steps.
+
+use super::motion::{Quantity, lines};
+use super::steps::StepSummary;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// The summary of one motion.
+#[derive(Serialize, JsonSchema)]
+pub struct MotionSummary<'a> {
+    /// The scene's name.
+    pub scene: &'a str,
+    /// The scheme with its parameters.
+    pub scheme: &'a str,
+    /// The solver of its contact problems.
+    pub solver: &'a str,
+    /// What was changed of the scene for the scheme; absent where nothing was.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub note: Option<&'static str>,
+    /// The closed form that the motion is held against, if the scene has one.
+    pub closed_form: Option<&'static str>,
+    /// Penetration, energy, restitution and whatever else is defined for it.
+    pub quantities: Vec<Quantity>,
+    /// What the certificate says of the steps.
+    pub steps: StepSummary,
+}
+
+impl MotionSummary<'_> {
+    /// For reading.
+    pub fn text(&self) -> String {
+        let note = self.note.map(|note| format!("note: {note}\n")).unwrap_or_default();
+        let form = self.closed_form.unwrap_or("none for this scene");
+        format!(
+            "scene {}\nscheme {}, solver {}\nclosed form: {form}\n{note}{}{}",
+            self.scene,
+            self.scheme,
+            self.solver,
+            lines(&self.quantities),
+            self.steps.text()
+        )
+    }
+}

@@ -1,0 +1,77 @@
+//! Problems with limits and bilateral constraints: read, solved, certified, timed, and refused by name where they are not taken.
+
+use super::{Folder, PROBLEM, moreau};
+
+/// A bob of 2 kg at (−3, 1) m/s on a rod along (3, 4)/5 hits a wall with normal (1, 0): r = (7.5, −2.5) N·s stop it.
+pub const BOB: &str = r#"{"schema": "contact-problem/1", "name": "bob", "dimension": 1, "law": "frictionless", "friction": [0, 0],
+  "kinds": ["contact", {"bilateral": 1}], "free_velocity": [-3, -1],
+  "mass": {"shape": [2, 2], "rows": [[2, 0], [0, 2]]}, "jacobian": {"shape": [2, 2], "rows": [[1, 0], [0.6, 0.8]]}}"#;
+
+/// The block in space beside a slider of 3 kg that reaches its stop at 2 m/s, and two pins that hold one body, the second of them twice.
+const SLIDER: &str = r#"{"schema": "contact-problem/1", "name": "slider", "dimension": 3, "law": "coulomb", "friction": [0, 0.5, 0, 0],
+  "kinds": ["limit", "contact", {"bilateral": 2}, {"bilateral": 1}], "free_velocity": [-2, -1, 2, 0, 1, 2, 2],
+  "mass": {"shape": [6, 6], "diagonal_blocks": [[3], [1, 0, 0, 0, 1, 0, 0, 0, 1], [4, 0, 0, 4]]},
+  "jacobian": {"shape": [7, 6], "sparse_rows": {"starts": [0, 1, 2, 3, 4, 5, 6, 7], "column": [0, 1, 2, 3, 4, 5, 5],
+    "value": [1, 1, 1, 1, 1, 1, 1]}}}"#;
+
+fn numbers(value: &serde_json::Value) -> Vec<f64> {
+    value.as_array().expect("a list").iter().map(|number| number.as_f64().expect("a number")).collect()
+}
+
+#[test]
+fn joints_are_solved_certified_and_timed_by_every_solver_that_takes_the_contacts() {
+    let folder = Folder::new("joints");
+    let cases = [("bob", BOB, vec![7.5, -2.5]), ("slider", SLIDER, vec![6.0, 1.0, -0.5, 0.0, -4.0, -8.0, 0.0])];
+    for (name, text, expected) in cases {
+        let (problem, answer) = (folder.file(&format!("{name}.json"), text), folder.path("answer.json"));
+        for solver in ["auto", "pgs", "nonsmooth-newton", "interior-point"] {
+            let run = moreau(&["solve", &problem, "--solver", solver, "--out", &answer]);
+            assert_eq!(run.code, 0, "{name}, {solver}: {}{}", run.output, run.message);
+            assert!(run.output.contains("bilateral constraints: ") && run.output.contains("  bilateral  "), "{}", run.output);
+            let written: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&answer).expect("written")).expect("JSON");
+            let found = numbers(&written["impulse"]);
+            assert!(found.iter().zip(&expected).all(|(one, other)| (one - other).abs() < 1e-7), "{name}, {solver}: {found:?}");
+            let certified = moreau(&["certify", &problem, &answer, "--format", "json"]);
+            assert_eq!(certified.code, 0, "{}", certified.output);
+            assert!(certified.json()["residuals"]["bilateral"]["unit"] == "m/s" && certified.json()["bilateral"].is_u64());
+        }
+        let bench = moreau(&["bench", &problem, "--repeat", "0", "--format", "json"]);
+        assert!(bench.code == 0 && bench.json()["runs"][0]["relative"].as_f64().expect("judged") <= 1e-8);
+        let again = moreau(&["solve", &problem, "--start", &answer, "--law", "frictionless"]);
+        assert_eq!(again.code, 0, "{}", again.message);
+    }
+}
+
+#[test]
+fn an_answer_with_the_wrong_sign_of_a_joint_is_rejected_there() {
+    let folder = Folder::new("joints-sign");
+    let problem = folder.file("bob.json", BOB);
+    let answer = |impulse: &str, velocity: &str| {
+        let text = format!(r#"{{"schema": "solution/1", "problem": "bob", "impulse": {impulse}, "velocity": {velocity}}}"#);
+        let file = folder.file("answer.json", &text);
+        moreau(&["certify", &problem, &file, "--format", "json"])
+    };
+    assert_eq!(answer("[7.5, -2.5]", "[0, 0]").code, 0);
+    for (impulse, velocity) in [("[7.5, 2.5]", "[1.5, 2.5]"), ("[6, 0]", "[0, 0.8]")] {
+        let run = answer(impulse, velocity);
+        assert!(run.code == 1 && run.json()["residuals"]["bilateral"]["relative"].as_f64().expect("a number") > 0.1, "{}", run.output);
+    }
+}
+
+#[test]
+fn what_is_not_done_with_joints_is_refused_by_name() {
+    let folder = Folder::new("joints-refused");
+    let (bob, block) = (folder.file("bob.json", BOB), folder.file("block.json", PROBLEM));
+    let answer = folder.path("answer.json");
+    assert_eq!(moreau(&["solve", &bob, "--out", &answer]).code, 0);
+    moreau(&["certify", &bob, &answer, "--prove"]).is_refused(&["bob.json", "--prove", "kinds"]);
+    moreau(&["convert", &bob]).is_refused(&["bob.json", "kinds", "moreau solve"]);
+    moreau(&["problems", "measure", &bob]).is_refused(&["bob.json", "kinds"]);
+    moreau(&["certify", &block, &answer]).is_refused(&["answer.json", "problem"]);
+    let rolling = PROBLEM.replace("\"dimension\": 2", "\"dimension\": 4");
+    moreau(&["solve", &folder.file("rolling.json", &rolling)]).is_refused(&["dimension", "rolling and drilling", "kinds"]);
+    let contradicting = SLIDER.replace("1, 2, 2]", "1, 2, 3]");
+    moreau(&["solve", &folder.file("contradicting.json", &contradicting)]).is_refused(&["kinds[", "contradicts"]);
+    let refused = moreau(&["solve", &folder.file("slider.json", SLIDER), "--solver", "lemke"]);
+    assert!(refused.code == 1 && refused.message.contains("use `auto`, `pgs`"), "{}", refused.message);
+}
