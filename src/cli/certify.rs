@@ -7,7 +7,7 @@ use super::residual_names::RESIDUALS;
 use super::{Answer, Format, posed};
 use crate::certificate::backward::backward;
 use crate::certificate::forward::forward;
-use crate::certificate::lcp_proof::{Count, count, different, lcp_of, prove};
+use crate::certificate::lcp_proof::{Count, count_with, lcp_of, prove};
 use crate::certificate::residuals;
 use crate::problem::{ContactProblem, Lcp, Posed, Solution};
 use crate::report::certificate::Certificate;
@@ -15,7 +15,6 @@ use crate::report::json::pretty;
 use crate::report::lcp_proof::{Counted, LcpProved};
 use crate::report::proofs::Proofs;
 use crate::solvers;
-use crate::tolerance::complementarity::EXACT_ROWS;
 use crate::{Error, Result};
 use std::path::PathBuf;
 
@@ -138,14 +137,6 @@ const SEVERAL: [&str; 4] = ["lemke", "newton-min", "parametric-pivoting", "nonsm
 
 /// How many solutions there are; if that is not known, how many different ones the given answer and those of some solvers are near.
 fn counted(problem: &ContactProblem, lcp: &Lcp<f64>, given: Option<&Solution>) -> Result<Count> {
-    let count = count(lcp)?;
-    if count.is_solvable().is_some() || lcp.size() > EXACT_ROWS {
-        return Ok(count);
-    }
-    let proposed = SEVERAL.iter().filter_map(|name| solvers::ALL.by_name(name).ok()?.solve(problem, None).ok());
-    let answers: Vec<_> = proposed.map(|answer| answer.impulse).chain(given.map(|answer| answer.impulse.clone())).collect();
-    Ok(match different(lcp, &answers)? {
-        0 => count,
-        found => Count::AtLeast(found),
-    })
+    let proposed = || SEVERAL.iter().filter_map(|name| solvers::ALL.by_name(name).ok()?.solve(problem, None).ok());
+    count_with(lcp, || proposed().map(|answer| answer.impulse).chain(given.map(|answer| answer.impulse.clone())).collect())
 }

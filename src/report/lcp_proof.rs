@@ -91,10 +91,8 @@ impl LcpProved {
             Count::Exactly(points) => {
                 ("several", format!("{size} rows, all complementary cones"), points.iter().map(rounded).collect(), Vec::new())
             }
-            Count::AtLeast(1) => {
-                ("some", "an answer has a solution near; others were not looked for to the end".into(), Vec::new(), Vec::new())
-            }
-            Count::AtLeast(_) => ("several", "so many answers have solutions near that lie apart".into(), Vec::new(), Vec::new()),
+            Count::AtLeast(1, why) => ("some", why.clone(), Vec::new(), Vec::new()),
+            Count::AtLeast(_, why) => ("several", why.clone(), Vec::new(), Vec::new()),
             Count::Continuum(ends) => {
                 ("continuum", "all on the way between two ends".into(), ends.iter().map(rounded).collect(), Vec::new())
             }
@@ -105,7 +103,7 @@ impl LcpProved {
             Count::Unknown(why) => ("unknown", why.clone(), Vec::new(), Vec::new()),
         };
         let exactly = matches!(count, Count::Exactly(_)).then_some(points.len());
-        let at_least = if let Count::AtLeast(least) = count { Some(*least) } else { None };
+        let at_least = if let Count::AtLeast(least, _) = count { Some(*least) } else { None };
         LcpProved { near, not_proved, solutions, count: exactly, at_least, why, points, witness }
     }
 

@@ -12,13 +12,14 @@
 use super::dictionary::{Dictionary, First};
 use super::feasibility::nonnegative_solution;
 use crate::problem::Lcp;
-use crate::tolerance::complementarity::CONES;
+use crate::tolerance::complementarity::{CONE_SOLUTIONS, CONE_WORK};
 use moreau_exact::scalar::{Rational, ratio};
 use moreau_exact::witness::{Part, Witness, decided};
 use moreau_exact::{Error, Result};
 use nalgebra::{DMatrix, DVector};
+use std::collections::BTreeSet;
 
-/// Largest problem all of whose solutions are found: 2²⁰ cones.
+/// Largest problem all of whose solutions are asked for: 2²⁰ cones.
 pub const LARGEST: usize = 20;
 
 /// The solution set of an LCP: a finite union of polyhedra, one per complementary cone that contains q.
@@ -67,7 +68,7 @@ impl SolutionSet {
 /// The solution set of an LCP with at most [`LARGEST`] unknowns.
 ///
 /// # Errors
-/// [`Error::Unsupported`] for a larger problem.
+/// [`Error::Unsupported`] for a larger problem; [`Error::Solver`] with the failure `limit` after [`CONE_WORK`] or [`CONE_SOLUTIONS`].
 /// ```
 /// use moreau_contact::certificate::complementary_cones::all_solutions;
 /// use moreau_contact::nalgebra::{dmatrix, dvector};
@@ -87,7 +88,7 @@ pub fn all_solutions(lcp: &Lcp<Rational>) -> Result<SolutionSet> {
     let list =
         |vectors: &mut dyn Iterator<Item = &DVector<Rational>>| Part::Vectors(vectors.map(|z| z.iter().cloned().collect()).collect());
     decided(
-        || Search { lcp, most: usize::MAX, cones: usize::MAX, pieces: Vec::new() }.run(),
+        || looked(lcp, Until::End).everywhere(),
         |set| {
             let set = set.as_ref().ok()?;
             let data = [("matrix", Part::from(&lcp.matrix)), ("vector", Part::from(&lcp.vector))];
@@ -104,10 +105,59 @@ pub fn all_solutions(lcp: &Lcp<Rational>) -> Result<SolutionSet> {
 /// A solution, or the proof that there is none: every complementary cone was looked at, most of them together.
 ///
 /// # Errors
-/// [`Error::Solver`] with the failure `limit` after [`CONES`] sets of cones without either.
+/// [`Error::Solver`] with the failure `limit` after [`CONE_WORK`] without either.
 pub fn some_solution(lcp: &Lcp<Rational>) -> Result<Option<DVector<Rational>>> {
-    let set = Search { lcp, most: 1, cones: CONES, pieces: Vec::new() }.run()?;
-    Ok(set.points.into_iter().next())
+    let found = looked(lcp, Until::Solution);
+    match found.set.points.first() {
+        Some(point) => Ok(Some(point.clone())),
+        None => found.everywhere().map(|_| None),
+    }
+}
+
+/// How far a search goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Until {
+    /// All solutions.
+    End,
+    /// The first one.
+    Solution,
+    /// All solutions, or a direction in which there are infinitely many.
+    Family,
+}
+
+/// What a search found.
+pub(super) struct Looked {
+    /// Solutions; all of them if nothing stopped the search.
+    pub set: SolutionSet,
+    /// Sets of cones that were looked at.
+    pub cones: usize,
+    /// Whether [`CONE_WORK`] or [`CONE_SOLUTIONS`] stopped it.
+    pub stopped: bool,
+}
+
+impl Looked {
+    /// What was found, if that is all.
+    fn everywhere(self) -> Result<SolutionSet> {
+        match self.stopped {
+            true => Err(Error::limit("enumeration", format!("{}; the problem is too large for all of them", self.stop()))),
+            false => Ok(self.set),
+        }
+    }
+
+    /// Where it stopped, in words.
+    pub fn stop(&self) -> String {
+        format!("complete enumeration stopped at {} sets of complementary cones", self.cones)
+    }
+}
+
+/// Solutions among complementary cones, cone by cone, until that is enough or the limits are reached.
+pub(super) fn looked(lcp: &Lcp<Rational>, until: Until) -> Looked {
+    looked_for(lcp, until, CONE_WORK, CONE_SOLUTIONS)
+}
+
+/// As [`looked`], with other limits of work and solutions.
+fn looked_for(lcp: &Lcp<Rational>, until: Until, work: u64, most: usize) -> Looked {
+    Search { lcp, until, work, most, cones: 0, stopped: false, pieces: Vec::new() }.run()
 }
 
 /// Σ Mᵀy ≤ 0 …: y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0, so that no z ≥ 0 has M z + q ≥ 0; `None` if some z has.
@@ -132,22 +182,27 @@ type Piece = (Vec<bool>, DVector<Rational>, Option<DVector<Rational>>);
 /// The search among the cones.
 struct Search<'a> {
     lcp: &'a Lcp<Rational>,
-    /// Solutions after which it ends.
+    until: Until,
+    /// Work left to do.
+    work: u64,
+    /// Solutions that are kept.
     most: usize,
-    /// Sets of cones left to look at.
+    /// Sets of cones looked at.
     cones: usize,
+    stopped: bool,
     /// Supports α with a vertex, and a direction if there is more.
     pieces: Vec<Piece>,
 }
 
 impl Search<'_> {
-    fn run(mut self) -> Result<SolutionSet> {
+    fn run(mut self) -> Looked {
         if let First::Vertex(start) = Dictionary::first(self.lcp) {
-            self.explore(start, &mut vec![None; self.lcp.size()])?;
+            self.explore(start, &mut vec![None; self.lcp.size()]);
         }
         // the order of the supports as binary numbers, the first index last
         self.pieces.sort_by(|(one, ..), (other, ..)| one.iter().rev().cmp(other.iter().rev()));
         let mut set = SolutionSet { points: Vec::new(), families: Vec::new() };
+        let mut known = BTreeSet::new();
         for (_, point, direction) in self.pieces {
             if let Some(direction) = direction {
                 let family = Family { point: point.clone(), direction };
@@ -155,47 +210,64 @@ impl Search<'_> {
                     set.families.push(family);
                 }
             }
-            if !set.points.contains(&point) {
+            if known.insert(point.as_slice().to_vec()) {
                 set.points.push(point);
             }
         }
-        Ok(set)
+        Looked { set, cones: self.cones, stopped: self.stopped }
+    }
+
+    fn is_enough(&self) -> bool {
+        match self.until {
+            Until::End => false,
+            Until::Solution => !self.pieces.is_empty(),
+            Until::Family => self.pieces.last().is_some_and(|(.., direction)| direction.is_some()),
+        }
+    }
+
+    /// Takes work off what is left of it.
+    fn spend(&mut self, work: u64) {
+        self.stopped |= work > self.work;
+        self.work = self.work.saturating_sub(work);
     }
 
     /// Looks at all cones that agree with what is decided, `true` for wⱼ = 0, from a point of the linear program of that.
-    fn explore(&mut self, at: Dictionary, support: &mut Vec<Option<bool>>) -> Result<()> {
-        self.cones = self.cones.checked_sub(1).ok_or_else(|| {
-            Error::limit("enumeration", format!("looked at {CONES} sets of cones; the problem is too large for all of them"))
-        })?;
+    fn explore(&mut self, at: Dictionary, support: &mut Vec<Option<bool>>) {
+        self.cones += 1;
         let size = support.len();
         let open = |j: &usize| support[*j].is_none();
         let violated = (0..size).filter(open).find(|&j| at.is_positive(j) && at.is_positive(size + j));
-        let Some(j) = violated.or_else(|| (0..size).find(open)) else {
-            self.keep(&at, support);
-            return Ok(());
-        };
+        let Some(j) = violated.or_else(|| (0..size).find(open)) else { return self.keep(&at, support) };
         // first what the point satisfies already
         let first = at.is_positive(size + j);
         for in_support in [first, !first] {
-            if self.pieces.len() >= self.most {
+            if self.stopped || self.is_enough() {
                 break;
             }
             let mut next = at.clone();
-            if next.fix(if in_support { j } else { size + j }) {
+            let holds = next.fix(if in_support { j } else { size + j });
+            self.spend(next.work() - at.work());
+            if holds && !self.stopped {
                 support[j] = Some(in_support);
-                self.explore(next, support)?;
+                self.explore(next, support);
             }
         }
         support[j] = None;
-        Ok(())
     }
 
     /// The polyhedron of a support.
     fn keep(&mut self, at: &Dictionary, support: &[Option<bool>]) {
         let size = support.len();
+        if self.pieces.len() == self.most {
+            self.stopped = true;
+            return;
+        }
         let inside: Vec<bool> = support.iter().map(|decided| *decided == Some(true)).collect();
         let point = DVector::from_fn(size, |j, _| at.value(size + j));
         let direction = at.has_free().then(|| self.direction(&inside, &point)).flatten();
+        if at.has_free() {
+            self.spend(at.work_of_pivots(size));
+        }
         self.pieces.push((inside, point, direction));
     }
 

@@ -56,6 +56,25 @@ fn twenty_one_unknowns_are_refused() {
     assert!(all_solutions(&Lcp::new(DMatrix::identity(21, 21), DVector::from_element(21, ratio(1, 1)))).is_err());
 }
 
+#[test]
+fn a_search_that_is_stopped_says_so_keeps_what_it_found_and_stops_at_the_same_place_again() {
+    // −z + 1 ≥ 0 ⟂ z ≥ 0 in every row: 2⁸ solutions
+    let problem = lcp(8, (-DMatrix::<i64>::identity(8, 8)).as_slice(), &[1; 8]);
+    let whole = looked_for(&problem, Until::End, u64::MAX, 256);
+    assert_eq!((whole.stopped, whole.set.points.len(), whole.cones), (false, 256, 511));
+    for (work, most) in [(1 << 12, 256), (1 << 16, 256), (u64::MAX, 255), (u64::MAX, 1), (0, 256)] {
+        let [part, again] = [(); 2].map(|()| looked_for(&problem, Until::End, work, most));
+        assert!(part.stopped && part.cones <= whole.cones && part.set.points.len() < 256, "{work} {most}");
+        assert!(part.set.points.iter().all(|z| residuals(&problem, z).vanish()));
+        assert_eq!((again.cones, &again.set), (part.cones, &part.set));
+        assert!(part.stop().contains(&part.cones.to_string()) && part.everywhere().is_err());
+    }
+    // M = 0 and q = 0 has a direction at once
+    let zero = lcp(8, &[0; 64], &[0; 8]);
+    let family = looked_for(&zero, Until::Family, 1 << 20, 256);
+    assert!(!family.stopped && family.set.families.len() == 1 && family.cones < 20);
+}
+
 /// Cone by cone: the solution of every regular M_αα that is one, and whether any cone with a singular M_αα holds q.
 fn one_by_one(lcp: &Lcp<Rational>) -> (Vec<DVector<Rational>>, bool) {
     let (size, mut points, mut singular) = (lcp.size(), Vec::new(), false);

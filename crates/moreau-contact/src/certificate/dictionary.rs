@@ -8,7 +8,9 @@
 //! method with Bland's rule, which ends.
 
 use crate::problem::Lcp;
+use crate::tolerance::complementarity::words_of_work;
 use dashu_int::IBig;
+use dashu_int::ops::BitTest;
 use moreau_exact::lifting::whole_rows;
 use moreau_exact::scalar::Rational;
 use nalgebra::DVector;
@@ -22,6 +24,8 @@ pub(super) struct Dictionary {
     /// The variable of each column of T.
     free: Vec<usize>,
     denominator: IBig,
+    /// Products of machine words so far, about.
+    work: u64,
 }
 
 /// A first vertex, or why there is none.
@@ -38,7 +42,8 @@ impl Dictionary {
         let (matrix, vector) = whole_rows(&lcp.matrix, &lcp.vector);
         let row = |i: usize| (0..size).map(|j| -&matrix[(i, j)]).chain([IBig::NEG_ONE, vector[i].clone()]).collect();
         let free = (size..=2 * size).collect();
-        let mut start = Dictionary { rows: (0..size).map(row).collect(), basic: (0..size).collect(), free, denominator: IBig::ONE };
+        let mut start =
+            Dictionary { rows: (0..size).map(row).collect(), basic: (0..size).collect(), free, denominator: IBig::ONE, work: 0 };
         let lowest = (0..size).min_by(|&i, &k| vector[i].cmp(&vector[k])).filter(|&i| vector[i] < IBig::ZERO);
         if let Some(lowest) = lowest {
             start.pivot(lowest, size);
@@ -111,6 +116,7 @@ impl Dictionary {
 
     /// Exchanges a basic variable and a free one.
     fn pivot(&mut self, row: usize, column: usize) {
+        self.work += words_of_work(self.rows.len() * (self.free.len() + 1), self.denominator.bit_len());
         let top = std::mem::take(&mut self.rows[row]);
         let pivot = top[column].clone();
         for other in self.rows.iter_mut().filter(|other| !other.is_empty()) {
@@ -141,6 +147,16 @@ impl Dictionary {
     /// Whether a variable is positive at this vertex.
     pub(super) fn is_positive(&self, variable: usize) -> bool {
         self.row_of(variable).is_some_and(|row| *self.right(row) > IBig::ZERO)
+    }
+
+    /// Products of machine words that led here, about.
+    pub(super) fn work(&self) -> u64 {
+        self.work
+    }
+
+    /// What a linear program of so many pivots costs from here, about.
+    pub(super) fn work_of_pivots(&self, pivots: usize) -> u64 {
+        pivots as u64 * words_of_work(self.rows.len() * (self.free.len() + 1), self.denominator.bit_len())
     }
 
     /// Whether the polyhedron may be more than this vertex.

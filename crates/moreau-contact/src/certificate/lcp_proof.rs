@@ -8,13 +8,16 @@
 //! [`OPEN_ROWS`] rows.
 
 use super::Decision;
-use super::complementary_cones::{self, SolutionSet, all_solutions, infeasible, some_solution};
+use super::complementary_cones::{self, Family, SolutionSet, Until, infeasible, looked};
+use super::definiteness::positive_semidefinite;
 use super::lcp_enclosure::{Undecided, enclose};
 use super::lcp_exact::{ExactSolution, WrongSign, exact_near, support};
+use super::monotone;
 use super::p_matrix::p_matrix;
+use super::p_structure::surely_p;
 use super::verified_cholesky::is_positive_definite;
 use crate::problem::{ContactProblem, Law, Lcp};
-use crate::tolerance::complementarity::{EXACT_ROWS, FEASIBLE_ROWS, OPEN_ROWS, SEARCHED_ROWS};
+use crate::tolerance::complementarity::{EXACT_ROWS, FEASIBLE_ROWS, OPEN_ROWS};
 use moreau_exact::scalar::{Rational, Scalar, exact};
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -55,8 +58,8 @@ pub enum Count {
     One(&'static str),
     /// These, two or more, and no others.
     Exactly(Vec<DVector<Rational>>),
-    /// At least so many: answers whose solutions lie apart.
-    AtLeast(usize),
+    /// At least so many, and why it is not known whether there are more.
+    AtLeast(usize, String),
     /// Infinitely many: all on the way between these two.
     Continuum([DVector<Rational>; 2]),
     /// None: y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0.
@@ -71,7 +74,7 @@ impl Count {
     /// Whether there is a solution, if that is known.
     pub fn is_solvable(&self) -> Option<bool> {
         match self {
-            Count::One(_) | Count::Exactly(_) | Count::Continuum(_) | Count::AtLeast(_) => Some(true),
+            Count::One(_) | Count::Exactly(_) | Count::Continuum(_) | Count::AtLeast(..) => Some(true),
             Count::Infeasible(_) | Count::NoCone => Some(false),
             Count::Unknown(_) => None,
         }
@@ -189,8 +192,9 @@ fn enclosed(lcp: &Lcp<f64>, z: &DVector<f64>, support: &[bool]) -> Answer {
 
 /// How many solutions an LCP has.
 ///
-/// One, whatever q is, if M + Mᵀ is positive definite or – up to [`complementary_cones::LARGEST`] rows – M is a P-matrix; otherwise, up to
-/// that size, as many as complementary cones hold q. Larger problems may be shown to have none.
+/// One, whatever q is, if M + Mᵀ is positive definite or M is a P-matrix, by its structure or – up to [`complementary_cones::LARGEST`] rows –
+/// by all of its minors. Otherwise, up to [`FEASIBLE_ROWS`] rows: none, if no z ≥ 0 has M z + q ≥ 0; where M + Mᵀ is positive semidefinite,
+/// one or infinitely many; and else as many as complementary cones hold q, if the search among them comes to its end.
 ///
 /// # Errors
 /// [`Error::Invalid`] if a number is not finite.
@@ -207,32 +211,81 @@ fn enclosed(lcp: &Lcp<f64>, z: &DVector<f64>, support: &[bool]) -> Answer {
 /// # Ok::<(), moreau_contact::Error>(())
 /// ```
 pub fn count(lcp: &Lcp<f64>) -> Result<Count> {
+    count_with(lcp, Vec::new)
+}
+
+/// As [`count`], with answers that are proposed where it is not known otherwise how many there are: solutions near them are told apart.
+///
+/// # Errors
+/// As [`prove`].
+/// ```
+/// use moreau_contact::certificate::lcp_proof::{Count, count_with};
+/// use moreau_contact::nalgebra::{DMatrix, DVector};
+/// use moreau_contact::problem::Lcp;
+///
+/// let lcp = Lcp::new(-DMatrix::identity(61, 61), DVector::from_element(61, 1.0)); // z_i is 0 or 1: 2⁶¹ solutions
+/// let [zero, one] = [0.0, 1.0].map(|z| DVector::from_element(61, z));
+/// assert!(matches!(count_with(&lcp, || vec![zero, one])?, Count::AtLeast(2, _)));
+/// # Ok::<(), moreau_contact::Error>(())
+/// ```
+pub fn count_with(lcp: &Lcp<f64>, proposed: impl FnOnce() -> Vec<DVector<f64>>) -> Result<Count> {
     check(lcp)?;
     if is_positive_definite(&lcp.matrix) {
         return Ok(Count::One("M + Mᵀ is positive definite"));
     }
+    if let Some(why) = surely_p(&lcp.matrix) {
+        return Ok(Count::One(why));
+    }
     let size = lcp.size();
     if size > FEASIBLE_ROWS {
-        return Ok(Count::Unknown(format!("M + Mᵀ is not shown to be positive definite, and {size} rows are too many for the rest")));
+        let why = format!("M is not shown to be a P-matrix, and {size} rows are too many for the rest");
+        return at_least(lcp, 0, why, &if size <= EXACT_ROWS { proposed() } else { Vec::new() });
     }
     let whole = whole(lcp);
-    if size <= complementary_cones::LARGEST && p_matrix(&whole.matrix)? == Decision::Holds {
+    if size <= complementary_cones::LARGEST && p_matrix(&whole.matrix).is_ok_and(|decision| decision == Decision::Holds) {
         return Ok(Count::One("all principal minors of M are positive"));
     }
     if let Some(y) = infeasible(&whole) {
         return Ok(Count::Infeasible(y));
     }
-    if size <= complementary_cones::LARGEST {
-        return Ok(of_set(&whole, all_solutions(&whole)?));
+    if positive_semidefinite(&whole.matrix).holds() {
+        return Ok(of_monotone(lcp, &whole, &proposed()));
     }
-    let unknown = format!(
-        "M + Mᵀ is not shown to be positive definite, and all solutions are looked for up to {} rows",
-        complementary_cones::LARGEST
-    );
-    Ok(match (size <= SEARCHED_ROWS).then(|| some_solution(&whole)) {
-        Some(Ok(None)) => Count::NoCone,
-        _ => Count::Unknown(unknown),
+    let found = looked(&whole, Until::Family);
+    match found.stopped && found.set.families.is_empty() {
+        true => at_least(lcp, found.set.points.len(), format!("not decided: {}", found.stop()), &proposed()),
+        false => Ok(of_set(&whole, found.set)),
+    }
+}
+
+/// At least `known` solutions, or as many as these answers have near that lie apart.
+fn at_least(lcp: &Lcp<f64>, known: usize, why: String, answers: &[DVector<f64>]) -> Result<Count> {
+    let found = different(lcp, answers)?;
+    let said = if found == 1 { "an answer has a solution near" } else { "so many answers have solutions near that lie apart" };
+    Ok(match found.max(known) {
+        0 => Count::Unknown(why),
+        most if most > known => Count::AtLeast(most, format!("{said}; {why}")),
+        _ => Count::AtLeast(known, why),
     })
+}
+
+/// One or infinitely many, where M + Mᵀ is positive semidefinite and some z ≥ 0 has M z + q ≥ 0, so that there is a solution.
+fn of_monotone(lcp: &Lcp<f64>, whole: &Lcp<Rational>, answers: &[DVector<f64>]) -> Count {
+    const WHY: &str = "M + Mᵀ is positive semidefinite";
+    let near = answers.iter().filter(|z| z.iter().all(|z| z.is_finite()));
+    let proposed = near.filter_map(|z| exact_near(whole, z, support(lcp, z)).ok()).next().map(|solution| solution.z);
+    let found = || looked(whole, Until::Solution).set.points.into_iter().next();
+    let Some(point) = proposed.or_else(found) else {
+        return Count::AtLeast(1, format!("{WHY}, and feasible problems of that kind have one; it was not found"));
+    };
+    match monotone::direction(whole, &point) {
+        None => Count::AtLeast(1, WHY.into()),
+        Some(None) => Count::One("M + Mᵀ is positive semidefinite, and nothing leads from the solution to another"),
+        Some(Some(direction)) => {
+            let end = Family { point: point.clone(), direction }.other_end(whole);
+            Count::Continuum([point, end])
+        }
+    }
 }
 
 /// How many of these answers have solutions near that are different from each other, as far as their distances tell.

@@ -1,6 +1,7 @@
 //! Proofs against solutions known by construction, enumeration, planted mistakes and problems without a solution.
 
 use super::*;
+use crate::certificate::complementary_cones::all_solutions;
 use crate::certificate::lcp::residuals;
 use nalgebra::{DMatrix, dmatrix, dvector};
 use proptest::prelude::*;
@@ -124,6 +125,44 @@ fn counts_of_known_problems() {
     q[2] = -1.0;
     let Count::Infeasible(y) = of(empty.clone(), q.clone()) else { panic!("w₃ = −1") };
     assert!(complementary_cones::is_infeasible_by(&whole(&Lcp::new(empty, q)), &y));
+}
+
+#[test]
+fn large_matrices_whose_structure_shows_it_have_one_solution_and_monotone_ones_one_or_many() {
+    let of = |matrix: &DMatrix<f64>, vector: DVector<f64>| count(&Lcp::new(matrix.clone(), vector)).expect("finite");
+    let triangular = DMatrix::from_fn(200, 200, |i, j| {
+        if i == j {
+            0.5
+        } else if i > j {
+            -3.0
+        } else {
+            0.0
+        }
+    });
+    assert!(matches!(of(&triangular, DVector::from_element(200, -1.0)), Count::One(why) if why.contains("triangular")));
+    // rows twice: M + Mᵀ is singular, and impulses of a pair are determined as a sum only
+    let pairs = DMatrix::from_fn(24, 24, |i, j| if i / 2 == j / 2 { 1.0 } else { 0.0 });
+    let Count::Continuum(ends) = of(&pairs, DVector::from_element(24, -1.0)) else { panic!("sums") };
+    assert!(
+        ends[0] != ends[1]
+            && ends.iter().all(|end| residuals(&whole(&Lcp::new(pairs.clone(), DVector::from_element(24, -1.0))), end).vanish())
+    );
+    let apart = DVector::from_fn(24, |i, _| if i % 2 == 0 { -1.0 } else { -0.5 });
+    assert!(matches!(of(&pairs, apart), Count::One(why) if why.contains("nothing leads")));
+    // M + Mᵀ = 0 has solutions where something is feasible
+    let skew = DMatrix::from_fn(24, 24, |i, j| f64::from(i as i32 - j as i32).signum());
+    assert_eq!(of(&skew, DVector::from_element(24, 0.0)).is_solvable(), Some(true));
+}
+
+#[test]
+fn what_is_not_decided_says_where_it_stopped_and_counts_what_it_found() {
+    let size = 21;
+    let lcp = Lcp::new(-DMatrix::identity(size, size), DVector::from_element(size, 1.0));
+    let Count::AtLeast(found, why) = count(&lcp).unwrap() else { panic!("2²¹ solutions are too many") };
+    assert!(
+        found == crate::tolerance::complementarity::CONE_SOLUTIONS && why.contains("not decided: complete enumeration stopped at"),
+        "{why}"
+    );
 }
 
 proptest! {

@@ -6,6 +6,7 @@
 
 use super::Decision;
 use super::complementary_cones::LARGEST;
+use crate::tolerance::complementarity::EXACT_MINORS;
 use dashu_ratio::RBig;
 use moreau_exact::elimination::{principal, solve_columns};
 use moreau_exact::scalar::Rational;
@@ -25,7 +26,8 @@ pub struct Minor {
 /// Whether all principal minors of M are positive; the witness is one that is not.
 ///
 /// # Errors
-/// [`Error::Unsupported`] for more than [`LARGEST`] rows.
+/// [`Error::Unsupported`] for more than [`LARGEST`] rows; [`Error::Solver`] with the failure `limit` if intervals leave more than
+/// [`EXACT_MINORS`] signs open.
 /// ```
 /// use moreau_contact::certificate::p_matrix::p_matrix;
 /// use moreau_contact::nalgebra::dmatrix;
@@ -42,8 +44,9 @@ pub fn p_matrix(matrix: &DMatrix<Rational>) -> Result<Decision<Minor>> {
         return Err(Error::Unsupported(message));
     }
     let bad = decided(
-        || first_bad_minor(matrix, matrix.transpose().iter().map(around).collect(), 0, &mut Vec::new()),
+        || Minors { matrix, left: EXACT_MINORS }.first_bad(matrix.transpose().iter().map(around).collect(), 0, &mut Vec::new()),
         |found| {
+            let found = found.as_ref().ok()?;
             let mut parts = vec![("matrix", Part::from(matrix))];
             match found {
                 None => parts.push(("answer", Part::Word("holds"))),
@@ -55,7 +58,7 @@ pub fn p_matrix(matrix: &DMatrix<Rational>) -> Result<Decision<Minor>> {
             Some(Witness { kind: "p-matrix", parts })
         },
     );
-    Ok(bad.map_or(Decision::Holds, Decision::Fails))
+    Ok(bad?.map_or(Decision::Holds, Decision::Fails))
 }
 
 /// An interval, its ends rounded outward at every operation.
@@ -96,39 +99,51 @@ fn enclosed_complement(matrix: &DMatrix<Rational>, pivots: &[usize], next: usize
     (0..n * n).map(|place| entry(place / n, place % n)).collect()
 }
 
-/// Searches the minors that contain the `pivots`, none of the other indices below `next`, and any from there on; `complement` encloses the
-/// Schur complement of the pivots on the indices from `next`, row by row. Where it leaves a sign open, the minor is computed in rationals.
-fn first_bad_minor(matrix: &DMatrix<Rational>, mut complement: Vec<Interval>, next: usize, pivots: &mut Vec<usize>) -> Option<Minor> {
-    let size = matrix.nrows() - next;
-    if size == 0 {
-        return None;
-    }
-    pivots.push(next);
-    if complement[0][0] <= 0.0 || complement[0][0].is_nan() {
-        let value = minor(matrix, pivots);
-        if value <= RBig::ZERO {
-            return Some(Minor { indices: pivots.clone(), value });
+/// The principal minors of a matrix.
+struct Minors<'a> {
+    matrix: &'a DMatrix<Rational>,
+    /// How many more may be computed in fractions.
+    left: usize,
+}
+
+impl Minors<'_> {
+    /// Searches the minors that contain the `pivots`, none of the other indices below `next`, and any from there on; `complement` encloses the
+    /// Schur complement of the pivots on the indices from `next`, row by row. Where it leaves a sign open, the minor is computed in rationals.
+    fn first_bad(&mut self, mut complement: Vec<Interval>, next: usize, pivots: &mut Vec<usize>) -> Result<Option<Minor>> {
+        let size = self.matrix.nrows() - next;
+        if size == 0 {
+            return Ok(None);
         }
-        pivots.pop();
-        complement = enclosed_complement(matrix, pivots, next);
         pivots.push(next);
+        if complement[0][0] <= 0.0 || complement[0][0].is_nan() {
+            self.left = self.left.checked_sub(1).ok_or_else(|| {
+                Error::limit("p-matrix", format!("intervals leave the signs of more than {EXACT_MINORS} principal minors open"))
+            })?;
+            let value = minor(self.matrix, pivots);
+            if value <= RBig::ZERO {
+                return Ok(Some(Minor { indices: pivots.clone(), value }));
+            }
+            pivots.pop();
+            complement = enclosed_complement(self.matrix, pivots, next);
+            pivots.push(next);
+        }
+        let entry = |i: usize, j: usize| complement[i * size + j];
+        let rest = |new: &dyn Fn(usize, usize) -> Interval| -> Vec<Interval> {
+            (1..size).flat_map(|i| (1..size).map(move |j| (i, j))).map(|(i, j)| new(i, j)).collect()
+        };
+        let inverse = if complement[0][0] > 0.0 { reciprocal(complement[0]) } else { [0.0, f64::INFINITY] };
+        let row: Vec<Interval> = (0..size).map(|j| times(entry(0, j), inverse)).collect();
+        let with = rest(&|i, j| minus(entry(i, j), times(entry(i, 0), row[j])));
+        pivots.pop();
+        let without = self.first_bad(rest(&entry), next + 1, pivots)?;
+        if without.is_some() {
+            return Ok(without);
+        }
+        pivots.push(next);
+        let found = self.first_bad(with, next + 1, pivots)?;
+        pivots.pop();
+        Ok(found)
     }
-    let entry = |i: usize, j: usize| complement[i * size + j];
-    let rest = |new: &dyn Fn(usize, usize) -> Interval| -> Vec<Interval> {
-        (1..size).flat_map(|i| (1..size).map(move |j| (i, j))).map(|(i, j)| new(i, j)).collect()
-    };
-    let inverse = if complement[0][0] > 0.0 { reciprocal(complement[0]) } else { [0.0, f64::INFINITY] };
-    let row: Vec<Interval> = (0..size).map(|j| times(entry(0, j), inverse)).collect();
-    let with = rest(&|i, j| minus(entry(i, j), times(entry(i, 0), row[j])));
-    pivots.pop();
-    let without = first_bad_minor(matrix, rest(&entry), next + 1, pivots);
-    if without.is_some() {
-        return without;
-    }
-    pivots.push(next);
-    let found = first_bad_minor(matrix, with, next + 1, pivots);
-    pivots.pop();
-    found
 }
 
 /// det M_αα, by elimination.
@@ -200,6 +215,20 @@ mod tests {
                 DMatrix::from_row_slice(2, 2, &[third.clone(), ratio(1, 1), third.clone() * ratio(1, 7), ratio(1, 7) + tiny * ratio(3, 1)]);
             assert_eq!(p_matrix(&matrix).unwrap().holds(), sign == 1);
         }
+    }
+
+    #[test]
+    fn more_open_signs_than_are_computed_end_undecided_and_never_as_yes_or_no() {
+        // Σ_k 2⁻⁷⁰ᵏ v_k v_kᵀ with v_k = (1ᵏ, 2ᵏ, …): definite, and every further row of a minor is below the rounding of those before
+        let matrix = |size: usize| {
+            let tiny = ratio(1, 1 << 35) * ratio(1, 1 << 35);
+            let power = |base: &Rational, k: usize| (0..k).fold(RBig::ONE, |product, _| product * base);
+            let whole = |i: usize| ratio(i as i64 + 1, 1);
+            let entry = |i, j| (0..size).fold(RBig::ZERO, |sum, k| sum + power(&(&tiny * whole(i) * whole(j)), k));
+            DMatrix::from_fn(size, size, entry)
+        };
+        assert!(p_matrix(&matrix(6)).unwrap().holds());
+        assert!(matches!(p_matrix(&matrix(10)), Err(Error::Solver { failure: moreau_exact::error::Failure::Limit, .. })));
     }
 
     #[test]

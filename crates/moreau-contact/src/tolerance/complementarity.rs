@@ -2,10 +2,27 @@
 
 use moreau_exact::scalar::Scalar;
 
-/// Sets of complementary cones that are looked at before a search ends undecided, 2¹⁶. On problems of thirty unknowns a set costs about a
-/// millisecond, so that the search ends in minutes.
+/// Products of machine words after which a search among complementary cones ends undecided, 2³¹: ten seconds or so. It is counted, not
+/// timed, so that the same problem ends in the same way everywhere.
 /// Set.
-pub const CONES: usize = 1 << 16;
+pub const CONE_WORK: u64 = 1 << 31;
+
+/// Solutions after which such a search ends undecided: they are kept, all together some hundred megabytes at most.
+/// Set.
+pub const CONE_SOLUTIONS: usize = 1 << 16;
+
+/// Products of machine words of a pivot over so many entries of so many bits, about: a product of numbers of w words takes w² of them, and
+/// what does not grow with w as much as four more words.
+/// Set.
+pub fn words_of_work(entries: usize, bits: usize) -> u64 {
+    let words = (bits / 64 + 5) as u64;
+    entries as u64 * words * words
+}
+
+/// Principal minors that are computed in fractions, because intervals leave their sign open, before it is left undecided whether a matrix is
+/// a P-matrix: all of eight rows, and a few seconds of twenty.
+/// Set.
+pub const EXACT_MINORS: usize = 1 << 8;
 
 /// Rows of a problem up to which its solutions are decided in fractions; above it signs are decided by enclosures.
 /// Required: of every proved answer to a linear complementarity problem, by the users of `moreau certify --prove`.
@@ -29,7 +46,8 @@ pub const LEAST_TRACE: f64 =
 /// Set.
 pub const FEASIBLE_ROWS: usize = 60;
 
-/// Rows of a problem up to which a solution is searched for among all complementary cones, as long as [`CONES`] sets of them suffice.
+/// Rows of a problem up to which a solution is searched for among all complementary cones by a solver, as long as
+/// [`CONE_WORK`] suffices.
 /// Set.
 pub const SEARCHED_ROWS: usize = 40;
 
