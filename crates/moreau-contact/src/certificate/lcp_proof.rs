@@ -192,9 +192,9 @@ fn enclosed(lcp: &Lcp<f64>, z: &DVector<f64>, support: &[bool]) -> Answer {
 
 /// How many solutions an LCP has.
 ///
-/// One, whatever q is, if M + Mᵀ is positive definite or M is a P-matrix, by its structure or – up to [`complementary_cones::LARGEST`] rows –
-/// by all of its minors. Otherwise, up to [`FEASIBLE_ROWS`] rows: none, if no z ≥ 0 has M z + q ≥ 0; where M + Mᵀ is positive semidefinite,
-/// one or infinitely many; and else as many as complementary cones hold q, if the search among them comes to its end.
+/// One, whatever q is, if M + Mᵀ is positive definite or M is a P-matrix, by its structure or – up to [`complementary_cones::LARGEST`] rows
+/// – by all of its minors. Otherwise, up to [`FEASIBLE_ROWS`] rows: none, if no z ≥ 0 has M z + q ≥ 0; where M + Mᵀ is positive
+/// semidefinite, one or infinitely many; and else as many as complementary cones hold q, if the search among them comes to its end.
 ///
 /// # Errors
 /// [`Error::Invalid`] if a number is not finite.

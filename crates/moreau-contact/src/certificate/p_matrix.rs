@@ -107,8 +107,9 @@ struct Minors<'a> {
 }
 
 impl Minors<'_> {
-    /// Searches the minors that contain the `pivots`, none of the other indices below `next`, and any from there on; `complement` encloses the
-    /// Schur complement of the pivots on the indices from `next`, row by row. Where it leaves a sign open, the minor is computed in rationals.
+    /// Searches the minors that contain the `pivots`, none of the other indices below `next`, and any from there on; `complement` encloses
+    /// the Schur complement of the pivots on the indices from `next`, row by row. Where it leaves a sign open, the minor is computed in
+    /// rationals.
     fn first_bad(&mut self, mut complement: Vec<Interval>, next: usize, pivots: &mut Vec<usize>) -> Result<Option<Minor>> {
         let size = self.matrix.nrows() - next;
         if size == 0 {

@@ -19,8 +19,8 @@ pub fn words_of_work(entries: usize, bits: usize) -> u64 {
     entries as u64 * words * words
 }
 
-/// Principal minors that are computed in fractions, because intervals leave their sign open, before it is left undecided whether a matrix is
-/// a P-matrix: all of eight rows, and a few seconds of twenty.
+/// Principal minors that are computed in fractions, because intervals leave their sign open, before it is left undecided whether a matrix
+/// is a P-matrix: all of eight rows, and a few seconds of twenty.
 /// Set.
 pub const EXACT_MINORS: usize = 1 << 8;
 

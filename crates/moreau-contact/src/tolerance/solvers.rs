@@ -231,7 +231,8 @@ pub const IDENTIFIED: f64 = 1e-4;
 /// Set.
 pub const FEWEST_REDUNDANT: usize = 200;
 
-/// Fewest contacts of a problem that `auto` takes apart into islands: what is smaller is solved in the time that takes.
+/// Fewest contacts of a problem that `auto` takes apart into islands, or begins with Newton's method from the step before: what is smaller
+/// is solved to the last bit by sweeps, in the time that takes.
 /// Set.
 pub const FEWEST_IN_ISLANDS: usize = 16;
 

@@ -19,7 +19,7 @@ use stages::{QUICK, THOROUGH, left_out};
 /// | for | algorithm |
 /// |---|---|
 /// | W stored by blocks | each island of contacts that meet by itself, then the whole from there |
-/// | a warm start that is no solution any more | a few steps of nonsmooth Newton from it |
+/// | a warm start of many contacts that is no solution any more | a few steps of nonsmooth Newton from it |
 /// | soft contacts | Newton on Gauss's principle |
 /// | no friction, a few contacts | Newton-min, Lemke |
 /// | many contacts, fewer velocities than rows, round cones | interior points until the contacts are told apart, and Newton from there |
@@ -134,14 +134,13 @@ fn opens_everywhere(problem: &ContactProblem) -> bool {
     })
 }
 
-/// The impulses that are kept, if they are good enough; else one island after another; else one algorithm after another.
+/// What needs no algorithm; else one island after another; else one algorithm after another.
 fn chain(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Result<Solution> {
     super::start(problem, warm_start)?;
-    if let Some(solution) = at_once(problem, warm_start, goal) {
+    if let Some(solution) = at_once(problem, warm_start, goal).or_else(|| islands(problem, warm_start, goal)) {
         return Ok(solution);
     }
-    let by_islands = islands(problem, warm_start, goal);
-    stages_in_turn(problem, by_islands.as_ref().map(|solution| &solution.impulse).or(warm_start), goal, by_islands.clone())
+    stages_in_turn(problem, warm_start, goal)
 }
 
 /// What needs no algorithm: r = 0 where every contact opens, or what is kept where it is still a solution – at rest the impulses of the
@@ -152,11 +151,15 @@ fn at_once(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Go
     }
     let kept = warm_start?;
     let solution = Solution::new(NAME, kept.clone(), problem.velocity(kept), 0);
-    Judge::default().judge(problem, &solution).is_ok_and(|judged| judged.relative() <= goal.enough).then_some(solution)
+    is_within(problem, &solution, goal.enough).then_some(solution)
 }
 
-/// The answers to all islands, if there are several and each is answered. It has the name and the iterations of the algorithm that took
-/// most of them.
+fn is_within(problem: &ContactProblem, solution: &Solution, relative: f64) -> bool {
+    Judge::default().judge(problem, solution).is_ok_and(|judged| judged.relative() <= relative)
+}
+
+/// The answers to all islands, if there are several and together they are good enough. It has the name and the iterations of the algorithm
+/// that took most of them.
 fn islands(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Option<Solution> {
     let blocks = problem.delassus().blocks()?;
     if problem.contacts() < FEWEST_IN_ISLANDS {
@@ -173,7 +176,7 @@ fn islands(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Go
         let kept = warm_start.map(|whole| island_rows(whole, members, rows));
         let solution = match at_once(&island, kept.as_ref(), goal) {
             Some(solution) => solution,
-            None => stages_in_turn(&island, kept.as_ref(), goal, None).ok()?,
+            None => stages_in_turn(&island, kept.as_ref(), goal).ok()?,
         };
         for (k, part) in members.iter().zip(solution.impulse.as_slice().chunks_exact(rows)) {
             impulse.rows_mut(k * rows, rows).copy_from_slice(part);
@@ -184,20 +187,20 @@ fn islands(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Go
     }
     let (iterations, solver) = longest?;
     let velocity = problem.velocity(&impulse);
-    Some(Solution { solver, ..Solution::new(NAME, impulse, velocity, iterations) })
+    let solution = Solution { solver, ..Solution::new(NAME, impulse, velocity, iterations) };
+    is_within(problem, &solution, goal.acceptable).then_some(solution)
 }
 
-/// One algorithm after another until the goal is reached, and the best answer of all and of the one that is there.
-fn stages_in_turn(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal, begun: Option<Solution>) -> Result<Solution> {
+/// One algorithm after another until the goal is reached, and the best answer of all.
+fn stages_in_turn(problem: &ContactProblem, warm_start: Option<&DVector<f64>>, goal: Goal) -> Result<Solution> {
     let (mut judge, mut iterations) = (Judge::default(), 0);
     judge.prepare(problem);
     let mut best: Option<(f64, Solution)> = None;
-    // most contacts do what they did in the step before: Newton's method from there
-    let kept = warm_start.filter(|_| begun.is_none() && stages::is_iterated(problem));
-    let begun = begun.or_else(|| stages::short_newton(problem, Some(kept?), goal.stop).ok());
-    if let Some(solution) = begun {
+    if let Some(solution) = warm_start.and_then(|kept| stages::from_kept(problem, kept, goal.stop)) {
+        // most contacts do what they did in the step before; where they do not, it is as if nothing had been tried
+        let relative = judge.judge_prepared(problem, &solution)?.relative();
         iterations += solution.iterations;
-        best = Some((judge.judge_prepared(problem, &solution)?.relative(), solution)).filter(|(relative, _)| !relative.is_nan());
+        best = (relative <= goal.enough).then_some((relative, solution));
     }
     let mut failure = None;
     let stages = QUICK.iter().map(|stage| (stage, goal.enough)).chain(THOROUGH.iter().map(|stage| (stage, goal.acceptable)));
@@ -262,6 +265,55 @@ mod tests {
             assert_eq!((answer.impulse.amax(), answer.iterations), (0.0, 0), "{law:?}");
             assert_eq!(residuals(&problem(opens), &answer).unwrap().judged.relative(), 0.0, "{law:?}");
             assert!(!opens_everywhere(&problem(closes)), "{law:?}");
+        }
+    }
+
+    /// `count` chains of five rows each that meet no other chain, and as many rows alone, mixed: the chains are ever harder.
+    fn chains(count: usize) -> ContactProblem {
+        let n = 6 * count;
+        let w = DMatrix::from_fn(n, n, |i, j| match (i / count, j / count) {
+            _ if i % count != j % count => 0.0,
+            (a, b) if a == b => 2.0 + 0.01 * (i % count) as f64,
+            (a, b) if a.abs_diff(b) == 1 && a.max(b) < 5 => -1.0,
+            _ => 0.0,
+        });
+        let free = DVector::from_fn(n, |i, _| if i % 7 == 3 { 0.3 } else { -1.0 - 0.1 * (i % 5) as f64 });
+        let blocks = crate::operator::BlockSparse::from_sparse(&crate::operator::Sparse::of(&w), 1).unwrap();
+        ContactProblem::new(blocks, free).rows_per_contact(1).friction(vec![0.5; n]).build().unwrap()
+    }
+
+    #[test]
+    fn islands_are_answered_by_themselves_and_together_solve_the_whole() {
+        let problem = chains(8);
+        let goal = Goal { stop: STOP, enough: ENOUGH, acceptable: ACCEPTABLE };
+        let by_islands = islands(&problem, None, goal).expect("nine islands, one of them of eight rows alone");
+        let whole = stages_in_turn(&problem, None, goal).unwrap();
+        for answer in [&by_islands, &whole, &Auto.solve(&problem, None).unwrap()] {
+            assert!(residuals(&problem, answer).unwrap().is_solution(1e-12), "{}", answer.solver);
+        }
+        assert!((&by_islands.velocity - &whole.velocity).amax() <= CERTIFY, "W is positive definite: one velocity");
+        let dense = problem.clone().into_builder().delassus(problem.dense().clone()).build().unwrap();
+        assert!(islands(&dense, None, goal).is_none(), "a dense W does not tell");
+        assert!(islands(&chains(2), None, goal).is_none(), "few contacts are not taken apart");
+    }
+
+    #[test]
+    fn an_island_is_the_problem_of_its_contacts() {
+        let problem = chains(4);
+        let blocks = problem.delassus().blocks().unwrap();
+        let islands = Islands::of(blocks);
+        assert_eq!(islands.members.iter().map(Vec::len).collect::<Vec<_>>(), [5, 5, 5, 5, 4]);
+        for members in &islands.members {
+            let island = problem.island(blocks, &islands, members);
+            for (place, k) in members.iter().enumerate() {
+                assert_eq!(
+                    (island.free_velocity()[place], island.friction()[place]),
+                    (problem.free_velocity()[*k], problem.friction()[*k])
+                );
+                for (other, j) in members.iter().enumerate() {
+                    assert_eq!(island.entry(place, other), problem.entry(*k, *j));
+                }
+            }
         }
     }
 
