@@ -69,7 +69,7 @@ fn what_is_not_done_with_joints_is_refused_by_name() {
     moreau(&["problems", "measure", &bob]).is_refused(&["bob.json", "kinds"]);
     moreau(&["certify", &block, &answer]).is_refused(&["answer.json", "problem"]);
     let rolling = PROBLEM.replace("\"dimension\": 2", "\"dimension\": 4");
-    moreau(&["solve", &folder.file("rolling.json", &rolling)]).is_refused(&["dimension", "rolling and drilling", "kinds"]);
+    moreau(&["solve", &folder.file("rolling.json", &rolling)]).is_refused(&["dimension", "rolling and drilling", "bilateral"]);
     let contradicting = SLIDER.replace("1, 2, 2]", "1, 2, 3]");
     moreau(&["solve", &folder.file("contradicting.json", &contradicting)]).is_refused(&["kinds[", "contradicts"]);
     let refused = moreau(&["solve", &folder.file("slider.json", SLIDER), "--solver", "lemke"]);

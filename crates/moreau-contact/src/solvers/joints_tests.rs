@@ -363,3 +363,73 @@ fn a_warm_start_of_all_rows_is_used_and_one_of_another_size_is_refused() {
     assert!(again.iterations == 0 && (&again.velocity - &answer.velocity).amax() < 1e-12);
     assert!(solve_jointed(&problem, &Auto, Some(&dvector![1.0])).expect_err("too short").to_string().contains("warm_start"));
 }
+
+/// Three bars in space, (v, ω) each, and four hinges about y: a parallelogram 3 m wide and 2 m high, which moves in one way. Twenty rows on
+/// eighteen velocities: three say what others say.
+fn four_bars() -> JointedProblem {
+    // rows of the point that is (dx, 0, dz) from a centre, and of the rotation about x and z
+    let at = |[dx, dz]: [f64; 2]| {
+        dmatrix![
+            1.0, 0.0, 0.0, 0.0, dz, 0.0;
+            0.0, 1.0, 0.0, -dz, 0.0, dx;
+            0.0, 0.0, 1.0, 0.0, -dx, 0.0;
+            0.0, 0.0, 0.0, 1.0, 0.0, 0.0;
+            0.0, 0.0, 0.0, 0.0, 0.0, 1.0
+        ]
+    };
+    let hinges: [&[(usize, [f64; 2])]; 4] =
+        [&[(0, [0.0, -1.0])], &[(0, [0.0, 1.0]), (1, [-1.5, 0.0])], &[(1, [1.5, 0.0]), (2, [0.0, 1.0])], &[(2, [0.0, -1.0])]];
+    let mut jacobian = DMatrix::zeros(21, 18);
+    for (hinge, ends) in hinges.iter().enumerate() {
+        for (end, (body, place)) in ends.iter().enumerate() {
+            let sign = if end == 0 { 1.0 } else { -1.0 };
+            jacobian.view_mut((5 * hinge, 6 * body), (5, 6)).copy_from(&(at(*place) * sign));
+        }
+    }
+    jacobian[(20, 12)] = 1.0; // a stop against the middle of the third bar
+    let inertia = [3.0, 3.0, 3.0, 1.0, 1.0, 0.125, 1.0, 1.0, 1.0, 0.125, 0.75, 0.75, 3.0, 3.0, 3.0, 1.0, 1.0, 0.125];
+    // the parallelogram turns at −1 rad/s
+    let mut free = DVector::zeros(18);
+    for (place, velocity) in [(0, -1.0), (4, -1.0), (6, -2.0), (12, -1.0), (16, -1.0)] {
+        free[place] = velocity;
+    }
+    let kinds = vec![bilateral(5), bilateral(5), bilateral(5), bilateral(5), CONTACT];
+    let mass = DMatrix::from_diagonal(&DVector::from_row_slice(&inertia));
+    mechanism(kinds, 1, &mass, &jacobian, &free).law(Law::Frictionless, vec![0.0; 5]).unwrap()
+}
+
+#[test]
+fn a_parallelogram_in_space_is_redundant_by_three_and_its_stop_takes_the_momentum() {
+    // ½ω²(3 · 4/3 + 3 · 4/3 + 1 · 4) = ½ 12 ω², and the stop moves with ω · 1 m
+    let problem = four_bars();
+    let left = WithoutJoints::new(&problem).unwrap();
+    assert_eq!(left.dependent().len(), 3, "{:?}", left.dependent());
+    assert!((left.contacts().entry(0, 0) - 1.0 / 12.0).abs() < 1e-14);
+    let answer = certified(&problem, &Auto);
+    assert!((answer.impulse[20] - 12.0).abs() < 1e-11 && answer.velocity.amax() < 1e-13, "{answer:?}");
+}
+
+#[test]
+fn rows_that_are_sums_of_others_change_no_velocity() {
+    for seed in 31..51 {
+        let problem = random(seed, Law::Coulomb);
+        let mut next = numbers(seed + 100);
+        // a weld of six rows, each a sum of the ten bilateral rows there are
+        let joints: Vec<usize> = problem.bilateral().into_iter().flat_map(|k| problem.rows_of(k)).collect();
+        let rows = problem.rows();
+        let size = |row: usize| problem.delassus()[(row, row)].sqrt();
+        let sums = DMatrix::from_fn(6, rows, |_, row| if joints.contains(&row) { next() / size(row) } else { 0.0 });
+        let mut all = DMatrix::zeros(rows + 6, rows);
+        all.view_mut((0, 0), (rows, rows)).fill_with_identity();
+        all.view_mut((rows, 0), (6, rows)).copy_from(&sums);
+        let w = &all * problem.delassus() * all.transpose();
+        let kinds = problem.kinds().iter().copied().chain([bilateral(6)]).collect();
+        let welded = JointedProblem::new(3, kinds, (&w + w.transpose()) * 0.5, &all * problem.free_velocity()).unwrap();
+        let friction = problem.friction().iter().copied().chain([0.0]).collect();
+        let welded = welded.law(Law::Coulomb, friction).unwrap();
+        assert_eq!(WithoutJoints::new(&welded).unwrap().dependent().len(), 6, "{seed}");
+        let (alone, together) = (certified(&problem, &Auto), certified(&welded, &Auto));
+        let difference = (together.velocity.rows(0, rows) - &alone.velocity).amax();
+        assert!(difference < 1e-7 * (1.0 + alone.velocity.amax()), "{seed}: {difference}");
+    }
+}

@@ -8,8 +8,8 @@ use moreau_exact::{Error, Result};
 use std::collections::HashMap;
 
 /// What to do where a contact has other rows.
-pub(in crate::problem) const ROWS: &str = "use 1 (normal rows only), 2 or 3: friction of 4 to 6 rows, rolling and drilling, is no law \
-                                           here, and a joint is a bilateral constraint of `kinds`";
+pub(in crate::problem) const ROWS: &str =
+    "use 1 (normal rows only), 2 or 3; friction of 4 to 6 rows, rolling and drilling, is no law here; joints are bilateral `kinds`";
 
 impl ContactProblem {
     /// Checks sizes, finiteness and signs.

@@ -16,3 +16,11 @@ pub(super) fn numbers(file: &File, path: &str) -> Result<Vec<f64>> {
 pub(super) fn integers(file: &File, path: &str) -> Result<Vec<i32>> {
     file.dataset(path).and_then(|data| data.read_i32()).map_err(|error| missing(path, error))
 }
+
+/// Rows of a contact.
+pub(super) fn dimension(file: &File, path: &str) -> Result<usize> {
+    match integers(file, path)?[..] {
+        [dimension @ (2 | 3)] => Ok(dimension as usize),
+        ref other => Err(Error::invalid(path, format!("is {other:?}"), "use 2 or 3")),
+    }
+}

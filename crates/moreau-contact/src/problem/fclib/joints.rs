@@ -6,8 +6,8 @@
 //! ```
 //! Rows of the contacts come first; each bilateral row is a constraint of its own.
 
-use super::datasets::numbers;
-use super::{dimension, matrix};
+use super::datasets::{dimension, numbers};
+use super::matrix;
 use crate::operator::{Operator, Sparse, SparseDynamics};
 use crate::problem::jointed::require_room;
 use crate::problem::{ConstraintKind, JointedProblem, Law};

@@ -12,7 +12,7 @@
 use super::{ContactProblem, Law, Posed, Solution};
 use crate::memory;
 use crate::operator::{BlockSparse, SparseDynamics};
-use datasets::{integers, numbers};
+use datasets::{dimension, numbers};
 use hdf5_pure::File;
 use moreau_exact::{Error, Result};
 use nalgebra::DVector;
@@ -100,11 +100,4 @@ fn global(file: &File, name: &str) -> Result<ContactProblem> {
 
 fn built(delassus: BlockSparse, free: DVector<f64>, friction: Vec<f64>, dimension: usize, name: &str) -> Result<ContactProblem> {
     ContactProblem::new(delassus, free).name(name).law(Law::Coulomb).rows_per_contact(dimension).friction(friction).build()
-}
-
-fn dimension(file: &File, path: &str) -> Result<usize> {
-    match integers(file, path)?[..] {
-        [dimension @ (2 | 3)] => Ok(dimension as usize),
-        ref other => Err(Error::invalid(path, format!("is {other:?}"), "use 2 or 3")),
-    }
 }
