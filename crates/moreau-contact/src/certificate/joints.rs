@@ -10,11 +10,13 @@
 //! push against each other and move nothing excuse no velocity.
 //!
 //! Contacts and limits are judged as in a problem without joints, in which the impulses of the joints are given: u_free + W r_b in place of
-//! u_free, and the rounding of that product in the floors. Nothing here is eliminated: the answer is held against W as it was given.
+//! u_free, and the rounding of that product in the floors. Their scales have q, too, what they would do without the joints: a contact that
+//! joints hold fast has no other velocity. Nothing here is eliminated: the answer is held against W as it was given.
 
 use super::judge::{Judged, Worst};
 use super::part::Part;
-use super::residuals::{Residuals, with_rounding};
+use super::residuals::{Residuals, of_held};
+use super::scales::Unheld;
 use crate::problem::{ConstraintKind, JointedProblem, Solution};
 use crate::tolerance::certificate::{HIDDEN, JAMMED, gamma};
 use moreau_exact::{Error, Result};
@@ -81,10 +83,13 @@ fn of_contacts(problem: &JointedProblem, solution: &Solution) -> Result<Residual
     let mut held = DVector::zeros(problem.rows());
     problem.bilateral().into_iter().flat_map(|k| problem.rows_of(k)).for_each(|row| held[row] = solution.impulse[row]);
     let moved = problem.delassus() * &held;
-    let rounding = problem.delassus().abs() * held.abs() * gamma(2 * problem.rows() + 8);
+    let rounding = (problem.delassus().abs() * held.abs() + problem.free_velocity().abs()) * gamma(2 * problem.rows() + 8);
     let given = problem.unilateral(problem.delassus(), &(problem.free_velocity() + moved))?;
+    let data = problem.free_velocity() + problem.shifts();
     let [impulse, velocity] = [&solution.impulse, &solution.velocity].map(|all| problem.spread(all));
-    let mut residuals = with_rounding(&given, &Solution { impulse, velocity, ..solution.clone() }, problem.spread(&rounding).as_slice())?;
+    let (rounding, unheld, fastest) = (problem.spread(&rounding), problem.spread(&data), data.amax());
+    let unheld = Unheld { rounding: rounding.as_slice(), data: unheld.as_slice(), fastest };
+    let mut residuals = of_held(&given, &Solution { impulse, velocity, ..solution.clone() }, unheld)?;
     let pushing = problem.pushing();
     let Judged { primal, dual, complementarity, normal, tangential, velocity } = &mut residuals.judged;
     for worst in [primal, dual, complementarity, normal, tangential, velocity] {

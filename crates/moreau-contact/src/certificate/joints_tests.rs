@@ -67,6 +67,23 @@ fn joints_that_push_against_each_other_excuse_no_velocity() {
 }
 
 #[test]
+fn a_contact_that_joints_hold_fast_is_judged_by_what_it_would_do_without_them() {
+    // two rods hold the bob; what is left at the wall is rounding, and is no residual
+    let rows = dmatrix![1.0, 0.0; 0.6, 0.8; -0.3, 0.7];
+    let kinds = [ConstraintKind::Contact, ConstraintKind::Bilateral { rows: 1 }, ConstraintKind::Bilateral { rows: 1 }];
+    let free = &rows * dvector![-0.3, 0.1];
+    let problem = JointedProblem::new(1, kinds.to_vec(), &rows * rows.transpose(), free).unwrap();
+    // r_1 (0.6, 0.8) + r_2 (−0.3, 0.7) = (0.3, −0.1) by Cramer's rule
+    let held = dvector![0.0, (0.3 * 0.7 - 0.1 * 0.3) / 0.66, (-0.1 * 0.6 - 0.3 * 0.8) / 0.66];
+    assert!(judged(&problem, held.clone()).is_solution(1e-12), "{:?}", judged(&problem, held.clone()));
+    for (row, moved) in [(0, -1e-6), (1, 1e-6), (2, -1e-6)] {
+        let mut other = held.clone();
+        other[row] += moved;
+        assert!(!judged(&problem, other).is_solution(1e-8), "{row}");
+    }
+}
+
+#[test]
 fn softness_and_shift_belong_to_the_velocity_of_a_joint() {
     let kinds = vec![ConstraintKind::Bilateral { rows: 1 }];
     let problem = JointedProblem::new(1, kinds, dmatrix![1.0], dvector![-1.0]).unwrap();

@@ -15,7 +15,7 @@
 use super::at_contact::{AtContact, Here, worst};
 use super::part::{Part, pair};
 use super::polyhedral::{self, Pairs};
-use super::scales::Scales;
+use super::scales::{Scales, Unheld};
 use crate::cones::second_order::{distance, length, tangential_norm};
 use crate::problem::{ContactProblem, Law, Solution};
 use crate::tolerance::certificate::PROJECTED;
@@ -139,19 +139,19 @@ impl Judge {
 
     /// [`Judge::judge`] of another answer to the problem that was prepared last.
     pub(crate) fn judge_prepared(&mut self, problem: &ContactProblem, solution: &Solution) -> Result<Judged> {
-        self.judge_rounded(problem, solution, &[])
+        self.judge_unheld(problem, solution, Unheld::default())
     }
 
-    /// [`Judge::judge`] where the given velocities have this rounding \[m/s\] besides that of y; none where it is empty.
-    pub(super) fn judge_within(&mut self, problem: &ContactProblem, solution: &Solution, rounding: &[f64]) -> Result<Judged> {
+    /// [`Judge::judge`] of contacts whose given velocities are what joints leave of others.
+    pub(super) fn judge_held(&mut self, problem: &ContactProblem, solution: &Solution, unheld: Unheld) -> Result<Judged> {
         self.scales.prepare(problem);
-        self.judge_rounded(problem, solution, rounding)
+        self.judge_unheld(problem, solution, unheld)
     }
 
-    fn judge_rounded(&mut self, problem: &ContactProblem, solution: &Solution, rounding: &[f64]) -> Result<Judged> {
+    fn judge_unheld(&mut self, problem: &ContactProblem, solution: &Solution, unheld: Unheld) -> Result<Judged> {
         let impulse = solution.impulse.as_slice();
         self.scales.set_floors(problem, impulse);
-        self.scales.floors.iter_mut().zip(rounding).for_each(|(floor, more)| *floor += more);
+        self.scales.set_unheld(unheld);
         self.set_law_velocity(problem, impulse);
         let law_velocity = std::mem::take(&mut self.law_velocity);
         let judged = self.contacts(problem, solution, impulse, &law_velocity);

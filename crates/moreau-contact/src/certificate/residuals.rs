@@ -20,6 +20,7 @@ use super::at_contact::{Here, worst};
 use super::judge::{Judge, Judged, check_sizes};
 use super::natural_map::{self, OneKilogram};
 use super::polyhedral::Pairs;
+use super::scales::Unheld;
 use crate::problem::{ContactProblem, Law, Solution};
 use moreau_exact::Result;
 use nalgebra::{DMatrix, DVector};
@@ -72,13 +73,13 @@ pub struct Residuals {
 /// # Ok::<(), moreau_contact::Error>(())
 /// ```
 pub fn residuals(problem: &ContactProblem, solution: &Solution) -> Result<Residuals> {
-    with_rounding(problem, solution, &[])
+    of_held(problem, solution, Unheld::default())
 }
 
-/// The same where the given velocities have this rounding \[m/s\], row by row, besides that of y; none where it is empty.
-pub(super) fn with_rounding(problem: &ContactProblem, solution: &Solution, rounding: &[f64]) -> Result<Residuals> {
+/// The same of contacts whose given velocities are what joints leave of others.
+pub(super) fn of_held(problem: &ContactProblem, solution: &Solution, unheld: Unheld) -> Result<Residuals> {
     check_sizes(problem, solution)?;
-    let judged = Judge::default().judge_within(problem, solution, rounding)?;
+    let judged = Judge::default().judge_held(problem, solution, unheld)?;
     let impulse = &solution.impulse;
     let data = problem.free_velocity() + problem.shift();
     let map = NaturalMap::new(problem, solution)?;

@@ -56,6 +56,19 @@ pub(super) struct Scales {
     own: Vec<[f64; 3]>,
     /// The largest velocity in the data, and the same or of the impulses, net \[m/s\].
     fastest: [f64; 2],
+    /// What the rows would do without the joints that hold them, and the largest such velocity; nothing where there are none \[m/s\].
+    unheld: (Vec<f64>, f64),
+}
+
+/// What the given velocities of contacts come from, where joints hold them \[m/s\].
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Unheld<'a> {
+    /// The rounding of the given velocities, row by row.
+    pub rounding: &'a [f64],
+    /// u_free + shift without the impulses of the joints.
+    pub data: &'a [f64],
+    /// The largest of these, at the joints, too.
+    pub fastest: f64,
 }
 
 impl Scales {
@@ -81,6 +94,13 @@ impl Scales {
         self.weights.iter_mut().flatten().filter(|rho| !rho.is_finite()).for_each(|rho| *rho = instead);
         self.group.clear();
         self.group.extend_from_slice(problem.groups(groups::find));
+        self.unheld = (Vec::new(), 0.0);
+    }
+
+    /// Makes room for what joints hold: the rounding of the given velocities, and their size without the joints.
+    pub fn set_unheld(&mut self, unheld: Unheld) {
+        self.floors.iter_mut().zip(unheld.rounding).for_each(|(floor, more)| *floor += more);
+        self.unheld = (unheld.data.to_vec(), unheld.fastest);
     }
 
     /// The floors at the impulses r; one pass over |W|.
@@ -116,11 +136,14 @@ impl Scales {
             }
             let sizes = &mut self.shared[self.group[k]];
             sizes.iter_mut().zip(pushed).for_each(|(size, pushed)| *size = size.max(pushed));
-            let projected = PROJECTED * (q[0].abs() + mu * tangential_norm(&q[..rows]));
-            let data = closing(problem.law(), mu, &q[..rows]).abs() + projected;
-            let pressed = closing(problem.law(), mu, &q[..rows]).abs().min(q[0].abs()) + projected;
-            self.own.push([normal * data, normal * pressed, tangential * tangential_norm(&q[..rows])]);
+            self.own.push(of_data(problem.law(), mu, &q[..rows], self.weights[k]));
         }
+        let (data, most) = (&self.unheld.0, self.unheld.1);
+        for (k, q) in data.chunks_exact(rows).enumerate() {
+            let sizes = of_data(problem.law(), problem.friction()[k], q, self.weights[k]);
+            self.own[k].iter_mut().zip(sizes).for_each(|(own, size)| *own = own.max(size));
+        }
+        self.fastest = self.fastest.map(|fastest| fastest.max(most));
     }
 
     /// The floors of a contact's normal row and of its tangential rows \[m/s\]. They are limited to the part of the given velocities that
@@ -167,6 +190,14 @@ impl Scales {
         let [most_n, most_t] = self.weights[contact].map(|weight| JAMMED * weight * if given > 0.0 { given } else { moved });
         [s_n.max(own_n).min(most_n), s_r.max(own_r).min(most_n), s_t.max(own_t).min(most_t)]
     }
+}
+
+/// What the data q of a contact add to its s_n, s_r and s_t \[N·s\].
+fn of_data(law: Law, mu: f64, q: &[f64], [normal, tangential]: [f64; 2]) -> [f64; 3] {
+    let projected = PROJECTED * (q[0].abs() + mu * tangential_norm(q));
+    let data = closing(law, mu, q).abs() + projected;
+    let pressed = closing(law, mu, q).abs().min(q[0].abs()) + projected;
+    [normal * data, normal * pressed, tangential * tangential_norm(q)]
 }
 
 /// The velocity at which the data make the contact close \[m/s\]: q_n, reduced by the slip under the associated laws. Its rounding is 8ε of

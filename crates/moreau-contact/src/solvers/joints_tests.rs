@@ -433,3 +433,44 @@ fn rows_that_are_sums_of_others_change_no_velocity() {
         assert!(difference < 1e-7 * (1.0 + alone.velocity.amax()), "{seed}: {difference}");
     }
 }
+
+#[test]
+fn small_mechanisms_that_joints_hold_wholly_or_in_part_are_solved() {
+    let (mut redundant, mut fast) = (0, 0);
+    for seed in 1..=200 {
+        let mut next = numbers(1000 + seed);
+        let mut below = |most: usize| ((next() + 1.0) * 0.5 * most as f64) as usize % most;
+        let law = [Law::Coulomb, Law::Associated, Law::Frictionless][below(3)];
+        let kinds: Vec<ConstraintKind> =
+            (0..1 + below(4)).map(|_| [CONTACT, LIMIT, bilateral(1), bilateral(2), bilateral(3), bilateral(6)][below(6)]).collect();
+        let rows: usize = kinds
+            .iter()
+            .map(|kind| {
+                if *kind == CONTACT {
+                    2
+                } else if let ConstraintKind::Bilateral { rows } = kind {
+                    *rows
+                } else {
+                    1
+                }
+            })
+            .sum();
+        let velocities = 1 + below(12);
+        let kind_of = |pick: usize, other: f64| [0.0, 0.0, 1.0, -1.0, 0.5, other][pick];
+        let mut jacobian = DMatrix::zeros(rows, velocities);
+        for entry in jacobian.iter_mut() {
+            let pick = below(6);
+            *entry = kind_of(pick, 0.1 * (1 + below(20)) as f64);
+        }
+        let mass = DMatrix::from_fn(velocities, velocities, |i, j| if i == j { (1 + i) as f64 } else { 0.0 });
+        let free = DVector::from_fn(velocities, |_, _| 0.1 * below(20) as f64 - 1.0);
+        let friction = kinds.iter().map(|kind| if *kind == CONTACT { 0.5 } else { 0.0 }).collect();
+        let problem = mechanism(kinds, 2, &mass, &jacobian, &free).law(law, friction).unwrap();
+        redundant += usize::from(!WithoutJoints::new(&problem).unwrap().dependent().is_empty());
+        let answer = solve_jointed(&problem, &Auto, None).unwrap_or_else(|error| panic!("{seed}: {error}"));
+        let found = jointed_residuals(&problem, &answer).unwrap();
+        assert!(found.is_solution(CERTIFY), "{seed}: {found:?}");
+        fast += usize::from(answer.velocity.amax() > 1e-3);
+    }
+    assert!(redundant > 40 && fast > 40, "{redundant} redundant, {fast} move");
+}
