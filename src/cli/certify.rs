@@ -8,13 +8,15 @@ use super::{Answer, Format, posed};
 use crate::certificate::backward::backward;
 use crate::certificate::forward::forward;
 use crate::certificate::lcp_proof::{Count, count_with, lcp_of, prove};
+use crate::certificate::polyhedral_proof::prove_polyhedral;
 use crate::certificate::residuals;
-use crate::problem::{ContactProblem, Lcp, Posed, Solution};
+use crate::problem::{ContactProblem, Law, Lcp, Posed, Solution};
+use crate::problems::from_several_starts;
 use crate::report::certificate::Certificate;
 use crate::report::json::pretty;
 use crate::report::lcp_proof::{Counted, LcpProved};
 use crate::report::proofs::Proofs;
-use crate::solvers;
+use crate::solvers::{self, Solvers};
 use crate::{Error, Result};
 use std::path::PathBuf;
 
@@ -36,7 +38,8 @@ pub struct Arguments {
     tolerance: f64,
     /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly; and by intervals, within which radius
     /// the problem itself has a solution, or why that is not proved; whether velocities are unique; whether there is no solution at all.
-    /// Not for polyhedral laws. Of a linear complementarity problem, moreover: how far a solution is, and how many there are; without an
+    /// Of polyhedral friction, how far a solution of its complementarity problem is. Of a linear complementarity problem, moreover: how far
+    /// a solution is, and how many there are; without an
     /// answer, the latter alone.
     #[arg(long)]
     prove: bool,
@@ -77,11 +80,21 @@ pub fn run(arguments: &Arguments) -> Result<Answer> {
     let residuals = residuals(problem, &solution).map_err(|error| error.in_file(file))?;
     let mut certificate = Certificate::new(problem, &solution, &residuals, tolerance);
     if arguments.prove {
-        certificate = certificate.with_proof(&backward(problem, &solution.impulse).map_err(|error| error.in_file(&arguments.problem))?);
+        certificate = match backward(problem, &solution.impulse) {
+            Ok(proof) => certificate.with_proof(&proof),
+            // a law without this proof has the ordinary verdict all the same
+            Err(Error::Unsupported(reason)) => certificate.without_proof(reason),
+            Err(error) => return Err(error.in_file(file)),
+        };
         certificate = certificate.with_solution_near(&forward(problem, &solution).map_err(|error| error.in_file(file))?);
+        if matches!(problem.law(), Law::PolyhedralCoulomb { .. }) {
+            let answer = prove_polyhedral(problem, &solution).map_err(|error| error.in_file(file))?;
+            certificate = certificate.with_lcp(LcpProved::polyhedral(&problem.stewart_trinkle_lcp()?, &answer));
+        }
         if lcp.is_none() {
             let accepted = certificate.accepts();
-            certificate = certificate.with_proofs(Proofs::new(problem, accepted));
+            let started = || from_several_starts(problem, std::slice::from_ref(&solution), &Solvers::own());
+            certificate = certificate.with_proofs(Proofs::new(problem, accepted, started)?);
         }
     }
     if let Some(lcp) = &lcp {

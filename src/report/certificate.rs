@@ -41,6 +41,9 @@ pub struct Certificate<'a> {
     /// The nearest problem that impulses near these solve exactly, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     backward: Option<Proved>,
+    /// Why there is no proved backward error.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    backward_reason: Option<String>,
     /// What is proved of a linear complementarity problem, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     lcp: Option<LcpProved>,
@@ -173,6 +176,7 @@ impl<'a> Certificate<'a> {
             tolerance,
             solution: solution_found,
             backward: None,
+            backward_reason: None,
             lcp: None,
             forward: None,
             solutions: None,
@@ -220,6 +224,11 @@ impl<'a> Certificate<'a> {
         let states = proof.states.iter().map(word).collect();
         let proved = Proved { velocity, contact, impulse: proof.moved(), states, velocities: proof.velocity.clone() };
         Certificate { backward: Some(proved), ..self }
+    }
+
+    /// The same without a proved backward error, for this reason.
+    pub fn without_proof(self, reason: String) -> Self {
+        Certificate { backward_reason: Some(reason), ..self }
     }
 
     /// The same with a proof that the problem has no solution.
@@ -271,6 +280,9 @@ impl<'a> Certificate<'a> {
                 "proved in fractions: impulses that differ by at most {impulse} at a contact solve exactly the problem whose free"
             ));
             line(format!("  velocity differs by at most {velocity} at a contact{place}"));
+        }
+        if let Some(reason) = &self.backward_reason {
+            line(format!("no backward error is proved: {reason}"));
         }
         if let Some(near) = &self.forward {
             near.lines().into_iter().for_each(&mut line);

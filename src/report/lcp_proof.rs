@@ -18,6 +18,8 @@ pub struct LcpProved {
     /// Why none is.
     #[serde(skip_serializing_if = "Option::is_none")]
     not_proved: Option<NotProved>,
+    /// What the unknowns are: `r`, or λ, β, σ of polyhedral friction.
+    unknowns: &'static str,
     /// How many solutions there are; `some` where others were not excluded.
     #[schemars(extend("enum" = ["one", "several", "continuum", "none", "some", "unknown"]))]
     solutions: &'static str,
@@ -104,7 +106,13 @@ impl LcpProved {
         };
         let exactly = matches!(count, Count::Exactly(_)).then_some(points.len());
         let at_least = if let Count::AtLeast(least, _) = count { Some(*least) } else { None };
-        LcpProved { near, not_proved, solutions, count: exactly, at_least, why, points, witness }
+        LcpProved { near, not_proved, unknowns: "r", solutions, count: exactly, at_least, why, points, witness }
+    }
+
+    /// What was proved of an answer under polyhedral friction.
+    pub fn polyhedral(lcp: &Lcp<f64>, answer: &Answer) -> Self {
+        let count = Count::Unknown("of the velocities under polyhedral friction it is not decided".into());
+        LcpProved { unknowns: "λ, β, σ", ..LcpProved::new(lcp, Some(answer), &count) }
     }
 
     /// Whether it is proved that there is no solution.
@@ -119,10 +127,17 @@ impl LcpProved {
             let [z, w] = [near.distance, near.slack_distance].map(above);
             let degenerate =
                 if near.degenerate.is_empty() { String::new() } else { format!(", rows with z = w = 0: {:?}", near.degenerate) };
-            lines.push(format!(
-                "proved in {}: a solution z with |z − r| ≤ {z} N·s and |w − u| ≤ {w} m/s in every row{degenerate}",
-                near.arithmetic
-            ));
+            lines.push(match self.unknowns {
+                "r" => format!(
+                    "proved in {}: a solution z with |z − r| ≤ {z} N·s and |w − u| ≤ {w} m/s in every row{degenerate}",
+                    near.arithmetic
+                ),
+                unknowns => format!(
+                    "proved in {}: a solution ({unknowns}) of the law's complementarity problem differs by at most {z}, and what it is \
+                     complementary to by at most {w}, in SI units",
+                    near.arithmetic
+                ),
+            });
         }
         if let Some(NotProved { row, reason }) = &self.not_proved {
             let place = row.map_or(String::new(), |row| format!(" (row {row})"));

@@ -1,10 +1,12 @@
 //! What was proved about all solutions of a problem: how many there are, or that there is none.
 
+use crate::Result;
 use crate::certificate::infeasible::{Infeasible, infeasible};
 use crate::certificate::patterns::{Solutions, solutions};
+use crate::certificate::several::{Distinct, distinct};
 use crate::certificate::uniqueness::{Uniqueness, uniqueness};
 use crate::number::significant;
-use crate::problem::ContactProblem;
+use crate::problem::{ContactProblem, Solution};
 use crate::scalar::{Rational, Scalar};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -20,6 +22,9 @@ pub struct Proofs {
     /// All solutions, where all patterns were tried.
     #[serde(skip_serializing_if = "Option::is_none")]
     all: Option<All>,
+    /// Solutions with different velocities, where not all are known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    several: Option<Several>,
     /// A witness that there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     infeasible: Option<Refuted>,
@@ -39,6 +44,17 @@ struct All {
     found: Vec<Vec<f64>>,
 }
 
+/// Answers whose enclosures are disjoint.
+#[derive(Serialize, JsonSchema)]
+struct Several {
+    /// How many velocities there are at least.
+    at_least: usize,
+    /// u of each answer \[m/s\].
+    velocities: Vec<Vec<f64>>,
+    /// The largest ‖u* − u‖ of a contact, of each \[m/s\].
+    radii: Vec<f64>,
+}
+
 /// p in fractions, and p·(u_free + shift).
 #[derive(Serialize, JsonSchema)]
 struct Refuted {
@@ -49,15 +65,22 @@ struct Refuted {
 }
 
 impl Proofs {
-    /// Proves what can be proved; a witness against any solution is searched only where the answer at hand is none.
-    pub fn new(problem: &ContactProblem, accepted: bool) -> Self {
+    /// Proves what can be proved; a witness against any solution is searched only where the answer at hand is none, and other solutions
+    /// among these answers only where neither uniqueness nor all solutions are known.
+    ///
+    /// # Errors
+    /// As [`distinct`].
+    pub fn new(problem: &ContactProblem, accepted: bool, answers: impl FnOnce() -> Vec<Solution>) -> Result<Self> {
         let (unique, reason) = match uniqueness(problem) {
             Uniqueness::Solution(reason) => ("solution", reason.into()),
             Uniqueness::Velocity(reason) => ("velocity", reason.into()),
             Uniqueness::Unknown(reason) => ("unknown", reason),
         };
-        let refuted = if accepted { None } else { infeasible(problem) };
-        Proofs { unique, reason, all: solutions(problem).ok().map(All::from), infeasible: refuted.map(Refuted::from) }
+        let infeasible = if accepted { None } else { infeasible(problem).map(Refuted::from) };
+        let all = solutions(problem).ok().map(All::from);
+        let is_open = unique == "unknown" && all.is_none() && infeasible.is_none() && problem.law().directions().is_none();
+        let several = if is_open { Several::among(problem, &answers())? } else { None };
+        Ok(Proofs { unique, reason, all, several, infeasible })
     }
 
     /// Whether it is proved that there is no solution.
@@ -81,6 +104,12 @@ impl Proofs {
             };
             lines.push(format!("proved in fractions: all {} patterns tried, {count}", all.patterns));
         }
+        if let Some(several) = &self.several {
+            lines.push(format!(
+                "proved by intervals: at least {} different velocities: so many answers have disjoint enclosures",
+                several.at_least
+            ));
+        }
         if let Some(refuted) = &self.infeasible {
             lines.push(format!(
                 "proved in fractions: there is no solution; impulses p with −Wᵀp in K* and p·(u_free + shift) = {}",
@@ -96,6 +125,19 @@ pub fn no_solution(problem: &ContactProblem) -> Option<String> {
     let found = infeasible(problem)?;
     let product = significant(Scalar::to_f64(&found.product));
     Some(format!("proved in fractions: the problem has no solution; impulses p with −Wᵀp in K* have p·(u_free + shift) = {product} J\n"))
+}
+
+impl Several {
+    fn among(problem: &ContactProblem, answers: &[Solution]) -> Result<Option<Self>> {
+        let found = distinct(problem, answers)?;
+        let velocity = |one: &Distinct| answers[one.answer].velocity.as_slice().to_vec();
+        let radius = |one: &Distinct| one.radius.worst().map_or(0.0, |(_, radius)| radius);
+        Ok((found.len() > 1).then(|| Several {
+            at_least: found.len(),
+            velocities: found.iter().map(velocity).collect(),
+            radii: found.iter().map(radius).collect(),
+        }))
+    }
 }
 
 impl From<Solutions> for All {

@@ -155,3 +155,59 @@ fn a_problem_without_solution_is_refuted_with_a_witness() {
     let solved = moreau(&["solve", &problem]);
     assert!(solved.code == 1 && solved.message.contains("the problem has no solution"), "{}{}", solved.output, solved.message);
 }
+
+#[test]
+fn polyhedral_laws_have_the_ordinary_verdict_and_the_proof_of_their_complementarity_problem() {
+    let folder = Folder::new("certify-polyhedral");
+    let of = |law: &str| {
+        let rows = r#"{"shape": [3, 3], "rows": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}"#;
+        let name = format!("{law}.json");
+        let text = format!(
+            r#"{{"schema": "contact-problem/1", "name": "block", "dimension": 3, "law": "{law}", "directions": 4,
+                "friction": [0.5], "free_velocity": [-1, 2, 0], "delassus": {rows}}}"#
+        );
+        folder.file(&name, &text)
+    };
+    let answer = |r_t: f64| {
+        let text = format!(r#"{{"schema": "solution/1", "impulse": [1, {r_t}, 0], "velocity": [0, {}, 0]}}"#, 2.0 + r_t);
+        folder.file(&format!("answer{r_t}.json"), &text)
+    };
+    let problem = of("polyhedral-coulomb");
+    let run = moreau(&["certify", &problem, &answer(-0.5), "--prove"]);
+    assert_eq!(run.code, 0, "{}{}", run.output, run.message);
+    for part in ["no backward error is proved", "a solution (λ, β, σ)", "a solution to the relative tolerance"] {
+        assert!(run.output.contains(part), "{part}: {}", run.output);
+    }
+    let run = moreau(&["certify", &problem, &answer(-0.25), "--prove", "--format", "json"]);
+    assert_eq!((run.code, &run.json()["lcp"]["near"]["distance"]), (1, &0.25.into()), "{}", run.output);
+    let run = moreau(&["certify", &of("polyhedral-associated"), &answer(0.25), "--prove", "--format", "json"]);
+    assert_eq!((run.code, &run.json()["forward"]["proved"]), (1, &false.into()), "{}{}", run.output, run.message);
+}
+
+#[test]
+fn several_velocities_are_counted_by_disjoint_enclosures_and_one_is_not() {
+    let folder = Folder::new("certify-several");
+    // seven rods of Painlevé, more contacts than all patterns are tried for: each lifts off, slides or is jammed, or sticks at once
+    let of = |name: &str, free: [f64; 2]| {
+        let entry = |i: usize, j: usize| if i / 2 == j / 2 { [[1, 2], [2, 5]][i % 2][j % 2] } else { 0 };
+        let rows: Vec<Vec<i32>> = (0..14).map(|i| (0..14).map(|j| entry(i, j)).collect()).collect();
+        let text = format!(
+            r#"{{"schema": "contact-problem/1", "name": "rods", "dimension": 2, "law": "coulomb", "friction": {:?},
+                "free_velocity": {:?}, "delassus": {{"shape": [14, 14], "rows": {rows:?}}}}}"#,
+            [1; 7],
+            free.repeat(7)
+        );
+        folder.file(name, &text)
+    };
+    let open =
+        folder.file("open.json", &format!(r#"{{"schema": "solution/1", "impulse": {:?}, "velocity": {:?}}}"#, [0; 14], [1, 4].repeat(7)));
+    let run = moreau(&["certify", &of("several.json", [1.0, 4.0]), &open, "--prove", "--format", "json"]);
+    let least = run.json()["solutions"]["several"]["at_least"].as_u64();
+    assert!(run.code == 0 && least.is_some_and(|least| (2..=3u64.pow(7)).contains(&least)), "{}{}", run.output, run.message);
+    let run = moreau(&["certify", &of("several.json", [1.0, 4.0]), &open, "--prove"]);
+    assert!(run.output.contains("different velocities: so many answers have disjoint enclosures"), "{}", run.output);
+    let impulse = [7, -3].repeat(7);
+    let stuck = folder.file("stuck.json", &format!(r#"{{"schema": "solution/1", "impulse": {impulse:?}, "velocity": {:?}}}"#, [0; 14]));
+    let run = moreau(&["certify", &of("one.json", [-1.0, 1.0]), &stuck, "--prove", "--format", "json"]);
+    assert!(run.code == 0 && run.json()["solutions"].get("several").is_none(), "{}{}", run.output, run.message);
+}

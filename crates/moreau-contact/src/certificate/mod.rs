@@ -29,11 +29,13 @@ pub mod p_structure;
 mod part;
 pub mod patterns;
 mod polyhedral;
+pub mod polyhedral_proof;
 mod rank;
 pub mod residuals;
 #[cfg(feature = "files")]
 mod residuals_json;
 mod scales;
+pub mod several;
 mod step;
 pub mod uniqueness;
 pub mod verified_cholesky;

@@ -20,3 +20,11 @@ pub const DIFFERENT: f64 = 1e-4;
 /// Residual up to which an answer shows that there is another velocity: an answer that is barely accepted shows none.
 /// Set.
 pub const FIRM: f64 = 1e-10;
+
+/// Most rows of a problem whose solvers are asked from several starts: each of them takes the time of one solution.
+/// Set.
+pub const STARTED_ROWS: usize = 300;
+
+/// Contacts, from the first one, whose impulse alone is changed for a start.
+/// Set.
+pub const STARTED_CONTACTS: usize = 20;

@@ -84,3 +84,8 @@ pub const WITNESS_CONTACTS: usize = 12;
 /// Most contacts in the plane all of whose patterns are tried, 4⁶ = 4 096 linear systems in fractions.
 /// Set.
 pub const PATTERN_CONTACTS: usize = 6;
+
+/// Difference of two velocities, relative to the largest one, up to which an answer is not tried a second time. An answer that could be
+/// proved to be another one all the same is missed.
+/// Set.
+pub const AGAIN: f64 = 1e-9;

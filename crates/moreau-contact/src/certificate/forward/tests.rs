@@ -1,5 +1,6 @@
 //! Proofs on problems whose solution is known in fractions, and attempts to obtain a wrong one.
 
+use super::planted::with;
 use super::*;
 use crate::certificate::backward::backward;
 use moreau_exact::scalar::{Rational, exact};
@@ -239,4 +240,44 @@ fn the_feet_of_a_table_depend_on_each_other_and_their_velocities_are_proved_all_
     let uneven = table(0.5, [0.25, 0.0, -1.0, 0.0, 0.0, 0.0], 2.0_f64.powi(-40));
     let Forward::NotProved(reason) = forward(&uneven, &Solution::new("", impulse, velocity, 0)).unwrap() else { panic!("inconsistent") };
     assert!(reason.text.contains("free velocities"), "{reason:?}");
+}
+
+/// Proofs that a known solution contradicts: the only one of a problem in fractions is not within the radius of an answer to it, or a
+/// problem that has none has a proof.
+fn contradicted() -> usize {
+    let mut found = 0;
+    for law in [Law::Frictionless, Law::Coulomb, Law::Associated] {
+        for seed in 0..30 {
+            let (problem, solution, _) = known(law, 1 + seed as usize % 5, seed);
+            let mut draw = Draw(seed + 77);
+            for size in [0.0, 1e-7, 1e-2, 1.0, 8.0] {
+                let mut answer = solution.clone();
+                answer.impulse.iter_mut().for_each(|r| *r += size * draw.whole(100) as f64 / 100.0);
+                answer.velocity = problem.velocity(&answer.impulse);
+                let Forward::Proved(radius) = forward(&problem, &answer).unwrap() else { continue };
+                let [velocity, impulse] = [&answer.velocity - &solution.velocity, &answer.impulse - &solution.impulse];
+                let spacing = 1.0 - 8.0 * f64::EPSILON;
+                let rounding = 4.0 * f64::EPSILON * (problem.dense().amax() * answer.impulse.amax() + answer.velocity.amax());
+                let misses = |k: usize| {
+                    radius.velocity[k] + rounding < spacing * contact_norm(&velocity, k)
+                        || radius.impulse[k] < spacing * contact_norm(&impulse, k)
+                };
+                found += usize::from((0..problem.contacts()).any(misses));
+            }
+        }
+    }
+    let uneven = table(0.5, [0.25, 0.0, -1.0, 0.0, 0.0, 0.0], 2.0_f64.powi(-40));
+    let normals = [0.28125, 0.28125, 0.21875, 0.21875];
+    let impulse = DVector::from_iterator(12, normals.into_iter().flat_map(|n| [n, -0.0625, 0.0]));
+    let velocity = uneven.velocity(&impulse);
+    found + usize::from(matches!(forward(&uneven, &Solution::new("", impulse, velocity, 0)).unwrap(), Forward::Proved(_)))
+}
+
+#[test]
+fn every_mistake_planted_in_the_proof_is_contradicted_by_known_solutions_and_the_proof_is_not() {
+    assert_eq!(with(None, contradicted), 0);
+    for plant in [Plant::Residual, Plant::Image, Plant::Preconditioner, Plant::Signs, Plant::Radius, Plant::Rank] {
+        let caught = with(Some(plant), contradicted);
+        assert!(caught > 0, "{plant:?}");
+    }
 }

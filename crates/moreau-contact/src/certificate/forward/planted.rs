@@ -1,0 +1,43 @@
+//! Mistakes planted in the proof, for tests alone: each is caught by solutions that are known without it.
+
+/// A mistake in the proof.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Plant {
+    /// |F(x̃)| is left out of the radius that is needed.
+    Residual,
+    /// The smallest box is taken although its image is not inside of it.
+    Image,
+    /// The preconditioner is zero, and |I − C J̃| η is left out.
+    Preconditioner,
+    /// The inequalities of the pattern are not looked at.
+    Signs,
+    /// Half of the distance from the box is reported.
+    Radius,
+    /// Rows that depend on others are left out whatever their free velocities are.
+    Rank,
+}
+
+/// Whether this mistake is made: never outside of tests.
+#[cfg(not(test))]
+pub(super) const fn planted(_: Plant) -> bool {
+    false
+}
+
+#[cfg(test)]
+thread_local! {
+    static PLANTED: std::cell::Cell<Option<Plant>> = const { std::cell::Cell::new(None) };
+}
+
+#[cfg(test)]
+pub(super) fn planted(plant: Plant) -> bool {
+    PLANTED.get() == Some(plant)
+}
+
+/// What a check says where this mistake is made.
+#[cfg(test)]
+pub(super) fn with<T>(plant: Option<Plant>, check: impl FnOnce() -> T) -> T {
+    PLANTED.set(plant);
+    let said = check();
+    PLANTED.set(None);
+    said
+}
