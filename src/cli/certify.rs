@@ -39,8 +39,7 @@ pub struct Arguments {
     /// Prove, in fractions, how far the nearest problem is that impulses near these solve exactly; and by intervals, within which radius
     /// the problem itself has a solution, or why that is not proved; whether velocities are unique; whether there is no solution at all.
     /// Of polyhedral friction, how far a solution of its complementarity problem is. Of a linear complementarity problem, moreover: how far
-    /// a solution is, and how many there are; without an
-    /// answer, the latter alone.
+    /// a solution is, and how many there are; without an answer, the latter alone.
     #[arg(long)]
     prove: bool,
     #[command(flatten)]

@@ -23,7 +23,7 @@ pub const FIRM: f64 = 1e-10;
 
 /// Most rows of a problem whose solvers are asked from several starts: each of them takes the time of one solution.
 /// Set.
-pub const STARTED_ROWS: usize = 300;
+pub const STARTED_ROWS: usize = 120;
 
 /// Contacts, from the first one, whose impulse alone is changed for a start.
 /// Set.
