@@ -51,14 +51,13 @@ fn pairs(problem: &ContactProblem, answer: &Solution, directions: usize) -> DVec
     let tangent =
         |of: &DVector<f64>, k: usize| -> [f64; 2] { std::array::from_fn(|i| if i + 1 < rows { of[k * rows + 1 + i] } else { 0.0 }) };
     let normal = (0..contacts).map(|k| answer.impulse[k * rows]);
-    let beta = answer.beta.as_ref().filter(|beta| beta.len() == contacts * directions).map_or_else(
-        || {
-            let mut beta = Vec::with_capacity(contacts * directions);
-            (0..contacts).for_each(|k| along_neighbours(tangent(&answer.impulse, k), directions, &mut beta));
-            beta
-        },
-        |beta| beta.as_slice().to_vec(),
-    );
+    let recovered = |k: usize| {
+        let mut parts = Vec::with_capacity(directions);
+        along_neighbours(tangent(&answer.impulse, k), directions, &mut parts);
+        parts
+    };
+    let beta = answer.beta.as_ref().filter(|beta| beta.len() == contacts * directions);
+    let beta: Vec<f64> = beta.map_or_else(|| (0..contacts).flat_map(recovered).collect(), |beta| beta.as_slice().to_vec());
     let y = problem.law_velocity(&answer.impulse);
     let slip = |k: usize| {
         let against = |j: usize| -direction(j, directions).iter().zip(tangent(&y, k)).map(|(d, y)| d * y).sum::<f64>();
@@ -98,6 +97,19 @@ mod tests {
                 Answer::NotProved { reason, .. } => assert!(!reason.is_empty()),
             }
         }
+    }
+
+    #[test]
+    fn two_contacts_keep_their_parts_apart() {
+        let free = dvector![-1.0, 2.0, 0.0, -1.0, 0.25, 0.125];
+        let problem = ContactProblem::new(DMatrix::identity(6, 6), free).friction(vec![0.5; 2]);
+        let problem = problem.law(Law::PolyhedralCoulomb { directions: 4 }).build().unwrap();
+        let impulse = dvector![1.0, -0.5, 0.0, 1.0, -0.25, -0.125];
+        let exact = Solution::new("", impulse.clone(), problem.velocity(&impulse), 0);
+        assert!(matches!(prove_polyhedral(&problem, &exact).unwrap(), Answer::Near(near) if near.distance == 0.0));
+        let moved = impulse + dvector![0.0, 0.0, 0.0, 0.0, 0.0625, 0.0];
+        let moved = Solution::new("", moved.clone(), problem.velocity(&moved), 0);
+        assert!(matches!(prove_polyhedral(&problem, &moved).unwrap(), Answer::Near(near) if near.distance == 0.0625));
     }
 
     #[test]
