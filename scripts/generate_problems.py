@@ -53,7 +53,8 @@ exit status: 0 everything agrees (or was written), 1 there are differences or co
 """
 
 
-MOST_CONTACTS = 300  # of a problem that is stored with a record; larger ones are made with --large alone
+MOST_CONTACTS = 300  # of a problem that is stored; larger ones are listed with their hash and made with --large
+LISTED_CONTACTS = 600  # of a problem with a record: every solver is asked, and proofs are dense
 
 
 def all_posed():
@@ -63,9 +64,14 @@ def all_posed():
     yield from spheres.large()
 
 
+def is_stored(posed):
+    """Whether the problem is stored; otherwise its record alone."""
+    return posed.contacts <= MOST_CONTACTS
+
+
 def posed_problems():
-    """Every problem that is stored."""
-    return (posed for posed in all_posed() if posed.contacts <= MOST_CONTACTS)
+    """Every problem that has a record."""
+    return (posed for posed in all_posed() if posed.contacts <= LISTED_CONTACTS)
 
 
 def arguments():
@@ -109,11 +115,11 @@ def main():
             compare_or_write(options.large / f"{posed.name}.json", text(posed.document), False)
         return 0
     different = [posed.name for posed in chosen
-                 if not compare_or_write(options.folder / f"{posed.name}.json", text(posed.document), options.check)]
+                 if is_stored(posed) and not compare_or_write(options.folder / f"{posed.name}.json", text(posed.document), options.check)]
 
     def answer(posed):
         try:
-            made = text(record(posed, command))
+            made = text(record(posed, command, is_stored(posed)))
         except Contradiction as problem:
             return f"{posed.name}: {problem}"
         same = compare_or_write(options.folder / "answers" / f"{posed.name}.json", made, options.check)
@@ -123,9 +129,9 @@ def main():
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             different += filter(None, pool.map(answer, chosen))
     if not only and options.folder == FOLDER:
-        if not compare_or_write(TABLE, table([(posed.name, True) for posed in every]), options.check):
+        if not compare_or_write(TABLE, table([(posed.name, is_stored(posed)) for posed in every]), options.check):
             different.append(str(TABLE))
-        known = {posed.name for posed in every}
+        known = {posed.name for posed in every if is_stored(posed)}
         different += [f"{file.name}: posed by no script" for file in sorted(FOLDER.glob("*.json")) if file.stem not in known]
     for name in different:
         print(f"DIFFERENT {name}" if options.check else f"NOT WRITTEN {name}", file=sys.stderr)

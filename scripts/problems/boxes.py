@@ -130,6 +130,25 @@ def _convex():
                         _planar_tower(boxes, 0.5, 0).problem(f"tower-plane-{boxes}-rest-{law}", law))
 
 
+def _hard():
+    """Tall towers and towers of very different masses, at rest and pushed: few solvers end."""
+    def alternating(exponent):
+        return lambda k: 1.0 if k % 2 else 10.0 ** exponent
+
+    def drift(k):
+        return [0.0625 * (k % 3), 0.03125 * k, falling()[2], 0, 0, 0.125 * (k % 2)]
+
+    for levels in (30, 40):
+        yield Posed("hard", f"a tower of {levels} boxes at rest under the associated law", _tower(levels, 0.5).problem(f"tower-{levels}-rest-associated", "associated"))
+    for levels, exponent, law in [(12, 6, "associated"), (20, 4, "coulomb"), (20, 4, "associated")]:
+        yield Posed("hard", f"{levels} boxes, light and heavy in turn, ratio 1e{exponent}, that drift, under the law {law}",
+                    _tower(levels, 0.3, alternating(exponent), drift).problem(f"tower-alternating-{levels}-1e{exponent}-drift-{law}", law))
+    for levels, exponent in [(8, 6), (12, 6)]:
+        for law in ("coulomb", "associated"):
+            yield Posed("hard", f"{levels} boxes, each upper one heavier, 1 to 1e{exponent}, under the law {law}",
+                        _tower(levels, 0.5, lambda k, n=levels, x=exponent: 10.0 ** (x * k // (n - 1))).problem(f"tower-heavy-above-{levels}-1e{exponent}-{law}", law))
+
+
 def _wall(width, height, friction, push=0.0):
     """Bricks in running bond: each rests on four corners of what it shares with the one or two bricks below."""
     world, below = Space(), []
@@ -163,6 +182,8 @@ def _walls():
                     _wall(width, height, 0.25, 1.0).problem(f"wall-{width}x{height}-pushed"))
     yield Posed("walls", "the pushed wall of 3 by 3 bricks under the associated law",
                 _wall(3, 3, 0.25, 1.0).problem("wall-3x3-associated", "associated"))
+    yield Posed("walls", "the pushed wall of 5 by 5 bricks under the associated law",
+                _wall(5, 5, 0.25, 1.0).problem("wall-5x5-associated", "associated"))
     yield Posed("walls", "the pushed wall of 8 by 10 bricks under the associated law",
                 _wall(8, 10, 0.25, 1.0).problem("wall-8x10-associated", "associated"))
 
@@ -218,5 +239,5 @@ def _tables():
 
 def all_problems():
     """The problems, in order."""
-    for family in (_on_floor, _planar, _towers, _convex, _walls, _arches, _tables):
+    for family in (_on_floor, _planar, _towers, _convex, _walls, _arches, _tables, _hard):
         yield from family()

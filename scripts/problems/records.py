@@ -11,7 +11,6 @@ from problems import exact
 
 SAME = 1e-6  # of the largest velocity: an exact velocity and a certified answer nearer than this are one
 BY_PATTERNS = "all patterns of states, in fractions"
-NO_FORWARD = "not asked: the program that made this record, or the law, has no proof of a solution near"
 
 
 class Contradiction(Exception):
@@ -90,21 +89,23 @@ def _proved(command, problem, posed, answer, folder):
     given = {"schema": "solution/1", "impulse": answer["impulse"], "velocity": answer["velocity"]}
     given.update({key: answer[key] for key in ("beta", "sigma") if answer.get(key) is not None})
     solution.write_text(json.dumps(given), encoding="utf-8")
-    if posed.document["law"].startswith("polyhedral"):
-        return {}
     return _ask(command, "certify", problem, solution, "--prove", "--format", "json", codes=(0, 1))
 
 
 def forward(certificate):
-    """The radius of `certify --prove`, or its reason."""
-    proof = certificate.get("forward")
-    if not isinstance(proof, dict):
-        return {"reason": NO_FORWARD}
+    """The radius of `certify --prove`, or its reason; under polyhedral friction the distance of a solution of the complementarity problem."""
+    proof = certificate["forward"]
     radius = proof.get("radius")
-    if proof.get("proved") and radius:
+    if proof["proved"] and radius:
         return {"velocity": radius["velocity"], "impulse": radius["impulse"]}
+    lcp = certificate.get("lcp") or {}
+    if lcp.get("near"):
+        near = lcp["near"]
+        return {"reason": f"{proof['reason']}: of that problem a solution ({lcp['unknowns']}) is within {near['distance']:.2e} N·s or m/s, in {near['in']}"}
+    if lcp.get("not_proved"):
+        return {"reason": f"{proof['reason']}: {lcp['not_proved']['reason']}"}
     place = "" if proof.get("contact") is None else f" (contact {proof['contact']})"
-    return {"reason": (proof.get("reason") or NO_FORWARD) + place}
+    return {"reason": proof["reason"] + place}
 
 
 def _check(posed, answers, measured):
@@ -150,7 +151,7 @@ def record(posed, command, stored=True):
             file = folder / f"given-{number}.json"
             file.write_text(json.dumps(candidate), encoding="utf-8")
             given += ["--given", file]
-        measured = _ask(command, "problems", "measure", problem, *given, "--format", "json")
+        measured = _ask(command, "problems", "measure", problem, *given, "--format", "json", codes=(0, 1))
         _check(posed, answers, measured)
         uniqueness = _uniqueness(posed, answers, measured["answers"])
         stored_answers = []
@@ -173,10 +174,12 @@ def _better(known, proved, posed):
         return known
     count = (proved.get("all") or {}).get("velocities")
     unique = proved.get("unique") in ("solution", "velocity") or count == 1
-    several = (proved.get("all") or {}).get("continuum") or (count or 0) > 1
+    apart = (proved.get("several") or {}).get("at_least")
+    several = (proved.get("all") or {}).get("continuum") or (count or 0) > 1 or apart
     if not (unique or several):
         return known
-    proved = {"velocity": "unique" if unique else "several", "reason": proved.get("reason")}
+    reason = f"at least {apart} velocities have disjoint enclosures" if apart else proved.get("reason")
+    proved = {"velocity": "unique" if unique else "several", "reason": reason}
     if known["velocity"] not in ("unknown", proved["velocity"]):
         raise Contradiction(f"{posed.name}: the velocity is {known['velocity']} ({known['reason']}), and certify --prove says {proved['velocity']}")
     if known["velocity"] != "unknown":

@@ -102,6 +102,23 @@ def _crates():
         yield Posed("jammed", f"{len(centres)} spheres that fill a crate, shaken", world.problem(f"crate-{len(centres)}"))
 
 
+def _hard():
+    """Pyramids and piles of spheres of very different masses, heaps of capsules: few solvers end."""
+    for layers, exponent, law in [(4, 6, "coulomb"), (4, 6, "associated"), (5, 6, "associated"), (5, 0, "associated")]:
+        centres = _pyramid(layers)
+        world = _pile(centres, [0.5] * len(centres), FLOOR, 0.5, masses=lambda k, e=exponent, n=len(centres): 10.0 ** e if k == n - 1 else 1.0)
+        yield Posed("hard", f"a pyramid of {len(centres)} spheres at rest, the top one 1e{exponent} times as heavy, under the law {law}",
+                    world.problem(f"pyramid-{len(centres)}-top-1e{exponent}-{law}", law))
+    centres, radii = deposit(60, 4, 60)
+    world = _pile(centres, radii, crate(4), 0.3, masses=lambda k: 1.0, speeds=_shake(60, 0.25))
+    yield Posed("hard", "60 spheres of one mass dropped into a crate, each with a velocity of its own, under the associated law",
+                world.problem("pile-60-1e0-associated", "associated"))
+    for side, layers, friction, size in [(3, 3, 0.5, 0.0), (6, 6, 0.3, 0.25), (4, 6, 0.5, 0.125)]:
+        world = _logs(side, layers, friction, side + 1, size)
+        yield Posed("hard", f"{side * layers} capsules in {layers} crossed layers, μ = {friction}, under the associated law",
+                    world.problem(f"heap-{len(world.contacts)}-associated", "associated"))
+
+
 def _determinant(a, b, c):
     return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
 
@@ -273,5 +290,5 @@ def _disks():
 
 def all_problems():
     """The problems, in order."""
-    for family in (_pyramids, _convex, _crates, _deposits, _capsules, _disks):
+    for family in (_pyramids, _convex, _crates, _deposits, _capsules, _disks, _hard):
         yield from family()

@@ -207,8 +207,11 @@ impl Ended {
 }
 
 impl Record {
-    /// How many solvers failed at the problem.
+    /// How many solvers failed at the problem; none fails at one that is proved to have no solution.
     pub fn failures(&self) -> usize {
+        if self.uniqueness.velocity == Known::None {
+            return 0;
+        }
         self.solvers.iter().filter(|outcome| outcome.ended.is_failure()).count()
     }
 }
