@@ -73,6 +73,7 @@ const GROUPS: [(&str, &str); 15] = [
     ("jammed", "bodies in wedges, slots and crates that they fill"),
     ("redundant", "tables on more legs than they need: impulses are not unique"),
     ("mass-ratio", "piles and pyramids whose masses differ by up to 1e6"),
+    ("hard", "towers, pyramids and crates on which at least three of our solvers were expected to fail"),
     ("convex", "the same data under frictionless, associated and polyhedral laws"),
     ("no-solution", "proved to have none, some of them feasible"),
     ("steps", "steps of MuJoCo, Drake, Siconos and Bullet"),
