@@ -60,7 +60,7 @@ Columns:
   failed    how many solvers gave up, or answered what the certificate rejects; a solver of other laws does not fail";
 
 /// The families of problems, for `--group`.
-const GROUPS: [(&str, &str); 15] = [
+const GROUPS: [(&str, &str); 16] = [
     ("single", "one point or ball under every law: sticking, sliding, on borders, open"),
     ("painleve", "rods on the ground with Painlevé's paradox: several velocities at large μ"),
     ("plane", "in the plane: beams on 2 to 60 points, and others"),
