@@ -108,7 +108,7 @@ fn family(solver: &str) -> &str {
         "apgd" | "bb" => "gradients",
         "interior-point" | "clarabel" => "interior points",
         "admm" => "alternating directions",
-        "newton" | "nonsmooth-newton" => "Newton",
+        "newton" | "nonsmooth-newton" | "jean-moreau" => "Newton",
         "lemke" => "pivots",
         _ => solver,
     }

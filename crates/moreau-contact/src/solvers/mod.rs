@@ -50,6 +50,7 @@ mod convex_subproblems;
 mod elimination;
 mod elimination_tree;
 pub mod enumeration;
+mod friction_equations;
 mod friction_set;
 mod front;
 pub mod gauss;
@@ -86,6 +87,7 @@ pub use barzilai_borwein::BarzilaiBorwein;
 pub use clarabel::{ClarabelPolished, Polished};
 pub use convex_subproblems::ConvexSubproblems;
 pub use enumeration::Enumeration;
+pub use friction_equations::FrictionEquations;
 pub use gauss::GaussNewton;
 pub use interior_point::InteriorPoint;
 pub use joints::{WithoutJoints, solve_jointed};
@@ -145,3 +147,5 @@ pub trait ContactSolver: Send + Sync {
 mod agreement_tests;
 #[cfg(test)]
 mod lcp_tests;
+#[cfg(test)]
+mod test_problems;

@@ -1,4 +1,5 @@
-//! Nonsmooth Newton on Alart and Curnier's equations, which are the certificate's natural map in two parts:
+//! Nonsmooth Newton on Alart and Curnier's equations, which are the certificate's natural map in two parts, or on Jean and Moreau's, which
+//! have another radius R (`friction_equations.rs`):
 //!
 //! ```text
 //!     a = r_n − ρ_n w ,   z = r_t − ρ_t y_t ,   R = μ max(a, 0) ,   y = A r + q ,   A = W + compliance
@@ -26,6 +27,7 @@ use super::ContactSolver;
 use super::block_elimination::Slopes;
 use super::contact_systems::ContactSystems;
 use super::elimination;
+use super::friction_equations::FrictionEquations;
 use super::friction_set::{FrictionSet, Piece};
 use super::stopping::Stopping;
 use crate::certificate::Judge;
@@ -43,19 +45,27 @@ pub struct NonsmoothNewton {
     pub tolerance: f64,
     /// How many of the starts with different η it may make.
     pub starts: usize,
+    /// Which radius friction has.
+    pub equations: FrictionEquations,
 }
 
 impl Default for NonsmoothNewton {
     fn default() -> Self {
-        NonsmoothNewton { steps: tolerance::NONSMOOTH_STEPS, tolerance: tolerance::STOP, starts: tolerance::NONSMOOTH_PROXIMALS.len() }
+        NonsmoothNewton {
+            steps: tolerance::NONSMOOTH_STEPS,
+            tolerance: tolerance::STOP,
+            starts: tolerance::NONSMOOTH_PROXIMALS.len(),
+            equations: FrictionEquations::AlartCurnier,
+        }
     }
 }
 
-const NAME: &str = "nonsmooth-newton";
-
 impl ContactSolver for NonsmoothNewton {
     fn name(&self) -> &'static str {
-        NAME
+        match self.equations {
+            FrictionEquations::AlartCurnier => "nonsmooth-newton",
+            FrictionEquations::JeanMoreau => "jean-moreau",
+        }
     }
 
     fn with_tolerance(&self, relative: f64) -> Option<Box<dyn ContactSolver>> {
@@ -72,9 +82,9 @@ impl ContactSolver for NonsmoothNewton {
 
     fn solve(&self, problem: &ContactProblem, warm_start: Option<&DVector<f64>>) -> Result<Solution> {
         if !NonsmoothNewton::fits(problem) {
-            return Err(Error::refused(NAME, "does not solve a compliance on edges, of which the impulse is not a function"));
+            return Err(Error::refused(self.name(), "does not solve a compliance on edges, of which the impulse is not a function"));
         }
-        let mut equations = Equations::new(problem)?;
+        let mut equations = Equations::new(problem, self.equations)?;
         let mut stopping = Stopping::new(problem, self.tolerance);
         let start = super::start(problem, warm_start)?;
         let mut best = (f64::INFINITY, start.clone());
@@ -106,11 +116,16 @@ impl ContactSolver for NonsmoothNewton {
         }
         let impulse = best.1;
         let velocity = problem.velocity(&impulse);
-        super::finite(Solution::new(NAME, impulse, velocity, steps))
+        super::finite(Solution::new(self.name(), impulse, velocity, steps))
     }
 }
 
 impl NonsmoothNewton {
+    /// With Jean and Moreau's equations.
+    pub fn jean_moreau() -> Self {
+        NonsmoothNewton { equations: FrictionEquations::JeanMoreau, ..Default::default() }
+    }
+
     /// Whether the law of this problem is a function of impulse and velocity.
     pub fn fits(problem: &ContactProblem) -> bool {
         problem.compliance().is_none_or(|compliance| compliance.coordinates == Coordinates::Contact)
@@ -120,6 +135,8 @@ impl NonsmoothNewton {
 /// F and J of a problem.
 struct Equations<'a> {
     problem: &'a ContactProblem,
+    /// R of every contact.
+    radius: FrictionEquations,
     /// S of every contact.
     set: FrictionSet,
     /// W + R where it is stored densely; blocks are taken as they are.
@@ -131,14 +148,14 @@ struct Equations<'a> {
 }
 
 impl<'a> Equations<'a> {
-    fn new(problem: &'a ContactProblem) -> Result<Self> {
+    fn new(problem: &'a ContactProblem, radius: FrictionEquations) -> Result<Self> {
         let set = match problem.law().directions() {
             Some(directions) if problem.rows_per_contact() == 3 => FrictionSet::Polygon { directions },
             _ => FrictionSet::Disk,
         };
         let operator = problem.delassus().blocks().is_none().then(|| problem.law_delassus()).transpose()?;
         let systems = problem.delassus().blocks().map(|w| ContactSystems::new(problem, w));
-        Ok(Equations { problem, set, operator, systems, weights: Judge::weights(problem) })
+        Ok(Equations { problem, radius, set, operator, systems, weights: Judge::weights(problem) })
     }
 
     /// r + s d with the first η and s that halve ‖F‖, or else those with the least; none where every d is not a number.
@@ -222,7 +239,7 @@ impl<'a> Equations<'a> {
         let a = impulse[normal] - rho_n * w;
         let presses = a > 0.0;
         residual[normal] = if presses { rho_n * w } else { impulse[normal] };
-        let radius = mu * a.max(0.0);
+        let radius = self.radius.radius(mu, [impulse[normal], a]);
         let piece = self.set.piece(radius, [r_t[0] - rho_t * y_t[0], r_t[1] - rho_t * y_t[1]]);
         // F_t = (I − A) r_t + A ρ_t y_t − g R, without the difference of two numbers as large as r_t where the contact sticks
         for i in 0..rows - 1 {
@@ -251,9 +268,10 @@ impl<'a> Equations<'a> {
                 through[(1 + i, 1 + j)] = moves * rho_t;
                 own[(1 + i, 1 + j)] = piece.stays(i, j) + moves * proximal;
             }
-            if presses {
-                // −g μ ∂a/∂r
-                (0..rows).for_each(|column| through[(1 + i, column)] += slope[column] * (piece.growth[i] * mu * rho_n));
+            if piece.growth[i] != 0.0 {
+                // −g ∂R/∂r
+                let falls = piece.growth[i] * self.radius.falls(mu) * rho_n;
+                (0..rows).for_each(|column| through[(1 + i, column)] += slope[column] * falls);
                 own[(1 + i, 0)] = -piece.growth[i] * mu;
             }
         }
@@ -272,33 +290,10 @@ impl<'a> Equations<'a> {
 mod tests {
     use super::*;
     use crate::certificate::residuals;
-    use crate::operator::{BlockSparse, Sparse};
     use crate::problem::Compliance;
+    use crate::solvers::test_problems::{by_blocks, four_corners};
     use crate::solvers::{AlternatingDirections, LemkePivoting, ProjectedGaussSeidel};
     use crate::tolerance::certificate::CERTIFY;
-    use nalgebra::dmatrix;
-
-    /// A cube of 1 kg and edge 2 m on four corners, pushed sideways and turned about the vertical: rank six of twelve.
-    fn four_corners(law: Law, sideways: f64, turning: f64) -> ContactProblem {
-        let mut jacobian = DMatrix::zeros(12, 6);
-        for (k, [x, y]) in [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]].into_iter().enumerate() {
-            let rows = dmatrix![
-                0.0, 0.0, 1.0, y, -x, 0.0;
-                1.0, 0.0, 0.0, 0.0, -1.0, -y;
-                0.0, 1.0, 0.0, 1.0, 0.0, x
-            ];
-            jacobian.rows_mut(3 * k, 3).copy_from(&rows);
-        }
-        let mass = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 1.0, 1.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0]));
-        let free = DVector::from_vec(vec![sideways, 0.0, -1.0, 0.0, 0.0, turning]);
-        ContactProblem::from_dynamics(mass, jacobian, &free)
-            .name("four corners")
-            .law(law)
-            .friction(vec![0.5; 4])
-            .bodies(vec![[Some(0), None]; 4])
-            .build()
-            .unwrap()
-    }
 
     #[test]
     fn it_finishes_what_sweeps_began_where_the_impulses_are_not_unique() {
@@ -317,13 +312,7 @@ mod tests {
         }
     }
 
-    /// The same problem with W by blocks.
-    fn by_blocks(problem: &ContactProblem) -> ContactProblem {
-        let (w, d) = (problem.dense(), problem.rows_per_contact());
-        let entries = (0..w.nrows()).flat_map(|i| (0..w.ncols()).map(move |j| (i, j))).map(|(i, j)| (i, j, w[(i, j)])).collect();
-        let blocks = BlockSparse::from_sparse(&Sparse { shape: [w.nrows(), w.ncols()], entries }, d).unwrap();
-        problem.clone().into_builder().delassus(blocks).build().unwrap()
-    }
+    const BOTH: [FrictionEquations; 2] = [FrictionEquations::AlartCurnier, FrictionEquations::JeanMoreau];
 
     #[test]
     fn blocks_and_a_square_matrix_give_the_same_step() {
@@ -335,7 +324,7 @@ mod tests {
                 let stored = by_blocks(&problem);
                 let velocity = problem.law_velocity(&impulse);
                 let [dense, blocks] = [&problem, &stored].map(|problem| {
-                    let mut equations = Equations::new(problem).unwrap();
+                    let mut equations = Equations::new(problem, FrictionEquations::AlartCurnier).unwrap();
                     let (residual, slopes) = equations.linearise(&impulse, &velocity, 1e-3);
                     equations.direction(&slopes, &-residual).unwrap()
                 });
@@ -346,27 +335,34 @@ mod tests {
         }
     }
 
+    /// The largest difference of the Jacobian of one from the differences of F of the other, and what rounding and curvature leave.
+    fn difference(problem: &ContactProblem, slopes_of: FrictionEquations, values_of: FrictionEquations) -> [f64; 2] {
+        let (step, eta) = (crate::tolerance::cones::DIFFERENCE_STEP, tolerance::NONSMOOTH_PROXIMALS[0][1]);
+        let [slopes_of, values_of] = [slopes_of, values_of].map(|radius| Equations::new(problem, radius).unwrap());
+        // one contact presses and sticks or slides, one is open
+        let impulse = DVector::from_vec(vec![0.4, -0.05, 0.02, 0.3, -0.1, -0.1, -0.8, 0.0, 0.0, 0.1, 0.3, 0.2]);
+        let slopes = slopes_of.linearise(&impulse, &problem.law_velocity(&impulse), eta).1;
+        let jacobian = slopes_of.jacobian(slopes_of.operator.as_ref().expect("stored densely"), &slopes);
+        let column = |column: usize| {
+            let shifted = |by: f64| {
+                let mut moved = impulse.clone();
+                moved[column] += by;
+                values_of.residual(&moved, &problem.law_velocity(&moved))
+            };
+            (jacobian.column(column) - (shifted(step) - shifted(-step)) / (2.0 * step)).amax()
+        };
+        [(0..12).map(column).fold(0.0, f64::max), eta + crate::tolerance::cones::difference_error(0.05, 4.0)]
+    }
+
     #[test]
-    fn the_jacobian_is_the_derivative_of_the_equations() {
-        let step = crate::tolerance::cones::DIFFERENCE_STEP;
+    fn the_jacobian_is_the_derivative_of_its_own_equations_alone() {
         let polygons = [Law::PolyhedralCoulomb { directions: 5 }, Law::PolyhedralAssociated { directions: 8 }];
         for law in [Law::Frictionless, Law::Coulomb, Law::Associated].into_iter().chain(polygons) {
             let problem = four_corners(law, 0.7, 0.9);
-            let equations = Equations::new(&problem).unwrap();
-            let eta = tolerance::NONSMOOTH_PROXIMALS[0][1];
-            let at = |impulse: &DVector<f64>| equations.linearise(impulse, &problem.law_velocity(impulse), eta);
-            // one contact presses and sticks or slides, one is open
-            let impulse = DVector::from_vec(vec![0.4, -0.05, 0.02, 0.3, -0.1, -0.1, -0.8, 0.0, 0.0, 0.1, 0.3, 0.2]);
-            let jacobian = equations.jacobian(equations.operator.as_ref().expect("stored densely"), &at(&impulse).1);
-            for column in 0..12 {
-                let shifted = |by: f64| {
-                    let mut moved = impulse.clone();
-                    moved[column] += by;
-                    at(&moved).0
-                };
-                let slope = (shifted(step) - shifted(-step)) / (2.0 * step);
-                let bound = eta + crate::tolerance::cones::difference_error(0.05, 4.0);
-                assert!((jacobian.column(column) - slope).amax() <= bound, "{law:?} column {column}");
+            for (slopes_of, values_of) in BOTH.into_iter().flat_map(|one| BOTH.map(|other| (one, other))) {
+                let [found, bound] = difference(&problem, slopes_of, values_of);
+                let same = slopes_of == values_of || law == Law::Frictionless;
+                assert_eq!(found <= bound, same, "{law:?} {slopes_of:?} {values_of:?}: {found:e}");
             }
         }
     }

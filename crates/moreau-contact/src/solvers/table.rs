@@ -4,8 +4,9 @@
 use super::ClarabelPolished;
 use super::watch::{Interrupt, watched};
 use super::{
-    AcceleratedProjectedGradient, AlternatingDirections, Auto, BarzilaiBorwein, ContactSolver, ConvexSubproblems, Enumeration, GaussNewton,
-    InteriorPoint, LemkePivoting, Murty, NewtonMin, NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation,
+    AcceleratedProjectedGradient, AlternatingDirections, Auto, BarzilaiBorwein, ContactSolver, ConvexSubproblems, Enumeration,
+    GaussNewton, InteriorPoint, LemkePivoting, Murty, NewtonMin, NonsmoothNewton, ParametricPivoting,
+    ProjectedGaussSeidel, ProjectedOverRelaxation,
 };
 use crate::problem::ContactProblem;
 use crate::tolerance::solvers::{ASKED_ROWS, MOST_ITERATIONS, SYMMETRY};
@@ -75,6 +76,11 @@ const OWN: &[SolverEntry] = &[
         name: "nonsmooth-newton",
         default: || Box::new(NonsmoothNewton::default()),
         limited: Some(|limit| Box::new(NonsmoothNewton { steps: limit, ..Default::default() })),
+    },
+    SolverEntry {
+        name: "jean-moreau",
+        default: || Box::new(NonsmoothNewton::jean_moreau()),
+        limited: Some(|limit| Box::new(NonsmoothNewton { steps: limit, ..NonsmoothNewton::jean_moreau() })),
     },
     SolverEntry {
         name: "interior-point",

@@ -108,7 +108,7 @@ pub(super) fn from_kept(problem: &ContactProblem, kept: &DVector<f64>, stop: f64
 
 /// A few steps of Newton's method, which end most problems; where they do not, others lead it.
 fn short_newton(problem: &ContactProblem, start: Option<&DVector<f64>>, stop: f64) -> Result<Solution> {
-    NonsmoothNewton { steps: tolerance::SHORT_STEPS, starts: 1, tolerance: stop }.solve(problem, start)
+    NonsmoothNewton { steps: tolerance::SHORT_STEPS, starts: 1, tolerance: stop, ..Default::default() }.solve(problem, start)
 }
 
 /// Whether interior points are for it, and it has so many more rows than velocities that they cost little where others go astray.

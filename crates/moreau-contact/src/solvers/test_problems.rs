@@ -1,0 +1,58 @@
+//! Problems that the tests of several solvers share: a point whose answers are known, and a cube whose contacts are redundant.
+
+use crate::operator::{BlockSparse, Sparse};
+use crate::problem::{ContactProblem, Law};
+use nalgebra::{DMatrix, DVector, dmatrix, dvector};
+
+/// A point of 1 kg on a plane.
+pub(super) fn point(law: Law, friction: f64, free: DVector<f64>) -> ContactProblem {
+    ContactProblem::new(DMatrix::identity(3, 3), free).law(law).friction(vec![friction]).build().unwrap()
+}
+
+/// Free velocities of the point with μ = ½, and its impulses: open, sticking, at rest, at the apex, sliding.
+///
+/// With W = I the associated impulse is the projection of −u_free on the cone ‖r_t‖ ≤ r_n/2, zero where u_n ≥ ‖u_t‖/2; Coulomb's is
+/// r_n = −u_n, r_t = −r_n/2 · u_t/‖u_t‖ where ‖u_t‖ > −u_n/2.
+pub(super) fn of_a_point(law: Law) -> Vec<(DVector<f64>, DVector<f64>)> {
+    let slides = if law == Law::Coulomb {
+        dvector![1.0, -0.3, 0.4]
+    } else {
+        // (r·c) c with c = (2, −0.6, 0.8)/√5 and r = (1, −1.8, 2.4): r·c = 5/√5
+        dvector![2.0, -0.6, 0.8]
+    };
+    vec![
+        (dvector![2.0, 3.0, -2.0], DVector::zeros(3)),
+        (dvector![-1.0, 0.3, 0.2], dvector![1.0, -0.3, -0.2]),
+        (dvector![-1.0, 0.0, 0.0], dvector![1.0, 0.0, 0.0]),
+        (DVector::zeros(3), DVector::zeros(3)),
+        (dvector![-1.0, 1.8, -2.4], slides),
+    ]
+}
+
+/// A cube of 1 kg and edge 2 m on four corners, pushed sideways and turned about the vertical, μ = ½: rank six of twelve.
+pub(super) fn four_corners(law: Law, sideways: f64, turning: f64) -> ContactProblem {
+    let mut jacobian = DMatrix::zeros(12, 6);
+    for (k, [x, y]) in [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]].into_iter().enumerate() {
+        let rows = dmatrix![
+            0.0, 0.0, 1.0, y, -x, 0.0;
+            1.0, 0.0, 0.0, 0.0, -1.0, -y;
+            0.0, 1.0, 0.0, 1.0, 0.0, x
+        ];
+        jacobian.rows_mut(3 * k, 3).copy_from(&rows);
+    }
+    let mass = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 1.0, 1.0, 2.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0]));
+    let free = DVector::from_vec(vec![sideways, 0.0, -1.0, 0.0, 0.0, turning]);
+    ContactProblem::from_dynamics(mass, jacobian, &free)
+        .name("four corners")
+        .law(law)
+        .friction(vec![0.5; 4])
+        .bodies(vec![[Some(0), None]; 4])
+        .build()
+        .unwrap()
+}
+
+/// The same problem with W by blocks.
+pub(super) fn by_blocks(problem: &ContactProblem) -> ContactProblem {
+    let blocks = BlockSparse::from_sparse(&Sparse::of(problem.dense()), problem.rows_per_contact()).unwrap();
+    problem.clone().into_builder().delassus(blocks).build().unwrap()
+}
