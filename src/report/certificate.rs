@@ -282,7 +282,7 @@ impl<'a> Certificate<'a> {
             line(format!("  velocity differs by at most {velocity} at a contact{place}"));
         }
         if let Some(reason) = &self.backward_reason {
-            line(format!("no backward error is proved: {reason}"));
+            line(format!("no backward error is proved: {}", reason.trim_start_matches("not proved: ")));
         }
         if let Some(near) = &self.forward {
             near.lines().into_iter().for_each(&mut line);

@@ -4,9 +4,8 @@
 use super::ClarabelPolished;
 use super::watch::{Interrupt, watched};
 use super::{
-    AcceleratedProjectedGradient, AlternatingDirections, Auto, BarzilaiBorwein, ContactSolver, ConvexSubproblems, Enumeration,
-    GaussNewton, InteriorPoint, LemkePivoting, Murty, NewtonMin, NonsmoothNewton, ParametricPivoting,
-    ProjectedGaussSeidel, ProjectedOverRelaxation,
+    AcceleratedProjectedGradient, AlternatingDirections, Auto, BarzilaiBorwein, ContactSolver, ConvexSubproblems, Enumeration, GaussNewton,
+    InteriorPoint, LemkePivoting, Murty, NewtonMin, NonsmoothNewton, ParametricPivoting, ProjectedGaussSeidel, ProjectedOverRelaxation,
 };
 use crate::problem::ContactProblem;
 use crate::tolerance::solvers::{ASKED_ROWS, MOST_ITERATIONS, SYMMETRY};
