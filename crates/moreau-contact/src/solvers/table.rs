@@ -189,7 +189,7 @@ impl Solvers {
         self.0.iter().filter(takes).map(|entry| entry.name)
     }
 
-    /// The error of a solver of this table, and, where that refused the problem, who takes it; the first [`NAMED`] of them.
+    /// The error of a solver of this table, and, where that refused the problem, who takes it; the first few of them.
     pub fn with_cure(&self, error: Error, problem: &ContactProblem) -> Error {
         match error {
             Error::Solver { solver, failure: Failure::Refused, reason } => {
